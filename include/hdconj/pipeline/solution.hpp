@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What `solve` computes: plain data, all lengths in mm, all angles in rad.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hdconj/geometry/vec2.hpp"
+#include "hdconj/scene/plan.hpp"
+#include "hdconj/scene/scene.hpp"
+
+namespace hdconj {
+
+/// Derived dimensions of the pair.
+struct PairGeometry
+{
+    double r_m = 0;            ///< radius of the undeformed neutral curve
+    double r_0 = 0;            ///< mean radius of the deformed one
+    double w0 = 0;             ///< largest radial deformation
+    double pitch_line = 0;     ///< height of the tooth's pitch line above the neutral curve
+    double addendum = 0;       ///< h_a
+    double dedendum = 0;       ///< h_f
+    double flexspline_inner_radius = 0;
+    double circular_spline_inner_radius = 0;
+    double land_half_angle = 0;  ///< half the tip land of the circular spline [rad]
+    double space_depth = 0;      ///< radial depth of the tooth space from the tip circle
+    double ratio = 0;            ///< -z_f / (z_c - z_f), circular spline held
+};
+
+/// One sampled branch of the meshing condition (HDF5 /envelope/branch_###).
+struct BranchRecord
+{
+    std::string kind;          ///< "regular" or "corner"
+    int segment = 0;           ///< index into Solution::segment_names; for a corner the segment before it
+    std::string segment_name;
+    std::string begins;        ///< "segment end", "double root", "cusp", "range end"
+    std::string ends;
+    bool on_boundary = false;  ///< any part of it belongs to the circular spline
+    std::vector<double> u;     ///< (n) polar angle on the neutral curve
+    std::vector<double> phi;   ///< (n) undeformed angle of the tooth
+    std::vector<double> t;     ///< (n) profile parameter, 0 ... 1 along the segment
+    std::vector<Vec2> point;   ///< (n,2) in the circular-spline frame
+};
+
+/// A conjugate zone: a piece of a branch on which t(u) is monotone and the envelope is outer or inner.
+struct ConjugateZone
+{
+    int segment = 0;
+    std::string segment_name;
+    std::string kind;        ///< "regular" or "corner"
+    std::size_t branch = 0;  ///< index into Solution::branches
+    double u_begin = 0, u_end = 0;
+    double phi_begin = 0, phi_end = 0;
+    double t_begin = 0, t_end = 0;
+    bool outer = false;       ///< locally the tooth touches from inside the space
+    bool on_boundary = false; ///< some of it bounds the circular spline's tooth space
+};
+
+/// A piece of the final outline and where it comes from.
+struct OutlinePiece
+{
+    std::string kind;          ///< "land", "flank", "corner", "rounding", "root wall", "root"
+    std::string segment_name;  ///< profile segment that made it; empty for land and root wall
+    std::size_t first = 0;     ///< index of the first point
+    std::size_t last = 0;      ///< index of the last point
+};
+
+/// The circular spline's toothed boundary, one pitch, all slices.
+struct CircularSplineOutline
+{
+    std::vector<double> z;                   ///< (k)
+    std::vector<std::vector<Vec2>> outline;  ///< (k,n,2), mid-land to mid-land, increasing x
+    std::vector<int> landmarks;              ///< (l) indices: land corners, flank ends, middle of the space
+    std::vector<OutlinePiece> pieces;        ///< of each slice
+};
+
+/// The finished pair over a full turn of the wave generator.
+struct PairCheck
+{
+    double smallest_clearance = 0;  ///< min over outline points and positions; negative: interference
+    Vec2 where = Vec2::Zero();      ///< circular-spline frame
+    double at_phi = 0;              ///< tooth position where it happens
+    std::size_t points = 0;         ///< outline points looked at
+    std::size_t positions = 0;      ///< tooth positions per point before refinement
+};
+
+/// Estimated errors of the written data.
+struct ErrorEstimate
+{
+    double chord = 0;          ///< outline polygon against the true curve [mm]
+    double point = 0;          ///< written points against the true curve [mm]
+    double arc_length = 0;     ///< closed length of the neutral curve, relative
+    [[nodiscard]] double largest() const { return chord > point ? chord : point; }
+};
+
+struct StageTime
+{
+    std::string stage;
+    double seconds = 0;
+};
+
+/// Work done, independent of the clock.
+struct WorkCount
+{
+    std::size_t envelope_points = 0;   ///< contacts evaluated
+    std::size_t roots_isolated = 0;    ///< roots found by isolation
+    std::size_t arrangement_edges = 0; ///< segments given to the planar arrangement
+};
+
+struct Solution
+{
+    Scene scene;
+    Plan plan;
+    PairGeometry geometry;
+    std::vector<std::string> segment_names;
+    std::vector<Vec2> flexspline_outline;  ///< (n,2) one tooth in its own frame, y from the pitch line
+    std::vector<Vec2> neutral_curve;       ///< (n,2) fixed frame, closed, first point not repeated
+    std::vector<BranchRecord> branches;
+    std::vector<ConjugateZone> zones;
+    CircularSplineOutline circular_spline;
+    std::optional<PairCheck> check;
+    ErrorEstimate error;
+    WorkCount work;
+    int threads = 1;
+    std::vector<StageTime> timing;
+};
+
+}  // namespace hdconj

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Parameters of a family (tooth profile, wave generator): what a family declares
+/// about its keys, and the values a scene gives them.
+#pragma once
+
+#include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace hdconj {
+
+/// What kind of value a key takes; decides type check and printed unit.
+enum class Quantity
+{
+    length,          ///< [mm], any finite number
+    positive_length, ///< [mm], > 0
+    nonnegative_length,  ///< [mm], >= 0
+    angle_deg,       ///< degrees in the scene
+    count,           ///< whole number
+    word,            ///< one of ParameterSpec::words
+    length_or_word,  ///< [mm], or one of ParameterSpec::words
+    file             ///< path, relative to the scene file
+};
+
+/// One key that a family understands.
+struct ParameterSpec
+{
+    std::string_view key;
+    Quantity quantity;
+    std::string_view meaning;              ///< one phrase, for --help and error messages
+    bool required = true;
+    std::vector<std::string_view> words{}; ///< allowed words for word, length_or_word
+    double at_least = -std::numeric_limits<double>::infinity();
+    double at_most = std::numeric_limits<double>::infinity();
+};
+
+/// A family as the scene reader sees it: its name and the keys it understands.
+struct FamilyDescription
+{
+    std::string_view name;
+    std::string_view meaning;
+    std::vector<ParameterSpec> parameters;
+};
+
+/// Number or text as given in the scene.
+using ParameterValue = std::variant<double, std::string>;
+
+/// One given parameter with its place in the scene.
+struct Parameter
+{
+    ParameterValue value;
+    int line = 0;
+};
+
+/// A family's name and the parameters given to it (only those given).
+struct FamilyChoice
+{
+    std::string family;
+    int line = 0;                     ///< of the `family` key
+    std::string path;                 ///< table path, "flexspline.profile"
+    std::map<std::string, Parameter, std::less<>> given;
+
+    [[nodiscard]] bool has(std::string_view key) const { return given.find(key) != given.end(); }
+    /// The number under @p key, or nothing when absent or a word.
+    [[nodiscard]] std::optional<double> number(std::string_view key) const;
+    /// The number under @p key, or @p otherwise when absent.
+    [[nodiscard]] double number_or(std::string_view key, double otherwise) const;
+    /// The word under @p key, or nothing when absent or a number.
+    [[nodiscard]] std::optional<std::string> word(std::string_view key) const;
+    /// Line of @p key, or the line of `family` when the key is absent.
+    [[nodiscard]] int line_of(std::string_view key) const;
+    /// The value of @p key as text for messages; empty when absent.
+    [[nodiscard]] std::string text_of(std::string_view key) const;
+};
+
+}  // namespace hdconj

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The plan: which stages a scene calls for, in order, and why. A pure function of the scene.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hdconj/scene/scene.hpp"
+
+namespace hdconj {
+
+/// The stages that the program knows. A stage that is not in the plan is never constructed.
+enum class Stage
+{
+    profile,         ///< flexspline tooth from its family
+    neutral_curve,   ///< wave generator, closed length, r_0
+    motion,          ///< relative motion flexspline tooth to circular spline
+    envelope,        ///< meshing condition, branches
+    region,          ///< outer boundary of the swept region
+    backlash,        ///< side clearance: parallel offset
+    root_clearance,  ///< deeper tooth-space bottom
+    outline,         ///< tip land, sampling, order
+    interference     ///< finished pair over the full turn
+};
+
+/// One stage of a plan and the reason it is there.
+struct PlannedStage
+{
+    Stage stage;
+    std::string reason;
+};
+
+/// An effect that the scene does not call for.
+struct AbsentEffect
+{
+    std::string name;    ///< "coning"
+    std::string remedy;  ///< the key that would turn it on
+};
+
+struct Plan
+{
+    std::vector<PlannedStage> stages;
+    std::vector<AbsentEffect> absent;
+
+    [[nodiscard]] bool has(Stage stage) const;
+};
+
+/// Stage name as written into results: "profile", "neutral_curve", ...
+[[nodiscard]] std::string to_string(Stage stage);
+
+/// Stages for `solve`, in the order they run.
+[[nodiscard]] Plan make_plan(Scene const& scene);
+
+/// The plan as text for `hdconj check`.
+[[nodiscard]] std::string describe(Plan const& plan);
+
+}  // namespace hdconj

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The scene: everything a user says about a drive, as plain data.
+/// Lengths in mm, angles in rad (keys ending in _deg are converted by the reader).
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "hdconj/scene/parameters.hpp"
+
+namespace hdconj {
+
+struct Drive
+{
+    std::string name;
+    double module = 0;              ///< m [mm]
+    int flexspline_teeth = 0;       ///< z_f
+    int circular_spline_teeth = 0;  ///< z_c
+};
+
+struct Flexspline
+{
+    double wall = 0;                     ///< delta [mm], under the teeth
+    std::optional<double> inner_radius;  ///< [mm]; default m z_f/2 - h_f - delta
+    double neutral_offset = 0;           ///< [mm], neutral layer this far inside the middle of the wall
+    FamilyChoice profile;
+};
+
+struct WaveGenerator
+{
+    FamilyChoice shape;
+    int waves = 2;  ///< n
+};
+
+struct CircularSpline
+{
+    std::optional<double> width;         ///< [mm], axial; recorded, used by axial effects
+    double backlash_offset = 0;          ///< [mm], along the normal, >= 0
+    double root_clearance = 0;           ///< [mm], along the centre line of the space, >= 0
+    std::optional<double> inner_radius;  ///< [mm], tip circle; default r_m + delta/2 + h_f + w0 - h_a
+};
+
+enum class Kinematics
+{
+    exact,       ///< inextensible neutral curve, arc length solved
+    first_order  ///< thesis (2-16), (2-19)
+};
+
+struct Solver
+{
+    Kinematics kinematics = Kinematics::exact;
+    double tolerance = 1e-6;  ///< [mm], largest distance of an output outline from the true one
+    int threads = 0;          ///< 0: all cores
+};
+
+/// Effect: the flexspline cones along the axis.
+struct Coning
+{
+    std::string model;                       ///< "linear"
+    std::optional<double> bottom_to_middle;  ///< [mm]
+    int line = 0;
+};
+
+/// Effect: tilted circular-spline teeth.
+struct Tilt
+{
+    double angle = 0;  ///< [rad]
+    std::string kind;  ///< "radial" or "draft"
+    int line = 0;
+};
+
+/// Effect: more than one slice across the face width.
+struct Slices
+{
+    int count = 1;
+    std::string surface;  ///< "tilted", "ruled" or "per-slice"
+    int line = 0;
+};
+
+/// A drive and what is to be computed of it. An effect that is absent has no object.
+struct Scene
+{
+    Drive drive;
+    Flexspline flexspline;
+    WaveGenerator wave_generator;
+    CircularSpline circular_spline;
+    Solver solver;
+    std::optional<Coning> coning;
+    std::optional<Tilt> tilt;
+    std::optional<Slices> slices;
+
+    std::string text;                  ///< the scene as given, after --set
+    std::filesystem::path folder;      ///< where relative file names start
+};
+
+}  // namespace hdconj
