@@ -5,26 +5,40 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "hdconj/pipeline/solution.hpp"
 
 namespace hdconj {
 
+/// A file that was written, for the summaries.
+struct WrittenFile
+{
+    std::string kind;            ///< "hdf5", "dxf", "picture"
+    std::filesystem::path file;  ///< as the user gave it
+};
+
 /// HDF5 result file, layout in docs/hdf5.md. Written to a temporary file and renamed.
 /// @throws FileError with the cause (disk full, no permission, a folder)
 void write_hdf5(Solution const& solution, std::filesystem::path const& file);
 
-/// DXF R12 (AC1009), closed-free POLYLINEs in mm: one pitch of the circular spline, the flexspline tooth.
+/// DXF R12 (AC1009), POLYLINEs in mm, decimals to 1e-10 mm. Layers: CIRCULAR_SPLINE, one pitch (open, one polyline per
+/// slice at its z); FLEXSPLINE_TOOTH, the tooth at the major axis (open); NEUTRAL_CURVE (closed).
+/// @throws FileError
 void write_dxf(Solution const& solution, std::filesystem::path const& file);
 
 /// Picture of the tooth family, the branches by kind and the final outline; SVG or PNG by the file's ending.
+/// Drawn by gnuplot, which is looked for on the PATH.
 /// @throws InputError for another ending; FileError when gnuplot is missing or the file cannot be written
 void write_picture(Solution const& solution, std::filesystem::path const& file);
 
-/// The printed summary that a designer reads.
-[[nodiscard]] std::string summary_text(Solution const& solution);
+/// What can be known before the long work: ending, gnuplot, target. Throws what @ref write_picture would.
+void check_picture(std::filesystem::path const& file);
 
-/// The same figures as one JSON object.
-[[nodiscard]] std::string summary_json(Solution const& solution);
+/// The printed summary that a designer reads.
+[[nodiscard]] std::string summary_text(Solution const& solution, std::vector<WrittenFile> const& written = {});
+
+/// The same figures as one JSON object, keys in docs/json.md. Numbers are finite or null.
+[[nodiscard]] std::string summary_json(Solution const& solution, std::vector<WrittenFile> const& written = {});
 
 }  // namespace hdconj

@@ -121,6 +121,7 @@ struct Solution
     std::vector<BranchRecord> branches;
     std::vector<ConjugateZone> zones;
     CircularSplineOutline circular_spline;
+    std::vector<std::vector<Vec2>> tooth_family;  ///< circular-spline frame, one polyline per position; for pictures, may be empty
     std::optional<PairCheck> check;
     ErrorEstimate error;
     WorkCount work;
