@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The layout of the result file, as docs/hdf5.md describes it.
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <ctime>
+
+#include "hdconj/io/atomic_file.hpp"
+#include "hdconj/io/result_files.hpp"
+#include "hdconj/io/version.hpp"
+#include "hdf5_writer.hpp"
+#include "summary_figures.hpp"
+
+namespace hdconj {
+namespace {
+
+using hdf5::Writer;
+
+/// Number of this layout; goes up when a reader of the old one would misread the new one.
+constexpr int format_version = 1;
+
+/// Now, or SOURCE_DATE_EPOCH where that is set (reproducible files): ISO 8601, UTC.
+std::string date_text()
+{
+    char const* const given = std::getenv("SOURCE_DATE_EPOCH");
+    std::time_t const seconds = given != nullptr ? static_cast<std::time_t>(std::strtoll(given, nullptr, 10)) : std::time(nullptr);
+    std::tm fields = {};
+    gmtime_r(&seconds, &fields);
+    std::array<char, sizeof "-2147483648-12-31T23:59:59Z"> text = {};
+    std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &fields);
+    return text.data();
+}
+
+void write_provenance(Writer const& root, Solution const& solution)
+{
+    root.attribute("format", std::string("hdconj"));
+    root.attribute("format_version", format_version);
+    root.attribute("program_version", std::string(program_version()));
+    root.attribute("git_revision", std::string(git_revision()));
+    root.attribute("build", std::string(build_description()));
+    root.attribute("date", date_text());
+    root.attribute("drive", solution.scene.drive.name);
+    root.attribute("scene", solution.scene.text);
+    root.attribute("threads", solution.threads);
+    root.attribute("plan", describe(solution.plan));
+    std::vector<std::string> stages;
+    for (auto const& planned : solution.plan.stages) {
+        stages.push_back(to_string(planned.stage));
+    }
+    root.attribute("stages", stages);
+}
+
+void write_branch(Writer const& branch, BranchRecord const& record)
+{
+    branch.attribute("kind", record.kind);
+    branch.attribute("segment", record.segment);
+    branch.attribute("segment_name", record.segment_name);
+    branch.attribute("begins", record.begins);
+    branch.attribute("ends", record.ends);
+    branch.flag("on_boundary", record.on_boundary);
+    branch.numbers("u", record.u, "rad");
+    branch.numbers("phi", record.phi, "rad");
+    branch.numbers("t", record.t, "1");
+    branch.points("point", record.point);
+}
+
+void write_envelope(Writer const& root, Solution const& solution)
+{
+    auto const group = root.group("envelope");
+    Writer(group).attribute("segments", solution.segment_names);
+    for (std::size_t i = 0; i < solution.branches.size(); ++i) {
+        std::array<char, sizeof "branch_" + 20> name = {};
+        std::snprintf(name.data(), name.size(), "branch_%03zu", i);
+        auto const branch = Writer(group).group(name.data());
+        write_branch(Writer(branch), solution.branches[i]);
+    }
+}
+
+/// A column of the zones' table.
+template<class Take>
+std::vector<int> whole(std::vector<ConjugateZone> const& zones, Take take)
+{
+    std::vector<int> column;
+    for (auto const& zone : zones) {
+        column.push_back(static_cast<int>(take(zone)));
+    }
+    return column;
+}
+
+void write_intervals(Writer const& place, std::string const& name, std::vector<ConjugateZone> const& zones,
+                     double ConjugateZone::*begin, double ConjugateZone::*end, char const* units)
+{
+    std::vector<double> pairs;
+    for (auto const& zone : zones) {
+        pairs.push_back(zone.*begin);
+        pairs.push_back(zone.*end);
+    }
+    place.array(name, {zones.size(), 2}, pairs.data(), units);
+}
+
+void write_zones(Writer const& root, std::vector<ConjugateZone> const& zones)
+{
+    auto const group = root.group("conjugate_zones");
+    Writer const place(group);
+    place.integers("branch", whole(zones, [](auto const& zone) { return zone.branch; }));
+    place.integers("segment", whole(zones, [](auto const& zone) { return zone.segment; }));
+    place.integers("outer", whole(zones, [](auto const& zone) { return zone.outer; }));
+    place.integers("on_boundary", whole(zones, [](auto const& zone) { return zone.on_boundary; }));
+    write_intervals(place, "u", zones, &ConjugateZone::u_begin, &ConjugateZone::u_end, "rad");
+    write_intervals(place, "phi", zones, &ConjugateZone::phi_begin, &ConjugateZone::phi_end, "rad");
+    write_intervals(place, "t", zones, &ConjugateZone::t_begin, &ConjugateZone::t_end, "1");
+}
+
+void write_pieces(Writer const& spline, std::vector<OutlinePiece> const& pieces)
+{
+    std::vector<std::string> kinds, segments;
+    std::vector<int> first, last;
+    for (auto const& piece : pieces) {
+        kinds.push_back(piece.kind);
+        segments.push_back(piece.segment_name);
+        first.push_back(static_cast<int>(piece.first));
+        last.push_back(static_cast<int>(piece.last));
+    }
+    auto const group = spline.group("pieces");
+    Writer const place(group);
+    place.texts("kind", kinds);
+    place.texts("segment_name", segments);
+    place.integers("first", first);
+    place.integers("last", last);
+}
+
+void write_circular_spline(Writer const& root, CircularSplineOutline const& outline)
+{
+    std::size_t const slices = outline.outline.size();
+    std::size_t const points = slices == 0 ? 0 : outline.outline.front().size();
+    std::vector<double> flat;
+    flat.reserve(slices * points * 2);
+    for (auto const& slice : outline.outline) {
+        if (slice.size() != points || outline.z.size() != slices) {
+            throw std::logic_error("slices of the circular spline do not match each other or z");
+        }
+        for (auto const& point : slice) {
+            flat.push_back(point.x());
+            flat.push_back(point.y());
+        }
+    }
+    auto const group = root.group("circular_spline");
+    Writer const place(group);
+    place.numbers("z", outline.z, "mm");
+    place.array("outline", {slices, points, 2}, flat.data(), "mm");
+    place.integers("landmarks", outline.landmarks);
+    write_pieces(place, outline.pieces);
+}
+
+void write_summary(Writer const& root, Solution const& solution)
+{
+    auto const group = root.group("summary");
+    for (auto const& figure : figures(solution)) {
+        Writer(group).attribute(figure.key, figure.value);
+    }
+}
+
+void write_timing(Writer const& root, std::vector<StageTime> const& timing)
+{
+    std::vector<std::string> stages;
+    std::vector<double> seconds;
+    for (auto const& entry : timing) {
+        stages.push_back(entry.stage);
+        seconds.push_back(entry.seconds);
+    }
+    auto const group = root.group("timing");
+    Writer(group).texts("stage", stages);
+    Writer(group).numbers("seconds", seconds, "s");
+}
+
+std::string result_bytes(Solution const& solution)
+{
+    hdf5::Silence const silence;
+    hdf5::MemoryFile const file;
+    Writer const root = file.root();
+    write_provenance(root, solution);
+    {
+        auto const group = root.group("flexspline");
+        Writer(group).points("outline", solution.flexspline_outline);
+    }
+    root.points("neutral_curve", solution.neutral_curve);
+    write_envelope(root, solution);
+    write_zones(root, solution.zones);
+    write_circular_spline(root, solution.circular_spline);
+    write_summary(root, solution);
+    write_timing(root, solution.timing);
+    return file.bytes();
+}
+
+}  // namespace
+
+void write_hdf5(Solution const& solution, std::filesystem::path const& file)
+{
+    try {
+        write_text_atomically(file, result_bytes(solution));
+    } catch (hdf5::Failure const& failure) {
+        throw FileError(file, failure.what());
+    }
+}
+
+}  // namespace hdconj
