@@ -18,6 +18,7 @@ struct Fault
     std::string value;   ///< the offending value as the user wrote it; empty when absent
     std::string reason;  ///< why this cannot be computed
     std::string remedy;  ///< what to write instead
+    std::string origin{};  ///< "--set" for a fault of the command line; empty: the scene
 };
 
 /// All faults found so far, in the order found.
@@ -39,5 +40,8 @@ class InputError : public std::runtime_error
 /// The message a user reads: one paragraph per fault,
 /// "line 12: flexspline.wall = -0.7: reason (write ...)".
 [[nodiscard]] std::string describe(Faults const& faults);
+
+/// Faults of the scene by line, those without a line after them, those of the command line last.
+void sort_by_place(Faults& faults);
 
 }  // namespace hdconj

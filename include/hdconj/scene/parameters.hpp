@@ -24,7 +24,8 @@ enum class Quantity
     count,           ///< whole number
     word,            ///< one of ParameterSpec::words
     length_or_word,  ///< [mm], or one of ParameterSpec::words
-    file             ///< path, relative to the scene file
+    file,            ///< path, relative to the scene file
+    text             ///< any text
 };
 
 /// One key that a family understands.

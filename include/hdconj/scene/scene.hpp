@@ -5,6 +5,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <map>
 #include <optional>
 #include <string>
 
@@ -92,6 +94,7 @@ struct Scene
     std::optional<Slices> slices;
 
     std::string text;                  ///< the scene as given, after --set
+    std::map<std::string, int, std::less<>> lines;  ///< line of each key and table given; 0: by --set
     std::filesystem::path folder;      ///< where relative file names start
 };
 

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// From raw tables to a scene: every key and value judged against the schema and the families, then against each
+/// other.
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "hdconj/scene/fault.hpp"
+#include "hdconj/scene/raw.hpp"
+#include "hdconj/scene/scene.hpp"
+#include "hdconj/scene/schema.hpp"
+
+namespace hdconj {
+
+/// The families that a scene may name.
+struct SceneFamilies
+{
+    std::vector<FamilyDescription> const& profiles;
+    std::vector<FamilyDescription> const& wave_generators;
+
+    /// The list behind @p kind; empty for none.
+    [[nodiscard]] std::vector<FamilyDescription> const& of(FamilyKind kind) const;
+};
+
+/// A scene as far as it could be read, and every fault found.
+struct SceneReading
+{
+    Scene scene;
+    Faults faults;                             ///< in order of place
+    std::set<std::string, std::less<>> known;  ///< paths whose value is in the scene: given and right, or the default
+    bool geometry_known = false;  ///< all that check_scene needs is there: its faults can be found too
+};
+
+/// Judges @p root, the top table of a scene.
+[[nodiscard]] SceneReading judge_scene(RawValue const& root, SceneFamilies const& families);
+
+/// Faults between values that are each right: tooth difference and waves, tolerance and module, effects that
+/// exclude each other. Only values in @p reading.known are looked at.
+[[nodiscard]] Faults cross_faults(SceneReading const& reading);
+
+/// Fills in line and origin of faults that name a key of @p scene but no line.
+void locate(Faults& faults, Scene const& scene);
+
+}  // namespace hdconj

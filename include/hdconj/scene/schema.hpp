@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Every table and key of a scene: one row per key, from which type check, range, default, "did you mean", the
+/// template of messages and docs/scene.md follow. Keys of the families are not here: families declare their own.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "hdconj/scene/parameters.hpp"
+#include "hdconj/scene/scene.hpp"
+
+namespace hdconj {
+
+/// One key of a table.
+struct KeySpec
+{
+    ParameterSpec spec;
+    std::string_view example;                  ///< a good value as it stands in a scene
+    std::optional<ParameterValue> standard;    ///< value when absent; nothing: required, or absence has a meaning
+    void (*store)(Scene&, Parameter const&);   ///< puts a judged value into the scene
+};
+
+/// Which list of families extends a table.
+enum class FamilyKind
+{
+    none,
+    profile,
+    wave_generator
+};
+
+/// Whether a table must be there.
+enum class Presence
+{
+    required,
+    optional,
+    effect  ///< there: the effect is computed; absent: it has no object
+};
+
+/// One table.
+struct TableSpec
+{
+    std::string_view path;  ///< "flexspline.profile"
+    std::string_view meaning;
+    Presence presence;
+    FamilyKind families;
+    std::vector<KeySpec> keys;
+    void (*begin)(Scene&, int line);  ///< makes the effect's object; may be null
+};
+
+/// All tables, a table before its sub-tables, in the order of docs/scene.md.
+[[nodiscard]] std::vector<TableSpec> const& scene_schema();
+
+/// Bounds that keep typing errors out; nothing in the mathematics needs them.
+namespace bounds {
+inline constexpr double least_module = 1e-4;       ///< [mm]
+inline constexpr double largest_module = 1e4;      ///< [mm]
+inline constexpr double least_length = 1e-9;       ///< [mm], of lengths that must be positive
+inline constexpr double largest_length = 1e6;      ///< [mm]
+inline constexpr int fewest_teeth = 6;
+inline constexpr int most_teeth = 100000;
+inline constexpr int most_waves = 3;
+inline constexpr int most_threads = 1024;
+inline constexpr int most_slices = 1000;
+inline constexpr double least_tolerance = 1e-12;   ///< [mm]
+inline constexpr double largest_tilt_deg = 45;     ///< excluded
+}  // namespace bounds
+
+}  // namespace hdconj

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/scene/parameters.hpp"
+
+#include "text.hpp"
+
+namespace hdconj {
+
+std::optional<double> FamilyChoice::number(std::string_view key) const
+{
+    auto const found = given.find(key);
+    if (found == given.end()) {
+        return std::nullopt;
+    }
+    auto const* const value = std::get_if<double>(&found->second.value);
+    return value != nullptr ? std::optional<double>(*value) : std::nullopt;
+}
+
+double FamilyChoice::number_or(std::string_view key, double otherwise) const
+{
+    return number(key).value_or(otherwise);
+}
+
+std::optional<std::string> FamilyChoice::word(std::string_view key) const
+{
+    auto const found = given.find(key);
+    if (found == given.end()) {
+        return std::nullopt;
+    }
+    auto const* const value = std::get_if<std::string>(&found->second.value);
+    return value != nullptr ? std::optional<std::string>(*value) : std::nullopt;
+}
+
+int FamilyChoice::line_of(std::string_view key) const
+{
+    auto const found = given.find(key);
+    return found == given.end() ? line : found->second.line;
+}
+
+std::string FamilyChoice::text_of(std::string_view key) const
+{
+    auto const found = given.find(key);
+    return found == given.end() ? std::string{} : detail::value_text(found->second.value);
+}
+
+}  // namespace hdconj

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/scene/plan.hpp"
+
+#include <algorithm>
+
+#include "text.hpp"
+
+namespace hdconj {
+namespace {
+
+using detail::number_text;
+using detail::in_quotes;
+
+std::string kinematics_name(Kinematics kinematics)
+{
+    return kinematics == Kinematics::exact ? "exact" : "first-order";
+}
+
+std::string in_mm(double value)
+{
+    return number_text(value) + " mm";
+}
+
+std::vector<PlannedStage> base_stages(Scene const& scene)
+{
+    return {{Stage::profile, "flexspline.profile.family = " + in_quotes(scene.flexspline.profile.family)},
+            {Stage::neutral_curve, "wave_generator.family = " + in_quotes(scene.wave_generator.shape.family) +
+                                       ", waves = " + std::to_string(scene.wave_generator.waves)},
+            {Stage::motion, "solver.kinematics = " + in_quotes(kinematics_name(scene.solver.kinematics))},
+            {Stage::envelope, "always: where the flexspline tooth can touch"},
+            {Stage::region, "always: the space that no flexspline tooth enters from outside"}};
+}
+
+std::vector<AbsentEffect> absent_effects(Scene const& scene)
+{
+    std::vector<AbsentEffect> absent;
+    if (scene.circular_spline.backlash_offset <= 0) {
+        absent.push_back({"backlash", "circular_spline.backlash_offset above 0"});
+    }
+    if (scene.circular_spline.root_clearance <= 0) {
+        absent.push_back({"root clearance", "circular_spline.root_clearance above 0"});
+    }
+    if (!scene.coning) {
+        absent.push_back({"coning", "a table [coning]"});
+    }
+    if (!scene.tilt) {
+        absent.push_back({"tilt", "a table [tilt]"});
+    }
+    if (!scene.slices) {
+        absent.push_back({"slices", "a table [slices]"});
+    }
+    absent.push_back({"contact", "the verb contact, in a later version"});
+    absent.push_back({"load", "the verb load, in a later version"});
+    return absent;
+}
+
+std::size_t widest(std::vector<std::string> const& texts)
+{
+    std::size_t width = 0;
+    for (auto const& text : texts) {
+        width = std::max(width, text.size());
+    }
+    return width;
+}
+
+/// Two columns; an empty string for no rows.
+std::string in_columns(std::vector<std::string> const& left, std::vector<std::string> const& right)
+{
+    std::size_t const width = widest(left) + 2;
+    std::string text;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        text += "  " + left[i] + std::string(width - left[i].size(), ' ') + right[i] + "\n";
+    }
+    return text;
+}
+
+}  // namespace
+
+bool Plan::has(Stage stage) const
+{
+    return std::any_of(stages.begin(), stages.end(),
+                       [stage](PlannedStage const& planned) { return planned.stage == stage; });
+}
+
+std::string to_string(Stage stage)
+{
+    switch (stage) {
+        case Stage::profile: return "profile";
+        case Stage::neutral_curve: return "neutral_curve";
+        case Stage::motion: return "motion";
+        case Stage::envelope: return "envelope";
+        case Stage::region: return "region";
+        case Stage::backlash: return "backlash";
+        case Stage::root_clearance: return "root_clearance";
+        case Stage::outline: return "outline";
+        case Stage::interference: return "interference";
+    }
+    return "unknown";
+}
+
+Plan make_plan(Scene const& scene)
+{
+    Plan plan{base_stages(scene), absent_effects(scene)};
+    auto const& spline = scene.circular_spline;
+    if (spline.backlash_offset > 0) {
+        plan.stages.push_back({Stage::backlash, "circular_spline.backlash_offset = " + in_mm(spline.backlash_offset)});
+    }
+    if (spline.root_clearance > 0) {
+        plan.stages.push_back({Stage::root_clearance, "circular_spline.root_clearance = " + in_mm(spline.root_clearance)});
+    }
+    plan.stages.push_back({Stage::outline, "solver.tolerance = " + in_mm(scene.solver.tolerance)});
+    plan.stages.push_back({Stage::interference, "always: the finished pair over a full turn"});
+    return plan;
+}
+
+std::string describe(Plan const& plan)
+{
+    std::vector<std::string> names;
+    std::vector<std::string> reasons;
+    for (auto const& planned : plan.stages) {
+        names.push_back(to_string(planned.stage));
+        reasons.push_back(planned.reason);
+    }
+    std::string text = "will be computed, in this order:\n" + in_columns(names, reasons);
+    names.clear();
+    reasons.clear();
+    for (auto const& effect : plan.absent) {
+        names.push_back(effect.name);
+        reasons.push_back(effect.remedy);
+    }
+    return names.empty() ? text : text + "absent, and what turns it on:\n" + in_columns(names, reasons);
+}
+
+}  // namespace hdconj

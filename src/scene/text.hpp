@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Small texts for messages: numbers as short as exact, user's text made safe to print.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hdconj/scene/parameters.hpp"
+
+namespace hdconj::detail {
+
+/// Shortest decimal text that reads back as @p value.
+[[nodiscard]] std::string number_text(double value);
+
+/// @p text in double quotes.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
+/// @p text for a message: control characters as \xNN, cut with "..." after @p most bytes, never inside
+/// a UTF-8 sequence.
+[[nodiscard]] std::string printable(std::string_view text, std::size_t most = 80);
+
+/// A value as it would stand in a scene: number or quoted word.
+[[nodiscard]] std::string value_text(ParameterValue const& value);
+
+/// `"a", "b" or "c"`.
+[[nodiscard]] std::string quoted_list(std::vector<std::string_view> const& words);
+
+/// `a, b, c`.
+[[nodiscard]] std::string plain_list(std::vector<std::string_view> const& words);
+
+}  // namespace hdconj::detail
