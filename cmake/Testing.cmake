@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+#   hdconj_tests(<folder> [PARALLEL] TIMEOUT <seconds> SOURCES <files>)
+# One Catch2 program; each test case becomes a test with the folder's name as label.
+# PARALLEL: the folder has test cases with the Catch tag [parallel]. They run together as one test that carries the
+# label `parallel` too, for the thread sanitizer: ctest -L parallel.
+find_package(Catch2 REQUIRED)
+include(Catch)
+set(HDCONJ_TIMEOUT_FACTOR 1 CACHE STRING "Test timeouts times this; sanitizers are slow")
+
+# A python that can read our files: users often have another python first in their path.
+function(hdconj_reads_results result candidate)
+  execute_process(COMMAND "${candidate}" -c "import h5py, ezdxf" RESULT_VARIABLE failed OUTPUT_QUIET ERROR_QUIET)
+  if(failed)
+    set(${result} FALSE PARENT_SCOPE)
+  endif()
+endfunction()
+find_program(HDCONJ_PYTHON NAMES python3 python VALIDATOR hdconj_reads_results
+             DOC "A python that has h5py and ezdxf")
+if(NOT HDCONJ_PYTHON)
+  message(WARNING "No python with h5py and ezdxf: tests that read results with other programs will be skipped")
+endif()
+
+# What every test may use: the libraries, the private headers, where things are.
+add_library(hdconj_test_setup INTERFACE)
+target_link_libraries(hdconj_test_setup INTERFACE hdconj::hdconj Catch2::Catch2 HDF5::HDF5 Boost::headers
+                      nlohmann_json::nlohmann_json)
+target_include_directories(hdconj_test_setup INTERFACE "${PROJECT_SOURCE_DIR}/tests" "${PROJECT_SOURCE_DIR}/src")
+target_compile_definitions(hdconj_test_setup INTERFACE
+  HDCONJ_SOURCE_DIR="${PROJECT_SOURCE_DIR}"
+  HDCONJ_PROGRAM="$<$<BOOL:${HDCONJ_BUILD_PROGRAM}>:${PROJECT_BINARY_DIR}/bin/hdconj>"
+  HDCONJ_PYTHON="$<$<BOOL:${HDCONJ_PYTHON}>:${HDCONJ_PYTHON}>")
+
+# main() and the precompiled Catch2, once for all programs.
+add_library(hdconj_test_main OBJECT support/catch_main.cpp)
+target_link_libraries(hdconj_test_main PRIVATE hdconj_test_setup)
+target_precompile_headers(hdconj_test_main PRIVATE support/catch.hpp)
+set_source_files_properties(support/catch_main.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+
+function(hdconj_tests folder)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "PARALLEL" "TIMEOUT" "SOURCES")
+  math(EXPR timeout "${arg_TIMEOUT} * ${HDCONJ_TIMEOUT_FACTOR}")
+  set(program ${folder}_tests)
+  add_executable(${program} ${arg_SOURCES} $<TARGET_OBJECTS:hdconj_test_main>)
+  target_link_libraries(${program} PRIVATE hdconj_test_setup)
+  target_precompile_headers(${program} REUSE_FROM hdconj_test_main)
+  if(TARGET hdconj)
+    add_dependencies(${program} hdconj)
+  endif()
+
+  set(which "*")
+  if(arg_PARALLEL)
+    set(which "~[parallel]")
+    set(strict "")
+    if(Catch2_VERSION VERSION_LESS 3)
+      set(strict --warn NoTests)  # version 3 refuses to run nothing without being told
+    endif()
+    add_test(NAME ${folder}.parallel COMMAND ${program} "[parallel]" ${strict})
+    set_tests_properties(${folder}.parallel PROPERTIES LABELS "${folder};parallel" TIMEOUT ${timeout})
+  endif()
+  catch_discover_tests(${program} TEST_SPEC "${which}" TEST_PREFIX "${folder}: "
+                       PROPERTIES LABELS ${folder} TIMEOUT ${timeout})
+endfunction()

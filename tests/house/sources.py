@@ -1,0 +1,143 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Rules that hold for each file of the project, one function per rule.
+
+  sources.py SOURCE_DIR   check the sources
+  sources.py --control    check the check: a file made to break each rule must be caught
+"""
+import re
+import sys
+import tempfile
+from pathlib import Path
+
+CODE = (".hpp", ".cpp", ".py", ".cmake", ".sh")
+OTHER_TEXT = (".toml", ".txt", ".md", ".json", ".in", ".yml", ".yaml", ".csv")
+SKIPPED = {".git", "build", "out", "__pycache__", ".cache"}
+
+
+def files(root):
+    for path in sorted(root.rglob("*")):
+        parts = path.relative_to(root).parts
+        if path.is_file() and not any(p in SKIPPED or p.startswith("build-") for p in parts):
+            yield path, path.relative_to(root).as_posix()
+
+
+def without_comments(text):
+    """C++ text with comments and strings blanked, lines kept."""
+    pattern = r'//[^\n]*|/\*.*?\*/|R"(\w*)\(.*?\)\1"|"(?:\\.|[^"\\\n])*"'
+    return re.sub(pattern, lambda m: "\n" * m.group().count("\n"), text, flags=re.S)
+
+
+def licence(root):
+    """Each source file names its licence in its first lines."""
+    faults = []
+    for path, name in files(root):
+        if path.suffix in CODE or path.name in ("CMakeLists.txt", "run"):
+            if not any("SPDX-License-Identifier: GPL-3.0-or-later" in line for line in
+                       path.read_text(errors="replace").splitlines()[:3]):
+                faults.append(f"{name}: no SPDX line among its first three")
+    return faults
+
+
+def machine_paths(root):
+    """No file names a place that exists on one machine only. (The patterns are written so as not to match here.)"""
+    pattern = re.compile(r"(?<![\w.$}>)*])/(?:[h]ome|[r]oot|[U]sers|[w]ork|[m]nt|[o]pt)/|\b[A-Z]:\\\w")
+    faults = []
+    for path, name in files(root):
+        if path.suffix in CODE + OTHER_TEXT or path.name in ("CMakeLists.txt", "run"):
+            for number, line in enumerate(path.read_text(errors="replace").splitlines(), 1):
+                if pattern.search(line):
+                    faults.append(f"{name}:{number}: path of one machine: {line.strip()}")
+    return faults
+
+
+def listed(root):
+    """Each .cpp below src/, apps/ and tests/ stands in the CMakeLists.txt of its folder or of one above."""
+    faults = []
+    for path, name in files(root):
+        if path.suffix != ".cpp" or name.split("/")[0] not in ("src", "apps", "tests"):
+            continue
+        for folder in path.parents:
+            lists = folder / "CMakeLists.txt"
+            if lists.is_file():
+                text = re.sub(r"#.*", "", lists.read_text())
+                relative = path.relative_to(folder).as_posix()
+                if re.search(rf'(?<![\w./-]){re.escape(relative)}(?![\w./-])', text):
+                    break
+            if folder == root:
+                faults.append(f"{name}: is in no CMake list, so nothing compiles it")
+                break
+    return faults
+
+
+def tolerances(root):
+    """No bare small number in the numerics: a tolerance has a name, a scale and a reason.
+
+    The exceptions stand in tests/house/small_numbers.txt: file, number, reason. An exception that is not needed any
+    more is a fault as well.
+    """
+    exceptions, faults = {}, []
+    allowed = root / "tests" / "house" / "small_numbers.txt"
+    for line in allowed.read_text().splitlines() if allowed.is_file() else []:
+        if line.strip() and not line.startswith("#"):
+            name, number, reason = (line.split(None, 2) + ["", ""])[:3]
+            exceptions[name, number] = False
+            if not reason:
+                faults.append(f"small_numbers.txt: {name} {number} has no reason")
+    for path, name in files(root):
+        numeric = name.startswith("include/") or (name.startswith("src/") and not name.startswith("src/io/"))
+        if path.suffix not in (".hpp", ".cpp") or not numeric:
+            continue
+        for number, line in enumerate(without_comments(path.read_text()).splitlines(), 1):
+            for small in re.findall(r"(?<![\w.])(?:\d+\.?\d*|\.\d+)[eE]-\d+", line):
+                if (name, small) in exceptions:
+                    exceptions[name, small] = True
+                else:
+                    faults.append(f"{name}:{number}: bare {small}: name it and say where it comes from")
+    faults += [f"small_numbers.txt: {name} has no {number} any more"
+               for (name, number), used in exceptions.items() if not used]
+    return faults
+
+
+RULES = (licence, machine_paths, listed, tolerances)
+
+
+def control():
+    spdx = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
+    good = {
+        "src/CMakeLists.txt": "# SPDX-License-Identifier: GPL-3.0-or-later\nset(a\n  a/x.cpp)\n",
+        "src/a/x.cpp": spdx + '// 1e-9 in a comment, "1e-9" /* 1e-9 */\nchar const* s = "1e-9 // no";\ndouble h = 1e9;\n',
+    }
+    breaks = [
+        (licence, {"include/a.hpp": "int a;\n"}),
+        (machine_paths, {"README.md": "see /" + "home/me/file\n"}),
+        (listed, {"src/a/y.cpp": spdx}),
+        (listed, {"src/x.cpp": spdx}),
+        (listed, {"src/a/y.cpp": spdx, "src/CMakeLists.txt": good["src/CMakeLists.txt"] + "# a/y.cpp\n"}),
+        (tolerances, {"src/a/x.cpp": spdx + "double const h = 2.5e-9;\n"}),
+        (tolerances, {"tests/house/small_numbers.txt": "src/a/x.cpp 1e-9 not there\n"}),
+    ]
+    failures = []
+    for rule, broken in [(None, {})] + breaks:
+        with tempfile.TemporaryDirectory() as folder:
+            root = Path(folder)
+            for name, text in (good | broken).items():
+                (root / name).parent.mkdir(parents=True, exist_ok=True)
+                (root / name).write_text(text)
+            for other in RULES:
+                found = other(root)
+                if bool(found) != (other is rule):
+                    failures.append(f"{other.__name__} on {sorted(broken)}: {found or 'found nothing'}")
+    return failures, len(breaks)
+
+
+def check(root):
+    found = [fault for rule in RULES for fault in rule(root)]
+    return found, sum(1 for _ in files(root))
+
+
+if __name__ == "__main__":
+    faults, count = control() if sys.argv[1] == "--control" else check(Path(sys.argv[1]).resolve())
+    print(*faults, sep="\n")
+    print(f"{count} looked at, {len(faults)} faults")
+    sys.exit(1 if faults or count == 0 else 0)
