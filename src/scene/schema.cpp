@@ -2,7 +2,6 @@
 #include "hdconj/scene/schema.hpp"
 
 #include <limits>
-#include <numbers>
 
 namespace hdconj {
 namespace {
@@ -10,7 +9,6 @@ namespace {
 using Q = Quantity;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double rad_per_deg = std::numbers::pi / 180;
 
 double number(Parameter const& parameter)
 {

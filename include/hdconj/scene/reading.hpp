@@ -41,7 +41,7 @@ struct SceneReading
 /// exclude each other. Only values in @p reading.known are looked at.
 [[nodiscard]] Faults cross_faults(SceneReading const& reading);
 
-/// Fills in line and origin of faults that name a key of @p scene but no line.
+/// Fills in line and origin of faults that name a key of @p scene but no line, and the value as it was written.
 void locate(Faults& faults, Scene const& scene);
 
 }  // namespace hdconj

@@ -81,6 +81,13 @@ struct Slices
     int line = 0;
 };
 
+/// Where a key or table of the scene was given, for messages.
+struct GivenKey
+{
+    int line = 0;         ///< 1-based; 0: by --set
+    std::string written;  ///< the value as the user wrote it; empty for a table
+};
+
 /// A drive and what is to be computed of it. An effect that is absent has no object.
 struct Scene
 {
@@ -94,7 +101,7 @@ struct Scene
     std::optional<Slices> slices;
 
     std::string text;                  ///< the scene as given, after --set
-    std::map<std::string, int, std::less<>> lines;  ///< line of each key and table given; 0: by --set
+    std::map<std::string, GivenKey, std::less<>> given;  ///< each key and table that is there, by path
     std::filesystem::path folder;      ///< where relative file names start
 };
 

@@ -4,6 +4,7 @@
 /// template of messages and docs/scene.md follow. Keys of the families are not here: families declare their own.
 #pragma once
 
+#include <numbers>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -51,6 +52,9 @@ struct TableSpec
 
 /// All tables, a table before its sub-tables, in the order of docs/scene.md.
 [[nodiscard]] std::vector<TableSpec> const& scene_schema();
+
+/// Degrees appear in a scene only; the reader multiplies by this.
+inline constexpr double rad_per_deg = std::numbers::pi / 180;
 
 /// Bounds that keep typing errors out; nothing in the mathematics needs them.
 namespace bounds {

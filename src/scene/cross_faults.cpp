@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What must hold between values. The geometry of tooth and neutral curve is checked where it is built.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "hdconj/scene/reading.hpp"
+#include "text.hpp"
+
+namespace hdconj {
+namespace {
+
+using detail::in_quotes;
+using detail::number_text;
+
+/// Tolerances below this many roundings of the radius cannot be reached in double precision.
+constexpr double roundings_of_radius = 100;
+
+/// An inner radius further than this share from the one that module and teeth give is a typing error.
+constexpr double radius_doubt = 0.25;
+
+bool knows(SceneReading const& reading, std::initializer_list<std::string_view> paths)
+{
+    return std::all_of(paths.begin(), paths.end(),
+                       [&reading](std::string_view path) { return reading.known.contains(path); });
+}
+
+Fault fault_at(std::string path, std::string value, std::string reason, std::string remedy)
+{
+    return {std::move(path), 0, std::move(value), std::move(reason), std::move(remedy)};
+}
+
+double pitch_radius(Scene const& scene)
+{
+    return scene.drive.module * scene.drive.flexspline_teeth / 2;
+}
+
+void check_teeth(SceneReading const& reading, Faults& faults)
+{
+    if (!knows(reading, {"drive.flexspline_teeth", "drive.circular_spline_teeth", "wave_generator.waves"})) {
+        return;
+    }
+    auto const& drive = reading.scene.drive;
+    int const waves = reading.scene.wave_generator.waves;
+    int const more = drive.circular_spline_teeth - drive.flexspline_teeth;
+    if (more > 0 && more % waves == 0) {
+        return;
+    }
+    int const right = drive.flexspline_teeth + std::max(1, (more + waves / 2) / waves) * waves;
+    faults.push_back(fault_at("drive.circular_spline_teeth", std::to_string(drive.circular_spline_teeth),
+                              "must be flexspline_teeth = " + std::to_string(drive.flexspline_teeth) +
+                                  " plus a positive multiple of waves = " + std::to_string(waves) +
+                                  ", or the teeth do not meet at every wave",
+                              "write " + std::to_string(right)));
+}
+
+void check_tolerance(SceneReading const& reading, Faults& faults)
+{
+    if (!knows(reading, {"solver.tolerance", "drive.module"})) {
+        return;
+    }
+    double const tolerance = reading.scene.solver.tolerance;
+    double const largest = reading.scene.drive.module / 10;
+    if (tolerance > largest) {
+        faults.push_back(fault_at("solver.tolerance", number_text(tolerance), "above a tenth of the module says nothing about a tooth",
+                                  "write at most " + number_text(largest) + ", such as 1e-6"));
+    }
+    if (!knows(reading, {"drive.flexspline_teeth"})) {
+        return;
+    }
+    double const least = roundings_of_radius * std::numeric_limits<double>::epsilon() * pitch_radius(reading.scene);
+    if (tolerance < least) {
+        faults.push_back(fault_at("solver.tolerance", number_text(tolerance),
+                                  "cannot be reached in double precision on a radius of " + number_text(pitch_radius(reading.scene)) + " mm",
+                                  "write at least " + number_text(least)));
+    }
+}
+
+void check_wall(SceneReading const& reading, Faults& faults)
+{
+    auto const& scene = reading.scene;
+    if (knows(reading, {"flexspline.wall", "flexspline.neutral_offset"}) &&
+        std::abs(scene.flexspline.neutral_offset) > scene.flexspline.wall / 2) {
+        faults.push_back(fault_at("flexspline.neutral_offset", number_text(scene.flexspline.neutral_offset),
+                                  "the neutral layer would lie outside the wall",
+                                  "write a length from " + number_text(-scene.flexspline.wall / 2) + " to " +
+                                      number_text(scene.flexspline.wall / 2)));
+    }
+    auto const dedendum = scene.flexspline.profile.number("dedendum");
+    if (!dedendum || !knows(reading, {"flexspline.wall", "drive.module", "drive.flexspline_teeth"})) {
+        return;
+    }
+    double const hole = pitch_radius(scene) - *dedendum - scene.flexspline.wall;
+    if (!knows(reading, {"flexspline.inner_radius"}) && hole <= 0) {
+        faults.push_back(fault_at("flexspline.wall", number_text(scene.flexspline.wall),
+                                  "leaves no hole: the pitch radius is " + number_text(pitch_radius(scene)) + " mm",
+                                  "write a thinner wall, or check module and flexspline_teeth"));
+    }
+}
+
+void check_inner_radius(SceneReading const& reading, Faults& faults)
+{
+    auto const& scene = reading.scene;
+    auto const dedendum = scene.flexspline.profile.number("dedendum");
+    if (!dedendum || !knows(reading, {"flexspline.inner_radius", "flexspline.wall", "drive.module", "drive.flexspline_teeth"})) {
+        return;
+    }
+    double const expected = pitch_radius(scene) - *dedendum - scene.flexspline.wall;
+    if (std::abs(*scene.flexspline.inner_radius - expected) > radius_doubt * pitch_radius(scene)) {
+        faults.push_back(fault_at("flexspline.inner_radius", number_text(*scene.flexspline.inner_radius),
+                                  "contradicts module and teeth, which make it about " + number_text(expected) + " mm",
+                                  "write a radius near that, or remove the key"));
+    }
+}
+
+void check_deformation(SceneReading const& reading, Faults& faults)
+{
+    auto const& scene = reading.scene;
+    auto const w0 = scene.wave_generator.shape.number("radial_deformation");
+    if (!w0 || !knows(reading, {"drive.module", "drive.flexspline_teeth", "wave_generator.waves"})) {
+        return;
+    }
+    // rho = r_0 + w0 cos(n u) has a hollow where w0 (n^2 + 1) > r_0.
+    double const waves = scene.wave_generator.waves;
+    double const largest = pitch_radius(scene) / (waves * waves + 1);
+    if (*w0 >= largest) {
+        faults.push_back(fault_at("wave_generator.radial_deformation", number_text(*w0),
+                                  "the neutral curve would be hollow between the waves",
+                                  "write less than " + number_text(largest) + ", usually about one module"));
+    }
+}
+
+void check_clearance(SceneReading const& reading, std::string const& key, double clearance, Faults& faults)
+{
+    std::string const path = "circular_spline." + key;
+    if (knows(reading, {path, "drive.module"}) && clearance > reading.scene.drive.module) {
+        faults.push_back(fault_at(path, number_text(clearance), "a clearance above one module leaves no tooth",
+                                  "write a length from 0 to a small part of the module " + number_text(reading.scene.drive.module)));
+    }
+}
+
+void check_coning(SceneReading const& reading, Faults& faults)
+{
+    auto const& scene = reading.scene;
+    if (!scene.coning || !knows(reading, {"coning.model"})) {
+        return;
+    }
+    if (scene.coning->model == "linear" && !scene.given.contains("coning.bottom_to_middle")) {
+        faults.push_back({"coning.bottom_to_middle", scene.coning->line, "",
+                          "this key is missing: model \"linear\" needs the distance from the cup's bottom",
+                          "write bottom_to_middle = 9.0, a length in mm"});
+    }
+    bool const both = knows(reading, {"coning.bottom_to_middle", "circular_spline.width"});
+    if (both && *scene.circular_spline.width / 2 >= *scene.coning->bottom_to_middle) {
+        faults.push_back(fault_at("coning.bottom_to_middle", number_text(*scene.coning->bottom_to_middle),
+                                  "the teeth would reach through the cup's bottom: half the width is " +
+                                      number_text(*scene.circular_spline.width / 2) + " mm",
+                                  "write a longer cup or a smaller circular_spline.width"));
+    }
+}
+
+void check_tilt(SceneReading const& reading, Faults& faults)
+{
+    auto const& scene = reading.scene;
+    if (!scene.tilt) {
+        return;
+    }
+    bool const too_steep = std::abs(scene.tilt->angle) >= bounds::largest_tilt_deg * rad_per_deg;
+    if (too_steep && knows(reading, {"tilt.angle_deg"})) {
+        faults.push_back(fault_at("tilt.angle_deg", number_text(scene.tilt->angle / rad_per_deg),
+                                  "teeth are not tilted by " + number_text(bounds::largest_tilt_deg) + " degrees or more",
+                                  "write an angle in degrees between -45 and 45, such as angle_deg = 0.2"));
+    }
+    bool const both = scene.slices && knows(reading, {"tilt.kind", "slices.surface"});
+    if (both && scene.tilt->kind == "draft" && scene.slices->surface != "tilted") {
+        faults.push_back(fault_at("tilt.kind", "\"draft\"",
+                                  "a draft needs one outline to offset, but surface " + in_quotes(scene.slices->surface) +
+                                      " has an outline for each slice",
+                                  "write kind = \"radial\", or surface = \"tilted\" in [slices]"));
+    }
+}
+
+void check_slices(SceneReading const& reading, Faults& faults)
+{
+    auto const& scene = reading.scene;
+    bool const spread = scene.slices && knows(reading, {"slices.count"}) && scene.slices->count > 1;
+    if (spread && !scene.given.contains("circular_spline.width")) {
+        faults.push_back({"circular_spline.width", 0, "", "this key is missing: [slices] spreads over the width",
+                          "write width = 7.0, a length in mm, in [circular_spline]"});
+    }
+}
+
+}  // namespace
+
+Faults cross_faults(SceneReading const& reading)
+{
+    Faults faults;
+    check_teeth(reading, faults);
+    check_tolerance(reading, faults);
+    check_wall(reading, faults);
+    check_inner_radius(reading, faults);
+    check_deformation(reading, faults);
+    check_clearance(reading, "backlash_offset", reading.scene.circular_spline.backlash_offset, faults);
+    check_clearance(reading, "root_clearance", reading.scene.circular_spline.root_clearance, faults);
+    check_coning(reading, faults);
+    check_tilt(reading, faults);
+    check_slices(reading, faults);
+    locate(faults, reading.scene);
+    return faults;
+}
+
+}  // namespace hdconj

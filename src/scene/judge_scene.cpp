@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "judge_value.hpp"
+#include "judgement.hpp"
+#include "key_finder.hpp"
+#include "suggest.hpp"
+
+namespace hdconj {
+namespace detail {
+namespace {
+
+using Kind = RawValue::Kind;
+
+/// The families that the key `family` of @p table leaves possible.
+std::vector<FamilyDescription const*> possible_families(std::vector<FamilyDescription> const& registered,
+                                                        RawValue const& table)
+{
+    std::vector<FamilyDescription const*> possible;
+    std::vector<std::string_view> names;
+    for (auto const& family : registered) {
+        possible.push_back(&family);
+        names.push_back(family.name);
+    }
+    for (auto const& entry : table.entries) {
+        bool const is_name = entry.key == "family" && entry.value.kind == Kind::text;
+        auto const meant = is_name ? nearest(entry.value.text, names) : std::nullopt;
+        if (meant) {
+            std::erase_if(possible, [&meant](FamilyDescription const* family) { return family->name != *meant; });
+        }
+    }
+    return possible;
+}
+
+/// The value of @p entry for key @p spec of @p table, or nothing after a fault.
+std::optional<Parameter> take_value(Judgement& judgement, TableSpec const& table, ParameterSpec const& spec,
+                                    std::string_view example, RawEntry const& entry, std::string const& spelled)
+{
+    std::string const path = join(table.path, spec.key);
+    judgement.attempted.insert(path);
+    judgement.reading.scene.given[path] = {entry.line, entry.value.written};
+    auto verdict = judge_value(spec, example, entry, spelled);
+    if (auto* const fault = std::get_if<Fault>(&verdict)) {
+        judgement.reading.faults.push_back(std::move(*fault));
+        return std::nullopt;
+    }
+    judgement.reading.known.insert(path);
+    return std::get<Parameter>(std::move(verdict));
+}
+
+bool take_own_key(Judgement& judgement, TableSpec const& table, RawEntry const& entry, std::string const& spelled)
+{
+    for (auto const& key : table.keys) {
+        if (key.spec.key == entry.key) {
+            auto const spec = with_family_names(judgement.families, table, key.spec);
+            auto const parameter = take_value(judgement, table, spec, key.example, entry, spelled);
+            if (parameter) {
+                key.store(judgement.reading.scene, *parameter);
+            }
+            return true;
+        }
+    }
+    return false;
+}
+
+bool take_family_key(Judgement& judgement, TableSpec const& table, RawEntry const& entry, std::string const& spelled)
+{
+    auto& scene = judgement.reading.scene;
+    auto& choice = table.families == FamilyKind::profile ? scene.flexspline.profile : scene.wave_generator.shape;
+    for (auto const* const family : judgement.families_of(table.path)) {
+        for (auto const& spec : family->parameters) {
+            if (spec.key == entry.key) {
+                auto parameter = take_value(judgement, table, spec, "", entry, spelled);
+                if (parameter) {
+                    choice.given.insert_or_assign(entry.key, std::move(*parameter));
+                }
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+void judge_member(Judgement& judgement, Place const& place, RawEntry const& entry)
+{
+    std::string const spelled = join(place.spelled, entry.key);
+    if (auto const* const table = find_table(join(place.path, entry.key))) {
+        judge_table(judgement, *table, spelled, entry);
+        return;
+    }
+    auto const* const table = find_table(place.path);
+    bool const taken = table != nullptr && (take_own_key(judgement, *table, entry, spelled) ||
+                                            take_family_key(judgement, *table, entry, spelled));
+    if (!taken) {
+        judge_unknown(judgement, place, entry);
+    }
+}
+
+Fault value_for_table(TableSpec const& spec, std::string const& spelled, RawEntry const& entry)
+{
+    std::string const header = "[" + std::string(spec.path) + "]";
+    std::string const found = entry.value.kind == Kind::array ? "a list" : "a value";
+    return {spelled, entry.line, entry.value.written, found + " where the table " + header + " belongs",
+            "write the line " + header + " and its keys below it", entry.origin};
+}
+
+}  // namespace
+
+void judge_table(Judgement& judgement, TableSpec const& spec, std::string const& spelled, RawEntry const& entry)
+{
+    std::string const path(spec.path);
+    judgement.attempted.insert(path);
+    if (entry.value.kind != Kind::table) {
+        judgement.reading.faults.push_back(value_for_table(spec, spelled, entry));
+        return;
+    }
+    judgement.visits[path] = {entry.line, entry.origin,
+                              possible_families(judgement.families.of(spec.families), entry.value)};
+    judgement.reading.scene.given[path] = {entry.line, entry.value.written};
+    if (spec.begin != nullptr) {
+        spec.begin(judgement.reading.scene, entry.line);
+    }
+    for (auto const& member : entry.value.entries) {
+        judge_member(judgement, {path, spelled, &entry.value}, member);
+    }
+}
+
+ParameterSpec with_family_names(SceneFamilies const& families, TableSpec const& table, ParameterSpec spec)
+{
+    if (spec.key == "family") {
+        for (auto const& family : families.of(table.families)) {
+            spec.words.push_back(family.name);
+        }
+    }
+    return spec;
+}
+
+}  // namespace detail
+
+SceneReading judge_scene(RawValue const& root, SceneFamilies const& families)
+{
+    detail::Judgement judgement{families, {}};
+    for (auto const& entry : root.entries) {
+        detail::judge_member(judgement, {"", "", &root}, entry);
+    }
+    detail::judge_missing(judgement);
+    auto& reading = judgement.reading;
+    reading.geometry_known = detail::geometry_is_known(judgement);
+    auto crossed = cross_faults(reading);
+    std::move(crossed.begin(), crossed.end(), std::back_inserter(reading.faults));
+    sort_by_place(reading.faults);
+    return std::move(reading);
+}
+
+void locate(Faults& faults, Scene const& scene)
+{
+    for (auto& fault : faults) {
+        auto const found = scene.given.find(fault.path);
+        if (found == scene.given.end()) {
+            continue;
+        }
+        if (fault.line == 0 && fault.origin.empty()) {
+            fault.line = found->second.line;
+            fault.origin = found->second.line == 0 ? "--set" : "";
+        }
+        if (!found->second.written.empty()) {
+            fault.value = found->second.written;
+        }
+    }
+}
+
+}  // namespace hdconj
