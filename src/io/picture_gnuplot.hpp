@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Runs gnuplot; private to src/io.
+#pragma once
+
+#include <string>
+
+namespace hdconj::gnuplot {
+
+/// True when a program `gnuplot` is on the PATH.
+[[nodiscard]] bool is_installed();
+
+/// What to do where it is not.
+inline constexpr char const* missing = "pictures are drawn by gnuplot, which is not on the PATH (Debian: apt install gnuplot-nox)";
+
+/// Runs @p script and returns what it draws on its standard output. Nothing touches the disk under a name.
+/// @throws std::runtime_error with gnuplot's own words
+[[nodiscard]] std::string draw(std::string const& script);
+
+}  // namespace hdconj::gnuplot
