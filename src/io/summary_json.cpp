@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The figures of summary_text as JSON; the keys are an interface, described in docs/json.md.
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "hdconj/io/result_files.hpp"
+#include "hdconj/io/version.hpp"
+#include "summary_figures.hpp"
+
+namespace hdconj {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Number of the set of keys; goes up when a key changes its meaning.
+constexpr int json_version = 1;
+constexpr int indent = 2;
+
+/// JSON has no NaN and no infinity.
+Json number(double value)
+{
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json object(std::vector<Figure> const& figures)
+{
+    Json result = Json::object();
+    for (auto const& figure : figures) {
+        result[figure.key] = number(figure.value);
+    }
+    return result;
+}
+
+Json drive(Solution const& solution)
+{
+    auto const& drive = solution.scene.drive;
+    return {{"name", drive.name},
+            {"module_mm", number(drive.module)},
+            {"flexspline_teeth", drive.flexspline_teeth},
+            {"circular_spline_teeth", drive.circular_spline_teeth},
+            {"waves", solution.scene.wave_generator.waves},
+            {"kinematics", solution.scene.solver.kinematics == Kinematics::exact ? "exact" : "first-order"},
+            {"tolerance_mm", number(solution.scene.solver.tolerance)}};
+}
+
+Json branches(Solution const& solution)
+{
+    auto const count = [&](auto condition) { return std::count_if(solution.branches.begin(), solution.branches.end(), condition); };
+    return {{"count", solution.branches.size()},
+            {"regular", count([](auto const& branch) { return branch.kind == "regular"; })},
+            {"corner", count([](auto const& branch) { return branch.kind == "corner"; })},
+            {"on_boundary", count([](auto const& branch) { return branch.on_boundary; })}};
+}
+
+Json zone(ConjugateZone const& zone)
+{
+    return {{"segment", zone.segment},
+            {"segment_name", zone.segment_name},
+            {"kind", zone.kind},
+            {"branch", zone.branch},
+            {"u_begin_deg", number(zone.u_begin * degree_per_radian)},
+            {"u_end_deg", number(zone.u_end * degree_per_radian)},
+            {"phi_begin_deg", number(zone.phi_begin * degree_per_radian)},
+            {"phi_end_deg", number(zone.phi_end * degree_per_radian)},
+            {"t_begin", number(zone.t_begin)},
+            {"t_end", number(zone.t_end)},
+            {"outer", zone.outer},
+            {"on_boundary", zone.on_boundary}};
+}
+
+Json outline(Solution const& solution)
+{
+    auto const& spline = solution.circular_spline;
+    Json pieces = Json::array();
+    for (auto const& piece : spline.pieces) {
+        pieces.push_back({{"kind", piece.kind}, {"segment_name", piece.segment_name}, {"first", piece.first}, {"last", piece.last}});
+    }
+    return {{"slices", spline.outline.size()}, {"points", outline_points(solution)}, {"landmarks", spline.landmarks}, {"pieces", std::move(pieces)}};
+}
+
+/// Absent as a whole where the pair was not checked.
+void add_clearance(Json& result, Solution const& solution)
+{
+    if (!solution.check) {
+        return;
+    }
+    auto clearance = object(clearance_figures(solution));
+    clearance["checked_points"] = solution.check->points;
+    clearance["checked_positions"] = solution.check->positions;
+    result["clearance"] = std::move(clearance);
+}
+
+Json timing(Solution const& solution)
+{
+    Json stages = Json::array();
+    for (auto const& entry : solution.timing) {
+        stages.push_back({{"stage", entry.stage}, {"seconds", number(entry.seconds)}});
+    }
+    return {{"threads", solution.threads}, {"total_s", number(total_seconds(solution))}, {"stages", std::move(stages)}};
+}
+
+Json files(std::vector<WrittenFile> const& written)
+{
+    Json result = Json::object();
+    for (auto const& file : written) {
+        result[file.kind] = file.file.string();
+    }
+    return result;
+}
+
+}  // namespace
+
+std::string summary_json(Solution const& solution, std::vector<WrittenFile> const& written)
+{
+    Json result = {{"format", "hdconj-summary"},
+                   {"format_version", json_version},
+                   {"program_version", program_version()},
+                   {"git_revision", git_revision()},
+                   {"drive", drive(solution)},
+                   {"geometry", object(geometry_figures(solution))},
+                   {"branches", branches(solution)}};
+    result["conjugate_zones"] = Json::array();
+    for (auto const& each : solution.zones) {
+        result["conjugate_zones"].push_back(zone(each));
+    }
+    result["circular_spline"] = outline(solution);
+    add_clearance(result, solution);
+    result["error"] = object(error_figures(solution));
+    result["work"] = {{"envelope_points", solution.work.envelope_points},
+                      {"roots_isolated", solution.work.roots_isolated},
+                      {"arrangement_edges", solution.work.arrangement_edges}};
+    result["timing"] = timing(solution);
+    result["files"] = files(written);
+    // File names need not be UTF-8: replace what is not, rather than fail after the work is done.
+    return result.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace hdconj
