@@ -5,11 +5,15 @@
 
 #include <vector>
 
+#include "hdconj/profile/builder.hpp"
 #include "hdconj/scene/parameters.hpp"
 
 namespace hdconj {
 
 /// Every registered flexspline tooth family, in the order of registration.
 [[nodiscard]] std::vector<FamilyDescription> const& profile_families();
+
+/// Builds the tooth of @p choice; adds to @p faults and returns an empty profile when the parameters make none.
+[[nodiscard]] Profile build_profile(FamilyChoice const& choice, ToothPlace const& place, Faults& faults);
 
 }  // namespace hdconj

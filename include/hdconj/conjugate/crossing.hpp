@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Where two envelope arcs cross, and where one crosses a circle: solved on the arcs, not on their polygons.
+#pragma once
+
+#include <Eigen/LU>
+#include <array>
+#include <cmath>
+#include <optional>
+
+#include "hdconj/envelope/envelope.hpp"
+#include "hdconj/numeric/bracketed_root.hpp"
+#include "hdconj/numeric/tolerance.hpp"
+
+namespace hdconj {
+
+/// An envelope arc of the tooth some pitches away.
+template<RelativeMotion Motion>
+struct TurnedArc
+{
+    Envelope<Motion> const& envelope;
+    ContactArc const& arc;
+    double angle;  ///< clockwise [rad]
+
+    [[nodiscard]] EnvelopePoint point(double u) const
+    {
+        EnvelopePoint e = envelope.point(arc, u);
+        if (angle != 0)
+        {
+            e.p = turned_clockwise(e.p, angle);
+            e.n = turned_clockwise(e.n, angle);
+        }
+        return e;
+    }
+
+    /// dp/du.
+    [[nodiscard]] Vec2 velocity(double u) const
+    {
+        Contact const c = envelope.contact(arc, u);
+        Vec2 const along = envelope.motion().pose(u).rotate(right_of(c.n)) * (c.advance / c.slowness);
+        return angle != 0 ? turned_clockwise(along, angle) : along;
+    }
+};
+
+/// Parameters at which arcs @p a and @p b cross, from guesses that are within about @p chord of the crossing.
+///
+/// Newton on a(u_a) - b(u_b). Nothing when it leaves the arcs, wanders off or the arcs are parallel there.
+/// Accuracy: the two points agree to the roundoff of the coordinates; the corner itself to that divided by the sine of the angle.
+template<RelativeMotion Motion>
+[[nodiscard]] std::optional<std::array<double, 2>> crossing_of_arcs(TurnedArc<Motion> const& a, double u_a, TurnedArc<Motion> const& b, double u_b,
+                                                                    double chord, Tolerance const& tolerance)
+{
+    Vec2 const start = a.point(u_a).p;
+    constexpr int budget = 40;
+    double last = tolerance.scale;
+    for (int k = 0; k < budget; ++k)
+    {
+        Vec2 const pa = a.point(u_a).p;
+        Vec2 const gap = pa - b.point(u_b).p;
+        double const size = gap.norm();
+        if (size <= tolerance.roundoff() / 8 || (k > 3 && size <= tolerance.roundoff() && size >= last))
+        {
+            // two polygons within `chord` of their arcs cross no farther from the arcs' crossing than this
+            constexpr double shallow = 4096;
+            if ((pa - start).norm() > shallow * chord)
+                return std::nullopt;
+            return std::array<double, 2>{u_a, u_b};
+        }
+        last = size;
+        Eigen::Matrix2d slope;
+        slope.col(0) = a.velocity(u_a);
+        slope.col(1) = -b.velocity(u_b);
+        Eigen::FullPivLU<Eigen::Matrix2d> const lu(slope);
+        if (!slope.allFinite() || lu.rank() < 2)
+            return std::nullopt;
+        Vec2 const step = lu.solve(gap);
+        u_a = std::clamp(u_a - step.x(), a.arc.u_begin, a.arc.u_end);
+        u_b = std::clamp(u_b - step.y(), b.arc.u_begin, b.arc.u_end);
+    }
+    return std::nullopt;
+}
+
+/// Parameter at which the arc crosses the circle of @p radius about the origin, nearest to the guess @p u.
+///
+/// Brackets outward from the guess in doubling steps, then bisects and interpolates: never a lost sign.
+template<RelativeMotion Motion>
+[[nodiscard]] std::optional<double> crossing_with_circle(TurnedArc<Motion> const& a, double radius, double u, double chord)
+{
+    auto const height = [&](double at) { return a.point(at).p.norm() - radius; };
+    double const h = height(u);
+    if (h == 0)
+        return u;
+    double const speed = a.velocity(u).norm();
+    double step = chord / (std::isfinite(speed) && speed > 0 ? speed : 1);
+    while (step <= a.arc.u_end - a.arc.u_begin)
+    {
+        for (double side : {-1.0, 1.0})
+        {
+            double const other = std::clamp(u + side * step, a.arc.u_begin, a.arc.u_end);
+            double const h_other = height(other);
+            if (std::signbit(h_other) == std::signbit(h) && h_other != 0)
+                continue;
+            double const low = std::min(u, other);
+            double const high = std::max(u, other);
+            BracketedRoot const root = bracketed_root(height, low, high);
+            if (root.found)
+                return root.x;
+        }
+        step *= 2;
+    }
+    return std::nullopt;
+}
+
+}  // namespace hdconj

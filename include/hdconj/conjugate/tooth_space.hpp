@@ -1,0 +1,342 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The circular spline's tooth space: which stretch of which contact arc bounds it, in order.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "hdconj/conjugate/crossing.hpp"
+#include "hdconj/envelope/find_branches.hpp"
+#include "hdconj/envelope/sample.hpp"
+#include "hdconj/numeric/error.hpp"
+#include "hdconj/numeric/tolerance.hpp"
+#include "hdconj/region/outer_boundary.hpp"
+
+namespace hdconj {
+
+/// A stretch of the boundary of one pitch: on a contact arc, or on the tip circle.
+struct BoundaryPiece
+{
+    int arc = -1;        ///< index into the arcs given; -1: land on the tip circle
+    int copy = 0;        ///< the tooth this many pitches clockwise of the one at the y axis
+    double begin = 0;    ///< u where the boundary (left to right) enters; on a land the angle from the y axis
+    double end = 0;
+};
+
+/// What the boundary is made of, left mid-land to right mid-land.
+struct ToothSpace
+{
+    std::vector<BoundaryPiece> pieces;
+    std::size_t segments = 0;      ///< given to the arrangement, all attempts
+    double polygon_chord = 0;      ///< of the attempt that was accepted
+};
+
+/// Finds the tooth space of design 3.3 for the bounding arcs of an envelope: outer boundary of the swept region,
+/// neighbours included, cut at the tip circle.
+///
+/// Polygons of the arcs decide only which arc follows which; where two arcs cross, the corner is then solved on the arcs
+/// themselves. If the polygons mislead (a corner does not converge where they cross), they are made 16 times finer.
+template<RelativeMotion Motion>
+class ToothSpaceFinder
+{
+  public:
+    ToothSpaceFinder(Envelope<Motion> const& envelope, std::vector<ContactArc> const& arcs, double tip_radius, int teeth, Tolerance tolerance)
+        : envelope_(envelope), arcs_(arcs), tip_radius_(tip_radius), pitch_(2 * std::numbers::pi / teeth), tolerance_(tolerance)
+    {
+    }
+
+    [[nodiscard]] ToothSpace operator()()
+    {
+        // first look: a thousandth of the tooth's height
+        Profile const& profile = envelope_.profile();
+        double chord = (profile.addendum + profile.dedendum) * 0x1p-12;
+        constexpr int attempts = 6;
+        for (int attempt = 0; attempt < attempts; ++attempt, chord /= 16)
+        {
+            if (attempt + 1 == attempts || chord < tolerance_.coincidence())
+                chord = std::max(chord, tolerance_.coincidence());
+            auto const space = find(chord);
+            if (space)
+                return *space;
+        }
+        throw NumericalError("region", place_, "the boundary of the swept region could not be put together: " + cause_);
+    }
+
+  private:
+    struct Source
+    {
+        int arc;
+        int copy;
+        std::vector<double> u;  ///< of each polygon vertex
+    };
+
+    [[nodiscard]] std::optional<ToothSpace> find(double chord)
+    {
+        collect(chord);
+        coincide();
+        int const floor = add_floor(chord);
+        OuterBoundary const boundary = outer_boundary(polygons_, floor);
+        segments_ += boundary.segments;
+        return refine(middle_pitch(boundary.runs, floor), floor, chord);
+    }
+
+    /// Polygons of all bounding arcs, as far as they rise above the tip circle, for all teeth that reach the middle pitch.
+    void collect(double chord)
+    {
+        polygons_.clear();
+        sources_.clear();
+        double const floor_margin = 64 * chord;
+        for (std::size_t i = 0; i < arcs_.size(); ++i)
+        {
+            if (!arcs_[i].bounding)
+                continue;
+            SampledArc const sampled = sample_arc(envelope_, arcs_[i], arcs_[i].u_begin, arcs_[i].u_end, chord, 1);
+            std::vector<Vec2> points;
+            std::vector<double> u;
+            auto const flush = [&] {
+                if (points.size() > 1)
+                    add_copies(static_cast<int>(i), points, u);
+                points.clear();
+                u.clear();
+            };
+            auto const high = [&](EnvelopePoint const& e) { return e.p.norm() > tip_radius_ - floor_margin; };
+            for (std::size_t k = 0; k < sampled.points.size(); ++k)
+            {
+                EnvelopePoint const& e = sampled.points[k];
+                bool const needed = high(e) || (k > 0 && high(sampled.points[k - 1]))
+                                    || (k + 1 < sampled.points.size() && high(sampled.points[k + 1]));
+                if (!needed)
+                {
+                    flush();
+                    continue;
+                }
+                points.push_back(e.p);
+                u.push_back(e.u);
+            }
+            flush();
+        }
+    }
+
+    void add_copies(int arc, std::vector<Vec2> const& points, std::vector<double> const& u)
+    {
+        double low = 1;
+        double high = -1;
+        for (Vec2 const& p : points)
+        {
+            double const angle = std::atan2(p.x(), p.y());
+            low = std::min(low, angle);
+            high = std::max(high, angle);
+        }
+        // the window is one pitch either side of the middle: half a pitch is wanted, its neighbours must be closed
+        int const first = static_cast<int>(std::ceil((-pitch_ - high) / pitch_));
+        int const last = static_cast<int>(std::floor((pitch_ - low) / pitch_));
+        for (int copy = first; copy <= last; ++copy)
+        {
+            std::vector<Vec2> turned(points.size());
+            for (std::size_t k = 0; k < points.size(); ++k)
+                turned[k] = turned_clockwise(points[k], copy * pitch_);
+            polygons_.push_back(std::move(turned));
+            sources_.push_back({arc, copy, u});
+        }
+    }
+
+    /// Ends that are one point get one pair of coordinates, so that the arrangement has no hairline gaps.
+    void coincide()
+    {
+        std::vector<Vec2> seen;
+        double const same = tolerance_.coincidence();
+        for (auto& polygon : polygons_)
+        {
+            for (Vec2* p : {&polygon.front(), &polygon.back()})
+            {
+                auto const known = std::find_if(seen.begin(), seen.end(), [&](Vec2 const& q) { return (*p - q).norm() <= same; });
+                if (known == seen.end())
+                    seen.push_back(*p);
+                else
+                    *p = *known;
+            }
+        }
+    }
+
+    /// The tip circle, as a polygon from beyond the leftmost to beyond the rightmost curve.
+    int add_floor(double chord)
+    {
+        double low = -1.25 * pitch_;
+        double high = 1.25 * pitch_;
+        for (auto const& polygon : polygons_)
+        {
+            for (Vec2 const& p : polygon)
+            {
+                double const angle = std::atan2(p.x(), p.y());
+                low = std::min(low, angle - pitch_ / 8);
+                high = std::max(high, angle + pitch_ / 8);
+            }
+        }
+        double const step = 2 * std::acos(1 - std::min(0.5, chord / tip_radius_));
+        auto const count = static_cast<std::size_t>(std::ceil((high - low) / step));
+        std::vector<Vec2> floor;
+        Source source{-1, 0, {}};
+        for (std::size_t k = 0; k <= count; ++k)
+        {
+            double const angle = low + (high - low) * static_cast<double>(k) / static_cast<double>(count);
+            floor.emplace_back(tip_radius_ * std::sin(angle), tip_radius_ * std::cos(angle));
+            source.u.push_back(angle);
+        }
+        polygons_.push_back(std::move(floor));
+        sources_.push_back(std::move(source));
+        return static_cast<int>(polygons_.size()) - 1;
+    }
+
+    /// u (angle on the floor) at a position along a polygon.
+    [[nodiscard]] double u_at(int curve, double position) const
+    {
+        auto const& u = sources_[static_cast<std::size_t>(curve)].u;
+        auto const k = std::min(static_cast<std::size_t>(position), u.size() - 2);
+        double const share = position - static_cast<double>(k);
+        return u[k] + share * (u[k + 1] - u[k]);
+    }
+
+    /// The runs from the land at -half a pitch to the land at +half a pitch.
+    [[nodiscard]] std::vector<BoundaryRun> middle_pitch(std::vector<BoundaryRun> const& runs, int floor)
+    {
+        auto const land_over = [&](double angle) {
+            return std::find_if(runs.begin(), runs.end(), [&](BoundaryRun const& run) {
+                return run.curve == floor && u_at(floor, run.begin) <= angle && u_at(floor, run.end) >= angle;
+            });
+        };
+        auto const left = land_over(-pitch_ / 2);
+        auto const right = land_over(pitch_ / 2);
+        if (left == runs.end() || right == runs.end())
+            throw NumericalError("region", "tip circle", pointed(runs, floor));
+        if (left == right)
+            throw NumericalError("region", "tip circle",
+                                 "no tooth reaches the circular spline's tip circle (radius " + std::to_string(tip_radius_)
+                                     + " mm), so there is no tooth space; write a smaller circular_spline.inner_radius");
+        return {left, right + 1};
+    }
+
+    /// Why there is no land: the radius at which neighbouring spaces part.
+    [[nodiscard]] std::string pointed(std::vector<BoundaryRun> const& runs, int floor) const
+    {
+        double radius = 0;
+        for (BoundaryRun const& run : runs)
+        {
+            if (run.curve == floor)
+                continue;
+            auto const& polygon = polygons_[static_cast<std::size_t>(run.curve)];
+            for (double position : {run.begin, run.end})
+            {
+                Vec2 const& p = polygon[static_cast<std::size_t>(std::lround(position))];
+                double const angle = std::abs(std::atan2(p.x(), p.y()));
+                if (std::abs(angle - pitch_ / 2) < pitch_ / 8)
+                    radius = std::max(radius, p.norm());
+            }
+        }
+        std::string text = "neighbouring tooth spaces overlap there, no tip land is left on the circular spline";
+        if (radius > tip_radius_)
+            text += " (its teeth are pointed at a radius of about " + std::to_string(radius) + " mm); write a larger circular_spline.inner_radius";
+        else
+            text += "; the tooth does not leave the circular spline between the waves: a larger wave_generator.radial_deformation or a smaller addendum is needed";
+        return text;
+    }
+
+    /// Exact ends of every run; nothing when two neighbours do not meet where their polygons say.
+    [[nodiscard]] std::optional<ToothSpace> refine(std::vector<BoundaryRun> runs, int floor, double chord)
+    {
+        ToothSpace space;
+        space.segments = segments_;
+        space.polygon_chord = chord;
+        for (BoundaryRun const& run : runs)
+        {
+            Source const& source = sources_[static_cast<std::size_t>(run.curve)];
+            space.pieces.push_back({source.arc, source.copy, u_at(run.curve, run.begin), u_at(run.curve, run.end)});
+        }
+        space.pieces.front().begin = -pitch_ / 2;
+        space.pieces.back().end = pitch_ / 2;
+        for (std::size_t i = 0; i + 1 < runs.size(); ++i)
+        {
+            auto const& before = polygons_[static_cast<std::size_t>(runs[i].curve)];
+            auto const& after = polygons_[static_cast<std::size_t>(runs[i + 1].curve)];
+            BoundaryPiece& a = space.pieces[i];
+            BoundaryPiece& b = space.pieces[i + 1];
+            if (runs[i].curve != floor && runs[i + 1].curve != floor && joined(before, runs[i].end, after, runs[i + 1].begin))
+                continue;
+            bool met = false;
+            if (runs[i].curve == floor)
+                met = cut_at_tip(b, b.begin, a.end, chord);
+            else if (runs[i + 1].curve == floor)
+                met = cut_at_tip(a, a.end, b.begin, chord);
+            else
+                met = meet(a, b, chord);
+            if (!met)
+                return std::nullopt;
+        }
+        return space;
+    }
+
+    /// Whether two runs share an end point that both arcs have.
+    [[nodiscard]] static bool joined(std::vector<Vec2> const& before, double end, std::vector<Vec2> const& after, double begin)
+    {
+        auto const is_end = [](std::vector<Vec2> const& polygon, double position) {
+            return position == 0 || position == static_cast<double>(polygon.size() - 1);
+        };
+        auto const vertex = [](std::vector<Vec2> const& polygon, double position) { return polygon[static_cast<std::size_t>(position)]; };
+        return is_end(before, end) && is_end(after, begin) && vertex(before, end) == vertex(after, begin);
+    }
+
+    [[nodiscard]] TurnedArc<Motion> turned(BoundaryPiece const& piece) const
+    {
+        return {envelope_, arcs_[static_cast<std::size_t>(piece.arc)], piece.copy * pitch_};
+    }
+
+    bool cut_at_tip(BoundaryPiece const& piece, double& u, double& angle, double chord)
+    {
+        TurnedArc<Motion> const arc = turned(piece);
+        auto const exact = crossing_with_circle(arc, tip_radius_, u, chord);
+        if (!exact)
+        {
+            place_ = "tip circle";
+            cause_ = "a flank does not cross the tip circle where its polygon does";
+            return false;
+        }
+        u = *exact;
+        Vec2 const p = arc.point(u).p;
+        angle = std::atan2(p.x(), p.y());
+        return true;
+    }
+
+    bool meet(BoundaryPiece& a, BoundaryPiece& b, double chord)
+    {
+        TurnedArc<Motion> const arc_a = turned(a);
+        TurnedArc<Motion> const arc_b = turned(b);
+        auto const exact = crossing_of_arcs(arc_a, a.end, arc_b, b.begin, chord, tolerance_);
+        if (!exact)
+        {
+            Vec2 const p = arc_a.point(a.end).p;
+            place_ = "near (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ") mm";
+            cause_ = "two branches cross there as polygons but not as curves";
+            return false;
+        }
+        a.end = (*exact)[0];
+        b.begin = (*exact)[1];
+        return true;
+    }
+
+    Envelope<Motion> const& envelope_;
+    std::vector<ContactArc> const& arcs_;
+    double tip_radius_;
+    double pitch_;
+    Tolerance tolerance_;
+    std::vector<std::vector<Vec2>> polygons_;
+    std::vector<Source> sources_;
+    std::size_t segments_ = 0;
+    std::string place_ = "tooth space";
+    std::string cause_;
+};
+
+}  // namespace hdconj

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Signed distance from a point to a flexspline tooth, to its exact pieces and not to a polygon.
+#pragma once
+
+#include <vector>
+
+#include "hdconj/profile/profile.hpp"
+
+namespace hdconj {
+
+/// Nearest point of the tooth and the distance to it.
+struct NearestPoint
+{
+    double distance = 0;       ///< [mm], negative inside the tooth
+    Vec2 point = Vec2::Zero(); ///< on the profile, tooth frame
+    Vec2 normal = Vec2::Zero();///< outward: gradient of the distance
+};
+
+/// Distance function of one tooth in its own frame.
+///
+/// Feet on lines and arcs in closed form; on curves all roots of (p - x(t)).x'(t) = 0. At a corner the foot is the corner.
+/// Below the root ends the body goes on as the rim: points whose nearest point is a root end count as outside, which
+/// is right for every point beyond the rim (all points of a circular spline are).
+class ToothDistance
+{
+  public:
+    explicit ToothDistance(Profile const& profile);
+
+    [[nodiscard]] NearestPoint operator()(Vec2 const& p) const;
+
+    /// A quick lower bound of the distance, from the tooth's height and width; exact sign not implied.
+    [[nodiscard]] double lower_bound(Vec2 const& p) const
+    {
+        double const above = p.y() - top_;
+        double const beside = std::abs(p.x()) - half_width_;
+        return above > beside ? above : beside;
+    }
+
+  private:
+    struct Vertex
+    {
+        Vec2 point;
+        Vec2 normal;    ///< mean of the normals on both sides
+        bool open_end;  ///< root end of the profile
+    };
+    struct Patch
+    {
+        PieceShape const* shape;
+        Vec2 low, high;  ///< bounding box
+    };
+
+    std::vector<Patch> patches_;
+    std::vector<Vertex> vertices_;
+    double top_ = 0;
+    double half_width_ = 0;
+};
+
+}  // namespace hdconj

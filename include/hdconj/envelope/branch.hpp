@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Branches: maximal continuous pieces of {f = 0} on which the motion's parameter grows.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace hdconj {
+
+/// Why a branch ends.
+enum class BranchEnd
+{
+    segment_end,  ///< the contact leaves the segment
+    double_root,  ///< two contacts merge: f = df/dt = 0
+    cusp,         ///< the envelope reverses (undercut limit)
+    range_end,    ///< end of the lobe (-pi/n, pi/n]
+    continues     ///< only inside a branch: the next arc takes over
+};
+
+[[nodiscard]] inline std::string to_string(BranchEnd end)
+{
+    switch (end)
+    {
+    case BranchEnd::segment_end: return "segment end";
+    case BranchEnd::double_root: return "double root";
+    case BranchEnd::cusp: return "cusp";
+    case BranchEnd::range_end: return "range end";
+    case BranchEnd::continues: return "continues";
+    }
+    return {};
+}
+
+/// One contact followed over an interval of the motion's parameter, on one piece of the profile.
+struct ContactArc
+{
+    int piece = 0;
+    /// arcs and corners: sign of the normal; curves: which root in increasing t; lines: 0
+    int candidate = 0;
+    int roots = 1;               ///< curves: number of roots on the open interval
+    double u_begin = 0;
+    double u_end = 0;
+    double t_begin = 0;          ///< local piece parameter, exact at segment ends
+    double t_end = 0;
+    BranchEnd begins = BranchEnd::segment_end;
+    BranchEnd ends = BranchEnd::segment_end;
+    bool bounding = false;       ///< locally a boundary of the swept region (outer envelope)
+    std::vector<double> reversals; ///< where t(u) turns back: ends of conjugate zones
+};
+
+/// Consecutive contact arcs on one segment, u increasing.
+struct Branch
+{
+    int segment = 0;
+    bool corner = false;
+    std::vector<ContactArc> arcs;
+};
+
+/// What tracing did besides finding branches.
+struct TraceRecord
+{
+    std::size_t evaluations = 0;
+    std::size_t roots = 0;
+    bool certified = true;              ///< every interval was decided
+    std::vector<std::string> doubts;    ///< where not
+};
+
+}  // namespace hdconj

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Where a piece of the tooth touches its envelope at one instant: the meshing condition n.v = 0, solved in closed form
+/// on arcs and lines.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "hdconj/motion/relative_motion.hpp"
+#include "hdconj/profile/pieces.hpp"
+
+namespace hdconj {
+
+/// One contact of the tooth (offset outward by d) with its envelope, in the tooth frame.
+struct Contact
+{
+    double t = 0;              ///< local parameter of the piece, 0 ... 1 inside it
+    Vec2 x = Vec2::Zero();     ///< point of the offset profile [mm]
+    Vec2 n = Vec2::Zero();     ///< outward unit normal
+    /// Velocity of the envelope point along right_of(n), per unit of the motion's parameter, times `slowness`.
+    /// It is written as a quotient because it has a pole at a double root of the meshing condition.
+    double advance = 0;
+    double slowness = 1;
+    /// Positive: nearby positions of the tooth stay behind this point, so that it can bound the swept region.
+    /// Zero: cusp of the envelope. Scaled by a positive factor.
+    double bound = 0;
+    double bound_size = 0;     ///< sum of the magnitudes of the terms of `bound`
+    double turning = 0;        ///< df/du at the contact: zero where the contact reverses along the profile
+    double turning_size = 0;
+};
+
+/// Contact of a circular arc or corner, offset by @p d.
+///
+/// f = n.V with V the velocity of the arc's centre (design 3.2), so n = sign * V turned by +90 degrees / |V|. With
+/// a' = cross(V, V')/|V|^2 the turning rate of V and r = radius + d, the envelope point moves along right_of(n) at
+/// sign |V| + r (omega - a'), and it bounds the swept region locally iff sgn(r) (|V|^3 + sign r (omega |V|^2 - cross(V, V'))) > 0.
+/// Degenerate: V = 0 (the whole arc touches): n is not finite.
+[[nodiscard]] inline Contact arc_contact(ArcPiece const& arc, MotionRates const& rates, int sign, double d)
+{
+    Vec2 const v = rates.twist(arc.centre);
+    Vec2 const v1 = rates.change(arc.centre);
+    double const speed2 = v.squaredNorm();
+    double const speed = std::sqrt(speed2);
+    double const s = sign;
+    double const r = arc.radius + d;
+    double const side = r < 0 ? -1 : 1;
+    double const bend = cross(v, v1);
+    Contact c;
+    c.n = (s / speed) * left_of(v);
+    c.x = arc.centre + r * c.n;
+    double const angle = std::atan2(cross(direction(arc.from), c.n), direction(arc.from).dot(c.n));
+    c.t = angle / (arc.to - arc.from);
+    c.slowness = speed2;
+    c.advance = s * speed * speed2 + r * (rates.twist.omega * speed2 - bend);
+    c.bound = side * s * c.advance;
+    c.bound_size = speed * speed2 + std::abs(r) * (std::abs(rates.twist.omega) * speed2 + speed * v1.norm());
+    c.turning = s * bend / speed;
+    c.turning_size = v1.norm();
+    return c;
+}
+
+/// The part common to lines and curves: profile point @p x, unit normal, curvature @p k (convex positive).
+[[nodiscard]] inline Contact smooth_contact(Vec2 const& x, Vec2 const& n, double k, MotionRates const& rates, double d)
+{
+    Vec2 const tangent = right_of(n);
+    double const omega = rates.twist.omega;
+    double const slide = tangent.dot(rates.twist(x));
+    double const f_s = k * slide - omega;
+    double const slide_d = slide + d * omega;
+    double const stretch = 1 + k * d;
+    Contact c;
+    c.x = x + d * n;
+    c.n = n;
+    c.turning = n.dot(rates.change(x));
+    c.turning_size = rates.change(x).norm();
+    c.advance = f_s * slide_d - stretch * c.turning;
+    c.slowness = f_s;
+    c.bound = stretch > 0 ? c.advance : -std::abs(c.advance);
+    c.bound_size = (std::abs(k * slide) + std::abs(omega)) * std::abs(slide_d) + std::abs(stretch) * c.turning_size;
+    return c;
+}
+
+/// Contact of a straight line: f is linear along it. Outside the line t is outside 0 ... 1.
+/// Degenerate: theta' = 0 gives t = +-infinity (or NaN where the whole line touches).
+[[nodiscard]] inline Contact line_contact(LinePiece const& line, MotionRates const& rates, double d)
+{
+    Vec2 const n = line.normal();
+    double const f_a = n.dot(rates.twist(line.a));
+    double const s = f_a / rates.twist.omega;   // f(s) = f_a - omega s
+    Vec2 const x = line.a + s * line.tangent();
+    Contact c = smooth_contact(x, n, 0, rates, d);
+    c.t = s / line.length();
+    return c;
+}
+
+/// Contact of a curve at its parameter @p t, which must be a root of the meshing condition.
+[[nodiscard]] inline Contact curve_contact(CurvePiece const& curve, MotionRates const& rates, double t, double d)
+{
+    Vec2 const x1 = curve.first(t);
+    double const speed = x1.norm();
+    double const k = -cross(x1, curve.second(t)) / (speed * speed * speed);
+    Contact c = smooth_contact(curve.point(t), left_of(x1) / speed, k, rates, d);
+    c.t = t;
+    return c;
+}
+
+/// Bernstein coefficients in t of f(., u) = theta' A + q_x B + q_y C; returns the size of its terms.
+inline double meshing_polynomial(CurvePiece const& curve, Twist const& twist, std::span<double> out)
+{
+    double size = 0;
+    for (std::size_t i = 0; i < out.size(); ++i)
+    {
+        double const a = twist.omega * curve.a()[i];
+        double const b = twist.q.x() * curve.b()[i];
+        double const c = twist.q.y() * curve.c()[i];
+        out[i] = a + b + c;
+        size = std::max(size, std::abs(a) + std::abs(b) + std::abs(c));
+    }
+    return size;
+}
+
+/// All parameters at which the curve touches its envelope now.
+[[nodiscard]] inline BernsteinRoots curve_contacts(CurvePiece const& curve, Twist const& twist)
+{
+    BernsteinWork work;
+    std::span<double> const f(work.data(), curve.a().size());
+    double const size = meshing_polynomial(curve, twist, f);
+    return bernstein_roots(f, 8 * unit_roundoff * size);
+}
+
+}  // namespace hdconj

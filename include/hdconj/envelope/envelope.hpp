@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The envelope of one tooth under its motion, at an offset: contacts at any instant, and points of the envelope.
+#pragma once
+
+#include <limits>
+#include <variant>
+
+#include "hdconj/envelope/branch.hpp"
+#include "hdconj/envelope/contact.hpp"
+#include "hdconj/profile/profile.hpp"
+
+namespace hdconj {
+
+/// A point of the envelope in the circular-spline frame.
+struct EnvelopePoint
+{
+    double u = 0;
+    double t = 0;              ///< local piece parameter
+    Vec2 p = Vec2::Zero();     ///< [mm]
+    Vec2 n = Vec2::Zero();     ///< outward normal of the swept region's side that touches here
+};
+
+/// Profile and motion together, with the parallel offset that the envelope is wanted at.
+///
+/// The envelope of the tooth offset by d is the offset of its envelope: n.v = 0 holds at the same instants, since
+/// the turn omega x (d n) has no part along n.
+template<RelativeMotion Motion>
+class Envelope
+{
+  public:
+    Envelope(Profile const& profile, Motion const& motion, double offset) : profile_(&profile), motion_(&motion), offset_(offset) {}
+
+    [[nodiscard]] Profile const& profile() const { return *profile_; }
+    [[nodiscard]] Motion const& motion() const { return *motion_; }
+    [[nodiscard]] double offset() const { return offset_; }
+
+    /// Contact followed by @p arc at @p u.
+    [[nodiscard]] Contact contact(ContactArc const& arc, double u) const
+    {
+        MotionRates const rates = motion_->rates(u);
+        PieceShape const& shape = profile_->pieces[static_cast<std::size_t>(arc.piece)].shape;
+        if (auto const* circle = std::get_if<ArcPiece>(&shape))
+            return arc_contact(*circle, rates, arc.candidate, offset_);
+        if (auto const* line = std::get_if<LinePiece>(&shape))
+            return line_contact(*line, rates, offset_);
+        auto const& curve = std::get<CurvePiece>(shape);
+        return curve_contact(curve, rates, followed_root(curve, rates.twist, arc, u), offset_);
+    }
+
+    /// Envelope point followed by @p arc at @p u.
+    [[nodiscard]] EnvelopePoint point(ContactArc const& arc, double u) const
+    {
+        Contact const c = contact(arc, u);
+        Pose const pose = motion_->pose(u);
+        return {u, c.t, pose(c.x), pose.rotate(c.n)};
+    }
+
+  private:
+    /// The root that this arc follows. Roots keep their order between two critical u; next to an end, where roundoff
+    /// may add or drop one, the root nearest to the chord between the known ends is taken.
+    [[nodiscard]] double followed_root(CurvePiece const& curve, Twist const& twist, ContactArc const& arc, double u) const
+    {
+        BernsteinRoots const found = curve_contacts(curve, twist);
+        if (found.count == arc.roots)
+            return found.t[static_cast<std::size_t>(arc.candidate)];
+        double const share = (u - arc.u_begin) / (arc.u_end - arc.u_begin);
+        double const guess = arc.t_begin + share * (arc.t_end - arc.t_begin);
+        double best = share < 0.5 ? arc.t_begin : arc.t_end;
+        for (int i = 0; i < found.count; ++i)
+        {
+            double const t = found.t[static_cast<std::size_t>(i)];
+            if (std::abs(t - guess) < std::abs(best - guess))
+                best = t;
+        }
+        return best;
+    }
+
+    Profile const* profile_;
+    Motion const* motion_;
+    double offset_;
+};
+
+/// A smooth parameter s in [0, 1] for an arc: u(s) is quadratic at an end where two contacts merge, so that the contact moves
+/// there at finite speed.
+[[nodiscard]] inline double arc_parameter_to_u(ContactArc const& arc, double s)
+{
+    bool const fold_begin = arc.begins == BranchEnd::double_root;
+    bool const fold_end = arc.ends == BranchEnd::double_root;
+    double share = s;
+    if (fold_begin && fold_end)
+        share = s * s * (3 - 2 * s);
+    else if (fold_begin)
+        share = s * s;
+    else if (fold_end)
+        share = s * (2 - s);
+    // exact at both ends, monotone between
+    return s >= 1 ? arc.u_end : arc.u_begin + share * (arc.u_end - arc.u_begin);
+}
+
+}  // namespace hdconj

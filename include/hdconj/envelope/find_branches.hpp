@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// All branches of a tooth's meshing condition over one lobe of the wave generator.
+#pragma once
+
+#include <cstddef>
+#include <iterator>
+#include <vector>
+
+#include "hdconj/envelope/cusps.hpp"
+#include "hdconj/envelope/trace.hpp"
+
+namespace hdconj {
+
+/// Branches in the order of the profile, and what it took.
+struct BranchSet
+{
+    std::vector<Branch> branches;
+    TraceRecord record;
+};
+
+namespace detail {
+
+/// Whether arc @p b goes on where @p a stops: across a critical angle or a joint of pieces inside one segment.
+[[nodiscard]] inline bool goes_on(ContactArc const& a, ContactArc const& b)
+{
+    if (a.u_end != b.u_begin)
+    {
+        // the two sides of a joint solve for the same instant with their own roundings
+        constexpr double same_instant = 0x1p-40;
+        if (a.piece == b.piece || std::abs(a.u_end - b.u_begin) > same_instant)
+            return false;
+    }
+    if (a.piece == b.piece)
+        return a.ends == BranchEnd::continues && b.begins == BranchEnd::continues && a.t_end == b.t_begin;
+    bool const forward = b.piece == a.piece + 1 && a.t_end == 1 && b.t_begin == 0;
+    bool const backward = b.piece == a.piece - 1 && a.t_end == 0 && b.t_begin == 1;
+    return a.ends == BranchEnd::segment_end && b.begins == BranchEnd::segment_end && (forward || backward);
+}
+
+/// Links the arcs of one segment into branches, in order of their first arc.
+[[nodiscard]] inline std::vector<Branch> link(std::vector<ContactArc> const& arcs, int segment, bool corner)
+{
+    std::size_t const none = arcs.size();
+    std::vector<std::size_t> next(arcs.size(), none);
+    std::vector<bool> continued(arcs.size(), false);
+    for (std::size_t i = 0; i < arcs.size(); ++i)
+    {
+        for (std::size_t j = 0; j < arcs.size(); ++j)
+        {
+            if (i == j || continued[j] || !goes_on(arcs[i], arcs[j]))
+                continue;
+            next[i] = j;
+            continued[j] = true;
+            break;
+        }
+    }
+    std::vector<Branch> branches;
+    for (std::size_t i = 0; i < arcs.size(); ++i)
+    {
+        if (continued[i])
+            continue;
+        Branch branch{segment, corner, {}};
+        for (std::size_t k = i; k != none; k = next[k])
+        {
+            branch.arcs.push_back(arcs[k]);
+            if (next[k] != none)
+                branch.arcs.back().ends = BranchEnd::continues;
+            if (k != i)
+                branch.arcs.back().begins = BranchEnd::continues;
+        }
+        branches.push_back(std::move(branch));
+    }
+    return branches;
+}
+
+}  // namespace detail
+
+/// Every branch of {f = 0} for u over the lobe [-pi/n, pi/n]: regular ones on lines, arcs and curves, corner paths on convex corners.
+/// Pieces are traced in parallel; the result does not depend on the number of threads.
+/// @throws NumericalError naming the piece and the place
+template<RelativeMotion Motion>
+[[nodiscard]] BranchSet find_branches(Envelope<Motion> const& envelope, int threads)
+{
+    auto const& pieces = envelope.profile().pieces;
+    std::vector<std::vector<ContactArc>> arcs(pieces.size());
+    std::vector<TraceRecord> records(pieces.size());
+    parallel_for(pieces.size(), threads, 1, [&](std::size_t i) {
+        std::vector<ContactArc> const whole = PieceTracer<Motion>(envelope, static_cast<int>(i))(records[i]);
+        for (ContactArc const& arc : whole)
+            for (ContactArc& part : cut_at_cusps(envelope, arc, records[i]))
+                arcs[i].push_back(std::move(part));
+    });
+
+    BranchSet set;
+    for (TraceRecord& record : records)
+    {
+        set.record.evaluations += record.evaluations;
+        set.record.roots += record.roots;
+        set.record.certified = set.record.certified && record.certified;
+        std::move(record.doubts.begin(), record.doubts.end(), std::back_inserter(set.record.doubts));
+    }
+    for (std::size_t i = 0; i < pieces.size();)
+    {
+        std::vector<ContactArc> together = std::move(arcs[i]);
+        std::size_t j = i + 1;
+        while (j < pieces.size() && pieces[j].segment == pieces[i].segment && !pieces[j].corner && !pieces[i].corner)
+        {
+            std::move(arcs[j].begin(), arcs[j].end(), std::back_inserter(together));
+            ++j;
+        }
+        for (Branch& branch : detail::link(together, pieces[i].segment, pieces[i].corner))
+            set.branches.push_back(std::move(branch));
+        i = j;
+    }
+    return set;
+}
+
+}  // namespace hdconj

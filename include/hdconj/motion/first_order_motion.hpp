@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The thesis' first-order motion, explicit in the undeformed angle.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "hdconj/motion/relative_motion.hpp"
+#include "hdconj/wavegen/radial_displacement.hpp"
+
+namespace hdconj {
+
+/// Thesis (2-16), (2-17), (2-19) with parameter phi: rho = r_m + w(phi), v = -integral of w,
+/// phi_1 = phi + v/r_m, gamma = phi_1 - k phi, and the normal turned against the undeformed radius by mu = (v - w')/r_m,
+/// theta = (1 - k) phi + mu, k = z_f/z_c.
+///
+/// For the cosine cam mu = (n - 1/n) w0 sin(n phi)/r_m, the 1.5 of (2-16) for n = 2. The printed (2-15) is the angle against
+/// the deformed radius, w'/r_m = gamma - theta here; mixing the two is the trap named in design 3.1.
+/// Accuracy: as a model of the inextensible curve, an error of order w0^2/r_m; as arithmetic, a few roundings of r_m.
+template<WaveShape Shape>
+class FirstOrderMotion
+{
+  public:
+    FirstOrderMotion(Shape shape, double r_m, double tooth_ratio) : shape_(std::move(shape)), r_m_(r_m), k_(tooth_ratio) {}
+
+    [[nodiscard]] double half_lobe() const { return std::numbers::pi / shape_.waves(); }
+
+    [[nodiscard]] Pose pose(double phi) const
+    {
+        RadialDisplacement const d = shape_(phi);
+        double const gamma = (1 - k_) * phi - d.integral / r_m_;
+        double const theta = gamma - d.w1 / r_m_;
+        double const rho = r_m_ + d.w;
+        return {std::cos(theta), std::sin(theta), {rho * std::sin(gamma), rho * std::cos(gamma)}};
+    }
+
+    [[nodiscard]] MotionRates rates(double phi) const
+    {
+        RadialDisplacement const d = shape_(phi);
+        double const rho = r_m_ + d.w;
+        double const tilt = d.w1 / r_m_;    // gamma - theta
+        double const tilt1 = d.w2 / r_m_;
+        double const gamma1 = 1 - k_ - d.w / r_m_;
+        double const gamma2 = -d.w1 / r_m_;
+        double const g = rho * gamma1;
+        double const g1 = d.w1 * gamma1 + rho * gamma2;
+        double const s = std::sin(tilt);
+        double const c = std::cos(tilt);
+        Vec2 const q{d.w1 * s + g * c, d.w1 * c - g * s};
+        return {{gamma1 - tilt1, q},
+                {gamma2 - d.w3 / r_m_, {d.w2 * s + g1 * c + q.y() * tilt1, d.w2 * c - g1 * s - q.x() * tilt1}}};
+    }
+
+    [[nodiscard]] ToothAngles angles(double phi) const { return {phi - shape_(phi).integral / r_m_, phi}; }
+
+  private:
+    Shape shape_;
+    double r_m_;
+    double k_;
+};
+
+}  // namespace hdconj

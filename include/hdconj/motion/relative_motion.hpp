@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The concept behind every motion model: flexspline tooth relative to the circular spline.
+#pragma once
+
+#include <concepts>
+
+#include "hdconj/geometry/rigid_motion.hpp"
+
+namespace hdconj {
+
+/// Velocity of the tooth in its own frame and its derivative with respect to the motion's parameter.
+struct MotionRates
+{
+    Twist twist;   ///< theta', q = R^T P'
+    Twist change;  ///< d/du of theta' and of the components of q
+};
+
+/// The tooth's polar angle u and undeformed angle phi [rad].
+struct ToothAngles
+{
+    double u;
+    double phi;
+};
+
+/// A one-parameter motion of the flexspline tooth in the circular-spline frame. The parameter is u for the exact model
+/// and phi for the first-order one; one lobe of the wave generator is (-pi/n, pi/n] in either.
+template<class M>
+concept RelativeMotion = requires(M const& m, double u) {
+    { m.pose(u) } -> std::same_as<Pose>;
+    { m.rates(u) } -> std::same_as<MotionRates>;
+    { m.angles(u) } -> std::same_as<ToothAngles>;
+    { m.half_lobe() } -> std::convertible_to<double>;
+};
+
+}  // namespace hdconj

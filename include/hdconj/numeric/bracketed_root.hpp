@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// One root between two arguments where a function has opposite signs.
+#pragma once
+
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace hdconj {
+
+/// A root with the bracket that proves it.
+struct BracketedRoot
+{
+    double x = 0;                 ///< the end of the bracket with the smaller |f|
+    double width = 0;             ///< of the final bracket
+    std::size_t evaluations = 0;
+    bool found = false;           ///< false: no sign change on the interval given, or no convergence
+};
+
+/// Root of @p f between @p a and @p b, f(a) = @p fa and f(b) = @p fb given, to the last bits of x.
+///
+/// TOMS algorithm 748 (Alefeld, Potra, Shi 1995) through Boost.Math. A zero at an end is returned at once.
+/// No sign change: found = false, never an invented root.
+template<class F>
+[[nodiscard]] BracketedRoot bracketed_root(F&& f, double a, double b, double fa, double fb)
+{
+    if (fa == 0)
+        return {a, 0, 0, true};
+    if (fb == 0)
+        return {b, 0, 0, true};
+    if (!(std::signbit(fa) != std::signbit(fb)) || !std::isfinite(fa) || !std::isfinite(fb))
+        return {};
+    constexpr std::uintmax_t budget = 200;
+    std::uintmax_t used = budget;
+    boost::math::tools::eps_tolerance<double> const last_bits(52);
+    auto const [low, high] = boost::math::tools::toms748_solve(f, a, b, fa, fb, last_bits, used);
+    double const f_low = std::abs(f(low));
+    double const f_high = std::abs(f(high));
+    return {f_low <= f_high ? low : high, std::abs(high - low), static_cast<std::size_t>(used) + 2, used < budget};
+}
+
+template<class F>
+[[nodiscard]] BracketedRoot bracketed_root(F&& f, double a, double b)
+{
+    return bracketed_root(f, a, b, f(a), f(b));
+}
+
+}  // namespace hdconj

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// A loop whose slots do not depend on each other, spread over threads.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+
+namespace hdconj {
+
+/// Number of threads meant by @p requested; 0 means all cores.
+[[nodiscard]] int thread_count(int requested);
+
+/// Calls @p body(i) for i = 0 ... count - 1. Slot i belongs to iteration i: a body that writes only there gives the
+/// same bits for any number of threads. Exceptions do not cross the parallel region: the one of the lowest i is
+/// thrown again after the loop.
+/// @param grain  fewest iterations worth a thread
+void parallel_for(std::size_t count, int threads, std::size_t grain, std::function<void(std::size_t)> const& body);
+
+}  // namespace hdconj

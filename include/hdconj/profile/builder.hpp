@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What families use to put a profile together.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hdconj/profile/profile.hpp"
+#include "hdconj/scene/fault.hpp"
+#include "hdconj/scene/parameters.hpp"
+
+namespace hdconj {
+
+/// What a family is told about the drive it makes a tooth for.
+struct ToothPlace
+{
+    double module = 0;
+    int teeth = 0;              ///< z_f
+    double wall = 0;            ///< delta
+    double neutral_offset = 0;
+    std::string folder;         ///< where relative file names start
+};
+
+/// A named stretch of the right flank, given from the tip down to the root, y from the pitch line.
+struct FlankSegment
+{
+    std::string name;
+    std::vector<PieceShape> pieces;
+};
+
+/// Right flank from tip to root -> whole symmetric tooth: the flank mirrored, a flat tip land between the
+/// two flanks when they do not meet at x = 0, corners inserted where the normals make a convex angle.
+/// @param dedendum  gives the pitch line: y = wall/2 + dedendum + neutral_offset in the tooth frame
+[[nodiscard]] Profile symmetric_tooth(std::vector<FlankSegment> const& right_flank,
+                                      ToothPlace const& place,
+                                      double addendum,
+                                      double dedendum);
+
+/// Whole tooth given from left root to right root, y from the pitch line.
+[[nodiscard]] Profile whole_tooth(std::vector<FlankSegment> const& segments,
+                                  ToothPlace const& place,
+                                  double addendum,
+                                  double dedendum,
+                                  bool mirror_symmetric);
+
+/// A fault of a family's parameter @p key.
+[[nodiscard]] Fault parameter_fault(FamilyChoice const& choice, std::string_view key, std::string reason, std::string remedy);
+
+/// A number as a user would write it: shortest text that reads back the same to 6 digits.
+[[nodiscard]] std::string short_number(double value);
+
+}  // namespace hdconj

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The outer side of a heap of curves, as a planar arrangement sees it.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "hdconj/geometry/vec2.hpp"
+
+namespace hdconj {
+
+/// A stretch of one curve on the boundary. Positions count vertices of the curve's polygon, with a fraction
+/// inside a segment; begin > end where the boundary runs against the curve.
+struct BoundaryRun
+{
+    int curve = 0;
+    double begin = 0;
+    double end = 0;
+};
+
+/// The boundary from the first to the last point of the floor, and how many segments were arranged.
+struct OuterBoundary
+{
+    std::vector<BoundaryRun> runs;
+    std::size_t segments = 0;
+};
+
+/// Walks from the first to the last point of curve @p floor along the boundary of everything that can be reached from
+/// far away on the floor's left side.
+///
+/// @param curves  polygons, each of 2 points or more; points that are meant to coincide must be bit-identical
+/// @param floor   index of a polygon that runs below all others and past them at both ends
+/// Topology is exact (CGAL arrangement with exact constructions); pieces that stick out into the open side without
+/// bounding anything are left out. Positions are rounded to double.
+/// @throws NumericalError when the floor is not reached again
+[[nodiscard]] OuterBoundary outer_boundary(std::vector<std::vector<Vec2>> const& curves, int floor);
+
+}  // namespace hdconj

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/profile/measured_points.hpp"
+
+#include <Eigen/SparseLU>
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <fstream>
+#include <gsl/gsl_bspline.h>
+#include <gsl/gsl_errno.h>
+#include <memory>
+
+#include "hdconj/numeric/error.hpp"
+
+namespace hdconj {
+
+namespace {
+
+constexpr std::size_t spline_order = 4;
+
+struct FreeWorkspace
+{
+    void operator()(gsl_bspline_workspace* w) const { gsl_bspline_free(w); }
+};
+struct FreeVector
+{
+    void operator()(gsl_vector* v) const { gsl_vector_free(v); }
+};
+struct FreeMatrix
+{
+    void operator()(gsl_matrix* m) const { gsl_matrix_free(m); }
+};
+
+/// Two numbers separated by a comma, semicolon, tab or blanks; nothing else on the line.
+bool read_pair(std::string_view line, Vec2& p)
+{
+    char const* at = line.data();
+    char const* const end = at + line.size();
+    auto const skip = [&](std::string_view what) {
+        while (at < end && what.find(*at) != std::string_view::npos)
+            ++at;
+    };
+    for (int k = 0; k < 2; ++k)
+    {
+        skip(k == 0 ? " \t" : " \t,;");
+        auto const [next, error] = std::from_chars(at, end, p[k]);
+        if (error != std::errc{})
+            return false;
+        at = next;
+    }
+    skip(" \t\r");
+    return at == end;
+}
+
+std::vector<Vec2> read_points(FamilyChoice const& c, std::filesystem::path const& file, Faults& faults)
+{
+    std::vector<Vec2> points;
+    std::error_code ignored;
+    std::ifstream in(file);
+    if (!in || std::filesystem::is_directory(file, ignored))
+    {
+        faults.push_back(parameter_fault(c, "file", "cannot be read: " + file.string(), "write the name of a CSV file, relative to the scene file"));
+        return points;
+    }
+    std::string line;
+    int number = 0;
+    bool header_seen = false;
+    while (std::getline(in, line))
+    {
+        ++number;
+        line.erase(std::find(line.begin(), line.end(), '#'), line.end());
+        if (line.find_first_not_of(" \t\r") == std::string::npos)
+            continue;
+        Vec2 p;
+        bool const ok = read_pair(line, p);
+        if (!ok && points.empty() && !header_seen)
+        {
+            header_seen = true;
+            continue;
+        }
+        if (!ok || !p.allFinite())
+        {
+            faults.push_back(parameter_fault(c, "file", "line " + std::to_string(number) + " of " + file.string() + " is not a pair of finite numbers",
+                                             "write two numbers x,y in mm on each line"));
+            return {};
+        }
+        if (!points.empty() && p == points.back())
+        {
+            faults.push_back(parameter_fault(c, "file", "line " + std::to_string(number) + " of " + file.string() + " repeats the point before it",
+                                             "remove the repeated point"));
+            return {};
+        }
+        points.push_back(p);
+    }
+    if (points.size() < spline_order)
+    {
+        faults.push_back(parameter_fault(c, "file", file.string() + " holds " + std::to_string(points.size()) + " points, a spline needs 4",
+                                         "write at least 4 points"));
+        return {};
+    }
+    return points;
+}
+
+}  // namespace
+
+std::vector<CurvePiece> spline_through(std::vector<Vec2> const& points)
+{
+    gsl_set_error_handler_off();
+    std::size_t const n = points.size();
+    std::vector<double> s(n, 0.0);
+    for (std::size_t i = 1; i < n; ++i)
+        s[i] = s[i - 1] + (points[i] - points[i - 1]).norm();
+    // not-a-knot: the second and the last but one point are no knots
+    std::vector<double> knots{s.front()};
+    knots.insert(knots.end(), s.begin() + 2, s.end() - 2);
+    knots.push_back(s.back());
+
+    std::unique_ptr<gsl_bspline_workspace, FreeWorkspace> const work(gsl_bspline_alloc(spline_order, knots.size()));
+    std::unique_ptr<gsl_vector, FreeVector> const at_knots(gsl_vector_alloc(knots.size()));
+    std::unique_ptr<gsl_matrix, FreeMatrix> const basis(gsl_matrix_alloc(spline_order, 2));
+    if (!work || !at_knots || !basis)
+        throw std::bad_alloc();
+    for (std::size_t i = 0; i < knots.size(); ++i)
+        gsl_vector_set(at_knots.get(), i, knots[i]);
+    auto const check = [](int status) {
+        if (status != GSL_SUCCESS)
+            throw NumericalError("profile", "spline through points", gsl_strerror(status));
+    };
+    check(gsl_bspline_knots(at_knots.get(), work.get()));
+
+    using Triplet = Eigen::Triplet<double>;
+    std::vector<Triplet> entries;
+    for (std::size_t i = 0; i < n; ++i)
+    {
+        std::size_t first = 0;
+        std::size_t last = 0;
+        check(gsl_bspline_deriv_eval_nonzero(s[i], 0, basis.get(), &first, &last, work.get()));
+        for (std::size_t k = first; k <= last; ++k)
+            entries.emplace_back(static_cast<int>(i), static_cast<int>(k), gsl_matrix_get(basis.get(), k - first, 0));
+    }
+    auto const size = static_cast<Eigen::Index>(n);
+    Eigen::SparseMatrix<double> matrix(size, size);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    Eigen::SparseLU<Eigen::SparseMatrix<double>> const lu(matrix);
+    if (lu.info() != Eigen::Success)
+        throw NumericalError("profile", "spline through points", "the interpolation is singular");
+    Eigen::MatrixX2d right(size, 2);
+    for (std::size_t i = 0; i < n; ++i)
+        right.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
+    Eigen::MatrixX2d const coefficients = lu.solve(right);
+
+    auto const value_and_slope = [&](double at) {
+        std::size_t first = 0;
+        std::size_t last = 0;
+        check(gsl_bspline_deriv_eval_nonzero(at, 1, basis.get(), &first, &last, work.get()));
+        Eigen::Matrix2d result = Eigen::Matrix2d::Zero();
+        for (std::size_t k = first; k <= last; ++k)
+            for (std::size_t d = 0; d < 2; ++d)
+                result.row(static_cast<Eigen::Index>(d)) += gsl_matrix_get(basis.get(), k - first, d) * coefficients.row(static_cast<Eigen::Index>(k));
+        return result;
+    };
+    std::vector<CurvePiece> pieces;
+    Eigen::Matrix2d left = value_and_slope(knots[0]);
+    for (std::size_t i = 0; i + 1 < knots.size(); ++i)
+    {
+        Eigen::Matrix2d const right_end = value_and_slope(knots[i + 1]);
+        double const third = (knots[i + 1] - knots[i]) / 3;
+        auto const axis = [&](Eigen::Index k) {
+            return std::vector<double>{left(0, k), left(0, k) + third * left(1, k), right_end(0, k) - third * right_end(1, k), right_end(0, k)};
+        };
+        pieces.emplace_back(axis(0), axis(1));
+        left = right_end;
+    }
+    return pieces;
+}
+
+Profile MeasuredPoints::build(FamilyChoice const& c, ToothPlace const& place, Faults& faults)
+{
+    std::filesystem::path file = c.word("file").value_or("");
+    if (file.is_relative())
+        file = std::filesystem::path(place.folder) / file;
+    std::vector<Vec2> points = read_points(c, file, faults);
+    if (points.empty())
+        return {};
+    bool const full = c.word("side").value_or("right") == "full";
+    // the flank runs from tip to root, the whole tooth from left to right
+    if (full ? points.front().x() > points.back().x() : points.front().y() < points.back().y())
+        std::reverse(points.begin(), points.end());
+    auto const [low, high] = std::minmax_element(points.begin(), points.end(), [](Vec2 const& a, Vec2 const& b) { return a.y() < b.y(); });
+    double const h_a = high->y();
+    double const h_f = -low->y();
+    if (!(h_a > 0) || !(h_f > 0))
+        faults.push_back(parameter_fault(c, "file", "the points span y = " + short_number(-h_f) + " ... " + short_number(h_a) + " and do not cross the pitch line y = 0",
+                                         "measure y from the pitch line, up towards the tip"));
+    if (!full && points.front().x() < 0)
+        faults.push_back(parameter_fault(c, "file", "the tip of the right flank is left of the tooth's centre line x = 0",
+                                         "give the right flank with x >= 0, or set side = \"full\""));
+    if (!faults.empty())
+        return {};
+    FlankSegment segment{full ? "tooth" : "flank", {}};
+    for (CurvePiece& piece : spline_through(points))
+        segment.pieces.emplace_back(std::move(piece));
+    return full ? whole_tooth({segment}, place, h_a, h_f, false) : symmetric_tooth({segment}, place, h_a, h_f);
+}
+
+}  // namespace hdconj

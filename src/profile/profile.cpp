@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/profile/profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace hdconj {
+
+namespace {
+
+Vec2 curve_normal(CurvePiece const& curve, double t)
+{
+    return left_of(curve.first(t)).normalized();
+}
+
+/// Steps that keep the chord error of an arc within @p chord.
+int arc_steps(ArcPiece const& arc, double chord)
+{
+    double const r = std::abs(arc.radius);
+    if (r <= chord)
+        return 1;
+    double const step = 2 * std::acos(1 - chord / r);
+    return std::max(1, static_cast<int>(std::ceil(std::abs(arc.to - arc.from) / step)));
+}
+
+/// Steps for a curve, from the bound (1/8) max |x''| h^2 on its chord error.
+int curve_steps(CurvePiece const& curve, double chord)
+{
+    double bend = 0;
+    constexpr int probes = 16;
+    for (int i = 0; i <= probes; ++i)
+        bend = std::max(bend, curve.second(static_cast<double>(i) / probes).norm());
+    return std::clamp(static_cast<int>(std::ceil(std::sqrt(bend / (8 * chord)))), 1, 1 << 16);
+}
+
+}  // namespace
+
+PieceEnd start_of(PieceShape const& shape)
+{
+    if (auto const* line = std::get_if<LinePiece>(&shape))
+        return {line->a, line->normal()};
+    if (auto const* arc = std::get_if<ArcPiece>(&shape))
+        return {arc->centre + arc->radius * direction(arc->from), direction(arc->from)};
+    auto const& curve = std::get<CurvePiece>(shape);
+    return {curve.point(0), curve_normal(curve, 0)};
+}
+
+PieceEnd end_of(PieceShape const& shape)
+{
+    if (auto const* line = std::get_if<LinePiece>(&shape))
+        return {line->b, line->normal()};
+    if (auto const* arc = std::get_if<ArcPiece>(&shape))
+        return {arc->centre + arc->radius * direction(arc->to), direction(arc->to)};
+    auto const& curve = std::get<CurvePiece>(shape);
+    return {curve.point(1), curve_normal(curve, 1)};
+}
+
+Vec2 point_at(PieceShape const& shape, double t)
+{
+    if (auto const* line = std::get_if<LinePiece>(&shape))
+        return line->a + t * (line->b - line->a);
+    if (auto const* arc = std::get_if<ArcPiece>(&shape))
+        return arc->centre + arc->radius * direction(arc->from + t * (arc->to - arc->from));
+    return std::get<CurvePiece>(shape).point(t);
+}
+
+std::vector<Vec2> polygon_of(Profile const& profile, double chord)
+{
+    std::vector<Vec2> points{start_of(profile.pieces.front().shape).point};
+    for (ProfilePiece const& piece : profile.pieces)
+    {
+        if (piece.corner)
+            continue;
+        int steps = 1;
+        if (auto const* arc = std::get_if<ArcPiece>(&piece.shape))
+            steps = arc_steps(*arc, chord);
+        else if (auto const* curve = std::get_if<CurvePiece>(&piece.shape))
+            steps = curve_steps(*curve, chord);
+        for (int i = 1; i <= steps; ++i)
+            points.push_back(point_at(piece.shape, static_cast<double>(i) / steps));
+    }
+    return points;
+}
+
+}  // namespace hdconj
