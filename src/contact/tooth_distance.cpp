@@ -52,7 +52,7 @@ void foot_on(ArcPiece const& arc, Vec2 const& p, Nearest& nearest)
 void foot_on(CurvePiece const& curve, Vec2 const& p, Nearest& nearest)
 {
     // (p - x).x' in Bernstein form: A - p_y B + p_x C with the three functions of the meshing condition
-    BernsteinWork work;
+    BernsteinWork work{};
     double size = 0;
     std::size_t const n = curve.a().size();
     for (std::size_t i = 0; i < n; ++i)

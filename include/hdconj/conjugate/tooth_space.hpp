@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,16 +47,16 @@ template<RelativeMotion Motion>
 class ToothSpaceFinder
 {
   public:
-    ToothSpaceFinder(Envelope<Motion> const& envelope, std::vector<ContactArc> const& arcs, double tip_radius, int teeth, Tolerance tolerance)
-        : envelope_(envelope), arcs_(arcs), tip_radius_(tip_radius), pitch_(2 * std::numbers::pi / teeth), tolerance_(tolerance)
+    /// @param chord  chord error of the first polygons [mm]
+    ToothSpaceFinder(Envelope<Motion> const& envelope, std::vector<ContactArc> const& arcs, double tip_radius, int teeth, Tolerance tolerance,
+                     double chord)
+        : envelope_(envelope), arcs_(arcs), tip_radius_(tip_radius), pitch_(2 * std::numbers::pi / teeth), tolerance_(tolerance), chord_(chord)
     {
     }
 
     [[nodiscard]] ToothSpace operator()()
     {
-        // first look: a thousandth of the tooth's height
-        Profile const& profile = envelope_.profile();
-        double chord = (profile.addendum + profile.dedendum) * 0x1p-12;
+        double chord = chord_;
         constexpr int attempts = 6;
         for (int attempt = 0; attempt < attempts; ++attempt, chord /= 16)
         {
@@ -332,6 +334,7 @@ class ToothSpaceFinder
     double tip_radius_;
     double pitch_;
     Tolerance tolerance_;
+    double chord_;
     std::vector<std::vector<Vec2>> polygons_;
     std::vector<Source> sources_;
     std::size_t segments_ = 0;

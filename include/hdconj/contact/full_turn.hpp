@@ -33,8 +33,9 @@ template<RelativeMotion Motion>
 class FullTurnClearance
 {
   public:
-    FullTurnClearance(Profile const& profile, Motion const& motion, double pitch, int positions = 384)
-        : tooth_(profile), motion_(motion), pitch_(pitch), step_(2 * motion.half_lobe() / positions)
+    /// @param lobe_pitches  pitches that the tooth moves along the circular spline in one lobe, (z_c - z_f)/n
+    FullTurnClearance(Profile const& profile, Motion const& motion, double pitch, int lobe_pitches, int positions = 384)
+        : tooth_(profile), motion_(motion), pitch_(pitch), reach_((lobe_pitches + 1) / 2 + 1), step_(2 * motion.half_lobe() / positions)
     {
         for (int i = 0; i <= positions; ++i)
         {
@@ -51,15 +52,12 @@ class FullTurnClearance
     [[nodiscard]] TurnMinimum operator()(Vec2 const& p) const
     {
         TurnMinimum best;
-        for (int copy = -reach; copy <= reach; ++copy)
+        for (int copy = -reach_; copy <= reach_; ++copy)
             look(turned_clockwise(p, -copy * pitch_), copy, best);
         return best;
     }
 
   private:
-    /// Two neighbours on either side: one lobe moves the tooth by at most two pitches (z_c - z_f = 2 n).
-    static constexpr int reach = 2;
-
     void look(Vec2 const& p, int copy, TurnMinimum& best) const
     {
         double before = std::numeric_limits<double>::infinity();
@@ -113,6 +111,7 @@ class FullTurnClearance
     ToothDistance tooth_;
     Motion const& motion_;
     double pitch_;
+    int reach_;  ///< neighbours on either side: half the lobe's pitches, and one for the tooth's own width
     double step_;
     double near_ = 0;
     std::vector<Pose> poses_;

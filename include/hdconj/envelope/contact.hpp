@@ -123,7 +123,7 @@ inline double meshing_polynomial(CurvePiece const& curve, Twist const& twist, st
 /// All parameters at which the curve touches its envelope now.
 [[nodiscard]] inline BernsteinRoots curve_contacts(CurvePiece const& curve, Twist const& twist)
 {
-    BernsteinWork work;
+    BernsteinWork work{};
     std::span<double> const f(work.data(), curve.a().size());
     double const size = meshing_polynomial(curve, twist, f);
     return bernstein_roots(f, 8 * unit_roundoff * size);

@@ -206,7 +206,7 @@ class DoubleRootSearch
     static Jet jet(std::span<double const> c, double t)
     {
         // de Casteljau, stopping twice before the end for the derivatives
-        BernsteinWork w;
+        BernsteinWork w{};
         std::copy(c.begin(), c.end(), w.begin());
         std::size_t const n = c.size() - 1;
         Jet j{0, 0, 0};

@@ -22,7 +22,7 @@ using BernsteinWork = std::array<double, bernstein_max_degree + 1>;
 /// Value at @p t by de Casteljau's scheme; degree = size - 1 <= bernstein_max_degree.
 [[nodiscard]] inline double bernstein_value(std::span<double const> c, double t)
 {
-    BernsteinWork w;
+    BernsteinWork w{};
     std::copy(c.begin(), c.end(), w.begin());
     for (std::size_t r = c.size() - 1; r > 0; --r)
         for (std::size_t i = 0; i < r; ++i)

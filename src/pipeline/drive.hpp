@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The parts of a drive that follow from its scene without solving anything.
+#pragma once
+
+#include "hdconj/pipeline/solution.hpp"
+#include "hdconj/profile/profile.hpp"
+#include "hdconj/scene/fault.hpp"
+#include "hdconj/wavegen/registry.hpp"
+
+namespace hdconj::detail {
+
+/// Flexspline tooth of the scene, or faults.
+[[nodiscard]] Profile flexspline_tooth(Scene const& scene, Faults& faults);
+
+/// Radii that follow from scene, tooth and amplitude of the wave generator:
+/// inner radius m z_f/2 - h_f - delta unless given, r_m = inner radius + delta/2 - neutral_offset,
+/// tip circle r_m + pitch line + w0 - h_a unless given (design 3.1, 5.1).
+[[nodiscard]] PairGeometry pair_geometry(Scene const& scene, Profile const& tooth, double amplitude);
+
+/// What only the assembled dimensions show: tooth against pitch, tip circle against tooth and rim.
+void judge_geometry(Scene const& scene, Profile const& tooth, PairGeometry const& g, Faults& faults);
+
+/// Number of pitches by which the tooth moves along the circular spline in one lobe: (z_c - z_f)/n.
+[[nodiscard]] int pitches_per_lobe(Scene const& scene);
+
+}  // namespace hdconj::detail

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// `solve` for one motion model: the stages after the motion is known.
+#pragma once
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+
+#include "drive.hpp"
+#include "hdconj/conjugate/outline.hpp"
+#include "hdconj/contact/full_turn.hpp"
+#include "hdconj/numeric/parallel.hpp"
+#include "records.hpp"
+#include "root_clearance.hpp"
+#include "stage_clock.hpp"
+#include "swallowed.hpp"
+
+namespace hdconj::detail {
+
+/// Contact arcs of all branches in one list, which boundary pieces index.
+[[nodiscard]] inline std::vector<ContactArc> all_arcs(std::vector<Branch> const& branches)
+{
+    std::vector<ContactArc> arcs;
+    for (Branch const& branch : branches)
+        arcs.insert(arcs.end(), branch.arcs.begin(), branch.arcs.end());
+    return arcs;
+}
+
+/// A tooth space and the arcs that its pieces index.
+struct TracedSpace
+{
+    std::vector<ContactArc> arcs;
+    ToothSpace space;
+};
+
+/// The outline with the index of its middle point, where x = 0 or, on an asymmetric space, nearest to it.
+struct CentredOutline
+{
+    Outline outline;
+    std::size_t middle = 0;
+};
+
+template<RelativeMotion Motion>
+class SolveJob
+{
+  public:
+    SolveJob(Solution& out, Profile const& tooth, Motion const& motion, StageClock& clock)
+        : out_(out), tooth_(tooth), motion_(motion), clock_(clock), base_(tooth, motion, 0),
+          pitch_(2 * std::numbers::pi / out.scene.drive.circular_spline_teeth),
+          tolerance_{out.scene.solver.tolerance, out.geometry.r_m + out.geometry.w0 + tooth.pitch_line + tooth.addendum}
+    {
+    }
+
+    void operator()()
+    {
+        clock_.run(Stage::envelope, [&] { trace(); });
+        double chord = (tooth_.addendum + tooth_.dedendum) * 0x1p-12;
+        // polygons decide which branch is outside; where they misjudge two that lie closer than their own error, the
+        // full-turn check sees it and they are made finer
+        constexpr int attempts = 5;
+        for (int attempt = 1;; ++attempt, chord /= 64)
+        {
+            assemble(chord);
+            double const wanted = out_.scene.circular_spline.backlash_offset - tolerance_.coincidence();
+            if (!out_.check || out_.check->smallest_clearance >= wanted)
+                break;
+            if (attempt == attempts)
+                throw NumericalError("interference", "near (" + std::to_string(out_.check->where.x()) + ", " + std::to_string(out_.check->where.y()) + ") mm",
+                                     "a tooth enters the outline by " + std::to_string(wanted - out_.check->smallest_clearance) + " mm");
+        }
+        clock_.run(Stage::outline, [&] { publish(); });
+    }
+
+  private:
+    void trace()
+    {
+        BranchSet set = find_branches(base_, out_.threads);
+        if (!set.record.certified)
+            throw NumericalError("envelope", set.record.doubts.empty() ? "meshing condition" : set.record.doubts.front(),
+                                 "its roots could not all be told apart in double precision");
+        branches_ = std::move(set.branches);
+        out_.work.roots_isolated += set.record.roots;
+        out_.work.envelope_points += set.record.evaluations;
+        std::vector<BranchRecord> records(branches_.size());
+        std::vector<std::size_t> evaluations(branches_.size(), 0);
+        parallel_for(branches_.size(), out_.threads, 1, [&](std::size_t i) {
+            records[i] = branch_record(base_, branches_[i], tolerance_.length, evaluations[i]);
+        });
+        for (std::size_t count : evaluations)
+            out_.work.envelope_points += count;
+        out_.branches = std::move(records);
+    }
+
+    /// Region, backlash, outline, root clearance and check, with polygons of the given chord error.
+    void assemble(double chord)
+    {
+        Scene const& scene = out_.scene;
+        double const offset = scene.circular_spline.backlash_offset;
+        TracedSpace base;
+        clock_.run(Stage::region, [&] { base = space_at(base_, branches_, chord); });
+        Envelope<Motion> const moved(tooth_, motion_, offset);
+        TracedSpace shifted;
+        bool const has_offset = clock_.run(Stage::backlash, [&] {
+            shifted = space_at(moved, find_branches(moved, out_.threads).branches, chord);
+            refuse_swallowed(base_, base.arcs, base.space, shifted.arcs, shifted.space, pitch_, offset, tolerance_.length);
+        });
+        final_ = has_offset ? std::move(shifted) : std::move(base);
+        clock_.run(Stage::outline, [&] { outline_ = centred(has_offset ? moved : base_); });
+        clock_.run(Stage::root_clearance, [&] {
+            std::size_t const before = outline_.outline.points.size();
+            deepen(outline_.outline, outline_.middle, scene.circular_spline.root_clearance);
+            outline_.middle += (outline_.outline.points.size() - before) / 2;
+        });
+        clock_.run(Stage::interference, [&] { check(); });
+    }
+
+    [[nodiscard]] TracedSpace space_at(Envelope<Motion> const& envelope, std::vector<Branch> const& branches, double chord)
+    {
+        TracedSpace traced;
+        traced.arcs = all_arcs(branches);
+        ToothSpaceFinder<Motion> find(envelope, traced.arcs, out_.geometry.circular_spline_inner_radius, out_.scene.drive.circular_spline_teeth,
+                                      tolerance_, chord);
+        traced.space = find();
+        out_.work.arrangement_edges += traced.space.segments;
+        return traced;
+    }
+
+    /// Cuts the boundary at x = 0 and samples it; a symmetric drive's right half is mirrored, bit for bit.
+    [[nodiscard]] CentredOutline centred(Envelope<Motion> const& envelope)
+    {
+        std::vector<BoundaryPiece> const& pieces = final_.space.pieces;
+        auto const x_at = [&](BoundaryPiece const& piece, double u) {
+            return TurnedArc<Motion>{envelope, final_.arcs[static_cast<std::size_t>(piece.arc)], piece.copy * pitch_}.point(u).p.x();
+        };
+        std::vector<BoundaryPiece> left, right;
+        for (BoundaryPiece const& piece : pieces)
+        {
+            double const x_begin = piece.arc < 0 ? piece.begin : x_at(piece, piece.begin);
+            double const x_end = piece.arc < 0 ? piece.end : x_at(piece, piece.end);
+            bool const still_left = right.empty();
+            if (still_left && (x_end <= tolerance_.roundoff()))
+            {
+                left.push_back(piece);
+            }
+            else if (still_left && x_begin < -tolerance_.roundoff() && piece.arc >= 0)
+            {
+                auto const x = [&](double u) { return x_at(piece, u); };
+                double const low = std::min(piece.begin, piece.end);
+                double const high = std::max(piece.begin, piece.end);
+                BracketedRoot const root = bracketed_root(x, low, high);
+                if (!root.found)
+                    throw NumericalError("outline", "middle of the tooth space", "does not cross the centre line");
+                left.push_back({piece.arc, piece.copy, piece.begin, root.x});
+                right.push_back({piece.arc, piece.copy, root.x, piece.end});
+            }
+            else
+            {
+                right.push_back(piece);
+            }
+        }
+        if (left.empty() || right.empty())
+            throw NumericalError("outline", "middle of the tooth space", "does not cross the centre line");
+        auto const sampled = [&](std::vector<BoundaryPiece> const& half) {
+            return sample_outline(envelope, final_.arcs, half, out_.geometry.circular_spline_inner_radius, pitch_, tolerance_.length, out_.threads);
+        };
+        Outline right_half = sampled(right);
+        right_half.points.front().x() = 0;
+        Outline const left_half = tooth_.mirror_symmetric ? mirrored(right_half) : sampled(left);
+        out_.work.envelope_points += right_half.evaluations + left_half.evaluations;
+        CentredOutline result{left_half, left_half.points.size() - 1};
+        Outline& whole = result.outline;
+        whole.points.pop_back();
+        whole.points.insert(whole.points.end(), right_half.points.begin(), right_half.points.end());
+        for (OutlineStretch stretch : right_half.stretches)
+        {
+            stretch.first += result.middle;
+            stretch.last += result.middle;
+            whole.stretches.push_back(stretch);
+        }
+        whole.chord = std::max(left_half.chord, right_half.chord);
+        return result;
+    }
+
+    [[nodiscard]] Outline mirrored(Outline const& half) const
+    {
+        Outline image;
+        image.chord = half.chord;
+        std::size_t const last = half.points.size() - 1;
+        for (auto p = half.points.rbegin(); p != half.points.rend(); ++p)
+            image.points.emplace_back(-p->x(), p->y());
+        int const segments = static_cast<int>(tooth_.segment_names.size());
+        for (auto s = half.stretches.rbegin(); s != half.stretches.rend(); ++s)
+        {
+            // a corner carries the segment before it, whose image stands after the image of the corner
+            int segment = s->segment < 0 ? -1 : segments - 1 - s->segment;
+            if (s->kind == OutlineKind::corner)
+                segment -= 1;
+            image.stretches.push_back({s->kind, segment, last - s->last, last - s->first});
+        }
+        return image;
+    }
+
+    /// Every outline point against every position of every tooth. A symmetric pair's left half is the image of its right one.
+    void check()
+    {
+        FullTurnClearance<Motion> const clearance(tooth_, motion_, pitch_, pitches_per_lobe(out_.scene));
+        std::size_t const first = tooth_.mirror_symmetric ? outline_.middle : 0;
+        auto const& points = outline_.outline.points;
+        std::vector<TurnMinimum> minima(points.size() - first);
+        constexpr std::size_t grain = 64;
+        parallel_for(minima.size(), out_.threads, grain, [&](std::size_t i) { minima[i] = clearance(points[first + i]); });
+        PairCheck result;
+        auto const worst = std::min_element(minima.begin(), minima.end(), [](TurnMinimum const& a, TurnMinimum const& b) { return a.distance < b.distance; });
+        result.smallest_clearance = worst->distance;
+        result.where = points[first + static_cast<std::size_t>(worst - minima.begin())];
+        result.at_phi = motion_.angles(worst->u).phi;
+        result.points = minima.size();
+        result.positions = clearance.positions();
+        out_.check = result;
+    }
+
+    void publish()
+    {
+        Outline const& outline = outline_.outline;
+        CircularSplineOutline& cs = out_.circular_spline;
+        cs.z = {0.0};
+        cs.outline = {outline.points};
+        for (OutlineStretch const& s : outline.stretches)
+            cs.pieces.push_back({name_of(s.kind), s.segment < 0 ? "" : tooth_.segment_names[static_cast<std::size_t>(s.segment)], s.first, s.last});
+        Bottom const bottom = bottom_of(outline, outline_.middle);
+        std::size_t const left_land = outline.stretches.front().last;
+        std::size_t const right_land = outline.stretches.back().first;
+        for (std::size_t index : {left_land, bottom.first, outline_.middle, bottom.last, right_land})
+            cs.landmarks.push_back(static_cast<int>(index));
+        Vec2 const corner = outline.points[right_land];
+        out_.geometry.land_half_angle = pitch_ / 2 - std::atan2(corner.x(), corner.y());
+        double deepest = 0;
+        for (Vec2 const& p : outline.points)
+            deepest = std::max(deepest, p.norm());
+        out_.geometry.space_depth = deepest - out_.geometry.circular_spline_inner_radius;
+        out_.error.chord = outline.chord;
+        out_.error.point = tolerance_.roundoff();
+        for (std::size_t i = 0; i < branches_.size(); ++i)
+        {
+            std::size_t const before = out_.zones.size();
+            append_zones(base_, branches_[i], i, final_.arcs, final_.space.pieces, out_.zones);
+            for (std::size_t k = before; k < out_.zones.size(); ++k)
+                out_.branches[i].on_boundary = out_.branches[i].on_boundary || out_.zones[k].on_boundary;
+        }
+        tooth_family();
+    }
+
+    void tooth_family()
+    {
+        constexpr int positions = 40;
+        std::vector<Vec2> const polygon = polygon_of(tooth_, (tooth_.addendum + tooth_.dedendum) * 0x1p-10);
+        for (int i = 0; i <= positions; ++i)
+        {
+            Pose const pose = motion_.pose(motion_.half_lobe() * (2.0 * i / positions - 1));
+            std::vector<Vec2> placed;
+            placed.reserve(polygon.size());
+            for (Vec2 const& p : polygon)
+                placed.push_back(pose(p));
+            out_.tooth_family.push_back(std::move(placed));
+        }
+    }
+
+    [[nodiscard]] static std::string name_of(OutlineKind kind)
+    {
+        switch (kind)
+        {
+        case OutlineKind::land: return "land";
+        case OutlineKind::flank: return "flank";
+        case OutlineKind::corner: return "corner";
+        case OutlineKind::bottom: return "bottom";
+        case OutlineKind::root_wall: return "root wall";
+        case OutlineKind::root: return "root";
+        }
+        return {};
+    }
+
+    Solution& out_;
+    Profile const& tooth_;
+    Motion const& motion_;
+    StageClock& clock_;
+    Envelope<Motion> base_;
+    double pitch_;
+    Tolerance tolerance_;
+    std::vector<Branch> branches_;
+    TracedSpace final_;
+    CentredOutline outline_;
+};
+
+}  // namespace hdconj::detail

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Branches and zones as they are written into results.
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "hdconj/conjugate/tooth_space.hpp"
+#include "hdconj/envelope/find_branches.hpp"
+#include "hdconj/envelope/sample.hpp"
+#include "hdconj/pipeline/solution.hpp"
+
+namespace hdconj::detail {
+
+/// Whether any boundary piece runs on the contact followed by @p arc. Boundary arcs may come from a trace at another
+/// offset, whose cusps differ; contacts are the same, so piece, candidate and instant decide.
+[[nodiscard]] inline bool bounds_somewhere(ContactArc const& arc, double from, double to, std::vector<ContactArc> const& boundary_arcs,
+                                           std::vector<BoundaryPiece> const& pieces)
+{
+    return std::any_of(pieces.begin(), pieces.end(), [&](BoundaryPiece const& piece) {
+        if (piece.arc < 0)
+            return false;
+        ContactArc const& other = boundary_arcs[static_cast<std::size_t>(piece.arc)];
+        double const low = std::max(from, std::min(piece.begin, piece.end));
+        double const high = std::min(to, std::max(piece.begin, piece.end));
+        return other.piece == arc.piece && other.candidate == arc.candidate && high > low;
+    });
+}
+
+/// Name of a branch's origin: the segment's, or "corner A / B".
+[[nodiscard]] inline std::string origin_name(Profile const& profile, Branch const& branch)
+{
+    auto const name = [&](int segment) { return profile.segment_names[static_cast<std::size_t>(segment)]; };
+    if (!branch.corner)
+        return name(branch.segment);
+    auto const after = static_cast<std::size_t>(branch.arcs.front().piece) + 1;
+    return "corner " + name(branch.segment) + " / " + name(profile.pieces[after].segment);
+}
+
+/// The branch sampled to the chord error, exact ends included.
+template<RelativeMotion Motion>
+[[nodiscard]] BranchRecord branch_record(Envelope<Motion> const& envelope, Branch const& branch, double chord, std::size_t& evaluations)
+{
+    BranchRecord record;
+    record.kind = branch.corner ? "corner" : "regular";
+    record.segment = branch.segment;
+    record.segment_name = origin_name(envelope.profile(), branch);
+    record.begins = to_string(branch.arcs.front().begins);
+    record.ends = to_string(branch.arcs.back().ends);
+    for (ContactArc const& arc : branch.arcs)
+    {
+        ProfilePiece const& piece = envelope.profile().pieces[static_cast<std::size_t>(arc.piece)];
+        SampledArc const sampled = sample_arc(envelope, arc, arc.u_begin, arc.u_end, chord, 1);
+        evaluations += sampled.evaluations;
+        for (std::size_t k = record.u.empty() ? 0 : 1; k < sampled.points.size(); ++k)
+        {
+            EnvelopePoint const& e = sampled.points[k];
+            ToothAngles const angles = envelope.motion().angles(e.u);
+            record.u.push_back(angles.u);
+            record.phi.push_back(angles.phi);
+            record.t.push_back(std::clamp(piece.t_begin + e.t * (piece.t_end - piece.t_begin), piece.t_begin, piece.t_end));
+            record.point.push_back(e.p);
+        }
+    }
+    return record;
+}
+
+/// The conjugate zones of a branch: stretches on which t is monotone and the envelope stays outer or inner.
+template<RelativeMotion Motion>
+void append_zones(Envelope<Motion> const& envelope, Branch const& branch, std::size_t index, std::vector<ContactArc> const& boundary_arcs,
+                  std::vector<BoundaryPiece> const& pieces, std::vector<ConjugateZone>& zones)
+{
+    auto const segment_t = [&](ContactArc const& arc, double u) {
+        ProfilePiece const& piece = envelope.profile().pieces[static_cast<std::size_t>(arc.piece)];
+        double const t = u == arc.u_begin ? arc.t_begin : u == arc.u_end ? arc.t_end : envelope.contact(arc, u).t;
+        return piece.t_begin + t * (piece.t_end - piece.t_begin);
+    };
+    bool open = false;
+    for (ContactArc const& arc : branch.arcs)
+    {
+        std::vector<double> cuts{arc.u_begin};
+        cuts.insert(cuts.end(), arc.reversals.begin(), arc.reversals.end());
+        cuts.push_back(arc.u_end);
+        for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
+        {
+            // a zone goes on across the joint of two pieces of one segment
+            bool const same_zone = open && i == 0 && zones.back().outer == arc.bounding;
+            if (!same_zone)
+            {
+                ConjugateZone zone;
+                zone.segment = branch.segment;
+                zone.segment_name = origin_name(envelope.profile(), branch);
+                zone.kind = branch.corner ? "corner" : "regular";
+                zone.branch = index;
+                zone.outer = arc.bounding;
+                ToothAngles const angles = envelope.motion().angles(cuts[i]);
+                zone.u_begin = angles.u;
+                zone.phi_begin = angles.phi;
+                zone.t_begin = segment_t(arc, cuts[i]);
+                zones.push_back(zone);
+            }
+            ConjugateZone& zone = zones.back();
+            ToothAngles const angles = envelope.motion().angles(cuts[i + 1]);
+            zone.u_end = angles.u;
+            zone.phi_end = angles.phi;
+            zone.t_end = segment_t(arc, cuts[i + 1]);
+            zone.on_boundary = zone.on_boundary || bounds_somewhere(arc, cuts[i], cuts[i + 1], boundary_arcs, pieces);
+            open = true;
+        }
+    }
+}
+
+}  // namespace hdconj::detail
