@@ -63,7 +63,8 @@ void check_tolerance(SceneReading const& reading, Faults& faults)
     double const tolerance = reading.scene.solver.tolerance;
     double const largest = reading.scene.drive.module / 10;
     if (tolerance > largest) {
-        faults.push_back(fault_at("solver.tolerance", number_text(tolerance), "above a tenth of the module says nothing about a tooth",
+        faults.push_back(fault_at("solver.tolerance", number_text(tolerance),
+                                  "above a tenth of the module says nothing about a tooth",
                                   "write at most " + number_text(largest) + ", such as 1e-6"));
     }
     if (!knows(reading, {"drive.flexspline_teeth"})) {
@@ -71,9 +72,10 @@ void check_tolerance(SceneReading const& reading, Faults& faults)
     }
     double const least = roundings_of_radius * std::numeric_limits<double>::epsilon() * pitch_radius(reading.scene);
     if (tolerance < least) {
-        faults.push_back(fault_at("solver.tolerance", number_text(tolerance),
-                                  "cannot be reached in double precision on a radius of " + number_text(pitch_radius(reading.scene)) + " mm",
-                                  "write at least " + number_text(least)));
+        faults.push_back(fault_at(
+            "solver.tolerance", number_text(tolerance),
+            "cannot be reached in double precision on a radius of " + number_text(pitch_radius(reading.scene)) + " mm",
+            "write at least " + number_text(least)));
     }
 }
 
@@ -103,7 +105,8 @@ void check_inner_radius(SceneReading const& reading, Faults& faults)
 {
     auto const& scene = reading.scene;
     auto const dedendum = scene.flexspline.profile.number("dedendum");
-    if (!dedendum || !knows(reading, {"flexspline.inner_radius", "flexspline.wall", "drive.module", "drive.flexspline_teeth"})) {
+    if (!dedendum ||
+        !knows(reading, {"flexspline.inner_radius", "flexspline.wall", "drive.module", "drive.flexspline_teeth"})) {
         return;
     }
     double const expected = pitch_radius(scene) - *dedendum - scene.flexspline.wall;
@@ -135,8 +138,9 @@ void check_clearance(SceneReading const& reading, std::string const& key, double
 {
     std::string const path = "circular_spline." + key;
     if (knows(reading, {path, "drive.module"}) && clearance > reading.scene.drive.module) {
-        faults.push_back(fault_at(path, number_text(clearance), "a clearance above one module leaves no tooth",
-                                  "write a length from 0 to a small part of the module " + number_text(reading.scene.drive.module)));
+        faults.push_back(
+            fault_at(path, number_text(clearance), "a clearance above one module leaves no tooth",
+                     "write a length from 0 to a small part of the module " + number_text(reading.scene.drive.module)));
     }
 }
 
@@ -168,15 +172,16 @@ void check_tilt(SceneReading const& reading, Faults& faults)
     }
     bool const too_steep = std::abs(scene.tilt->angle) >= bounds::largest_tilt_deg * rad_per_deg;
     if (too_steep && knows(reading, {"tilt.angle_deg"})) {
-        faults.push_back(fault_at("tilt.angle_deg", number_text(scene.tilt->angle / rad_per_deg),
-                                  "teeth are not tilted by " + number_text(bounds::largest_tilt_deg) + " degrees or more",
-                                  "write an angle in degrees between -45 and 45, such as angle_deg = 0.2"));
+        faults.push_back(
+            fault_at("tilt.angle_deg", number_text(scene.tilt->angle / rad_per_deg),
+                     "teeth are not tilted by " + number_text(bounds::largest_tilt_deg) + " degrees or more",
+                     "write an angle in degrees between -45 and 45, such as angle_deg = 0.2"));
     }
     bool const both = scene.slices && knows(reading, {"tilt.kind", "slices.surface"});
     if (both && scene.tilt->kind == "draft" && scene.slices->surface != "tilted") {
         faults.push_back(fault_at("tilt.kind", "\"draft\"",
-                                  "a draft needs one outline to offset, but surface " + in_quotes(scene.slices->surface) +
-                                      " has an outline for each slice",
+                                  "a draft needs one outline to offset, but surface " +
+                                      in_quotes(scene.slices->surface) + " has an outline for each slice",
                                   "write kind = \"radial\", or surface = \"tilted\" in [slices]"));
     }
 }

@@ -81,8 +81,9 @@ void store_defaults(Judgement& judgement, TableSpec const& table)
 bool is_geometry_key(std::string_view path)
 {
     constexpr std::array<std::string_view, 4> tables{"drive.", "flexspline.", "wave_generator.", "circular_spline."};
-    return find_table(path) == nullptr &&
-           std::any_of(tables.begin(), tables.end(), [path](std::string_view table) { return path.starts_with(table); });
+    return find_table(path) == nullptr && std::any_of(tables.begin(), tables.end(), [path](std::string_view table) {
+               return path.starts_with(table);
+           });
 }
 
 /// Whether every required key of @p table and of its family was given and is right.
@@ -127,8 +128,8 @@ bool geometry_is_known(Judgement const& judgement)
                     [&known](std::string const& path) { return !is_geometry_key(path) || known.contains(path); });
     auto const& schema = scene_schema();
     return given_is_right && std::all_of(schema.begin(), schema.end(), [&judgement](TableSpec const& table) {
-        return table.presence != Presence::required || required_keys_known(judgement, table);
-    });
+               return table.presence != Presence::required || required_keys_known(judgement, table);
+           });
 }
 
 }  // namespace hdconj::detail

@@ -3,10 +3,10 @@
 #include <optional>
 #include <utility>
 
+#include "hdconj/scene/suggest.hpp"
 #include "judge_value.hpp"
 #include "judgement.hpp"
 #include "key_finder.hpp"
-#include "suggest.hpp"
 
 namespace hdconj {
 namespace detail {
@@ -102,8 +102,12 @@ Fault value_for_table(TableSpec const& spec, std::string const& spelled, RawEntr
 {
     std::string const header = "[" + std::string(spec.path) + "]";
     std::string const found = entry.value.kind == Kind::array ? "a list" : "a value";
-    return {spelled, entry.line, entry.value.written, found + " where the table " + header + " belongs",
-            "write the line " + header + " and its keys below it", entry.origin};
+    return {spelled,
+            entry.line,
+            entry.value.written,
+            found + " where the table " + header + " belongs",
+            "write the line " + header + " and its keys below it",
+            entry.origin};
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 #include <algorithm>
 #include <optional>
 
+#include "hdconj/scene/suggest.hpp"
 #include "judgement.hpp"
 #include "key_finder.hpp"
-#include "suggest.hpp"
 #include "text.hpp"
 
 namespace hdconj::detail {
@@ -15,8 +15,8 @@ using Kind = RawValue::Kind;
 void add_fault(Judgement& judgement, std::string const& spelled, RawEntry const& entry, std::string reason,
                std::string remedy)
 {
-    judgement.reading.faults.push_back({printable(spelled), entry.line, entry.value.written, std::move(reason),
-                                        std::move(remedy), entry.origin});
+    judgement.reading.faults.push_back(
+        {printable(spelled), entry.line, entry.value.written, std::move(reason), std::move(remedy), entry.origin});
 }
 
 bool has_member(RawValue const& table, std::string_view key)

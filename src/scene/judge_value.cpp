@@ -2,12 +2,11 @@
 #include "judge_value.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "hdconj/scene/schema.hpp"
-#include "suggest.hpp"
+#include "hdconj/scene/suggest.hpp"
 #include "text.hpp"
 
 namespace hdconj::detail {
@@ -37,13 +36,19 @@ bool is_length(Quantity quantity)
 std::string kind_name(Kind kind)
 {
     switch (kind) {
-        case Kind::boolean: return "true or false";
+        case Kind::boolean:
+            return "true or false";
         case Kind::integer:
-        case Kind::number: return "a number";
-        case Kind::text: return "text";
-        case Kind::date: return "a date or time";
-        case Kind::array: return "a list";
-        case Kind::table: return "a table";
+        case Kind::number:
+            return "a number";
+        case Kind::text:
+            return "text";
+        case Kind::date:
+            return "a date or time";
+        case Kind::array:
+            return "a list";
+        case Kind::table:
+            return "a table";
     }
     return "something else";
 }
@@ -53,46 +58,28 @@ std::string quantity_name(ParameterSpec const& spec)
     switch (spec.quantity) {
         case Quantity::length:
         case Quantity::positive_length:
-        case Quantity::nonnegative_length: return "a length";
-        case Quantity::angle_deg: return "an angle in degrees";
-        case Quantity::count: return "a whole number";
-        case Quantity::word: return "a word";
-        case Quantity::length_or_word: return "a length or a word";
-        case Quantity::file: return "a file name";
-        case Quantity::text: return "text";
+        case Quantity::nonnegative_length:
+            return "a length";
+        case Quantity::angle_deg:
+            return "an angle in degrees";
+        case Quantity::count:
+            return "a whole number";
+        case Quantity::word:
+            return "a word";
+        case Quantity::length_or_word:
+            return "a length or a word";
+        case Quantity::file:
+            return "a file name";
+        case Quantity::text:
+            return "text";
     }
     return "another value";
-}
-
-/// The number that a text begins with and what follows it; for "0.7", "0,7" and "0.7 mm" in quotes.
-struct NumberInText
-{
-    double value;
-    std::string rest;
-};
-
-std::optional<NumberInText> number_in(std::string text)
-{
-    std::replace(text.begin(), text.end(), ',', '.');
-    std::size_t const first = text.find_first_not_of(" \t+");
-    if (first == std::string::npos) {
-        return std::nullopt;
-    }
-    double value = 0;
-    char const* const end = text.data() + text.size();
-    auto const [stop, error] = std::from_chars(text.data() + first, end, value);
-    if (error != std::errc{} || !std::isfinite(value)) {
-        return std::nullopt;
-    }
-    std::string rest(stop, end);
-    rest.erase(0, std::min(rest.find_first_not_of(" \t"), rest.size()));
-    return NumberInText{value, rest};
 }
 
 Refusal text_for_number(ParameterSpec const& spec, std::string const& text, std::string const& otherwise)
 {
     std::string const reason = "text where " + quantity_name(spec) + " belongs";
-    auto const found = number_in(text);
+    auto const found = leading_number(text);
     if (!found) {
         return {reason, otherwise};
     }
@@ -165,7 +152,8 @@ Verdict judge_word(ParameterSpec const& spec, std::string const& text, std::stri
         return std::nullopt;
     }
     auto const meant = nearest(text, spec.words);
-    return Refusal{"unknown word", meant ? "write " + in_quotes(*meant) + "; known: " + quoted_list(spec.words) : remedy};
+    return Refusal{"unknown word",
+                   meant ? "write " + in_quotes(*meant) + "; known: " + quoted_list(spec.words) : remedy};
 }
 
 Verdict judge_free_text(std::string const& text, std::string const& remedy)
@@ -174,22 +162,24 @@ Verdict judge_free_text(std::string const& text, std::string const& remedy)
     if (text.size() > longest) {
         return Refusal{"longer than " + std::to_string(longest) + " bytes", remedy};
     }
-    bool const has_control = std::any_of(text.begin(), text.end(), [](char c) {
-        return static_cast<unsigned char>(c) < 0x20 || c == 0x7f;
-    });
+    bool const has_control =
+        std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
     return has_control ? Verdict(Refusal{"contains control characters", remedy}) : std::nullopt;
 }
 
 Verdict judge_text(ParameterSpec const& spec, std::string const& text, std::string const& remedy)
 {
     switch (spec.quantity) {
-        case Quantity::word: return judge_word(spec, text, remedy);
+        case Quantity::word:
+            return judge_word(spec, text, remedy);
         case Quantity::length_or_word:
-            return number_in(text) ? Verdict(text_for_number(spec, text, remedy)) : judge_word(spec, text, remedy);
+            return leading_number(text) ? Verdict(text_for_number(spec, text, remedy)) : judge_word(spec, text, remedy);
         case Quantity::file:
             return text.empty() ? Verdict(Refusal{"an empty file name", remedy}) : judge_free_text(text, remedy);
-        case Quantity::text: return judge_free_text(text, remedy);
-        default: return text_for_number(spec, text, remedy);
+        case Quantity::text:
+            return judge_free_text(text, remedy);
+        default:
+            return text_for_number(spec, text, remedy);
     }
 }
 
@@ -208,15 +198,24 @@ Verdict judge(ParameterSpec const& spec, RawValue const& value, std::string cons
 std::string base_expectation(ParameterSpec const& spec)
 {
     switch (spec.quantity) {
-        case Quantity::length: return "a length in mm";
-        case Quantity::positive_length: return "a length in mm above 0";
-        case Quantity::nonnegative_length: return "a length in mm, 0 or more";
-        case Quantity::angle_deg: return "an angle in degrees";
-        case Quantity::count: return "a whole number";
-        case Quantity::word: return spec.words.empty() ? "a word in quotes" : quoted_list(spec.words);
-        case Quantity::length_or_word: return "a length in mm, or " + quoted_list(spec.words);
-        case Quantity::file: return "a file name in quotes";
-        case Quantity::text: return "text in quotes";
+        case Quantity::length:
+            return "a length in mm";
+        case Quantity::positive_length:
+            return "a length in mm above 0";
+        case Quantity::nonnegative_length:
+            return "a length in mm, 0 or more";
+        case Quantity::angle_deg:
+            return "an angle in degrees";
+        case Quantity::count:
+            return "a whole number";
+        case Quantity::word:
+            return spec.words.empty() ? "a word in quotes" : quoted_list(spec.words);
+        case Quantity::length_or_word:
+            return "a length in mm, or " + quoted_list(spec.words);
+        case Quantity::file:
+            return "a file name in quotes";
+        case Quantity::text:
+            return "text in quotes";
     }
     return "another value";
 }

@@ -56,7 +56,8 @@ void judge_unknown(Judgement& judgement, Place const& place, RawEntry const& ent
 void judge_missing(Judgement& judgement);
 
 /// The key `family` with the names of the registered families as its words; other keys as they are.
-[[nodiscard]] ParameterSpec with_family_names(SceneFamilies const& families, TableSpec const& table, ParameterSpec spec);
+[[nodiscard]] ParameterSpec with_family_names(SceneFamilies const& families, TableSpec const& table,
+                                              ParameterSpec spec);
 
 /// Whether all that builds tooth and neutral curve was given and is right.
 [[nodiscard]] bool geometry_is_known(Judgement const& judgement);

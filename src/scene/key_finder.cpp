@@ -9,9 +9,12 @@ std::vector<FamilyDescription> const& SceneFamilies::of(FamilyKind kind) const
 {
     static std::vector<FamilyDescription> const no_families;
     switch (kind) {
-        case FamilyKind::profile: return profiles;
-        case FamilyKind::wave_generator: return wave_generators;
-        case FamilyKind::none: break;
+        case FamilyKind::profile:
+            return profiles;
+        case FamilyKind::wave_generator:
+            return wave_generators;
+        case FamilyKind::none:
+            break;
     }
     return no_families;
 }

@@ -8,8 +8,8 @@
 namespace hdconj {
 namespace {
 
-using detail::number_text;
 using detail::in_quotes;
+using detail::number_text;
 
 std::string kinematics_name(Kinematics kinematics)
 {
@@ -85,15 +85,24 @@ bool Plan::has(Stage stage) const
 std::string to_string(Stage stage)
 {
     switch (stage) {
-        case Stage::profile: return "profile";
-        case Stage::neutral_curve: return "neutral_curve";
-        case Stage::motion: return "motion";
-        case Stage::envelope: return "envelope";
-        case Stage::region: return "region";
-        case Stage::backlash: return "backlash";
-        case Stage::root_clearance: return "root_clearance";
-        case Stage::outline: return "outline";
-        case Stage::interference: return "interference";
+        case Stage::profile:
+            return "profile";
+        case Stage::neutral_curve:
+            return "neutral_curve";
+        case Stage::motion:
+            return "motion";
+        case Stage::envelope:
+            return "envelope";
+        case Stage::region:
+            return "region";
+        case Stage::backlash:
+            return "backlash";
+        case Stage::root_clearance:
+            return "root_clearance";
+        case Stage::outline:
+            return "outline";
+        case Stage::interference:
+            return "interference";
     }
     return "unknown";
 }
@@ -106,7 +115,8 @@ Plan make_plan(Scene const& scene)
         plan.stages.push_back({Stage::backlash, "circular_spline.backlash_offset = " + in_mm(spline.backlash_offset)});
     }
     if (spline.root_clearance > 0) {
-        plan.stages.push_back({Stage::root_clearance, "circular_spline.root_clearance = " + in_mm(spline.root_clearance)});
+        plan.stages.push_back(
+            {Stage::root_clearance, "circular_spline.root_clearance = " + in_mm(spline.root_clearance)});
     }
     plan.stages.push_back({Stage::outline, "solver.tolerance = " + in_mm(scene.solver.tolerance)});
     plan.stages.push_back({Stage::interference, "always: the finished pair over a full turn"});

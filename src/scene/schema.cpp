@@ -45,125 +45,174 @@ ParameterSpec choice(std::string_view key, std::string_view meaning, std::vector
 
 TableSpec drive()
 {
-    return {"drive", "the pair of gears", Presence::required, FamilyKind::none,
+    return {
+        "drive",
+        "the pair of gears",
+        Presence::required,
+        FamilyKind::none,
         {{optional("name", Q::text, "name of the drive, for results"), "\"type-50\"", std::string("unnamed"),
           [](Scene& s, Parameter const& p) { s.drive.name = word(p); }},
-         {required("module", Q::positive_length, "module", bounds::least_module, bounds::largest_module), "0.25", {},
+         {required("module", Q::positive_length, "module", bounds::least_module, bounds::largest_module),
+          "0.25",
+          {},
           [](Scene& s, Parameter const& p) { s.drive.module = number(p); }},
          {required("flexspline_teeth", Q::count, "teeth of the flexspline", bounds::fewest_teeth, bounds::most_teeth),
-          "200", {},
+          "200",
+          {},
           [](Scene& s, Parameter const& p) { s.drive.flexspline_teeth = count(p); }},
          {required("circular_spline_teeth", Q::count,
                    "teeth of the circular spline: flexspline_teeth plus a positive multiple of waves",
-                   bounds::fewest_teeth, bounds::most_teeth), "202", {},
+                   bounds::fewest_teeth, bounds::most_teeth),
+          "202",
+          {},
           [](Scene& s, Parameter const& p) { s.drive.circular_spline_teeth = count(p); }}},
         nullptr};
 }
 
 TableSpec flexspline()
 {
-    return {"flexspline", "the toothed ring of the flexspline", Presence::required, FamilyKind::none,
-        {{required("wall", Q::positive_length, "wall thickness under the teeth"), "0.7", {},
-          [](Scene& s, Parameter const& p) { s.flexspline.wall = number(p); }},
-         {optional("inner_radius", Q::positive_length,
-                   "inner radius of the undeformed ring; absent: module * flexspline_teeth / 2 - dedendum - wall"),
-          "23.997", {},
-          [](Scene& s, Parameter const& p) { s.flexspline.inner_radius = number(p); }},
-         {optional("neutral_offset", Q::length, "how far the neutral layer lies inside the middle of the wall"), "0.15", 0.0,
-          [](Scene& s, Parameter const& p) { s.flexspline.neutral_offset = number(p); }}},
-        nullptr};
+    return {"flexspline",
+            "the toothed ring of the flexspline",
+            Presence::required,
+            FamilyKind::none,
+            {{required("wall", Q::positive_length, "wall thickness under the teeth"),
+              "0.7",
+              {},
+              [](Scene& s, Parameter const& p) { s.flexspline.wall = number(p); }},
+             {optional("inner_radius", Q::positive_length,
+                       "inner radius of the undeformed ring; absent: module * flexspline_teeth / 2 - dedendum - wall"),
+              "23.997",
+              {},
+              [](Scene& s, Parameter const& p) { s.flexspline.inner_radius = number(p); }},
+             {optional("neutral_offset", Q::length, "how far the neutral layer lies inside the middle of the wall"),
+              "0.15", 0.0, [](Scene& s, Parameter const& p) { s.flexspline.neutral_offset = number(p); }}},
+            nullptr};
 }
 
 TableSpec profile()
 {
-    return {"flexspline.profile", "the flexspline tooth", Presence::required, FamilyKind::profile,
-        {{required("family", Q::word, "tooth family; decides the other keys of this table"), "\"double-circular-arc\"", {},
-          [](Scene& s, Parameter const& p) {
-              s.flexspline.profile.family = word(p);
-              s.flexspline.profile.line = p.line;
-          }}},
-        [](Scene& s, int) { s.flexspline.profile.path = "flexspline.profile"; }};
+    return {"flexspline.profile",
+            "the flexspline tooth",
+            Presence::required,
+            FamilyKind::profile,
+            {{required("family", Q::word, "tooth family; decides the other keys of this table"),
+              "\"double-circular-arc\"",
+              {},
+              [](Scene& s, Parameter const& p) {
+                  s.flexspline.profile.family = word(p);
+                  s.flexspline.profile.line = p.line;
+              }}},
+            [](Scene& s, int) { s.flexspline.profile.path = "flexspline.profile"; }};
 }
 
 TableSpec wave_generator()
 {
-    return {"wave_generator", "what deforms the flexspline", Presence::required, FamilyKind::wave_generator,
-        {{required("family", Q::word, "wave generator family; decides the other keys of this table"), "\"cosine\"", {},
-          [](Scene& s, Parameter const& p) {
-              s.wave_generator.shape.family = word(p);
-              s.wave_generator.shape.line = p.line;
-          }},
-         {optional("waves", Q::count, "waves around the circumference", 1, bounds::most_waves), "2", 2.0,
-          [](Scene& s, Parameter const& p) { s.wave_generator.waves = count(p); }}},
-        [](Scene& s, int) { s.wave_generator.shape.path = "wave_generator"; }};
+    return {"wave_generator",
+            "what deforms the flexspline",
+            Presence::required,
+            FamilyKind::wave_generator,
+            {{required("family", Q::word, "wave generator family; decides the other keys of this table"),
+              "\"cosine\"",
+              {},
+              [](Scene& s, Parameter const& p) {
+                  s.wave_generator.shape.family = word(p);
+                  s.wave_generator.shape.line = p.line;
+              }},
+             {optional("waves", Q::count, "waves around the circumference", 1, bounds::most_waves), "2", 2.0,
+              [](Scene& s, Parameter const& p) { s.wave_generator.waves = count(p); }}},
+            [](Scene& s, int) { s.wave_generator.shape.path = "wave_generator"; }};
 }
 
 TableSpec circular_spline()
 {
-    return {"circular_spline", "the circular spline", Presence::optional, FamilyKind::none,
-        {{optional("width", Q::positive_length, "axial width of the toothing; needed by [slices] with count above 1"), "7.0", {},
+    return {
+        "circular_spline",
+        "the circular spline",
+        Presence::optional,
+        FamilyKind::none,
+        {{optional("width", Q::positive_length, "axial width of the toothing; needed by [slices] with count above 1"),
+          "7.0",
+          {},
           [](Scene& s, Parameter const& p) { s.circular_spline.width = number(p); }},
-         {optional("backlash_offset", Q::nonnegative_length, "side clearance along the normal of the flank"), "0.02", 0.0,
-          [](Scene& s, Parameter const& p) { s.circular_spline.backlash_offset = number(p); }},
+         {optional("backlash_offset", Q::nonnegative_length, "side clearance along the normal of the flank"), "0.02",
+          0.0, [](Scene& s, Parameter const& p) { s.circular_spline.backlash_offset = number(p); }},
          {optional("root_clearance", Q::nonnegative_length, "extra depth of the tooth space"), "0.02", 0.0,
           [](Scene& s, Parameter const& p) { s.circular_spline.root_clearance = number(p); }},
          {optional("inner_radius", Q::positive_length,
                    "tip circle; absent: neutral radius + height of the pitch line + radial deformation - addendum"),
-          "25.025", {},
+          "25.025",
+          {},
           [](Scene& s, Parameter const& p) { s.circular_spline.inner_radius = number(p); }}},
         nullptr};
 }
 
 TableSpec solver()
 {
-    return {"solver", "how to compute", Presence::optional, FamilyKind::none,
-        {{choice("kinematics", "relative motion: inextensible neutral curve, or its first order", {"exact", "first-order"}, false),
-          "\"exact\"", std::string("exact"),
-          [](Scene& s, Parameter const& p) {
-              s.solver.kinematics = word(p) == "exact" ? Kinematics::exact : Kinematics::first_order;
-          }},
-         {optional("tolerance", Q::positive_length,
-                   "largest distance between a written outline and the true one; at most module / 10",
-                   bounds::least_tolerance),
-          "1e-6", 1e-6,
-          [](Scene& s, Parameter const& p) { s.solver.tolerance = number(p); }},
-         {optional("threads", Q::count, "threads; 0: all cores", 0, bounds::most_threads), "0", 0.0,
-          [](Scene& s, Parameter const& p) { s.solver.threads = count(p); }}},
-        nullptr};
+    return {"solver",
+            "how to compute",
+            Presence::optional,
+            FamilyKind::none,
+            {{choice("kinematics", "relative motion: inextensible neutral curve, or its first order",
+                     {"exact", "first-order"}, false),
+              "\"exact\"", std::string("exact"),
+              [](Scene& s, Parameter const& p) {
+                  s.solver.kinematics = word(p) == "exact" ? Kinematics::exact : Kinematics::first_order;
+              }},
+             {optional("tolerance", Q::positive_length,
+                       "largest distance between a written outline and the true one; at most module / 10",
+                       bounds::least_tolerance),
+              "1e-6", 1e-6, [](Scene& s, Parameter const& p) { s.solver.tolerance = number(p); }},
+             {optional("threads", Q::count, "threads; 0: all cores", 0, bounds::most_threads), "0", 0.0,
+              [](Scene& s, Parameter const& p) { s.solver.threads = count(p); }}},
+            nullptr};
 }
 
 TableSpec coning()
 {
-    return {"coning", "effect: the cup cones along the axis", Presence::effect, FamilyKind::none,
-        {{choice("model", "amplitude linear along the axis, or from the elastic cup", {"linear", "elastic"}, true),
-          "\"linear\"", {},
-          [](Scene& s, Parameter const& p) { s.coning->model = word(p); }},
-         {optional("bottom_to_middle", Q::positive_length,
-                   "from the cup's bottom to the middle of the bearing; needed by model \"linear\""), "9.0", {},
-          [](Scene& s, Parameter const& p) { s.coning->bottom_to_middle = number(p); }}},
-        [](Scene& s, int line) { s.coning.emplace().line = line; }};
+    return {"coning",
+            "effect: the cup cones along the axis",
+            Presence::effect,
+            FamilyKind::none,
+            {{choice("model", "amplitude linear along the axis, or from the elastic cup", {"linear", "elastic"}, true),
+              "\"linear\"",
+              {},
+              [](Scene& s, Parameter const& p) { s.coning->model = word(p); }},
+             {optional("bottom_to_middle", Q::positive_length,
+                       "from the cup's bottom to the middle of the bearing; needed by model \"linear\""),
+              "9.0",
+              {},
+              [](Scene& s, Parameter const& p) { s.coning->bottom_to_middle = number(p); }}},
+            [](Scene& s, int line) { s.coning.emplace().line = line; }};
 }
 
 TableSpec tilt()
 {
-    return {"tilt", "effect: tilted teeth of the circular spline", Presence::effect, FamilyKind::none,
-        {{required("angle_deg", Q::angle_deg, "tilt angle, between -45 and 45 degrees"), "0.2", {},
-          [](Scene& s, Parameter const& p) { s.tilt->angle = number(p) * rad_per_deg; }},
-         {choice("kind", "outline moved radially, or offset along its normal", {"radial", "draft"}, false),
-          "\"radial\"", std::string("radial"),
-          [](Scene& s, Parameter const& p) { s.tilt->kind = word(p); }}},
-        [](Scene& s, int line) { s.tilt.emplace().line = line; }};
+    return {"tilt",
+            "effect: tilted teeth of the circular spline",
+            Presence::effect,
+            FamilyKind::none,
+            {{required("angle_deg", Q::angle_deg, "tilt angle, between -45 and 45 degrees"),
+              "0.2",
+              {},
+              [](Scene& s, Parameter const& p) { s.tilt->angle = number(p) * rad_per_deg; }},
+             {choice("kind", "outline moved radially, or offset along its normal", {"radial", "draft"}, false),
+              "\"radial\"", std::string("radial"), [](Scene& s, Parameter const& p) { s.tilt->kind = word(p); }}},
+            [](Scene& s, int line) { s.tilt.emplace().line = line; }};
 }
 
 TableSpec slices()
 {
-    return {"slices", "effect: slices across the face width", Presence::effect, FamilyKind::none,
-        {{required("count", Q::count, "number of slices", 1, bounds::most_slices), "9", {},
-          [](Scene& s, Parameter const& p) { s.slices->count = count(p); }},
-         {choice("surface", "how the slices make the tooth surface", {"tilted", "ruled", "per-slice"}, false),
-          "\"tilted\"", std::string("tilted"),
-          [](Scene& s, Parameter const& p) { s.slices->surface = word(p); }}},
-        [](Scene& s, int line) { s.slices.emplace().line = line; }};
+    return {"slices",
+            "effect: slices across the face width",
+            Presence::effect,
+            FamilyKind::none,
+            {{required("count", Q::count, "number of slices", 1, bounds::most_slices),
+              "9",
+              {},
+              [](Scene& s, Parameter const& p) { s.slices->count = count(p); }},
+             {choice("surface", "how the slices make the tooth surface", {"tilted", "ruled", "per-slice"}, false),
+              "\"tilted\"", std::string("tilted"), [](Scene& s, Parameter const& p) { s.slices->surface = word(p); }}},
+            [](Scene& s, int line) { s.slices.emplace().line = line; }};
 }
 
 }  // namespace

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "suggest.hpp"
+#include "hdconj/scene/suggest.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <string>
 
-namespace hdconj::detail {
+namespace hdconj {
 namespace {
 
-constexpr std::size_t letters_per_error = 3;  ///< one typing error is believed for every so many letters
-constexpr std::size_t shortest_beginning = 3; ///< letters that a word's beginning needs to count as meant
-constexpr std::size_t longest_word = 64;      ///< longer texts are no misspelt keys
+constexpr std::size_t letters_per_error = 3;   ///< one typing error is believed for every so many letters
+constexpr std::size_t shortest_beginning = 3;  ///< letters that a word's beginning needs to count as meant
+constexpr std::size_t longest_word = 64;       ///< longer texts are no misspelt keys
 
 /// Lower case, '-' as '_': differences that are no typing errors.
 std::string folded(std::string_view word)
@@ -85,4 +85,4 @@ std::optional<std::string_view> nearest(std::string_view given, std::vector<std:
     return best;
 }
 
-}  // namespace hdconj::detail
+}  // namespace hdconj

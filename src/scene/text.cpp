@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "text.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace hdconj::detail {
 namespace {
@@ -54,6 +56,24 @@ std::string printable(std::string_view text, std::size_t most)
         shown += is_control(byte) ? escaped(byte) : std::string(1, c);
     }
     return length < text.size() ? shown + "..." : shown;
+}
+
+std::optional<NumberInText> leading_number(std::string text)
+{
+    std::replace(text.begin(), text.end(), ',', '.');
+    std::size_t const first = text.find_first_not_of(" \t+");
+    if (first == std::string::npos) {
+        return std::nullopt;
+    }
+    double value = 0;
+    char const* const end = text.data() + text.size();
+    auto const [stop, error] = std::from_chars(text.data() + first, end, value);
+    if (error != std::errc{} || !std::isfinite(value)) {
+        return std::nullopt;
+    }
+    std::string rest(stop, end);
+    rest.erase(0, std::min(rest.find_first_not_of(" \t"), rest.size()));
+    return NumberInText{value, rest};
 }
 
 std::string value_text(ParameterValue const& value)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,16 @@ namespace hdconj::detail {
 /// @p text for a message: control characters as \xNN, cut with "..." after @p most bytes, never inside
 /// a UTF-8 sequence.
 [[nodiscard]] std::string printable(std::string_view text, std::size_t most = 80);
+
+/// The number that a text begins with, and what follows it.
+struct NumberInText
+{
+    double value;
+    std::string rest;  ///< without the blanks before it: "" of "0.7", "mm" of "0.7 mm"
+};
+
+/// The finite number at the beginning of @p text, if any; a decimal comma counts as a point.
+[[nodiscard]] std::optional<NumberInText> leading_number(std::string text);
 
 /// A value as it would stand in a scene: number or quoted word.
 [[nodiscard]] std::string value_text(ParameterValue const& value);

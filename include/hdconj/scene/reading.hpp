@@ -31,7 +31,7 @@ struct SceneReading
     Scene scene;
     Faults faults;                             ///< in order of place
     std::set<std::string, std::less<>> known;  ///< paths whose value is in the scene: given and right, or the default
-    bool geometry_known = false;  ///< all that check_scene needs is there: its faults can be found too
+    bool geometry_known = false;               ///< all that check_scene needs is there: its faults can be found too
 };
 
 /// Judges @p root, the top table of a scene.

@@ -18,9 +18,9 @@ namespace hdconj {
 struct KeySpec
 {
     ParameterSpec spec;
-    std::string_view example;                  ///< a good value as it stands in a scene
-    std::optional<ParameterValue> standard;    ///< value when absent; nothing: required, or absence has a meaning
-    void (*store)(Scene&, Parameter const&);   ///< puts a judged value into the scene
+    std::string_view example;                 ///< a good value as it stands in a scene
+    std::optional<ParameterValue> standard;   ///< value when absent; nothing: required, or absence has a meaning
+    void (*store)(Scene&, Parameter const&);  ///< puts a judged value into the scene
 };
 
 /// Which list of families extends a table.
@@ -58,17 +58,17 @@ inline constexpr double rad_per_deg = std::numbers::pi / 180;
 
 /// Bounds that keep typing errors out; nothing in the mathematics needs them.
 namespace bounds {
-inline constexpr double least_module = 1e-4;       ///< [mm]
-inline constexpr double largest_module = 1e4;      ///< [mm]
-inline constexpr double least_length = 1e-9;       ///< [mm], of lengths that must be positive
-inline constexpr double largest_length = 1e6;      ///< [mm]
+inline constexpr double least_module = 1e-4;   ///< [mm]
+inline constexpr double largest_module = 1e4;  ///< [mm]
+inline constexpr double least_length = 1e-9;   ///< [mm], of lengths that must be positive
+inline constexpr double largest_length = 1e6;  ///< [mm]
 inline constexpr int fewest_teeth = 6;
 inline constexpr int most_teeth = 100000;
 inline constexpr int most_waves = 3;
 inline constexpr int most_threads = 1024;
 inline constexpr int most_slices = 1000;
-inline constexpr double least_tolerance = 1e-12;   ///< [mm]
-inline constexpr double largest_tilt_deg = 45;     ///< excluded
+inline constexpr double least_tolerance = 1e-12;  ///< [mm]
+inline constexpr double largest_tilt_deg = 45;    ///< excluded
 }  // namespace bounds
 
 }  // namespace hdconj

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-namespace hdconj::detail {
+namespace hdconj {
 
 /// Least number of insertions, deletions, replacements and swaps of neighbours that turn @p a into @p b, no letter
 /// edited twice (Damerau-Levenshtein, optimal string alignment). Costs a.size() * b.size().
@@ -16,6 +16,7 @@ namespace hdconj::detail {
 
 /// The word of @p words that @p given most likely means: equal but for case and - or _, one the beginning of the
 /// other, or few typing errors away; nothing when none is near. The first of equally near words.
-[[nodiscard]] std::optional<std::string_view> nearest(std::string_view given, std::vector<std::string_view> const& words);
+[[nodiscard]] std::optional<std::string_view> nearest(std::string_view given,
+                                                      std::vector<std::string_view> const& words);
 
-}  // namespace hdconj::detail
+}  // namespace hdconj

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "scene_document.hpp"
+
+#include <algorithm>
+#include <sstream>
+
+#include "scene/text.hpp"
+#include "scene_lines.hpp"
+
+namespace hdconj::detail {
+namespace {
+
+using Kind = RawValue::Kind;
+
+Kind kind_of(toml::node const& node)
+{
+    switch (node.type()) {
+        case toml::node_type::boolean:
+            return Kind::boolean;
+        case toml::node_type::integer:
+            return Kind::integer;
+        case toml::node_type::floating_point:
+            return Kind::number;
+        case toml::node_type::string:
+            return Kind::text;
+        case toml::node_type::array:
+            return Kind::array;
+        case toml::node_type::table:
+            return Kind::table;
+        default:
+            return Kind::date;
+    }
+}
+
+std::string formatted(toml::node const& node)
+{
+    std::ostringstream text;
+    node.visit([&text](auto const& value) { text << value; });
+    return std::move(text).str();
+}
+
+/// Tables that --set had to create have no place at all; everything parsed has one.
+bool is_override(toml::node const& node)
+{
+    auto const& source = node.source();
+    return source.path ? *source.path == override_origin : source.begin.line == 0;
+}
+
+class Converter
+{
+  public:
+    explicit Converter(std::string_view text) : lines_(text) {}
+
+    RawValue value(toml::node const& node) const
+    {
+        RawValue raw;
+        raw.kind = kind_of(node);
+        raw.written = node.is_table() ? "" : written(node);
+        if (auto const* const table = node.as_table()) {
+            raw.entries = entries(*table);
+        } else if (auto const text = node.value_exact<std::string>()) {
+            raw.text = *text;
+        } else if (node.is_number()) {
+            raw.number = node.value<double>().value_or(0);
+        }
+        return raw;
+    }
+
+  private:
+    std::vector<RawEntry> entries(toml::table const& table) const
+    {
+        std::vector<RawEntry> entries;
+        for (auto const& [key, node] : table) {
+            bool const from_override = is_override(node);
+            int const line = from_override ? 0 : static_cast<int>(key.source().begin.line);
+            entries.push_back(
+                {std::string(key.str()), value(node), line, from_override ? std::string(override_origin) : ""});
+        }
+        std::stable_sort(entries.begin(), entries.end(),
+                         [](RawEntry const& a, RawEntry const& b) { return a.line < b.line; });
+        return entries;
+    }
+
+    /// As in the file; a value of --set in the form TOML gives it.
+    std::string written(toml::node const& node) const
+    {
+        auto const& source = node.source();
+        bool const in_file = !is_override(node) && source.end.line >= source.begin.line;
+        std::string const found = in_file ? lines_.cut(source.begin, source.end) : "";
+        return printable(found.empty() ? formatted(node) : found);
+    }
+
+    TextLines lines_;
+};
+
+}  // namespace
+
+RawValue raw_of(toml::table const& table, std::string_view text)
+{
+    return Converter(text).value(table);
+}
+
+}  // namespace hdconj::detail
