@@ -31,7 +31,7 @@ target_compile_definitions(hdconj_test_setup INTERFACE
   HDCONJ_PYTHON="$<$<BOOL:${HDCONJ_PYTHON}>:${HDCONJ_PYTHON}>")
 
 # main() and the precompiled Catch2, once for all programs.
-add_library(hdconj_test_main OBJECT support/catch_main.cpp)
+add_library(hdconj_test_main OBJECT ${main})
 target_link_libraries(hdconj_test_main PRIVATE hdconj_test_setup)
 target_precompile_headers(hdconj_test_main PRIVATE support/catch.hpp)
 set_source_files_properties(support/catch_main.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)

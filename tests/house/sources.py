@@ -71,11 +71,12 @@ def listed(root):
 
 
 def tolerances(root):
-    """No bare small number in the numerics: a tolerance has a name, a scale and a reason.
+    """No bare small number in the numerics: a tolerance has a name and a reason.
 
-    The exceptions stand in tests/house/small_numbers.txt: file, number, reason. An exception that is not needed any
-    more is a fault as well.
+    That is: `constexpr double name = 1e-9;` with a comment on that line or the one before. The exceptions stand in
+    tests/house/small_numbers.txt: file, number, reason. An exception that is not needed any more is a fault as well.
     """
+    named = re.compile(r"^\s*(?:inline |static )*constexpr double \w+ = [\d.]+e-\d+;", re.I)
     exceptions, faults = {}, []
     allowed = root / "tests" / "house" / "small_numbers.txt"
     for line in allowed.read_text().splitlines() if allowed.is_file() else []:
@@ -88,7 +89,11 @@ def tolerances(root):
         numeric = name.startswith("include/") or (name.startswith("src/") and not name.startswith("src/io/"))
         if path.suffix not in (".hpp", ".cpp") or not numeric:
             continue
-        for number, line in enumerate(without_comments(path.read_text()).splitlines(), 1):
+        text = path.read_text()
+        commented = [""] + text.splitlines()
+        for number, line in enumerate(without_comments(text).splitlines(), 1):
+            if named.match(line) and any("//" in near for near in commented[number - 1:number + 1]):
+                continue
             for small in re.findall(r"(?<![\w.])(?:\d+\.?\d*|\.\d+)[eE]-\d+", line):
                 if (name, small) in exceptions:
                     exceptions[name, small] = True
@@ -106,7 +111,8 @@ def control():
     spdx = "// SPDX-License-Identifier: GPL-3.0-or-later\n"
     good = {
         "src/CMakeLists.txt": "# SPDX-License-Identifier: GPL-3.0-or-later\nset(a\n  a/x.cpp)\n",
-        "src/a/x.cpp": spdx + '// 1e-9 in a comment, "1e-9" /* 1e-9 */\nchar const* s = "1e-9 // no";\ndouble h = 1e9;\n',
+        "src/a/x.cpp": spdx + '// 1e-9 in a comment, "1e-9" /* 1e-9 */\nchar const* s = "1e-9 // no";\ndouble h = 1e9;\n'
+                       "// roundings of the sum\nconstexpr double tiny = 1e-9;\n",
     }
     breaks = [
         (licence, {"include/a.hpp": "int a;\n"}),
@@ -115,6 +121,8 @@ def control():
         (listed, {"src/x.cpp": spdx}),
         (listed, {"src/a/y.cpp": spdx, "src/CMakeLists.txt": good["src/CMakeLists.txt"] + "# a/y.cpp\n"}),
         (tolerances, {"src/a/x.cpp": spdx + "double const h = 2.5e-9;\n"}),
+        (tolerances, {"src/a/x.cpp": spdx + "int i;\nconstexpr double h = 1e-9;\n"}),
+        (tolerances, {"src/a/x.cpp": spdx + "// why\nif (a < 1e-9)\n"}),
         (tolerances, {"tests/house/small_numbers.txt": "src/a/x.cpp 1e-9 not there\n"}),
     ]
     failures = []
