@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-#include "hdconj/scene/fault.hpp"
+#include "hdconj/scene/reading.hpp"
 #include "hdconj/scene/scene.hpp"
 
 namespace CLI {
@@ -51,8 +51,12 @@ struct CommonOptions
 /// Adds SCENE, --set, --threads, --json and --quiet to @p verb.
 void add_scene_options(CLI::App& verb, CommonOptions& common);
 
-/// The scene of @p common with its overrides and --threads.
-/// @throws InputError with every fault: of the text, of the values, and of the geometry (check_scene)
+/// The scene of @p common with its overrides and --threads, and every fault: of the text, of the values, and of the
+/// geometry (check_scene).
+[[nodiscard]] SceneReading examine(CommonOptions const& common);
+
+/// The same for a verb that computes.
+/// @throws InputError with every fault, effects that this version does not compute among them
 [[nodiscard]] Scene load_scene(CommonOptions const& common);
 
 /// How messages call the scene of @p common: its file name, "standard input" or "the built-in scene".

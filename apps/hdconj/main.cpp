@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// hdconj: parses the command line, runs one verb, turns exceptions into exit statuses.
+#include <poll.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <iostream>
+#include <new>
+
+#include "cli.hpp"
+#include "hdconj/io/version.hpp"
+#include "hdconj/scene/suggest.hpp"
+
+namespace hdconj::cli {
+namespace {
+
+constexpr char const* examples =
+    "Examples:\n"
+    "  hdconj init                      write the built-in drive to hdconj.toml\n"
+    "  hdconj check hdconj.toml         is it right, and what will be computed?\n"
+    "  hdconj solve hdconj.toml         the conjugate circular spline\n"
+    "  hdconj solve --set wave_generator.radial_deformation=0.26\n"
+    "                                   the built-in drive with one key changed\n"
+    "Exit status: 0 done, 1 failed, 2 bad scene or bad command line.\n"
+    "Data goes to standard output, talk to standard error.";
+
+void print_faults(CommonOptions const& common, Faults const& faults)
+{
+    std::cerr << "hdconj: " << faults.size() << (faults.size() == 1 ? " fault" : " faults");
+    if (!common.scene.empty()) {
+        std::cerr << " in " << scene_name(common);
+    }
+    std::cerr << '\n' << describe(faults) << '\n';
+}
+
+int fail(std::string const& cause)
+{
+    std::cerr << "hdconj: " << cause << '\n';
+    return exit_failed;
+}
+
+/// Runs the chosen verb; the one place where exceptions become exit statuses.
+int run_action(CommonOptions const& common)
+{
+    try {
+        return common.action();
+    } catch (InputError const& error) {
+        print_faults(common, error.faults());
+        return exit_input;
+    } catch (std::bad_alloc const&) {
+        return fail("out of memory");
+    } catch (std::exception const& error) {
+        return fail(error.what());
+    }
+}
+
+/// Whether nobody reads standard output any more, as after `| head -1`: no failure of ours.
+bool output_is_closed()
+{
+    pollfd standard_output{STDOUT_FILENO, 0, 0};
+    return poll(&standard_output, 1, 0) > 0 && (standard_output.revents & POLLERR) != 0;
+}
+
+int flush_output(int status)
+{
+    std::cout.flush();
+    bool const lost = !std::cout && !output_is_closed();
+    return lost && status == exit_done ? fail("standard output cannot be written; is the disk full?") : status;
+}
+
+/// Says what the first word might have meant when it is no verb.
+bool is_known_verb(CLI::App const& program, std::string_view word)
+{
+    std::vector<std::string_view> verbs;
+    for (auto const* const verb : program.get_subcommands([](CLI::App const*) { return true; })) {
+        verbs.push_back(verb->get_name());
+        if (verb->get_name() == word) {
+            return true;
+        }
+    }
+    std::cerr << "hdconj: unknown verb '" << word << "'";
+    if (auto const meant = nearest(word, verbs)) {
+        std::cerr << "; did you mean 'hdconj " << *meant << "'?\n";
+    } else {
+        std::cerr << "; known:";
+        for (auto const verb : verbs) {
+            std::cerr << ' ' << verb;
+        }
+        std::cerr << ". A scene file comes after the verb.\n";
+    }
+    return false;
+}
+
+void describe_program(CLI::App& program)
+{
+    program.name("hdconj");
+    program.set_version_flag("--version", [] {
+        return "hdconj " + std::string(program_version()) + " (" + std::string(git_revision()) + ")\n" +
+               std::string(build_description());
+    });
+    program.footer(examples);
+    program.get_formatter()->column_width(34);
+}
+
+int run(int argc, char** argv)
+{
+    CLI::App program{
+        "Conjugate tooth profiles of harmonic drives: from a flexspline tooth and a wave generator to the\n"
+        "circular spline that meshes with it without interference."};
+    describe_program(program);
+    CommonOptions common;
+    add_init(program, common);
+    add_check(program, common);
+    add_solve(program, common);
+    if (argc < 2) {
+        std::cerr << program.help();
+        return exit_input;
+    }
+    std::string_view const first = argv[1];
+    if (!first.starts_with('-') && !is_known_verb(program, first)) {
+        return exit_input;
+    }
+    try {
+        program.parse(argc, argv);
+    } catch (CLI::ParseError const& stop) {
+        return program.exit(stop) == 0 ? exit_done : exit_input;
+    }
+    return common.action ? run_action(common) : exit_input;
+}
+
+}  // namespace
+}  // namespace hdconj::cli
+
+int main(int argc, char** argv)
+{
+    // A reader that goes away must not kill a run that still has files to write.
+    std::signal(SIGPIPE, SIG_IGN);
+    try {
+        return hdconj::cli::flush_output(hdconj::cli::run(argc, argv));
+    } catch (std::exception const& error) {
+        return hdconj::cli::fail(error.what());
+    }
+}
