@@ -134,7 +134,8 @@ void check_target(fs::path const& target)
         throw FileError(target, "is a folder (write a file name in it)");
     }
     if (!around.found) {
-        throw FileError(target, "the folder " + folder.string() + " does not exist (create it: mkdir -p '" + folder.string() + "')");
+        throw FileError(target, "the folder " + folder.string() + " does not exist (create it: mkdir -p '" +
+                                    folder.string() + "')");
     }
     if (!around.is_folder()) {
         throw FileError(target, folder.string() + " is not a folder");

@@ -39,10 +39,10 @@ enum Code : int
     code_count = 73
 };
 
-constexpr int millimetres = 4;   // $INSUNITS
-constexpr int metric = 1;        // $MEASUREMENT
-constexpr int closed = 1;        // polyline flag
-constexpr int letter_a = 65;     // alignment of a line type
+constexpr int millimetres = 4;               // $INSUNITS
+constexpr int metric = 1;                    // $MEASUREMENT
+constexpr int closed = 1;                    // polyline flag
+constexpr int letter_a = 65;                 // alignment of a line type
 constexpr int white = 7, red = 1, blue = 5;  // colour numbers
 
 struct Layer
@@ -70,7 +70,8 @@ class Groups
     {
         std::array<char, longest_number> digits = {};
         double const shown = std::abs(value) < smallest_shown ? 0.0 : value;  // and never -0
-        auto const end = std::to_chars(digits.data(), digits.data() + digits.size(), shown, std::chars_format::fixed, decimals);
+        auto const end =
+            std::to_chars(digits.data(), digits.data() + digits.size(), shown, std::chars_format::fixed, decimals);
         std::string_view number(digits.data(), static_cast<std::size_t>(end.ptr - digits.data()));
         while (number.ends_with("0") && !number.ends_with(".0")) {
             number.remove_suffix(1);
@@ -134,7 +135,8 @@ void write_tables(Groups& out, std::span<Layer const> layers)
     out.add(code_type, "ENDSEC");
 }
 
-void write_polyline(Groups& out, Layer const& layer, int flags, std::vector<Vec2> const& points, Vec2 const& shift, double z)
+void write_polyline(Groups& out, Layer const& layer, int flags, std::vector<Vec2> const& points, Vec2 const& shift,
+                    double z)
 {
     if (points.empty()) {
         return;

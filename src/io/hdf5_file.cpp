@@ -23,7 +23,8 @@ constexpr int format_version = 1;
 std::string date_text()
 {
     char const* const given = std::getenv("SOURCE_DATE_EPOCH");
-    std::time_t const seconds = given != nullptr ? static_cast<std::time_t>(std::strtoll(given, nullptr, 10)) : std::time(nullptr);
+    std::time_t const seconds =
+        given != nullptr ? static_cast<std::time_t>(std::strtoll(given, nullptr, 10)) : std::time(nullptr);
     std::tm fields = {};
     gmtime_r(&seconds, &fields);
     std::array<char, sizeof "-2147483648-12-31T23:59:59Z"> text = {};
@@ -77,7 +78,7 @@ void write_envelope(Writer const& root, Solution const& solution)
 }
 
 /// A column of the zones' table.
-template<class Take>
+template <class Take>
 std::vector<int> whole(std::vector<ConjugateZone> const& zones, Take take)
 {
     std::vector<int> column;

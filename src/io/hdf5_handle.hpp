@@ -39,7 +39,7 @@ class Silence
 [[noreturn]] void fail(char const* doing);
 
 /// Passes a result of the C interface on, or throws when it is negative.
-template<class Result>
+template <class Result>
 Result checked(Result result, char const* doing)
 {
     if (result < 0) {
@@ -49,7 +49,7 @@ Result checked(Result result, char const* doing)
 }
 
 /// Owns one identifier; @p Close is the matching H5?close.
-template<herr_t (*Close)(hid_t)>
+template <herr_t (*Close)(hid_t)>
 class Handle
 {
   public:

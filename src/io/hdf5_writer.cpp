@@ -13,7 +13,8 @@ constexpr std::size_t memory_step = std::size_t{1} << 18;
 constexpr std::size_t conversion_buffer = std::size_t{1} << 12;
 constexpr hbool_t not_backed_by_a_file = 0;
 
-static_assert(sizeof(Vec2) == 2 * sizeof(double) && std::is_standard_layout_v<Vec2>, "points are written as they lie in memory");
+static_assert(sizeof(Vec2) == 2 * sizeof(double) && std::is_standard_layout_v<Vec2>,
+              "points are written as they lie in memory");
 
 Type variable_text()
 {
@@ -101,11 +102,13 @@ void Writer::texts(std::string const& name, std::vector<std::string> const& valu
     dataset(name, {values.size()}, type, type, pointers(values).data(), units);
 }
 
-void Writer::dataset(std::string const& name, Shape const& shape, hid_t stored, hid_t given, void const* values, char const* units) const
+void Writer::dataset(std::string const& name, Shape const& shape, hid_t stored, hid_t given, void const* values,
+                     char const* units) const
 {
     Space const space = simple(shape);
-    Dataset const made(H5Dcreate2(place_, name.c_str(), stored, space, H5P_DEFAULT, timeless(H5P_DATASET_CREATE), H5P_DEFAULT),
-                       "create dataset");
+    Dataset const made(
+        H5Dcreate2(place_, name.c_str(), stored, space, H5P_DEFAULT, timeless(H5P_DATASET_CREATE), H5P_DEFAULT),
+        "create dataset");
     Writer(made).attribute("units", std::string(units));
     if (H5Sget_simple_extent_npoints(space) > 0) {
         Properties const transfer(H5Pcreate(H5P_DATASET_XFER), "create properties");

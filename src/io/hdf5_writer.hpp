@@ -45,7 +45,8 @@ class Writer
     void flag(std::string const& name, bool value) const;
 
   private:
-    void dataset(std::string const& name, Shape const& shape, hid_t stored, hid_t given, void const* values, char const* units) const;
+    void dataset(std::string const& name, Shape const& shape, hid_t stored, hid_t given, void const* values,
+                 char const* units) const;
     void scalar(std::string const& name, hid_t stored, hid_t given, void const* value) const;
 
     hid_t place_;

@@ -14,15 +14,17 @@ namespace {
 PictureFormat format_of(std::filesystem::path const& file)
 {
     std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    std::transform(ending.begin(), ending.end(), ending.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (ending == ".svg") {
         return PictureFormat::svg;
     }
     if (ending == ".png") {
         return PictureFormat::png;
     }
-    throw InputError(Fault{"--picture", 0, file.string(), "the ending says what to draw, and only .svg and .png are known",
-                           "NAME.svg or NAME.png", "--picture"});
+    throw InputError(Fault{"--picture", 0, file.string(),
+                           "the ending says what to draw, and only .svg and .png are known",
+                           "write NAME.svg or NAME.png"});
 }
 
 }  // namespace

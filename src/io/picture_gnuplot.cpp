@@ -24,7 +24,8 @@ constexpr std::size_t block = std::size_t{1} << 16;
 
 [[noreturn]] void fail(int error)
 {
-    throw std::runtime_error(error == ENOENT ? missing : "cannot run gnuplot: " + std::generic_category().message(error));
+    throw std::runtime_error(error == ENOENT ? missing
+                                             : "cannot run gnuplot: " + std::generic_category().message(error));
 }
 
 struct CloseFile

@@ -11,7 +11,8 @@ namespace hdconj::gnuplot {
 [[nodiscard]] bool is_installed();
 
 /// What to do where it is not.
-inline constexpr char const* missing = "pictures are drawn by gnuplot, which is not on the PATH (Debian: apt install gnuplot-nox)";
+inline constexpr char const* missing =
+    "pictures are drawn by gnuplot, which is not on the PATH (Debian: apt install gnuplot-nox)";
 
 /// Runs @p script and returns what it draws on its standard output. Nothing touches the disk under a name.
 /// @throws std::runtime_error with gnuplot's own words

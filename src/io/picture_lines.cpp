@@ -15,7 +15,8 @@ double squared_distance(Vec2 const& point, Vec2 const& a, Vec2 const& b)
     return (point - a - at * along).squaredNorm();
 }
 
-void keep_between(std::vector<Vec2> const& line, std::size_t first, std::size_t last, double tolerance, std::vector<Vec2>& kept)
+void keep_between(std::vector<Vec2> const& line, std::size_t first, std::size_t last, double tolerance,
+                  std::vector<Vec2>& kept)
 {
     std::size_t furthest = first;
     double distance = tolerance * tolerance;

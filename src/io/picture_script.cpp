@@ -5,8 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <iterator>
+#include <numbers>
 
 #include "picture_lines.hpp"
 
@@ -36,7 +36,7 @@ constexpr double finest_detail = 0.1;   // [px], what thinning may move a line
 struct Window
 {
     double left = 0, right = 0, low = 0, high = 0;
-    [[nodiscard]] double scale() const { return (picture_width - frame_sides) / (right - left); }  // [px/mm]
+    [[nodiscard]] double scale() const { return (picture_width - frame_sides) / (right - left); }    // [px/mm]
     [[nodiscard]] double height() const { return std::round((high - low) * scale() + frame_ends); }  // [px]
 };
 
@@ -137,8 +137,8 @@ class Plot
         }
         ++count_;
         data_ += fmt::format("$data{} << END\n{}END\n", count_, block);
-        command_ += fmt::format("{} $data{} using 1:2 with {} {}", command_.empty() ? "plot" : ", \\\n    ", count_, look,
-                                legend.empty() ? "notitle" : "title " + gnuplot_quoted(legend));
+        command_ += fmt::format("{} $data{} using 1:2 with {} {}", command_.empty() ? "plot" : ", \\\n    ", count_,
+                                look, legend.empty() ? "notitle" : "title " + gnuplot_quoted(legend));
     }
     [[nodiscard]] std::string text() const { return data_ + command_ + '\n'; }
 
@@ -156,8 +156,9 @@ std::string terminal(PictureFormat format, Window const& window)
 {
     constexpr int font_size = 15;
     if (format == PictureFormat::svg) {
-        return fmt::format("set terminal svg size {},{} fixed font 'DejaVu Sans,{}' background rgb 'white' linewidth 1 dashlength 1\n",
-                           picture_width, window.height(), font_size);
+        return fmt::format(
+            "set terminal svg size {},{} fixed font 'DejaVu Sans,{}' background rgb 'white' linewidth 1 dashlength 1\n",
+            picture_width, window.height(), font_size);
     }
     constexpr int finer = 2;  // for screens with many pixels
     return fmt::format("set terminal pngcairo size {},{} font 'DejaVu Sans,{}' fontscale 1 linewidth {} dashlength 1\n",
@@ -167,8 +168,9 @@ std::string terminal(PictureFormat format, Window const& window)
 std::string frame(Solution const& solution, Window const& window)
 {
     auto const& drive = solution.scene.drive;
-    auto const title = fmt::format("{}: circular spline that meshes with the flexspline (z_f {}, z_c {}, m {:g} mm, w0 {:g} mm)", drive.name,
-                                   drive.flexspline_teeth, drive.circular_spline_teeth, drive.module, solution.geometry.w0);
+    auto const title = fmt::format(
+        "{}: circular spline that meshes with the flexspline (z_f {}, z_c {}, m {:g} mm, w0 {:g} mm)", drive.name,
+        drive.flexspline_teeth, drive.circular_spline_teeth, drive.module, solution.geometry.w0);
     return fmt::format(
         "set encoding utf8\n"
         "set title {} noenhanced offset 0,0.3\n"
@@ -192,15 +194,20 @@ std::string picture_script(Solution const& solution, PictureFormat format)
     double const tolerance = finest_detail / window.scale();
     auto const thin = [&](Polylines const& lines) { return thinned(lines, tolerance); };
     Plot plot;
-    plot.add({material(outline, window)}, fmt::format("filledcurves closed fillstyle solid noborder linecolor rgb '{}'", colour_material), "");
-    plot.add(thin(solution.tooth_family), line(colour_family, 0.7), fmt::format("flexspline tooth, {} positions", solution.tooth_family.size()));
+    plot.add({material(outline, window)},
+             fmt::format("filledcurves closed fillstyle solid noborder linecolor rgb '{}'", colour_material), "");
+    plot.add(thin(solution.tooth_family), line(colour_family, 0.7),
+             fmt::format("flexspline tooth, {} positions", solution.tooth_family.size()));
     plot.add(thin(branches(solution, false, false)), line(colour_regular_unused, 1.6), "envelope, not on the boundary");
-    plot.add(thin(branches(solution, true, false)), line(colour_corner_unused, 1.4, "(6,4)"), "path of a tooth corner, not on the boundary");
-    plot.add({tip_circle(solution, window)}, line(colour_tooth, 0.9, "(12,4,2,4)"), "tip circle of the circular spline");
+    plot.add(thin(branches(solution, true, false)), line(colour_corner_unused, 1.4, "(6,4)"),
+             "path of a tooth corner, not on the boundary");
+    plot.add({tip_circle(solution, window)}, line(colour_tooth, 0.9, "(12,4,2,4)"),
+             "tip circle of the circular spline");
     plot.add(thin({tooth_at_major_axis(solution)}), line(colour_tooth, 1.4), "flexspline tooth at the major axis");
     plot.add(thin({outline}), line(colour_outline, 4.2), "circular spline");
     plot.add(thin(branches(solution, false, true)), line(colour_regular, 1.9), "envelope on the boundary");
-    plot.add(thin(branches(solution, true, true)), line(colour_corner, 1.9, "(6,4)"), "path of a tooth corner on the boundary");
+    plot.add(thin(branches(solution, true, true)), line(colour_corner, 1.9, "(6,4)"),
+             "path of a tooth corner on the boundary");
     return terminal(format, window) + frame(solution, window) + plot.text();
 }
 

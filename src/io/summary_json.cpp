@@ -46,7 +46,9 @@ Json drive(Solution const& solution)
 
 Json branches(Solution const& solution)
 {
-    auto const count = [&](auto condition) { return std::count_if(solution.branches.begin(), solution.branches.end(), condition); };
+    auto const count = [&](auto condition) {
+        return std::count_if(solution.branches.begin(), solution.branches.end(), condition);
+    };
     return {{"count", solution.branches.size()},
             {"regular", count([](auto const& branch) { return branch.kind == "regular"; })},
             {"corner", count([](auto const& branch) { return branch.kind == "corner"; })},
@@ -74,9 +76,13 @@ Json outline(Solution const& solution)
     auto const& spline = solution.circular_spline;
     Json pieces = Json::array();
     for (auto const& piece : spline.pieces) {
-        pieces.push_back({{"kind", piece.kind}, {"segment_name", piece.segment_name}, {"first", piece.first}, {"last", piece.last}});
+        pieces.push_back(
+            {{"kind", piece.kind}, {"segment_name", piece.segment_name}, {"first", piece.first}, {"last", piece.last}});
     }
-    return {{"slices", spline.outline.size()}, {"points", outline_points(solution)}, {"landmarks", spline.landmarks}, {"pieces", std::move(pieces)}};
+    return {{"slices", spline.outline.size()},
+            {"points", outline_points(solution)},
+            {"landmarks", spline.landmarks},
+            {"pieces", std::move(pieces)}};
 }
 
 /// Absent as a whole where the pair was not checked.
@@ -104,7 +110,7 @@ Json files(std::vector<WrittenFile> const& written)
 {
     Json result = Json::object();
     for (auto const& file : written) {
-        result[file.kind] = file.file.string();
+        result[file.kind] = {{"path", file.file.string()}, {"seconds", number(file.seconds)}};
     }
     return result;
 }

@@ -18,7 +18,7 @@ constexpr double ms_per_s = 1000;
 class Page
 {
   public:
-    template<class... Values>
+    template <class... Values>
     void line(fmt::format_string<Values...> pattern, Values&&... values)
     {
         fmt::format_to(std::back_inserter(text_), pattern, std::forward<Values>(values)...);
@@ -54,12 +54,13 @@ void write_geometry(Page& page, Solution const& solution)
 {
     auto const& drive = solution.scene.drive;
     auto const& geometry = solution.geometry;
-    page.line("{}: m {:g} mm, z_f/z_c {}/{}, ratio {:g}, {} waves, kinematics {}", drive.name, drive.module, drive.flexspline_teeth,
-              drive.circular_spline_teeth, geometry.ratio, solution.scene.wave_generator.waves,
+    page.line("{}: m {:g} mm, z_f/z_c {}/{}, ratio {:g}, {} waves, kinematics {}", drive.name, drive.module,
+              drive.flexspline_teeth, drive.circular_spline_teeth, geometry.ratio, solution.scene.wave_generator.waves,
               solution.scene.solver.kinematics == Kinematics::exact ? "exact" : "first-order");
     page.line("\ngeometry");
     page.figure("neutral radius r_m", mm(geometry.r_m), "undeformed");
-    page.figure("mean radius r_0", mm(geometry.r_0), fmt::format("deformed; r_0 - r_m = {:+.3f} um", (geometry.r_0 - geometry.r_m) * um_per_mm));
+    page.figure("mean radius r_0", mm(geometry.r_0),
+                fmt::format("deformed; r_0 - r_m = {:+.3f} um", (geometry.r_0 - geometry.r_m) * um_per_mm));
     page.figure("radial deformation w0", mm(geometry.w0));
     page.figure("pitch line", mm(geometry.pitch_line), "above the neutral curve");
     page.figure("flexspline inner radius", mm(geometry.flexspline_inner_radius));
@@ -71,10 +72,11 @@ void write_geometry(Page& page, Solution const& solution)
 void write_zones(Page& page, Solution const& solution)
 {
     auto const kinds = [&](char const* kind) {
-        return std::count_if(solution.branches.begin(), solution.branches.end(), [&](auto const& branch) { return branch.kind == kind; });
+        return std::count_if(solution.branches.begin(), solution.branches.end(),
+                             [&](auto const& branch) { return branch.kind == kind; });
     };
-    page.line("\nconjugate zones: {} on {} branches ({} regular, {} of corners)", solution.zones.size(), solution.branches.size(),
-              kinds("regular"), kinds("corner"));
+    page.line("\nconjugate zones: {} on {} branches ({} regular, {} of corners)", solution.zones.size(),
+              solution.branches.size(), kinds("regular"), kinds("corner"));
     if (solution.zones.empty()) {
         return;
     }
@@ -82,36 +84,41 @@ void write_zones(Page& page, Solution const& solution)
     for (auto const& zone : solution.zones) {
         widest = std::max(widest, zone.segment_name.size());
     }
-    page.line("  {:<{}}  {:<8}{:>10}{:>12}{:>11}{:>9}   {:<6} {}", "segment", widest, "kind", "phi from", "to [deg]", "t from", "to", "side", "used");
+    page.line("  {:<{}}  {:<8}{:>10}{:>12}{:>11}{:>9}   {:<6} {}", "segment", widest, "kind", "phi from", "to [deg]",
+              "t from", "to", "side", "used");
     for (auto const& zone : solution.zones) {
-        page.line("  {:<{}}  {:<8}{:>10.4f}{:>12.4f}{:>11.4f}{:>9.4f}   {:<6} {}", zone.segment_name, widest, zone.kind, degrees(zone.phi_begin),
-                  degrees(zone.phi_end), zone.t_begin, zone.t_end, zone.outer ? "outer" : "inner", zone.on_boundary ? "yes" : "-");
+        page.line("  {:<{}}  {:<8}{:>10.4f}{:>12.4f}{:>11.4f}{:>9.4f}   {:<6} {}", zone.segment_name, widest, zone.kind,
+                  degrees(zone.phi_begin), degrees(zone.phi_end), zone.t_begin, zone.t_end,
+                  zone.outer ? "outer" : "inner", zone.on_boundary ? "yes" : "-");
     }
 }
 
 /// What the smallest clearance means within the asked-for tolerance.
 char const* verdict(double clearance, double tolerance)
 {
-    return clearance < -tolerance ? "the teeth interfere" : clearance <= tolerance ? "the teeth touch" : "the teeth are apart";
+    return clearance < -tolerance   ? "the teeth interfere"
+           : clearance <= tolerance ? "the teeth touch"
+                                    : "the teeth are apart";
 }
 
 void write_outline(Page& page, Solution const& solution)
 {
     auto const& spline = solution.circular_spline;
-    page.line("\ncircular spline: {} slice{}, {} points, {} pieces", spline.outline.size(), spline.outline.size() == 1 ? "" : "s",
-              outline_points(solution), spline.pieces.size());
+    page.line("\ncircular spline: {} slice{}, {} points, {} pieces", spline.outline.size(),
+              spline.outline.size() == 1 ? "" : "s", outline_points(solution), spline.pieces.size());
     if (solution.check) {
         auto const& check = *solution.check;
         page.figure("smallest clearance", um(check.smallest_clearance),
                     fmt::format("{}: at ({:.4f}, {:.4f}) mm, tooth at phi {:.3f} deg",
-                                verdict(check.smallest_clearance, solution.scene.solver.tolerance), check.where.x(), check.where.y(),
-                                degrees(check.at_phi)));
+                                verdict(check.smallest_clearance, solution.scene.solver.tolerance), check.where.x(),
+                                check.where.y(), degrees(check.at_phi)));
         page.line("  {:<{}}{} points x {} positions over a full turn", "", label_width, check.points, check.positions);
     } else {
         page.line("  {:<{}}{:>14}", "smallest clearance", label_width, "not computed");
     }
     page.figure("error, written points", um(solution.error.point, "<= "));
-    page.figure("error, chords", um(solution.error.chord, "<= "), fmt::format("asked for {:g} um", solution.scene.solver.tolerance * um_per_mm));
+    page.figure("error, chords", um(solution.error.chord, "<= "),
+                fmt::format("asked for {:g} um", solution.scene.solver.tolerance * um_per_mm));
     page.figure("closed length, relative", fmt::format("{:.1e}", solution.error.arc_length));
 }
 
@@ -122,8 +129,8 @@ void write_timing(Page& page, Solution const& solution)
         page.figure(entry.stage, fmt::format("{:.3f} ms", entry.seconds * ms_per_s));
     }
     page.figure("total", fmt::format("{:.3f} ms", total_seconds(solution) * ms_per_s),
-                fmt::format("{} contacts, {} roots, {} edges", solution.work.envelope_points, solution.work.roots_isolated,
-                            solution.work.arrangement_edges));
+                fmt::format("{} contacts, {} roots, {} edges", solution.work.envelope_points,
+                            solution.work.roots_isolated, solution.work.arrangement_edges));
 }
 
 }  // namespace
@@ -138,7 +145,7 @@ std::string summary_text(Solution const& solution, std::vector<WrittenFile> cons
     if (!written.empty()) {
         page.line("\nwritten");
         for (auto const& file : written) {
-            page.line("  {:<{}}{}", file.kind, label_width, file.file.string());
+            page.figure(file.kind, fmt::format("{:.3f} ms", file.seconds * ms_per_s), file.file.string());
         }
     }
     return page.text();

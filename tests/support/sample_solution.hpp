@@ -14,8 +14,8 @@
 
 namespace hdconj::sample {
 
-inline constexpr double radius = 24.347;      // r_m
-inline constexpr double deformation = 0.25;   // w0
+inline constexpr double radius = 24.347;     // r_m
+inline constexpr double deformation = 0.25;  // w0
 inline constexpr double pitch_line = 0.653;
 inline constexpr double addendum = 0.225;
 inline constexpr double dedendum = 0.303;
@@ -187,8 +187,8 @@ inline Solution solution()
     result.plan = {{{Stage::profile, "always"}, {Stage::neutral_curve, "always"}, {Stage::envelope, "always"}},
                    {{"coning", "write [coning]"}}};
     double const space_depth = radius + deformation + pitch_line + addendum - tip_radius;
-    result.geometry = {radius, radius - 2.567e-3, deformation, pitch_line, addendum, dedendum, 23.997, tip_radius,
-                       2.5e-3, space_depth, -100};
+    result.geometry = {radius, radius - 2.567e-3, deformation, pitch_line,  addendum, dedendum,
+                       23.997, tip_radius,        2.5e-3,      space_depth, -100};
     result.segment_names = {"convex arc right", "concave arc right"};
     result.flexspline_outline = mirrored(right_flank());
     for (int i = 0; i < 720; ++i) {
@@ -199,13 +199,16 @@ inline Solution solution()
     for (std::size_t i = 0; i < result.branches.size(); ++i) {
         auto const& branch = result.branches[i];
         result.zones.push_back({branch.segment, branch.segment_name, branch.kind, i, branch.u.front(), branch.u.back(),
-                                branch.phi.front(), branch.phi.back(), branch.t.front(), branch.t.back(), branch.on_boundary,
-                                branch.on_boundary});
+                                branch.phi.front(), branch.phi.back(), branch.t.front(), branch.t.back(),
+                                branch.on_boundary, branch.on_boundary});
     }
     auto const boundary = outline(120);
     int const last = static_cast<int>(boundary.size()) - 1;
-    result.circular_spline = {{0.0}, {boundary}, {0, 1, last / 2, last - 1, last},
-                              {{"land", "", 0, 1}, {"flank", "convex arc right", 1, boundary.size() - 2},
+    result.circular_spline = {{0.0},
+                              {boundary},
+                              {0, 1, last / 2, last - 1, last},
+                              {{"land", "", 0, 1},
+                               {"flank", "convex arc right", 1, boundary.size() - 2},
                                {"land", "", boundary.size() - 2, boundary.size() - 1}}};
     result.tooth_family = tooth_family(40);
     result.check = PairCheck{-3e-8, boundary[30], 0.1, boundary.size(), 2000};

@@ -16,6 +16,7 @@ struct WrittenFile
 {
     std::string kind;            ///< "hdf5", "dxf", "picture"
     std::filesystem::path file;  ///< as the user gave it
+    double seconds = 0;          ///< time to make and write it
 };
 
 /// HDF5 result file, layout in docs/hdf5.md. Written to a temporary file and renamed.
