@@ -2,12 +2,10 @@
 #include "cli.hpp"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <iostream>
 
 #include "hdconj/io/scene_reading.hpp"
 #include "hdconj/io/scene_toml.hpp"
-#include "hdconj/pipeline/solve.hpp"
 #include "hdconj/scene/effects.hpp"
 #include "hdconj/scene/schema.hpp"
 
@@ -42,21 +40,6 @@ SceneReading read(CommonOptions const& common)
                                : examine_scene_file(common.scene, overrides);
 }
 
-bool names(Faults const& faults, std::string const& path)
-{
-    return std::any_of(faults.begin(), faults.end(), [&path](Fault const& fault) { return fault.path == path; });
-}
-
-/// Faults of the geometry; an InputError on the way is a list of faults as well.
-Faults geometry_faults(Scene const& scene)
-{
-    try {
-        return check_scene(scene);
-    } catch (InputError const& error) {
-        return error.faults();
-    }
-}
-
 }  // namespace
 
 void add_scene_options(CLI::App& verb, CommonOptions& common)
@@ -77,13 +60,7 @@ void add_scene_options(CLI::App& verb, CommonOptions& common)
 SceneReading examine(CommonOptions const& common)
 {
     auto reading = read(common);
-    if (reading.geometry_known) {
-        auto deep = geometry_faults(reading.scene);
-        locate(deep, reading.scene);
-        std::erase_if(deep, [&reading](Fault const& fault) { return names(reading.faults, fault.path); });
-        reading.faults.insert(reading.faults.end(), deep.begin(), deep.end());
-        sort_by_place(reading.faults);
-    }
+    examine_geometry(reading);
     return reading;
 }
 

@@ -2,10 +2,10 @@
 #include "scene_document.hpp"
 
 #include <algorithm>
-#include <sstream>
 
 #include "scene/text.hpp"
 #include "scene_lines.hpp"
+#include "scene_writer.hpp"
 
 namespace hdconj::detail {
 namespace {
@@ -30,13 +30,6 @@ Kind kind_of(toml::node const& node)
         default:
             return Kind::date;
     }
-}
-
-std::string formatted(toml::node const& node)
-{
-    std::ostringstream text;
-    node.visit([&text](auto const& value) { text << value; });
-    return std::move(text).str();
 }
 
 /// Tables that --set had to create have no place at all; everything parsed has one.
@@ -87,7 +80,7 @@ class Converter
         auto const& source = node.source();
         bool const in_file = !is_override(node) && source.end.line >= source.begin.line;
         std::string const found = in_file ? lines_.cut(source.begin, source.end) : "";
-        return printable(found.empty() ? formatted(node) : found);
+        return printable(found.empty() ? toml_text(node) : found);
     }
 
     TextLines lines_;

@@ -17,6 +17,11 @@ std::string_view trimmed(std::string_view text)
                                            : text.substr(first, text.find_last_not_of(blank) - first + 1);
 }
 
+bool is_key_character(char c)
+{
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+}
+
 bool is_bare_word(std::string_view text)
 {
     return !text.empty() && std::all_of(text.begin(), text.end(), [](char c) {
@@ -44,7 +49,26 @@ std::string remedy_for_value(std::string_view key, std::string_view value)
     return "";
 }
 
-std::string remedy_for(std::string_view line, std::string_view description)
+/// A line "key = value", comment cut off; empty parts when it is no such line.
+struct KeyLine
+{
+    std::string_view key;
+    std::string_view value;
+};
+
+KeyLine key_line(std::string_view line)
+{
+    std::string_view const code = trimmed(line.substr(0, line.find('#')));
+    std::size_t const equals = code.find('=');
+    if (equals == std::string_view::npos) {
+        return {};
+    }
+    auto const key = trimmed(code.substr(0, equals));
+    bool const is_plain = std::all_of(key.begin(), key.end(), [](char c) { return is_key_character(c) || c == '.'; });
+    return is_plain ? KeyLine{key, trimmed(code.substr(equals + 1))} : KeyLine{};
+}
+
+std::string remedy_for(KeyLine const& line, std::string_view description)
 {
     if (description.find("redefine") != std::string_view::npos) {
         return "keep one of the two";
@@ -52,15 +76,8 @@ std::string remedy_for(std::string_view line, std::string_view description)
     if (description.find("utf-8") != std::string_view::npos || description.find("UTF-8") != std::string_view::npos) {
         return "save the file as UTF-8";
     }
-    std::string_view const code = trimmed(line.substr(0, line.find('#')));
-    std::size_t const equals = code.find('=');
-    if (equals != std::string_view::npos && equals > 0) {
-        auto const remedy = remedy_for_value(trimmed(code.substr(0, equals)), trimmed(code.substr(equals + 1)));
-        if (!remedy.empty()) {
-            return remedy;
-        }
-    }
-    return "write lines of the form [table] or key = value, text in double quotes";
+    auto const remedy = line.key.empty() ? "" : remedy_for_value(line.key, line.value);
+    return remedy.empty() ? "write lines of the form [table] or key = value, text in double quotes" : remedy;
 }
 
 /// The parser's words, with a small first letter and without the full stop.
@@ -82,9 +99,13 @@ Fault syntax_fault(toml::parse_error const& error, std::string_view text, std::s
 {
     auto const& place = error.source().begin;
     auto const line = TextLines(text).line(place.line);
-    return {name, static_cast<int>(place.line), printable(trimmed(line)),
-            "not TOML at column " + std::to_string(place.column) + ": " + reason_of(error),
-            remedy_for(line, error.description())};
+    auto const parts = key_line(line);
+    std::string const reason = "not TOML at column " + std::to_string(place.column) + ": " + reason_of(error);
+    std::string const remedy = remedy_for(parts, error.description());
+    if (parts.key.empty()) {
+        return {name, static_cast<int>(place.line), "", reason + ", in " + in_quotes(printable(trimmed(line))), remedy};
+    }
+    return {printable(parts.key), static_cast<int>(place.line), printable(parts.value), reason, remedy};
 }
 
 }  // namespace hdconj::detail

@@ -2,7 +2,6 @@
 #include "hdconj/io/scene_toml.hpp"
 
 #include <iterator>
-#include <sstream>
 
 #include "builtin_scene.hpp"
 #include "hdconj/io/scene_reading.hpp"
@@ -11,6 +10,7 @@
 #include "scene_document.hpp"
 #include "scene_override.hpp"
 #include "scene_text.hpp"
+#include "scene_writer.hpp"
 
 namespace hdconj {
 namespace {
@@ -34,14 +34,6 @@ Faults parse(std::string_view text, std::string const& name, toml::table& docume
         return {detail::syntax_fault(error, text, name)};
     }
     return {};
-}
-
-/// The document as it is after --set, comments lost.
-std::string text_of(toml::table const& document)
-{
-    std::ostringstream text;
-    text << document << '\n';
-    return std::move(text).str();
 }
 
 SceneReading judge(toml::table const& document, std::string_view text, std::string const& name)
@@ -77,7 +69,7 @@ SceneReading examine_scene(std::string_view text, std::string const& name, std::
     }
     append(reading.faults, std::move(faults));
     sort_by_place(reading.faults);
-    reading.scene.text = overrides.empty() ? std::string(text) : text_of(document);
+    reading.scene.text = overrides.empty() ? std::string(text) : detail::toml_text(document);
     reading.scene.folder = folder;
     return reading;
 }

@@ -83,6 +83,20 @@ bool take_family_key(Judgement& judgement, TableSpec const& table, RawEntry cons
     return false;
 }
 
+Fault value_for_table(TableSpec const& spec, std::string const& spelled, RawEntry const& entry)
+{
+    std::string const header = "[" + std::string(spec.path) + "]";
+    std::string const found = entry.value.kind == Kind::array ? "a list" : "a value";
+    return {spelled,
+            entry.line,
+            entry.value.written,
+            found + " where the table " + header + " belongs",
+            "write the line " + header + " and its keys below it",
+            entry.origin};
+}
+
+}  // namespace
+
 void judge_member(Judgement& judgement, Place const& place, RawEntry const& entry)
 {
     std::string const spelled = join(place.spelled, entry.key);
@@ -97,20 +111,6 @@ void judge_member(Judgement& judgement, Place const& place, RawEntry const& entr
         judge_unknown(judgement, place, entry);
     }
 }
-
-Fault value_for_table(TableSpec const& spec, std::string const& spelled, RawEntry const& entry)
-{
-    std::string const header = "[" + std::string(spec.path) + "]";
-    std::string const found = entry.value.kind == Kind::array ? "a list" : "a value";
-    return {spelled,
-            entry.line,
-            entry.value.written,
-            found + " where the table " + header + " belongs",
-            "write the line " + header + " and its keys below it",
-            entry.origin};
-}
-
-}  // namespace
 
 void judge_table(Judgement& judgement, TableSpec const& spec, std::string const& spelled, RawEntry const& entry)
 {

@@ -55,22 +55,29 @@ std::string remedy_for_table(Place const& place, RawEntry const& entry)
                          : "remove it; known here: " + plain_list(names);
 }
 
+/// Whether keys of @p table may be judged before the table itself: nothing has to be made or chosen first.
+bool stands_alone(TableSpec const& table)
+{
+    return table.begin == nullptr && table.families == FamilyKind::none;
+}
+
 /// A misspelt table whose right name is free counts as that table, so that its keys are judged as well. When the
-/// right name is there too, only sub-tables that it lacks are taken over.
+/// right name is there too, what that one lacks is taken over.
 void judge_as(Judgement& judgement, Place const& place, std::string_view meant, RawEntry const& entry)
 {
     std::string const right = join(place.path, meant);
     std::string const spelled = join(place.spelled, entry.key);
+    auto const& spec = *find_table(right);
     auto const there = std::find_if(place.table->entries.begin(), place.table->entries.end(),
                                     [meant](RawEntry const& other) { return other.key == meant; });
     if (there == place.table->entries.end()) {
-        judge_table(judgement, *find_table(right), spelled, entry);
+        judge_table(judgement, spec, spelled, entry);
         return;
     }
     for (auto const& member : entry.value.entries) {
-        auto const* const table = find_table(join(right, member.key));
-        if (table != nullptr && !has_member(there->value, member.key)) {
-            judge_table(judgement, *table, join(spelled, member.key), member);
+        bool const is_table = find_table(join(right, member.key)) != nullptr;
+        if ((is_table || stands_alone(spec)) && !has_member(there->value, member.key)) {
+            judge_member(judgement, {right, spelled, &entry.value}, member);
         }
     }
 }

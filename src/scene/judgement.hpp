@@ -46,6 +46,9 @@ struct Place
     RawValue const* table;  ///< the table itself
 };
 
+/// An entry of the table at @p place: sub-table, key, or neither.
+void judge_member(Judgement& judgement, Place const& place, RawEntry const& entry);
+
 /// The table @p spec, found at @p entry under the name @p spelled.
 void judge_table(Judgement& judgement, TableSpec const& spec, std::string const& spelled, RawEntry const& entry);
 

@@ -3,6 +3,7 @@
 /// Reads a scene without throwing at its faults, for a caller that adds faults of its own (check_scene).
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -23,5 +24,9 @@ inline constexpr std::size_t largest_scene = std::size_t{16} << 20;
 [[nodiscard]] SceneReading examine_scene(std::string_view text, std::string const& name,
                                          std::filesystem::path const& folder = {},
                                          std::vector<std::string> const& overrides = {});
+
+/// Adds the faults that need geometry to be seen (check_scene) when all that it needs is known, in order of place. A
+/// key that has a fault already gets no second one.
+void examine_geometry(SceneReading& reading);
 
 }  // namespace hdconj
