@@ -205,19 +205,43 @@ class SolveJob
     void check()
     {
         FullTurnClearance<Motion> const clearance(tooth_, motion_, pitch_, pitches_per_lobe(out_.scene));
-        std::size_t const first = tooth_.mirror_symmetric ? outline_.middle : 0;
         auto const& points = outline_.outline.points;
-        std::vector<TurnMinimum> minima(points.size() - first);
-        constexpr std::size_t grain = 64;
-        parallel_for(minima.size(), out_.threads, grain, [&](std::size_t i) { minima[i] = clearance(points[first + i]); });
+        std::vector<std::size_t> const chosen = points_to_check();
+        std::vector<TurnMinimum> minima(chosen.size());
+        // blocks of fixed size, whatever the number of threads: inside one, each point starts from its neighbour's result
+        constexpr std::size_t block = 64;
+        parallel_for((chosen.size() + block - 1) / block, out_.threads, 2, [&](std::size_t b) {
+            std::size_t const end = std::min(chosen.size(), (b + 1) * block);
+            for (std::size_t i = b * block; i < end; ++i)
+                minima[i] = clearance(points[chosen[i]], i > b * block ? &minima[i - 1] : nullptr);
+        });
         PairCheck result;
         auto const worst = std::min_element(minima.begin(), minima.end(), [](TurnMinimum const& a, TurnMinimum const& b) { return a.distance < b.distance; });
         result.smallest_clearance = worst->distance;
-        result.where = points[first + static_cast<std::size_t>(worst - minima.begin())];
+        result.where = points[chosen[static_cast<std::size_t>(worst - minima.begin())]];
         result.at_phi = motion_.angles(worst->u).phi;
         result.points = minima.size();
         result.positions = clearance.positions();
         out_.check = result;
+    }
+
+    /// Outline points for the check: all of them, on a symmetric pair those of the right half; of a very fine outline
+    /// every k-th beside the ends of its stretches, since what the check looks for (a branch that was taken for the outer one)
+    /// is a stretch, not a point.
+    [[nodiscard]] std::vector<std::size_t> points_to_check() const
+    {
+        constexpr std::size_t enough = 4096;
+        std::size_t const first = tooth_.mirror_symmetric ? outline_.middle : 0;
+        std::size_t const count = outline_.outline.points.size() - first;
+        std::size_t const stride = (count + enough - 1) / enough;
+        std::vector<std::size_t> chosen;
+        for (OutlineStretch const& stretch : outline_.outline.stretches)
+        {
+            for (std::size_t i = std::max(first, stretch.first); i < stretch.last; i += stride)
+                chosen.push_back(i);
+        }
+        chosen.push_back(outline_.outline.points.size() - 1);
+        return chosen;
     }
 
     void publish()

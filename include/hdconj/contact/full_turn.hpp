@@ -19,16 +19,19 @@ namespace hdconj {
 struct TurnMinimum
 {
     double distance = std::numeric_limits<double>::infinity();  ///< [mm]
-    double u = 0;        ///< parameter of the motion
-    int copy = 0;        ///< the tooth this many pitches clockwise
+    double u = 0;                 ///< parameter of the motion
+    int copy = 0;                 ///< the tooth this many pitches clockwise
+    std::size_t station = 0;      ///< nearest of the stations looked at
 };
 
 /// min over u in a full turn and over all teeth of the signed distance from a point to the tooth.
 ///
 /// All teeth do the same motion one pitch apart, so one lobe of one tooth and the neighbours that reach the point are a full turn.
-/// The distance is looked at in `positions` places of the lobe; each local minimum that the speed of the tooth could bring
-/// below the smallest value seen is refined to the zero of its derivative, d' = -n.v.
-/// Accuracy: roundoff of the coordinates at each minimum; a minimum is missed only if the distance has two within one step of the lobe.
+/// The distance changes no faster than the point moves in the tooth's frame; so from a station where it is d, the next one that can
+/// hold less than the best b is (d - b)/speed away, and everything between is skipped without being looked at. Around
+/// stations that cannot be skipped, a change of sign of the derivative d' = -n.v is refined to the minimum.
+/// Accuracy: roundoff of the coordinates at each minimum. Stations are 1/384 of a lobe apart; two minima within one step
+/// of which only the higher one is found differ by no more than the square of the step times the distance's curvature.
 template<RelativeMotion Motion>
 class FullTurnClearance
 {
@@ -39,73 +42,87 @@ class FullTurnClearance
     {
         for (int i = 0; i <= positions; ++i)
         {
-            double const u = -motion.half_lobe() + step_ * i;
+            double const u = parameter(static_cast<std::size_t>(i));
+            Twist const twist = motion.rates(u).twist;
             poses_.push_back(motion.pose(u));
-            twists_.push_back(motion.rates(u).twist);
+            twists_.push_back(twist);
+            fastest_turn_ = std::max(fastest_turn_, std::abs(twist.omega));
+            fastest_shift_ = std::max(fastest_shift_, twist.q.norm());
         }
-        near_ = (profile.addendum + profile.dedendum) / 8;
+        // between stations the rates exceed the largest one seen by a second-order amount
+        constexpr double margin = 1.01;
+        fastest_turn_ *= margin;
+        fastest_shift_ *= margin;
     }
 
     [[nodiscard]] std::size_t positions() const { return poses_.size(); }
 
-    /// @param p  a point within one pitch of the y axis, circular-spline frame
-    [[nodiscard]] TurnMinimum operator()(Vec2 const& p) const
+    /// @param p     a point within one pitch of the y axis, circular-spline frame
+    /// @param hint  result at a neighbouring point; saves looking around for a first bound
+    [[nodiscard]] TurnMinimum operator()(Vec2 const& p, TurnMinimum const* hint = nullptr) const
     {
         TurnMinimum best;
+        if (hint != nullptr)
+            (void)look(turned_clockwise(p, -hint->copy * pitch_), hint->station, hint->copy, best);
         for (int copy = -reach_; copy <= reach_; ++copy)
-            look(turned_clockwise(p, -copy * pitch_), copy, best);
+            march(copy == 0 ? p : turned_clockwise(p, -copy * pitch_), copy, best);
         return best;
     }
 
   private:
-    void look(Vec2 const& p, int copy, TurnMinimum& best) const
+    struct Station
     {
-        double before = std::numeric_limits<double>::infinity();
-        double now = coarse(p, 0);
-        for (std::size_t i = 0; i < poses_.size(); ++i)
-        {
-            double const after = i + 1 < poses_.size() ? coarse(p, i + 1) : std::numeric_limits<double>::infinity();
-            if (now <= before && now <= after && now < near_)
-            {
-                if (now < best.distance)
-                    best = {now, parameter(i), copy};
-                double const speed = twists_[i](poses_[i].inverse(p)).norm();
-                // twice the mean-value bound, for the change of speed over the step
-                if (now - 2 * speed * step_ < best.distance)
-                    refine(p, i, copy, best);
-            }
-            before = now;
-            now = after;
-        }
-    }
+        double distance;
+        double slope;
+        double speed;  ///< no faster anywhere near
+    };
 
     [[nodiscard]] double parameter(std::size_t i) const { return -motion_.half_lobe() + step_ * static_cast<double>(i); }
 
-    /// Distance, or a lower bound of it where that is far.
-    [[nodiscard]] double coarse(Vec2 const& p, std::size_t i) const
+    /// Distance at station @p i; where it is far, a lower bound with no slope.
+    [[nodiscard]] Station look(Vec2 const& p, std::size_t i, int copy, TurnMinimum& best) const
     {
         Vec2 const x = poses_[i].inverse(p);
+        double const speed = fastest_shift_ + fastest_turn_ * x.norm();
         double const bound = tooth_.lower_bound(x);
-        return bound > near_ ? bound : tooth_(x).distance;
+        if (bound > best.distance + speed * step_)
+            return {bound, 0, speed};
+        NearestPoint const foot = tooth_(x);
+        if (foot.distance < best.distance)
+            best = {foot.distance, parameter(i), copy, i};
+        return {foot.distance, -foot.normal.dot(twists_[i](x)), speed};
     }
 
-    void refine(Vec2 const& p, std::size_t i, int copy, TurnMinimum& best) const
+    void march(Vec2 const& p, int copy, TurnMinimum& best) const
+    {
+        std::size_t last = 0;
+        Station before{std::numeric_limits<double>::infinity(), 0, 0};
+        for (std::size_t i = 0; i < poses_.size();)
+        {
+            Station const now = look(p, i, copy, best);
+            bool const adjoining = i > 0 && last == i - 1;
+            bool const dips = before.slope < 0 && now.slope > 0;
+            if (adjoining && dips && std::min(before.distance, now.distance) - now.speed * step_ < best.distance)
+                refine(p, i, copy, before.slope, now.slope, best);
+            last = i;
+            before = now;
+            double const safe = (now.distance - best.distance) / (now.speed * step_);
+            // landing one station short keeps the two sides of a dip adjoining
+            std::size_t const skip = safe > 2 ? static_cast<std::size_t>(std::min(safe - 1, static_cast<double>(poses_.size()))) : 1;
+            i += skip;
+        }
+    }
+
+    void refine(Vec2 const& p, std::size_t i, int copy, double slope_before, double slope_after, TurnMinimum& best) const
     {
         auto const slope = [&](double u) {
             Vec2 const x = motion_.pose(u).inverse(p);
             NearestPoint const foot = tooth_(x);
             if (foot.distance < best.distance)
-                best = {foot.distance, u, copy};
+                best = {foot.distance, u, copy, i};
             return -foot.normal.dot(motion_.rates(u).twist(x));
         };
-        double const a = parameter(i == 0 ? 0 : i - 1);
-        double const b = parameter(std::min(i + 1, poses_.size() - 1));
-        double const fa = slope(a);
-        double const fb = slope(b);
-        if (fa < 0 && fb > 0)
-            (void)bracketed_root(slope, a, b, fa, fb);
-        else
-            (void)slope(0.5 * (a + b));
+        (void)bracketed_root(slope, parameter(i - 1), parameter(i), slope_before, slope_after);
     }
 
     ToothDistance tooth_;
@@ -113,7 +130,8 @@ class FullTurnClearance
     double pitch_;
     int reach_;  ///< neighbours on either side: half the lobe's pitches, and one for the tooth's own width
     double step_;
-    double near_ = 0;
+    double fastest_turn_ = 0;
+    double fastest_shift_ = 0;
     std::vector<Pose> poses_;
     std::vector<Twist> twists_;
 };

@@ -3,6 +3,7 @@
 /// Signed distance from a point to a flexspline tooth, to its exact pieces and not to a polygon.
 #pragma once
 
+#include <variant>
 #include <vector>
 
 #include "hdconj/profile/profile.hpp"
@@ -17,7 +18,7 @@ struct NearestPoint
     Vec2 normal = Vec2::Zero();///< outward: gradient of the distance
 };
 
-/// Distance function of one tooth in its own frame.
+/// Distance function of one tooth in its own frame. Keeps pointers into the profile's curves.
 ///
 /// Feet on lines and arcs in closed form; on curves all roots of (p - x(t)).x'(t) = 0. At a corner the foot is the corner.
 /// Below the root ends the body goes on as the rim: points whose nearest point is a root end count as outside, which
@@ -44,11 +45,29 @@ class ToothDistance
         Vec2 normal;    ///< mean of the normals on both sides
         bool open_end;  ///< root end of the profile
     };
+    struct Line
+    {
+        Vec2 a, along, normal;
+        double length;
+    };
+    struct Arc
+    {
+        Vec2 centre;
+        double radius;
+        Vec2 middle;           ///< middle of the normals
+        double cos_half_span;
+    };
     struct Patch
     {
-        PieceShape const* shape;
-        Vec2 low, high;  ///< bounding box
+        std::variant<Line, Arc, CurvePiece const*> shape;
+        Vec2 low, high;        ///< bounding box
     };
+    struct Nearest;
+
+    static void foot_on(Line const& line, Vec2 const& p, Nearest& nearest);
+    static void foot_on(Arc const& arc, Vec2 const& p, Nearest& nearest);
+    static void foot_on(CurvePiece const* curve, Vec2 const& p, Nearest& nearest);
+    void add_patch(PieceShape const& shape);
 
     std::vector<Patch> patches_;
     std::vector<Vertex> vertices_;
