@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The layout of the result file, as docs/hdf5.md describes it.
+#include <fmt/format.h>
+
 #include <array>
-#include <cstdio>
 #include <cstdlib>
 #include <ctime>
 
@@ -67,14 +68,13 @@ void write_branch(Writer const& branch, BranchRecord const& record)
 
 void write_envelope(Writer const& root, Solution const& solution)
 {
-    auto const group = root.group("envelope");
-    Writer(group).attribute("segments", solution.segment_names);
-    for (std::size_t i = 0; i < solution.branches.size(); ++i) {
-        std::array<char, sizeof "branch_" + 20> name = {};
-        std::snprintf(name.data(), name.size(), "branch_%03zu", i);
-        auto const branch = Writer(group).group(name.data());
-        write_branch(Writer(branch), solution.branches[i]);
-    }
+    root.group("envelope", [&](Writer const& envelope) {
+        envelope.attribute("segments", solution.segment_names);
+        for (std::size_t i = 0; i < solution.branches.size(); ++i) {
+            envelope.group(fmt::format("branch_{:03}", i),
+                           [&](Writer const& branch) { write_branch(branch, solution.branches[i]); });
+        }
+    });
 }
 
 /// A column of the zones' table.
@@ -101,15 +101,15 @@ void write_intervals(Writer const& place, std::string const& name, std::vector<C
 
 void write_zones(Writer const& root, std::vector<ConjugateZone> const& zones)
 {
-    auto const group = root.group("conjugate_zones");
-    Writer const place(group);
-    place.integers("branch", whole(zones, [](auto const& zone) { return zone.branch; }));
-    place.integers("segment", whole(zones, [](auto const& zone) { return zone.segment; }));
-    place.integers("outer", whole(zones, [](auto const& zone) { return zone.outer; }));
-    place.integers("on_boundary", whole(zones, [](auto const& zone) { return zone.on_boundary; }));
-    write_intervals(place, "u", zones, &ConjugateZone::u_begin, &ConjugateZone::u_end, "rad");
-    write_intervals(place, "phi", zones, &ConjugateZone::phi_begin, &ConjugateZone::phi_end, "rad");
-    write_intervals(place, "t", zones, &ConjugateZone::t_begin, &ConjugateZone::t_end, "1");
+    root.group("conjugate_zones", [&](Writer const& place) {
+        place.integers("branch", whole(zones, [](auto const& zone) { return zone.branch; }));
+        place.integers("segment", whole(zones, [](auto const& zone) { return zone.segment; }));
+        place.integers("outer", whole(zones, [](auto const& zone) { return zone.outer; }));
+        place.integers("on_boundary", whole(zones, [](auto const& zone) { return zone.on_boundary; }));
+        write_intervals(place, "u", zones, &ConjugateZone::u_begin, &ConjugateZone::u_end, "rad");
+        write_intervals(place, "phi", zones, &ConjugateZone::phi_begin, &ConjugateZone::phi_end, "rad");
+        write_intervals(place, "t", zones, &ConjugateZone::t_begin, &ConjugateZone::t_end, "1");
+    });
 }
 
 void write_pieces(Writer const& spline, std::vector<OutlinePiece> const& pieces)
@@ -122,12 +122,12 @@ void write_pieces(Writer const& spline, std::vector<OutlinePiece> const& pieces)
         first.push_back(static_cast<int>(piece.first));
         last.push_back(static_cast<int>(piece.last));
     }
-    auto const group = spline.group("pieces");
-    Writer const place(group);
-    place.texts("kind", kinds);
-    place.texts("segment_name", segments);
-    place.integers("first", first);
-    place.integers("last", last);
+    spline.group("pieces", [&](Writer const& place) {
+        place.texts("kind", kinds);
+        place.texts("segment_name", segments);
+        place.integers("first", first);
+        place.integers("last", last);
+    });
 }
 
 void write_circular_spline(Writer const& root, CircularSplineOutline const& outline)
@@ -145,20 +145,21 @@ void write_circular_spline(Writer const& root, CircularSplineOutline const& outl
             flat.push_back(point.y());
         }
     }
-    auto const group = root.group("circular_spline");
-    Writer const place(group);
-    place.numbers("z", outline.z, "mm");
-    place.array("outline", {slices, points, 2}, flat.data(), "mm");
-    place.integers("landmarks", outline.landmarks);
-    write_pieces(place, outline.pieces);
+    root.group("circular_spline", [&](Writer const& place) {
+        place.numbers("z", outline.z, "mm");
+        place.array("outline", {slices, points, 2}, flat.data(), "mm");
+        place.integers("landmarks", outline.landmarks);
+        write_pieces(place, outline.pieces);
+    });
 }
 
 void write_summary(Writer const& root, Solution const& solution)
 {
-    auto const group = root.group("summary");
-    for (auto const& figure : figures(solution)) {
-        Writer(group).attribute(figure.key, figure.value);
-    }
+    root.group("summary", [&](Writer const& summary) {
+        for (auto const& figure : figures(solution)) {
+            summary.attribute(figure.key, figure.value);
+        }
+    });
 }
 
 void write_timing(Writer const& root, std::vector<StageTime> const& timing)
@@ -169,9 +170,10 @@ void write_timing(Writer const& root, std::vector<StageTime> const& timing)
         stages.push_back(entry.stage);
         seconds.push_back(entry.seconds);
     }
-    auto const group = root.group("timing");
-    Writer(group).texts("stage", stages);
-    Writer(group).numbers("seconds", seconds, "s");
+    root.group("timing", [&](Writer const& place) {
+        place.texts("stage", stages);
+        place.numbers("seconds", seconds, "s");
+    });
 }
 
 std::string result_bytes(Solution const& solution)
@@ -180,10 +182,7 @@ std::string result_bytes(Solution const& solution)
     hdf5::MemoryFile const file;
     Writer const root = file.root();
     write_provenance(root, solution);
-    {
-        auto const group = root.group("flexspline");
-        Writer(group).points("outline", solution.flexspline_outline);
-    }
+    root.group("flexspline", [&](Writer const& place) { place.points("outline", solution.flexspline_outline); });
     root.points("neutral_curve", solution.neutral_curve);
     write_envelope(root, solution);
     write_zones(root, solution.zones);

@@ -38,17 +38,19 @@ std::vector<char const*> pointers(std::vector<std::string> const& texts)
     return result;
 }
 
-/// Creation properties without timestamps, so that equal content gives equal bytes.
-Properties timeless(hid_t kind)
+Properties properties(hid_t kind)
 {
-    Properties properties(H5Pcreate(kind), "create properties");
-    checked(H5Pset_obj_track_times(properties, false), "switch timestamps off");
-    return properties;
+    return {H5Pcreate(kind), "create properties"};
+}
+
+Space one_value()
+{
+    return {H5Screate(H5S_SCALAR), "create dataspace"};
 }
 
 File create_in_memory()
 {
-    Properties const access(H5Pcreate(H5P_FILE_ACCESS), "create properties");
+    auto const access = properties(H5P_FILE_ACCESS);
     checked(H5Pset_fapl_core(access, memory_step, not_backed_by_a_file), "choose memory");
     return {H5Fcreate("hdconj in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access), "create file"};
 }
@@ -71,9 +73,14 @@ void fail(char const* doing)
     throw Failure(std::string("HDF5 cannot ") + doing + (cause.empty() ? "" : ": " + cause));
 }
 
-Group Writer::group(std::string const& name) const
+Tools::Tools()
+    : text(variable_text()),
+      scalar(one_value()),
+      timeless(properties(H5P_DATASET_CREATE)),
+      frugal(properties(H5P_DATASET_XFER))
 {
-    return {H5Gcreate2(place_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), "create group"};
+    checked(H5Pset_obj_track_times(timeless, false), "switch timestamps off");
+    checked(H5Pset_buffer(frugal, conversion_buffer, nullptr, nullptr), "set conversion buffer");
 }
 
 void Writer::numbers(std::string const& name, std::vector<double> const& values, char const* units) const
@@ -83,7 +90,8 @@ void Writer::numbers(std::string const& name, std::vector<double> const& values,
 
 void Writer::integers(std::string const& name, std::vector<int> const& values, char const* units) const
 {
-    dataset(name, {values.size()}, H5T_STD_I32LE, H5T_NATIVE_INT, values.data(), units);
+    auto const made = dataset(name, {values.size()}, H5T_STD_I32LE, units);
+    fill(made, H5T_NATIVE_INT, values.data(), H5P_DEFAULT);
 }
 
 void Writer::points(std::string const& name, std::vector<Vec2> const& points, char const* units) const
@@ -93,44 +101,46 @@ void Writer::points(std::string const& name, std::vector<Vec2> const& points, ch
 
 void Writer::array(std::string const& name, Shape const& shape, double const* values, char const* units) const
 {
-    dataset(name, shape, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, values, units);
+    auto const made = dataset(name, shape, H5T_IEEE_F64LE, units);
+    fill(made, H5T_NATIVE_DOUBLE, values, H5P_DEFAULT);
 }
 
 void Writer::texts(std::string const& name, std::vector<std::string> const& values, char const* units) const
 {
-    Type const type = variable_text();
-    dataset(name, {values.size()}, type, type, pointers(values).data(), units);
+    auto const made = dataset(name, {values.size()}, tools_->text, units);
+    fill(made, tools_->text, pointers(values).data(), tools_->frugal);
 }
 
-void Writer::dataset(std::string const& name, Shape const& shape, hid_t stored, hid_t given, void const* values,
-                     char const* units) const
+Dataset Writer::dataset(std::string const& name, Shape const& shape, hid_t stored, char const* units) const
 {
     Space const space = simple(shape);
-    Dataset const made(
-        H5Dcreate2(place_, name.c_str(), stored, space, H5P_DEFAULT, timeless(H5P_DATASET_CREATE), H5P_DEFAULT),
-        "create dataset");
-    Writer(made).attribute("units", std::string(units));
+    Dataset made(H5Dcreate2(place_, name.c_str(), stored, space, H5P_DEFAULT, tools_->timeless, H5P_DEFAULT),
+                 "create dataset");
+    Writer(made, *tools_).attribute("units", std::string(units));
+    return made;
+}
+
+void Writer::fill(hid_t dataset, hid_t given, void const* values, hid_t transfer) const
+{
+    Space const space(H5Dget_space(dataset), "get dataspace");
     if (H5Sget_simple_extent_npoints(space) > 0) {
-        Properties const transfer(H5Pcreate(H5P_DATASET_XFER), "create properties");
-        checked(H5Pset_buffer(transfer, conversion_buffer, nullptr, nullptr), "set conversion buffer");
-        checked(H5Dwrite(made, given, H5S_ALL, H5S_ALL, transfer, values), "write dataset");
+        checked(H5Dwrite(dataset, given, H5S_ALL, H5S_ALL, transfer, values), "write dataset");
     }
 }
 
 void Writer::attribute(std::string const& name, std::string const& text) const
 {
-    Type const type = variable_text();
     char const* const pointer = text.c_str();
-    scalar(name, type, type, &pointer);
+    scalar(name, tools_->text, tools_->text, &pointer);
 }
 
 void Writer::attribute(std::string const& name, std::vector<std::string> const& texts) const
 {
-    Type const type = variable_text();
     Space const space = simple({texts.size()});
-    Attribute const made(H5Acreate2(place_, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), "create attribute");
+    Attribute const made(H5Acreate2(place_, name.c_str(), tools_->text, space, H5P_DEFAULT, H5P_DEFAULT),
+                         "create attribute");
     if (!texts.empty()) {
-        checked(H5Awrite(made, type, pointers(texts).data()), "write attribute");
+        checked(H5Awrite(made, tools_->text, pointers(texts).data()), "write attribute");
     }
 }
 
@@ -152,8 +162,8 @@ void Writer::flag(std::string const& name, bool value) const
 
 void Writer::scalar(std::string const& name, hid_t stored, hid_t given, void const* value) const
 {
-    Space const space(H5Screate(H5S_SCALAR), "create dataspace");
-    Attribute const made(H5Acreate2(place_, name.c_str(), stored, space, H5P_DEFAULT, H5P_DEFAULT), "create attribute");
+    Attribute const made(H5Acreate2(place_, name.c_str(), stored, tools_->scalar, H5P_DEFAULT, H5P_DEFAULT),
+                         "create attribute");
     checked(H5Awrite(made, given, value), "write attribute");
 }
 
