@@ -53,8 +53,10 @@ class Converter
             raw.entries = entries(*table);
         } else if (auto const text = node.value_exact<std::string>()) {
             raw.text = *text;
-        } else if (node.is_number()) {
-            raw.number = node.value<double>().value_or(0);
+        } else if (auto const* const integer = node.as_integer()) {
+            raw.number = static_cast<double>(integer->get());
+        } else if (auto const* const number = node.as_floating_point()) {
+            raw.number = number->get();
         }
         return raw;
     }

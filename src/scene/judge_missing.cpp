@@ -120,6 +120,11 @@ void judge_missing(Judgement& judgement)
     }
 }
 
+bool is_of_tooth_or_curve(Fault const& fault)
+{
+    return is_geometry_key(fault.path) && !fault.path.starts_with("circular_spline.");
+}
+
 bool geometry_is_known(Judgement const& judgement)
 {
     auto const& known = judgement.reading.known;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <iterator>
 #include <optional>
 #include <utility>
@@ -151,8 +152,9 @@ SceneReading judge_scene(RawValue const& root, SceneFamilies const& families)
     }
     detail::judge_missing(judgement);
     auto& reading = judgement.reading;
-    reading.geometry_known = detail::geometry_is_known(judgement);
     auto crossed = cross_faults(reading);
+    reading.geometry_known = detail::geometry_is_known(judgement) &&
+                             std::none_of(crossed.begin(), crossed.end(), detail::is_of_tooth_or_curve);
     std::move(crossed.begin(), crossed.end(), std::back_inserter(reading.faults));
     sort_by_place(reading.faults);
     return std::move(reading);

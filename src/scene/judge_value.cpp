@@ -201,7 +201,7 @@ std::string base_expectation(ParameterSpec const& spec)
         case Quantity::length:
             return "a length in mm";
         case Quantity::positive_length:
-            return "a length in mm above 0";
+            return std::isfinite(spec.at_least) ? "a length in mm" : "a length in mm above 0";
         case Quantity::nonnegative_length:
             return "a length in mm, 0 or more";
         case Quantity::angle_deg:

@@ -62,6 +62,9 @@ void judge_missing(Judgement& judgement);
 [[nodiscard]] ParameterSpec with_family_names(SceneFamilies const& families, TableSpec const& table,
                                               ParameterSpec spec);
 
+/// Whether @p fault is about what tooth and neutral curve are built from.
+[[nodiscard]] bool is_of_tooth_or_curve(Fault const& fault);
+
 /// Whether all that builds tooth and neutral curve was given and is right.
 [[nodiscard]] bool geometry_is_known(Judgement const& judgement);
 

@@ -31,8 +31,13 @@ std::string escaped(unsigned char byte)
 
 std::string number_text(double value)
 {
+    constexpr double least_plain = 1e-4;
+    constexpr double first_long = 1e7;
+    double const size = std::abs(value);
+    bool const plain = value == 0 || (size >= least_plain && size < first_long);
     std::array<char, 32> buffer{};  // the longest shortest double has 24 characters
-    auto const result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    auto const format = plain ? std::chars_format::fixed : std::chars_format::general;
+    auto const result = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, format);
     return {buffer.data(), result.ptr};
 }
 

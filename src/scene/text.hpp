@@ -13,7 +13,7 @@
 
 namespace hdconj::detail {
 
-/// Shortest decimal text that reads back as @p value.
+/// Shortest decimal text that reads back as @p value; with an exponent only when very small or large.
 [[nodiscard]] std::string number_text(double value);
 
 /// @p text in double quotes.
