@@ -2,9 +2,12 @@
 // The verb `solve`: which files, in which order, and what is said about them.
 #include "hdconj/pipeline/solve.hpp"
 
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <cctype>
 #include <chrono>
+#include <csignal>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -44,7 +47,8 @@ struct Job
 bool same_file(fs::path const& a, fs::path const& b)
 {
     std::error_code error;
-    return fs::equivalent(a, b, error) || fs::weakly_canonical(a, error) == fs::weakly_canonical(b, error);
+    return fs::equivalent(a, b, error) ||
+           fs::weakly_canonical(fs::absolute(a), error) == fs::weakly_canonical(fs::absolute(b), error);
 }
 
 /// A file name made of a drive's name: letters of any script, digits, and "._-" stay.
@@ -116,32 +120,56 @@ WrittenFile run(Job const& job, Solution const& solution)
     return {job.kind, job.file, taken.count()};
 }
 
-/// Standard output carries data: a full disk behind it is a failure like any other.
-void print(std::string const& text)
+/// On a terminal, names the stage that runs, over and over in one line; where nobody looks it says nothing.
+class Progress
 {
-    std::cout << text << std::flush;
-    if (!std::cout) {
-        throw FileError("standard output", "cannot write");
+  public:
+    explicit Progress(bool wanted) : shown_(wanted && ::isatty(STDERR_FILENO) == 1) {}
+    ~Progress() { clear(); }
+    Progress(Progress const&) = delete;
+    Progress& operator=(Progress const&) = delete;
+
+    void say(std::string const& what) const
+    {
+        if (shown_) {
+            std::cerr << erase_line << what << " ..." << std::flush;
+        }
     }
-}
+    void clear() const
+    {
+        if (shown_) {
+            std::cerr << erase_line << std::flush;
+        }
+    }
+
+  private:
+    static constexpr char const* erase_line = "\r\033[K";
+    bool shown_;
+};
 
 int run_solve(CommonOptions const& common, SolveOptions const& own)
 {
+    std::signal(SIGXFSZ, SIG_IGN);  // a limit on file size becomes a failed write, with its reason
     Scene const scene = load_scene(common);
     auto const jobs = jobs_of(own, scene);
     check_jobs(jobs, common.scene);
-    Solution const solution = solve(scene);
+    Progress const progress(!common.quiet);
+    Solution const solution = solve(scene, [&](Stage stage) { progress.say(to_string(stage)); });
     std::vector<WrittenFile> written;
     for (auto const& job : jobs) {
+        progress.say(job.kind);
         written.push_back(run(job, solution));
-        if (!common.quiet && common.json) {
-            std::cerr << "wrote " << job.file.string() << '\n';
-        }
     }
+    progress.clear();
     if (common.json) {
-        print(summary_json(solution, written));
+        std::cout << summary_json(solution, written);
     } else if (!common.quiet) {
-        print(summary_text(solution, written));
+        std::cout << summary_text(solution, written);
+    }
+    if (common.json && !common.quiet) {
+        for (auto const& each : written) {
+            std::cerr << "wrote " << each.file.string() << '\n';
+        }
     }
     return exit_done;
 }

@@ -8,11 +8,13 @@
 #include <iterator>
 #include <numbers>
 
+#include "picture_frame.hpp"
 #include "picture_lines.hpp"
 
 namespace hdconj {
 namespace {
 
+using picture::Window;
 using Polylines = std::vector<std::vector<Vec2>>;
 
 // Colours that stay apart for colour-blind eyes and in grey print.
@@ -25,20 +27,9 @@ constexpr char const* colour_regular_unused = "#9ccbe6";
 constexpr char const* colour_corner = "#d55e00";
 constexpr char const* colour_corner_unused = "#efb790";
 
-constexpr double picture_width = 1000;  // [px]
-constexpr double frame_sides = 130;     // [px], what axes and labels need beside the drawing
-constexpr double frame_ends = 230;      // [px], above and below: title, labels, legend
-constexpr double seen_pitches = 1.06;   // width of the drawing in pitches
-constexpr double margin = 0.16;         // above and below, in depths of the tooth space
-constexpr double finest_detail = 0.1;   // [px], what thinning may move a line
-
-/// What is seen, in the circular-spline frame [mm].
-struct Window
-{
-    double left = 0, right = 0, low = 0, high = 0;
-    [[nodiscard]] double scale() const { return (picture_width - frame_sides) / (right - left); }    // [px/mm]
-    [[nodiscard]] double height() const { return std::round((high - low) * scale() + frame_ends); }  // [px]
-};
+constexpr double seen_pitches = 1.06;  // width of the drawing in pitches
+constexpr double margin = 0.16;        // above and below, in depths of the tooth space
+constexpr double finest_detail = 0.1;  // [px], what thinning may move a line
 
 /// The slice nearest to z = 0; empty where nothing was assembled.
 std::vector<Vec2> middle_outline(CircularSplineOutline const& spline)
@@ -119,11 +110,14 @@ std::vector<Vec2> material(std::vector<Vec2> outline, Window const& window)
     return outline;
 }
 
-/// Collects data blocks and the plot command; leaves out what is empty.
+/// Collects data blocks, the plot command and the legend; leaves out what is empty.
 class Plot
 {
   public:
-    void add(Polylines const& lines, std::string const& look, std::string const& legend)
+    explicit Plot(Window const& window) : window_(window) {}
+
+    /// @param legend  left out where empty; lines only
+    void add(Polylines const& lines, std::string const& with, std::string const& look, std::string const& legend)
     {
         std::string block;
         for (auto const& line : lines) {
@@ -138,51 +132,40 @@ class Plot
         ++count_;
         data_ += fmt::format("$data{} << END\n{}END\n", count_, block);
         command_ += fmt::format("{} $data{} using 1:2 with {} {}", command_.empty() ? "plot" : ", \\\n    ", count_,
-                                look, legend.empty() ? "notitle" : "title " + gnuplot_quoted(legend));
+                                with, look);
+        if (!legend.empty()) {
+            add_legend(look, legend);
+        }
     }
-    [[nodiscard]] std::string text() const { return data_ + command_ + '\n'; }
+    void add(Polylines const& lines, std::string const& look, std::string const& legend)
+    {
+        add(lines, "lines", look, legend);
+    }
+    [[nodiscard]] std::string text() const { return data_ + legend_ + command_ + '\n'; }
 
   private:
-    std::string data_, command_;
-    int count_ = 0;
+    /// Drawn here: gnuplot's own legend depends on guesses of text widths, which differ between SVG and PNG.
+    void add_legend(std::string const& look, std::string const& text)
+    {
+        constexpr int columns = 2;
+        constexpr double below_axis = 92, row_height = 25, sample = 42, gap = 12;  // [px]
+        double const column_width = (picture::width - picture::left_margin - picture::right_margin) / columns;
+        double const x = picture::left_margin + entries_ % columns * column_width;
+        double const y = window_.height() - picture::bottom_margin + below_axis + entries_ / columns * row_height;
+        legend_ +=
+            fmt::format("set arrow from {} to {} nohead {}\nset label {} at {} noenhanced\n", window_.screen(x, y),
+                        window_.screen(x + sample, y), look, gnuplot_quoted(text), window_.screen(x + sample + gap, y));
+        ++entries_;
+    }
+
+    Window window_;
+    std::string data_, legend_, command_;
+    int count_ = 0, entries_ = 0;
 };
 
 std::string line(char const* colour, double width, char const* dash = "solid")
 {
-    return fmt::format("lines linecolor rgb '{}' linewidth {} dashtype {}", colour, width, dash);
-}
-
-std::string terminal(PictureFormat format, Window const& window)
-{
-    constexpr int font_size = 15;
-    if (format == PictureFormat::svg) {
-        return fmt::format(
-            "set terminal svg size {},{} fixed font 'DejaVu Sans,{}' background rgb 'white' linewidth 1 dashlength 1\n",
-            picture_width, window.height(), font_size);
-    }
-    constexpr int finer = 2;  // for screens with many pixels
-    return fmt::format("set terminal pngcairo size {},{} font 'DejaVu Sans,{}' fontscale 1 linewidth {} dashlength 1\n",
-                       finer * picture_width, finer * window.height(), 0.75 * finer * font_size, finer);
-}
-
-std::string frame(Solution const& solution, Window const& window)
-{
-    auto const& drive = solution.scene.drive;
-    auto const title = fmt::format(
-        "{}: circular spline that meshes with the flexspline (z_f {}, z_c {}, m {:g} mm, w0 {:g} mm)", drive.name,
-        drive.flexspline_teeth, drive.circular_spline_teeth, drive.module, solution.geometry.w0);
-    return fmt::format(
-        "set encoding utf8\n"
-        "set title {} noenhanced offset 0,0.3\n"
-        "set xlabel 'x [mm], across the tooth space' noenhanced offset 0,0.4\n"
-        "set ylabel 'y [mm], from the axis of the drive' noenhanced offset -0.5,0\n"
-        "set xrange [{:.6f}:{:.6f}]\nset yrange [{:.6f}:{:.6f}]\n"
-        "set size ratio -1\n"
-        "set border 3 linecolor rgb '#808080' linewidth 0.8\n"
-        "set tics nomirror out scale 0.6 textcolor rgb '#303030'\n"
-        "set format '%.1f'\nset xtics 0.1\nset ytics 0.1\n"
-        "set key noenhanced outside bottom center horizontal Left reverse maxcols 2 samplen 2.6 spacing 1.25 width 2\n",
-        gnuplot_quoted(title), window.left, window.right, window.low, window.high);
+    return fmt::format("linecolor rgb '{}' linewidth {} dashtype {}", colour, width, dash);
 }
 
 }  // namespace
@@ -193,22 +176,23 @@ std::string picture_script(Solution const& solution, PictureFormat format)
     Window const window = window_of(solution, outline);
     double const tolerance = finest_detail / window.scale();
     auto const thin = [&](Polylines const& lines) { return thinned(lines, tolerance); };
-    Plot plot;
-    plot.add({material(outline, window)},
-             fmt::format("filledcurves closed fillstyle solid noborder linecolor rgb '{}'", colour_material), "");
+    auto const& geometry = solution.geometry;
+    Plot plot(window);
+    plot.add({material(outline, window)}, "filledcurves closed",
+             fmt::format("fillstyle solid noborder linecolor rgb '{}'", colour_material), "");
     plot.add(thin(solution.tooth_family), line(colour_family, 0.7),
              fmt::format("flexspline tooth, {} positions", solution.tooth_family.size()));
     plot.add(thin(branches(solution, false, false)), line(colour_regular_unused, 1.6), "envelope, not on the boundary");
-    plot.add(thin(branches(solution, true, false)), line(colour_corner_unused, 1.4, "(6,4)"),
-             "path of a tooth corner, not on the boundary");
     plot.add({tip_circle(solution, window)}, line(colour_tooth, 0.9, "(12,4,2,4)"),
              "tip circle of the circular spline");
     plot.add(thin({tooth_at_major_axis(solution)}), line(colour_tooth, 1.4), "flexspline tooth at the major axis");
     plot.add(thin({outline}), line(colour_outline, 4.2), "circular spline");
     plot.add(thin(branches(solution, false, true)), line(colour_regular, 1.9), "envelope on the boundary");
     plot.add(thin(branches(solution, true, true)), line(colour_corner, 1.9, "(6,4)"),
-             "path of a tooth corner on the boundary");
-    return terminal(format, window) + frame(solution, window) + plot.text();
+             "path of a tooth corner, on the boundary");
+    plot.add(thin(branches(solution, true, false)), line(colour_corner_unused, 1.4, "(6,4)"),
+             "path of a tooth corner, not on the boundary");
+    return picture::terminal(format, window) + picture::frame(window, solution.scene.drive, geometry.w0) + plot.text();
 }
 
 }  // namespace hdconj

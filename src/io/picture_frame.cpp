@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "picture_frame.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "picture_lines.hpp"
+
+namespace hdconj::picture {
+namespace {
+
+constexpr double heading_y = 26, subject_y = 50;  // [px] from above
+
+std::string title(Window const& window, Drive const& drive, double w0)
+{
+    auto const subject = fmt::format(
+        "tooth space of the circular spline, swept by the flexspline:  m {:g} mm,  z_f {},  z_c {},  w0 {:g} mm",
+        drive.module, drive.flexspline_teeth, drive.circular_spline_teeth, w0);
+    return fmt::format(
+        "set label {} at {} noenhanced\n"
+        "set label {} at {} noenhanced textcolor rgb '#404040'\n",
+        gnuplot_quoted(drive.name), window.screen(left_margin, heading_y), gnuplot_quoted(subject),
+        window.screen(left_margin, subject_y));
+}
+
+/// Decimals that numbers in steps of @p step need.
+int decimals_of(double step)
+{
+    constexpr double rounding = 1e-9;  // log10(0.001) may be a little below -3
+    return std::max(0, -static_cast<int>(std::floor(std::log10(step) + rounding)));
+}
+
+}  // namespace
+
+std::string Window::screen(double x, double y) const
+{
+    return fmt::format("screen {:.6f},{:.6f}", x / width, 1 - y / height());
+}
+
+double tic_step(double range)
+{
+    constexpr double wanted = 8;
+    double const power = std::pow(10.0, std::floor(std::log10(range / wanted)));
+    double const rest = range / wanted / power;
+    return power * (rest < 1.5 ? 1 : rest < 3.5 ? 2 : rest < 7.5 ? 5 : 10);
+}
+
+std::string terminal(PictureFormat format, Window const& window)
+{
+    if (format == PictureFormat::svg) {
+        return fmt::format("set terminal svg size {},{} fixed font 'DejaVu Sans,{}' background rgb 'white'\n", width,
+                           window.height(), font_size);
+    }
+    constexpr int finer = 2;               // for screens with many pixels
+    constexpr double point_per_px = 0.75;  // cairo takes sizes in points
+    return fmt::format("set terminal pngcairo size {},{} font 'DejaVu Sans,{}' linewidth {} dashlength {}\n",
+                       finer * width, finer * window.height(), point_per_px * finer * font_size, finer, finer);
+}
+
+std::string frame(Window const& window, Drive const& drive, double w0)
+{
+    double const step = tic_step(window.right - window.left);
+    return fmt::format(
+               "set encoding utf8\n"
+               "set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\n"
+               "set bmargin at screen {:.6f}\nset tmargin at screen {:.6f}\n"
+               "set xrange [{:.6f}:{:.6f}]\nset yrange [{:.6f}:{:.6f}]\n"
+               "set format '%.{}f'\nset xtics {:g}\nset ytics {:g}\n"
+               "set xlabel 'x [mm], across the tooth space' noenhanced\n"
+               "set ylabel 'y [mm], from the axis of the drive' noenhanced\n"
+               "set border 3 linecolor rgb '#808080' linewidth 0.8\n"
+               "set tics nomirror out scale 0.6 textcolor rgb '#303030'\n"
+               "unset key\n",
+               left_margin / width, 1 - right_margin / width, bottom_margin / window.height(),
+               1 - top_margin / window.height(), window.left, window.right, window.low, window.high, decimals_of(step),
+               step, step) +
+           title(window, drive, w0);
+}
+
+}  // namespace hdconj::picture
