@@ -6,7 +6,9 @@
 
 Checks the layout of docs/hdf5.md and that the DXF file is sound and says the same. Prints one line, or what is wrong.
 """
+import re
 import sys
+from pathlib import Path
 
 import h5py
 import numpy as np
@@ -79,6 +81,23 @@ def check_branches(file):
     return len(names)
 
 
+def check_documented(file):
+    text = (Path(__file__).parents[2] / "docs" / "hdf5.md").read_text()
+    known = set(re.findall(r"`([^`]+)`", text)) | {n.split("/")[-1] for n in re.findall(r"`(/[^`]+)`", text)}
+    found = set(file.attrs)
+
+    def look(name, item):
+        last = name.split("/")[-1]
+        if isinstance(item, h5py.Dataset):
+            found.add(last)
+        elif not last.startswith("branch_"):
+            want(f"/{last}" in text or f"/{name}" in text, f"docs/hdf5.md does not name the group {name}")
+        found.update(item.attrs)
+
+    file.visititems(look)
+    want(found <= known, f"docs/hdf5.md does not name {sorted(found - known)}")
+
+
 def polylines(file, layer):
     return [[v.dxf.location for v in e.vertices] for e in file.modelspace().query("POLYLINE") if e.dxf.layer == layer]
 
@@ -110,10 +129,12 @@ def main(arguments):
         datasets = check_units(file)
         check_shapes(file)
         branches = check_branches(file)
+        check_documented(file)
         want("r_0_mm" in file["summary"].attrs, "no summary")
         if len(arguments) > 1:
             check_dxf(arguments[1], file)
-    print(*faults, sep="\n")
+    if faults:
+        print(*faults, sep="\n")
     print(f"{datasets} datasets, {branches} branches, {len(faults)} faults")
     return 1 if faults or datasets == 0 else 0
 

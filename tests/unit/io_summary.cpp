@@ -1,12 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "hdconj/io/result_files.hpp"
 #include "support/catch.hpp"
 #include "support/sample_solution.hpp"
+#include "support/temporary_folder.hpp"
 
 using namespace hdconj;
+
+namespace {
+
+/// All keys of @p json at any depth.
+void collect_keys(nlohmann::json const& json, std::set<std::string>& keys)
+{
+    for (auto const& [key, value] : json.items()) {
+        if (json.is_object()) {
+            keys.insert(key);
+        }
+        if (value.is_structured()) {
+            collect_keys(value, keys);
+        }
+    }
+}
+
+}  // namespace
 
 TEST_CASE("the text names what a designer looks for")
 {
@@ -60,4 +79,15 @@ TEST_CASE("JSON has null where there is no number, and no clearance where none w
 TEST_CASE("a file name that is not UTF-8 does not break the JSON")
 {
     CHECK_NOTHROW(nlohmann::json::parse(summary_json(Solution{}, {{"hdf5", "a\xff.h5", 0}})));
+}
+
+TEST_CASE("docs/json.md names every key")
+{
+    auto const document = test::content(HDCONJ_SOURCE_DIR "/docs/json.md");
+    std::set<std::string> keys;
+    collect_keys(nlohmann::json::parse(summary_json(sample::solution(), {{"hdf5", "a", 0}, {"dxf", "b", 0}})), keys);
+    CHECK(keys.size() > 60);
+    for (auto const& key : keys) {
+        CHECK_THAT(document, Catch::Contains("`" + key + "`"));
+    }
 }
