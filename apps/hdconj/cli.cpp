@@ -44,7 +44,10 @@ SceneReading read(CommonOptions const& common)
 
 void add_scene_options(CLI::App& verb, CommonOptions& common)
 {
-    verb.add_option("SCENE", common.scene, "scene file in TOML; - for standard input; absent: the built-in drive");
+    // An empty name, as from an unset shell variable, must not quietly mean the built-in drive.
+    auto const not_empty = [](std::string const& name) { return name.empty() ? std::string("an empty name") : ""; };
+    verb.add_option("SCENE", common.scene, "scene file in TOML; - for standard input; absent: the built-in drive")
+        ->check(not_empty);
     verb.add_option("--set", common.overrides,
                     "change a key of the scene, such as --set flexspline.wall=0.8; repeatable")
         ->type_name("KEY=VALUE")

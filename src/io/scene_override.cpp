@@ -24,11 +24,18 @@ bool is_key_character(char c)
     return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
 }
 
+std::string_view without_blanks(std::string_view text)
+{
+    std::size_t const first = text.find_first_not_of(' ');
+    return first == std::string_view::npos ? std::string_view{}
+                                           : text.substr(first, text.find_last_not_of(' ') - first + 1);
+}
+
 /// The parts of "a.b.c"; empty when that is no key path.
 std::vector<std::string> parts_of(std::string_view path)
 {
     std::vector<std::string> parts{""};
-    for (char const c : path) {
+    for (char const c : without_blanks(path)) {
         if (c == '.') {
             parts.emplace_back();
         } else if (is_key_character(c)) {
@@ -90,7 +97,7 @@ std::optional<Fault> set_value(toml::table& document, std::string const& given, 
         return fault_of(given, "no key path before the = sign",
                         "write --set key.path=value, such as --set flexspline.wall=0.8");
     }
-    std::string const value = given.substr(equals + 1);
+    std::string const value(without_blanks(std::string_view(given).substr(equals + 1)));
     auto table = parsed(value);
     if (!table && is_bare_word(value)) {
         table = parsed(in_quotes(value));

@@ -45,28 +45,28 @@ ParameterSpec choice(std::string_view key, std::string_view meaning, std::vector
 
 TableSpec drive()
 {
-    return {
-        "drive",
-        "the pair of gears",
-        Presence::required,
-        FamilyKind::none,
-        {{optional("name", Q::text, "name of the drive, for results"), "\"type-50\"", std::string("unnamed"),
-          [](Scene& s, Parameter const& p) { s.drive.name = word(p); }},
-         {required("module", Q::positive_length, "module", bounds::least_module, bounds::largest_module),
-          "0.25",
-          {},
-          [](Scene& s, Parameter const& p) { s.drive.module = number(p); }},
-         {required("flexspline_teeth", Q::count, "teeth of the flexspline", bounds::fewest_teeth, bounds::most_teeth),
-          "200",
-          {},
-          [](Scene& s, Parameter const& p) { s.drive.flexspline_teeth = count(p); }},
-         {required("circular_spline_teeth", Q::count,
-                   "teeth of the circular spline: flexspline_teeth plus a positive multiple of waves",
-                   bounds::fewest_teeth, bounds::most_teeth),
-          "202",
-          {},
-          [](Scene& s, Parameter const& p) { s.drive.circular_spline_teeth = count(p); }}},
-        nullptr};
+    return {"drive",
+            "the pair of gears",
+            Presence::required,
+            FamilyKind::none,
+            {{optional("name", Q::text, "name of the drive, for results and file names"), "\"type-50\"",
+              std::string("unnamed"), [](Scene& s, Parameter const& p) { s.drive.name = word(p); }},
+             {required("module", Q::positive_length, "module, m", bounds::least_module, bounds::largest_module),
+              "0.25",
+              {},
+              [](Scene& s, Parameter const& p) { s.drive.module = number(p); }},
+             {required("flexspline_teeth", Q::count, "teeth of the flexspline, z_f", bounds::fewest_teeth,
+                       bounds::most_teeth),
+              "200",
+              {},
+              [](Scene& s, Parameter const& p) { s.drive.flexspline_teeth = count(p); }},
+             {required("circular_spline_teeth", Q::count,
+                       "teeth of the circular spline, z_c: flexspline_teeth plus a positive multiple of waves",
+                       bounds::fewest_teeth, bounds::most_teeth),
+              "202",
+              {},
+              [](Scene& s, Parameter const& p) { s.drive.circular_spline_teeth = count(p); }}},
+            nullptr};
 }
 
 TableSpec flexspline()
@@ -75,7 +75,7 @@ TableSpec flexspline()
             "the toothed ring of the flexspline",
             Presence::required,
             FamilyKind::none,
-            {{required("wall", Q::positive_length, "wall thickness under the teeth"),
+            {{required("wall", Q::positive_length, "wall thickness under the teeth, delta"),
               "0.7",
               {},
               [](Scene& s, Parameter const& p) { s.flexspline.wall = number(p); }},
@@ -118,7 +118,7 @@ TableSpec wave_generator()
                   s.wave_generator.shape.family = word(p);
                   s.wave_generator.shape.line = p.line;
               }},
-             {optional("waves", Q::count, "waves around the circumference", 1, bounds::most_waves), "2", 2.0,
+             {optional("waves", Q::count, "waves around the circumference, n", 1, bounds::most_waves), "2", 2.0,
               [](Scene& s, Parameter const& p) { s.wave_generator.waves = count(p); }}},
             [](Scene& s, int) { s.wave_generator.shape.path = "wave_generator"; }};
 }

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program from outside: exit status, what goes to standard output, what to standard error.
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "hdconj/io/scene_toml.hpp"
+#include "support/catch.hpp"
+#include "support/run_program.hpp"
+
+namespace {
+
+using namespace hdconj;
+using test::Outcome;
+using test::TemporaryFolder;
+
+constexpr int done = 0;
+constexpr int failed = 1;
+constexpr int refused = 2;
+
+Outcome hdconj_run(std::string const& arguments, std::filesystem::path const& folder = ".")
+{
+    return test::run("'" HDCONJ_PROGRAM "' " + arguments, folder);
+}
+
+bool contains(std::string const& text, std::string const& part)
+{
+    return text.find(part) != std::string::npos;
+}
+
+void write(std::filesystem::path const& file, std::string const& text)
+{
+    std::ofstream(file, std::ios::binary) << text;
+}
+
+/// Bad input: status 2, nothing on standard output, and a message with @p part.
+void check_refused(Outcome const& outcome, std::string const& part)
+{
+    INFO(outcome.err);
+    CHECK(outcome.status == refused);
+    CHECK(outcome.out.empty());
+    CHECK(contains(outcome.err, part));
+}
+
+}  // namespace
+
+TEST_CASE("help and version go to standard output", "[program]")
+{
+    for (std::string const arguments : {"--help", "-h", "init --help", "check --help", "solve --help"}) {
+        auto const outcome = hdconj_run(arguments);
+        INFO(arguments);
+        CHECK(outcome.status == done);
+        CHECK(outcome.err.empty());
+        CHECK(contains(outcome.out, "Usage: hdconj"));
+    }
+    auto const help = hdconj_run("--help").out;
+    for (std::string const verb : {"init", "check", "solve"}) {
+        CHECK(contains(help, "\n  " + verb + " "));
+    }
+    CHECK(contains(help, "Examples:"));
+    CHECK(contains(hdconj_run("check --help").out, "double-circular-arc"));
+    CHECK(contains(hdconj_run("--version").out, "hdconj "));
+    CHECK(hdconj_run("--version").status == done);
+}
+
+TEST_CASE("a wrong command line is refused", "[program]")
+{
+    check_refused(hdconj_run(""), "Usage:");
+    check_refused(hdconj_run("chek"), "did you mean 'hdconj check'");
+    check_refused(hdconj_run("slove drive.toml"), "did you mean 'hdconj solve'");
+    check_refused(hdconj_run("drive.toml"), "after the verb");
+    check_refused(hdconj_run("check --bogus"), "--bogus");
+    check_refused(hdconj_run("check a.toml b.toml"), "b.toml");
+    check_refused(hdconj_run("check --set"), "--set");
+    check_refused(hdconj_run("check --threads -3"), "--threads");
+    check_refused(hdconj_run("check --threads many"), "--threads");
+    check_refused(hdconj_run("--bogus"), "--bogus");
+}
+
+TEST_CASE("init writes the built-in scene and never over a file", "[program]")
+{
+    TemporaryFolder const folder;
+    auto const first = hdconj_run("init", folder.path());
+    CHECK(first.status == done);
+    CHECK(first.out.empty());
+    CHECK(contains(first.err, "hdconj.toml"));
+    CHECK(test::content(folder / "hdconj.toml") == builtin_scene_text());
+
+    write(folder / "hdconj.toml", "mine");
+    check_refused(hdconj_run("init", folder.path()), "--force");
+    CHECK(test::content(folder / "hdconj.toml") == "mine");
+    CHECK(hdconj_run("init --force --quiet", folder.path()).err.empty());
+    CHECK(test::content(folder / "hdconj.toml") == builtin_scene_text());
+
+    CHECK(hdconj_run("init -").out == builtin_scene_text());
+    check_refused(hdconj_run("init .", folder.path()), "folder");
+    CHECK(hdconj_run("init no/such/folder.toml", folder.path()).status == failed);
+}
+
+TEST_CASE("check prints the plan of a right scene", "[program]")
+{
+    TemporaryFolder const folder;
+    CHECK(hdconj_run("init drive.toml", folder.path()).status == done);
+    auto const built_in = hdconj_run("check");
+    auto const file = hdconj_run("check drive.toml", folder.path());
+    auto const piped = test::run("'" HDCONJ_PROGRAM "' init - | '" HDCONJ_PROGRAM "' check -");
+    CHECK(built_in.status == done);
+    CHECK(built_in.err.empty());
+    CHECK(contains(built_in.out, "type-50"));
+    CHECK(contains(built_in.out, "envelope"));
+    CHECK(file.out == built_in.out);
+    CHECK(piped.out == built_in.out);
+    auto const plan = hdconj_run("check --plan").out;
+    CHECK_FALSE(contains(plan, "type-50"));
+    CHECK(contains(built_in.out, plan));
+    CHECK(hdconj_run("check --quiet").out.empty());
+    CHECK(contains(hdconj_run("check --set circular_spline.backlash_offset=0.02").out, "backlash_offset = 0.02 mm"));
+}
+
+TEST_CASE("check --json is one JSON object, also for a bad scene", "[program]")
+{
+    auto const good = nlohmann::json::parse(hdconj_run("check --json").out);
+    CHECK(good["faults"].empty());
+    CHECK(good["stages"].size() == 7);
+    auto const outcome = hdconj_run("check --json --set flexspline.wall=-1 --set drive.modul=1");
+    CHECK(outcome.status == refused);
+    auto const bad = nlohmann::json::parse(outcome.out);
+    CHECK(bad["faults"].size() == 2);
+    CHECK_FALSE(bad.contains("stages"));
+}
+
+TEST_CASE("files that are no scene are refused", "[program]")
+{
+    TemporaryFolder const folder;
+    write(folder / "empty.toml", "");
+    write(folder / "binary.toml", std::string("\x7f"
+                                              "ELF\0\0\0",
+                                              7));
+    write(folder / "huge.toml", std::string(std::size_t{17} << 20, ' '));
+    check_refused(hdconj_run("check .", folder.path()), "folder");
+    check_refused(hdconj_run("check missing.toml", folder.path()), "no such file");
+    check_refused(hdconj_run("check empty.toml", folder.path()), "empty");
+    check_refused(hdconj_run("check binary.toml", folder.path()), "binary");
+    check_refused(hdconj_run("check huge.toml", folder.path()), "16 MiB");
+    check_refused(hdconj_run("check /dev/zero"), "16 MiB");
+    check_refused(hdconj_run("check - </dev/null"), "empty");
+    check_refused(hdconj_run("check - </dev/zero"), "16 MiB");
+    check_refused(hdconj_run("check ''"), "");
+}
+
+TEST_CASE("a file without read permission is refused", "[program]")
+{
+    TemporaryFolder const folder;
+    write(folder / "secret.toml", std::string(builtin_scene_text()));
+    ::chmod(folder.path().c_str(), 0755);
+    ::chmod((folder / "secret.toml").c_str(), 0);
+    // Root may read everything: then the program runs as nobody, where that can be done.
+    std::string const as_nobody = "setpriv --reuid=65534 --regid=65534 --clear-groups ";
+    std::string const who = ::geteuid() == 0 ? as_nobody : "";
+    if (test::run(who + "test -x '" HDCONJ_PROGRAM "'").status != 0) {
+        WARN("skipped: this user may read everything");
+        return;
+    }
+    check_refused(test::run(who + "'" HDCONJ_PROGRAM "' check secret.toml", folder.path()), "no permission");
+}
+
+TEST_CASE("faults name file, line, key and remedy on standard error", "[program]")
+{
+    TemporaryFolder const folder;
+    write(folder / "drive.toml", "[drive]\nmodule = \"0.25\"\n");
+    auto const outcome = hdconj_run("check drive.toml", folder.path());
+    check_refused(outcome, "drive.toml");
+    CHECK(contains(outcome.err, "line 2: drive.module = \"0.25\": "));
+    CHECK(contains(outcome.err, "(write 0.25, a number without quotes)"));
+    CHECK(contains(outcome.err, "6 faults"));
+}
+
+TEST_CASE("solve refuses an effect that it does not compute; check prints the plan and refuses", "[program]")
+{
+    TemporaryFolder const folder;
+    check_refused(hdconj_run("solve --set tilt.angle_deg=0.2", folder.path()), "does not compute [tilt] yet");
+    CHECK(folder.names().empty());
+    auto const check = hdconj_run("check --set tilt.angle_deg=0.2");
+    CHECK(check.status == refused);
+    CHECK(contains(check.out, "envelope"));
+    CHECK(contains(check.err, "does not compute [tilt] yet"));
+}
+
+TEST_CASE("standard output that is closed, full or gone", "[program]")
+{
+    CHECK(hdconj_run("check >/dev/full").status == failed);
+    CHECK(contains(hdconj_run("check >/dev/full").err, "disk full"));
+    auto const piped = test::run("( '" HDCONJ_PROGRAM "' check; echo $? >&2 ) | true");
+    CHECK(piped.err == "0\n");
+    CHECK(hdconj_run("check >&-").status == failed);
+}
