@@ -217,8 +217,9 @@ class ToothSpaceFinder
             throw NumericalError("region", "tip circle", pointed(runs, floor));
         if (left == right)
             throw NumericalError("region", "tip circle",
-                                 "no tooth reaches the circular spline's tip circle (radius " + std::to_string(tip_radius_)
-                                     + " mm), so there is no tooth space; write a smaller circular_spline.inner_radius");
+                                 "the teeth never come down to the circular spline's tip circle (radius " + std::to_string(tip_radius_)
+                                     + " mm): what they sweep has no gap between tooth spaces, so there is no conjugate profile; a larger "
+                                       "wave_generator.radial_deformation, a smaller addendum or a larger circular_spline.inner_radius is needed");
         return {left, right + 1};
     }
 

@@ -25,9 +25,9 @@ struct Contact
     /// Positive: nearby positions of the tooth stay behind this point, so that it can bound the swept region.
     /// Zero: cusp of the envelope. Scaled by a positive factor.
     double bound = 0;
-    double bound_size = 0;     ///< sum of the magnitudes of the terms of `bound`
+    double bound_size = 0;     ///< size of the terms of `bound`, cancellations undone: its error is some roundings of this
     double turning = 0;        ///< df/du at the contact: zero where the contact reverses along the profile
-    double turning_size = 0;
+    double turning_size = 0;   ///< the same for `turning`
 };
 
 /// Contact of a circular arc or corner, offset by @p d.
@@ -54,9 +54,13 @@ struct Contact
     c.slowness = speed2;
     c.advance = s * speed * speed2 + r * (rates.twist.omega * speed2 - bend);
     c.bound = side * s * c.advance;
-    c.bound_size = speed * speed2 + std::abs(r) * (std::abs(rates.twist.omega) * speed2 + speed * v1.norm());
+    // first-order error propagation through the expressions above
+    double const v_size = rates.velocity_size(arc.centre);
+    double const bend_size = v1.norm() * v_size + speed * rates.velocity_change_size(arc.centre);
+    double const turn_size = 2 * std::abs(rates.twist.omega) * speed * v_size + rates.omega_size * speed2;
+    c.bound_size = 3 * speed2 * v_size + std::abs(r) * (turn_size + bend_size);
     c.turning = s * bend / speed;
-    c.turning_size = v1.norm();
+    c.turning_size = bend_size / speed;
     return c;
 }
 
@@ -73,11 +77,12 @@ struct Contact
     c.x = x + d * n;
     c.n = n;
     c.turning = n.dot(rates.change(x));
-    c.turning_size = rates.change(x).norm();
+    c.turning_size = rates.velocity_change_size(x);
     c.advance = f_s * slide_d - stretch * c.turning;
     c.slowness = f_s;
     c.bound = stretch > 0 ? c.advance : -std::abs(c.advance);
-    c.bound_size = (std::abs(k * slide) + std::abs(omega)) * std::abs(slide_d) + std::abs(stretch) * c.turning_size;
+    double const v_size = rates.velocity_size(x) + std::abs(d) * rates.omega_size;
+    c.bound_size = (std::abs(k) * v_size + rates.omega_size) * std::abs(slide_d) + std::abs(f_s) * v_size + std::abs(stretch) * c.turning_size;
     return c;
 }
 

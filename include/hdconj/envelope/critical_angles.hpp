@@ -35,8 +35,7 @@ void end_crossings(PieceShape const& shape, Motion const& motion, double a, doub
         constexpr int probes = 8;
         for (int i = 0; i <= probes; ++i)
         {
-            Twist const twist = motion.rates(a + (b - a) * i / probes).twist;
-            scale = std::max(scale, std::abs(twist.omega) * end.point.norm() + twist.q.norm());
+            scale = std::max(scale, motion.rates(a + (b - a) * i / probes).velocity_size(end.point));
         }
         RootSet const roots = all_roots(f, a, b, scale);
         record.evaluations += roots.evaluations;

@@ -52,9 +52,14 @@ class ExactMotion
         double const s1 = d.w1 * (rho + d.w2) / s;
         double const bend = rho * d.w2 - d.w1 * d.w1;
         double const bend1 = rho * d.w3 - d.w1 * d.w2;
+        double const w1 = std::abs(d.w1);
         return {{1 - k * s - bend / s2, {s - k * rho * rho, k * rho * d.w1}},
                 {-k * s1 - bend1 / s2 + 2 * bend * s1 / (s2 * s),
-                 {s1 - 2 * k * rho * d.w1, k * (d.w1 * d.w1 + rho * d.w2)}}};
+                 {s1 - 2 * k * rho * d.w1, k * (d.w1 * d.w1 + rho * d.w2)}},
+                1 + k * s + std::abs(bend) / s2,
+                s + k * rho * rho + k * rho * w1,
+                k * std::abs(s1) + std::abs(bend1) / s2 + 2 * std::abs(bend * s1) / (s2 * s),
+                std::abs(s1) + 2 * k * rho * w1 + k * (d.w1 * d.w1 + rho * std::abs(d.w2))};
     }
 
     [[nodiscard]] ToothAngles angles(double u) const { return {u, curve_.phi(u)}; }

@@ -50,7 +50,11 @@ class FirstOrderMotion
         double const c = std::cos(tilt);
         Vec2 const q{d.w1 * s + g * c, d.w1 * c - g * s};
         return {{gamma1 - tilt1, q},
-                {gamma2 - d.w3 / r_m_, {d.w2 * s + g1 * c + q.y() * tilt1, d.w2 * c - g1 * s - q.x() * tilt1}}};
+                {gamma2 - d.w3 / r_m_, {d.w2 * s + g1 * c + q.y() * tilt1, d.w2 * c - g1 * s - q.x() * tilt1}},
+                1 + k_ + (std::abs(d.w) + std::abs(d.w2)) / r_m_,
+                rho * (1 + k_) + std::abs(d.w1),
+                (std::abs(d.w1) + std::abs(d.w3)) / r_m_,
+                std::abs(d.w1) * (1 + k_) + std::abs(d.w1) + std::abs(d.w2)};
     }
 
     [[nodiscard]] ToothAngles angles(double phi) const { return {phi - shape_(phi).integral / r_m_, phi}; }

@@ -14,6 +14,17 @@ struct MotionRates
 {
     Twist twist;   ///< theta', q = R^T P'
     Twist change;  ///< d/du of theta' and of the components of q
+
+    /// Sizes of the terms that these are summed from: a rate is right to some roundings of its size. q is the difference
+    /// of two lengths near r_m, so its size is that of r_m and not its own.
+    double omega_size = 1;
+    double q_size = 1;
+    double omega_change_size = 1;
+    double q_change_size = 1;
+
+    /// Size of the terms of the velocity of a point, and of its change.
+    [[nodiscard]] double velocity_size(Vec2 const& x) const { return omega_size * x.norm() + q_size; }
+    [[nodiscard]] double velocity_change_size(Vec2 const& x) const { return omega_change_size * x.norm() + q_change_size; }
 };
 
 /// The tooth's polar angle u and undeformed angle phi [rad].

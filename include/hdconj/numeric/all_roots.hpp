@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <type_traits>
 #include <vector>
 
 #include "hdconj/numeric/bracketed_root.hpp"
@@ -42,8 +44,14 @@ class RootIsolation
     {
     }
 
-    void operator()(double a, double b, double fa, double fb)
+    /// @param tail_before  interpolation error on the interval that this one was cut from
+    void operator()(double a, double b, double fa, double fb, double tail_before)
     {
+        if (out_.evaluations > budget)
+        {
+            out_.certified = false;
+            return;
+        }
         double const middle = 0.5 * (a + b);
         double const half = 0.5 * (b - a);
         ChebyshevVector values;
@@ -55,14 +63,17 @@ class RootIsolation
         out_.evaluations += chebyshev_degree - 1;
         ChebyshevVector const c = chebyshev_coefficients(values);
         double const noise = 32 * unit_roundoff * scale_;
-        double const doubt = noise + 4 * chebyshev_tail(c);
+        double const tail = chebyshev_tail(c);
+        double const doubt = noise + 4 * tail;
         if (values.cwiseAbs().maxCoeff() <= noise)
         {
             out_.vanishes = true;
             out_.roots.push_back({middle, b - a, true});
             return;
         }
-        bool const resolved = chebyshev_tail(c) <= resolution * scale_;
+        // a smooth function's tail falls by 2^-15 with each cut; one that stays is the rounding error of f itself
+        bool const noise_reached = tail >= tail_before / 4 && tail <= noisiest * scale_;
+        bool const resolved = tail <= resolution * scale_ || noise_reached;
         if (resolved && std::abs(c[0]) > chebyshev_spread(c) + doubt)
             return;
         ChebyshevVector const d = chebyshev_derivative(c);
@@ -76,13 +87,15 @@ class RootIsolation
         double const cut = middle + split * half;
         double const f_cut = f_(cut);
         ++out_.evaluations;
-        (*this)(a, cut, fa, f_cut);
-        (*this)(cut, b, f_cut, fb);
+        (*this)(a, cut, fa, f_cut, tail);
+        (*this)(cut, b, f_cut, fb, tail);
     }
 
   private:
     static constexpr double split = -0.0097;
     static constexpr double resolution = 4096 * unit_roundoff;
+    static constexpr double noisiest = 0x1p-24;
+    static constexpr std::size_t budget = std::size_t{1} << 18;
 
     void monotone(double a, double b, double fa, double fb)
     {
@@ -122,6 +135,7 @@ class RootIsolation
 ///
 /// @param scale  size of the terms that f is summed from; sets what counts as roundoff of f
 /// Domain: f smooth on [a, b] (kinks end as (3)). Degenerate: f = 0 on a piece is reported as `vanishes`.
+/// Not smooth, or noisier than `scale` says: the work is bounded and `certified` is false.
 /// Accuracy: simple roots to the last bits that f supports.
 template<class F>
 [[nodiscard]] RootSet all_roots(F&& f, double a, double b, double scale)
@@ -132,7 +146,7 @@ template<class F>
     constexpr double smallest_share = 0x1p-44;
     detail::RootIsolation<std::remove_reference_t<F>> isolate(f, scale, (b - a) * smallest_share, found);
     found.evaluations = 2;
-    isolate(a, b, f(a), f(b));
+    isolate(a, b, f(a), f(b), std::numeric_limits<double>::infinity());
     // two neighbouring undecided pieces are one near-double root
     std::vector<IsolatedRoot> merged;
     for (IsolatedRoot const& root : found.roots)
