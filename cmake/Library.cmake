@@ -4,10 +4,6 @@
 function(hdconj_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "SOURCES;PUBLIC;PRIVATE")
   set(target hdconj_${name})
-  if(NOT arg_SOURCES)  # until the first file of its rooms is there
-    file(CONFIGURE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/${name}_is_empty.cpp" CONTENT "namespace hdconj {}\n")
-    set(arg_SOURCES "${CMAKE_CURRENT_BINARY_DIR}/${name}_is_empty.cpp")
-  endif()
   add_library(${target} ${arg_SOURCES})
   add_library(hdconj::${name} ALIAS ${target})
   target_compile_features(${target} PUBLIC cxx_std_20)

@@ -57,6 +57,6 @@ function(hdconj_tests folder)
     add_test(NAME ${folder}.parallel COMMAND ${program} "[parallel]" ${strict})
     set_tests_properties(${folder}.parallel PROPERTIES LABELS "${folder};parallel" TIMEOUT ${timeout})
   endif()
-  catch_discover_tests(${program} TEST_SPEC "${which}" TEST_PREFIX "${folder}: "
+  catch_discover_tests(${program} TEST_SPEC "${which}" TEST_PREFIX "${folder}."
                        PROPERTIES LABELS ${folder} TIMEOUT ${timeout})
 endfunction()
