@@ -15,6 +15,9 @@ namespace hdconj::detail {
 /// @throws InputError when it cannot be read or is too large
 [[nodiscard]] std::string read_scene_text(std::filesystem::path const& file);
 
+/// The fault of a scene above largest_scene.
+[[nodiscard]] Fault too_large(std::string const& name);
+
 /// Why @p text, called @p name, must not go to the parser: binary, too large, keys nested without end. Empty when it
 /// may.
 [[nodiscard]] Faults unparsable(std::string_view text, std::string const& name);

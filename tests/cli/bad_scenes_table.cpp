@@ -230,6 +230,8 @@ std::vector<BadScene> const& wrong_texts()
         {"key twice", "", "[drive]\nmodule = 1\nmodule = 2\n", "module", "redefine", "keep one"},
         {"table twice", "", "[drive]\nmodule = 1\n[drive]\n", "scene", "redefine", "keep one"},
         {"bracket forgotten", "", "[drive\nmodule = 1\n", "scene", "column", "[table]"},
+        {"header without a name", "", "# a\n[}rive]\nmodule = 1\n", "scene", "column", "[table]"},
+        {"header of a list without a name", "", "[[ ]]\n", "scene", "column", "[table]"},
         {"prose", "", "dear hdconj, please solve this drive\n", "scene", "column", "key = value"},
         {"string not ended", "", "[drive]\nname = \"type\n", "name", "column", "double quotes"},
         {"number beyond 64 bits", "", "[drive]\nmodule = 99999999999999999999999999\n", "module", "column",
@@ -275,7 +277,7 @@ std::vector<BadScene> const& wrong_texts()
              }
              return text;
          }(),
-         "scene", "keys", "flexspline.profile.addendum"},
+         "scene", "keys", "hdconj init"},
         {"17 MiB", "", std::string(std::size_t{17} << 20, '#'), "scene", "16 MiB", "hdconj init"},
     };
     return rows;
