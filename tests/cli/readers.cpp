@@ -55,7 +55,7 @@ TEST_CASE("h5dump reads every dataset")
     auto const dump = run("h5dump a.h5", folder.path());
     CHECK(dump.status == 0);
     CHECK(dump.err.empty());
-    CHECK_THAT(dump.out, Catch::Contains("neutral_curve") && Catch::Contains("branch_001"));
+    CHECK_THAT(dump.out, ContainsSubstring("neutral_curve") && ContainsSubstring("branch_001"));
 }
 
 TEST_CASE("SVG pictures are well-formed")

@@ -35,7 +35,7 @@ TEST_CASE("solve writes the drive's name and says so")
     auto const done = solve("", folder);
     CHECK(done.status == 0);
     CHECK(done.err.empty());
-    CHECK_THAT(done.out, Catch::Contains("200/202") && Catch::Contains("type-50.h5") && Catch::Contains("-2.567 um"));
+    CHECK_THAT(done.out, ContainsSubstring("200/202") && ContainsSubstring("type-50.h5") && ContainsSubstring("-2.567 um"));
     CHECK(folder.names() == std::vector<std::string>{"type-50.h5"});
 }
 
@@ -76,7 +76,7 @@ TEST_CASE("targets that are bad input are refused with 2, before anything is wri
     auto const refused = solve(arguments, folder);
     INFO(arguments);
     CHECK(refused.status == 2);
-    CHECK_THAT(refused.err, Catch::Contains(said));
+    CHECK_THAT(refused.err, ContainsSubstring(said));
     CHECK(refused.out.empty());
     CHECK(folder.names() == before);
 }
@@ -94,7 +94,7 @@ TEST_CASE("targets that cannot be written end with 1 and the reason")
     auto const failed = solve(arguments, folder);
     INFO(arguments);
     CHECK(failed.status == 1);
-    CHECK_THAT(failed.err, Catch::Contains(said));
+    CHECK_THAT(failed.err, ContainsSubstring(said));
     CHECK(failed.out.empty());
 }
 
@@ -105,7 +105,7 @@ TEST_CASE("a limit on file size is told and leaves the old result")
     auto const before = content(folder / "a.h5");
     auto const failed = hdconj::test::run("ulimit -f 8 && " + program + " solve -o a.h5", folder.path());
     CHECK(failed.status == 1);
-    CHECK_THAT(failed.err, Catch::Contains("ulimit -f"));
+    CHECK_THAT(failed.err, ContainsSubstring("ulimit -f"));
     CHECK(content(folder / "a.h5") == before);
     CHECK(folder.names().size() == 1);
 }
@@ -116,7 +116,7 @@ TEST_CASE("a missing gnuplot is told before the work")
     auto const failed =
         hdconj::test::run("PATH=/nowhere && " + program + " solve -o a.h5 --picture a.svg", folder.path());
     CHECK(failed.status == 1);
-    CHECK_THAT(failed.err, Catch::Contains("gnuplot-nox"));
+    CHECK_THAT(failed.err, ContainsSubstring("gnuplot-nox"));
     CHECK(folder.names().empty());
 }
 
@@ -132,7 +132,7 @@ TEST_CASE("all files of a real run are read by other programs")
     auto const read = hdconj::test::run(reader + "a.h5 a.dxf", folder.path());
     INFO(read.out + read.err);
     CHECK(read.status == 0);
-    CHECK_THAT(content(folder / "a.svg"), Catch::Contains("path of a tooth corner") && Catch::Contains("</svg>"));
+    CHECK_THAT(content(folder / "a.svg"), ContainsSubstring("path of a tooth corner") && ContainsSubstring("</svg>"));
 }
 
 TEST_CASE("two runs differ in date and times only")

@@ -128,14 +128,14 @@ TEST_CASE("HDF5 failures carry the library's reason and print nothing")
 {
     hdf5::Silence const silence;
     CHECK_THROWS_WITH(open_file("no such file.h5"),
-                      Catch::Contains("HDF5 cannot open") && Catch::Contains("No such file"));
+                      ContainsSubstring("HDF5 cannot open") && ContainsSubstring("No such file"));
 }
 
 TEST_CASE("a result that cannot be written says why")
 {
     TemporaryFolder const folder;
-    CHECK_THROWS_WITH(write_hdf5(Solution{}, folder / "none/a.h5"), Catch::Contains("does not exist"));
-    CHECK_THROWS_WITH(write_hdf5(Solution{}, "/dev/full"), Catch::Contains("No space left"));
+    CHECK_THROWS_WITH(write_hdf5(Solution{}, folder / "none/a.h5"), ContainsSubstring("does not exist"));
+    CHECK_THROWS_WITH(write_hdf5(Solution{}, "/dev/full"), ContainsSubstring("No space left"));
 }
 
 TEST_CASE("writing a result is quick", "[.bench]")

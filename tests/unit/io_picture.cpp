@@ -78,8 +78,8 @@ TEST_CASE("other endings are bad input, a missing gnuplot is said by name")
     CHECK_THROWS_AS(check_picture(folder / "a"), InputError);
     EmptyPath const nothing;
     CHECK_THROWS_AS(write_picture(sample::solution(), folder / "a.svg"), FileError);
-    CHECK_THROWS_WITH(check_picture(folder / "a.svg"), Catch::Contains("gnuplot-nox"));
-    CHECK_THROWS_WITH(gnuplot::draw(""), Catch::Contains("gnuplot-nox"));
+    CHECK_THROWS_WITH(check_picture(folder / "a.svg"), ContainsSubstring("gnuplot-nox"));
+    CHECK_THROWS_WITH(gnuplot::draw(""), ContainsSubstring("gnuplot-nox"));
 }
 
 TEST_CASE("what gnuplot complains about is passed on")
@@ -88,7 +88,7 @@ TEST_CASE("what gnuplot complains about is passed on")
         return;
     }
     CHECK_THROWS_WITH(gnuplot::draw("set terminal no_such_terminal\n"),
-                      Catch::Contains("unknown or ambiguous terminal"));
+                      ContainsSubstring("unknown or ambiguous terminal"));
 }
 
 TEST_CASE("thinning keeps ends and stays within its tolerance")

@@ -33,7 +33,7 @@ TEST_CASE("the text names what a designer looks for")
     for (auto const* part :
          {"type-50", "200/202", "ratio -100", "24.347000 mm", "-2.567 um", "convex arc right", "outer  yes", "inner  -",
           "the teeth touch", "error", "total", "out/type-50.h5", "2.100 ms"}) {
-        CHECK_THAT(text, Catch::Contains(part));
+        CHECK_THAT(text, ContainsSubstring(part));
     }
 }
 
@@ -41,9 +41,9 @@ TEST_CASE("the text says when the pair was not checked, and when it interferes")
 {
     auto solution = sample::solution();
     solution.check->smallest_clearance = -0.0781;
-    CHECK_THAT(summary_text(solution), Catch::Contains("-78.1 um   the teeth interfere"));
+    CHECK_THAT(summary_text(solution), ContainsSubstring("-78.1 um   the teeth interfere"));
     solution.check.reset();
-    CHECK_THAT(summary_text(solution), Catch::Contains("not computed"));
+    CHECK_THAT(summary_text(solution), ContainsSubstring("not computed"));
     CHECK_FALSE(summary_text(Solution{}).empty());
 }
 
@@ -88,6 +88,6 @@ TEST_CASE("docs/json.md names every key")
     collect_keys(nlohmann::json::parse(summary_json(sample::solution(), {{"hdf5", "a", 0}, {"dxf", "b", 0}})), keys);
     CHECK(keys.size() > 60);
     for (auto const& key : keys) {
-        CHECK_THAT(document, Catch::Contains("`" + key + "`"));
+        CHECK_THAT(document, ContainsSubstring("`" + key + "`"));
     }
 }

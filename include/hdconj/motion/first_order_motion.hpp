@@ -54,7 +54,7 @@ class FirstOrderMotion
                 1 + k_ + (std::abs(d.w) + std::abs(d.w2)) / r_m_,
                 rho * (1 + k_) + std::abs(d.w1),
                 (std::abs(d.w1) + std::abs(d.w3)) / r_m_,
-                std::abs(d.w1) * (1 + k_) + std::abs(d.w1) + std::abs(d.w2)};
+                std::abs(d.w2) + std::abs(d.w1) * (2 + k_) + (rho * (1 + k_) + std::abs(d.w1)) * std::abs(tilt1)};
     }
 
     [[nodiscard]] ToothAngles angles(double phi) const { return {phi - shape_(phi).integral / r_m_, phi}; }

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <atomic>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+#include "hdconj/numeric/bracketed_root.hpp"
+#include "hdconj/numeric/chebyshev.hpp"
+#include "hdconj/numeric/fourier.hpp"
+#include "hdconj/numeric/parallel.hpp"
+#include "hdconj/numeric/tolerance.hpp"
+#include "support/catch.hpp"
+
+using namespace hdconj;
+
+TEST_CASE("a bracketed root is found to the last bits in few evaluations", "[numeric]")
+{
+    int calls = 0;
+    auto const f = [&](double x) {
+        ++calls;
+        return std::cos(x) - x;
+    };
+    BracketedRoot const root = bracketed_root(f, 0, 1);
+    REQUIRE(root.found);
+    CHECK(root.x == Approx(0.7390851332151607).epsilon(1e-15));
+    CHECK(calls <= 14);
+}
+
+TEST_CASE("no sign change, no root; a zero at an end is the root", "[numeric]")
+{
+    CHECK_FALSE(bracketed_root([](double x) { return x * x + 1; }, -1, 1).found);
+    BracketedRoot const end = bracketed_root([](double x) { return x; }, 0, 1);
+    CHECK(end.found);
+    CHECK(end.x == 0);
+    CHECK_FALSE(bracketed_root([](double) { return std::nan(""); }, 0, 1).found);
+}
+
+TEST_CASE("Chebyshev coefficients of a cubic, its derivative and its spread", "[numeric]")
+{
+    // x^3 = (3 T1 + T3)/4
+    ChebyshevVector const values = chebyshev_points().array().cube().matrix();
+    ChebyshevVector const c = chebyshev_coefficients(values);
+    CHECK(c[1] == Approx(0.75));
+    CHECK(c[3] == Approx(0.25));
+    CHECK(chebyshev_spread(c) == Approx(1.0));
+    CHECK(chebyshev_tail(c) < 1e-15);
+    // 3 x^2 = 1.5 + 1.5 T2
+    ChebyshevVector const d = chebyshev_derivative(c);
+    CHECK(d[0] == Approx(1.5));
+    CHECK(d[2] == Approx(1.5));
+}
+
+TEST_CASE("Fourier series: mean, integral, and an honest no for a kink", "[numeric]")
+{
+    auto const f = [](double u) { return 1 / (1.25 + std::cos(2 * u)) + 0.1 * std::sin(4 * u); };
+    FourierSeries const series(f, std::numbers::pi);
+    REQUIRE(series.resolved());
+    // mean of 1/(5/4 + cos x) over a period: 1/sqrt(25/16 - 1) = 4/3
+    CHECK(series.mean() == Approx(4.0 / 3).epsilon(1e-15));
+    // closed form of the integral from 0: (2/(3/4)) atan(tan(u)/3) / 2 ... for |u| < pi/2, and 0.1 (1 - cos 4u)/4
+    for (double u : {0.2, 0.7, 1.3, -0.9})
+    {
+        double const exact = std::atan(std::tan(u) / 3) * 4 / 3 + 0.1 * (1 - std::cos(4 * u)) / 4;
+        CHECK(series.integral(u) == Approx(exact).epsilon(1e-14));
+    }
+    FourierSeries const kinked([](double u) { return 2 + std::abs(std::sin(u)); }, 2 * std::numbers::pi);
+    CHECK_FALSE(kinked.resolved());
+}
+
+TEST_CASE("a parallel loop visits every slot once and throws the lowest exception", "[numeric][parallel]")
+{
+    for (int threads : {1, 2, 4})
+    {
+        std::vector<std::atomic<int>> visits(1000);
+        parallel_for(visits.size(), threads, 1, [&](std::size_t i) { ++visits[i]; });
+        for (auto const& count : visits)
+            REQUIRE(count == 1);
+        auto const failing = [](std::size_t i) {
+            if (i % 300 == 299)
+                throw std::runtime_error(std::to_string(i));
+        };
+        CHECK_THROWS_WITH(parallel_for(1000, threads, 1, failing), "299");
+    }
+    parallel_for(0, 2, 1, [](std::size_t) { throw std::runtime_error("nothing to visit"); });
+    CHECK(thread_count(3) == 3);
+    CHECK(thread_count(0) >= 1);
+}
+
+TEST_CASE("a tolerance scales with its length", "[numeric]")
+{
+    Tolerance const small{1e-6, 25};
+    Tolerance const large{1e-6, 25000};
+    CHECK(large.roundoff() == Approx(1000 * small.roundoff()));
+    CHECK(small.coincidence() > small.roundoff());
+    CHECK(small.coincidence() < 1e-9);
+}

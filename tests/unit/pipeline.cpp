@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <map>
+
+#include "hdconj/numeric/error.hpp"
+#include "hdconj/pipeline/solve.hpp"
+#include "support/catch.hpp"
+#include "support/type50.hpp"
+
+using namespace hdconj;
+
+namespace {
+
+std::map<Stage, int> stages_entered(std::vector<std::string> const& overrides)
+{
+    std::map<Stage, int> count;
+    (void)solve(builtin_scene(overrides), [&](Stage stage) { ++count[stage]; });
+    return count;
+}
+
+std::vector<Vec2> outline(std::vector<std::string> const& overrides)
+{
+    return solve(builtin_scene(overrides)).circular_spline.outline.front();
+}
+
+}  // namespace
+
+TEST_CASE("stages that the scene does not call for are never entered", "[pipeline]")
+{
+    std::map<Stage, int> base = stages_entered({});
+    CHECK(base[Stage::backlash] == 0);
+    CHECK(base[Stage::root_clearance] == 0);
+    CHECK(base[Stage::region] == 1);
+    CHECK(base[Stage::interference] == 1);
+    std::map<Stage, int> offset = stages_entered({"circular_spline.backlash_offset=0.01"});
+    CHECK(offset[Stage::backlash] == 1);
+    CHECK(offset[Stage::root_clearance] == 0);
+    std::map<Stage, int> deep = stages_entered({"circular_spline.root_clearance=0.01"});
+    CHECK(deep[Stage::backlash] == 0);
+    CHECK(deep[Stage::root_clearance] == 1);
+    // and the plan says the same in advance
+    Plan const plan = make_plan(builtin_scene());
+    CHECK_FALSE(plan.has(Stage::backlash));
+    for (auto const& [stage, times] : base)
+        CHECK(plan.has(stage) == (times > 0));
+}
+
+TEST_CASE("the times written are those of the stages that ran", "[pipeline]")
+{
+    Solution const solution = solve(builtin_scene());
+    for (StageTime const& time : solution.timing)
+    {
+        CHECK(time.seconds >= 0);
+        bool planned = false;
+        for (PlannedStage const& stage : solution.plan.stages)
+            planned = planned || to_string(stage.stage) == time.stage;
+        CHECK(planned);
+    }
+    CHECK(solution.timing.size() == solution.plan.stages.size());
+}
+
+TEST_CASE("solve gives the same bits for 1, 2 and 4 threads", "[pipeline][parallel]")
+{
+    for (std::string const kinematics : {"exact", "first-order"})
+    {
+        std::vector<std::string> const common{"solver.kinematics=" + kinematics, "solver.tolerance=1e-7", "circular_spline.backlash_offset=0.01"};
+        auto const with_threads = [&](int threads) {
+            std::vector<std::string> overrides = common;
+            overrides.push_back("solver.threads=" + std::to_string(threads));
+            return solve(builtin_scene(overrides));
+        };
+        Solution const one = with_threads(1);
+        for (int threads : {2, 4})
+        {
+            Solution const many = with_threads(threads);
+            REQUIRE(many.circular_spline.outline == one.circular_spline.outline);
+            CHECK(many.check->smallest_clearance == one.check->smallest_clearance);
+            CHECK(many.check->where == one.check->where);
+            REQUIRE(many.branches.size() == one.branches.size());
+            for (std::size_t i = 0; i < one.branches.size(); ++i)
+            {
+                CHECK(many.branches[i].u == one.branches[i].u);
+                CHECK(many.branches[i].point == one.branches[i].point);
+            }
+            CHECK(many.work.envelope_points == one.work.envelope_points);
+        }
+    }
+}
+
+TEST_CASE("an offset of zero is no offset, and a small one moves every flank point by its size", "[pipeline]")
+{
+    CHECK(outline({"circular_spline.backlash_offset=0.0"}) == outline({}));
+    CHECK(outline({"circular_spline.root_clearance=0.0"}) == outline({}));
+    Solution const solution = solve(builtin_scene({"circular_spline.backlash_offset=0.01"}));
+    CHECK(solution.check->smallest_clearance == Approx(0.01).margin(1e-12));
+}
+
+TEST_CASE("root clearance moves the bottom and nothing else", "[pipeline]")
+{
+    Solution const plain = solve(builtin_scene());
+    Solution const deep = solve(builtin_scene({"circular_spline.root_clearance=0.03"}));
+    CHECK(deep.geometry.space_depth == Approx(plain.geometry.space_depth + 0.03).margin(1e-9));
+    auto const& a = plain.circular_spline;
+    auto const& b = deep.circular_spline;
+    REQUIRE(a.landmarks.size() == 5);
+    REQUIRE(b.landmarks.size() == 5);
+    for (int i = 0; i <= a.landmarks[1]; ++i)
+        CHECK(a.outline[0][static_cast<std::size_t>(i)] == b.outline[0][static_cast<std::size_t>(i)]);
+    int walls = 0;
+    for (OutlinePiece const& piece : b.pieces)
+        walls += piece.kind == "root wall";
+    CHECK(walls == 2);
+    for (std::size_t i = 0; i + 1 < b.pieces.size(); ++i)
+        CHECK(b.pieces[i].last == b.pieces[i + 1].first);
+    CHECK(deep.check->smallest_clearance >= -1e-12);
+}
+
+TEST_CASE("an offset that swallows a stretch of flank says where and how much", "[pipeline]")
+{
+    // a tooth whose convex arc ends in a short steep chamfer: the space's bottom corners are narrow
+    try
+    {
+        (void)solve(builtin_scene({"circular_spline.backlash_offset=0.2", "circular_spline.inner_radius=25.3"}));
+        FAIL("accepted");
+    }
+    catch (NumericalError const& error)
+    {
+        std::string const text = error.what();
+        INFO(text);
+        CHECK(text.find("mm") != std::string::npos);
+    }
+}
+
+TEST_CASE("what cannot mesh is an error that names the tip circle, not an empty result", "[pipeline]")
+{
+    CHECK_THROWS_AS(solve(builtin_scene({"wave_generator.radial_deformation=0.15"})), NumericalError);
+    CHECK_THROWS_WITH(solve(builtin_scene({"wave_generator.radial_deformation=0.15"})), ContainsSubstring("tip circle"));
+    CHECK_THROWS_AS(solve(builtin_scene({"circular_spline.inner_radius=26"})), InputError);
+}
+
+TEST_CASE("landmarks stand where their names say", "[pipeline]")
+{
+    Solution const solution = solve(builtin_scene());
+    auto const& points = solution.circular_spline.outline.front();
+    auto const& marks = solution.circular_spline.landmarks;
+    REQUIRE(marks.size() == 5);
+    auto const at = [&](std::size_t k) { return points[static_cast<std::size_t>(marks[k])]; };
+    double const tip = solution.geometry.circular_spline_inner_radius;
+    CHECK(at(0).norm() == Approx(tip).epsilon(1e-14));
+    CHECK(at(4).norm() == Approx(tip).epsilon(1e-14));
+    CHECK(at(2).x() == 0);
+    CHECK(std::is_sorted(marks.begin(), marks.end()));
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        CHECK(points[i + 1].x() > points[i].x());
+}
