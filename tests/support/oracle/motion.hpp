@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The relative motion of a flexspline tooth and the circular spline by the oracle's own path.
+///
+/// Exact: the neutral curve rho(u) = r_0 + w0 cos(n u) does not stretch. The frame is built from
+/// the tangent vector dP/du, not from angles; r_0 by the trapezoidal rule over a period (converges
+/// exponentially for a periodic analytic integrand); the undeformed angle from the Fourier series
+/// of the speed, and a second time by Gauss-Legendre quadrature.
+///
+/// First order: thesis (2-16), (2-17), (2-19) for n waves, explicit in the undeformed angle phi:
+///   rho = r_m + w0 cos(n phi), phi_1 = phi - w0 sin(n phi) / (n r_m),
+///   mu = w0 (n - 1/n) sin(n phi) / r_m, turned by phi + mu - phi_2.
+///
+/// The parameter `s` of a position is u (exact) or phi (first order).
+#pragma once
+
+#include <cstddef>
+#include <stdexcept>
+#include <vector>
+
+#include "hdconj/scene/scene.hpp"
+#include "support/oracle/number.hpp"
+#include "support/oracle/tooth.hpp"
+
+namespace oracle {
+
+/// Nodes and weights of Gauss-Legendre quadrature on -1 ... 1.
+template<class T>
+struct GaussLegendre
+{
+    explicit GaussLegendre(int count)
+    {
+        using std::abs;
+        using std::cos;
+        for (int i = 0; i < count; ++i)
+        {
+            T x = cos(pi<T>() * (T(i) + T(3) / T(4)) / (T(count) + T(1) / T(2)));
+            T slope{};
+            for (int step = 0; step < 100; ++step)
+            {
+                T before(1), value = x;
+                for (int k = 2; k <= count; ++k)
+                {
+                    T const next = (T(2 * k - 1) * x * value - T(k - 1) * before) / T(k);
+                    before = value;
+                    value = next;
+                }
+                slope = T(count) * (x * value - before) / (x * x - T(1));
+                T const change = value / slope;
+                x -= change;
+                if (abs(change) <= T(4) * std::numeric_limits<T>::epsilon())
+                    break;
+            }
+            node.push_back(x);
+            weight.push_back(T(2) / ((T(1) - x * x) * slope * slope));
+        }
+    }
+    std::vector<T> node, weight;
+};
+
+/// Where a tooth is in the circular-spline frame: origin and axes of the tooth frame.
+template<class T>
+struct Pose
+{
+    Point<T> origin, along, outward;
+
+    Point<T> to_circular_spline(Point<T> const& in_tooth) const
+    {
+        return origin + in_tooth.x * along + in_tooth.y * outward;
+    }
+    Point<T> to_tooth(Point<T> const& in_circular_spline) const
+    {
+        Point<T> const d = in_circular_spline - origin;
+        return {dot(d, along), dot(d, outward)};
+    }
+};
+
+template<class T>
+class Motion
+{
+  public:
+    /// @param closed  false leaves r_0 = r_m, as the thesis prints it: the curve is then too long by
+    ///                about 2 pi w0^2 / r_m. Only to compare with numbers computed that way.
+    explicit Motion(hdconj::Scene const& scene, bool closed = true)
+    {
+        auto const& flexspline = scene.flexspline;
+        T const inner = flexspline.inner_radius
+                            ? T(*flexspline.inner_radius)
+                            : T(scene.drive.module) * T(scene.drive.flexspline_teeth) / T(2)
+                                  - T(number_of(flexspline.profile, "dedendum")) - T(flexspline.wall);
+        r_m = inner + T(flexspline.wall) / T(2) - T(flexspline.neutral_offset);
+        w0 = T(number_of(scene.wave_generator.shape, "radial_deformation"));
+        waves = scene.wave_generator.waves;
+        circular_spline_teeth = scene.drive.circular_spline_teeth;
+        pitches_per_turn = scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth;
+        turn_ratio = T(scene.drive.flexspline_teeth) / T(scene.drive.circular_spline_teeth);
+        exact = scene.solver.kinematics == hdconj::Kinematics::exact;
+        r_0 = r_m;
+        if (exact)
+        {
+            close(closed);
+            expand();
+        }
+    }
+
+    /// Undeformed angle of the tooth at @p s.
+    T phi(T const& s) const
+    {
+        using std::cos;
+        using std::sin;
+        if (!exact)
+            return s;
+        // sum of c_k sin(k x) by Clenshaw's recurrence
+        T const x = T(waves) * s, twice_cos = T(2) * cos(x);
+        T b1(0), b2(0);
+        for (std::size_t k = sine_.size(); k-- > 0;)
+        {
+            T const b = sine_[k] + twice_cos * b1 - b2;
+            b2 = b1;
+            b1 = b;
+        }
+        return drift_ * s + b1 * sin(x);
+    }
+
+    /// The same by Gauss-Legendre quadrature of the arc length: sums @p panels panels.
+    T phi_by_quadrature(T const& s, GaussLegendre<T> const& rule, int panels = 4) const
+    {
+        if (!exact)
+            return s;
+        T const half = s / T(2 * panels);
+        T sum(0);
+        for (int panel = 0; panel < panels; ++panel)
+            for (std::size_t i = 0; i < rule.node.size(); ++i)
+                sum += rule.weight[i] * speed(half * (T(2 * panel + 1) + rule.node[i]));
+        return half * sum / r_m;
+    }
+
+    /// Polar angle on the neutral curve at @p s.
+    T u(T const& s) const
+    {
+        using std::sin;
+        return exact ? s : s - w0 * sin(T(waves) * s) / (T(waves) * r_m);
+    }
+
+    Pose<T> pose(T const& s) const { return pose(s, phi(s)); }
+
+    /// Pose at @p s with the undeformed angle @p phi known.
+    Pose<T> pose(T const& s, T const& phi) const
+    {
+        using std::cos;
+        using std::sin;
+        T const turned_back = turn_ratio * phi;
+        if (!exact)
+        {
+            T const n(waves);
+            T const wave = sin(n * s);
+            T const rho = r_m + w0 * cos(n * s);
+            T const gamma = u(s) - turned_back;
+            T const tilt = s + w0 * (n - T(1) / n) * wave / r_m - turned_back;
+            T const c = cos(tilt), d = sin(tilt);
+            return {{rho * sin(gamma), rho * cos(gamma)}, {c, -d}, {d, c}};
+        }
+        T const rho = r_0 + w0 * cos(T(waves) * s), slope = -T(waves) * w0 * sin(T(waves) * s);
+        T const c = cos(s), d = sin(s);
+        Point<T> const point{rho * d, rho * c};
+        Point<T> tangent{slope * d + rho * c, slope * c - rho * d};
+        tangent = (T(1) / length(tangent)) * tangent;
+        // Fixed frame to the frame that has turned clockwise by turned_back.
+        T const back = -turned_back, cb = cos(back), sb = sin(back);
+        auto const turn = [&](Point<T> const& a) -> Point<T> {
+            return {a.x * cb + a.y * sb, a.y * cb - a.x * sb};
+        };
+        Point<T> const along = turn(tangent);
+        return {turn(point), along, {-along.y, along.x}};
+    }
+
+    /// d(pose)/ds by a central difference of order four of the pose itself.
+    Pose<T> pose_rate(T const& s) const
+    {
+        using std::pow;
+        T const h = pow(std::numeric_limits<T>::epsilon(), T(1) / T(5));
+        Pose<T> const a = pose(s - T(2) * h), b = pose(s - h), c = pose(s + h), d = pose(s + T(2) * h);
+        auto const rate = [&](Point<T> const& pa, Point<T> const& pb, Point<T> const& pc,
+                              Point<T> const& pd) {
+            return (T(1) / (T(12) * h)) * ((pa - pd) + T(8) * (pc - pb));
+        };
+        return {rate(a.origin, b.origin, c.origin, d.origin), rate(a.along, b.along, c.along, d.along),
+                rate(a.outward, b.outward, c.outward, d.outward)};
+    }
+
+    /// Half the range of s after which everything repeats, moved by whole pitches.
+    T half_lobe() const { return pi<T>() / T(waves); }
+    T pitch() const { return T(2) * pi<T>() / T(circular_spline_teeth); }
+
+    T r_m{}, r_0{}, w0{}, turn_ratio{};
+    int waves = 2, circular_spline_teeth = 0;
+    int pitches_per_turn = 0;  ///< z_c - z_f
+    bool exact = true;
+
+  private:
+    T speed(T const& u) const
+    {
+        using std::cos;
+        using std::sin;
+        using std::sqrt;
+        T const rho = r_0 + w0 * cos(T(waves) * u), slope = -T(waves) * w0 * sin(T(waves) * u);
+        return sqrt(rho * rho + slope * slope);
+    }
+
+    /// Mean of the speed over one lobe by the trapezoidal rule.
+    T mean_speed(int points) const
+    {
+        T sum(0);
+        for (int i = 0; i < points; ++i)
+            sum += speed(T(2) * pi<T>() * T(i) / (T(waves) * T(points)));
+        return sum / T(points);
+    }
+
+    /// r_0 with 2 pi mean_speed = 2 pi r_m, by the secant rule.
+    void close(bool closed)
+    {
+        using std::abs;
+        points_ = 16;
+        for (T before(0);; points_ *= 2)
+        {
+            T const now = mean_speed(points_);
+            if (abs(now - before) <= T(64) * std::numeric_limits<T>::epsilon() * r_m)
+                break;
+            if (points_ > 1 << 14)
+                throw std::runtime_error("oracle: the neutral curve is not smooth");
+            before = now;
+        }
+        if (!closed)
+            return;
+        T a = r_m, fa = mean_speed(points_) - r_m;
+        r_0 = r_m - fa;
+        for (int step = 0; step < 60; ++step)
+        {
+            T const b = r_0, fb = mean_speed(points_) - r_m;
+            if (fb == fa || abs(b - a) <= std::numeric_limits<T>::epsilon() * r_m)
+                break;
+            r_0 = b - fb * (b - a) / (fb - fa);
+            a = b;
+            fa = fb;
+        }
+    }
+
+    /// phi = slope u + sum c_k sin(k n u): the integrated Fourier series of the speed. The slope is 1
+    /// when the curve is closed.
+    void expand()
+    {
+        using std::abs;
+        using std::cos;
+        std::vector<T> values;
+        for (int i = 0; i < points_; ++i)
+            values.push_back(speed(T(2) * pi<T>() * T(i) / (T(waves) * T(points_))));
+        for (int k = 1; k < points_ / 2; ++k)
+        {
+            T sum(0);
+            for (int i = 0; i < points_; ++i)
+                sum += values[static_cast<std::size_t>(i)]
+                       * cos(T(2) * pi<T>() * T((k * i) % points_) / T(points_));
+            T const amplitude = T(2) * sum / (T(points_) * r_m);
+            sine_.push_back(amplitude / T(k * waves));
+        }
+        drift_ = mean_speed(points_) / r_m;
+        while (!sine_.empty() && abs(sine_.back()) < std::numeric_limits<T>::epsilon() / T(8))
+            sine_.pop_back();
+    }
+
+    int points_ = 0;
+    T drift_{1};
+    std::vector<T> sine_;
+};
+
+}  // namespace oracle

@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Seeded random drives as TOML text, and scenes changed as data (scaled, other kinematics).
+///
+/// A design is valid by the oracle's judgement alone: the tooth is a tooth, and the middle of the
+/// circular spline's land is not swept. A solver that refuses such a design has to say why, and the
+/// share of refusals is tested.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <exception>
+#include <random>
+#include <string>
+
+#include "hdconj/scene/scene.hpp"
+#include "support/oracle/motion.hpp"
+#include "support/oracle/tooth.hpp"
+#include "support/oracle/touch.hpp"
+
+namespace designs {
+
+using hdconj::Scene;
+
+/// Shortest text that reads back as the same number.
+inline std::string text_of(double value)
+{
+    for (int digits = 1; digits < 17; ++digits)
+    {
+        char text[64];
+        std::snprintf(text, sizeof text, "%.*g", digits, value);
+        if (std::stod(text) == value)
+        {
+            std::string const found = text;
+            // A TOML float has a fraction or an exponent.
+            return found.find_first_of(".e") == std::string::npos ? found + ".0" : found;
+        }
+    }
+    char text[64];
+    std::snprintf(text, sizeof text, "%.17g", value);
+    return text;
+}
+
+/// The scene as TOML.
+inline std::string toml_of(Scene const& scene)
+{
+    std::string text;
+    auto const line = [&](std::string const& key, std::string const& value) {
+        text += key + " = " + value + "\n";
+    };
+    auto const family = [&](hdconj::FamilyChoice const& choice) {
+        line("family", "\"" + choice.family + "\"");
+        for (auto const& [key, parameter] : choice.given)
+        {
+            if (auto const* word = std::get_if<std::string>(&parameter.value))
+                line(key, "\"" + *word + "\"");
+            else
+                line(key, text_of(std::get<double>(parameter.value)));
+        }
+    };
+    text += "[drive]\n";
+    line("name", "\"" + scene.drive.name + "\"");
+    line("module", text_of(scene.drive.module));
+    line("flexspline_teeth", std::to_string(scene.drive.flexspline_teeth));
+    line("circular_spline_teeth", std::to_string(scene.drive.circular_spline_teeth));
+    text += "[flexspline]\n";
+    line("wall", text_of(scene.flexspline.wall));
+    if (scene.flexspline.inner_radius)
+        line("inner_radius", text_of(*scene.flexspline.inner_radius));
+    if (scene.flexspline.neutral_offset != 0)
+        line("neutral_offset", text_of(scene.flexspline.neutral_offset));
+    text += "[flexspline.profile]\n";
+    family(scene.flexspline.profile);
+    text += "[wave_generator]\n";
+    family(scene.wave_generator.shape);
+    line("waves", std::to_string(scene.wave_generator.waves));
+    text += "[circular_spline]\n";
+    line("backlash_offset", text_of(scene.circular_spline.backlash_offset));
+    line("root_clearance", text_of(scene.circular_spline.root_clearance));
+    if (scene.circular_spline.inner_radius)
+        line("inner_radius", text_of(*scene.circular_spline.inner_radius));
+    text += "[solver]\n";
+    line("kinematics", scene.solver.kinematics == hdconj::Kinematics::exact ? "\"exact\"" : "\"first-order\"");
+    line("tolerance", text_of(scene.solver.tolerance));
+    line("threads", std::to_string(scene.solver.threads));
+    return text;
+}
+
+/// Every length of the scene times @p factor.
+inline Scene scaled(Scene scene, double factor)
+{
+    scene.drive.module *= factor;
+    scene.flexspline.wall *= factor;
+    scene.flexspline.neutral_offset *= factor;
+    if (scene.flexspline.inner_radius)
+        *scene.flexspline.inner_radius *= factor;
+    for (auto* choice : {&scene.flexspline.profile, &scene.wave_generator.shape})
+        for (auto& [key, parameter] : choice->given)
+            if (auto* number = std::get_if<double>(&parameter.value); number && key != "pressure_angle_deg")
+                *number *= factor;
+    if (scene.circular_spline.width)
+        *scene.circular_spline.width *= factor;
+    scene.circular_spline.backlash_offset *= factor;
+    scene.circular_spline.root_clearance *= factor;
+    if (scene.circular_spline.inner_radius)
+        *scene.circular_spline.inner_radius *= factor;
+    scene.solver.tolerance *= factor;
+    return scene;
+}
+
+/// Radius of the circular spline's tip circle.
+inline double tip_circle(Scene const& scene)
+{
+    if (scene.circular_spline.inner_radius)
+        return *scene.circular_spline.inner_radius;
+    oracle::Tooth<double> const tooth(scene);
+    oracle::Motion<double> const motion(scene);
+    return motion.r_m + tooth.pitch_line - scene.flexspline.neutral_offset
+           + scene.flexspline.neutral_offset + motion.w0 - tooth.addendum;
+}
+
+class RandomDesigns
+{
+  public:
+    explicit RandomDesigns(std::uint64_t seed) : engine_(seed) {}
+
+    /// The next valid design.
+    Scene next()
+    {
+        for (;;)
+        {
+            Scene const scene = draw();
+            ++drawn;
+            if (valid(scene))
+                return scene;
+        }
+    }
+
+    int drawn = 0;  ///< designs drawn so far, valid or not
+
+  private:
+    // Own mapping to an interval: the standard's distributions differ between libraries.
+    double between(double low, double high)
+    {
+        return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
+    }
+    int whole(int low, int high) { return static_cast<int>(std::floor(between(low, high + 1))); }
+    bool chance(double share) { return between(0, 1) < share; }
+    double about(double value, double share) { return value * between(1 - share, 1 + share); }
+
+    Scene draw()
+    {
+        Scene scene;
+        scene.drive.name = "random";
+        double const m = scene.drive.module = std::exp(between(std::log(0.1), std::log(2.0)));
+        int const n = scene.wave_generator.waves = chance(0.6) ? 2 : chance(0.5) ? 1 : 3;
+        int const difference = chance(0.7) ? n : 2 * n;
+        scene.drive.flexspline_teeth = whole(60, 320);
+        scene.drive.circular_spline_teeth = scene.drive.flexspline_teeth + difference;
+        // The pitch lines roll at the major axis when w0 = m (z_c - z_f) / 2.
+        double const rolling = m * difference / 2;
+        double const w0 = chance(0.1) ? rolling : rolling * between(0.7, 1.15);
+        scene.wave_generator.shape.family = "cosine";
+        scene.wave_generator.shape.given["radial_deformation"] = {w0, 0};
+        scene.flexspline.wall = m * between(0.5, 3);
+        auto& profile = scene.flexspline.profile;
+        auto const put = [&](char const* key, hdconj::ParameterValue const& value) {
+            profile.given[key] = {value, 0};
+        };
+        double const tallest = 0.95 * w0;
+        double dedendum = 0;
+        if (chance(0.3))
+        {
+            profile.family = "straight";
+            double const addendum = std::min(m * between(0.4, 1.0), tallest);
+            dedendum = addendum * between(1.1, 1.5);
+            put("addendum", addendum);
+            put("dedendum", dedendum);
+            put("thickness", m * oracle::pi<double>() * between(0.35, 0.6));
+            put("pressure_angle_deg", between(10, 35));
+        }
+        else
+        {
+            // type-50 or Liu's set, scaled to the module and disturbed.
+            bool const liu = chance(0.5);
+            double const scale = m / (liu ? 0.5 : 0.25);
+            auto const length = [&](double from_type_50, double from_liu, double share) {
+                return scale * about(liu ? from_liu : from_type_50, share);
+            };
+            profile.family = "double-circular-arc";
+            double const addendum = std::min(length(0.2250, 0.29316387, 0.15), tallest);
+            dedendum = std::max(length(0.3030, 0.35425825, 0.15), 1.05 * addendum);
+            put("addendum", addendum);
+            put("dedendum", dedendum);
+            double const ra = length(0.2701, 0.68517449, 0.15), rf = length(0.5145, 0.78482551, 0.15);
+            double const offset = length(0.0982, 0.33183981, 0.1);
+            double const convex_rise = length(0, -0.15535155, 0.2), rise = length(0.0671, 0.13439061, 0.2);
+            put("convex_radius", ra);
+            put("convex_offset", offset);
+            if (convex_rise != 0)
+                put("convex_rise", convex_rise);
+            put("concave_radius", rf);
+            put("concave_rise", rise);
+            if (chance(0.5))
+                put("concave_offset", std::string("tangent"));
+            else
+            {
+                double const line = m * between(0.01, 0.4);
+                put("concave_offset",
+                    std::sqrt((ra + rf) * (ra + rf) + line * line - (rise - convex_rise) * (rise - convex_rise))
+                        - offset);
+            }
+            if (chance(0.5))
+                put("tip_line_from", addendum * between(0.55, 0.95));
+        }
+        if (chance(0.3))
+            scene.flexspline.neutral_offset = scene.flexspline.wall * between(-0.2, 0.3);
+        if (chance(0.2))
+            scene.flexspline.inner_radius
+                = m * scene.drive.flexspline_teeth / 2 - dedendum - scene.flexspline.wall + m * between(-0.1, 0.1);
+        if (chance(0.25))
+            scene.circular_spline.backlash_offset = m * between(0, 0.03);
+        if (chance(0.15))
+            scene.circular_spline.root_clearance = m * between(0, 0.2);
+        if (chance(0.4))
+            scene.solver.kinematics = hdconj::Kinematics::first_order;
+        if (chance(0.2))
+            scene.circular_spline.inner_radius = tip_circle(scene) + m * between(0, 0.15);
+        scene.solver.tolerance = 1e-6 * std::max(1.0, m);
+        return scene;
+    }
+
+    static bool valid(Scene const& scene)
+    {
+        double const m = scene.drive.module;
+        try
+        {
+            oracle::Tooth<double> const tooth(scene);
+            oracle::Motion<double> const motion(scene);
+            double const n = motion.waves;
+            if (motion.w0 * (n * n + 1) > 0.5 * motion.r_m)
+                return false;  // the neutral curve would be bent inwards or nearly so
+            // An upright tooth: every piece goes up and, above the root, gets thinner.
+            for (auto const& piece : tooth.flank)
+            {
+                bool const flat = piece.name == "tip";
+                if (!(piece.lower.x - piece.upper.x > (flat ? 0.03 : 1e-3) * m))
+                    return false;
+                if (!flat && !(piece.upper.y - piece.lower.y > 1e-3 * m))
+                    return false;
+            }
+            auto const& foot = tooth.flank.front();
+            if (foot.arc && !(foot.at(0.0).y > foot.centre.y - 0.97 * foot.radius))
+                return false;
+            if (tooth.root().x > 0.49 * oracle::pi<double>() * m)
+                return false;
+            // The middle of the land must stay.
+            double const tip = tip_circle(scene), half_pitch = motion.pitch() / 2;
+            oracle::TouchScan scan(scene, 1200);
+            double const land = scan.nearest({tip * std::sin(half_pitch), tip * std::cos(half_pitch)}).distance;
+            return land > scene.circular_spline.backlash_offset + 0.02 * m;
+        }
+        catch (std::exception const&)
+        {
+            return false;
+        }
+    }
+
+    std::mt19937_64 engine_;
+};
+
+}  // namespace designs
