@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// --set key.path=value
+// --set key.path=value. No name of a test begins with a dash: Catch would take it for an option.
 #include "hdconj/io/scene_reading.hpp"
 #include "hdconj/io/scene_toml.hpp"
 #include "support/catch.hpp"
@@ -18,7 +18,7 @@ Fault only_fault(std::vector<std::string> const& overrides)
 
 }  // namespace
 
-TEST_CASE("--set changes a key", "[scene]")
+TEST_CASE("with --set a key changes", "[scene]")
 {
     CHECK(builtin_scene({"flexspline.wall=0.8"}).flexspline.wall == 0.8);
     CHECK(builtin_scene({"flexspline.wall = 0.8"}).drive.module == 0.25);
@@ -35,7 +35,7 @@ TEST_CASE("the last --set of a key holds", "[scene]")
     CHECK(builtin_scene({"flexspline.wall=0.8", "flexspline.wall=0.9"}).flexspline.wall == 0.9);
 }
 
-TEST_CASE("--set makes tables that are not there", "[scene]")
+TEST_CASE("with --set tables that are not there are made", "[scene]")
 {
     Scene const scene = builtin_scene({"tilt.angle_deg=0", "slices={count = 3, surface = \"ruled\"}"});
     REQUIRE((scene.tilt && scene.slices));
@@ -43,7 +43,7 @@ TEST_CASE("--set makes tables that are not there", "[scene]")
     CHECK(scene.slices->surface == "ruled");
 }
 
-TEST_CASE("--set with an exclamation mark removes", "[scene]")
+TEST_CASE("an exclamation mark in --set removes", "[scene]")
 {
     CHECK_FALSE(builtin_scene({"!circular_spline.inner_radius"}).circular_spline.inner_radius.has_value());
     CHECK_FALSE(builtin_scene({"tilt.angle_deg=1", "!tilt"}).tilt.has_value());
