@@ -13,11 +13,11 @@ namespace hdconj {
 /// One fault of a scene or of the command line.
 struct Fault
 {
-    std::string path;    ///< key path such as "flexspline.profile.addendum", or a file name
-    int line = 0;        ///< line in the scene file, 1-based; 0 where there is none
-    std::string value;   ///< the offending value as the user wrote it; empty when absent
-    std::string reason;  ///< why this cannot be computed
-    std::string remedy;  ///< what to write instead
+    std::string path;      ///< key path such as "flexspline.profile.addendum", or a file name
+    int line = 0;          ///< line in the scene file, 1-based; 0 where there is none
+    std::string value;     ///< the offending value as the user wrote it; empty when absent
+    std::string reason;    ///< why this cannot be computed
+    std::string remedy;    ///< what to write instead
     std::string origin{};  ///< "--set" for a fault of the command line; empty: the scene
 };
 

@@ -17,15 +17,15 @@ namespace hdconj {
 /// What kind of value a key takes; decides type check and printed unit.
 enum class Quantity
 {
-    length,          ///< [mm], any finite number
-    positive_length, ///< [mm], > 0
+    length,              ///< [mm], any finite number
+    positive_length,     ///< [mm], > 0
     nonnegative_length,  ///< [mm], >= 0
-    angle_deg,       ///< degrees in the scene
-    count,           ///< whole number
-    word,            ///< one of ParameterSpec::words
-    length_or_word,  ///< [mm], or one of ParameterSpec::words
-    file,            ///< path, relative to the scene file
-    text             ///< any text
+    angle_deg,           ///< degrees in the scene
+    count,               ///< whole number
+    word,                ///< one of ParameterSpec::words
+    length_or_word,      ///< [mm], or one of ParameterSpec::words
+    file,                ///< path, relative to the scene file
+    text                 ///< any text
 };
 
 /// One key that a family understands.
@@ -33,9 +33,9 @@ struct ParameterSpec
 {
     std::string_view key;
     Quantity quantity;
-    std::string_view meaning;              ///< one phrase, for --help and error messages
+    std::string_view meaning;  ///< one phrase, for --help and error messages
     bool required = true;
-    std::vector<std::string_view> words{}; ///< allowed words for word, length_or_word
+    std::vector<std::string_view> words{};  ///< allowed words for word, length_or_word
     double at_least = -std::numeric_limits<double>::infinity();
     double at_most = std::numeric_limits<double>::infinity();
 };
@@ -62,8 +62,8 @@ struct Parameter
 struct FamilyChoice
 {
     std::string family;
-    int line = 0;                     ///< of the `family` key
-    std::string path;                 ///< table path, "flexspline.profile"
+    int line = 0;      ///< of the `family` key
+    std::string path;  ///< table path, "flexspline.profile"
     std::map<std::string, Parameter, std::less<>> given;
 
     [[nodiscard]] bool has(std::string_view key) const { return given.find(key) != given.end(); }

@@ -100,9 +100,9 @@ struct Scene
     std::optional<Tilt> tilt;
     std::optional<Slices> slices;
 
-    std::string text;                  ///< the scene as given, after --set
+    std::string text;                                    ///< the scene as given, after --set
     std::map<std::string, GivenKey, std::less<>> given;  ///< each key and table that is there, by path
-    std::filesystem::path folder;      ///< where relative file names start
+    std::filesystem::path folder;                        ///< where relative file names start
 };
 
 }  // namespace hdconj
