@@ -4,9 +4,9 @@
 /// brute force.
 #include <algorithm>
 
-#include "support/oracle/run.hpp"
 #include "support/catch.hpp"
 #include "support/oracle/envelope.hpp"
+#include "support/oracle/run.hpp"
 
 using namespace oracle;
 using hdconj::ConjugateZone;
@@ -25,8 +25,7 @@ double degrees(double angle)
 std::vector<double> zone_ends(Solution const& solution, std::size_t segment, double t)
 {
     std::vector<double> found;
-    for (auto const& zone : solution.zones)
-    {
+    for (auto const& zone : solution.zones) {
         if (zone.kind != "regular" || zone.segment != static_cast<int>(segment))
             continue;
         if (std::abs(zone.t_begin - t) < 1e-9)
@@ -43,16 +42,14 @@ std::vector<double> zone_ends(Solution const& solution, std::size_t segment, dou
 TEST_CASE("intervals: zones of the profile's ends are where brute force finds contact", "[intervals]")
 {
     for (Scene const& scene :
-         {type_50(), type_50(Kinematics::first_order), liu_2025(), liu_2025(Kinematics::first_order)})
-    {
+         {type_50(), type_50(Kinematics::first_order), liu_2025(), liu_2025(Kinematics::first_order)}) {
         Solution const solution = hdconj::solve(scene);
         Tooth<double> const tooth(scene);
         Motion<double> const motion(scene);
         REQUIRE(solution.segment_names.size() == tooth.pieces_of_whole());
         std::size_t compared = 0;
         for (std::size_t segment = 0; segment < tooth.pieces_of_whole(); ++segment)
-            for (double const t : {0.0, 1.0})
-            {
+            for (double const t : {0.0, 1.0}) {
                 INFO(scene.drive.name << ": " << tooth.name_of_whole(segment) << " at t = " << t);
                 std::vector<double> expected;
                 for (double const s : contact_positions(motion, tooth.on_whole(segment, t)))
@@ -60,11 +57,11 @@ TEST_CASE("intervals: zones of the profile's ends are where brute force finds co
                 auto const found = zone_ends(solution, segment, t);
                 // A branch that starts on one side of the lobe's end may be told on the other.
                 CHECK(found.size() == expected.size());
-                for (double const angle : expected)
-                {
+                for (double const angle : expected) {
                     double nearest = 1e300;
                     for (double const other : found)
-                        nearest = std::min(nearest, std::abs(std::remainder(angle - other, degrees(2 * motion.half_lobe()))));
+                        nearest =
+                            std::min(nearest, std::abs(std::remainder(angle - other, degrees(2 * motion.half_lobe()))));
                     CHECK(nearest < 1e-7);
                     ++compared;
                 }
@@ -96,8 +93,7 @@ TEST_CASE("intervals: no contact near the joint of type-50", "[intervals]")
 {
     // Between the double roots on both sides of the joint no position touches: the branches have to
     // stop there, with the reason.
-    for (Kinematics const kinematics : {Kinematics::exact, Kinematics::first_order})
-    {
+    for (Kinematics const kinematics : {Kinematics::exact, Kinematics::first_order}) {
         Scene const scene = type_50(kinematics);
         Solution const solution = hdconj::solve(scene);
         Tooth<double> const tooth(scene);
@@ -108,7 +104,8 @@ TEST_CASE("intervals: no contact near the joint of type-50", "[intervals]")
         // Largest t of the convex arc with contact, by bisection on the number of contacts.
         double in = 0, out = 1;
         while (out - in > 1e-7)
-            (contact_positions(motion, tooth.on_whole(convex, (in + out) / 2), 20000).empty() ? out : in) = (in + out) / 2;
+            (contact_positions(motion, tooth.on_whole(convex, (in + out) / 2), 20000).empty() ? out : in) =
+                (in + out) / 2;
         double reached = 0;
         bool fold = false;
         for (auto const& zone : solution.zones)

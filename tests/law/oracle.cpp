@@ -2,9 +2,9 @@
 /// @file
 /// The oracle against itself and against numbers computed elsewhere: a law is worth what its judge
 /// is worth.
-#include "support/oracle/run.hpp"
 #include "support/catch.hpp"
 #include "support/oracle/envelope.hpp"
+#include "support/oracle/run.hpp"
 #include "support/oracle/sweep.hpp"
 #include "support/oracle/touch_law.hpp"
 
@@ -24,8 +24,7 @@ std::vector<double> contacts_of_end(Scene const& scene, std::string const& piece
 {
     Tooth<double> const tooth(scene);
     Motion<double> const motion(scene, closed);
-    for (std::size_t i = 0; i < tooth.pieces_of_whole(); ++i)
-    {
+    for (std::size_t i = 0; i < tooth.pieces_of_whole(); ++i) {
         if (tooth.name_of_whole(i) != piece)
             continue;
         std::vector<double> found;
@@ -62,11 +61,9 @@ TEST_CASE("oracle: the tooth is the one of the drawing", "[oracle]")
 
 TEST_CASE("oracle: neighbouring pieces meet and normals are continuous where the profile is smooth", "[oracle]")
 {
-    for (Scene const& scene : {type_50(), liu_2025()})
-    {
+    for (Scene const& scene : {type_50(), liu_2025()}) {
         Tooth<double> const tooth(scene);
-        for (std::size_t i = 0; i + 1 < tooth.pieces_of_whole(); ++i)
-        {
+        for (std::size_t i = 0; i + 1 < tooth.pieces_of_whole(); ++i) {
             INFO(tooth.name_of_whole(i) << " to " << tooth.name_of_whole(i + 1));
             auto const end = tooth.on_whole(i, 1.0), start = tooth.on_whole(i + 1, 0.0);
             CHECK(length(end.point - start.point) < 1e-15);
@@ -78,15 +75,13 @@ TEST_CASE("oracle: neighbouring pieces meet and normals are continuous where the
 
 TEST_CASE("oracle: distance to the tooth", "[oracle]")
 {
-    for (Scene const& scene : {type_50(), liu_2025()})
-    {
+    for (Scene const& scene : {type_50(), liu_2025()}) {
         Tooth<double> const tooth(scene);
         Tooth<Fifty> const exact(scene);
         // A step along the normal is a distance, on both sides.
         for (std::size_t i = 0; i < tooth.pieces_of_whole(); ++i)
             for (double const t : {0.0, 0.2, 0.5, 0.9, 1.0})
-                for (double const step : {-1e-3, -1e-9, 1e-9, 1e-3})
-                {
+                for (double const step : {-1e-3, -1e-9, 1e-9, 1e-3}) {
                     auto const on = tooth.on_whole(i, t);
                     bool const corner = (t == 0.0 || t == 1.0) && step < 0;
                     if (!corner)
@@ -96,8 +91,8 @@ TEST_CASE("oracle: distance to the tooth", "[oracle]")
         for (double x = -0.8; x < 0.8; x += 0.037)
             for (double y = -0.28; y < 0.5; y += 0.0213)
                 worst = std::max(worst,
-                                 std::abs(tooth.distance_from_pitch_line({x, y})
-                                          - static_cast<double>(exact.distance_from_pitch_line({Fifty(x), Fifty(y)}))));
+                                 std::abs(tooth.distance_from_pitch_line({x, y}) -
+                                          static_cast<double>(exact.distance_from_pitch_line({Fifty(x), Fifty(y)}))));
         CHECK(worst < 1e-15);
     }
 }
@@ -107,8 +102,8 @@ TEST_CASE("oracle: the neutral curve closes", "[oracle]")
     Motion<Fifty> const motion(type_50());
     // design value, and leading term of the theory -w0^2 / r_m
     CHECK(static_cast<double>(motion.r_0 - motion.r_m) == Approx(-2.567e-3).margin(5e-7));
-    CHECK(static_cast<double>(motion.r_0 - motion.r_m)
-          == Approx(static_cast<double>(-motion.w0 * motion.w0 / motion.r_m)).epsilon(1e-3));
+    CHECK(static_cast<double>(motion.r_0 - motion.r_m) ==
+          Approx(static_cast<double>(-motion.w0 * motion.w0 / motion.r_m)).epsilon(1e-3));
 
     GaussLegendre<Fifty> const rule(30);
     Fifty const turn = motion.phi_by_quadrature(2 * pi<Fifty>(), rule, 8);
@@ -118,13 +113,11 @@ TEST_CASE("oracle: the neutral curve closes", "[oracle]")
 TEST_CASE("oracle: two quadratures and three number types agree on the motion", "[oracle]")
 {
     GaussLegendre<Fifty> const rule(30);
-    for (Scene const& scene : {type_50(), liu_2025(), type_50(Kinematics::first_order)})
-    {
+    for (Scene const& scene : {type_50(), liu_2025(), type_50(Kinematics::first_order)}) {
         Motion<Fifty> const exact(scene);
         Motion<double> const quick(scene);
         Motion<long double> const middle(scene);
-        for (double s = -3.1; s < 3.2; s += 0.61)
-        {
+        for (double s = -3.1; s < 3.2; s += 0.61) {
             CHECK(static_cast<double>(abs(exact.phi(Fifty(s)) - exact.phi_by_quadrature(Fifty(s), rule, 8))) < 1e-45);
             auto const pose = exact.pose(Fifty(s));
             CHECK(length(as<double>(pose.origin) - quick.pose(s).origin) < 5e-14);
@@ -139,12 +132,10 @@ TEST_CASE("oracle: two quadratures and three number types agree on the motion", 
 
 TEST_CASE("oracle: after a lobe the motion repeats, moved by whole pitches", "[oracle]")
 {
-    for (Scene const& scene : {type_50(), liu_2025(Kinematics::first_order)})
-    {
+    for (Scene const& scene : {type_50(), liu_2025(Kinematics::first_order)}) {
         Motion<double> const motion(scene);
         double const angle = motion.pitches_per_turn * motion.pitch() / motion.waves;
-        for (double const s : {-1.2, -0.1, 0.0, 0.7})
-        {
+        for (double const s : {-1.2, -0.1, 0.0, 0.7}) {
             auto const now = motion.pose(s), later = motion.pose(s + 2 * motion.half_lobe());
             CHECK(length(turned_clockwise(now.origin, angle) - later.origin) < 1e-13);
             CHECK(length(turned_clockwise(now.outward, angle) - later.outward) < 1e-14);
@@ -166,8 +157,7 @@ TEST_CASE("oracle: intervals of contact agree with an independent program", "[or
     for (Row const& row : {Row{Kinematics::exact, "right convex", 0, 1.818, 60.808},
                            Row{Kinematics::exact, "right concave", 1, -0.656, 58.284},
                            Row{Kinematics::first_order, "right convex", 0, 1.476, 59.525},
-                           Row{Kinematics::first_order, "right concave", 1, -0.997, 56.922}})
-    {
+                           Row{Kinematics::first_order, "right concave", 1, -0.997, 56.922}}) {
         liu.solver.kinematics = row.kinematics;
         auto const found = contacts_of_end(liu, row.piece, row.t, false);
         REQUIRE(found.size() == 2);
@@ -188,26 +178,22 @@ TEST_CASE("oracle: intervals of contact agree with an independent program", "[or
 
 TEST_CASE("oracle: its own envelope points obey the touch law", "[oracle]")
 {
-    for (Scene const& scene : {type_50(), liu_2025(), type_50(Kinematics::first_order)})
-    {
+    for (Scene const& scene : {type_50(), liu_2025(), type_50(Kinematics::first_order)}) {
         TouchScan scan(scene);
         double const tip = designs::tip_circle(scene);
         std::size_t asked = 0, touched = 0;
         double shallow = 0;
-        for (auto const& contact : envelope_points<double>(scene, 20))
-        {
+        for (auto const& contact : envelope_points<double>(scene, 20)) {
             if (length(contact.point) < tip)
                 continue;
             ++asked;
             double const distance = scan.nearest(contact.point).distance;
             // On the tooth at its own position, so never outside of all of them.
             CHECK(distance < 1e-12);
-            if (distance > -touch_limit)
-            {
+            if (distance > -touch_limit) {
                 ++touched;
                 shallow = std::min(shallow, distance);
-            }
-            else
+            } else
                 CHECK(distance < -1e-7);  // clearly inside: nothing in between
         }
         CHECK(asked > 150);
@@ -220,13 +206,11 @@ TEST_CASE("oracle: its own envelope points obey the touch law", "[oracle]")
 TEST_CASE("oracle: a scan twice as fine finds the same smallest distance", "[oracle]")
 {
     designs::RandomDesigns draw(7);
-    for (int i = 0; i < 12; ++i)
-    {
+    for (int i = 0; i < 12; ++i) {
         Scene const scene = draw.next();
         TouchScan coarse(scene), fine(scene, 7001);
         double const tip = designs::tip_circle(scene), half_pitch = coarse.motion.pitch() / 2;
-        for (int k = 0; k <= 20; ++k)
-        {
+        for (int k = 0; k <= 20; ++k) {
             double const angle = half_pitch * (k - 10) / 10.0, radius = tip + 0.04 * k * scene.drive.module;
             Point<double> const p{radius * std::sin(angle), radius * std::cos(angle)};
             CHECK(coarse.nearest(p).distance == Approx(fine.nearest(p).distance).epsilon(0).margin(1e-11));
@@ -236,15 +220,13 @@ TEST_CASE("oracle: a scan twice as fine finds the same smallest distance", "[ora
 
 TEST_CASE("oracle: the union of tooth positions obeys the touch law within its stated error", "[oracle]")
 {
-    for (Scene const& scene : {type_50(), liu_2025()})
-    {
+    for (Scene const& scene : {type_50(), liu_2025()}) {
         double const tip = designs::tip_circle(scene);
         auto const swept = swept_boundary(scene, tip, 4000, 4e-6);
         TouchScan scan(scene);
         std::size_t asked = 0;
         for (auto const& loop : swept.loops)
-            for (auto const& p : loop)
-            {
+            for (auto const& p : loop) {
                 if (length(p) < tip + 1e-3 || std::abs(std::atan2(p.x, p.y)) > scan.motion.pitch() / 2 || ++asked % 10)
                     continue;
                 CHECK(std::abs(scan.nearest(p).distance) < swept.error);
@@ -256,8 +238,7 @@ TEST_CASE("oracle: the union of tooth positions obeys the touch law within its s
 TEST_CASE("random designs: the text reads back as the same scene", "[oracle]")
 {
     designs::RandomDesigns draw(3);
-    for (int i = 0; i < 50; ++i)
-    {
+    for (int i = 0; i < 50; ++i) {
         Scene const scene = draw.next();
         Scene const read = as_read(scene);
         CHECK(read.drive.module == scene.drive.module);
@@ -267,8 +248,7 @@ TEST_CASE("random designs: the text reads back as the same scene", "[oracle]")
         CHECK(read.wave_generator.waves == scene.wave_generator.waves);
         CHECK(read.circular_spline.backlash_offset == scene.circular_spline.backlash_offset);
         CHECK(read.solver.kinematics == scene.solver.kinematics);
-        for (auto const& [key, parameter] : scene.flexspline.profile.given)
-        {
+        for (auto const& [key, parameter] : scene.flexspline.profile.given) {
             INFO(key);
             REQUIRE(given(read.flexspline.profile, key));
             CHECK(read.flexspline.profile.given.find(key)->second.value == parameter.value);

@@ -7,9 +7,9 @@
 #include <optional>
 
 #include "hdconj/numeric/error.hpp"
-#include "support/oracle/run.hpp"
 #include "support/catch.hpp"
 #include "support/oracle/chain.hpp"
+#include "support/oracle/run.hpp"
 #include "support/oracle/touch_law.hpp"
 
 using namespace oracle;
@@ -45,23 +45,17 @@ std::vector<Scene> scenes(int random)
 
 /// Runs @p law on every scene that the solver accepts; the share of refusals is judged in touch.cpp, here
 /// only that a law is not vacuous.
-template<class Law>
+template <class Law>
 void for_each_accepted(std::vector<Scene> const& all, Law const& law)
 {
     std::size_t accepted = 0;
-    for (Scene const& scene : all)
-    {
+    for (Scene const& scene : all) {
         std::optional<Solution> solution;
-        try
-        {
+        try {
             solution = hdconj::solve(scene);
-        }
-        catch (hdconj::InputError const&)
-        {
+        } catch (hdconj::InputError const&) {
             continue;
-        }
-        catch (hdconj::NumericalError const&)
-        {
+        } catch (hdconj::NumericalError const&) {
             continue;
         }
         ++accepted;
@@ -75,8 +69,7 @@ void for_each_accepted(std::vector<Scene> const& all, Law const& law)
 double asymmetry(std::vector<Vec2> const& outline)
 {
     double worst = 0;
-    for (std::size_t i = 0; i < outline.size(); ++i)
-    {
+    for (std::size_t i = 0; i < outline.size(); ++i) {
         Vec2 const& p = outline[i];
         Vec2 const& q = outline[outline.size() - 1 - i];
         worst = std::max(worst, std::hypot(p.x() + q.x(), p.y() - q.y()));
@@ -101,8 +94,7 @@ TEST_CASE("outline: symmetric for a symmetric tooth", "[outline]")
 TEST_CASE("outline: twice the drive, twice the outline", "[outline]")
 {
     for_each_accepted(scenes(6), [](Scene const& scene, Solution const& one) {
-        for (double const factor : {2.0, 0x1p-7, 0x1p10})
-        {
+        for (double const factor : {2.0, 0x1p-7, 0x1p10}) {
             INFO("times " << factor);
             Solution const other = solved(designs::scaled(scene, factor));
             auto const &a = outline_of(one), &b = outline_of(other);
@@ -131,8 +123,7 @@ TEST_CASE("outline: from mid-land to mid-land, in order, on the tip circle", "[o
         CHECK(outline.back().norm() == Approx(tip).epsilon(1e-14));
 
         double back = 0, below = 0, twice = 1e300;
-        for (std::size_t i = 0; i < outline.size(); ++i)
-        {
+        for (std::size_t i = 0; i < outline.size(); ++i) {
             REQUIRE(std::isfinite(outline[i].x()));
             REQUIRE(std::isfinite(outline[i].y()));
             below = std::max(below, tip - outline[i].norm());
@@ -152,8 +143,7 @@ TEST_CASE("outline: from mid-land to mid-land, in order, on the tip circle", "[o
         CHECK(pieces.back().kind == "land");
         CHECK(pieces.front().first == 0);
         CHECK(pieces.back().last == outline.size() - 1);
-        for (std::size_t i = 0; i < pieces.size(); ++i)
-        {
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
             CHECK(pieces[i].first <= pieces[i].last);
             if (i > 0)
                 CHECK((pieces[i].first == pieces[i - 1].last || pieces[i].first == pieces[i - 1].last + 1));
@@ -161,8 +151,7 @@ TEST_CASE("outline: from mid-land to mid-land, in order, on the tip circle", "[o
                 for (std::size_t k = pieces[i].first; k <= pieces[i].last; ++k)
                     CHECK(outline[k].norm() == Approx(tip).epsilon(1e-13));
         }
-        for (int const landmark : solution.circular_spline.landmarks)
-        {
+        for (int const landmark : solution.circular_spline.landmarks) {
             CHECK(landmark >= 0);
             CHECK(static_cast<std::size_t>(landmark) < outline.size());
         }
@@ -174,8 +163,7 @@ TEST_CASE("outline: the polygon's sides are as near to the true curve as stated"
 {
     // Asked of the oracle: the middle of a side is as far from the touching tooth as the side is from the curve.
     for (double const tolerance : {1e-4, 1e-6, 1e-7})
-        for (Kinematics const kinematics : {Kinematics::exact, Kinematics::first_order})
-        {
+        for (Kinematics const kinematics : {Kinematics::exact, Kinematics::first_order}) {
             Scene scene = type_50(kinematics);
             scene.solver.tolerance = tolerance;
             Solution const solution = solved(scene);
@@ -185,15 +173,12 @@ TEST_CASE("outline: the polygon's sides are as near to the true curve as stated"
             double worst = 0, land = 0;
             std::size_t sides = 0;
             for (auto const& piece : solution.circular_spline.pieces)
-                for (std::size_t i = piece.first; i < piece.last; ++i)
-                {
+                for (std::size_t i = piece.first; i < piece.last; ++i) {
                     auto const middle = 0.5 * (chain[i] + chain[i + 1]);
-                    if (must_be_touched(piece.kind))
-                    {
+                    if (must_be_touched(piece.kind)) {
                         worst = std::max(worst, std::abs(scan.nearest(middle).distance));
                         ++sides;
-                    }
-                    else if (piece.kind == "land")
+                    } else if (piece.kind == "land")
                         land = std::max(land, solution.geometry.circular_spline_inner_radius - length(middle));
                 }
             INFO("tolerance " << tolerance);

@@ -4,9 +4,9 @@
 /// that knows no envelope.
 #include <iostream>
 
-#include "support/oracle/run.hpp"
 #include "support/catch.hpp"
 #include "support/oracle/chain.hpp"
+#include "support/oracle/run.hpp"
 #include "support/oracle/sweep.hpp"
 #include "support/oracle/touch_law.hpp"
 
@@ -29,12 +29,10 @@ Apart apart(Solution const& solution, SweptBoundary const& swept, double tip, do
     std::vector<Point<double>> chain;
     for (auto const& p : solution.circular_spline.outline.at(0))
         chain.push_back(point_of(p));
-    for (auto const& piece : solution.circular_spline.pieces)
-    {
+    for (auto const& piece : solution.circular_spline.pieces) {
         if (!must_be_touched(piece.kind))
             continue;
-        for (std::size_t i = piece.first; i <= piece.last; ++i)
-        {
+        for (std::size_t i = piece.first; i <= piece.last; ++i) {
             double nearest = 1e300;
             for (auto const& loop : swept.loops)
                 nearest = std::min(nearest, distance_to_chain(chain[i], loop, true));
@@ -43,8 +41,7 @@ Apart apart(Solution const& solution, SweptBoundary const& swept, double tip, do
         }
     }
     for (auto const& loop : swept.loops)
-        for (auto const& p : loop)
-        {
+        for (auto const& p : loop) {
             if (length(p) < tip || std::abs(std::atan2(p.x, p.y)) > pitch / 2)
                 continue;
             result.swept = std::max(result.swept, distance_to_chain(p, chain, false));
@@ -57,8 +54,7 @@ Apart apart(Solution const& solution, SweptBoundary const& swept, double tip, do
 
 TEST_CASE("union: the outline is the boundary of 20 000 united tooth positions", "[union]")
 {
-    for (Scene const& scene : {type_50(), liu_2025()})
-    {
+    for (Scene const& scene : {type_50(), liu_2025()}) {
         Solution const solution = hdconj::solve(scene);
         double const tip = solution.geometry.circular_spline_inner_radius;
         auto const swept = swept_boundary(solution.scene, tip, 20000, 1e-6);

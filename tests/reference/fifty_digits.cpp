@@ -5,9 +5,9 @@
 #include <iostream>
 #include <sstream>
 
-#include "support/oracle/run.hpp"
 #include "support/catch.hpp"
 #include "support/oracle/envelope.hpp"
+#include "support/oracle/run.hpp"
 
 using namespace oracle;
 using hdconj::BranchRecord;
@@ -41,13 +41,10 @@ class Judge
         auto const pose = motion_.pose(s, phi);
         auto const segment = static_cast<std::size_t>(branch.segment);
         Point<Fifty> on;
-        if (branch.kind == "corner")
-        {
+        if (branch.kind == "corner") {
             ++errors.corners;
             on = tooth_.on_whole(segment, Fifty(1)).point;
-        }
-        else
-        {
+        } else {
             auto const rate = motion_.pose_rate(s);
             auto const f = [&](Fifty const& t) {
                 auto const profile = tooth_.on_whole(segment, t);
@@ -57,8 +54,7 @@ class Judge
             Fifty const t(branch.t[i]);
             Fifty a, b, fa, fb;
             double width = 1e-10;
-            for (; width < 1e-2; width *= 10)
-            {
+            for (; width < 1e-2; width *= 10) {
                 a = t - width;
                 b = t + width;
                 fa = f(a);
@@ -66,8 +62,7 @@ class Judge
                 if ((fa < 0) != (fb < 0))
                     break;
             }
-            if (width >= 1e-2)
-            {
+            if (width >= 1e-2) {
                 ++errors.lost;
                 errors.where = place(branch, i);
                 return;
@@ -76,8 +71,7 @@ class Judge
         }
         Point<Fifty> const found{Fifty(branch.point[i].x()), Fifty(branch.point[i].y())};
         double const error = static_cast<double>(length(found - pose.to_circular_spline(on)));
-        if (!(error <= errors.point))
-        {
+        if (!(error <= errors.point)) {
             errors.point = error;
             errors.where = place(branch, i);
         }
@@ -117,13 +111,11 @@ Errors judged(Solution const& solution, std::size_t samples)
 
 TEST_CASE("50 digits: points of every branch of type-50", "[reference]")
 {
-    for (Kinematics const kinematics : {Kinematics::exact, Kinematics::first_order})
-    {
+    for (Kinematics const kinematics : {Kinematics::exact, Kinematics::first_order}) {
         Solution solution = hdconj::solve(type_50(kinematics));
         Tooth<double> const tooth(solution.scene);
         REQUIRE(solution.segment_names.size() == tooth.pieces_of_whole());
-        for (auto const& branch : solution.branches)
-        {
+        for (auto const& branch : solution.branches) {
             REQUIRE(branch.u.size() == branch.point.size());
             REQUIRE(branch.u.size() == branch.phi.size());
             REQUIRE(branch.u.size() == branch.t.size());

@@ -8,10 +8,10 @@
 #include <map>
 #include <tuple>
 
-#include "support/oracle/run.hpp"
 #include "support/catch.hpp"
-#include "support/oracle/reference_table.hpp"
 #include "support/oracle/chain.hpp"
+#include "support/oracle/reference_table.hpp"
+#include "support/oracle/run.hpp"
 
 using namespace oracle;
 using hdconj::BranchRecord;
@@ -30,8 +30,7 @@ std::vector<TableRow> stored_rows()
 double passing(BranchRecord const& branch, double u, double t, Point<double> const& point)
 {
     double best = 1e300;
-    for (std::size_t i = 0; i + 1 < branch.u.size(); ++i)
-    {
+    for (std::size_t i = 0; i + 1 < branch.u.size(); ++i) {
         auto const [u_low, u_high] = std::minmax(branch.u[i], branch.u[i + 1]);
         auto const [t_low, t_high] = std::minmax(branch.t[i], branch.t[i + 1]);
         // A fold of t(u) may pass between two samples.
@@ -51,8 +50,7 @@ TEST_CASE("reference table: is what the oracle computes", "[reference]")
     auto const rows = stored_rows();
     std::size_t at = 0;
     for (auto const kinematics : {Kinematics::exact, Kinematics::first_order})
-        for (auto const& row : computed_rows(hdconj::builtin_scene(), kinematics))
-        {
+        for (auto const& row : computed_rows(hdconj::builtin_scene(), kinematics)) {
             REQUIRE(at < rows.size());
             auto const& stored = rows[at++];
             INFO(table_line(row));
@@ -75,8 +73,7 @@ TEST_CASE("reference table: its rows fulfil the condition of contact, angle by q
     // Not through the root finder: n.v of the stored row itself, and the stored angle by the other quadrature.
     GaussLegendre<Fifty> const rule(30);
     std::size_t looked = 0;
-    for (auto const& row : stored_rows())
-    {
+    for (auto const& row : stored_rows()) {
         if (++looked % 5)
             continue;
         hdconj::Scene scene = hdconj::builtin_scene();
@@ -96,8 +93,7 @@ TEST_CASE("reference table: its rows fulfil the condition of contact, angle by q
 TEST_CASE("reference table: the solver's branches pass through every row", "[reference]")
 {
     double const lobe = pi<double>(), tolerance = 1e-8;
-    for (auto const kinematics : {Kinematics::exact, Kinematics::first_order})
-    {
+    for (auto const kinematics : {Kinematics::exact, Kinematics::first_order}) {
         hdconj::Scene scene = type_50(kinematics);
         scene.solver.tolerance = tolerance;
         Solution const solution = solved(scene);
@@ -105,13 +101,11 @@ TEST_CASE("reference table: the solver's branches pass through every row", "[ref
         double worst = 0;
         auto const nearest = [&](TableRow const& row, std::size_t segment) {
             double best = 1e300;
-            for (auto const& branch : solution.branches)
-            {
+            for (auto const& branch : solution.branches) {
                 if (branch.kind != "regular" || branch.segment != static_cast<int>(segment))
                     continue;
                 // The lobe's end may be told on either side; the point is then a pitch further.
-                for (int const side : {0, -1, 1})
-                {
+                for (int const side : {0, -1, 1}) {
                     auto const point = turned_clockwise(as<double>(row.point), side * 2 * pi<double>() / 202);
                     best = std::min(best, passing(branch, static_cast<double>(row.u) + side * lobe,
                                                   static_cast<double>(row.t), point));
@@ -119,22 +113,20 @@ TEST_CASE("reference table: the solver's branches pass through every row", "[ref
             }
             return best;
         };
-        for (auto const& row : stored_rows())
-        {
+        for (auto const& row : stored_rows()) {
             if (row.kinematics != kinematics)
                 continue;
             ++rows;
             double const distance = nearest(row, row.segment);
-            if (distance > tolerance)
-            {
+            if (distance > tolerance) {
                 ++missed;
                 UNSCOPED_INFO("missed by " << distance << " mm: " << table_line(row));
-            }
-            else
+            } else
                 worst = std::max(worst, distance);
             // Negative controls: on no branch of another piece, and on none with t told wrong (the straight
             // pieces pass through all their t between two samples).
-            bool const curved = row.piece.find("conv") != std::string::npos || row.piece.find("conc") != std::string::npos;
+            bool const curved =
+                row.piece.find("conv") != std::string::npos || row.piece.find("conc") != std::string::npos;
             TableRow wrong = row;
             wrong.t += Fifty(wrong.t > Fifty(0.5) ? -0.03 : 0.03);
             strangers += nearest(row, (row.segment + 2) % 7) <= tolerance;
@@ -161,8 +153,7 @@ TEST_CASE("reference table: exact against first-order kinematics", "[reference]"
     double largest = 0, along = 0;
     std::printf("first order less exact, right half of the tooth, um\n%-16s %6s %9s %9s %9s\n", "piece", "t", "phi deg",
                 "normal", "whole");
-    for (auto const& row : computed_rows(scene, Kinematics::first_order))
-    {
+    for (auto const& row : computed_rows(scene, Kinematics::first_order)) {
         double const t = static_cast<double>(row.t);
         auto const partner = exact.find({row.segment, t, count[{row.segment, t}]++});
         if (row.segment < tooth.pieces_of_whole() / 2 || partner == exact.end())

@@ -26,12 +26,10 @@ using hdconj::Scene;
 /// Shortest text that reads back as the same number.
 inline std::string text_of(double value)
 {
-    for (int digits = 1; digits < 17; ++digits)
-    {
+    for (int digits = 1; digits < 17; ++digits) {
         char text[64];
         std::snprintf(text, sizeof text, "%.*g", digits, value);
-        if (std::stod(text) == value)
-        {
+        if (std::stod(text) == value) {
             std::string const found = text;
             // A TOML float has a fraction or an exponent.
             return found.find_first_of(".e") == std::string::npos ? found + ".0" : found;
@@ -46,13 +44,10 @@ inline std::string text_of(double value)
 inline std::string toml_of(Scene const& scene)
 {
     std::string text;
-    auto const line = [&](std::string const& key, std::string const& value) {
-        text += key + " = " + value + "\n";
-    };
+    auto const line = [&](std::string const& key, std::string const& value) { text += key + " = " + value + "\n"; };
     auto const family = [&](hdconj::FamilyChoice const& choice) {
         line("family", "\"" + choice.family + "\"");
-        for (auto const& [key, parameter] : choice.given)
-        {
+        for (auto const& [key, parameter] : choice.given) {
             if (auto const* word = std::get_if<std::string>(&parameter.value))
                 line(key, "\"" + *word + "\"");
             else
@@ -116,8 +111,8 @@ inline double tip_circle(Scene const& scene)
         return *scene.circular_spline.inner_radius;
     oracle::Tooth<double> const tooth(scene);
     oracle::Motion<double> const motion(scene);
-    return motion.r_m + tooth.pitch_line - scene.flexspline.neutral_offset
-           + scene.flexspline.neutral_offset + motion.w0 - tooth.addendum;
+    return motion.r_m + tooth.pitch_line - scene.flexspline.neutral_offset + scene.flexspline.neutral_offset +
+           motion.w0 - tooth.addendum;
 }
 
 class RandomDesigns
@@ -128,8 +123,7 @@ class RandomDesigns
     /// The next valid design.
     Scene next()
     {
-        for (;;)
-        {
+        for (;;) {
             Scene const scene = draw();
             ++drawn;
             if (valid(scene))
@@ -165,13 +159,10 @@ class RandomDesigns
         scene.wave_generator.shape.given["radial_deformation"] = {w0, 0};
         scene.flexspline.wall = m * between(0.5, 3);
         auto& profile = scene.flexspline.profile;
-        auto const put = [&](char const* key, hdconj::ParameterValue const& value) {
-            profile.given[key] = {value, 0};
-        };
+        auto const put = [&](char const* key, hdconj::ParameterValue const& value) { profile.given[key] = {value, 0}; };
         double const tallest = 0.95 * w0;
         double dedendum = 0;
-        if (chance(0.3))
-        {
+        if (chance(0.3)) {
             profile.family = "straight";
             double const addendum = std::min(m * between(0.4, 1.0), tallest);
             dedendum = addendum * between(1.1, 1.5);
@@ -179,9 +170,7 @@ class RandomDesigns
             put("dedendum", dedendum);
             put("thickness", m * oracle::pi<double>() * between(0.35, 0.6));
             put("pressure_angle_deg", between(10, 35));
-        }
-        else
-        {
+        } else {
             // type-50 or Liu's set, scaled to the module and disturbed.
             bool const liu = chance(0.5);
             double const scale = m / (liu ? 0.5 : 0.25);
@@ -204,12 +193,11 @@ class RandomDesigns
             put("concave_rise", rise);
             if (chance(0.5))
                 put("concave_offset", std::string("tangent"));
-            else
-            {
+            else {
                 double const line = m * between(0.01, 0.4);
                 put("concave_offset",
-                    std::sqrt((ra + rf) * (ra + rf) + line * line - (rise - convex_rise) * (rise - convex_rise))
-                        - offset);
+                    std::sqrt((ra + rf) * (ra + rf) + line * line - (rise - convex_rise) * (rise - convex_rise)) -
+                        offset);
             }
             if (chance(0.5))
                 put("tip_line_from", addendum * between(0.55, 0.95));
@@ -217,8 +205,8 @@ class RandomDesigns
         if (chance(0.3))
             scene.flexspline.neutral_offset = scene.flexspline.wall * between(-0.2, 0.3);
         if (chance(0.2))
-            scene.flexspline.inner_radius
-                = m * scene.drive.flexspline_teeth / 2 - dedendum - scene.flexspline.wall + m * between(-0.1, 0.1);
+            scene.flexspline.inner_radius =
+                m * scene.drive.flexspline_teeth / 2 - dedendum - scene.flexspline.wall + m * between(-0.1, 0.1);
         if (chance(0.25))
             scene.circular_spline.backlash_offset = m * between(0, 0.03);
         if (chance(0.15))
@@ -234,16 +222,14 @@ class RandomDesigns
     static bool valid(Scene const& scene)
     {
         double const m = scene.drive.module;
-        try
-        {
+        try {
             oracle::Tooth<double> const tooth(scene);
             oracle::Motion<double> const motion(scene);
             double const n = motion.waves;
             if (motion.w0 * (n * n + 1) > 0.5 * motion.r_m)
                 return false;  // the neutral curve would be bent inwards or nearly so
             // An upright tooth: every piece goes up and, above the root, gets thinner.
-            for (auto const& piece : tooth.flank)
-            {
+            for (auto const& piece : tooth.flank) {
                 bool const flat = piece.name == "tip";
                 if (!(piece.lower.x - piece.upper.x > (flat ? 0.03 : 1e-3) * m))
                     return false;
@@ -260,9 +246,7 @@ class RandomDesigns
             oracle::TouchScan scan(scene, 1200);
             double const land = scan.nearest({tip * std::sin(half_pitch), tip * std::cos(half_pitch)}).distance;
             return land > scene.circular_spline.backlash_offset + 0.02 * m;
-        }
-        catch (std::exception const&)
-        {
+        } catch (std::exception const&) {
             return false;
         }
     }

@@ -16,7 +16,7 @@ namespace oracle {
 
 /// n.v of the profile point (tooth frame) at position @p s. v is taken in the circular-spline
 /// frame, n is turned into it.
-template<class T>
+template <class T>
 T normal_velocity(Motion<T> const& motion, typename Tooth<T>::OnProfile const& on, T const& s)
 {
     Pose<T> const pose = motion.pose(s), rate = motion.pose_rate(s);
@@ -27,12 +27,11 @@ T normal_velocity(Motion<T> const& motion, typename Tooth<T>::OnProfile const& o
 
 /// Root of @p f in [a, b], where f(a) = fa and f(b) = fb have different signs: each step halves the
 /// bracket and then tries to close it around the secant's guess.
-template<class T, class F>
+template <class T, class F>
 T bracketed(F const& f, T a, T fa, T b, T fb, T const& accuracy = std::numeric_limits<T>::epsilon())
 {
     using std::abs;
-    for (int step = 0; step < 2000; ++step)
-    {
+    for (int step = 0; step < 2000; ++step) {
         if (fa == T(0))
             return a;
         if (fb == T(0))
@@ -43,29 +42,22 @@ T bracketed(F const& f, T a, T fa, T b, T fb, T const& accuracy = std::numeric_l
             break;
         // one halving, one secant step guarded by the bracket
         T const middle = a + width / T(2), fm = f(middle);
-        if ((fm < T(0)) == (fa < T(0)))
-        {
+        if ((fm < T(0)) == (fa < T(0))) {
             a = middle;
             fa = fm;
-        }
-        else
-        {
+        } else {
             b = middle;
             fb = fm;
         }
         T const guess = a - fa * (b - a) / (fb - fa);
-        for (T const& c : {guess - smallest, guess + smallest})
-        {
+        for (T const& c : {guess - smallest, guess + smallest}) {
             if (!(c > a && c < b))
                 continue;
             T const fc = f(c);
-            if ((fc < T(0)) == (fa < T(0)))
-            {
+            if ((fc < T(0)) == (fa < T(0))) {
                 a = c;
                 fa = fc;
-            }
-            else
-            {
+            } else {
                 b = c;
                 fb = fc;
             }
@@ -76,17 +68,15 @@ T bracketed(F const& f, T a, T fa, T b, T fb, T const& accuracy = std::numeric_l
 
 /// All positions in one lobe, (-pi/n, pi/n], where the profile point is in contact, found from sign
 /// changes between @p scan positions; pairs of roots closer than a step are not promised.
-template<class T>
-std::vector<T> contact_positions(Motion<T> const& motion, typename Tooth<T>::OnProfile const& on,
-                                 int scan = 2000)
+template <class T>
+std::vector<T> contact_positions(Motion<T> const& motion, typename Tooth<T>::OnProfile const& on, int scan = 2000)
 {
     std::vector<T> found;
     T const half = motion.half_lobe();
     auto const f = [&](T const& s) { return normal_velocity(motion, on, s); };
     // The middle of the lobe is a position of symmetry: start off it.
     T before = -half + half / T(scan) / T(3), value = f(before);
-    for (int i = 1; i <= scan; ++i)
-    {
+    for (int i = 1; i <= scan; ++i) {
         T const now = -half + half / T(scan) / T(3) + T(2) * half * T(i) / T(scan), next = f(now);
         if ((value < T(0)) != (next < T(0)))
             found.push_back(bracketed(f, before, value, now, next));
@@ -97,20 +87,20 @@ std::vector<T> contact_positions(Motion<T> const& motion, typename Tooth<T>::OnP
 }
 
 /// One envelope point.
-template<class T>
+template <class T>
 struct EnvelopePoint
 {
     std::size_t segment = 0;  ///< in the order left root, tip, right root
     int step = 0;             ///< t = step / steps
     int root = 0;             ///< number of this position among those of the same profile point
     T t{}, u{}, phi{};
-    Point<T> point;           ///< circular-spline frame
-    Point<T> normal;          ///< of the tooth there, outward, circular-spline frame
+    Point<T> point;   ///< circular-spline frame
+    Point<T> normal;  ///< of the tooth there, outward, circular-spline frame
 };
 
 /// All envelope points of the profile points t = 0, 1/steps, ... 1 of every piece of the whole tooth.
 /// Positions are bracketed in double and found in T.
-template<class T>
+template <class T>
 std::vector<EnvelopePoint<T>> envelope_points(hdconj::Scene const& scene, int steps)
 {
     Tooth<double> const quick_tooth(scene);
@@ -119,19 +109,15 @@ std::vector<EnvelopePoint<T>> envelope_points(hdconj::Scene const& scene, int st
     Motion<T> const motion(scene);
     std::vector<EnvelopePoint<T>> found;
     for (std::size_t segment = 0; segment < tooth.pieces_of_whole(); ++segment)
-        for (int step = 0; step <= steps; ++step)
-        {
+        for (int step = 0; step <= steps; ++step) {
             T const t = T(step) / T(steps);
             auto const on = tooth.on_whole(segment, t);
             auto const f = [&](T const& s) { return normal_velocity(motion, on, s); };
             int root = 0;
-            for (double const near :
-                 contact_positions(quick, quick_tooth.on_whole(segment, static_cast<double>(t))))
-            {
+            for (double const near : contact_positions(quick, quick_tooth.on_whole(segment, static_cast<double>(t)))) {
                 // Wide enough for the error of the double root, unless two roots nearly merge.
                 T a, b, fa, fb;
-                for (double width = 1e-9; ; width *= 10)
-                {
+                for (double width = 1e-9;; width *= 10) {
                     a = T(near - width);
                     b = T(near + width);
                     fa = f(a);

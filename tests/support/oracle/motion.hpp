@@ -25,22 +25,19 @@
 namespace oracle {
 
 /// Nodes and weights of Gauss-Legendre quadrature on -1 ... 1.
-template<class T>
+template <class T>
 struct GaussLegendre
 {
     explicit GaussLegendre(int count)
     {
         using std::abs;
         using std::cos;
-        for (int i = 0; i < count; ++i)
-        {
+        for (int i = 0; i < count; ++i) {
             T x = cos(pi<T>() * (T(i) + T(3) / T(4)) / (T(count) + T(1) / T(2)));
             T slope{};
-            for (int step = 0; step < 100; ++step)
-            {
+            for (int step = 0; step < 100; ++step) {
                 T before(1), value = x;
-                for (int k = 2; k <= count; ++k)
-                {
+                for (int k = 2; k <= count; ++k) {
                     T const next = (T(2 * k - 1) * x * value - T(k - 1) * before) / T(k);
                     before = value;
                     value = next;
@@ -59,7 +56,7 @@ struct GaussLegendre
 };
 
 /// Where a tooth is in the circular-spline frame: origin and axes of the tooth frame.
-template<class T>
+template <class T>
 struct Pose
 {
     Point<T> origin, along, outward;
@@ -75,7 +72,7 @@ struct Pose
     }
 };
 
-template<class T>
+template <class T>
 class Motion
 {
   public:
@@ -84,10 +81,9 @@ class Motion
     explicit Motion(hdconj::Scene const& scene, bool closed = true)
     {
         auto const& flexspline = scene.flexspline;
-        T const inner = flexspline.inner_radius
-                            ? T(*flexspline.inner_radius)
-                            : T(scene.drive.module) * T(scene.drive.flexspline_teeth) / T(2)
-                                  - T(number_of(flexspline.profile, "dedendum")) - T(flexspline.wall);
+        T const inner = flexspline.inner_radius ? T(*flexspline.inner_radius)
+                                                : T(scene.drive.module) * T(scene.drive.flexspline_teeth) / T(2) -
+                                                      T(number_of(flexspline.profile, "dedendum")) - T(flexspline.wall);
         r_m = inner + T(flexspline.wall) / T(2) - T(flexspline.neutral_offset);
         w0 = T(number_of(scene.wave_generator.shape, "radial_deformation"));
         waves = scene.wave_generator.waves;
@@ -96,8 +92,7 @@ class Motion
         turn_ratio = T(scene.drive.flexspline_teeth) / T(scene.drive.circular_spline_teeth);
         exact = scene.solver.kinematics == hdconj::Kinematics::exact;
         r_0 = r_m;
-        if (exact)
-        {
+        if (exact) {
             close(closed);
             expand();
         }
@@ -113,8 +108,7 @@ class Motion
         // sum of c_k sin(k x) by Clenshaw's recurrence
         T const x = T(waves) * s, twice_cos = T(2) * cos(x);
         T b1(0), b2(0);
-        for (std::size_t k = sine_.size(); k-- > 0;)
-        {
+        for (std::size_t k = sine_.size(); k-- > 0;) {
             T const b = sine_[k] + twice_cos * b1 - b2;
             b2 = b1;
             b1 = b;
@@ -150,8 +144,7 @@ class Motion
         using std::cos;
         using std::sin;
         T const turned_back = turn_ratio * phi;
-        if (!exact)
-        {
+        if (!exact) {
             T const n(waves);
             T const wave = sin(n * s);
             T const rho = r_m + w0 * cos(n * s);
@@ -167,9 +160,7 @@ class Motion
         tangent = (T(1) / length(tangent)) * tangent;
         // Fixed frame to the frame that has turned clockwise by turned_back.
         T const back = -turned_back, cb = cos(back), sb = sin(back);
-        auto const turn = [&](Point<T> const& a) -> Point<T> {
-            return {a.x * cb + a.y * sb, a.y * cb - a.x * sb};
-        };
+        auto const turn = [&](Point<T> const& a) -> Point<T> { return {a.x * cb + a.y * sb, a.y * cb - a.x * sb}; };
         Point<T> const along = turn(tangent);
         return {turn(point), along, {-along.y, along.x}};
     }
@@ -180,8 +171,7 @@ class Motion
         using std::pow;
         T const h = pow(std::numeric_limits<T>::epsilon(), T(1) / T(5));
         Pose<T> const a = pose(s - T(2) * h), b = pose(s - h), c = pose(s + h), d = pose(s + T(2) * h);
-        auto const rate = [&](Point<T> const& pa, Point<T> const& pb, Point<T> const& pc,
-                              Point<T> const& pd) {
+        auto const rate = [&](Point<T> const& pa, Point<T> const& pb, Point<T> const& pc, Point<T> const& pd) {
             return (T(1) / (T(12) * h)) * ((pa - pd) + T(8) * (pc - pb));
         };
         return {rate(a.origin, b.origin, c.origin, d.origin), rate(a.along, b.along, c.along, d.along),
@@ -221,8 +211,7 @@ class Motion
     {
         using std::abs;
         points_ = 16;
-        for (T before(0);; points_ *= 2)
-        {
+        for (T before(0);; points_ *= 2) {
             T const now = mean_speed(points_);
             if (abs(now - before) <= T(64) * std::numeric_limits<T>::epsilon() * r_m)
                 break;
@@ -234,8 +223,7 @@ class Motion
             return;
         T a = r_m, fa = mean_speed(points_) - r_m;
         r_0 = r_m - fa;
-        for (int step = 0; step < 60; ++step)
-        {
+        for (int step = 0; step < 60; ++step) {
             T const b = r_0, fb = mean_speed(points_) - r_m;
             if (fb == fa || abs(b - a) <= std::numeric_limits<T>::epsilon() * r_m)
                 break;
@@ -254,12 +242,10 @@ class Motion
         std::vector<T> values;
         for (int i = 0; i < points_; ++i)
             values.push_back(speed(T(2) * pi<T>() * T(i) / (T(waves) * T(points_))));
-        for (int k = 1; k < points_ / 2; ++k)
-        {
+        for (int k = 1; k < points_ / 2; ++k) {
             T sum(0);
             for (int i = 0; i < points_; ++i)
-                sum += values[static_cast<std::size_t>(i)]
-                       * cos(T(2) * pi<T>() * T((k * i) % points_) / T(points_));
+                sum += values[static_cast<std::size_t>(i)] * cos(T(2) * pi<T>() * T((k * i) % points_) / T(points_));
             T const amplitude = T(2) * sum / (T(points_) * r_m);
             sine_.push_back(amplitude / T(k * waves));
         }

@@ -14,10 +14,9 @@
 namespace oracle {
 
 /// 50 decimal digits.
-using Fifty = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>,
-                                            boost::multiprecision::et_off>;
+using Fifty = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 
-template<class T>
+template <class T>
 T pi()
 {
     using std::acos;
@@ -26,7 +25,7 @@ T pi()
 }
 
 /// A point or a vector.
-template<class T>
+template <class T>
 struct Point
 {
     T x{};
@@ -37,13 +36,13 @@ struct Point
     friend Point operator*(T const& s, Point const& a) { return {s * a.x, s * a.y}; }
 };
 
-template<class T>
+template <class T>
 T dot(Point<T> const& a, Point<T> const& b)
 {
     return a.x * b.x + a.y * b.y;
 }
 
-template<class T>
+template <class T>
 T length(Point<T> const& a)
 {
     using std::sqrt;
@@ -51,7 +50,7 @@ T length(Point<T> const& a)
 }
 
 /// Turned clockwise by @p angle, the sense in which all polar angles are counted.
-template<class T>
+template <class T>
 Point<T> turned_clockwise(Point<T> const& a, T const& angle)
 {
     using std::cos;
@@ -61,7 +60,7 @@ Point<T> turned_clockwise(Point<T> const& a, T const& angle)
 }
 
 /// @p a in another number type.
-template<class To, class From>
+template <class To, class From>
 Point<To> as(Point<From> const& a)
 {
     return {static_cast<To>(a.x), static_cast<To>(a.y)};

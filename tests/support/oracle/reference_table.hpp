@@ -53,8 +53,8 @@ inline std::vector<TableRow> computed_rows(hdconj::Scene scene, hdconj::Kinemati
     Tooth<double> const tooth(scene);
     std::vector<TableRow> rows;
     for (auto const& found : envelope_points<Fifty>(scene, table_steps))
-        rows.push_back({kinematics, found.segment, tooth.name_of_whole(found.segment), found.t, found.u, found.phi,
-                        found.point});
+        rows.push_back(
+            {kinematics, found.segment, tooth.name_of_whole(found.segment), found.t, found.u, found.phi, found.point});
     return rows;
 }
 
@@ -63,8 +63,7 @@ inline std::vector<TableRow> read_rows(std::string const& file)
     std::ifstream in(file);
     std::string line;
     std::vector<TableRow> rows;
-    while (std::getline(in, line))
-    {
+    while (std::getline(in, line)) {
         if (line.empty() || line.front() == '#' || line == table_header)
             continue;
         std::istringstream fields(line);
@@ -74,7 +73,11 @@ inline std::vector<TableRow> read_rows(std::string const& file)
         if (field.size() != 8)
             throw std::runtime_error("reference table: bad line: " + line);
         rows.push_back({field[0] == "exact" ? hdconj::Kinematics::exact : hdconj::Kinematics::first_order,
-                        std::stoul(field[1]), field[2], Fifty(field[3]), Fifty(field[4]), Fifty(field[5]),
+                        std::stoul(field[1]),
+                        field[2],
+                        Fifty(field[3]),
+                        Fifty(field[4]),
+                        Fifty(field[5]),
                         {Fifty(field[6]), Fifty(field[7])}});
     }
     return rows;

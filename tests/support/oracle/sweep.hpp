@@ -41,8 +41,7 @@ struct SweptBoundary
 /// of the tooth space on the y axis.
 /// @param tip_circle  what stays below it is of no interest
 /// @param chord       sagitta of polygon sides [mm]
-inline SweptBoundary swept_boundary(hdconj::Scene const& scene, double tip_circle, std::size_t positions,
-                                    double chord)
+inline SweptBoundary swept_boundary(hdconj::Scene const& scene, double tip_circle, std::size_t positions, double chord)
 {
     namespace clip = ClipperLib;
     double const unit = 1e-8;
@@ -52,14 +51,12 @@ inline SweptBoundary swept_boundary(hdconj::Scene const& scene, double tip_circl
     // The tooth as a polygon, right flank from the root up, mirrored on the left.
     std::vector<Point<double>> shape;
     double sharpest = 1e300;
-    for (auto const& piece : tooth.flank)
-    {
+    for (auto const& piece : tooth.flank) {
         int parts = 1;
-        if (piece.arc)
-        {
+        if (piece.arc) {
             sharpest = std::min(sharpest, piece.radius);
-            parts = std::max(1, static_cast<int>(std::ceil(
-                                    piece.arc_length() / piece.radius / std::sqrt(8 * chord / piece.radius))));
+            parts = std::max(1, static_cast<int>(std::ceil(piece.arc_length() / piece.radius /
+                                                           std::sqrt(8 * chord / piece.radius))));
         }
         for (int i = 0; i < parts; ++i)
             shape.push_back(piece.at(static_cast<double>(i) / parts));
@@ -103,12 +100,10 @@ inline SweptBoundary swept_boundary(hdconj::Scene const& scene, double tip_circl
     std::vector<clip::Paths> level;
     auto const add = [&](clip::Paths paths) {
         paths = unite(paths);
-        for (std::size_t k = 0;; ++k)
-        {
+        for (std::size_t k = 0;; ++k) {
             if (k == level.size())
                 level.emplace_back();
-            if (level[k].empty())
-            {
+            if (level[k].empty()) {
                 level[k] = std::move(paths);
                 return;
             }
@@ -118,11 +113,9 @@ inline SweptBoundary swept_boundary(hdconj::Scene const& scene, double tip_circl
         }
     };
 
-    for (int copy = -reach; copy <= reach; ++copy)
-    {
+    for (int copy = -reach; copy <= reach; ++copy) {
         clip::Paths batch;
-        for (std::size_t i = 0; i < positions; ++i)
-        {
+        for (std::size_t i = 0; i < positions; ++i) {
             double const s = -half + step * static_cast<double>(i);
             auto const turned = [&](double at) {
                 Pose<double> pose = motion.pose(at);
@@ -131,8 +124,8 @@ inline SweptBoundary swept_boundary(hdconj::Scene const& scene, double tip_circl
                                     turned_clockwise(pose.outward, angle)};
             };
             Pose<double> const pose = turned(s);
-            if (length(pose.origin) + std::hypot(tooth.top, tooth.half_width) < tip_circle
-                || std::abs(std::atan2(pose.origin.x, pose.origin.y)) > window + widest)
+            if (length(pose.origin) + std::hypot(tooth.top, tooth.half_width) < tip_circle ||
+                std::abs(std::atan2(pose.origin.x, pose.origin.y)) > window + widest)
                 continue;
             ++result.polygons;
             std::vector<Point<double>> points;
@@ -140,8 +133,7 @@ inline SweptBoundary swept_boundary(hdconj::Scene const& scene, double tip_circl
                 points.push_back(pose.to_circular_spline(p));
             batch.push_back(oriented(points));
             Pose<double> const next = turned(s + step), before = turned(s - step);
-            for (double const side : {-1.0, 1.0})
-            {
+            for (double const side : {-1.0, 1.0}) {
                 Point<double> const c{side * corner.x, corner.y};
                 Point<double> const now = pose.to_circular_spline(c), then = next.to_circular_spline(c);
                 batch.push_back(oriented({now, then, pose.to_circular_spline(middle)}));
@@ -149,13 +141,11 @@ inline SweptBoundary swept_boundary(hdconj::Scene const& scene, double tip_circl
                 Point<double> const bend = then + before.to_circular_spline(c) - 2.0 * now;
                 acceleration = std::max(acceleration, length(bend) / (step * step));
             }
-            for (Point<double> const& p : {points.front(), points.back()})
-            {
+            for (Point<double> const& p : {points.front(), points.back()}) {
                 Point<double> const local = pose.to_tooth(p);
                 fastest = std::max(fastest, length(next.to_circular_spline(local) - p) / step);
             }
-            if (batch.size() >= 24)
-            {
+            if (batch.size() >= 24) {
                 add(std::move(batch));
                 batch.clear();
             }
@@ -166,8 +156,7 @@ inline SweptBoundary swept_boundary(hdconj::Scene const& scene, double tip_circl
     clip::Paths all;
     for (auto const& paths : level)
         all.insert(all.end(), paths.begin(), paths.end());
-    for (auto const& path : unite(all))
-    {
+    for (auto const& path : unite(all)) {
         if (!clip::Orientation(path))
             continue;  // a hole: a piece of material that would hang in the air
         auto& loop = result.loops.emplace_back();

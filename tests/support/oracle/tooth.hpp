@@ -49,15 +49,15 @@ inline double number_of(hdconj::FamilyChoice const& choice, std::string const& k
 }
 
 /// A piece of the right flank, or the right half of the flat tip.
-template<class T>
+template <class T>
 struct Piece
 {
-    std::string name;          ///< "concave", "line", "convex", "tip line", "tip"
+    std::string name;  ///< "concave", "line", "convex", "tip line", "tip"
     bool arc = false;
-    Point<T> lower, upper;     ///< ends; for the tip: corner, then the middle
-    Point<T> centre;           ///< of an arc
-    T radius{};                ///< of an arc
-    int side = 1;              ///< arc: +1 body inside the circle (convex), -1 outside
+    Point<T> lower, upper;  ///< ends; for the tip: corner, then the middle
+    Point<T> centre;        ///< of an arc
+    T radius{};             ///< of an arc
+    int side = 1;           ///< arc: +1 body inside the circle (convex), -1 outside
 
     /// Point at @p s, 0 at lower, 1 at upper, proportional to arc length.
     Point<T> at(T const& s) const
@@ -73,8 +73,7 @@ struct Piece
         using std::atan2;
         using std::cos;
         using std::sin;
-        if (!arc)
-        {
+        if (!arc) {
             Point<T> const d = upper - lower;
             T const l = length(d);
             return {d.y / l, -d.x / l};
@@ -97,8 +96,7 @@ struct Piece
     T distance(Point<T> const& p) const
     {
         using std::abs;
-        if (arc)
-        {
+        if (arc) {
             Point<T> const from_centre = p - centre;
             T const l = length(from_centre);
             if (l == T(0))
@@ -108,9 +106,7 @@ struct Piece
             T const foot_y = centre.y + radius * from_centre.y / l;
             if (T(side) * from_centre.x > T(0) && foot_y >= lower.y && foot_y <= upper.y)
                 return abs(l - radius);
-        }
-        else
-        {
+        } else {
             Point<T> const d = upper - lower, q = p - lower;
             T const along = dot(d, q), whole = dot(d, d);
             if (along >= T(0) && along <= whole)
@@ -121,7 +117,7 @@ struct Piece
     }
 };
 
-template<class T>
+template <class T>
 class Tooth
 {
   public:
@@ -137,12 +133,10 @@ class Tooth
         pitch_line = T(scene.flexspline.wall) / T(2) + dedendum + T(scene.flexspline.neutral_offset);
         top = pitch_line + addendum;
         half_width = T(0);
-        for (auto const& piece : flank)
-        {
+        for (auto const& piece : flank) {
             half_width = std::max(half_width, std::max(piece.lower.x, piece.upper.x));
             // An undercut convex arc is widest at the height of its centre.
-            if (piece.arc && piece.side > 0 && piece.lower.y < piece.centre.y
-                && piece.upper.y > piece.centre.y)
+            if (piece.arc && piece.side > 0 && piece.lower.y < piece.centre.y && piece.upper.y > piece.centre.y)
                 half_width = std::max(half_width, piece.centre.x + piece.radius);
         }
     }
@@ -155,8 +149,7 @@ class Tooth
         T best = abs(p.x - root().x);
         if (p.y > root().y)
             best = length(p - root());
-        for (auto const& piece : flank)
-        {
+        for (auto const& piece : flank) {
             T const d = piece.distance(p);
             if (d < best)
                 best = d;
@@ -173,13 +166,12 @@ class Tooth
         using std::sqrt;
         if (y <= root().y)
             return root().x;
-        for (auto const& piece : flank)
-        {
+        for (auto const& piece : flank) {
             if (piece.name == "tip" || y > piece.upper.y)
                 continue;
             if (!piece.arc)
-                return piece.lower.x
-                       + (y - piece.lower.y) / (piece.upper.y - piece.lower.y) * (piece.upper.x - piece.lower.x);
+                return piece.lower.x +
+                       (y - piece.lower.y) / (piece.upper.y - piece.lower.y) * (piece.upper.x - piece.lower.x);
             T const rise = y - piece.centre.y;
             return piece.centre.x + T(piece.side) * sqrt(piece.radius * piece.radius - rise * rise);
         }
@@ -202,20 +194,15 @@ class Tooth
     {
         std::size_t const flat = flank.size() - 1;
         Point<T> p, n;
-        if (index == flat)
-        {
+        if (index == flat) {
             p = {(T(2) * t - T(1)) * tip_corner().x, addendum};
             n = {T(0), T(1)};
-        }
-        else if (index < flat)
-        {
+        } else if (index < flat) {
             p = flank[index].at(t);
             n = flank[index].normal(t);
             p.x = -p.x;
             n.x = -n.x;
-        }
-        else
-        {
+        } else {
             std::size_t const mirrored = 2 * flat - index;
             p = flank[mirrored].at(T(1) - t);
             n = flank[mirrored].normal(T(1) - t);
@@ -233,8 +220,8 @@ class Tooth
 
     std::vector<Piece<T>> flank;  ///< from the root end up, last the right half of the tip
     T addendum{}, dedendum{};
-    T pitch_line{};               ///< height of the pitch line above the neutral curve
-    T top{};                      ///< height of the tip above the neutral curve
+    T pitch_line{};  ///< height of the pitch line above the neutral curve
+    T top{};         ///< height of the tip above the neutral curve
     T half_width{};
 
   private:
@@ -263,8 +250,7 @@ class Tooth
         Point<T> const f{touching ? sqrt(sum * sum - rise * rise) + a.x : T(number_of(profile, "concave_offset")),
                          concave_rise};
         T delta = atan2(f.y - a.y, f.x - a.x);
-        if (!touching)
-        {
+        if (!touching) {
             T const apart = length(f - a);
             if (apart < sum)
                 throw std::invalid_argument("oracle: the arcs overlap");
@@ -284,8 +270,7 @@ class Tooth
         Point<T> const arc_end{a.x + sqrt(ra * ra - up * up), end};
         add_arc("convex", on_convex, arc_end, a, ra, 1);
         Point<T> corner = arc_end;
-        if (given(profile, "tip_line_from"))
-        {
+        if (given(profile, "tip_line_from")) {
             // The tangent at arc_end: its normal is (arc_end - a) / ra, so dx/dy = -n_y / n_x.
             corner = {arc_end.x - (addendum - end) * up / (arc_end.x - a.x), addendum};
             add_line("tip line", arc_end, corner);

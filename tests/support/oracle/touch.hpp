@@ -28,8 +28,8 @@ namespace oracle {
 struct Touch
 {
     double distance = std::numeric_limits<double>::infinity();
-    double s = 0;   ///< position
-    int copy = 0;   ///< tooth turned clockwise by this many pitches
+    double s = 0;  ///< position
+    int copy = 0;  ///< tooth turned clockwise by this many pitches
 };
 
 class TouchScan
@@ -48,8 +48,8 @@ class TouchScan
         for (std::size_t i = 0; i + 1 < poses_.size(); ++i)
             for (Point<double> const corner : {Point<double>{-wide, below}, Point<double>{wide, below},
                                                Point<double>{-wide, above}, Point<double>{wide, above}})
-                slack_ = std::max(slack_, length(poses_[i + 1].to_circular_spline(corner)
-                                                 - poses_[i].to_circular_spline(corner)));
+                slack_ = std::max(
+                    slack_, length(poses_[i + 1].to_circular_spline(corner) - poses_[i].to_circular_spline(corner)));
         // Widest angle a tooth reaches from the y axis decides how many copies can come near.
         double reach = 0;
         for (auto const& pose : poses_)
@@ -104,15 +104,12 @@ class TouchScan
     void scan(Point<double> const& p, int copy, double& best, std::vector<Candidate>& candidates)
     {
         double const infinity = std::numeric_limits<double>::infinity();
-        for (std::size_t i = 0; i < poses_.size(); ++i)
-        {
+        for (std::size_t i = 0; i < poses_.size(); ++i) {
             auto const& pose = poses_[i];
             Point<double> const d = p - pose.origin;
             double const y = dot(d, pose.outward), x = std::abs(dot(d, pose.along));
             double const far = best + 2 * slack_;
-            scratch_[i] = y - tooth.top > far || x - tooth.half_width > far
-                              ? infinity
-                              : tooth.distance({x, y});
+            scratch_[i] = y - tooth.top > far || x - tooth.half_width > far ? infinity : tooth.distance({x, y});
             best = std::min(best, scratch_[i]);
         }
         for (std::size_t i = 1; i + 1 < scratch_.size(); ++i)
@@ -129,8 +126,7 @@ class TouchScan
         std::array<double, parts + 1> value{};
         for (int i = 0; i <= parts; ++i)
             value[static_cast<std::size_t>(i)] = at(from + part * i);
-        for (int i = 0; i <= parts; ++i)
-        {
+        for (int i = 0; i <= parts; ++i) {
             auto const k = static_cast<std::size_t>(i);
             bool const low = (i == 0 || value[k] <= value[k - 1]) && (i == parts || value[k] <= value[k + 1]);
             if (!low || value[k] > touch.distance + slack_)
@@ -139,23 +135,19 @@ class TouchScan
         }
     }
 
-    template<class F>
+    template <class F>
     static void golden(F const& f, double a, double b, int copy, Touch& touch)
     {
         double const ratio = (std::sqrt(5.0) - 1) / 2;
         double c = b - ratio * (b - a), d = a + ratio * (b - a), fc = f(c), fd = f(d);
-        for (int step = 0; step < 90 && b - a > 1e-15; ++step)
-        {
-            if (fc < fd)
-            {
+        for (int step = 0; step < 90 && b - a > 1e-15; ++step) {
+            if (fc < fd) {
                 b = d;
                 d = c;
                 fd = fc;
                 c = b - ratio * (b - a);
                 fc = f(c);
-            }
-            else
-            {
+            } else {
                 a = c;
                 c = d;
                 fc = fd;

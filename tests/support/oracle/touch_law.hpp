@@ -97,8 +97,7 @@ inline TouchReport touch_law(hdconj::Solution const& solution, TouchScan& scan, 
     ends.insert(ends.end(), inner.begin(), inner.end());
 
     TouchReport report;
-    for (auto const& entry : ends)
-    {
+    for (auto const& entry : ends) {
         auto const p = point_of(spline.outline.at(0).at(entry.index));
         double const distance = scan.nearest(p).distance - clearance;
         if (must_be_touched(*entry.kind))
