@@ -179,6 +179,7 @@ class SolveJob
             whole.stretches.push_back(stretch);
         }
         whole.chord = std::max(left_half.chord, right_half.chord);
+        whole.error = std::max(left_half.error, right_half.error);
         return result;
     }
 
@@ -186,6 +187,7 @@ class SolveJob
     {
         Outline image;
         image.chord = half.chord;
+        image.error = half.error;
         std::size_t const last = half.points.size() - 1;
         for (auto p = half.points.rbegin(); p != half.points.rend(); ++p)
             image.points.emplace_back(-p->x(), p->y());
@@ -264,7 +266,7 @@ class SolveJob
             deepest = std::max(deepest, p.norm());
         out_.geometry.space_depth = deepest - out_.geometry.circular_spline_inner_radius;
         out_.error.chord = outline.chord;
-        out_.error.point = tolerance_.roundoff();
+        out_.error.point = outline.error;
         for (std::size_t i = 0; i < branches_.size(); ++i)
         {
             std::size_t const before = out_.zones.size();

@@ -103,7 +103,8 @@ TEST_CASE("the smallest distance over a full turn: marching finds what a dense s
             }
         TurnMinimum const found = clearance(p);
         CHECK(found.distance <= scanned + 1e-13);
-        CHECK(found.distance >= scanned - 1e-6);   // the scan's own error: half a step at the speed of the tooth, squared
+        // the scan may stop half a step (80 urad) short of the minimum; the tooth moves by 0.5 mm per radian
+        CHECK(found.distance >= scanned - 8e-5);
         TurnMinimum const hinted = clearance(p, i > 0 ? &last : nullptr);
         CHECK(hinted.distance == Approx(found.distance).margin(1e-14));
         last = found;

@@ -3,6 +3,8 @@
 
 #include "hdconj/numeric/error.hpp"
 #include "hdconj/pipeline/solve.hpp"
+#include "pipeline/swallowed.hpp"
+#include "hdconj/conjugate/tooth_space.hpp"
 #include "support/catch.hpp"
 #include "support/type50.hpp"
 
@@ -116,18 +118,27 @@ TEST_CASE("root clearance moves the bottom and nothing else", "[pipeline]")
 
 TEST_CASE("an offset that swallows a stretch of flank says where and how much", "[pipeline]")
 {
-    // a tooth whose convex arc ends in a short steep chamfer: the space's bottom corners are narrow
-    try
-    {
-        (void)solve(builtin_scene({"circular_spline.backlash_offset=0.2", "circular_spline.inner_radius=25.3"}));
-        FAIL("accepted");
-    }
-    catch (NumericalError const& error)
-    {
-        std::string const text = error.what();
-        INFO(text);
-        CHECK(text.find("mm") != std::string::npos);
-    }
+    using test::Exact;
+    Profile const tooth = test::type50_tooth();
+    Exact const motion = test::type50_motion();
+    Envelope<Exact> const envelope(tooth, motion, 0);
+    std::vector<ContactArc> arcs;
+    for (Branch const& branch : find_branches(envelope, 1).branches)
+        arcs.insert(arcs.end(), branch.arcs.begin(), branch.arcs.end());
+    double const pitch = 2 * std::numbers::pi / test::type50_z_c;
+    constexpr double offset = 0.03;
+    ToothSpace const before = ToothSpaceFinder<Exact>(envelope, arcs, 25.025, test::type50_z_c, {1e-6, 26}, 1e-4)();
+    auto const judge = [&](ToothSpace const& after) { detail::refuse_swallowed(envelope, arcs, before, arcs, after, pitch, offset, 1e-6); };
+    CHECK_NOTHROW(judge(before));
+    ToothSpace lost = before;
+    auto const flank = std::find_if(lost.pieces.begin(), lost.pieces.end(), [&](BoundaryPiece const& piece) {
+        return piece.arc >= 0 && arcs[static_cast<std::size_t>(piece.arc)].piece == 7;   // right convex arc
+    });
+    REQUIRE(flank != lost.pieces.end());
+    lost.pieces.erase(flank);
+    CHECK_THROWS_AS(judge(lost), NumericalError);
+    // the stretch runs from (0.0946, 25.4370) to (0.2678, 25.0484)
+    CHECK_THROWS_WITH(judge(lost), ContainsSubstring("0.03") && ContainsSubstring("near (0.1") && ContainsSubstring("mm long"));
 }
 
 TEST_CASE("what cannot mesh is an error that names the tip circle, not an empty result", "[pipeline]")

@@ -58,7 +58,9 @@ template<RelativeMotion Motion>
         Vec2 const pa = a.point(u_a).p;
         Vec2 const gap = pa - b.point(u_b).p;
         double const size = gap.norm();
-        if (size <= tolerance.roundoff() / 8 || (k > 3 && size <= tolerance.roundoff() && size >= last))
+        // where the contact runs fast along its profile, its rounding is a multiple of that of the coordinates: the end is
+        // reached when a step no longer halves a gap that is no gap any more
+        if (size <= tolerance.roundoff() / 8 || (size <= tolerance.coincidence() && size >= last / 2))
         {
             // two polygons within `chord` of their arcs cross no farther from the arcs' crossing than this
             constexpr double shallow = 4096;

@@ -39,6 +39,7 @@ struct Outline
     std::vector<Vec2> points;
     std::vector<OutlineStretch> stretches;
     double chord = 0;              ///< largest chord error, estimated [mm]
+    double error = 0;              ///< largest rounding error of a point, estimated [mm]
     std::size_t evaluations = 0;
 };
 
@@ -90,6 +91,7 @@ template<RelativeMotion Motion>
         ProfilePiece const& made_by = profile.pieces[static_cast<std::size_t>(arc.piece)];
         SampledArc const sampled = sample_arc(envelope, arc, piece.begin, piece.end, chord, threads);
         outline.chord = std::max(outline.chord, sampled.chord);
+        outline.error = std::max(outline.error, sampled.error);
         outline.evaluations += sampled.evaluations;
         std::size_t const first = outline.points.empty() ? 0 : outline.points.size() - 1;
         for (std::size_t k = outline.points.empty() ? 0 : 1; k < sampled.points.size(); ++k)

@@ -28,6 +28,8 @@ struct Contact
     double bound_size = 0;     ///< size of the terms of `bound`, cancellations undone: its error is some roundings of this
     double turning = 0;        ///< df/du at the contact: zero where the contact reverses along the profile
     double turning_size = 0;   ///< the same for `turning`
+    /// Error of the point along its tangent per unit of roundoff [mm]: large where the contact runs fast along the profile.
+    double rounding = 0;
 };
 
 /// Contact of a circular arc or corner, offset by @p d.
@@ -61,6 +63,7 @@ struct Contact
     c.bound_size = 3 * speed2 * v_size + std::abs(r) * (turn_size + bend_size);
     c.turning = s * bend / speed;
     c.turning_size = bend_size / speed;
+    c.rounding = std::abs(r) * v_size / speed;
     return c;
 }
 
@@ -82,6 +85,9 @@ struct Contact
     c.slowness = f_s;
     c.bound = stretch > 0 ? c.advance : -std::abs(c.advance);
     double const v_size = rates.velocity_size(x) + std::abs(d) * rates.omega_size;
+    // at a double root the error is that of a square root
+    constexpr double square_root = 0x1p26;
+    c.rounding = std::min(v_size / std::abs(f_s), square_root * x.norm());
     c.bound_size = (std::abs(k) * v_size + rates.omega_size) * std::abs(slide_d) + std::abs(f_s) * v_size + std::abs(stretch) * c.turning_size;
     return c;
 }

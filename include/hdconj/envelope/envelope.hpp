@@ -19,6 +19,7 @@ struct EnvelopePoint
     double t = 0;              ///< local piece parameter
     Vec2 p = Vec2::Zero();     ///< [mm]
     Vec2 n = Vec2::Zero();     ///< outward normal of the swept region's side that touches here
+    double error = 0;          ///< estimated rounding error of p, along the curve [mm]
 };
 
 /// Profile and motion together, with the parallel offset that the envelope is wanted at.
@@ -53,7 +54,10 @@ class Envelope
     {
         Contact const c = contact(arc, u);
         Pose const pose = motion_->pose(u);
-        return {u, c.t, pose(c.x), pose.rotate(c.n)};
+        Vec2 const p = pose(c.x);
+        // some roundings in the pose, some in the meshing condition
+        constexpr double roundings = 8;
+        return {u, c.t, p, pose.rotate(c.n), roundings * unit_roundoff * (p.norm() + c.rounding)};
     }
 
   private:

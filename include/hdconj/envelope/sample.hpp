@@ -19,21 +19,37 @@ struct SampledArc
 {
     std::vector<EnvelopePoint> points;
     double chord = 0;              ///< estimated largest distance of the polygon from the curve [mm]
+    double error = 0;              ///< estimated largest rounding error of a point [mm]
     std::size_t evaluations = 0;
 };
 
 namespace detail {
 
-/// Chord error between neighbouring points with known normals: length times turn over 8, exact for a circle; an inflexion
-/// between them, seen as a chord that is not perpendicular to the mean normal, adds the deviation of a cubic.
+/// Largest distance from its chord of the cubic that has the given ends and end normals: for a circular arc length
+/// times turn over 8; right to the next order for any smooth curve, inflexions included.
 [[nodiscard]] inline double chord_error(EnvelopePoint const& a, EnvelopePoint const& b)
 {
     Vec2 const chord = b.p - a.p;
     double const length = chord.norm();
-    double const turn = std::abs(std::atan2(cross(a.n, b.n), a.n.dot(b.n)));
-    double const lean_a = std::abs(chord.dot(a.n));
-    double const lean_b = std::abs(chord.dot(b.n));
-    return std::max(length * turn / 8, 0.25 * std::max(lean_a, lean_b));
+    double const across_a = cross(chord, a.n);
+    double const across_b = cross(chord, b.n);
+    if (length == 0)
+        return 0;
+    // normals along the chord: no cubic over the chord has these ends
+    if (!(across_a * across_b > 0))
+        return length;
+    double const m0 = chord.dot(a.n) / across_a;  // slopes against the chord
+    double const m1 = chord.dot(b.n) / across_b;
+    // y = length (m0 (x - 2 x^2 + x^3) + m1 (x^3 - x^2)); y' = 0 is a quadratic in x
+    double const p = 3 * (m0 + m1);
+    double const q = -2 * (2 * m0 + m1);
+    double const root = std::sqrt(std::max(0.0, q * q - 4 * p * m0));
+    double const w = -0.5 * (q + std::copysign(root, q));
+    double worst = 0;
+    for (double const x : {p != 0 ? w / p : 0.0, w != 0 ? m0 / w : 0.0})
+        if (x > 0 && x < 1)
+            worst = std::max(worst, std::abs(m0 * x * (1 - x) * (1 - x) - m1 * x * x * (1 - x)));
+    return length * worst;
 }
 
 }  // namespace detail
@@ -61,7 +77,7 @@ template<RelativeMotion Motion>
 
     // a coarse look, refined where neighbours turn too much for the measure to be trusted
     constexpr std::size_t first_look = 17;
-    constexpr double trusted_turn = 0.1;
+    constexpr double trusted_turn = 0.06;
     constexpr int deepest = 40;
     struct Station
     {
@@ -103,6 +119,14 @@ template<RelativeMotion Motion>
         chords[i] = chords[i - 1] + std::sqrt(detail::chord_error(coarse[i - 1].e, coarse[i].e) / chord);
     constexpr double margin = 1.02;
     auto const count = static_cast<std::size_t>(std::max(1.0, std::ceil(margin * chords.back())));
+    // density of chords at the coarse stations, so that inside a cell it can vary linearly
+    std::vector<double> density(coarse.size());
+    for (std::size_t i = 0; i < coarse.size(); ++i)
+    {
+        std::size_t const low = i == 0 ? 0 : i - 1;
+        std::size_t const high = std::min(i + 1, coarse.size() - 1);
+        density[i] = (chords[high] - chords[low]) / (coarse[high].s - coarse[low].s);
+    }
     std::vector<double> stations(count + 1);
     std::size_t cell = 1;
     for (std::size_t k = 0; k <= count; ++k)
@@ -111,7 +135,12 @@ template<RelativeMotion Motion>
         while (cell + 1 < chords.size() && chords[cell] < wanted)
             ++cell;
         double const width = chords[cell] - chords[cell - 1];
-        double const share = width > 0 ? std::clamp((wanted - chords[cell - 1]) / width, 0.0, 1.0) : 0.0;
+        double const filled = width > 0 ? std::clamp((wanted - chords[cell - 1]) / width, 0.0, 1.0) : 0.0;
+        double const r0 = density[cell - 1];
+        double const r1 = density[cell];
+        double const half_full = filled * 0.5 * (r0 + r1);
+        double const below = r0 + std::sqrt(std::max(0.0, r0 * r0 + 2 * (r1 - r0) * half_full));
+        double const share = below > 0 ? std::clamp(2 * half_full / below, 0.0, 1.0) : filled;
         stations[k] = coarse[cell - 1].s + share * (coarse[cell].s - coarse[cell - 1].s);
     }
     stations.front() = 0;
@@ -150,6 +179,8 @@ template<RelativeMotion Motion>
             result.points.push_back(now.b);
         }
     }
+    for (EnvelopePoint const& e : result.points)
+        result.error = std::max(result.error, e.error);
     if (from > to)
         std::reverse(result.points.begin(), result.points.end());
     return result;
