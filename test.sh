@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Builds everything and runs the tests; arguments go to ctest:  ./test.sh -L law
 # HDCONJ_PRESET=asan-ubsan ./test.sh   the same under another configure preset
+# HDCONJ_TARGETS=parallel_tests HDCONJ_PRESET=tsan ./test.sh -L parallel   builds only what these tests need
 set -eu
 root=$(CDPATH= cd -- "$(dirname -- "$0")" && pwd)
 . "$root/cmake/bootstrap.sh"
 
 need_packages build test
 configure -DHDCONJ_BUILD_TESTS=ON
-build_targets all
+build_targets ${HDCONJ_TARGETS:-all}
 
 exec ctest --test-dir "$build" --output-on-failure --no-tests=error --parallel "${HDCONJ_JOBS:-$(nproc)}" "$@"
