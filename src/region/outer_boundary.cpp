@@ -109,6 +109,8 @@ OuterBoundary outer_boundary(std::vector<std::vector<Vec2>> const& curves, int f
     {
         Source const source = source_of(edge, last);
         bool const sticks_out = source.curve != floor && edge->twin()->face() == outside;
+        if (sticks_out)
+            result.loose.push_back(rounded(edge->target()));
         if (!sticks_out)
         {
             auto const& polygon = curves[static_cast<std::size_t>(source.curve)];

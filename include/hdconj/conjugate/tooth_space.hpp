@@ -57,12 +57,10 @@ class ToothSpaceFinder
     [[nodiscard]] ToothSpace operator()()
     {
         double chord = chord_;
-        constexpr int attempts = 6;
+        constexpr int attempts = 5;
         for (int attempt = 0; attempt < attempts; ++attempt, chord /= 16)
         {
-            if (attempt + 1 == attempts || chord < tolerance_.coincidence())
-                chord = std::max(chord, tolerance_.coincidence());
-            auto const space = find(chord);
+            auto const space = find(std::max(chord, tolerance_.coincidence()), attempt > 0);
             if (space)
                 return *space;
         }
@@ -77,18 +75,28 @@ class ToothSpaceFinder
         std::vector<double> u;  ///< of each polygon vertex
     };
 
-    [[nodiscard]] std::optional<ToothSpace> find(double chord)
+    [[nodiscard]] std::optional<ToothSpace> find(double chord, bool graded)
     {
-        collect(chord);
+        collect(chord, graded);
         coincide();
         int const floor = add_floor(chord);
         OuterBoundary const boundary = outer_boundary(polygons_, floor);
         segments_ += boundary.segments;
+        // at the rim of the window curves hang loose because their neighbours were left out
+        for (Vec2 const& p : boundary.loose)
+        {
+            if (std::abs(std::atan2(p.x(), p.y())) > pitch_ / 2)
+                continue;
+            place_ = "near (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ") mm";
+            cause_ = "branches that should cross there miss each other as polygons";
+            return std::nullopt;
+        }
         return refine(middle_pitch(boundary.runs, floor), floor, chord);
     }
 
     /// Polygons of all bounding arcs, as far as they rise above the tip circle, for all teeth that reach the middle pitch.
-    void collect(double chord)
+    /// @param graded  vertices crowd towards the arcs' ends: next to a cusp two arcs may cross at any distance, however small
+    void collect(double chord, bool graded)
     {
         polygons_.clear();
         sources_.clear();
@@ -97,7 +105,9 @@ class ToothSpaceFinder
         {
             if (!arcs_[i].bounding)
                 continue;
-            SampledArc const sampled = sample_arc(envelope_, arcs_[i], arcs_[i].u_begin, arcs_[i].u_end, chord, 1);
+            SampledArc sampled = sample_arc(envelope_, arcs_[i], arcs_[i].u_begin, arcs_[i].u_end, chord, 1);
+            if (graded)
+                crowd_ends(arcs_[i], sampled.points);
             std::vector<Vec2> points;
             std::vector<double> u;
             auto const flush = [&] {
@@ -122,6 +132,24 @@ class ToothSpaceFinder
             }
             flush();
         }
+    }
+
+    void crowd_ends(ContactArc const& arc, std::vector<EnvelopePoint>& points) const
+    {
+        constexpr int halvings = 14;
+        double const first = points.front().u;
+        double const second = points[1].u;
+        double const last = points.back().u;
+        double const before_last = points[points.size() - 2].u;
+        std::vector<EnvelopePoint> begin, end;
+        for (int k = halvings; k >= 1; --k)
+            begin.push_back(envelope_.point(arc, first + std::ldexp(second - first, -k)));
+        for (int k = 1; k <= halvings; ++k)
+            end.push_back(envelope_.point(arc, last + std::ldexp(before_last - last, -k)));
+        if (points.size() == 2)
+            begin.pop_back();   // both sides would halve the one chord
+        points.insert(points.begin() + 1, begin.begin(), begin.end());
+        points.insert(points.end() - 1, end.begin(), end.end());
     }
 
     void add_copies(int arc, std::vector<Vec2> const& points, std::vector<double> const& u)

@@ -3,10 +3,13 @@
 /// One root between two arguments where a function has opposite signs.
 #pragma once
 
+#include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+
+#include "hdconj/numeric/tolerance.hpp"
 
 namespace hdconj {
 
@@ -19,7 +22,7 @@ struct BracketedRoot
     bool found = false;           ///< false: no sign change on the interval given, or no convergence
 };
 
-/// Root of @p f between @p a and @p b, f(a) = @p fa and f(b) = @p fb given, to the last bits of x.
+/// Root of @p f between @p a and @p b, f(a) = @p fa and f(b) = @p fb given, to the last bits of the larger end.
 ///
 /// TOMS algorithm 748 (Alefeld, Potra, Shi 1995) through Boost.Math. A zero at an end is returned at once.
 /// No sign change: found = false, never an invented root.
@@ -34,8 +37,10 @@ template<class F>
         return {};
     constexpr std::uintmax_t budget = 200;
     std::uintmax_t used = budget;
-    boost::math::tools::eps_tolerance<double> const last_bits(52);
-    auto const [low, high] = boost::math::tools::toms748_solve(f, a, b, fa, fb, last_bits, used);
+    // relative to the interval and not to the root: a root at zero has no last bit
+    double const last_bit = unit_roundoff * std::max(std::abs(a), std::abs(b));
+    auto const narrow = [&](double x, double y) { return std::abs(y - x) <= std::max(last_bit, 2 * unit_roundoff * std::min(std::abs(x), std::abs(y))); };
+    auto const [low, high] = boost::math::tools::toms748_solve(f, a, b, fa, fb, narrow, used);
     double const f_low = std::abs(f(low));
     double const f_high = std::abs(f(high));
     return {f_low <= f_high ? low : high, std::abs(high - low), static_cast<std::size_t>(used) + 2, used < budget};

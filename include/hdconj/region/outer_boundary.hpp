@@ -24,6 +24,9 @@ struct OuterBoundary
 {
     std::vector<BoundaryRun> runs;
     std::size_t segments = 0;
+    /// Places where segments stick out into the open side and bound nothing. The curves of a swept region have none on its
+    /// outer side, so there they tell of polygons too coarse to cross where their curves do.
+    std::vector<Vec2> loose;
 };
 
 /// Walks from the first to the last point of curve @p floor along the boundary of everything that can be reached from
