@@ -162,9 +162,10 @@ class ToothSpaceFinder
             low = std::min(low, angle);
             high = std::max(high, angle);
         }
-        // the window is one pitch either side of the middle: half a pitch is wanted, its neighbours must be closed
-        int const first = static_cast<int>(std::ceil((-pitch_ - high) / pitch_));
-        int const last = static_cast<int>(std::floor((pitch_ - low) / pitch_));
+        // half a pitch either side of the middle is wanted; the spaces next to it must be whole, or the walk gets into them
+        double const window = 1.5 * pitch_;
+        int const first = static_cast<int>(std::ceil((-window - high) / pitch_));
+        int const last = static_cast<int>(std::floor((window - low) / pitch_));
         for (int copy = first; copy <= last; ++copy)
         {
             std::vector<Vec2> turned(points.size());
@@ -196,8 +197,8 @@ class ToothSpaceFinder
     /// The tip circle, as a polygon from beyond the leftmost to beyond the rightmost curve.
     int add_floor(double chord)
     {
-        double low = -1.25 * pitch_;
-        double high = 1.25 * pitch_;
+        double low = -1.75 * pitch_;
+        double high = 1.75 * pitch_;
         for (auto const& polygon : polygons_)
         {
             for (Vec2 const& p : polygon)

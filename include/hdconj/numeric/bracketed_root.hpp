@@ -37,13 +37,15 @@ template<class F>
         return {};
     constexpr std::uintmax_t budget = 200;
     std::uintmax_t used = budget;
-    // relative to the interval and not to the root: a root at zero has no last bit
-    double const last_bit = unit_roundoff * std::max(std::abs(a), std::abs(b));
-    auto const narrow = [&](double x, double y) { return std::abs(y - x) <= std::max(last_bit, 2 * unit_roundoff * std::min(std::abs(x), std::abs(y))); };
-    auto const [low, high] = boost::math::tools::toms748_solve(f, a, b, fa, fb, narrow, used);
-    double const f_low = std::abs(f(low));
-    double const f_high = std::abs(f(high));
-    return {f_low <= f_high ? low : high, std::abs(high - low), static_cast<std::size_t>(used) + 2, used < budget};
+    // two last bits of the larger end; not of the root: a root at zero has no last bit
+    double const last_bits = 4 * unit_roundoff * std::max(std::abs(a), std::abs(b));
+    auto const narrow = [&](double x, double y) { return std::abs(y - x) <= last_bits; };
+    // measured from the lower end: Boost's steps next to a negative end can stall one bit before the goal
+    auto const from_a = [&](double y) { return f(a + y); };
+    auto const [low, high] = boost::math::tools::toms748_solve(from_a, 0.0, b - a, fa, fb, narrow, used);
+    double const f_low = std::abs(from_a(low));
+    double const f_high = std::abs(from_a(high));
+    return {a + (f_low <= f_high ? low : high), std::abs(high - low), static_cast<std::size_t>(used) + 2, used < budget};
 }
 
 template<class F>
