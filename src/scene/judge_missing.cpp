@@ -81,6 +81,10 @@ void store_defaults(Judgement& judgement, TableSpec const& table)
 bool is_geometry_key(std::string_view path)
 {
     constexpr std::array<std::string_view, 4> tables{"drive.", "flexspline.", "wave_generator.", "circular_spline."};
+    constexpr std::array<std::string_view, 5> others{"drive.name", "drive.circular_spline_teeth", "wave_generator.waves",
+                                                     "circular_spline.width", "circular_spline.backlash_offset"};
+    if (std::find(others.begin(), others.end(), path) != others.end())
+        return false;
     return find_table(path) == nullptr && std::any_of(tables.begin(), tables.end(), [path](std::string_view table) {
                return path.starts_with(table);
            });
@@ -90,7 +94,8 @@ bool is_geometry_key(std::string_view path)
 bool required_keys_known(Judgement const& judgement, TableSpec const& table)
 {
     auto const is_known = [&](ParameterSpec const& spec) {
-        return !spec.required || judgement.reading.known.contains(join(table.path, spec.key));
+        std::string const path = join(table.path, spec.key);
+        return !spec.required || !is_geometry_key(path) || judgement.reading.known.contains(path);
     };
     bool const own = std::all_of(table.keys.begin(), table.keys.end(),
                                  [&is_known](KeySpec const& key) { return is_known(key.spec); });
