@@ -88,7 +88,8 @@ Profile whole_tooth(std::vector<FlankSegment> const& segments, ToothPlace const&
         for (std::size_t i = 0; i < segment.pieces.size(); ++i)
         {
             PieceShape shape = moved_up(segment.pieces[i], profile.pitch_line);
-            if (!profile.pieces.empty())
+            // inside a segment pieces join smoothly by construction
+            if (i == 0 && !profile.pieces.empty())
                 append_corner(profile, profile.pieces.back().shape, shape);
             double const k = static_cast<double>(i);
             profile.pieces.push_back({std::move(shape), index, k / count, (k + 1) / count, false});

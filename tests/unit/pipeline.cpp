@@ -6,6 +6,7 @@
 #include "pipeline/swallowed.hpp"
 #include "hdconj/conjugate/tooth_space.hpp"
 #include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 #include "support/type50.hpp"
 
 using namespace hdconj;
@@ -146,6 +147,46 @@ TEST_CASE("what cannot mesh is an error that names the tip circle, not an empty 
     CHECK_THROWS_AS(solve(builtin_scene({"wave_generator.radial_deformation=0.15"})), NumericalError);
     CHECK_THROWS_WITH(solve(builtin_scene({"wave_generator.radial_deformation=0.15"})), ContainsSubstring("tip circle"));
     CHECK_THROWS_AS(solve(builtin_scene({"circular_spline.inner_radius=26"})), InputError);
+}
+
+TEST_CASE("a tooth given by points is solved like the arcs the points were taken from", "[pipeline]")
+{
+    // type-50 without its tip line: two arcs, 60 points each
+    Solution const arcs = solve(builtin_scene({"!flexspline.profile.tip_line_from"}));
+    test::TemporaryFolder const folder;
+    Profile const tooth = test::type50_tooth({"!flexspline.profile.tip_line_from"});
+    std::string csv;
+    for (std::size_t i = tooth.pieces.size() - 2; i < tooth.pieces.size(); ++i)
+        for (int k = i + 1 == tooth.pieces.size() ? 1 : 0; k <= 60; ++k)
+        {
+            Vec2 const p = point_at(tooth.pieces[i].shape, k / 60.0);
+            csv += std::to_string(p.x() * 1e12) + "e-12," + std::to_string((p.y() - tooth.pitch_line) * 1e12) + "e-12\n";
+        }
+    std::ofstream(folder / "flank.csv") << csv;
+    Scene scene = builtin_scene();
+    scene.folder = folder.path();
+    FamilyChoice& choice = scene.flexspline.profile;
+    choice.family = "points";
+    choice.given = {{"file", {std::string("flank.csv"), 1}}};
+    Solution const spline = solve(scene);
+    CHECK(spline.check->smallest_clearance >= -1e-10);
+    for (BranchRecord const& branch : spline.branches)
+        CHECK((branch.kind == "regular" || branch.segment_name.find("tip land") != std::string::npos));
+    // polygon against polygon: both chord errors, and the spline's own error at the jump of curvature between the arcs
+    auto const& a = arcs.circular_spline.outline.front();
+    double worst = 0;
+    for (Vec2 const& p : spline.circular_spline.outline.front())
+    {
+        double nearest = 1;
+        for (std::size_t i = 0; i + 1 < a.size(); ++i)
+        {
+            Vec2 const d = a[i + 1] - a[i];
+            double const t = std::clamp((p - a[i]).dot(d) / d.squaredNorm(), 0.0, 1.0);
+            nearest = std::min(nearest, (p - a[i] - t * d).norm());
+        }
+        worst = std::max(worst, nearest);
+    }
+    CHECK(worst < 5e-6);
 }
 
 TEST_CASE("landmarks stand where their names say", "[pipeline]")

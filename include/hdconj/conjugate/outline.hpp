@@ -80,11 +80,13 @@ template<RelativeMotion Motion>
 {
     Outline outline;
     Profile const& profile = envelope.profile();
+    int before = -1;   // profile piece of the stretch before
     for (BoundaryPiece const& piece : pieces)
     {
         if (piece.arc < 0)
         {
             detail::append_land(outline, tip_radius, piece.begin, piece.end, chord);
+            before = -1;
             continue;
         }
         ContactArc const& arc = arcs[static_cast<std::size_t>(piece.arc)];
@@ -102,7 +104,14 @@ template<RelativeMotion Motion>
         OutlineKind const kind = made_by.corner ? OutlineKind::corner
                                  : detail::is_tip(profile, arc.piece) ? OutlineKind::bottom
                                                                       : OutlineKind::flank;
-        outline.stretches.push_back({kind, made_by.segment, first, outline.points.size() - 1});
+        // pieces that follow each other inside a segment make one stretch
+        bool const goes_on = before >= 0 && std::abs(arc.piece - before) == 1 && !made_by.corner && outline.stretches.back().kind == kind
+                             && outline.stretches.back().segment == made_by.segment;
+        if (goes_on)
+            outline.stretches.back().last = outline.points.size() - 1;
+        else
+            outline.stretches.push_back({kind, made_by.segment, first, outline.points.size() - 1});
+        before = arc.piece;
     }
     return outline;
 }

@@ -27,7 +27,7 @@ namespace detail {
     if (a.u_end != b.u_begin)
     {
         // the two sides of a joint solve for the same instant with their own roundings
-        constexpr double same_instant = 0x1p-40;
+        constexpr double same_instant = 0x1p-30;
         if (a.piece == b.piece || std::abs(a.u_end - b.u_begin) > same_instant)
             return false;
     }

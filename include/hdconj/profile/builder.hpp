@@ -23,7 +23,8 @@ struct ToothPlace
     std::string folder;         ///< where relative file names start
 };
 
-/// A named stretch of the right flank, given from the tip down to the root, y from the pitch line.
+/// A named stretch of the right flank, given from the tip down to the root, y from the pitch line. Its pieces share
+/// their tangents where they join; a corner can only stand between segments.
 struct FlankSegment
 {
     std::string name;
