@@ -46,7 +46,7 @@ TEST_CASE("solve names the file after any drive")
     CHECK(folder.names() == std::vector<std::string>{"a-b.h5"});
 }
 
-TEST_CASE("--json prints one object and keeps the talk apart, --quiet prints nothing")
+TEST_CASE("solve: --json prints one object and keeps the talk apart, --quiet prints nothing")
 {
     TemporaryFolder const folder;
     auto const json = solve("--json -o a.h5", folder);

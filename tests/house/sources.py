@@ -104,7 +104,18 @@ def tolerances(root):
     return faults
 
 
-RULES = (licence, machine_paths, listed, tolerances)
+def test_names(root):
+    """No test case is named so that ctest cannot run it: Catch2 takes "-..." for an option, CMake ";" for two names."""
+    faults = []
+    for path, name in files(root):
+        if path.suffix == ".cpp" and name.startswith("tests/"):
+            for title in re.findall(r'TEST_CASE\(\s*"([^"]*)"', path.read_text()):
+                if title.startswith("-") or ";" in title:
+                    faults.append(f'{name}: ctest cannot run a test case named "{title}"')
+    return faults
+
+
+RULES = (licence, machine_paths, listed, tolerances, test_names)
 
 
 def control():
@@ -123,6 +134,7 @@ def control():
         (tolerances, {"src/a/x.cpp": spdx + "double const h = 2.5e-9;\n"}),
         (tolerances, {"src/a/x.cpp": spdx + "int i;\nconstexpr double h = 1e-9;\n"}),
         (tolerances, {"src/a/x.cpp": spdx + "// why\nif (a < 1e-9)\n"}),
+        (test_names, {"tests/CMakeLists.txt": good["src/CMakeLists.txt"], "tests/a/x.cpp": spdx + 'TEST_CASE("--set")\n'}),
         (tolerances, {"tests/house/small_numbers.txt": "src/a/x.cpp 1e-9 not there\n"}),
     ]
     failures = []
