@@ -84,7 +84,11 @@ class SolveJob
         out_.work.envelope_points += set.record.evaluations;
         std::vector<BranchRecord> records(branches_.size());
         std::vector<std::size_t> evaluations(branches_.size(), 0);
-        parallel_for(branches_.size(), out_.threads, 1, [&](std::size_t i) {
+        // a branch about as long as the tooth is high has this many chords
+        double const chords = std::sqrt((tooth_.addendum + tooth_.dedendum) / tolerance_.length);
+        constexpr double chords_worth_a_thread = 8192;
+        auto const grain = static_cast<std::size_t>(std::ceil(chords_worth_a_thread / chords));
+        parallel_for(branches_.size(), out_.threads, grain, [&](std::size_t i) {
             records[i] = branch_record(base_, branches_[i], tolerance_.length, evaluations[i]);
         });
         for (std::size_t count : evaluations)
@@ -212,7 +216,8 @@ class SolveJob
         std::vector<TurnMinimum> minima(chosen.size());
         // blocks of fixed size, whatever the number of threads: inside one, each point starts from its neighbour's result
         constexpr std::size_t block = 64;
-        parallel_for((chosen.size() + block - 1) / block, out_.threads, 2, [&](std::size_t b) {
+        constexpr std::size_t blocks_worth_a_thread = 4;
+        parallel_for((chosen.size() + block - 1) / block, out_.threads, blocks_worth_a_thread, [&](std::size_t b) {
             std::size_t const end = std::min(chosen.size(), (b + 1) * block);
             for (std::size_t i = b * block; i < end; ++i)
                 minima[i] = clearance(points[chosen[i]], i > b * block ? &minima[i - 1] : nullptr);

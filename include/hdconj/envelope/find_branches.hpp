@@ -85,7 +85,8 @@ template<RelativeMotion Motion>
     auto const& pieces = envelope.profile().pieces;
     std::vector<std::vector<ContactArc>> arcs(pieces.size());
     std::vector<TraceRecord> records(pieces.size());
-    parallel_for(pieces.size(), threads, 1, [&](std::size_t i) {
+    constexpr std::size_t grain = 32;
+    parallel_for(pieces.size(), threads, grain, [&](std::size_t i) {
         std::vector<ContactArc> const whole = PieceTracer<Motion>(envelope, static_cast<int>(i))(records[i]);
         for (ContactArc const& arc : whole)
             for (ContactArc& part : cut_at_cusps(envelope, arc, records[i]))

@@ -148,7 +148,7 @@ template<RelativeMotion Motion>
     stations.front() = 0;
     stations.back() = 1;
     std::vector<EnvelopePoint> points(stations.size());
-    constexpr std::size_t grain = 512;
+    constexpr std::size_t grain = 8192;
     parallel_for(points.size(), threads, grain, [&](std::size_t i) { points[i] = at(stations[i]); });
     result.evaluations += points.size();
 
