@@ -78,6 +78,7 @@ class ToothSpaceFinder
     [[nodiscard]] std::optional<ToothSpace> find(double chord, bool graded)
     {
         collect(chord, graded);
+        refuse_without_land();
         coincide();
         int const floor = add_floor(chord);
         OuterBoundary const boundary = outer_boundary(polygons_, floor);
@@ -91,7 +92,14 @@ class ToothSpaceFinder
             cause_ = "branches that should cross there miss each other as polygons";
             return std::nullopt;
         }
-        return refine(middle_pitch(boundary.runs, floor), floor, chord);
+        std::vector<BoundaryRun> const runs = middle_pitch(boundary.runs, floor);
+        if (runs.empty())
+        {
+            place_ = "tip circle";
+            cause_ = "the boundary does not come down to a land on both sides";
+            return std::nullopt;
+        }
+        return refine(runs, floor, chord);
     }
 
     /// Polygons of all bounding arcs, as far as they rise above the tip circle, for all teeth that reach the middle pitch.
@@ -232,8 +240,35 @@ class ToothSpaceFinder
         return u[k] + share * (u[k + 1] - u[k]);
     }
 
-    /// The runs from the land at -half a pitch to the land at +half a pitch.
-    [[nodiscard]] std::vector<BoundaryRun> middle_pitch(std::vector<BoundaryRun> const& runs, int floor)
+    /// The middle of the land is solid from the tip circle outward; where a tooth sweeps any of it, there is no land.
+    void refuse_without_land() const
+    {
+        double reached = 0;
+        for (auto const& polygon : polygons_)
+        {
+            for (std::size_t k = 0; k + 1 < polygon.size(); ++k)
+            {
+                for (double side : {-0.5, 0.5})
+                {
+                    double const before = std::atan2(polygon[k].x(), polygon[k].y()) - side * pitch_;
+                    double const after = std::atan2(polygon[k + 1].x(), polygon[k + 1].y()) - side * pitch_;
+                    if ((before < 0) == (after < 0))
+                        continue;
+                    Vec2 const p = polygon[k] + before / (before - after) * (polygon[k + 1] - polygon[k]);
+                    reached = std::max(reached, p.norm());
+                }
+            }
+        }
+        if (reached > tip_radius_)
+            throw NumericalError("region", "tip circle",
+                                 "no tip land is left on the circular spline: half-way between two tooth spaces the teeth sweep up to a radius of "
+                                     + std::to_string(reached) + " mm, where the circular spline's teeth would be pointed, and the tip circle is at "
+                                     + std::to_string(tip_radius_) + " mm; write a circular_spline.inner_radius above "
+                                     + std::to_string(reached) + ", a larger wave_generator.radial_deformation or a smaller addendum");
+    }
+
+    /// The runs from the land at -half a pitch to the land at +half a pitch; nothing when the walk did not pass them.
+    [[nodiscard]] std::vector<BoundaryRun> middle_pitch(std::vector<BoundaryRun> const& runs, int floor) const
     {
         auto const land_over = [&](double angle) {
             return std::find_if(runs.begin(), runs.end(), [&](BoundaryRun const& run) {
@@ -242,39 +277,9 @@ class ToothSpaceFinder
         };
         auto const left = land_over(-pitch_ / 2);
         auto const right = land_over(pitch_ / 2);
-        if (left == runs.end() || right == runs.end())
-            throw NumericalError("region", "tip circle", pointed(runs, floor));
-        if (left == right)
-            throw NumericalError("region", "tip circle",
-                                 "the teeth never come down to the circular spline's tip circle (radius " + std::to_string(tip_radius_)
-                                     + " mm): what they sweep has no gap between tooth spaces, so there is no conjugate profile; a larger "
-                                       "wave_generator.radial_deformation, a smaller addendum or a larger circular_spline.inner_radius is needed");
+        if (left == runs.end() || right == runs.end() || left == right)
+            return {};
         return {left, right + 1};
-    }
-
-    /// Why there is no land: the radius at which neighbouring spaces part.
-    [[nodiscard]] std::string pointed(std::vector<BoundaryRun> const& runs, int floor) const
-    {
-        double radius = 0;
-        for (BoundaryRun const& run : runs)
-        {
-            if (run.curve == floor)
-                continue;
-            auto const& polygon = polygons_[static_cast<std::size_t>(run.curve)];
-            for (double position : {run.begin, run.end})
-            {
-                Vec2 const& p = polygon[static_cast<std::size_t>(std::lround(position))];
-                double const angle = std::abs(std::atan2(p.x(), p.y()));
-                if (std::abs(angle - pitch_ / 2) < pitch_ / 8)
-                    radius = std::max(radius, p.norm());
-            }
-        }
-        std::string text = "neighbouring tooth spaces overlap there, no tip land is left on the circular spline";
-        if (radius > tip_radius_)
-            text += " (its teeth are pointed at a radius of about " + std::to_string(radius) + " mm); write a larger circular_spline.inner_radius";
-        else
-            text += "; the tooth does not leave the circular spline between the waves: a larger wave_generator.radial_deformation or a smaller addendum is needed";
-        return text;
     }
 
     /// Exact ends of every run; nothing when two neighbours do not meet where their polygons say.
