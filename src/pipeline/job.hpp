@@ -7,8 +7,8 @@
 #include <numbers>
 #include <utility>
 
+#include "centred_outline.hpp"
 #include "drive.hpp"
-#include "hdconj/conjugate/outline.hpp"
 #include "hdconj/contact/full_turn.hpp"
 #include "hdconj/numeric/parallel.hpp"
 #include "records.hpp"
@@ -32,13 +32,6 @@ struct TracedSpace
 {
     std::vector<ContactArc> arcs;
     ToothSpace space;
-};
-
-/// The outline with the index of its middle point, where x = 0 or, on an asymmetric space, nearest to it.
-struct CentredOutline
-{
-    Outline outline;
-    std::size_t middle = 0;
 };
 
 template<RelativeMotion Motion>
@@ -110,7 +103,10 @@ class SolveJob
             refuse_swallowed(base_, base.arcs, base.space, shifted.arcs, shifted.space, pitch_, offset, tolerance_.length);
         });
         final_ = has_offset ? std::move(shifted) : std::move(base);
-        clock_.run(Stage::outline, [&] { outline_ = centred(has_offset ? moved : base_); });
+        clock_.run(Stage::outline, [&] {
+            outline_ = centred(has_offset ? moved : base_);
+            out_.work.envelope_points += outline_.outline.evaluations;
+        });
         clock_.run(Stage::root_clearance, [&] {
             std::size_t const before = outline_.outline.points.size();
             deepen(outline_.outline, outline_.middle, scene.circular_spline.root_clearance);
@@ -130,81 +126,10 @@ class SolveJob
         return traced;
     }
 
-    /// Cuts the boundary at x = 0 and samples it; a symmetric drive's right half is mirrored, bit for bit.
     [[nodiscard]] CentredOutline centred(Envelope<Motion> const& envelope)
     {
-        std::vector<BoundaryPiece> const& pieces = final_.space.pieces;
-        auto const x_at = [&](BoundaryPiece const& piece, double u) {
-            return TurnedArc<Motion>{envelope, final_.arcs[static_cast<std::size_t>(piece.arc)], piece.copy * pitch_}.point(u).p.x();
-        };
-        std::vector<BoundaryPiece> left, right;
-        for (BoundaryPiece const& piece : pieces)
-        {
-            double const x_begin = piece.arc < 0 ? piece.begin : x_at(piece, piece.begin);
-            double const x_end = piece.arc < 0 ? piece.end : x_at(piece, piece.end);
-            bool const still_left = right.empty();
-            if (still_left && (x_end <= tolerance_.roundoff()))
-            {
-                left.push_back(piece);
-            }
-            else if (still_left && x_begin < -tolerance_.roundoff() && piece.arc >= 0)
-            {
-                auto const x = [&](double u) { return x_at(piece, u); };
-                double const low = std::min(piece.begin, piece.end);
-                double const high = std::max(piece.begin, piece.end);
-                BracketedRoot const root = bracketed_root(x, low, high);
-                if (!root.found)
-                    throw NumericalError("outline", "middle of the tooth space", "does not cross the centre line");
-                left.push_back({piece.arc, piece.copy, piece.begin, root.x});
-                right.push_back({piece.arc, piece.copy, root.x, piece.end});
-            }
-            else
-            {
-                right.push_back(piece);
-            }
-        }
-        if (left.empty() || right.empty())
-            throw NumericalError("outline", "middle of the tooth space", "does not cross the centre line");
-        auto const sampled = [&](std::vector<BoundaryPiece> const& half) {
-            return sample_outline(envelope, final_.arcs, half, out_.geometry.circular_spline_inner_radius, pitch_, tolerance_.length, out_.threads);
-        };
-        Outline right_half = sampled(right);
-        right_half.points.front().x() = 0;
-        Outline const left_half = tooth_.mirror_symmetric ? mirrored(right_half) : sampled(left);
-        out_.work.envelope_points += right_half.evaluations + left_half.evaluations;
-        CentredOutline result{left_half, left_half.points.size() - 1};
-        Outline& whole = result.outline;
-        whole.points.pop_back();
-        whole.points.insert(whole.points.end(), right_half.points.begin(), right_half.points.end());
-        for (OutlineStretch stretch : right_half.stretches)
-        {
-            stretch.first += result.middle;
-            stretch.last += result.middle;
-            whole.stretches.push_back(stretch);
-        }
-        whole.chord = std::max(left_half.chord, right_half.chord);
-        whole.error = std::max(left_half.error, right_half.error);
-        return result;
-    }
-
-    [[nodiscard]] Outline mirrored(Outline const& half) const
-    {
-        Outline image;
-        image.chord = half.chord;
-        image.error = half.error;
-        std::size_t const last = half.points.size() - 1;
-        for (auto p = half.points.rbegin(); p != half.points.rend(); ++p)
-            image.points.emplace_back(-p->x(), p->y());
-        int const segments = static_cast<int>(tooth_.segment_names.size());
-        for (auto s = half.stretches.rbegin(); s != half.stretches.rend(); ++s)
-        {
-            // a corner carries the segment before it, whose image stands after the image of the corner
-            int segment = s->segment < 0 ? -1 : segments - 1 - s->segment;
-            if (s->kind == OutlineKind::corner)
-                segment -= 1;
-            image.stretches.push_back({s->kind, segment, last - s->last, last - s->first});
-        }
-        return image;
+        return centred_outline(envelope, final_.arcs, final_.space.pieces, out_.geometry.circular_spline_inner_radius, pitch_, tolerance_,
+                               out_.threads);
     }
 
     /// Every outline point against every position of every tooth. A symmetric pair's left half is the image of its right one.

@@ -4,6 +4,7 @@
 #include <benchmark/benchmark.h>
 
 #include "hdconj/conjugate/tooth_space.hpp"
+#include "hdconj/envelope/find_branches.hpp"
 #include "hdconj/contact/full_turn.hpp"
 #include "support/type50.hpp"
 

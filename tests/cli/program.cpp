@@ -177,7 +177,7 @@ TEST_CASE("faults name file, line, key and remedy on standard error", "[program]
     CHECK(contains(outcome.err, "6 faults"));
 }
 
-TEST_CASE("solve refuses an effect that it does not compute; check prints the plan and refuses", "[program]")
+TEST_CASE("solve refuses an effect that it does not compute, check prints the plan and refuses", "[program]")
 {
     TemporaryFolder const folder;
     check_refused(hdconj_run("solve --set tilt.angle_deg=0.2", folder.path()), "does not compute [tilt] yet");

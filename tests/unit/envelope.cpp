@@ -87,7 +87,7 @@ TEST_CASE("at every contact the velocity has no part along the normal", "[envelo
     }
 }
 
-TEST_CASE("a sliding circle envelopes its two tangents; a rolling one the line it rolls on", "[envelope]")
+TEST_CASE("a sliding circle envelopes its two tangents, a rolling one the line it rolls on", "[envelope]")
 {
     ArcPiece const circle{{0, 0}, 0.5, 3.0, 0.2};
     Profile const slid = single(circle);

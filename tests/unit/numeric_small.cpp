@@ -27,7 +27,7 @@ TEST_CASE("a bracketed root is found to the last bits in few evaluations", "[num
     CHECK(calls <= 14);
 }
 
-TEST_CASE("no sign change, no root; a zero at an end is the root", "[numeric]")
+TEST_CASE("no sign change, no root, a zero at an end is the root", "[numeric]")
 {
     CHECK_FALSE(bracketed_root([](double x) { return x * x + 1; }, -1, 1).found);
     BracketedRoot const end = bracketed_root([](double x) { return x; }, 0, 1);

@@ -5,6 +5,7 @@
 #include "hdconj/pipeline/solve.hpp"
 #include "pipeline/swallowed.hpp"
 #include "hdconj/conjugate/tooth_space.hpp"
+#include "hdconj/envelope/find_branches.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/type50.hpp"

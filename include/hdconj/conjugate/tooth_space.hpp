@@ -12,9 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "hdconj/conjugate/arc_polygons.hpp"
 #include "hdconj/conjugate/crossing.hpp"
-#include "hdconj/envelope/find_branches.hpp"
-#include "hdconj/envelope/sample.hpp"
+#include "hdconj/envelope/branch.hpp"
 #include "hdconj/numeric/error.hpp"
 #include "hdconj/numeric/tolerance.hpp"
 #include "hdconj/region/outer_boundary.hpp"
@@ -68,20 +68,13 @@ class ToothSpaceFinder
     }
 
   private:
-    struct Source
-    {
-        int arc;
-        int copy;
-        std::vector<double> u;  ///< of each polygon vertex
-    };
-
     [[nodiscard]] std::optional<ToothSpace> find(double chord, bool graded)
     {
-        collect(chord, graded);
+        swept_ = swept_polygons(envelope_, arcs_, tip_radius_, pitch_, chord, graded);
         refuse_without_land();
-        coincide();
-        int const floor = add_floor(chord);
-        OuterBoundary const boundary = outer_boundary(polygons_, floor);
+        swept_.join_ends(tolerance_.coincidence());
+        int const floor = swept_.add_floor(tip_radius_, chord);
+        OuterBoundary const boundary = outer_boundary(swept_.polygons(), floor);
         segments_ += boundary.segments;
         // at the rim of the window curves hang loose because their neighbours were left out
         for (Vec2 const& p : boundary.loose)
@@ -102,163 +95,10 @@ class ToothSpaceFinder
         return refine(runs, floor, chord);
     }
 
-    /// Polygons of all bounding arcs, as far as they rise above the tip circle, for all teeth that reach the middle pitch.
-    /// @param graded  vertices crowd towards the arcs' ends: next to a cusp two arcs may cross at any distance, however small
-    void collect(double chord, bool graded)
-    {
-        polygons_.clear();
-        sources_.clear();
-        double const floor_margin = 64 * chord;
-        for (std::size_t i = 0; i < arcs_.size(); ++i)
-        {
-            if (!arcs_[i].bounding)
-                continue;
-            SampledArc sampled = sample_arc(envelope_, arcs_[i], arcs_[i].u_begin, arcs_[i].u_end, chord, 1);
-            if (graded)
-                crowd_ends(arcs_[i], sampled.points);
-            std::vector<Vec2> points;
-            std::vector<double> u;
-            auto const flush = [&] {
-                if (points.size() > 1)
-                    add_copies(static_cast<int>(i), points, u);
-                points.clear();
-                u.clear();
-            };
-            auto const high = [&](EnvelopePoint const& e) { return e.p.norm() > tip_radius_ - floor_margin; };
-            for (std::size_t k = 0; k < sampled.points.size(); ++k)
-            {
-                EnvelopePoint const& e = sampled.points[k];
-                bool const needed = high(e) || (k > 0 && high(sampled.points[k - 1]))
-                                    || (k + 1 < sampled.points.size() && high(sampled.points[k + 1]));
-                if (!needed)
-                {
-                    flush();
-                    continue;
-                }
-                points.push_back(e.p);
-                u.push_back(e.u);
-            }
-            flush();
-        }
-    }
-
-    void crowd_ends(ContactArc const& arc, std::vector<EnvelopePoint>& points) const
-    {
-        constexpr int halvings = 14;
-        double const first = points.front().u;
-        double const second = points[1].u;
-        double const last = points.back().u;
-        double const before_last = points[points.size() - 2].u;
-        std::vector<EnvelopePoint> begin, end;
-        for (int k = halvings; k >= 1; --k)
-            begin.push_back(envelope_.point(arc, first + std::ldexp(second - first, -k)));
-        for (int k = 1; k <= halvings; ++k)
-            end.push_back(envelope_.point(arc, last + std::ldexp(before_last - last, -k)));
-        if (points.size() == 2)
-            begin.pop_back();   // both sides would halve the one chord
-        points.insert(points.begin() + 1, begin.begin(), begin.end());
-        points.insert(points.end() - 1, end.begin(), end.end());
-    }
-
-    void add_copies(int arc, std::vector<Vec2> const& points, std::vector<double> const& u)
-    {
-        double low = 1;
-        double high = -1;
-        for (Vec2 const& p : points)
-        {
-            double const angle = std::atan2(p.x(), p.y());
-            low = std::min(low, angle);
-            high = std::max(high, angle);
-        }
-        // half a pitch either side of the middle is wanted; the spaces next to it must be whole, or the walk gets into them
-        double const window = 1.5 * pitch_;
-        int const first = static_cast<int>(std::ceil((-window - high) / pitch_));
-        int const last = static_cast<int>(std::floor((window - low) / pitch_));
-        for (int copy = first; copy <= last; ++copy)
-        {
-            std::vector<Vec2> turned(points.size());
-            for (std::size_t k = 0; k < points.size(); ++k)
-                turned[k] = turned_clockwise(points[k], copy * pitch_);
-            polygons_.push_back(std::move(turned));
-            sources_.push_back({arc, copy, u});
-        }
-    }
-
-    /// Ends that are one point get one pair of coordinates, so that the arrangement has no hairline gaps.
-    void coincide()
-    {
-        std::vector<Vec2> seen;
-        double const same = tolerance_.coincidence();
-        for (auto& polygon : polygons_)
-        {
-            for (Vec2* p : {&polygon.front(), &polygon.back()})
-            {
-                auto const known = std::find_if(seen.begin(), seen.end(), [&](Vec2 const& q) { return (*p - q).norm() <= same; });
-                if (known == seen.end())
-                    seen.push_back(*p);
-                else
-                    *p = *known;
-            }
-        }
-    }
-
-    /// The tip circle, as a polygon from beyond the leftmost to beyond the rightmost curve.
-    int add_floor(double chord)
-    {
-        double low = -1.75 * pitch_;
-        double high = 1.75 * pitch_;
-        for (auto const& polygon : polygons_)
-        {
-            for (Vec2 const& p : polygon)
-            {
-                double const angle = std::atan2(p.x(), p.y());
-                low = std::min(low, angle - pitch_ / 8);
-                high = std::max(high, angle + pitch_ / 8);
-            }
-        }
-        double const step = 2 * std::acos(1 - std::min(0.5, chord / tip_radius_));
-        auto const count = static_cast<std::size_t>(std::ceil((high - low) / step));
-        std::vector<Vec2> floor;
-        Source source{-1, 0, {}};
-        for (std::size_t k = 0; k <= count; ++k)
-        {
-            double const angle = low + (high - low) * static_cast<double>(k) / static_cast<double>(count);
-            floor.emplace_back(tip_radius_ * std::sin(angle), tip_radius_ * std::cos(angle));
-            source.u.push_back(angle);
-        }
-        polygons_.push_back(std::move(floor));
-        sources_.push_back(std::move(source));
-        return static_cast<int>(polygons_.size()) - 1;
-    }
-
-    /// u (angle on the floor) at a position along a polygon.
-    [[nodiscard]] double u_at(int curve, double position) const
-    {
-        auto const& u = sources_[static_cast<std::size_t>(curve)].u;
-        auto const k = std::min(static_cast<std::size_t>(position), u.size() - 2);
-        double const share = position - static_cast<double>(k);
-        return u[k] + share * (u[k + 1] - u[k]);
-    }
-
     /// The middle of the land is solid from the tip circle outward; where a tooth sweeps any of it, there is no land.
     void refuse_without_land() const
     {
-        double reached = 0;
-        for (auto const& polygon : polygons_)
-        {
-            for (std::size_t k = 0; k + 1 < polygon.size(); ++k)
-            {
-                for (double side : {-0.5, 0.5})
-                {
-                    double const before = std::atan2(polygon[k].x(), polygon[k].y()) - side * pitch_;
-                    double const after = std::atan2(polygon[k + 1].x(), polygon[k + 1].y()) - side * pitch_;
-                    if ((before < 0) == (after < 0))
-                        continue;
-                    Vec2 const p = polygon[k] + before / (before - after) * (polygon[k + 1] - polygon[k]);
-                    reached = std::max(reached, p.norm());
-                }
-            }
-        }
+        double const reached = swept_.radius_between_spaces();
         if (reached > tip_radius_)
             throw NumericalError("region", "tip circle",
                                  "no tip land is left on the circular spline: half-way between two tooth spaces the teeth sweep up to a radius of "
@@ -272,7 +112,7 @@ class ToothSpaceFinder
     {
         auto const land_over = [&](double angle) {
             return std::find_if(runs.begin(), runs.end(), [&](BoundaryRun const& run) {
-                return run.curve == floor && u_at(floor, run.begin) <= angle && u_at(floor, run.end) >= angle;
+                return run.curve == floor && swept_.u_at(floor, run.begin) <= angle && swept_.u_at(floor, run.end) >= angle;
             });
         };
         auto const left = land_over(-pitch_ / 2);
@@ -290,15 +130,15 @@ class ToothSpaceFinder
         space.polygon_chord = chord;
         for (BoundaryRun const& run : runs)
         {
-            Source const& source = sources_[static_cast<std::size_t>(run.curve)];
-            space.pieces.push_back({source.arc, source.copy, u_at(run.curve, run.begin), u_at(run.curve, run.end)});
+            SweptPolygons::Source const& source = swept_.source(run.curve);
+            space.pieces.push_back({source.arc, source.copy, swept_.u_at(run.curve, run.begin), swept_.u_at(run.curve, run.end)});
         }
         space.pieces.front().begin = -pitch_ / 2;
         space.pieces.back().end = pitch_ / 2;
         for (std::size_t i = 0; i + 1 < runs.size(); ++i)
         {
-            auto const& before = polygons_[static_cast<std::size_t>(runs[i].curve)];
-            auto const& after = polygons_[static_cast<std::size_t>(runs[i + 1].curve)];
+            auto const& before = swept_.polygon(runs[i].curve);
+            auto const& after = swept_.polygon(runs[i + 1].curve);
             BoundaryPiece& a = space.pieces[i];
             BoundaryPiece& b = space.pieces[i + 1];
             if (runs[i].curve != floor && runs[i + 1].curve != floor && joined(before, runs[i].end, after, runs[i + 1].begin))
@@ -370,8 +210,7 @@ class ToothSpaceFinder
     double pitch_;
     Tolerance tolerance_;
     double chord_;
-    std::vector<std::vector<Vec2>> polygons_;
-    std::vector<Source> sources_;
+    SweptPolygons swept_{pitch_};
     std::size_t segments_ = 0;
     std::string place_ = "tooth space";
     std::string cause_;

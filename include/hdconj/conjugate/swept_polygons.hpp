@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Polygons of the bounding arcs of all teeth that reach one pitch: what the planar arrangement is given.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "hdconj/geometry/vec2.hpp"
+
+namespace hdconj {
+
+/// Polygons with the arc, the tooth and the parameter that each vertex came from.
+class SweptPolygons
+{
+  public:
+    /// @param pitch  angle between neighbouring teeth of the circular spline [rad]
+    explicit SweptPolygons(double pitch) : pitch_(pitch) {}
+
+    /// Where a polygon came from.
+    struct Source
+    {
+        int arc = -1;           ///< -1: the floor
+        int copy = 0;           ///< the tooth this many pitches clockwise
+        std::vector<double> u;  ///< parameter of each vertex; on the floor the angle from the y axis
+    };
+
+    /// Adds a stretch of an arc for every tooth that reaches the middle pitch or the spaces beside it.
+    void add(int arc, std::vector<Vec2> const& points, std::vector<double> const& u);
+
+    /// Ends closer than @p same get one pair of coordinates, so that the arrangement has no hairline gaps.
+    void join_ends(double same);
+
+    /// Adds the tip circle, from beyond the leftmost to beyond the rightmost polygon; returns its index.
+    int add_floor(double radius, double chord);
+
+    /// Largest radius that any polygon reaches half-way between two tooth spaces; 0 where none crosses there.
+    [[nodiscard]] double radius_between_spaces() const;
+
+    /// Parameter at a position (vertices, with a fraction) along a polygon.
+    [[nodiscard]] double u_at(int polygon, double position) const;
+
+    [[nodiscard]] std::vector<std::vector<Vec2>> const& polygons() const { return polygons_; }
+    [[nodiscard]] std::vector<Vec2> const& polygon(int i) const { return polygons_[static_cast<std::size_t>(i)]; }
+    [[nodiscard]] Source const& source(int i) const { return sources_[static_cast<std::size_t>(i)]; }
+
+  private:
+    double pitch_;
+    std::vector<std::vector<Vec2>> polygons_;
+    std::vector<Source> sources_;
+};
+
+}  // namespace hdconj

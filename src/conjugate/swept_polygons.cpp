@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/conjugate/swept_polygons.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "hdconj/geometry/rigid_motion.hpp"
+
+namespace hdconj {
+
+namespace {
+
+/// Angle from the y axis, clockwise.
+double angle_of(Vec2 const& p)
+{
+    return std::atan2(p.x(), p.y());
+}
+
+}  // namespace
+
+void SweptPolygons::add(int arc, std::vector<Vec2> const& points, std::vector<double> const& u)
+{
+    auto const [low, high] = std::minmax_element(points.begin(), points.end(), [](Vec2 const& a, Vec2 const& b) { return angle_of(a) < angle_of(b); });
+    // half a pitch either side of the middle is wanted; the spaces next to it must be whole, or the walk gets into them
+    double const window = 1.5 * pitch_;
+    int const first = static_cast<int>(std::ceil((-window - angle_of(*high)) / pitch_));
+    int const last = static_cast<int>(std::floor((window - angle_of(*low)) / pitch_));
+    for (int copy = first; copy <= last; ++copy)
+    {
+        std::vector<Vec2> turned(points.size());
+        for (std::size_t k = 0; k < points.size(); ++k)
+            turned[k] = turned_clockwise(points[k], copy * pitch_);
+        polygons_.push_back(std::move(turned));
+        sources_.push_back({arc, copy, u});
+    }
+}
+
+void SweptPolygons::join_ends(double same)
+{
+    std::vector<Vec2> seen;
+    for (auto& polygon : polygons_)
+    {
+        for (Vec2* p : {&polygon.front(), &polygon.back()})
+        {
+            auto const known = std::find_if(seen.begin(), seen.end(), [&](Vec2 const& q) { return (*p - q).norm() <= same; });
+            if (known == seen.end())
+                seen.push_back(*p);
+            else
+                *p = *known;
+        }
+    }
+}
+
+int SweptPolygons::add_floor(double radius, double chord)
+{
+    double low = -1.75 * pitch_;
+    double high = 1.75 * pitch_;
+    for (auto const& polygon : polygons_)
+    {
+        for (Vec2 const& p : polygon)
+        {
+            low = std::min(low, angle_of(p) - pitch_ / 8);
+            high = std::max(high, angle_of(p) + pitch_ / 8);
+        }
+    }
+    double const step = 2 * std::acos(1 - std::min(0.5, chord / radius));
+    auto const count = static_cast<std::size_t>(std::ceil((high - low) / step));
+    std::vector<Vec2> floor;
+    Source source;
+    for (std::size_t k = 0; k <= count; ++k)
+    {
+        double const angle = low + (high - low) * static_cast<double>(k) / static_cast<double>(count);
+        floor.emplace_back(radius * std::sin(angle), radius * std::cos(angle));
+        source.u.push_back(angle);
+    }
+    polygons_.push_back(std::move(floor));
+    sources_.push_back(std::move(source));
+    return static_cast<int>(polygons_.size()) - 1;
+}
+
+double SweptPolygons::radius_between_spaces() const
+{
+    double reached = 0;
+    for (auto const& polygon : polygons_)
+    {
+        double before = angle_of(polygon.front());
+        for (std::size_t k = 0; k + 1 < polygon.size(); ++k)
+        {
+            double const after = angle_of(polygon[k + 1]);
+            for (double side : {-0.5 * pitch_, 0.5 * pitch_})
+            {
+                if ((before < side) == (after < side))
+                    continue;
+                Vec2 const p = polygon[k] + (side - before) / (after - before) * (polygon[k + 1] - polygon[k]);
+                reached = std::max(reached, p.norm());
+            }
+            before = after;
+        }
+    }
+    return reached;
+}
+
+double SweptPolygons::u_at(int polygon, double position) const
+{
+    auto const& u = source(polygon).u;
+    auto const k = std::min(static_cast<std::size_t>(position), u.size() - 2);
+    double const share = position - static_cast<double>(k);
+    return u[k] + share * (u[k + 1] - u[k]);
+}
+
+}  // namespace hdconj

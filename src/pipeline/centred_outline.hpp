@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The outline of one pitch, cut at its centre line; a symmetric pair's left half is the image of its right one.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+#include "hdconj/conjugate/outline.hpp"
+#include "hdconj/numeric/bracketed_root.hpp"
+#include "hdconj/numeric/error.hpp"
+
+namespace hdconj::detail {
+
+/// The outline with the index of its middle point, where x = 0.
+struct CentredOutline
+{
+    Outline outline;
+    std::size_t middle = 0;
+};
+
+/// The boundary's pieces left and right of x = 0.
+struct Halves
+{
+    std::vector<BoundaryPiece> left;
+    std::vector<BoundaryPiece> right;
+};
+
+/// Cuts the boundary where it crosses x = 0.
+/// @throws NumericalError when it does not
+template<RelativeMotion Motion>
+[[nodiscard]] Halves cut_at_centre_line(Envelope<Motion> const& envelope, std::vector<ContactArc> const& arcs,
+                                        std::vector<BoundaryPiece> const& pieces, double pitch, Tolerance const& tolerance)
+{
+    auto const x_at = [&](BoundaryPiece const& piece, double u) {
+        return TurnedArc<Motion>{envelope, arcs[static_cast<std::size_t>(piece.arc)], piece.copy * pitch}.point(u).p.x();
+    };
+    Halves halves;
+    bool crossed = true;
+    for (BoundaryPiece const& piece : pieces)
+    {
+        double const x_begin = piece.arc < 0 ? piece.begin : x_at(piece, piece.begin);
+        double const x_end = piece.arc < 0 ? piece.end : x_at(piece, piece.end);
+        if (!halves.right.empty())
+        {
+            halves.right.push_back(piece);
+        }
+        else if (x_end <= tolerance.roundoff())
+        {
+            halves.left.push_back(piece);
+        }
+        else if (x_begin < -tolerance.roundoff() && piece.arc >= 0)
+        {
+            auto const x = [&](double u) { return x_at(piece, u); };
+            BracketedRoot const root = bracketed_root(x, std::min(piece.begin, piece.end), std::max(piece.begin, piece.end));
+            crossed = crossed && root.found;
+            halves.left.push_back({piece.arc, piece.copy, piece.begin, root.x});
+            halves.right.push_back({piece.arc, piece.copy, root.x, piece.end});
+        }
+        else
+        {
+            halves.right.push_back(piece);
+        }
+    }
+    if (!crossed || halves.left.empty() || halves.right.empty())
+        throw NumericalError("outline", "middle of the tooth space", "does not cross the centre line");
+    return halves;
+}
+
+/// Mirror image of the right half of a symmetric pair's outline.
+[[nodiscard]] inline Outline mirrored(Outline const& half, Profile const& tooth)
+{
+    Outline image;
+    image.chord = half.chord;
+    image.error = half.error;
+    std::size_t const last = half.points.size() - 1;
+    for (auto p = half.points.rbegin(); p != half.points.rend(); ++p)
+        image.points.emplace_back(-p->x(), p->y());
+    int const segments = static_cast<int>(tooth.segment_names.size());
+    for (auto s = half.stretches.rbegin(); s != half.stretches.rend(); ++s)
+    {
+        // a corner carries the segment before it, whose image stands after the image of the corner
+        int segment = s->segment < 0 ? -1 : segments - 1 - s->segment;
+        if (s->kind == OutlineKind::corner)
+            segment -= 1;
+        image.stretches.push_back({s->kind, segment, last - s->last, last - s->first});
+    }
+    return image;
+}
+
+/// Samples the boundary of one pitch; a symmetric pair's right half is mirrored, bit for bit.
+template<RelativeMotion Motion>
+[[nodiscard]] CentredOutline centred_outline(Envelope<Motion> const& envelope, std::vector<ContactArc> const& arcs,
+                                             std::vector<BoundaryPiece> const& pieces, double tip_radius, double pitch,
+                                             Tolerance const& tolerance, int threads)
+{
+    Halves const halves = cut_at_centre_line(envelope, arcs, pieces, pitch, tolerance);
+    auto const sampled = [&](std::vector<BoundaryPiece> const& half) {
+        return sample_outline(envelope, arcs, half, tip_radius, pitch, tolerance.length, threads);
+    };
+    Outline right = sampled(halves.right);
+    right.points.front().x() = 0;
+    bool const symmetric = envelope.profile().mirror_symmetric;
+    CentredOutline result{symmetric ? mirrored(right, envelope.profile()) : sampled(halves.left), 0};
+    Outline& whole = result.outline;
+    result.middle = whole.points.size() - 1;
+    whole.points.pop_back();
+    whole.points.insert(whole.points.end(), right.points.begin(), right.points.end());
+    for (OutlineStretch stretch : right.stretches)
+    {
+        stretch.first += result.middle;
+        stretch.last += result.middle;
+        whole.stretches.push_back(stretch);
+    }
+    whole.chord = std::max(whole.chord, right.chord);
+    whole.error = std::max(whole.error, right.error);
+    whole.evaluations += right.evaluations;
+    return result;
+}
+
+}  // namespace hdconj::detail
