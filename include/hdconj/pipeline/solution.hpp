@@ -62,7 +62,7 @@ struct ConjugateZone
 /// A piece of the final outline and where it comes from.
 struct OutlinePiece
 {
-    std::string kind;          ///< "land", "flank", "corner", "rounding", "root wall", "root"
+    std::string kind;          ///< "land", "flank", "corner", "bottom" (by the tip land), "root wall", "root"
     std::string segment_name;  ///< profile segment that made it; empty for land and root wall
     std::size_t first = 0;     ///< index of the first point
     std::size_t last = 0;      ///< index of the last point
