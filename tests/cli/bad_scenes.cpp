@@ -72,7 +72,8 @@ void check_edits(std::vector<BadScene> const& rows)
         {
             auto const text = edited(row);
             check_row(row, text);
-            auto const* const fault = find_fault(faults_of(text), row.path);
+            auto const faults = faults_of(text);
+            auto const* const fault = find_fault(faults, row.path);
             bool const on_a_line = fault != nullptr && fault->line > 0;
             CHECK((!on_a_line || fault->line <= static_cast<int>(std::count(text.begin(), text.end(), '\n')) + 1));
         }
