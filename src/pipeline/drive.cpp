@@ -12,7 +12,7 @@ namespace hdconj::detail {
 Profile flexspline_tooth(Scene const& scene, Faults& faults)
 {
     ToothPlace const place{scene.drive.module, scene.drive.flexspline_teeth, scene.flexspline.wall, scene.flexspline.neutral_offset,
-                           scene.folder.string()};
+                           scene.folder.string(), false};
     return build_profile(scene.flexspline.profile, place, faults);
 }
 

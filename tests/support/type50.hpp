@@ -18,7 +18,7 @@ using FirstOrder = FirstOrderMotion<CosineCam>;
 
 inline ToothPlace place_of(Scene const& scene)
 {
-    return {scene.drive.module, scene.drive.flexspline_teeth, scene.flexspline.wall, scene.flexspline.neutral_offset, scene.folder.string()};
+    return {scene.drive.module, scene.drive.flexspline_teeth, scene.flexspline.wall, scene.flexspline.neutral_offset, scene.folder.string(), false};
 }
 
 inline Profile type50_tooth(std::vector<std::string> const& overrides = {})

@@ -157,7 +157,7 @@ TEST_CASE("a file of points becomes a tooth, bad files become faults with their 
         std::ofstream(folder.path() / name) << text;
         return name;
     };
-    ToothPlace const place{0.25, 200, 0.7, 0, folder.path().string()};
+    ToothPlace const place{0.25, 200, 0.7, 0, folder.path().string(), false};
     std::string const flank = "x,y\n# a flank\n0.05,0.2\n0.11;0.1\n0.15 0.0\n0.2\t-0.1\n0.3,-0.3\n";
     Faults faults;
     Profile const tooth = build_profile(points_choice(write("good.csv", flank)), place, faults);

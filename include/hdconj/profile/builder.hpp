@@ -13,14 +13,21 @@
 
 namespace hdconj {
 
-/// What a family is told about the drive it makes a tooth for.
+/// What a family is told about the gear it makes a tooth for.
+///
+/// The gear's centre lies on the y axis, module teeth / 2 below the pitch line of a tooth on the flexspline, and as far above that of
+/// a tooth on the circular spline, which points inward: y is outward on the one and inward on the other.
 struct ToothPlace
 {
     double module = 0;
-    int teeth = 0;              ///< z_f
-    double wall = 0;            ///< delta
+    int teeth = 0;              ///< z_f; z_c of a tooth on the circular spline
+    double wall = 0;            ///< delta; 0 on the circular spline: its tooth frame has its origin at the root
     double neutral_offset = 0;
     std::string folder;         ///< where relative file names start
+    bool internal = false;      ///< a tooth on the circular spline
+
+    /// y of the gear's centre, from the pitch line.
+    [[nodiscard]] double centre() const { return (internal ? 0.5 : -0.5) * module * teeth; }
 };
 
 /// A named stretch of the right flank, given from the tip down to the root, y from the pitch line. Its pieces share
