@@ -12,7 +12,8 @@ namespace hdconj::detail {
 Profile flexspline_tooth(Scene const& scene, Faults& faults)
 {
     ToothPlace const place{scene.drive.module, scene.drive.flexspline_teeth, scene.flexspline.wall, scene.flexspline.neutral_offset,
-                           scene.folder.string(), false};
+                           scene.folder.string(), false, scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth,
+                           scene.wave_generator.waves};
     return build_profile(scene.flexspline.profile, place, faults);
 }
 

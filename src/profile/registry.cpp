@@ -2,6 +2,7 @@
 #include "hdconj/profile/registry.hpp"
 
 #include "hdconj/profile/double_circular_arc.hpp"
+#include "hdconj/profile/involute.hpp"
 #include "hdconj/profile/measured_points.hpp"
 #include "hdconj/profile/straight_sided.hpp"
 
@@ -28,6 +29,7 @@ std::vector<Registered> const& table()
         registered<DoubleCircularArc>(),
         registered<StraightSided>(),
         registered<MeasuredPoints>(),
+        registered<Involute>(),
     };
     return families;
 }

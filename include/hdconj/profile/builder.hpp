@@ -3,10 +3,14 @@
 /// What families use to put a profile together.
 #pragma once
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "hdconj/numeric/bracketed_root.hpp"
+#include "hdconj/profile/polynomial_curve.hpp"
 #include "hdconj/profile/profile.hpp"
 #include "hdconj/scene/fault.hpp"
 #include "hdconj/scene/parameters.hpp"
@@ -25,6 +29,8 @@ struct ToothPlace
     double neutral_offset = 0;
     std::string folder;         ///< where relative file names start
     bool internal = false;      ///< a tooth on the circular spline
+    int tooth_difference = 2;   ///< z_c - z_f
+    int waves = 2;              ///< n
 
     /// y of the gear's centre, from the pitch line.
     [[nodiscard]] double centre() const { return (internal ? 0.5 : -0.5) * module * teeth; }
@@ -52,6 +58,22 @@ struct FlankSegment
                                   double addendum,
                                   double dedendum,
                                   bool mirror_symmetric);
+
+/// Tips of typed numbers: half a tip thickness above minus this share of the addendum counts as pointed, not as crossed.
+inline constexpr double pointed_tip = 1e-9;   // digits that designers type
+
+/// The argument between @p from and @p to at which a flank's height is @p y, for a height that changes in one direction only;
+/// nothing when it does not reach @p y.
+template<class F>
+[[nodiscard]] std::optional<double> at_height(F&& flank, double y, double from, double to)
+{
+    BracketedRoot const root = bracketed_root([&](double s) { return flank(s).point.y() - y; }, std::min(from, to), std::max(from, to));
+    if (!root.found)
+        return std::nullopt;
+    // the bracket is as wide as the roundings of its ends; one Newton step leaves those of the height
+    CurveJet const there = flank(root.x);
+    return root.x + (y - there.point.y()) / there.slope.y();
+}
 
 /// A fault of a family's parameter @p key.
 [[nodiscard]] Fault parameter_fault(FamilyChoice const& choice, std::string_view key, std::string reason, std::string remedy);
