@@ -102,7 +102,7 @@ template<RelativeMotion Motion>
     };
     Outline right = sampled(halves.right);
     right.points.front().x() = 0;
-    bool const symmetric = envelope.profile().mirror_symmetric;
+    bool const symmetric = envelope.profile().mirror_symmetric && envelope.motion().symmetric();
     CentredOutline result{symmetric ? mirrored(right, envelope.profile()) : sampled(halves.left), 0};
     Outline& whole = result.outline;
     result.middle = whole.points.size() - 1;

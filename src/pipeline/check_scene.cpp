@@ -8,11 +8,12 @@ Faults check_scene(Scene const& scene)
 {
     Faults faults;
     Profile const tooth = detail::flexspline_tooth(scene, faults);
-    AnyWaveShape const shape = build_wave_shape(scene.wave_generator.shape, scene.wave_generator.waves, faults);
+    AnyWaveShape const shape = detail::wave_shape(scene, tooth, faults);
     if (tooth.pieces.empty() || !faults.empty())
         return faults;
-    double const amplitude = std::visit([](auto const& s) { return s.amplitude(); }, shape);
-    detail::judge_geometry(scene, tooth, detail::pair_geometry(scene, tooth, amplitude), faults);
+    detail::judge_geometry(scene, tooth, detail::pair_geometry(scene, tooth, shape.amplitude()), faults);
+    if (faults.empty())
+        detail::judge_curvature(scene, shape, detail::ring_geometry(scene, tooth).r_m, faults);
     return faults;
 }
 

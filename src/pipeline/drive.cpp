@@ -2,6 +2,7 @@
 #include "drive.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numbers>
 
 #include "hdconj/conjugate/outline.hpp"
@@ -17,17 +18,29 @@ Profile flexspline_tooth(Scene const& scene, Faults& faults)
     return build_profile(scene.flexspline.profile, place, faults);
 }
 
-PairGeometry pair_geometry(Scene const& scene, Profile const& tooth, double amplitude)
+PairGeometry ring_geometry(Scene const& scene, Profile const& tooth)
 {
     PairGeometry g;
     double const wall = scene.flexspline.wall;
     g.addendum = tooth.addendum;
     g.dedendum = tooth.dedendum;
     g.pitch_line = tooth.pitch_line;
-    g.w0 = amplitude;
     g.flexspline_inner_radius = scene.flexspline.inner_radius.value_or(
         scene.drive.module * scene.drive.flexspline_teeth / 2 - tooth.dedendum - wall);
     g.r_m = g.flexspline_inner_radius + wall / 2 - scene.flexspline.neutral_offset;
+    return g;
+}
+
+AnyWaveShape wave_shape(Scene const& scene, Profile const& tooth, Faults& faults)
+{
+    double const r_m = tooth.pieces.empty() ? 0 : ring_geometry(scene, tooth).r_m;
+    return build_wave_shape(scene.wave_generator.shape, {r_m, scene.wave_generator.waves, scene.folder.string()}, faults);
+}
+
+PairGeometry pair_geometry(Scene const& scene, Profile const& tooth, double amplitude)
+{
+    PairGeometry g = ring_geometry(scene, tooth);
+    g.w0 = amplitude;
     g.circular_spline_inner_radius =
         scene.circular_spline.inner_radius.value_or(g.r_m + tooth.pitch_line + amplitude - tooth.addendum);
     g.ratio = -static_cast<double>(scene.drive.flexspline_teeth)
@@ -108,6 +121,31 @@ void judge_geometry(Scene const& scene, Profile const& tooth, PairGeometry const
         faults.push_back({"circular_spline.root_clearance", 0, short_number(scene.circular_spline.root_clearance),
                           "the tooth has no flat or sharp tip whose trace could be moved outward",
                           "leave root_clearance out, or give the tooth a tip land"});
+}
+
+void judge_curvature(Scene const& scene, AnyWaveShape const& shape, double r_m, Faults& faults)
+{
+    constexpr int probes = 1440;
+    double const half_lobe = std::numbers::pi / shape.waves();
+    double flattest = std::numeric_limits<double>::infinity();
+    double where = 0;
+    for (int i = 0; i <= probes; ++i)
+    {
+        double const u = half_lobe * (2.0 * i / probes - 1);
+        RadialDisplacement const d = shape(u);
+        double const rho = r_m + d.w;
+        // curvature times a positive length squared
+        double const bend = rho * rho + 2 * d.w1 * d.w1 - rho * d.w2;
+        if (!(bend >= flattest))
+        {
+            flattest = bend;
+            where = u;
+        }
+    }
+    if (!(flattest > 0))
+        faults.push_back({scene.wave_generator.shape.path, scene.wave_generator.shape.line, scene.wave_generator.shape.family,
+                          "the neutral curve would be hollow at " + short_number(where * 180 / std::numbers::pi) + " degrees from the major axis",
+                          "write a smaller radial deformation, or smooth the table it comes from"});
 }
 
 }  // namespace hdconj::detail

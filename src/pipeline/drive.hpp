@@ -13,13 +13,21 @@ namespace hdconj::detail {
 /// Flexspline tooth of the scene, or faults.
 [[nodiscard]] Profile flexspline_tooth(Scene const& scene, Faults& faults);
 
-/// Radii that follow from scene, tooth and amplitude of the wave generator:
-/// inner radius m z_f/2 - h_f - delta unless given, r_m = inner radius + delta/2 - neutral_offset,
-/// tip circle r_m + pitch line + w0 - h_a unless given (design 3.1, 5.1).
+/// Radii of the flexspline's ring that follow from scene and tooth: inner radius m z_f/2 - h_f - delta unless given,
+/// r_m = inner radius + delta/2 - neutral_offset (design 3.1).
+[[nodiscard]] PairGeometry ring_geometry(Scene const& scene, Profile const& tooth);
+
+/// The same, and what needs the amplitude of the wave generator: tip circle r_m + pitch line + w0 - h_a unless given (design 3.1, 5.1).
 [[nodiscard]] PairGeometry pair_geometry(Scene const& scene, Profile const& tooth, double amplitude);
+
+/// Wave generator's shape on the ring of @p tooth, or faults.
+[[nodiscard]] AnyWaveShape wave_shape(Scene const& scene, Profile const& tooth, Faults& faults);
 
 /// What only the assembled dimensions show: tooth against pitch, tip circle against tooth and rim.
 void judge_geometry(Scene const& scene, Profile const& tooth, PairGeometry const& g, Faults& faults);
+
+/// The deformed neutral curve must be convex: a ring on a wave generator never bends inwards.
+void judge_curvature(Scene const& scene, AnyWaveShape const& shape, double r_m, Faults& faults);
 
 /// Number of pitches by which the tooth moves along the circular spline in one lobe: (z_c - z_f)/n.
 [[nodiscard]] int pitches_per_lobe(Scene const& scene);

@@ -163,7 +163,7 @@ class SolveJob
     [[nodiscard]] std::vector<std::size_t> points_to_check() const
     {
         constexpr std::size_t enough = 4096;
-        std::size_t const first = tooth_.mirror_symmetric ? outline_.middle : 0;
+        std::size_t const first = tooth_.mirror_symmetric && motion_.symmetric() ? outline_.middle : 0;
         std::size_t const count = outline_.outline.points.size() - first;
         std::size_t const stride = (count + enough - 1) / enough;
         std::vector<std::size_t> chosen;

@@ -25,13 +25,12 @@ Solution solve(Scene const& scene, StageObserver const& on_stage)
     AnyWaveShape shape;
     clock.run(Stage::profile, [&] {
         tooth = detail::flexspline_tooth(scene, faults);
-        shape = build_wave_shape(scene.wave_generator.shape, scene.wave_generator.waves, faults);
+        shape = detail::wave_shape(scene, tooth, faults);
         out.segment_names = tooth.segment_names;
         out.flexspline_outline = polygon_of(tooth, scene.solver.tolerance);
         for (Vec2& p : out.flexspline_outline)
             p.y() -= tooth.pitch_line;
-        double const amplitude = std::visit([](auto const& s) { return s.amplitude(); }, shape);
-        out.geometry = detail::pair_geometry(scene, tooth, amplitude);
+        out.geometry = detail::pair_geometry(scene, tooth, shape.amplitude());
     });
     if (scene.solver.kinematics == Kinematics::exact)
         detail::solve_exact(shape, out, tooth, clock);

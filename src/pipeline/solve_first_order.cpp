@@ -7,26 +7,16 @@
 
 namespace hdconj::detail {
 
-namespace {
-
-template<WaveShape Shape>
-void run(Shape const& shape, Solution& out, Profile const& tooth, StageClock& clock)
+void solve_first_order(AnyWaveShape const& shape, Solution& out, Profile const& tooth, StageClock& clock)
 {
     // the thesis leaves the mean radius at r_m: its curve is longer than the ring by 2 pi w0^2/r_m (n = 2)
     clock.run(Stage::neutral_curve, [&] {
         out.geometry.r_0 = out.geometry.r_m;
         out.neutral_curve = sampled_neutral_curve(shape, out.geometry.r_m);
     });
-    std::optional<FirstOrderMotion<Shape>> motion;
+    std::optional<FirstOrderMotion<AnyWaveShape>> motion;
     clock.run(Stage::motion, [&] { motion.emplace(shape, out.geometry.r_m, tooth_ratio(out.scene)); });
-    SolveJob<FirstOrderMotion<Shape>>(out, tooth, *motion, clock)();
-}
-
-}  // namespace
-
-void solve_first_order(AnyWaveShape const& shape, Solution& out, Profile const& tooth, StageClock& clock)
-{
-    std::visit([&](auto const& s) { run(s, out, tooth, clock); }, shape);
+    SolveJob<FirstOrderMotion<AnyWaveShape>>(out, tooth, *motion, clock)();
 }
 
 }  // namespace hdconj::detail

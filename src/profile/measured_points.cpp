@@ -3,14 +3,12 @@
 
 #include <Eigen/SparseLU>
 #include <algorithm>
-#include <charconv>
-#include <filesystem>
-#include <fstream>
 #include <gsl/gsl_bspline.h>
 #include <gsl/gsl_errno.h>
 #include <memory>
 
 #include "hdconj/numeric/error.hpp"
+#include "hdconj/scene/number_pairs.hpp"
 
 namespace hdconj {
 
@@ -31,62 +29,20 @@ struct FreeMatrix
     void operator()(gsl_matrix* m) const { gsl_matrix_free(m); }
 };
 
-/// Two numbers separated by a comma, semicolon, tab or blanks; nothing else on the line.
-bool read_pair(std::string_view line, Vec2& p)
+std::vector<Vec2> read_points(FamilyChoice const& c, std::string const& folder, Faults& faults)
 {
-    char const* at = line.data();
-    char const* const end = at + line.size();
-    auto const skip = [&](std::string_view what) {
-        while (at < end && what.find(*at) != std::string_view::npos)
-            ++at;
-    };
-    for (int k = 0; k < 2; ++k)
-    {
-        skip(k == 0 ? " \t" : " \t,;");
-        auto const [next, error] = std::from_chars(at, end, p[k]);
-        if (error != std::errc{})
-            return false;
-        at = next;
-    }
-    skip(" \t\r");
-    return at == end;
-}
-
-std::vector<Vec2> read_points(FamilyChoice const& c, std::filesystem::path const& file, Faults& faults)
-{
+    std::size_t const before = faults.size();
+    NumberPairs const table = read_number_pairs(c, "file", folder, "x,y in mm", faults);
+    if (faults.size() > before)
+        return {};
     std::vector<Vec2> points;
-    std::error_code ignored;
-    std::ifstream in(file);
-    if (!in || std::filesystem::is_directory(file, ignored))
+    points.reserve(table.rows.size());
+    for (NumberPair const& row : table.rows)
     {
-        faults.push_back(parameter_fault(c, "file", "cannot be read: " + file.string(), "write the name of a CSV file, relative to the scene file"));
-        return points;
-    }
-    std::string line;
-    int number = 0;
-    bool header_seen = false;
-    while (std::getline(in, line))
-    {
-        ++number;
-        line.erase(std::find(line.begin(), line.end(), '#'), line.end());
-        if (line.find_first_not_of(" \t\r") == std::string::npos)
-            continue;
-        Vec2 p;
-        bool const ok = read_pair(line, p);
-        if (!ok && points.empty() && !header_seen)
-        {
-            header_seen = true;
-            continue;
-        }
-        if (!ok || !p.allFinite())
-        {
-            faults.push_back(parameter_fault(c, "file", "line " + std::to_string(number) + " of " + file.string() + " is not a pair of finite numbers",
-                                             "write two numbers x,y in mm on each line"));
-            return {};
-        }
+        Vec2 const p(row.value[0], row.value[1]);
         if (!points.empty() && p == points.back())
         {
-            faults.push_back(parameter_fault(c, "file", "line " + std::to_string(number) + " of " + file.string() + " repeats the point before it",
+            faults.push_back(parameter_fault(c, "file", "line " + std::to_string(row.line) + " of " + table.file + " repeats the point before it",
                                              "remove the repeated point"));
             return {};
         }
@@ -94,7 +50,7 @@ std::vector<Vec2> read_points(FamilyChoice const& c, std::filesystem::path const
     }
     if (points.size() < spline_order)
     {
-        faults.push_back(parameter_fault(c, "file", file.string() + " holds " + std::to_string(points.size()) + " points, a spline needs 4",
+        faults.push_back(parameter_fault(c, "file", table.file + " holds " + std::to_string(points.size()) + " points, a spline needs 4",
                                          "write at least 4 points"));
         return {};
     }
@@ -176,10 +132,7 @@ std::vector<CurvePiece> spline_through(std::vector<Vec2> const& points)
 
 Profile MeasuredPoints::build(FamilyChoice const& c, ToothPlace const& place, Faults& faults)
 {
-    std::filesystem::path file = c.word("file").value_or("");
-    if (file.is_relative())
-        file = std::filesystem::path(place.folder) / file;
-    std::vector<Vec2> points = read_points(c, file, faults);
+    std::vector<Vec2> points = read_points(c, place.folder, faults);
     if (points.empty())
         return {};
     bool const full = c.word("side").value_or("right") == "full";

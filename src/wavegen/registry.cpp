@@ -8,26 +8,28 @@ namespace hdconj {
 
 namespace {
 
+using Families = AnyWaveShape::Families;
+
 template<std::size_t... I>
 std::vector<FamilyDescription> descriptions(std::index_sequence<I...>)
 {
-    return {std::variant_alternative_t<I, AnyWaveShape>::describe()...};
+    return {std::variant_alternative_t<I, Families>::describe()...};
 }
 
 template<std::size_t I = 0>
-AnyWaveShape build(FamilyChoice const& choice, int waves, Faults& faults)
+AnyWaveShape build(FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults& faults)
 {
-    if constexpr (I == std::variant_size_v<AnyWaveShape>)
+    if constexpr (I == std::variant_size_v<Families>)
     {
         faults.push_back({choice.path + ".family", choice.line, choice.family, "no such wave generator family", "write \"cosine\""});
         return {};
     }
     else
     {
-        using Shape = std::variant_alternative_t<I, AnyWaveShape>;
+        using Shape = std::variant_alternative_t<I, Families>;
         if (choice.family == Shape::describe().name)
-            return Shape::build(choice, waves, faults);
-        return build<I + 1>(choice, waves, faults);
+            return AnyWaveShape(Shape::build(choice, place, faults));
+        return build<I + 1>(choice, place, faults);
     }
 }
 
@@ -35,13 +37,13 @@ AnyWaveShape build(FamilyChoice const& choice, int waves, Faults& faults)
 
 std::vector<FamilyDescription> const& wave_generator_families()
 {
-    static std::vector<FamilyDescription> const all = descriptions(std::make_index_sequence<std::variant_size_v<AnyWaveShape>>{});
+    static std::vector<FamilyDescription> const all = descriptions(std::make_index_sequence<std::variant_size_v<Families>>{});
     return all;
 }
 
-AnyWaveShape build_wave_shape(FamilyChoice const& choice, int waves, Faults& faults)
+AnyWaveShape build_wave_shape(FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults& faults)
 {
-    return build(choice, waves, faults);
+    return build(choice, place, faults);
 }
 
 }  // namespace hdconj

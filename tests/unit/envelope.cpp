@@ -19,6 +19,8 @@ struct Sliding
     MotionRates rates(double) const { return {{0, {1, 0}}, {0, {0, 0}}}; }
     ToothAngles angles(double u) const { return {u, u}; }
     double half_lobe() const { return 1; }
+    std::span<double const> breaks() const { return {}; }
+    bool symmetric() const { return false; }
 };
 
 /// A circle of radius `radius` rolling without sliding along the x axis, as a motion of the frame at its centre:
@@ -35,6 +37,8 @@ struct Rolling
     }
     ToothAngles angles(double u) const { return {u, u}; }
     double half_lobe() const { return 1; }
+    std::span<double const> breaks() const { return {}; }
+    bool symmetric() const { return false; }
 };
 
 Profile single(PieceShape shape)

@@ -24,11 +24,11 @@ namespace detail {
 /// Whether arc @p b goes on where @p a stops: across a critical angle or a joint of pieces inside one segment.
 [[nodiscard]] inline bool goes_on(ContactArc const& a, ContactArc const& b)
 {
-    if (a.u_end != b.u_begin)
+    if (!same_instant(a.u_end, b.u_begin))
     {
         // the two sides of a joint solve for the same instant with their own roundings
-        constexpr double same_instant = 0x1p-30;
-        if (a.piece == b.piece || std::abs(a.u_end - b.u_begin) > same_instant)
+        constexpr double two_roundings = 0x1p-30;
+        if (a.piece == b.piece || std::abs(a.u_end - b.u_begin) > two_roundings)
             return false;
     }
     if (a.piece == b.piece)

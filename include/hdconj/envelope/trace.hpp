@@ -10,6 +10,7 @@
 
 #include "hdconj/envelope/critical_angles.hpp"
 #include "hdconj/envelope/envelope.hpp"
+#include "hdconj/envelope/smooth_ranges.hpp"
 #include "hdconj/numeric/error.hpp"
 #include "hdconj/numeric/parallel.hpp"
 
@@ -18,7 +19,8 @@ namespace hdconj {
 /// Contact arcs of one piece over the lobe [-pi/n, pi/n], before they are cut at cusps.
 ///
 /// Between two critical angles the number of contacts is constant and each is a smooth function of u; so the contacts
-/// at the middle of each interval stand for all, and no arc is lost for being shorter than some step.
+/// at the middle of each interval stand for all, and no arc is lost for being shorter than some step. Where the motion has
+/// breaks, the ranges between them are traced one by one and their arcs joined.
 template<RelativeMotion Motion>
 class PieceTracer
 {
@@ -27,16 +29,20 @@ class PieceTracer
 
     [[nodiscard]] std::vector<ContactArc> operator()(TraceRecord& record)
     {
-        double const end = envelope_.motion().half_lobe();
-        critical_ = critical_angles(shape(), envelope_.motion(), -end, end, record);
-        cuts_.assign(1, -end);
-        for (CriticalAngle const& c : critical_)
-            cuts_.push_back(c.u);
-        cuts_.push_back(end);
-        if (auto const* curve = std::get_if<CurvePiece>(&shape()))
-            trace_curve(*curve);
-        else
-            trace_closed_form();
+        for (SmoothRange const& range : smooth_ranges(envelope_.motion()))
+        {
+            range_ = range;
+            critical_ = critical_angles(shape(), envelope_.motion(), range.a, range.b, record);
+            cuts_.assign(1, range.a);
+            for (CriticalAngle const& c : critical_)
+                cuts_.push_back(c.u);
+            cuts_.push_back(range.b);
+            if (auto const* curve = std::get_if<CurvePiece>(&shape()))
+                trace_curve(*curve);
+            else
+                trace_closed_form();
+        }
+        join_continuing();
         return std::move(arcs_);
     }
 
@@ -75,8 +81,8 @@ class PieceTracer
 
     void close(ContactArc arc)
     {
-        arc.begins = arc.u_begin == cuts_.front() ? BranchEnd::range_end : BranchEnd::segment_end;
-        arc.ends = arc.u_end == cuts_.back() ? BranchEnd::range_end : BranchEnd::segment_end;
+        arc.begins = arc.u_begin == cuts_.front() ? at_range_begin() : BranchEnd::segment_end;
+        arc.ends = arc.u_end == cuts_.back() ? at_range_end() : BranchEnd::segment_end;
         auto const settled = [&](double u, BranchEnd why) {
             double const t = envelope_.contact(arc, u).t;
             return why == BranchEnd::segment_end ? (t < 0.5 ? 0.0 : 1.0) : t;
@@ -110,8 +116,10 @@ class PieceTracer
                 arcs_.push_back(arc);
             }
         }
-        join_continuing();
     }
+
+    [[nodiscard]] BranchEnd at_range_begin() const { return range_.from_break ? BranchEnd::continues : BranchEnd::range_end; }
+    [[nodiscard]] BranchEnd at_range_end() const { return range_.to_break ? BranchEnd::continues : BranchEnd::range_end; }
 
     /// Where the k-th root goes as u tends to a cut: followed by halving steps towards it, then matched with what
     /// happens at the cut.
@@ -130,10 +138,10 @@ class PieceTracer
                 break;
             near = roots.t[static_cast<std::size_t>(arc.candidate)];
         }
-        bool const first = cut == 0;
-        bool const last = cut + 1 == cuts_.size();
-        if (first || last)
-            return {near, BranchEnd::range_end};
+        if (cut == 0)
+            return {near, at_range_begin()};
+        if (cut + 1 == cuts_.size())
+            return {near, at_range_end()};
         // the steps stop within about 2^-40 of the cut, where a merging root is still sqrt of that away
         constexpr double reach = 0x1p-16;
         double best = reach;
@@ -152,9 +160,10 @@ class PieceTracer
         return {near, BranchEnd::continues};
     }
 
-    /// Contacts that a cut does not concern are one arc on both sides.
+    /// Contacts that a cut, or a break of the motion, does not concern are one arc on both sides.
     void join_continuing()
     {
+        std::vector<bool> joined(arcs_.size(), false);
         for (std::size_t i = 0; i < arcs_.size(); ++i)
         {
             if (arcs_[i].ends != BranchEnd::continues)
@@ -164,7 +173,7 @@ class PieceTracer
             for (std::size_t j = 0; j < arcs_.size(); ++j)
             {
                 double const gap = std::abs(arcs_[j].t_begin - arcs_[i].t_end);
-                if (arcs_[j].begins == BranchEnd::continues && arcs_[j].u_begin == arcs_[i].u_end && gap < best)
+                if (arcs_[j].begins == BranchEnd::continues && !joined[j] && same_instant(arcs_[i].u_end, arcs_[j].u_begin) && gap < best)
                 {
                     best = gap;
                     partner = j;
@@ -172,15 +181,34 @@ class PieceTracer
             }
             constexpr double same = 0x1p-20;
             if (partner == arcs_.size() || best > same)
-                throw NumericalError("envelope", "profile piece " + std::to_string(piece_), "contacts on both sides of a critical angle do not match");
+            {
+                leave_at_end(arcs_[i].t_end, arcs_[i].ends);
+                continue;
+            }
             // kept as two arcs (the index of the root may differ), marked as one branch by their common end
             arcs_[partner].t_begin = arcs_[i].t_end;
+            joined[partner] = true;
         }
+        for (std::size_t j = 0; j < arcs_.size(); ++j)
+            if (arcs_[j].begins == BranchEnd::continues && !joined[j])
+                leave_at_end(arcs_[j].t_begin, arcs_[j].begins);
+    }
+
+    /// A contact may reach an end of the piece at the very instant of a break; it then has no partner there.
+    void leave_at_end(double& t, BranchEnd& why) const
+    {
+        constexpr double reach = 0x1p-16;
+        double const end = t < 0.5 ? 0.0 : 1.0;
+        if (!(std::abs(t - end) <= reach))
+            throw NumericalError("envelope", "profile piece " + std::to_string(piece_), "contacts on both sides of a critical angle do not match");
+        t = end;
+        why = BranchEnd::segment_end;
     }
 
     Envelope<Motion> const& envelope_;
     int piece_;
-    std::vector<CriticalAngle> critical_;
+    SmoothRange range_;
+    std::vector<CriticalAngle> critical_;  ///< of the range being traced
     std::vector<double> cuts_;
     std::vector<ContactArc> arcs_;
 };

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <utility>
 
 #include "hdconj/motion/relative_motion.hpp"
@@ -28,6 +29,8 @@ class ExactMotion
 
     [[nodiscard]] NeutralCurve<Shape> const& curve() const { return curve_; }
     [[nodiscard]] double half_lobe() const { return std::numbers::pi / curve_.shape().waves(); }
+    [[nodiscard]] std::span<double const> breaks() const { return curve_.shape().breaks(); }
+    [[nodiscard]] bool symmetric() const { return curve_.shape().even(); }
 
     [[nodiscard]] Pose pose(double u) const
     {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <concepts>
+#include <span>
 
 #include "hdconj/geometry/rigid_motion.hpp"
 
@@ -35,13 +36,17 @@ struct ToothAngles
 };
 
 /// A one-parameter motion of the flexspline tooth in the circular-spline frame. The parameter is u for the exact model
-/// and phi for the first-order one; one lobe of the wave generator is (-pi/n, pi/n] in either.
+/// and phi for the first-order one; one lobe of the wave generator is (-pi/n, pi/n] in either. Twist and pose are continuous and
+/// analytic between breaks(); at a break `change` is that of the side of larger u.
+/// symmetric(): the pose at -u is the mirror image of that at u.
 template<class M>
 concept RelativeMotion = requires(M const& m, double u) {
     { m.pose(u) } -> std::same_as<Pose>;
     { m.rates(u) } -> std::same_as<MotionRates>;
     { m.angles(u) } -> std::same_as<ToothAngles>;
     { m.half_lobe() } -> std::convertible_to<double>;
+    { m.breaks() } -> std::convertible_to<std::span<double const>>;
+    { m.symmetric() } -> std::convertible_to<bool>;
 };
 
 }  // namespace hdconj

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -17,19 +18,26 @@ namespace hdconj {
 class FourierSeries
 {
   public:
-    /// Samples @p f at 2^m points of one period, m raised until the last quarter of the coefficients is roundoff.
+    /// Samples @p f at 2^m points of one period, m raised until the last quarter of the coefficients is roundoff,
+    /// of the sums or of f itself.
     /// Converges geometrically for analytic f. `resolved()` says whether the limit of 4096 points was enough.
     template<class F>
     FourierSeries(F&& f, double period) : frequency_(2 * std::numbers::pi / period)
     {
+        double before = std::numeric_limits<double>::infinity();
         for (std::size_t points = smallest; points <= largest && !resolved_; points *= 2)
+        {
             fit(f, points);
+            // a tail that no longer falls is the rounding error of f itself
+            resolved_ = resolved_ || (relative_error_ > before / 4 && relative_error_ <= noisiest);
+            before = relative_error_;
+        }
     }
 
     [[nodiscard]] double mean() const { return a_[0]; }
     [[nodiscard]] bool resolved() const { return resolved_; }
     [[nodiscard]] std::size_t terms() const { return a_.size(); }
-    /// Largest neglected coefficient against the mean.
+    /// Largest neglected coefficient against the largest of all.
     [[nodiscard]] double relative_error() const { return relative_error_; }
 
     /// Integral from 0 to @p u, given the sine and cosine of w u (often at hand already).
@@ -59,6 +67,7 @@ class FourierSeries
   private:
     static constexpr std::size_t smallest = 16;
     static constexpr std::size_t largest = 4096;
+    static constexpr double noisiest = 0x1p-30;
 
     template<class F>
     void fit(F& f, std::size_t points)
@@ -87,9 +96,15 @@ class FourierSeries
         }
         a_[0] /= 2;
         double tail = 0;
-        for (std::size_t k = terms - terms / 4; k < terms; ++k)
-            tail = std::max(tail, std::hypot(a_[k], b[k]));
-        relative_error_ = tail / std::abs(a_[0]);
+        size_ = std::abs(a_[0]);
+        for (std::size_t k = 1; k < terms; ++k)
+        {
+            double const size = std::hypot(a_[k], b[k]);
+            size_ = std::max(size_, size);
+            if (k >= terms - terms / 4)
+                tail = std::max(tail, size);
+        }
+        relative_error_ = size_ > 0 ? tail / size_ : 0;
         constexpr double roundoff_of_the_sums = 8 * unit_roundoff;
         resolved_ = relative_error_ <= roundoff_of_the_sums;
         trim(b);
@@ -102,9 +117,9 @@ class FourierSeries
         std::size_t used = a_.size();
         // an even function has no sines; what the sums leave of them is rounding and would spoil exact symmetry
         double const odd = *std::max_element(b.begin(), b.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
-        if (std::abs(odd) <= 8 * unit_roundoff * std::abs(a_[0]))
+        if (std::abs(odd) <= 8 * unit_roundoff * size_)
             std::fill(b.begin(), b.end(), 0.0);
-        while (used > 1 && std::hypot(a_[used - 1], b[used - 1]) <= negligible * std::abs(a_[0]))
+        while (used > 1 && std::hypot(a_[used - 1], b[used - 1]) <= negligible * size_)
             --used;
         a_.resize(used);
         ai_.assign(used, 0);
@@ -122,6 +137,7 @@ class FourierSeries
     double frequency_;
     std::vector<double> a_, ai_, bi_;
     double bi_sum_ = 0;
+    double size_ = 0;  ///< largest coefficient
     double relative_error_ = 1;
     bool resolved_ = false;
 };

@@ -5,8 +5,7 @@
 
 #include <cmath>
 
-#include "hdconj/scene/fault.hpp"
-#include "hdconj/scene/parameters.hpp"
+#include "hdconj/wavegen/build.hpp"
 #include "hdconj/wavegen/radial_displacement.hpp"
 
 namespace hdconj {
@@ -21,26 +20,25 @@ struct CosineCam
     [[nodiscard]] int waves() const { return n; }
     [[nodiscard]] double amplitude() const { return w0; }
     [[nodiscard]] bool even() const { return true; }
+    [[nodiscard]] std::span<double const> breaks() const { return {}; }
 
     [[nodiscard]] RadialDisplacement operator()(double u) const
     {
         double const k = n;
         double const s = std::sin(k * u);
         double const c = std::cos(k * u);
-        return {w0 * c, -k * w0 * s, -k * k * w0 * c, k * k * k * w0 * s, w0 * s / k, s, c};
+        return {w0 * c, -k * w0 * s, -k * k * w0 * c, k * k * k * w0 * s, s, c};
     }
 
     /// What the scene reader needs to know.
     [[nodiscard]] static FamilyDescription describe()
     {
-        return {"cosine",
-                "cosine cam, w = w0 cos(n u)",
-                {{"radial_deformation", Quantity::positive_length, "largest radial deformation w0 of the neutral curve"}}};
+        return {"cosine", "cosine cam, w = w0 cos(n u)", {radial_deformation_key()}};
     }
 
-    [[nodiscard]] static CosineCam build(FamilyChoice const& choice, int waves, Faults&)
+    [[nodiscard]] static CosineCam build(FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults&)
     {
-        return {choice.number_or("radial_deformation", 0), waves};
+        return {choice.number_or(radial_deformation, 0), place.waves};
     }
 };
 

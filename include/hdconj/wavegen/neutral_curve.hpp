@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "hdconj/numeric/error.hpp"
-#include "hdconj/numeric/fourier.hpp"
+#include "hdconj/numeric/periodic_integral.hpp"
 #include "hdconj/wavegen/radial_displacement.hpp"
 
 namespace hdconj {
@@ -17,9 +17,9 @@ namespace hdconj {
 ///
 /// r_0 is fixed by the length over one turn, integral_0^{2 pi} sqrt(rho^2 + rho'^2) du = 2 pi r_m, and
 /// the undeformed angle of a point is phi(u) = (1/r_m) integral_0^u sqrt(rho^2 + rho'^2) du (design 3.1; thesis (2-18)
-/// without its first-order approximation). The arc length is a Fourier series of the line element: spectral accuracy,
-/// relative error below 1e-14.
-/// Domain: rho > 0 everywhere. @throws NumericalError otherwise, or when 4096 samples do not resolve the line element.
+/// without its first-order approximation). The line element is integrated as a Fourier series, or panel by panel
+/// where the shape has breaks: spectral accuracy, relative error below 1e-14.
+/// Domain: rho > 0 everywhere. @throws NumericalError otherwise, or when the line element is not resolved to roundoff.
 template<WaveShape Shape>
 class NeutralCurve
 {
@@ -38,18 +38,18 @@ class NeutralCurve
     /// Undeformed angle phi of the point at polar angle @p u, phi(0) = 0. @p d is shape()(u).
     [[nodiscard]] double phi(double u, RadialDisplacement const& d) const
     {
-        return line_.integral(u, d.sine, d.cosine) / r_m_;
+        return line_(u, d.sine, d.cosine) / r_m_;
     }
     [[nodiscard]] double phi(double u) const { return phi(u, shape_(u)); }
 
   private:
-    [[nodiscard]] FourierSeries series(double r_0) const
+    [[nodiscard]] PeriodicIntegral series(double r_0) const
     {
         auto const element = [&](double u) {
             RadialDisplacement const d = shape_(u);
             return std::hypot(r_0 + d.w, d.w1);
         };
-        return FourierSeries(element, 2 * std::numbers::pi / shape_.waves());
+        return PeriodicIntegral(element, 2 * std::numbers::pi / shape_.waves(), shape_.breaks());
     }
 
     /// Newton on mean length: its slope with respect to r_0 is the mean of rho / sqrt(rho^2 + rho'^2), close to 1.
@@ -82,7 +82,7 @@ class NeutralCurve
     Shape shape_;
     double r_m_;
     double r_0_;
-    FourierSeries line_;
+    PeriodicIntegral line_;
 };
 
 }  // namespace hdconj

@@ -3,23 +3,69 @@
 /// The wave generator families by name.
 #pragma once
 
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "hdconj/scene/fault.hpp"
 #include "hdconj/scene/parameters.hpp"
+#include "hdconj/wavegen/build.hpp"
 #include "hdconj/wavegen/cosine_cam.hpp"
+#include "hdconj/wavegen/ellipse_cam.hpp"
+#include "hdconj/wavegen/four_roller.hpp"
+#include "hdconj/wavegen/ring_on_cam.hpp"
+#include "hdconj/wavegen/table_cam.hpp"
+#include "hdconj/wavegen/two_disc.hpp"
 
 namespace hdconj {
 
-/// Any registered wave generator shape; visited once per run.
-using AnyWaveShape = std::variant<CosineCam>;
+/// Any registered wave generator shape, itself a WaveShape: motions are compiled once for all families, and
+/// choosing the family at each angle costs a jump beside the sine and cosine that follow.
+class AnyWaveShape
+{
+  public:
+    using Families = std::variant<CosineCam, EllipseCam, FourRoller, TwoDisc, TableCam, RingOnCam>;
+
+    AnyWaveShape() = default;
+    template<WaveShape Shape>
+        requires(!std::same_as<Shape, AnyWaveShape>)
+    explicit AnyWaveShape(Shape shape) : shape_(std::move(shape))
+    {
+    }
+
+    [[nodiscard]] Families const& family() const { return shape_; }
+    [[nodiscard]] int waves() const
+    {
+        return std::visit([](auto const& s) { return s.waves(); }, shape_);
+    }
+    [[nodiscard]] double amplitude() const
+    {
+        return std::visit([](auto const& s) { return s.amplitude(); }, shape_);
+    }
+    [[nodiscard]] bool even() const
+    {
+        return std::visit([](auto const& s) { return s.even(); }, shape_);
+    }
+    [[nodiscard]] std::span<double const> breaks() const
+    {
+        return std::visit([](auto const& s) { return std::span<double const>(s.breaks()); }, shape_);
+    }
+    [[nodiscard]] RadialDisplacement operator()(double u) const
+    {
+        if (auto const* cosine = std::get_if<CosineCam>(&shape_))
+            return (*cosine)(u);
+        return std::visit([u](auto const& s) { return s(u); }, shape_);
+    }
+
+  private:
+    Families shape_;
+};
 
 /// Every registered wave generator family, in the order of registration.
 /// `waves` and `family` are keys of [wave_generator] itself, not of a family.
 [[nodiscard]] std::vector<FamilyDescription> const& wave_generator_families();
 
-/// Builds the shape of @p choice with @p waves waves per turn; adds to @p faults what is wrong with it.
-[[nodiscard]] AnyWaveShape build_wave_shape(FamilyChoice const& choice, int waves, Faults& faults);
+/// Builds the shape of @p choice for the ring of @p place; adds to @p faults what is wrong with it.
+[[nodiscard]] AnyWaveShape build_wave_shape(FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults& faults);
 
 }  // namespace hdconj

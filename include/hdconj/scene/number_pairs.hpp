@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Two-column CSV files that families read: points of a tooth, tables of a cam.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hdconj/scene/fault.hpp"
+#include "hdconj/scene/parameters.hpp"
+
+namespace hdconj {
+
+/// A pair of numbers and the line of the file it stands on.
+struct NumberPair
+{
+    std::array<double, 2> value{};
+    int line = 0;
+};
+
+/// A file of number pairs as far as it could be read.
+struct NumberPairs
+{
+    std::string file;  ///< as opened
+    std::vector<NumberPair> rows;
+};
+
+/// Reads the CSV file that @p choice names under @p key: two finite numbers a line, separated by comma, semicolon, tab or blanks;
+/// '#' starts a comment, one header line is allowed. Nothing is read when there are faults.
+/// @param folder  where a relative name starts
+/// @param what    the columns, for messages: "x,y in mm"
+[[nodiscard]] NumberPairs read_number_pairs(FamilyChoice const& choice, std::string_view key, std::string const& folder, std::string_view what,
+                                            Faults& faults);
+
+}  // namespace hdconj

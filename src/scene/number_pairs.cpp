@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/scene/number_pairs.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <utility>
+
+namespace hdconj {
+
+namespace {
+
+/// Two numbers separated by a comma, semicolon, tab or blanks; nothing else on the line.
+bool read_pair(std::string_view line, std::array<double, 2>& p)
+{
+    char const* at = line.data();
+    char const* const end = at + line.size();
+    auto const skip = [&](std::string_view what) {
+        while (at < end && what.find(*at) != std::string_view::npos)
+            ++at;
+    };
+    for (std::size_t k = 0; k < 2; ++k)
+    {
+        skip(k == 0 ? " \t" : " \t,;");
+        auto const [next, error] = std::from_chars(at, end, p[k]);
+        if (error != std::errc{})
+            return false;
+        at = next;
+    }
+    skip(" \t\r");
+    return at == end;
+}
+
+}  // namespace
+
+NumberPairs read_number_pairs(FamilyChoice const& choice, std::string_view key, std::string const& folder, std::string_view what, Faults& faults)
+{
+    auto const refuse = [&](std::string reason, std::string remedy) {
+        faults.push_back({choice.path + "." + std::string(key), choice.line_of(key), choice.text_of(key), std::move(reason), std::move(remedy)});
+        return NumberPairs{};
+    };
+    std::filesystem::path file = choice.word(key).value_or("");
+    if (file.is_relative())
+        file = std::filesystem::path(folder) / file;
+    NumberPairs pairs{file.string(), {}};
+    std::error_code ignored;
+    std::ifstream in(file);
+    if (!in || std::filesystem::is_directory(file, ignored))
+        return refuse("cannot be read: " + pairs.file, "write the name of a CSV file, relative to the scene file");
+    std::string line;
+    int number = 0;
+    bool header_seen = false;
+    while (std::getline(in, line))
+    {
+        ++number;
+        line.erase(std::find(line.begin(), line.end(), '#'), line.end());
+        if (line.find_first_not_of(" \t\r") == std::string::npos)
+            continue;
+        NumberPair row{{}, number};
+        bool const ok = read_pair(line, row.value);
+        if (!ok && pairs.rows.empty() && !header_seen)
+        {
+            header_seen = true;
+            continue;
+        }
+        if (!ok || !std::isfinite(row.value[0]) || !std::isfinite(row.value[1]))
+            return refuse("line " + std::to_string(number) + " of " + pairs.file + " is not a pair of finite numbers",
+                          "write two numbers " + std::string(what) + " on each line");
+        pairs.rows.push_back(row);
+    }
+    return pairs;
+}
+
+}  // namespace hdconj

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/wavegen/ellipse_cam.hpp"
+
+#include <boost/math/special_functions/ellint_2.hpp>
+#include <numbers>
+
+#include "hdconj/numeric/bracketed_root.hpp"
+#include "hdconj/numeric/error.hpp"
+
+namespace hdconj {
+
+EllipseCam::EllipseCam(double w0, double r_m) : w0_(w0), a_(r_m + w0), b_(a_)
+{
+    // excess of the circumference over the ring's, as a function of b
+    auto const excess = [&](double b) {
+        double const k = std::sqrt((a_ - b) * (a_ + b)) / a_;
+        return 4 * a_ * boost::math::ellint_2(k) - 2 * std::numbers::pi * r_m;
+    };
+    double const flat = excess(0);
+    if (!(flat < 0))
+        throw NumericalError("wave generator", "ellipse", "an ellipse with this major axis is longer than the ring even when flat");
+    b_ = bracketed_root(excess, 0.0, a_, flat, excess(a_)).x;
+}
+
+EllipseCam EllipseCam::build(FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults& faults)
+{
+    double const w0 = choice.number_or(radial_deformation, 0);
+    bool bad = place.waves != 2 && refuse_waves(choice, place.waves, "an ellipse has two waves", "write 2, or another family", faults);
+    double const most = (std::numbers::pi / 2 - 1) * place.r_m;
+    if (!(w0 < most))
+    {
+        refuse_key(choice, radial_deformation, "an ellipse with this major axis is longer than the ring even when flat",
+                   "write a smaller number, about one module", faults);
+        bad = true;
+    }
+    return bad || !(place.r_m > 0) ? EllipseCam{} : EllipseCam(w0, place.r_m);
+}
+
+}  // namespace hdconj
