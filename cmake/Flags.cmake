@@ -23,3 +23,7 @@ if(HDCONJ_SANITIZE)
   add_compile_options(-fsanitize=${HDCONJ_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
   add_link_options(-fsanitize=${HDCONJ_SANITIZE})
 endif()
+
+if(HDCONJ_BUILD_FUZZ)
+  add_compile_options(-fsanitize=fuzzer-no-link)  # libFuzzer is led by which lines of the libraries an input reaches
+endif()

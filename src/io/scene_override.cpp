@@ -16,7 +16,7 @@ constexpr std::size_t most_parts = 8;  ///< of a key path; a scene needs three
 
 Fault fault_of(std::string const& given, std::string reason, std::string remedy)
 {
-    return {printable(given), 0, "", std::move(reason), std::move(remedy), std::string(override_origin)};
+    return {given.empty() ? "\"\"" : printable(given), 0, "", std::move(reason), std::move(remedy), std::string(override_origin)};
 }
 
 bool is_key_character(char c)

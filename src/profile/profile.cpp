@@ -13,14 +13,22 @@ Vec2 curve_normal(CurvePiece const& curve, double t)
     return left_of(curve.first(t)).normalized();
 }
 
-/// Steps that keep the chord error of an arc within @p chord.
+/// @p steps rounded up to a whole number from 1 to @p most; any number may come, infinity too.
+int whole_steps(double steps, int most)
+{
+    return steps < most ? std::max(1, static_cast<int>(std::ceil(steps))) : most;
+}
+
+/// Steps that keep the chord error of an arc, 2 r sin^2(step/4), within @p chord.
 int arc_steps(ArcPiece const& arc, double chord)
 {
+    constexpr int most = 1 << 22;
     double const r = std::abs(arc.radius);
     if (r <= chord)
         return 1;
-    double const step = 2 * std::acos(1 - chord / r);
-    return std::max(1, static_cast<int>(std::ceil(std::abs(arc.to - arc.from) / step)));
+    // not from 1 - chord/r, which is 1 on a nearly straight arc
+    double const step = 4 * std::asin(std::sqrt(chord / (2 * r)));
+    return whole_steps(std::abs(arc.to - arc.from) / step, most);
 }
 
 /// Steps for a curve, from the bound (1/8) max |x''| h^2 on its chord error.
@@ -30,7 +38,8 @@ int curve_steps(CurvePiece const& curve, double chord)
     constexpr int probes = 16;
     for (int i = 0; i <= probes; ++i)
         bend = std::max(bend, curve.second(static_cast<double>(i) / probes).norm());
-    return std::clamp(static_cast<int>(std::ceil(std::sqrt(bend / (8 * chord)))), 1, 1 << 16);
+    constexpr int most = 1 << 16;
+    return whole_steps(std::sqrt(bend / (8 * chord)), most);
 }
 
 }  // namespace

@@ -44,7 +44,16 @@ void check_teeth(SceneReading const& reading, Faults& faults)
     auto const& drive = reading.scene.drive;
     int const waves = reading.scene.wave_generator.waves;
     int const more = drive.circular_spline_teeth - drive.flexspline_teeth;
-    if (more > 0 && more % waves == 0) {
+    bool const meets = more > 0 && more % waves == 0;
+    if (meets && more / waves > bounds::most_pitches_per_lobe) {
+        faults.push_back(fault_at("drive.circular_spline_teeth", std::to_string(drive.circular_spline_teeth),
+                                  "each wave would move the flexspline by " + std::to_string(more / waves) +
+                                      " teeth of the circular spline, and more than " +
+                                      std::to_string(bounds::most_pitches_per_lobe) + " are not computed",
+                                  "write " + std::to_string(drive.flexspline_teeth + waves) +
+                                      ", flexspline_teeth plus waves, or another small multiple of waves more"));
+    }
+    if (meets) {
         return;
     }
     int const right = drive.flexspline_teeth + std::max(1, (more + waves / 2) / waves) * waves;

@@ -44,6 +44,8 @@ std::vector<BadScene> const& wrong_values()
          "200"},
         {"equal tooth numbers", "circular_spline_teeth = 202", "circular_spline_teeth = 200",
          "drive.circular_spline_teeth", "positive multiple", "write 202"},
+        {"far more teeth outside", "circular_spline_teeth = 202", "circular_spline_teeth = 99998", "drive.circular_spline_teeth",
+         "by 49899 teeth", "write 202"},
         {"fewer teeth outside", "circular_spline_teeth = 202", "circular_spline_teeth = 198",
          "drive.circular_spline_teeth", "positive multiple", "write 202"},
         {"odd difference", "circular_spline_teeth = 202", "circular_spline_teeth = 203", "drive.circular_spline_teeth",

@@ -194,3 +194,22 @@ TEST_CASE("a file of points becomes a tooth, bad files become faults with their 
     REQUIRE(missing.size() == 1);
     CHECK(missing[0].line == 3);
 }
+
+TEST_CASE("polygons of extreme pieces have a bounded number of points", "[profile]")
+{
+    auto const polygon = [](PieceShape shape, double chord) {
+        Profile tooth;
+        tooth.pieces.push_back({std::move(shape)});
+        return polygon_of(tooth, chord);
+    };
+    // nearly straight: 1 - chord/r rounds to 1
+    double const angle = 1e-9;
+    // 1 mm of an arc in steps of sqrt(8 r chord)
+    ArcPiece const flat{{0, -1e9}, 1e9, std::numbers::pi / 2, std::numbers::pi / 2 - angle};
+    CHECK(polygon(flat, 1e-12).size() == 13);
+    CHECK(polygon(flat, 1e-18).size() == 11182);
+    auto const wild = polygon(CurvePiece({0, 1e9, -1e9, 0}, {0, 1, 2, 3}), 1e-12);
+    CHECK(wild.size() <= (1 << 16) + 1);
+    auto const wilder = polygon(CurvePiece({0, 1e300, -1e300, 0}, {0, 1, 2, 3}), 1e-300);
+    CHECK(wilder.size() <= (1 << 16) + 1);
+}

@@ -88,6 +88,7 @@ TEST_CASE("what is no override is refused", "[scene]")
         INFO(bad);
         auto const fault = only_fault({bad});
         CHECK(fault.origin == "--set");
+        CHECK_FALSE(fault.path.empty());
         CHECK_FALSE(fault.reason.empty());
         CHECK_FALSE(fault.remedy.empty());
     }

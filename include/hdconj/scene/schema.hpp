@@ -65,6 +65,7 @@ inline constexpr double largest_length = 1e6;  ///< [mm]
 inline constexpr int fewest_teeth = 6;
 inline constexpr int most_teeth = 100000;
 inline constexpr int most_waves = 3;
+inline constexpr int most_pitches_per_lobe = 100;  ///< (z_c - z_f)/n; the work grows with it, drives have 1 or 2
 inline constexpr int most_threads = 1024;
 inline constexpr int most_slices = 1000;
 inline constexpr double least_tolerance = 1e-12;  ///< [mm]

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The fuzzed targets over the stored inputs: tests/fuzz/corpus/<target> holds seeds, tests/fuzz/finds/<target> what once
+/// was a find.
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+
+#include "fuzz/drive_text.hpp"
+#include "fuzz/targets.hpp"
+#include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace hdconj;
+namespace fs = std::filesystem;
+
+namespace {
+
+/// No input may take longer, times what sanitizers cost.
+constexpr double longest = 10.0 * HDCONJ_TIMEOUT_FACTOR;
+
+std::vector<fs::path> inputs(std::string const& kind, std::string const& target)
+{
+    std::vector<fs::path> files;
+    fs::path const folder = fs::path(HDCONJ_SOURCE_DIR) / "tests/fuzz" / kind / target;
+    for (auto const& entry : fs::directory_iterator(folder))
+        files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+void replay(std::string const& target, void (*run)(fuzz::Bytes))
+{
+    for (char const* kind : {"corpus", "finds"}) {
+        auto const files = inputs(kind, target);
+        REQUIRE_FALSE(files.empty());
+        for (fs::path const& file : files) {
+            INFO(kind << "/" << target << "/" << file.filename().string());
+            std::string const text = test::content(file);
+            auto const begin = std::chrono::steady_clock::now();
+            CHECK_NOTHROW(run({reinterpret_cast<std::uint8_t const*>(text.data()), text.size()}));
+            std::chrono::duration<double> const taken = std::chrono::steady_clock::now() - begin;
+            CHECK(taken.count() < longest);
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("scene text: stored inputs of the fuzzer", "[fuzz]")
+{
+    replay("scene_text", fuzz::scene_text);
+}
+
+TEST_CASE("CSV profiles: stored inputs of the fuzzer", "[fuzz]")
+{
+    replay("csv_profile", fuzz::csv_profile);
+}
+
+TEST_CASE("scene to solution: stored inputs of the fuzzer", "[fuzz]")
+{
+    replay("scene_solve", fuzz::scene_solve);
+}

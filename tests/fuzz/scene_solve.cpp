@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <initializer_list>
+
+#include "fuzz/drive_text.hpp"
+#include "fuzz/refusal.hpp"
+#include "fuzz/targets.hpp"
+#include "hdconj/pipeline/solve.hpp"
+
+namespace hdconj::fuzz {
+namespace {
+
+void finite(std::initializer_list<double> values, std::string const& what)
+{
+    if (!std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
+        throw Find(what + " is not finite");
+}
+
+void finite(std::vector<double> const& values, std::string const& what)
+{
+    if (!std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); }))
+        throw Find(what + " is not finite");
+}
+
+void finite(std::vector<Vec2> const& points, std::string const& what)
+{
+    if (!std::all_of(points.begin(), points.end(), [](Vec2 const& p) { return p.allFinite(); }))
+        throw Find(what + " is not finite");
+}
+
+void judge_numbers(Solution const& s)
+{
+    PairGeometry const& g = s.geometry;
+    finite({g.r_m, g.r_0, g.w0, g.pitch_line, g.addendum, g.dedendum, g.flexspline_inner_radius, g.circular_spline_inner_radius,
+            g.land_half_angle, g.space_depth, g.ratio},
+           "geometry");
+    finite(s.flexspline_outline, "flexspline outline");
+    finite(s.neutral_curve, "neutral curve");
+    for (BranchRecord const& branch : s.branches) {
+        finite(branch.u, "u of branch " + branch.segment_name);
+        finite(branch.phi, "phi of branch " + branch.segment_name);
+        finite(branch.t, "t of branch " + branch.segment_name);
+        finite(branch.point, "points of branch " + branch.segment_name);
+    }
+    for (ConjugateZone const& zone : s.zones)
+        finite({zone.u_begin, zone.u_end, zone.phi_begin, zone.phi_end, zone.t_begin, zone.t_end}, "zone of " + zone.segment_name);
+    for (auto const& outline : s.circular_spline.outline)
+        finite(outline, "circular spline");
+    for (auto const& tooth : s.tooth_family)
+        finite(tooth, "tooth family");
+    finite(s.circular_spline.z, "z of the slices");
+    finite({s.error.chord, s.error.point, s.error.arc_length}, "error estimate");
+}
+
+void judge_indices(Solution const& s)
+{
+    if (s.circular_spline.outline.empty() || s.circular_spline.outline.front().size() < 2)
+        throw Find("no outline");
+    std::size_t const count = s.circular_spline.outline.front().size();
+    for (int landmark : s.circular_spline.landmarks) {
+        if (landmark < 0 || static_cast<std::size_t>(landmark) >= count)
+            throw Find("a landmark outside the outline");
+    }
+    for (OutlinePiece const& piece : s.circular_spline.pieces) {
+        if (piece.first > piece.last || piece.last >= count)
+            throw Find("a piece outside the outline");
+    }
+}
+
+void judge_pair(Solution const& s)
+{
+    double const tolerance = s.scene.solver.tolerance;
+    if (!s.check)
+        throw Find("no check of the pair");
+    finite({s.check->smallest_clearance, s.check->where.x(), s.check->where.y(), s.check->at_phi}, "check of the pair");
+    if (!(s.check->smallest_clearance >= s.scene.circular_spline.backlash_offset - tolerance))
+        throw Find("a tooth enters the outline: clearance " + std::to_string(s.check->smallest_clearance) + " mm");
+    if (!(s.error.chord <= tolerance))
+        throw Find("chord error " + std::to_string(s.error.chord) + " mm above the tolerance");
+}
+
+}  // namespace
+
+void scene_solve(Bytes input)
+{
+    constexpr double finest = 0x1p-24;  // of the module: bounds the number of points, and with it the work
+    accepted([&] {
+        Scene scene = scene_of(parse_drive(text_of(input)));
+        scene.solver.threads = 1;
+        scene.solver.tolerance = std::max(scene.solver.tolerance, scene.drive.module * finest);
+        Solution const solution = solve(scene);
+        judge_numbers(solution);
+        judge_indices(solution);
+        judge_pair(solution);
+    });
+}
+
+}  // namespace hdconj::fuzz
