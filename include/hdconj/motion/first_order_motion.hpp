@@ -15,7 +15,8 @@
 
 namespace hdconj {
 
-/// Thesis (2-16), (2-17), (2-19) with parameter phi: rho = r_m + w(phi) (w less its mean), v = -integral of w,
+/// Thesis (2-16), (2-17), (2-19) with parameter phi: rho = r_m + w(phi), v = -integral of w (less its mean, which is of second
+/// order, so that v is periodic),
 /// phi_1 = phi + v/r_m, gamma = phi_1 - k phi, and the normal turned against the undeformed radius by mu = (v - w')/r_m,
 /// theta = (1 - k) phi + mu, k = z_f/z_c.
 ///
@@ -47,7 +48,7 @@ class FirstOrderMotion
         RadialDisplacement const d = shape_(phi);
         double const gamma = (1 - k_) * phi + v(phi, d) / r_m_;
         double const theta = gamma - d.w1 / r_m_;
-        double const rho = r_m_ + (d.w - mean_);
+        double const rho = r_m_ + d.w;
         return {std::cos(theta), std::sin(theta), {rho * std::sin(gamma), rho * std::cos(gamma)}};
     }
 
@@ -55,7 +56,7 @@ class FirstOrderMotion
     {
         RadialDisplacement const d = shape_(phi);
         double const w = d.w - mean_;
-        double const rho = r_m_ + w;
+        double const rho = r_m_ + d.w;
         double const tilt = d.w1 / r_m_;    // gamma - theta
         double const tilt1 = d.w2 / r_m_;
         double const gamma1 = 1 - k_ - w / r_m_;

@@ -19,41 +19,12 @@
 #include <vector>
 
 #include "hdconj/scene/scene.hpp"
+#include "support/oracle/cam.hpp"
 #include "support/oracle/number.hpp"
+#include "support/oracle/quadrature.hpp"
 #include "support/oracle/tooth.hpp"
 
 namespace oracle {
-
-/// Nodes and weights of Gauss-Legendre quadrature on -1 ... 1.
-template <class T>
-struct GaussLegendre
-{
-    explicit GaussLegendre(int count)
-    {
-        using std::abs;
-        using std::cos;
-        for (int i = 0; i < count; ++i) {
-            T x = cos(pi<T>() * (T(i) + T(3) / T(4)) / (T(count) + T(1) / T(2)));
-            T slope{};
-            for (int step = 0; step < 100; ++step) {
-                T before(1), value = x;
-                for (int k = 2; k <= count; ++k) {
-                    T const next = (T(2 * k - 1) * x * value - T(k - 1) * before) / T(k);
-                    before = value;
-                    value = next;
-                }
-                slope = T(count) * (x * value - before) / (x * x - T(1));
-                T const change = value / slope;
-                x -= change;
-                if (abs(change) <= T(4) * std::numeric_limits<T>::epsilon())
-                    break;
-            }
-            node.push_back(x);
-            weight.push_back(T(2) / ((T(1) - x * x) * slope * slope));
-        }
-    }
-    std::vector<T> node, weight;
-};
 
 /// Where a tooth is in the circular-spline frame: origin and axes of the tooth frame.
 template <class T>
@@ -85,16 +56,25 @@ class Motion
                                                 : T(scene.drive.module) * T(scene.drive.flexspline_teeth) / T(2) -
                                                       T(number_of(flexspline.profile, "dedendum")) - T(flexspline.wall);
         r_m = inner + T(flexspline.wall) / T(2) - T(flexspline.neutral_offset);
-        w0 = T(number_of(scene.wave_generator.shape, "radial_deformation"));
         waves = scene.wave_generator.waves;
+        cam_ = Cam<T>(scene, r_m);
+        w0 = cam_.w0;
+        cosine_ = scene.wave_generator.shape.family == "cosine";
         circular_spline_teeth = scene.drive.circular_spline_teeth;
         pitches_per_turn = scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth;
         turn_ratio = T(scene.drive.flexspline_teeth) / T(scene.drive.circular_spline_teeth);
         exact = scene.solver.kinematics == hdconj::Kinematics::exact;
         r_0 = r_m;
         if (exact) {
-            close(closed);
-            expand();
+            if (cosine_) {
+                close(closed);
+                expand();
+            } else {
+                close_any();
+            }
+        } else if (!cosine_) {
+            w_ = RunningIntegral<T>([cam = cam_](T const& u) { return cam(u).w; }, T(2) * half_lobe(), cam_.breaks);
+            mean_ = w_.total() / (T(2) * half_lobe());
         }
     }
 
@@ -105,6 +85,8 @@ class Motion
         using std::sin;
         if (!exact)
             return s;
+        if (!cosine_)
+            return length_(s) / r_m;
         // sum of c_k sin(k x) by Clenshaw's recurrence
         T const x = T(waves) * s, twice_cos = T(2) * cos(x);
         T b1(0), b2(0);
@@ -133,7 +115,9 @@ class Motion
     T u(T const& s) const
     {
         using std::sin;
-        return exact ? s : s - w0 * sin(T(waves) * s) / (T(waves) * r_m);
+        if (exact)
+            return s;
+        return cosine_ ? s - w0 * sin(T(waves) * s) / (T(waves) * r_m) : s - (w_(s) - mean_ * s) / r_m;
     }
 
     Pose<T> pose(T const& s) const { return pose(s, phi(s)); }
@@ -144,6 +128,12 @@ class Motion
         using std::cos;
         using std::sin;
         T const turned_back = turn_ratio * phi;
+        if (!exact && !cosine_) {
+            Radial<T> const r = cam_(s);
+            T const rho = r_m + r.w, gamma = u(s) - turned_back, tilt = gamma - r.slope / r_m;
+            T const c = cos(tilt), d = sin(tilt);
+            return {{rho * sin(gamma), rho * cos(gamma)}, {c, -d}, {d, c}};
+        }
         if (!exact) {
             T const n(waves);
             T const wave = sin(n * s);
@@ -153,7 +143,8 @@ class Motion
             T const c = cos(tilt), d = sin(tilt);
             return {{rho * sin(gamma), rho * cos(gamma)}, {c, -d}, {d, c}};
         }
-        T const rho = r_0 + w0 * cos(T(waves) * s), slope = -T(waves) * w0 * sin(T(waves) * s);
+        Radial<T> const radial = cam_(s);
+        T const rho = r_0 + radial.w, slope = radial.slope;
         T const c = cos(s), d = sin(s);
         Point<T> const point{rho * d, rho * c};
         Point<T> tangent{slope * d + rho * c, slope * c - rho * d};
@@ -190,10 +181,9 @@ class Motion
   private:
     T speed(T const& u) const
     {
-        using std::cos;
-        using std::sin;
         using std::sqrt;
-        T const rho = r_0 + w0 * cos(T(waves) * u), slope = -T(waves) * w0 * sin(T(waves) * u);
+        Radial<T> const r = cam_(u);
+        T const rho = r_0 + r.w, slope = r.slope;
         return sqrt(rho * rho + slope * slope);
     }
 
@@ -233,6 +223,32 @@ class Motion
         }
     }
 
+    /// The same for a wave generator with breaks, by quadrature between them; the arc length as a running integral.
+    void close_any()
+    {
+        using std::abs;
+        auto const mean_length = [&] {
+            return RunningIntegral<T>([this](T const& u) { return speed(u); }, T(2) * half_lobe(), cam_.breaks).total() / (T(2) * half_lobe());
+        };
+        T a = r_m, fa = mean_length() - r_m;
+        r_0 = r_m - fa;
+        for (int step = 0; step < 60; ++step) {
+            T const b = r_0, fb = mean_length() - r_m;
+            if (fb == fa || abs(b - a) <= std::numeric_limits<T>::epsilon() * r_m)
+                break;
+            r_0 = b - fb * (b - a) / (fb - fa);
+            a = b;
+            fa = fb;
+        }
+        length_ = RunningIntegral<T>(
+            [cam = cam_, mean = r_0](T const& u) {
+                using std::sqrt;
+                Radial<T> const r = cam(u);
+                return sqrt((mean + r.w) * (mean + r.w) + r.slope * r.slope);
+            },
+            T(2) * half_lobe(), cam_.breaks);
+    }
+
     /// phi = slope u + sum c_k sin(k n u): the integrated Fourier series of the speed. The slope is 1
     /// when the curve is closed.
     void expand()
@@ -254,6 +270,10 @@ class Motion
             sine_.pop_back();
     }
 
+    Cam<T> cam_;
+    bool cosine_ = true;
+    RunningIntegral<T> length_, w_;  ///< of wave generators other than cosine
+    T mean_{};                       ///< of w, first order
     int points_ = 0;
     T drift_{1};
     std::vector<T> sine_;
