@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "hdconj/geometry/rigid_motion.hpp"
@@ -34,6 +35,12 @@ void SweptPolygons::add(int arc, std::vector<Vec2> const& points, std::vector<do
         polygons_.push_back(std::move(turned));
         sources_.push_back({arc, copy, u});
     }
+}
+
+void SweptPolygons::add_one(int arc, int copy, std::vector<Vec2> const& points, std::vector<double> const& u)
+{
+    polygons_.push_back(points);
+    sources_.push_back({arc, copy, u});
 }
 
 void SweptPolygons::join_ends(double same)
@@ -77,6 +84,38 @@ int SweptPolygons::add_floor(double radius, double chord)
     polygons_.push_back(std::move(floor));
     sources_.push_back(std::move(source));
     return static_cast<int>(polygons_.size()) - 1;
+}
+
+int SweptPolygons::add_floor_line(double y, double margin)
+{
+    double left = -margin;
+    double right = margin;
+    for (auto const& polygon : polygons_)
+    {
+        for (Vec2 const& p : polygon)
+        {
+            left = std::min(left, p.x() - margin);
+            right = std::max(right, p.x() + margin);
+        }
+    }
+    add_one(-1, 0, {{right, y}, {left, y}}, {right, left});
+    return static_cast<int>(polygons_.size()) - 1;
+}
+
+double SweptPolygons::lowest_on_axis() const
+{
+    double lowest = std::numeric_limits<double>::infinity();
+    for (auto const& polygon : polygons_)
+    {
+        for (std::size_t k = 0; k + 1 < polygon.size(); ++k)
+        {
+            Vec2 const& a = polygon[k];
+            Vec2 const& b = polygon[k + 1];
+            if ((a.x() < 0) != (b.x() < 0))
+                lowest = std::min(lowest, a.y() - a.x() / (b.x() - a.x()) * (b.y() - a.y()));
+        }
+    }
+    return lowest;
 }
 
 double SweptPolygons::radius_between_spaces() const

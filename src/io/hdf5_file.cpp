@@ -42,6 +42,7 @@ void write_provenance(Writer const& root, Solution const& solution)
     root.attribute("build", std::string(build_description()));
     root.attribute("date", date_text());
     root.attribute("drive", solution.scene.drive.name);
+    root.attribute("given", given_member(solution));
     root.attribute("scene", solution.scene.text);
     root.attribute("threads", solution.threads);
     root.attribute("plan", describe(solution.plan));
@@ -52,7 +53,7 @@ void write_provenance(Writer const& root, Solution const& solution)
     root.attribute("stages", stages);
 }
 
-void write_branch(Writer const& branch, BranchRecord const& record)
+void write_branch(Writer const& branch, BranchRecord const& record, bool reverse)
 {
     branch.attribute("kind", record.kind);
     branch.attribute("segment", record.segment);
@@ -60,6 +61,9 @@ void write_branch(Writer const& branch, BranchRecord const& record)
     branch.attribute("begins", record.begins);
     branch.attribute("ends", record.ends);
     branch.flag("on_boundary", record.on_boundary);
+    if (reverse) {
+        branch.attribute("tooth", record.tooth);
+    }
     branch.numbers("u", record.u, "rad");
     branch.numbers("phi", record.phi, "rad");
     branch.numbers("t", record.t, "1");
@@ -69,10 +73,12 @@ void write_branch(Writer const& branch, BranchRecord const& record)
 void write_envelope(Writer const& root, Solution const& solution)
 {
     root.group("envelope", [&](Writer const& envelope) {
+        bool const reverse = solution.scene.is_reverse();
         envelope.attribute("segments", solution.segment_names);
+        envelope.attribute("frame", std::string(reverse ? "flexspline tooth" : "circular spline"));
         for (std::size_t i = 0; i < solution.branches.size(); ++i) {
             envelope.group(fmt::format("branch_{:03}", i),
-                           [&](Writer const& branch) { write_branch(branch, solution.branches[i]); });
+                           [&](Writer const& branch) { write_branch(branch, solution.branches[i], reverse); });
         }
     });
 }
@@ -112,7 +118,7 @@ void write_zones(Writer const& root, std::vector<ConjugateZone> const& zones)
     });
 }
 
-void write_pieces(Writer const& spline, std::vector<OutlinePiece> const& pieces)
+void write_pieces(Writer const& member, std::vector<OutlinePiece> const& pieces)
 {
     std::vector<std::string> kinds, segments;
     std::vector<int> first, last;
@@ -122,7 +128,7 @@ void write_pieces(Writer const& spline, std::vector<OutlinePiece> const& pieces)
         first.push_back(static_cast<int>(piece.first));
         last.push_back(static_cast<int>(piece.last));
     }
-    spline.group("pieces", [&](Writer const& place) {
+    member.group("pieces", [&](Writer const& place) {
         place.texts("kind", kinds);
         place.texts("segment_name", segments);
         place.integers("first", first);
@@ -182,7 +188,12 @@ std::string result_bytes(Solution const& solution)
     hdf5::MemoryFile const file;
     Writer const root = file.root();
     write_provenance(root, solution);
-    root.group("flexspline", [&](Writer const& place) { place.points("outline", solution.flexspline_outline); });
+    root.group("flexspline", [&](Writer const& place) {
+        place.points("outline", solution.flexspline_outline);
+        if (solution.scene.is_reverse()) {
+            write_pieces(place, solution.flexspline_pieces);
+        }
+    });
     root.points("neutral_curve", solution.neutral_curve);
     write_envelope(root, solution);
     write_zones(root, solution.zones);

@@ -12,15 +12,12 @@ namespace {
 
 constexpr double heading_y = 26, subject_y = 50;  // [px] from above
 
-std::string title(Window const& window, Drive const& drive, double w0)
+std::string title(Window const& window, Words const& words)
 {
-    auto const subject = fmt::format(
-        "tooth space of the circular spline, swept by the flexspline:  m {:g} mm,  z_f {},  z_c {},  w0 {:g} mm",
-        drive.module, drive.flexspline_teeth, drive.circular_spline_teeth, w0);
     return fmt::format(
         "set label {} at {} noenhanced\n"
         "set label {} at {} noenhanced textcolor rgb '#404040'\n",
-        gnuplot_quoted(drive.name), window.screen(left_margin, heading_y), gnuplot_quoted(subject),
+        gnuplot_quoted(words.heading), window.screen(left_margin, heading_y), gnuplot_quoted(words.subject),
         window.screen(left_margin, subject_y));
 }
 
@@ -58,7 +55,7 @@ std::string terminal(PictureFormat format, Window const& window)
                        finer * width, finer * window.height(), point_per_px * finer * font_size, finer, finer);
 }
 
-std::string frame(Window const& window, Drive const& drive, double w0)
+std::string frame(Window const& window, Words const& words)
 {
     double const step = tic_step(window.right - window.left);
     return fmt::format(
@@ -67,15 +64,15 @@ std::string frame(Window const& window, Drive const& drive, double w0)
                "set bmargin at screen {:.6f}\nset tmargin at screen {:.6f}\n"
                "set xrange [{:.6f}:{:.6f}]\nset yrange [{:.6f}:{:.6f}]\n"
                "set format '%.{}f'\nset xtics {:g}\nset ytics {:g}\n"
-               "set xlabel 'x [mm], across the tooth space' noenhanced\n"
-               "set ylabel 'y [mm], from the axis of the drive' noenhanced\n"
+               "set xlabel {} noenhanced\n"
+               "set ylabel {} noenhanced\n"
                "set border 3 linecolor rgb '#808080' linewidth 0.8\n"
                "set tics nomirror out scale 0.6 textcolor rgb '#303030'\n"
                "unset key\n",
                left_margin / width, 1 - right_margin / width, bottom_margin / window.height(),
                1 - top_margin / window.height(), window.left, window.right, window.low, window.high, decimals_of(step),
-               step, step) +
-           title(window, drive, w0);
+               step, step, gnuplot_quoted(words.across), gnuplot_quoted(words.up)) +
+           title(window, words);
 }
 
 }  // namespace hdconj::picture

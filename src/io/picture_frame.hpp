@@ -6,7 +6,6 @@
 #include <cmath>
 #include <string>
 
-#include "hdconj/scene/scene.hpp"
 #include "picture_script.hpp"
 
 namespace hdconj::picture {
@@ -19,7 +18,7 @@ inline constexpr double top_margin = 66;
 inline constexpr double bottom_margin = 184;
 inline constexpr double font_size = 15;
 
-/// What is seen, in the circular-spline frame [mm].
+/// What is seen, in the frame of the outline that is solved for [mm].
 struct Window
 {
     double left = 0, right = 0, low = 0, high = 0;
@@ -34,9 +33,17 @@ struct Window
 
 [[nodiscard]] std::string terminal(PictureFormat format, Window const& window);
 
+/// Words around the drawing.
+struct Words
+{
+    std::string heading;
+    std::string subject;
+    std::string across;  ///< of the x axis
+    std::string up;      ///< of the y axis
+};
+
 /// Axes of equal scale and the title.
-/// @param w0  largest radial deformation [mm], for the title
-[[nodiscard]] std::string frame(Window const& window, Drive const& drive, double w0);
+[[nodiscard]] std::string frame(Window const& window, Words const& words);
 
 /// Distance of the tics [mm]: 1, 2 or 5 times a power of ten, about eight across @p range.
 [[nodiscard]] double tic_step(double range);

@@ -168,31 +168,91 @@ std::string line(char const* colour, double width, char const* dash = "solid")
     return fmt::format("linecolor rgb '{}' linewidth {} dashtype {}", colour, width, dash);
 }
 
+std::string numbers_of(Solution const& solution)
+{
+    auto const& drive = solution.scene.drive;
+    return fmt::format("m {:g} mm,  z_f {},  z_c {},  w0 {:g} mm", drive.module, drive.flexspline_teeth,
+                       drive.circular_spline_teeth, solution.geometry.w0);
+}
+
+void add_branches(Plot& plot, Solution const& solution, double tolerance, bool on_boundary)
+{
+    auto const thin = [&](Polylines const& lines) { return thinned(lines, tolerance); };
+    if (on_boundary) {
+        plot.add(thin(branches(solution, false, true)), line(colour_regular, 1.9), "envelope on the boundary");
+        plot.add(thin(branches(solution, true, true)), line(colour_corner, 1.9, "(6,4)"),
+                 "path of a tooth corner, on the boundary");
+        plot.add(thin(branches(solution, true, false)), line(colour_corner_unused, 1.4, "(6,4)"),
+                 "path of a tooth corner, not on the boundary");
+    } else {
+        plot.add(thin(branches(solution, false, false)), line(colour_regular_unused, 1.6),
+                 "envelope, not on the boundary");
+    }
+}
+
+/// The reverse problem, in the frame of the flexspline tooth, y from its pitch line.
+std::string reverse_script(Solution const& solution, PictureFormat format)
+{
+    auto const& geometry = solution.geometry;
+    auto const& outline = solution.flexspline_outline;
+    auto given = middle_outline(solution.circular_spline);
+    double const pitch_radius = geometry.r_0 + geometry.w0 + geometry.pitch_line;
+    double high = geometry.addendum;
+    for (auto& point : given) {
+        point.y() -= pitch_radius;
+        high = std::max(high, point.y());
+    }
+    double const half = seen_pitches * std::numbers::pi / solution.scene.drive.flexspline_teeth * pitch_radius;
+    double const air = margin * (high + geometry.dedendum);
+    Window const window{-half, half, -geometry.dedendum - air, high + air};
+    double const tolerance = finest_detail / window.scale();
+    auto body = outline;
+    if (!body.empty()) {
+        double const beyond = 2 * window.low - window.high;
+        body.insert(body.begin(), {{2 * window.left, beyond}, {2 * window.left, outline.front().y()}});
+        body.insert(body.end(), {{2 * window.right, outline.back().y()}, {2 * window.right, beyond}});
+    }
+    Plot plot(window);
+    plot.add({body}, "filledcurves closed",
+             fmt::format("fillstyle solid noborder linecolor rgb '{}'", colour_material), "");
+    plot.add(thinned(solution.tooth_family, tolerance), line(colour_family, 0.7),
+             fmt::format("circular-spline teeth, {} positions", solution.tooth_family.size()));
+    add_branches(plot, solution, tolerance, false);
+    plot.add(thinned({given}, tolerance), line(colour_tooth, 1.4), "circular spline at the major axis, given");
+    plot.add(thinned({outline}, tolerance), line(colour_outline, 4.2), "flexspline tooth, solved for");
+    add_branches(plot, solution, tolerance, true);
+    picture::Words const words{solution.scene.drive.name,
+                               "flexspline tooth, left free by the circular spline's:  " + numbers_of(solution),
+                               "x [mm], across the tooth", "y [mm], from the pitch line"};
+    return picture::terminal(format, window) + picture::frame(window, words) + plot.text();
+}
+
 }  // namespace
 
 std::string picture_script(Solution const& solution, PictureFormat format)
 {
+    if (solution.scene.is_reverse()) {
+        return reverse_script(solution, format);
+    }
     auto const outline = middle_outline(solution.circular_spline);
     Window const window = window_of(solution, outline);
     double const tolerance = finest_detail / window.scale();
     auto const thin = [&](Polylines const& lines) { return thinned(lines, tolerance); };
-    auto const& geometry = solution.geometry;
     Plot plot(window);
     plot.add({material(outline, window)}, "filledcurves closed",
              fmt::format("fillstyle solid noborder linecolor rgb '{}'", colour_material), "");
     plot.add(thin(solution.tooth_family), line(colour_family, 0.7),
              fmt::format("flexspline tooth, {} positions", solution.tooth_family.size()));
-    plot.add(thin(branches(solution, false, false)), line(colour_regular_unused, 1.6), "envelope, not on the boundary");
+    add_branches(plot, solution, tolerance, false);
     plot.add({tip_circle(solution, window)}, line(colour_tooth, 0.9, "(12,4,2,4)"),
              "tip circle of the circular spline");
     plot.add(thin({tooth_at_major_axis(solution)}), line(colour_tooth, 1.4), "flexspline tooth at the major axis");
     plot.add(thin({outline}), line(colour_outline, 4.2), "circular spline");
-    plot.add(thin(branches(solution, false, true)), line(colour_regular, 1.9), "envelope on the boundary");
-    plot.add(thin(branches(solution, true, true)), line(colour_corner, 1.9, "(6,4)"),
-             "path of a tooth corner, on the boundary");
-    plot.add(thin(branches(solution, true, false)), line(colour_corner_unused, 1.4, "(6,4)"),
-             "path of a tooth corner, not on the boundary");
-    return picture::terminal(format, window) + picture::frame(window, solution.scene.drive, geometry.w0) + plot.text();
+    add_branches(plot, solution, tolerance, true);
+    picture::Words const words{solution.scene.drive.name,
+                               "tooth space of the circular spline, swept by the flexspline:  " + numbers_of(solution),
+                               "x [mm], across the tooth space", "y [mm], from the axis of the drive"};
+    return picture::terminal(format, window) + picture::frame(window, words) + plot.text();
 }
 
 }  // namespace hdconj

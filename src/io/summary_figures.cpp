@@ -53,6 +53,11 @@ std::vector<Figure> figures(Solution const& solution)
     return all;
 }
 
+std::string given_member(Solution const& solution)
+{
+    return solution.scene.is_reverse() ? "circular spline" : "flexspline";
+}
+
 double total_seconds(Solution const& solution)
 {
     double total = 0;

@@ -33,6 +33,9 @@ inline constexpr double um_per_mm = 1000;
 
 [[nodiscard]] std::vector<Figure> error_figures(Solution const& solution);
 
+/// The member whose tooth the scene gives: "flexspline" or "circular spline".
+[[nodiscard]] std::string given_member(Solution const& solution);
+
 /// Sum of the stages [s].
 [[nodiscard]] double total_seconds(Solution const& solution);
 

@@ -41,7 +41,8 @@ Json drive(Solution const& solution)
             {"circular_spline_teeth", drive.circular_spline_teeth},
             {"waves", solution.scene.wave_generator.waves},
             {"kinematics", solution.scene.solver.kinematics == Kinematics::exact ? "exact" : "first-order"},
-            {"tolerance_mm", number(solution.scene.solver.tolerance)}};
+            {"tolerance_mm", number(solution.scene.solver.tolerance)},
+            {"given", given_member(solution)}};
 }
 
 Json branches(Solution const& solution)
@@ -71,18 +72,23 @@ Json zone(ConjugateZone const& zone)
             {"on_boundary", zone.on_boundary}};
 }
 
+Json pieces(std::vector<OutlinePiece> const& of)
+{
+    Json list = Json::array();
+    for (auto const& piece : of) {
+        list.push_back(
+            {{"kind", piece.kind}, {"segment_name", piece.segment_name}, {"first", piece.first}, {"last", piece.last}});
+    }
+    return list;
+}
+
 Json outline(Solution const& solution)
 {
     auto const& spline = solution.circular_spline;
-    Json pieces = Json::array();
-    for (auto const& piece : spline.pieces) {
-        pieces.push_back(
-            {{"kind", piece.kind}, {"segment_name", piece.segment_name}, {"first", piece.first}, {"last", piece.last}});
-    }
     return {{"slices", spline.outline.size()},
             {"points", outline_points(solution)},
             {"landmarks", spline.landmarks},
-            {"pieces", std::move(pieces)}};
+            {"pieces", pieces(spline.pieces)}};
 }
 
 /// Absent as a whole where the pair was not checked.
@@ -129,6 +135,10 @@ std::string summary_json(Solution const& solution, std::vector<WrittenFile> cons
     result["conjugate_zones"] = Json::array();
     for (auto const& each : solution.zones) {
         result["conjugate_zones"].push_back(zone(each));
+    }
+    if (solution.scene.is_reverse()) {
+        result["flexspline"] = {{"points", solution.flexspline_outline.size()},
+                                {"pieces", pieces(solution.flexspline_pieces)}};
     }
     result["circular_spline"] = outline(solution);
     add_clearance(result, solution);

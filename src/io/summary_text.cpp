@@ -57,6 +57,9 @@ void write_geometry(Page& page, Solution const& solution)
     page.line("{}: m {:g} mm, z_f/z_c {}/{}, ratio {:g}, {} waves, kinematics {}", drive.name, drive.module,
               drive.flexspline_teeth, drive.circular_spline_teeth, geometry.ratio, solution.scene.wave_generator.waves,
               solution.scene.solver.kinematics == Kinematics::exact ? "exact" : "first-order");
+    if (solution.scene.is_reverse()) {
+        page.line("given: the circular spline's tooth; solved for: the flexspline's");
+    }
     page.line("\ngeometry");
     page.figure("neutral radius r_m", mm(geometry.r_m), "undeformed");
     page.figure("mean radius r_0", mm(geometry.r_0),
@@ -104,14 +107,20 @@ char const* verdict(double clearance, double tolerance)
 void write_outline(Page& page, Solution const& solution)
 {
     auto const& spline = solution.circular_spline;
-    page.line("\ncircular spline: {} slice{}, {} points, {} pieces", spline.outline.size(),
-              spline.outline.size() == 1 ? "" : "s", outline_points(solution), spline.pieces.size());
+    bool const reverse = solution.scene.is_reverse();
+    if (reverse) {
+        page.line("\nflexspline tooth, solved for: {} points, {} pieces", solution.flexspline_outline.size(),
+                  solution.flexspline_pieces.size());
+    }
+    page.line("{}circular spline{}: {} slice{}, {} points, {} pieces", reverse ? "" : "\n", reverse ? ", given" : "",
+              spline.outline.size(), spline.outline.size() == 1 ? "" : "s", outline_points(solution),
+              spline.pieces.size());
     if (solution.check) {
         auto const& check = *solution.check;
         page.figure("smallest clearance", um(check.smallest_clearance),
-                    fmt::format("{}: at ({:.4f}, {:.4f}) mm, tooth at phi {:.3f} deg",
+                    fmt::format("{}: at ({:.4f}, {:.4f}) mm{}, tooth at phi {:.3f} deg",
                                 verdict(check.smallest_clearance, solution.scene.solver.tolerance), check.where.x(),
-                                check.where.y(), degrees(check.at_phi)));
+                                check.where.y(), reverse ? " of the flexspline tooth" : "", degrees(check.at_phi)));
         page.line("  {:<{}}{} points x {} positions over a full turn", "", label_width, check.points, check.positions);
     } else {
         page.line("  {:<{}}{:>14}", "smallest clearance", label_width, "not computed");

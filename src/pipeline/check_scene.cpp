@@ -7,7 +7,7 @@ namespace hdconj {
 Faults check_scene(Scene const& scene)
 {
     Faults faults;
-    Profile const tooth = detail::flexspline_tooth(scene, faults);
+    Profile const tooth = detail::given_tooth(scene, faults);
     AnyWaveShape const shape = detail::wave_shape(scene, tooth, faults);
     if (tooth.pieces.empty() || !faults.empty())
         return faults;

@@ -10,23 +10,26 @@
 
 namespace hdconj::detail {
 
-Profile flexspline_tooth(Scene const& scene, Faults& faults)
+Profile given_tooth(Scene const& scene, Faults& faults)
 {
-    ToothPlace const place{scene.drive.module, scene.drive.flexspline_teeth, scene.flexspline.wall, scene.flexspline.neutral_offset,
-                           scene.folder.string(), false, scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth,
-                           scene.wave_generator.waves};
-    return build_profile(scene.flexspline.profile, place, faults);
+    bool const reverse = scene.is_reverse();
+    int const difference = scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth;
+    ToothPlace const inside{scene.drive.module, scene.drive.flexspline_teeth, scene.flexspline.wall, scene.flexspline.neutral_offset,
+                            scene.folder.string(), false, difference, scene.wave_generator.waves};
+    ToothPlace const outside{scene.drive.module, scene.drive.circular_spline_teeth, 0, 0, scene.folder.string(), true, difference,
+                             scene.wave_generator.waves};
+    return build_profile(scene.given_profile(), reverse ? outside : inside, faults);
 }
 
 PairGeometry ring_geometry(Scene const& scene, Profile const& tooth)
 {
     PairGeometry g;
     double const wall = scene.flexspline.wall;
-    g.addendum = tooth.addendum;
-    g.dedendum = tooth.dedendum;
-    g.pitch_line = tooth.pitch_line;
+    g.addendum = scene.is_reverse() ? scene.flexspline.addendum.value_or(0) : tooth.addendum;
+    g.dedendum = scene.is_reverse() ? scene.flexspline.dedendum.value_or(0) : tooth.dedendum;
+    g.pitch_line = scene.is_reverse() ? wall / 2 + g.dedendum + scene.flexspline.neutral_offset : tooth.pitch_line;
     g.flexspline_inner_radius = scene.flexspline.inner_radius.value_or(
-        scene.drive.module * scene.drive.flexspline_teeth / 2 - tooth.dedendum - wall);
+        scene.drive.module * scene.drive.flexspline_teeth / 2 - g.dedendum - wall);
     g.r_m = g.flexspline_inner_radius + wall / 2 - scene.flexspline.neutral_offset;
     return g;
 }
@@ -42,7 +45,7 @@ PairGeometry pair_geometry(Scene const& scene, Profile const& tooth, double ampl
     PairGeometry g = ring_geometry(scene, tooth);
     g.w0 = amplitude;
     g.circular_spline_inner_radius =
-        scene.circular_spline.inner_radius.value_or(g.r_m + tooth.pitch_line + amplitude - tooth.addendum);
+        scene.circular_spline.inner_radius.value_or(g.r_m + g.pitch_line + amplitude - tooth.addendum);
     g.ratio = -static_cast<double>(scene.drive.flexspline_teeth)
               / (scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth);
     return g;
@@ -78,11 +81,55 @@ void judge_width(Scene const& scene, Profile const& tooth, PairGeometry const& g
                           "make the tooth thinner, or use fewer teeth or a larger module"});
 }
 
-void judge_tip_circle(Scene const& scene, Profile const& tooth, PairGeometry const& g, Faults& faults)
+/// The same for a circular-spline tooth, whose share of the circle gets wider towards its root.
+void judge_outer_width(Scene const& scene, Profile const& tooth, PairGeometry const& g, Faults& faults)
 {
-    double const tip = g.r_m + g.w0 + tooth.pitch_line + tooth.addendum;
-    double const rim = g.r_m + g.w0 + tooth.pitch_line - tooth.dedendum;
+    double worst = 0;
+    Vec2 where = Vec2::Zero();
+    double const chord = (tooth.addendum + tooth.dedendum) * 0x1p-10;
+    double const half_pitch = std::numbers::pi / scene.drive.circular_spline_teeth;
+    double const seat = given_tooth_seat(g, tooth);
+    for (Vec2 const& p : polygon_of(tooth, chord))
+    {
+        double const excess = std::atan2(std::abs(p.x()), seat - p.y()) - half_pitch;
+        if (excess > worst)
+        {
+            worst = excess;
+            where = p;
+        }
+    }
+    if (worst > 0)
+        faults.push_back({scene.given_profile().path, scene.given_profile().line, "",
+                          "the tooth is wider than its pitch: " + short_number(2 * std::abs(where.x())) + " mm thick at height "
+                              + short_number(where.y() - tooth.pitch_line) + " mm, where the pitch is " + short_number(2 * half_pitch * (seat - where.y())) + " mm",
+                          "make the tooth thinner, or use fewer teeth or a larger module"});
+}
+
+/// Tips of the flexspline against the bottom of the given tooth spaces, at the major axis.
+void judge_space_depth(Profile const& tooth, PairGeometry const& g, Faults& faults)
+{
+    double const bottom = given_tooth_seat(g, tooth) - tooth.pitch_line + tooth.dedendum;
+    double const pitch_radius = g.r_m + g.w0 + g.pitch_line;
+    if (!(pitch_radius + g.addendum < bottom))
+        faults.push_back({"flexspline.addendum", 0, short_number(g.addendum),
+                          "the flexspline's tips at " + short_number(pitch_radius + g.addendum)
+                              + " mm would cut into the bottom of the given tooth spaces, which are " + short_number(bottom) + " mm deep",
+                          "write less than " + short_number(bottom - pitch_radius) + ", or a larger circular_spline.profile.dedendum"});
+}
+
+void judge_tip_circle(Scene const& scene, PairGeometry const& g, Faults& faults)
+{
+    double const tip = g.r_m + g.w0 + g.pitch_line + g.addendum;
+    double const rim = g.r_m + g.w0 + g.pitch_line - g.dedendum;
     bool const given = scene.circular_spline.inner_radius.has_value();
+    if (scene.is_reverse() && !given && !(g.circular_spline_inner_radius > rim))
+    {
+        faults.push_back({"flexspline.dedendum", 0, short_number(g.dedendum),
+                          "the tips of the given circular-spline teeth at " + short_number(g.circular_spline_inner_radius)
+                              + " mm would cut into the flexspline's rim, which reaches " + short_number(rim) + " mm at the major axis",
+                          "write more than " + short_number(g.dedendum + rim - g.circular_spline_inner_radius) + ", or a smaller circular_spline.profile.addendum"});
+        return;
+    }
     std::string const value = given ? short_number(*scene.circular_spline.inner_radius) : "";
     double const radius = g.circular_spline_inner_radius;
     if (!(radius < tip))
@@ -111,13 +158,21 @@ void judge_geometry(Scene const& scene, Profile const& tooth, PairGeometry const
                           "write about one module (" + short_number(scene.drive.module) + ")"});
     else
     {
-        judge_width(scene, tooth, g, faults);
-        judge_tip_circle(scene, tooth, g, faults);
+        judge_tip_circle(scene, g, faults);
+        if (scene.is_reverse())
+        {
+            judge_outer_width(scene, tooth, g, faults);
+            judge_space_depth(tooth, g, faults);
+        }
+        else
+        {
+            judge_width(scene, tooth, g, faults);
+        }
     }
     bool has_tip = false;
     for (std::size_t i = 0; i < tooth.pieces.size(); ++i)
         has_tip = has_tip || is_tip(tooth, static_cast<int>(i));
-    if (scene.circular_spline.root_clearance > 0 && !has_tip)
+    if (scene.circular_spline.root_clearance > 0 && !scene.is_reverse() && !has_tip)
         faults.push_back({"circular_spline.root_clearance", 0, short_number(scene.circular_spline.root_clearance),
                           "the tooth has no flat or sharp tip whose trace could be moved outward",
                           "leave root_clearance out, or give the tooth a tip land"});

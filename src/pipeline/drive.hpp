@@ -10,20 +10,28 @@
 
 namespace hdconj::detail {
 
-/// Flexspline tooth of the scene, or faults.
-[[nodiscard]] Profile flexspline_tooth(Scene const& scene, Faults& faults);
+/// The tooth that the scene gives, in its own frame, or faults.
+[[nodiscard]] Profile given_tooth(Scene const& scene, Faults& faults);
 
-/// Radii of the flexspline's ring that follow from scene and tooth: inner radius m z_f/2 - h_f - delta unless given,
+/// Radii of the flexspline's ring that follow from scene and given tooth: inner radius m z_f/2 - h_f - delta unless given,
 /// r_m = inner radius + delta/2 - neutral_offset (design 3.1).
 [[nodiscard]] PairGeometry ring_geometry(Scene const& scene, Profile const& tooth);
 
-/// The same, and what needs the amplitude of the wave generator: tip circle r_m + pitch line + w0 - h_a unless given (design 3.1, 5.1).
+/// The same, and what needs the amplitude of the wave generator: tip circle r_m + pitch line + w0 - h_a of the given tooth unless given
+/// (design 3.1, 5.1). In the reverse problem this puts the pitch line of the circular spline's tooth where that of the flexspline's is
+/// at the major axis.
 [[nodiscard]] PairGeometry pair_geometry(Scene const& scene, Profile const& tooth, double amplitude);
 
 /// Wave generator's shape on the ring of @p tooth, or faults.
 [[nodiscard]] AnyWaveShape wave_shape(Scene const& scene, Profile const& tooth, Faults& faults);
 
-/// What only the assembled dimensions show: tooth against pitch, tip circle against tooth and rim.
+/// Radius of the origin of the frame of a given circular-spline tooth: the frame's y runs inward.
+[[nodiscard]] inline double given_tooth_seat(PairGeometry const& g, Profile const& tooth)
+{
+    return g.circular_spline_inner_radius + tooth.addendum + tooth.pitch_line;
+}
+
+/// What only the assembled dimensions show: tooth against pitch, tips of either member against roots of the other.
 void judge_geometry(Scene const& scene, Profile const& tooth, PairGeometry const& g, Faults& faults);
 
 /// The deformed neutral curve must be convex: a ring on a wave generator never bends inwards.

@@ -9,12 +9,13 @@
 
 #include "centred_outline.hpp"
 #include "drive.hpp"
-#include "hdconj/contact/full_turn.hpp"
 #include "hdconj/numeric/parallel.hpp"
+#include "outline_records.hpp"
 #include "records.hpp"
 #include "root_clearance.hpp"
 #include "stage_clock.hpp"
 #include "swallowed.hpp"
+#include "turn_check.hpp"
 
 namespace hdconj::detail {
 
@@ -136,44 +137,8 @@ class SolveJob
     void check()
     {
         FullTurnClearance<Motion> const clearance(tooth_, motion_, pitch_, pitches_per_lobe(out_.scene));
-        auto const& points = outline_.outline.points;
-        std::vector<std::size_t> const chosen = points_to_check();
-        std::vector<TurnMinimum> minima(chosen.size());
-        // blocks of fixed size, whatever the number of threads: inside one, each point starts from its neighbour's result
-        constexpr std::size_t block = 64;
-        constexpr std::size_t blocks_worth_a_thread = 4;
-        parallel_for((chosen.size() + block - 1) / block, out_.threads, blocks_worth_a_thread, [&](std::size_t b) {
-            std::size_t const end = std::min(chosen.size(), (b + 1) * block);
-            for (std::size_t i = b * block; i < end; ++i)
-                minima[i] = clearance(points[chosen[i]], i > b * block ? &minima[i - 1] : nullptr);
-        });
-        PairCheck result;
-        auto const worst = std::min_element(minima.begin(), minima.end(), [](TurnMinimum const& a, TurnMinimum const& b) { return a.distance < b.distance; });
-        result.smallest_clearance = worst->distance;
-        result.where = points[chosen[static_cast<std::size_t>(worst - minima.begin())]];
-        result.at_phi = motion_.angles(worst->u).phi;
-        result.points = minima.size();
-        result.positions = clearance.positions();
-        out_.check = result;
-    }
-
-    /// Outline points for the check: all of them, on a symmetric pair those of the right half; of a very fine outline
-    /// every k-th beside the ends of its stretches, since what the check looks for (a branch that was taken for the outer one)
-    /// is a stretch, not a point.
-    [[nodiscard]] std::vector<std::size_t> points_to_check() const
-    {
-        constexpr std::size_t enough = 4096;
         std::size_t const first = tooth_.mirror_symmetric && motion_.symmetric() ? outline_.middle : 0;
-        std::size_t const count = outline_.outline.points.size() - first;
-        std::size_t const stride = (count + enough - 1) / enough;
-        std::vector<std::size_t> chosen;
-        for (OutlineStretch const& stretch : outline_.outline.stretches)
-        {
-            for (std::size_t i = std::max(first, stretch.first); i < stretch.last; i += stride)
-                chosen.push_back(i);
-        }
-        chosen.push_back(outline_.outline.points.size() - 1);
-        return chosen;
+        out_.check = check_turn(clearance, motion_, outline_.outline.points, points_to_check(outline_.outline, first), out_.threads);
     }
 
     void publish()
@@ -182,8 +147,7 @@ class SolveJob
         CircularSplineOutline& cs = out_.circular_spline;
         cs.z = {0.0};
         cs.outline = {outline.points};
-        for (OutlineStretch const& s : outline.stretches)
-            cs.pieces.push_back({name_of(s.kind), s.segment < 0 ? "" : tooth_.segment_names[static_cast<std::size_t>(s.segment)], s.first, s.last});
+        cs.pieces = piece_records(outline, tooth_);
         Bottom const bottom = bottom_of(outline, outline_.middle);
         std::size_t const left_land = outline.stretches.front().last;
         std::size_t const right_land = outline.stretches.back().first;
@@ -220,20 +184,6 @@ class SolveJob
                 placed.push_back(pose(p));
             out_.tooth_family.push_back(std::move(placed));
         }
-    }
-
-    [[nodiscard]] static std::string name_of(OutlineKind kind)
-    {
-        switch (kind)
-        {
-        case OutlineKind::land: return "land";
-        case OutlineKind::flank: return "flank";
-        case OutlineKind::corner: return "corner";
-        case OutlineKind::bottom: return "bottom";
-        case OutlineKind::root_wall: return "root wall";
-        case OutlineKind::root: return "root";
-        }
-        return {};
     }
 
     Solution& out_;

@@ -24,10 +24,11 @@ Solution solve(Scene const& scene, StageObserver const& on_stage)
     Profile tooth;
     AnyWaveShape shape;
     clock.run(Stage::profile, [&] {
-        tooth = detail::flexspline_tooth(scene, faults);
+        tooth = detail::given_tooth(scene, faults);
         shape = detail::wave_shape(scene, tooth, faults);
         out.segment_names = tooth.segment_names;
-        out.flexspline_outline = polygon_of(tooth, scene.solver.tolerance);
+        if (!scene.is_reverse())
+            out.flexspline_outline = polygon_of(tooth, scene.solver.tolerance);
         for (Vec2& p : out.flexspline_outline)
             p.y() -= tooth.pitch_line;
         out.geometry = detail::pair_geometry(scene, tooth, shape.amplitude());

@@ -3,6 +3,7 @@
 
 #include "hdconj/motion/exact_motion.hpp"
 #include "job.hpp"
+#include "reverse_job.hpp"
 #include "solve_motion.hpp"
 
 namespace hdconj::detail {
@@ -18,7 +19,10 @@ void solve_exact(AnyWaveShape const& shape, Solution& out, Profile const& tooth,
     });
     std::optional<ExactMotion<AnyWaveShape>> motion;
     clock.run(Stage::motion, [&] { motion.emplace(*curve, tooth_ratio(out.scene)); });
-    SolveJob<ExactMotion<AnyWaveShape>>(out, tooth, *motion, clock)();
+    if (out.scene.is_reverse())
+        solve_reverse(out, tooth, ErasedMotion(*motion), clock);
+    else
+        SolveJob<ExactMotion<AnyWaveShape>>(out, tooth, *motion, clock)();
 }
 
 }  // namespace hdconj::detail

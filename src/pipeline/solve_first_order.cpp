@@ -3,6 +3,7 @@
 
 #include "hdconj/motion/first_order_motion.hpp"
 #include "job.hpp"
+#include "reverse_job.hpp"
 #include "solve_motion.hpp"
 
 namespace hdconj::detail {
@@ -16,7 +17,10 @@ void solve_first_order(AnyWaveShape const& shape, Solution& out, Profile const& 
     });
     std::optional<FirstOrderMotion<AnyWaveShape>> motion;
     clock.run(Stage::motion, [&] { motion.emplace(shape, out.geometry.r_m, tooth_ratio(out.scene)); });
-    SolveJob<FirstOrderMotion<AnyWaveShape>>(out, tooth, *motion, clock)();
+    if (out.scene.is_reverse())
+        solve_reverse(out, tooth, ErasedMotion(*motion), clock);
+    else
+        SolveJob<FirstOrderMotion<AnyWaveShape>>(out, tooth, *motion, clock)();
 }
 
 }  // namespace hdconj::detail

@@ -3,6 +3,7 @@
 /// Did a parallel offset swallow a feature of the tooth space?
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -13,37 +14,26 @@
 
 namespace hdconj::detail {
 
-/// Refuses an offset at which a stretch of the tooth space's boundary longer than the tolerance has vanished: the
-/// neighbours' offsets meet in front of it. A stretch that is only shortened is trimmed exactly and kept.
+/// Refuses an offset at which a stretch of a boundary longer than the tolerance has vanished: the neighbours' offsets meet in
+/// front of it. A stretch that is only shortened is trimmed exactly and kept.
+/// @param kept   whether a piece is there after the offset
+/// @param point  point of a piece at u, before the offset
 /// @throws NumericalError with place and size of the largest stretch lost
-template<RelativeMotion Motion>
-void refuse_swallowed(Envelope<Motion> const& base, std::vector<ContactArc> const& base_arcs, ToothSpace const& before,
-                      std::vector<ContactArc> const& offset_arcs, ToothSpace const& after, double pitch, double offset, double tolerance)
+template<class Kept, class PointAt>
+void refuse_swallowed(std::vector<BoundaryPiece> const& before, Kept const& kept, PointAt const& point, double offset, double tolerance)
 {
     double largest = 0;
     Vec2 where = Vec2::Zero();
-    for (BoundaryPiece const& piece : before.pieces)
+    for (BoundaryPiece const& piece : before)
     {
-        if (piece.arc < 0)
+        if (piece.arc < 0 || kept(piece))
             continue;
-        ContactArc const& arc = base_arcs[static_cast<std::size_t>(piece.arc)];
-        bool kept = false;
-        for (BoundaryPiece const& other : after.pieces)
-        {
-            if (other.arc < 0 || other.copy != piece.copy)
-                continue;
-            ContactArc const& offset_arc = offset_arcs[static_cast<std::size_t>(other.arc)];
-            kept = kept || (offset_arc.piece == arc.piece && offset_arc.candidate == arc.candidate);
-        }
-        if (kept)
-            continue;
-        TurnedArc<Motion> const turned{base, arc, piece.copy * pitch};
         constexpr int steps = 16;
         double length = 0;
-        Vec2 last = turned.point(piece.begin).p;
+        Vec2 last = point(piece, piece.begin);
         for (int i = 1; i <= steps; ++i)
         {
-            Vec2 const next = turned.point(piece.begin + (piece.end - piece.begin) * i / steps).p;
+            Vec2 const next = point(piece, piece.begin + (piece.end - piece.begin) * i / steps);
             length += (next - last).norm();
             last = next;
             if (i == steps / 2 && length > largest / 2)
@@ -55,6 +45,30 @@ void refuse_swallowed(Envelope<Motion> const& base, std::vector<ContactArc> cons
         throw NumericalError("backlash offset", "near (" + std::to_string(where.x()) + ", " + std::to_string(where.y()) + ") mm",
                              "an offset of " + std::to_string(offset) + " mm swallows a stretch of the flank " + std::to_string(largest)
                                  + " mm long; write a smaller circular_spline.backlash_offset");
+}
+
+/// Whether @p pieces, on @p arcs, have one on the contact that @p arc follows, of the tooth @p copy.
+[[nodiscard]] inline bool has_contact(std::vector<BoundaryPiece> const& pieces, std::vector<ContactArc> const& arcs, ContactArc const& arc, int copy)
+{
+    return std::any_of(pieces.begin(), pieces.end(), [&](BoundaryPiece const& other) {
+        if (other.arc < 0 || other.copy != copy)
+            return false;
+        ContactArc const& there = arcs[static_cast<std::size_t>(other.arc)];
+        return there.piece == arc.piece && there.candidate == arc.candidate;
+    });
+}
+
+/// The same for a tooth space, whose pieces are arcs of one tooth turned by whole pitches.
+template<RelativeMotion Motion>
+void refuse_swallowed(Envelope<Motion> const& base, std::vector<ContactArc> const& base_arcs, ToothSpace const& before,
+                      std::vector<ContactArc> const& offset_arcs, ToothSpace const& after, double pitch, double offset, double tolerance)
+{
+    auto const arc_of = [&](BoundaryPiece const& piece) -> ContactArc const& { return base_arcs[static_cast<std::size_t>(piece.arc)]; };
+    auto const kept = [&](BoundaryPiece const& piece) { return has_contact(after.pieces, offset_arcs, arc_of(piece), piece.copy); };
+    auto const point = [&](BoundaryPiece const& piece, double u) {
+        return TurnedArc<Motion>{base, arc_of(piece), piece.copy * pitch}.point(u).p;
+    };
+    refuse_swallowed(before.pieces, kept, point, offset, tolerance);
 }
 
 }  // namespace hdconj::detail

@@ -73,6 +73,15 @@ Vec2 point_at(PieceShape const& shape, double t)
     return std::get<CurvePiece>(shape).point(t);
 }
 
+int steps_of(PieceShape const& shape, double chord)
+{
+    if (auto const* arc = std::get_if<ArcPiece>(&shape))
+        return arc_steps(*arc, chord);
+    if (auto const* curve = std::get_if<CurvePiece>(&shape))
+        return curve_steps(*curve, chord);
+    return 1;
+}
+
 std::vector<Vec2> polygon_of(Profile const& profile, double chord)
 {
     std::vector<Vec2> points{start_of(profile.pieces.front().shape).point};
@@ -80,11 +89,7 @@ std::vector<Vec2> polygon_of(Profile const& profile, double chord)
     {
         if (piece.corner)
             continue;
-        int steps = 1;
-        if (auto const* arc = std::get_if<ArcPiece>(&piece.shape))
-            steps = arc_steps(*arc, chord);
-        else if (auto const* curve = std::get_if<CurvePiece>(&piece.shape))
-            steps = curve_steps(*curve, chord);
+        int const steps = steps_of(piece.shape, chord);
         for (int i = 1; i <= steps; ++i)
             points.push_back(point_at(piece.shape, static_cast<double>(i) / steps));
     }

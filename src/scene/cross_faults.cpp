@@ -98,7 +98,7 @@ void check_wall(SceneReading const& reading, Faults& faults)
                                   "write a length from " + number_text(-scene.flexspline.wall / 2) + " to " +
                                       number_text(scene.flexspline.wall / 2)));
     }
-    auto const dedendum = scene.flexspline.profile.number("dedendum");
+    auto const dedendum = scene.flexspline_dedendum();
     if (!dedendum || !knows(reading, {"flexspline.wall", "drive.module", "drive.flexspline_teeth"})) {
         return;
     }
@@ -113,7 +113,7 @@ void check_wall(SceneReading const& reading, Faults& faults)
 void check_inner_radius(SceneReading const& reading, Faults& faults)
 {
     auto const& scene = reading.scene;
-    auto const dedendum = scene.flexspline.profile.number("dedendum");
+    auto const dedendum = scene.flexspline_dedendum();
     if (!dedendum ||
         !knows(reading, {"flexspline.inner_radius", "flexspline.wall", "drive.module", "drive.flexspline_teeth"})) {
         return;
@@ -150,6 +150,18 @@ void check_clearance(SceneReading const& reading, std::string const& key, double
         faults.push_back(
             fault_at(path, number_text(clearance), "a clearance above one module leaves no tooth",
                      "write a length from 0 to a small part of the module " + number_text(reading.scene.drive.module)));
+    }
+}
+
+/// With the circular spline's tooth given, its space is as deep as that tooth says.
+void check_reverse(SceneReading const& reading, Faults& faults)
+{
+    auto const& scene = reading.scene;
+    if (scene.is_reverse() && knows(reading, {"circular_spline.root_clearance"}) && scene.circular_spline.root_clearance > 0) {
+        faults.push_back(fault_at("circular_spline.root_clearance", number_text(scene.circular_spline.root_clearance),
+                                  "the depth of the circular spline's tooth space is told by its given tooth",
+                                  "write a larger circular_spline.profile.dedendum (or flexspline.dedendum for the other "
+                                  "member) and remove this key"));
     }
 }
 
@@ -217,6 +229,7 @@ Faults cross_faults(SceneReading const& reading)
     check_deformation(reading, faults);
     check_clearance(reading, "backlash_offset", reading.scene.circular_spline.backlash_offset, faults);
     check_clearance(reading, "root_clearance", reading.scene.circular_spline.root_clearance, faults);
+    check_reverse(reading, faults);
     check_coning(reading, faults);
     check_tilt(reading, faults);
     check_slices(reading, faults);

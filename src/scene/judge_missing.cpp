@@ -25,6 +25,13 @@ std::string with_example(KeySpec const& key)
     return std::string(key.spec.key) + " = " + std::string(key.example);
 }
 
+/// Whether the scene cannot do without @p table. Where no tooth is given, the flexspline's is the one that is missing.
+bool is_wanted(Judgement const& judgement, TableSpec const& table)
+{
+    bool const has_other = judgement.attempted.contains("circular_spline.profile");
+    return table.presence == Presence::required || (table.path == "flexspline.profile" && !has_other);
+}
+
 Fault missing_table(TableSpec const& table)
 {
     std::string keys;
@@ -35,7 +42,41 @@ Fault missing_table(TableSpec const& table)
     }
     std::string const header = "[" + std::string(table.path) + "]";
     return {std::string(table.path), 0, "", "this table is missing: " + std::string(table.meaning),
-            "write the line " + header + " and below it " + keys};
+            "write the line " + header + " and below it " + keys +
+                (table.presence == Presence::alternative ? ", or give the circular spline's tooth in [circular_spline.profile]" : "")};
+}
+
+/// Exactly one tooth is given, and the other one's height with it.
+void report_given_tooth(Judgement& judgement)
+{
+    auto& faults = judgement.reading.faults;
+    auto const& visits = judgement.visits;
+    auto const inner = visits.find("flexspline.profile");
+    auto const outer = visits.find("circular_spline.profile");
+    if (inner != visits.end() && outer != visits.end()) {
+        faults.push_back({"circular_spline.profile", outer->second.line, "",
+                          "both teeth are given, and each follows from the other",
+                          "remove [flexspline.profile] or [circular_spline.profile]", outer->second.origin});
+        return;
+    }
+    for (std::string const key : {"addendum", "dedendum"}) {
+        std::string const path = "flexspline." + key;
+        bool const attempted = judgement.attempted.contains(path);
+        if (outer != visits.end() && !attempted) {
+            faults.push_back({path, outer->second.line, "",
+                              "this key is missing: with [circular_spline.profile] nothing else says how far the "
+                              "flexspline's teeth reach",
+                              "write " + key + " = " + (key == "addendum" ? "0.225" : "0.303") +
+                                  ", a length in mm, in [flexspline]",
+                              outer->second.origin});
+        } else if (inner != visits.end() && attempted) {
+            auto const given = judgement.reading.scene.given.find(path);
+            faults.push_back({path, given == judgement.reading.scene.given.end() ? 0 : given->second.line,
+                              given == judgement.reading.scene.given.end() ? "" : given->second.written,
+                              "the height of the flexspline tooth is told in [flexspline.profile]",
+                              "write it as flexspline.profile." + key + ", or remove it"});
+        }
+    }
 }
 
 void report_missing(Judgement& judgement, TableSpec const& table, ParameterSpec const& spec, std::string remedy)
@@ -116,18 +157,20 @@ void judge_missing(Judgement& judgement)
         bool const has_stray = has_stray_key(judgement, table);
         if (is_there || has_stray) {
             report_missing_keys(judgement, table);
-        } else if (table.presence == Presence::required && !judgement.attempted.contains(table.path)) {
+        } else if (is_wanted(judgement, table) && !judgement.attempted.contains(table.path)) {
             judgement.reading.faults.push_back(missing_table(table));
         }
-        if (is_there || table.presence != Presence::effect) {
+        if (is_there || table.presence == Presence::required || table.presence == Presence::optional) {
             store_defaults(judgement, table);
         }
     }
+    report_given_tooth(judgement);
 }
 
 bool is_of_tooth_or_curve(Fault const& fault)
 {
-    return is_geometry_key(fault.path) && !fault.path.starts_with("circular_spline.");
+    bool const of_tip_circle = fault.path.starts_with("circular_spline.") && !fault.path.starts_with("circular_spline.profile.");
+    return is_geometry_key(fault.path) && !of_tip_circle;
 }
 
 bool geometry_is_known(Judgement const& judgement)
@@ -136,9 +179,15 @@ bool geometry_is_known(Judgement const& judgement)
     bool const given_is_right =
         std::all_of(judgement.attempted.begin(), judgement.attempted.end(),
                     [&known](std::string const& path) { return !is_geometry_key(path) || known.contains(path); });
+    bool const inner = judgement.visits.contains("flexspline.profile");
+    bool const outer = judgement.visits.contains("circular_spline.profile");
+    bool const heights = known.contains("flexspline.addendum") && known.contains("flexspline.dedendum");
+    bool const one_tooth = inner != outer && outer == heights;
     auto const& schema = scene_schema();
-    return given_is_right && std::all_of(schema.begin(), schema.end(), [&judgement](TableSpec const& table) {
-               return table.presence != Presence::required || required_keys_known(judgement, table);
+    return given_is_right && one_tooth && std::all_of(schema.begin(), schema.end(), [&](TableSpec const& table) {
+               bool const needed = table.presence == Presence::required ||
+                                   (table.presence == Presence::alternative && judgement.visits.contains(table.path));
+               return !needed || required_keys_known(judgement, table);
            });
 }
 

@@ -66,10 +66,19 @@ bool take_own_key(Judgement& judgement, TableSpec const& table, RawEntry const& 
     return false;
 }
 
+/// Where the values of the family's keys of @p table go.
+FamilyChoice& choice_of(Scene& scene, TableSpec const& table)
+{
+    if (table.families == FamilyKind::wave_generator) {
+        return scene.wave_generator.shape;
+    }
+    bool const outside = scene.circular_spline.profile && table.path == scene.circular_spline.profile->path;
+    return outside ? *scene.circular_spline.profile : scene.flexspline.profile;
+}
+
 bool take_family_key(Judgement& judgement, TableSpec const& table, RawEntry const& entry, std::string const& spelled)
 {
-    auto& scene = judgement.reading.scene;
-    auto& choice = table.families == FamilyKind::profile ? scene.flexspline.profile : scene.wave_generator.shape;
+    auto& choice = choice_of(judgement.reading.scene, table);
     for (auto const* const family : judgement.families_of(table.path)) {
         for (auto const& spec : family->parameters) {
             if (spec.key == entry.key) {

@@ -23,12 +23,16 @@ std::string in_mm(double value)
 
 std::vector<PlannedStage> base_stages(Scene const& scene)
 {
-    return {{Stage::profile, "flexspline.profile.family = " + in_quotes(scene.flexspline.profile.family)},
+    std::string const tooth = scene.is_reverse() ? "circular_spline.profile" : "flexspline.profile";
+    std::string const swept = scene.is_reverse() ? "circular-spline" : "flexspline";
+    std::string const solved = scene.is_reverse() ? "always: the flexspline tooth that no circular-spline tooth enters"
+                                                  : "always: the space that no flexspline tooth enters from outside";
+    return {{Stage::profile, tooth + ".family = " + in_quotes(scene.given_profile().family)},
             {Stage::neutral_curve, "wave_generator.family = " + in_quotes(scene.wave_generator.shape.family) +
                                        ", waves = " + std::to_string(scene.wave_generator.waves)},
             {Stage::motion, "solver.kinematics = " + in_quotes(kinematics_name(scene.solver.kinematics))},
-            {Stage::envelope, "always: where the flexspline tooth can touch"},
-            {Stage::region, "always: the space that no flexspline tooth enters from outside"}};
+            {Stage::envelope, "always: where the " + swept + " tooth can touch"},
+            {Stage::region, solved}};
 }
 
 std::vector<AbsentEffect> absent_effects(Scene const& scene)
@@ -37,7 +41,7 @@ std::vector<AbsentEffect> absent_effects(Scene const& scene)
     if (scene.circular_spline.backlash_offset <= 0) {
         absent.push_back({"backlash", "circular_spline.backlash_offset above 0"});
     }
-    if (scene.circular_spline.root_clearance <= 0) {
+    if (scene.circular_spline.root_clearance <= 0 && !scene.is_reverse()) {
         absent.push_back({"root clearance", "circular_spline.root_clearance above 0"});
     }
     if (!scene.coning) {

@@ -85,7 +85,17 @@ TableSpec flexspline()
               {},
               [](Scene& s, Parameter const& p) { s.flexspline.inner_radius = number(p); }},
              {optional("neutral_offset", Q::length, "how far the neutral layer lies inside the middle of the wall"),
-              "0.15", 0.0, [](Scene& s, Parameter const& p) { s.flexspline.neutral_offset = number(p); }}},
+              "0.15", 0.0, [](Scene& s, Parameter const& p) { s.flexspline.neutral_offset = number(p); }},
+             {optional("addendum", Q::positive_length,
+                       "height of the solved tooth's tip above the pitch line, h_a; with [circular_spline.profile] only"),
+              "0.225",
+              {},
+              [](Scene& s, Parameter const& p) { s.flexspline.addendum = number(p); }},
+             {optional("dedendum", Q::positive_length,
+                       "depth of its root below the pitch line, h_f; with [circular_spline.profile] only"),
+              "0.303",
+              {},
+              [](Scene& s, Parameter const& p) { s.flexspline.dedendum = number(p); }}},
             nullptr};
 }
 
@@ -93,7 +103,7 @@ TableSpec profile()
 {
     return {"flexspline.profile",
             "the flexspline tooth",
-            Presence::required,
+            Presence::alternative,
             FamilyKind::profile,
             {{required("family", Q::word, "tooth family; decides the other keys of this table"),
               "\"double-circular-arc\"",
@@ -139,11 +149,28 @@ TableSpec circular_spline()
          {optional("root_clearance", Q::nonnegative_length, "extra depth of the tooth space"), "0.02", 0.0,
           [](Scene& s, Parameter const& p) { s.circular_spline.root_clearance = number(p); }},
          {optional("inner_radius", Q::positive_length,
-                   "tip circle; absent: neutral radius + height of the pitch line + radial deformation - addendum"),
+                   "tip circle; absent: neutral radius + height of the pitch line + radial deformation - addendum of the "
+                   "given tooth"),
           "25.025",
           {},
           [](Scene& s, Parameter const& p) { s.circular_spline.inner_radius = number(p); }}},
         nullptr};
+}
+
+TableSpec circular_spline_profile()
+{
+    return {"circular_spline.profile",
+            "the circular spline's tooth, when the flexspline's is solved for",
+            Presence::alternative,
+            FamilyKind::profile,
+            {{required("family", Q::word, "tooth family; decides the other keys of this table"),
+              "\"double-circular-arc\"",
+              {},
+              [](Scene& s, Parameter const& p) {
+                  s.circular_spline.profile->family = word(p);
+                  s.circular_spline.profile->line = p.line;
+              }}},
+            [](Scene& s, int) { s.circular_spline.profile.emplace().path = "circular_spline.profile"; }};
 }
 
 TableSpec solver()
@@ -220,7 +247,7 @@ TableSpec slices()
 std::vector<TableSpec> const& scene_schema()
 {
     static std::vector<TableSpec> const tables{drive(),  flexspline(), profile(), wave_generator(), circular_spline(),
-                                               solver(), coning(),     tilt(),    slices()};
+                                               circular_spline_profile(), solver(), coning(), tilt(), slices()};
     return tables;
 }
 

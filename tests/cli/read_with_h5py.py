@@ -15,7 +15,7 @@ import numpy as np
 
 UNITS = {"mm", "rad", "1", "s"}
 ROOT = {"format": str, "format_version": np.integer, "program_version": str, "git_revision": str, "build": str,
-        "date": str, "drive": str, "scene": str, "threads": np.integer, "plan": str, "stages": np.ndarray}
+        "date": str, "drive": str, "given": str, "scene": str, "threads": np.integer, "plan": str, "stages": np.ndarray}
 BRANCH = {"segment": np.integer, "segment_name": str, "kind": str, "begins": str, "ends": str,
           "on_boundary": np.integer}
 DXF_ROUNDING = 1e-10  # mm

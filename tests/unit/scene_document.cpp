@@ -82,8 +82,11 @@ std::vector<Section> expected_sections()
         auto const families = table.families == FamilyKind::profile          ? profile_families()
                               : table.families == FamilyKind::wave_generator ? wave_generator_families()
                                                                              : std::vector<FamilyDescription>{};
+        // both teeth take the same families: they are told once
         for (auto const& family : families) {
-            sections.push_back(section_of(table, family));
+            if (table.path != "circular_spline.profile") {
+                sections.push_back(section_of(table, family));
+            }
         }
     }
     return sections;

@@ -82,13 +82,14 @@ template<RelativeMotion Motion>
     return std::nullopt;
 }
 
-/// Parameter at which the arc crosses the circle of @p radius about the origin, nearest to the guess @p u.
+/// Parameter at which @p height_of the arc's point is zero, nearest to the guess @p u.
 ///
 /// Brackets outward from the guess in doubling steps, then bisects and interpolates: never a lost sign.
-template<RelativeMotion Motion>
-[[nodiscard]] std::optional<double> crossing_with_circle(TurnedArc<Motion> const& a, double radius, double u, double chord)
+/// @param height_of  a smooth function of a point, its slope about 1
+template<RelativeMotion Motion, class Height>
+[[nodiscard]] std::optional<double> crossing_at_height(TurnedArc<Motion> const& a, Height const& height_of, double u, double chord)
 {
-    auto const height = [&](double at) { return a.point(at).p.norm() - radius; };
+    auto const height = [&](double at) { return height_of(a.point(at).p); };
     double const h = height(u);
     if (h == 0)
         return u;
@@ -111,6 +112,13 @@ template<RelativeMotion Motion>
         step *= 2;
     }
     return std::nullopt;
+}
+
+/// Parameter at which the arc crosses the circle of @p radius about the origin, nearest to the guess @p u.
+template<RelativeMotion Motion>
+[[nodiscard]] std::optional<double> crossing_with_circle(TurnedArc<Motion> const& a, double radius, double u, double chord)
+{
+    return crossing_at_height(a, [radius](Vec2 const& p) { return p.norm() - radius; }, u, chord);
 }
 
 }  // namespace hdconj

@@ -22,17 +22,26 @@ class SweptPolygons
     {
         int arc = -1;           ///< -1: the floor
         int copy = 0;           ///< the tooth this many pitches clockwise
-        std::vector<double> u;  ///< parameter of each vertex; on the floor the angle from the y axis
+        std::vector<double> u;  ///< parameter of each vertex; on the floor the angle from the y axis, on a line x
     };
 
     /// Adds a stretch of an arc for every tooth that reaches the middle pitch or the spaces beside it.
     void add(int arc, std::vector<Vec2> const& points, std::vector<double> const& u);
+
+    /// Adds a stretch of an arc as it is, of the tooth @p copy.
+    void add_one(int arc, int copy, std::vector<Vec2> const& points, std::vector<double> const& u);
 
     /// Ends closer than @p same get one pair of coordinates, so that the arrangement has no hairline gaps.
     void join_ends(double same);
 
     /// Adds the tip circle, from beyond the leftmost to beyond the rightmost polygon; returns its index.
     int add_floor(double radius, double chord);
+
+    /// Adds the straight line at height @p y as the floor, from right to left beyond all polygons; returns its index.
+    int add_floor_line(double y, double margin);
+
+    /// Smallest y at which any polygon crosses the y axis; infinite where none does.
+    [[nodiscard]] double lowest_on_axis() const;
 
     /// Largest radius that any polygon reaches half-way between two tooth spaces; 0 where none crosses there.
     [[nodiscard]] double radius_between_spaces() const;

@@ -38,6 +38,16 @@ struct ToothSpace
     double polygon_chord = 0;      ///< of the attempt that was accepted
 };
 
+/// Whether two runs share an end point that both their polygons have; positions count vertices.
+[[nodiscard]] inline bool shared_end(std::vector<Vec2> const& before, double end, std::vector<Vec2> const& after, double begin)
+{
+    auto const is_end = [](std::vector<Vec2> const& polygon, double position) {
+        return position == 0 || position == static_cast<double>(polygon.size() - 1);
+    };
+    auto const vertex = [](std::vector<Vec2> const& polygon, double position) { return polygon[static_cast<std::size_t>(position)]; };
+    return is_end(before, end) && is_end(after, begin) && vertex(before, end) == vertex(after, begin);
+}
+
 /// Finds the tooth space of design 3.3 for the bounding arcs of an envelope: outer boundary of the swept region,
 /// neighbours included, cut at the tip circle.
 ///
@@ -141,7 +151,7 @@ class ToothSpaceFinder
             auto const& after = swept_.polygon(runs[i + 1].curve);
             BoundaryPiece& a = space.pieces[i];
             BoundaryPiece& b = space.pieces[i + 1];
-            if (runs[i].curve != floor && runs[i + 1].curve != floor && joined(before, runs[i].end, after, runs[i + 1].begin))
+            if (runs[i].curve != floor && runs[i + 1].curve != floor && shared_end(before, runs[i].end, after, runs[i + 1].begin))
                 continue;
             bool met = false;
             if (runs[i].curve == floor)
@@ -154,16 +164,6 @@ class ToothSpaceFinder
                 return std::nullopt;
         }
         return space;
-    }
-
-    /// Whether two runs share an end point that both arcs have.
-    [[nodiscard]] static bool joined(std::vector<Vec2> const& before, double end, std::vector<Vec2> const& after, double begin)
-    {
-        auto const is_end = [](std::vector<Vec2> const& polygon, double position) {
-            return position == 0 || position == static_cast<double>(polygon.size() - 1);
-        };
-        auto const vertex = [](std::vector<Vec2> const& polygon, double position) { return polygon[static_cast<std::size_t>(position)]; };
-        return is_end(before, end) && is_end(after, begin) && vertex(before, end) == vertex(after, begin);
     }
 
     [[nodiscard]] TurnedArc<Motion> turned(BoundaryPiece const& piece) const

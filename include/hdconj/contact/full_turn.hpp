@@ -1,139 +1,103 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The smallest distance between a point of the circular spline and any flexspline tooth over a full turn.
+/// The smallest distance between a point of one member and any tooth of the other over a full turn.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
-#include <vector>
+#include <deque>
 
-#include "hdconj/contact/tooth_distance.hpp"
-#include "hdconj/motion/relative_motion.hpp"
-#include "hdconj/numeric/bracketed_root.hpp"
+#include "hdconj/contact/lobe_march.hpp"
+#include "hdconj/motion/inverse_motion.hpp"
 
 namespace hdconj {
 
-/// Smallest distance and where it happens.
-struct TurnMinimum
-{
-    double distance = std::numeric_limits<double>::infinity();  ///< [mm]
-    double u = 0;                 ///< parameter of the motion
-    int copy = 0;                 ///< the tooth this many pitches clockwise
-    std::size_t station = 0;      ///< nearest of the stations looked at
-};
+/// Stations a lobe in which full turns are marched.
+inline constexpr int turn_positions = 384;
 
-/// min over u in a full turn and over all teeth of the signed distance from a point to the tooth.
+/// min over u in a full turn and over all flexspline teeth of the signed distance from a point of the circular spline.
 ///
 /// All teeth do the same motion one pitch apart, so one lobe of one tooth and the neighbours that reach the point are a full turn.
-/// The distance changes no faster than the point moves in the tooth's frame; so from a station where it is d, the next one that can
-/// hold less than the best b is (d - b)/speed away, and everything between is skipped without being looked at. Around
-/// stations that cannot be skipped, a change of sign of the derivative d' = -n.v is refined to the minimum.
-/// Accuracy: roundoff of the coordinates at each minimum. Stations are 1/384 of a lobe apart; two minima within one step
-/// of which only the higher one is found differ by no more than the square of the step times the distance's curvature.
 template<RelativeMotion Motion>
 class FullTurnClearance
 {
   public:
     /// @param lobe_pitches  pitches that the tooth moves along the circular spline in one lobe, (z_c - z_f)/n
-    FullTurnClearance(Profile const& profile, Motion const& motion, double pitch, int lobe_pitches, int positions = 384)
-        : tooth_(profile), motion_(motion), pitch_(pitch), reach_((lobe_pitches + 1) / 2 + 1), step_(2 * motion.half_lobe() / positions)
+    FullTurnClearance(Profile const& profile, Motion const& motion, double pitch, int lobe_pitches, int positions = turn_positions)
+        : tooth_(profile), march_(tooth_, motion, positions), pitch_(pitch), reach_((lobe_pitches + 1) / 2 + 1)
     {
-        for (int i = 0; i <= positions; ++i)
-        {
-            double const u = parameter(static_cast<std::size_t>(i));
-            Twist const twist = motion.rates(u).twist;
-            poses_.push_back(motion.pose(u));
-            twists_.push_back(twist);
-            fastest_turn_ = std::max(fastest_turn_, std::abs(twist.omega));
-            fastest_shift_ = std::max(fastest_shift_, twist.q.norm());
-        }
-        // between stations the rates exceed the largest one seen by a second-order amount
-        constexpr double margin = 1.01;
-        fastest_turn_ *= margin;
-        fastest_shift_ *= margin;
     }
+    FullTurnClearance(FullTurnClearance const&) = delete;
+    FullTurnClearance& operator=(FullTurnClearance const&) = delete;
 
-    [[nodiscard]] std::size_t positions() const { return poses_.size(); }
+    [[nodiscard]] std::size_t positions() const { return march_.positions(); }
 
     /// @param p     a point within one pitch of the y axis, circular-spline frame
     /// @param hint  result at a neighbouring point; saves looking around for a first bound
+    /// @returns the minimum; `copy` is the tooth this many pitches clockwise
     [[nodiscard]] TurnMinimum operator()(Vec2 const& p, TurnMinimum const* hint = nullptr) const
     {
         TurnMinimum best;
         if (hint != nullptr)
-            (void)look(turned_clockwise(p, -hint->copy * pitch_), hint->station, hint->copy, best);
+            march_.look_at(turned_clockwise(p, -hint->copy * pitch_), hint->station, hint->copy, best);
         for (int copy = -reach_; copy <= reach_; ++copy)
-            march(copy == 0 ? p : turned_clockwise(p, -copy * pitch_), copy, best);
+            march_(copy == 0 ? p : turned_clockwise(p, -copy * pitch_), copy, best);
         return best;
     }
 
   private:
-    struct Station
-    {
-        double distance;
-        double slope;
-        double speed;  ///< no faster anywhere near
-    };
-
-    [[nodiscard]] double parameter(std::size_t i) const { return -motion_.half_lobe() + step_ * static_cast<double>(i); }
-
-    /// Distance at station @p i; where it is far, a lower bound with no slope.
-    [[nodiscard]] Station look(Vec2 const& p, std::size_t i, int copy, TurnMinimum& best) const
-    {
-        Vec2 const x = poses_[i].inverse(p);
-        double const speed = fastest_shift_ + fastest_turn_ * x.norm();
-        double const bound = tooth_.lower_bound(x);
-        if (bound > best.distance + speed * step_)
-            return {bound, 0, speed};
-        NearestPoint const foot = tooth_(x);
-        if (foot.distance < best.distance)
-            best = {foot.distance, parameter(i), copy, i};
-        return {foot.distance, -foot.normal.dot(twists_[i](x)), speed};
-    }
-
-    void march(Vec2 const& p, int copy, TurnMinimum& best) const
-    {
-        std::size_t last = 0;
-        Station before{std::numeric_limits<double>::infinity(), 0, 0};
-        for (std::size_t i = 0; i < poses_.size();)
-        {
-            Station const now = look(p, i, copy, best);
-            bool const adjoining = i > 0 && last == i - 1;
-            bool const dips = before.slope < 0 && now.slope > 0;
-            if (adjoining && dips && std::min(before.distance, now.distance) - now.speed * step_ < best.distance)
-                refine(p, i, copy, before.slope, now.slope, best);
-            last = i;
-            before = now;
-            double const safe = (now.distance - best.distance) / (now.speed * step_);
-            // landing one station short keeps the two sides of a dip adjoining
-            std::size_t const skip = safe > 2 ? static_cast<std::size_t>(std::min(safe - 1, static_cast<double>(poses_.size()))) : 1;
-            i += skip;
-        }
-    }
-
-    void refine(Vec2 const& p, std::size_t i, int copy, double slope_before, double slope_after, TurnMinimum& best) const
-    {
-        auto const slope = [&](double u) {
-            Vec2 const x = motion_.pose(u).inverse(p);
-            NearestPoint const foot = tooth_(x);
-            if (foot.distance < best.distance)
-                best = {foot.distance, u, copy, i};
-            return -foot.normal.dot(motion_.rates(u).twist(x));
-        };
-        (void)bracketed_root(slope, parameter(i - 1), parameter(i), slope_before, slope_after);
-    }
-
     ToothDistance tooth_;
-    Motion const& motion_;
+    LobeMarch<Motion> march_;
     double pitch_;
     int reach_;  ///< neighbours on either side: half the lobe's pitches, and one for the tooth's own width
-    double step_;
-    double fastest_turn_ = 0;
-    double fastest_shift_ = 0;
-    std::vector<Pose> poses_;
-    std::vector<Twist> twists_;
+};
+
+/// min over u in a full turn and over all circular-spline teeth of the signed distance from a point of the flexspline tooth.
+///
+/// Each circular-spline tooth does a motion of its own in the flexspline tooth's frame, and what it does in the next lobe another one
+/// does in this; so one lobe of the teeth that can reach the flexspline tooth is a full turn.
+template<RelativeMotion Motion>
+class ReverseFullTurnClearance
+{
+  public:
+    /// @param profile       the circular-spline tooth
+    /// @param motion        of the flexspline tooth
+    /// @param radius        of the origin of the circular-spline tooth's frame
+    /// @param lobe_pitches  (z_c - z_f)/n
+    ReverseFullTurnClearance(Profile const& profile, Motion const& motion, double pitch, double radius, int lobe_pitches,
+                             int positions = turn_positions)
+        : tooth_(profile), first_(-((lobe_pitches + 1) / 2))
+    {
+        // teeth that pass the flexspline tooth's centre line, and one more on either side
+        for (int k = first_; k <= 1 - first_; ++k)
+        {
+            motions_.emplace_back(motion, circular_spline_seat(k, pitch, radius));
+            marches_.emplace_back(tooth_, motions_.back(), positions);
+        }
+    }
+    ReverseFullTurnClearance(ReverseFullTurnClearance const&) = delete;
+    ReverseFullTurnClearance& operator=(ReverseFullTurnClearance const&) = delete;
+
+    [[nodiscard]] std::size_t positions() const { return marches_.front().positions(); }
+    [[nodiscard]] std::size_t teeth() const { return marches_.size(); }
+
+    /// @param p     a point in the frame of the flexspline tooth
+    /// @param hint  result at a neighbouring point
+    /// @returns the minimum; `copy` is the number of the circular-spline tooth
+    [[nodiscard]] TurnMinimum operator()(Vec2 const& p, TurnMinimum const* hint = nullptr) const
+    {
+        TurnMinimum best;
+        if (hint != nullptr)
+            marches_[static_cast<std::size_t>(hint->copy - first_)].look_at(p, hint->station, hint->copy, best);
+        for (std::size_t i = 0; i < marches_.size(); ++i)
+            marches_[i](p, first_ + static_cast<int>(i), best);
+        return best;
+    }
+
+  private:
+    ToothDistance tooth_;
+    int first_;  ///< number of the first tooth
+    std::deque<InverseMotion<Motion>> motions_;   // the marches keep pointers to them
+    std::deque<LobeMarch<InverseMotion<Motion>>> marches_;
 };
 
 }  // namespace hdconj

@@ -62,9 +62,15 @@ class Envelope
 
   private:
     /// The root that this arc follows. Roots keep their order between two critical u; next to an end, where roundoff
-    /// may add or drop one, the root nearest to the chord between the known ends is taken.
+    /// may add or drop one, the root nearest to the chord between the known ends is taken. At an end that was solved for the solved
+    /// parameter holds: of two contacts that merge, roots at the same u are still the square root of roundoff apart.
     [[nodiscard]] double followed_root(CurvePiece const& curve, Twist const& twist, ContactArc const& arc, double u) const
     {
+        auto const solved = [](BranchEnd end) { return end == BranchEnd::double_root || end == BranchEnd::segment_end; };
+        if (u == arc.u_begin && solved(arc.begins))
+            return arc.t_begin;
+        if (u == arc.u_end && solved(arc.ends))
+            return arc.t_end;
         BernsteinRoots const found = curve_contacts(curve, twist);
         if (found.count == arc.roots)
             return found.t[static_cast<std::size_t>(arc.candidate)];

@@ -31,6 +31,8 @@ struct PairGeometry
 };
 
 /// One sampled branch of the meshing condition (HDF5 /envelope/branch_###).
+/// Points are in the frame of the outline that is solved for: the circular spline's; in the reverse problem that of the flexspline
+/// tooth, y from the pitch line.
 struct BranchRecord
 {
     std::string kind;          ///< "regular" or "corner"
@@ -42,7 +44,8 @@ struct BranchRecord
     std::vector<double> u;     ///< (n) polar angle on the neutral curve
     std::vector<double> phi;   ///< (n) undeformed angle of the tooth
     std::vector<double> t;     ///< (n) profile parameter, 0 ... 1 along the segment
-    std::vector<Vec2> point;   ///< (n,2) in the circular-spline frame
+    std::vector<Vec2> point;   ///< (n,2)
+    int tooth = 0;             ///< reverse problem: number of the circular-spline tooth, 0 left and 1 right of the flexspline tooth
 };
 
 /// A conjugate zone: a piece of a branch on which t(u) is monotone and the envelope is outer or inner.
@@ -55,8 +58,8 @@ struct ConjugateZone
     double u_begin = 0, u_end = 0;
     double phi_begin = 0, phi_end = 0;
     double t_begin = 0, t_end = 0;
-    bool outer = false;       ///< locally the tooth touches from inside the space
-    bool on_boundary = false; ///< some of it bounds the circular spline's tooth space
+    bool outer = false;       ///< locally the given tooth touches from outside the solved member
+    bool on_boundary = false; ///< some of it bounds the member that is solved for
 };
 
 /// A piece of the final outline and where it comes from.
@@ -81,7 +84,7 @@ struct CircularSplineOutline
 struct PairCheck
 {
     double smallest_clearance = 0;  ///< min over outline points and positions; negative: interference
-    Vec2 where = Vec2::Zero();      ///< circular-spline frame
+    Vec2 where = Vec2::Zero();      ///< frame of the outline that is solved for
     double at_phi = 0;              ///< tooth position where it happens
     std::size_t points = 0;         ///< outline points looked at
     std::size_t positions = 0;      ///< tooth positions per point before refinement
@@ -117,11 +120,12 @@ struct Solution
     PairGeometry geometry;
     std::vector<std::string> segment_names;
     std::vector<Vec2> flexspline_outline;  ///< (n,2) one tooth in its own frame, y from the pitch line
+    std::vector<OutlinePiece> flexspline_pieces;  ///< reverse problem: where it comes from; else empty
     std::vector<Vec2> neutral_curve;       ///< (n,2) fixed frame, closed, first point not repeated
     std::vector<BranchRecord> branches;
     std::vector<ConjugateZone> zones;
     CircularSplineOutline circular_spline;
-    std::vector<std::vector<Vec2>> tooth_family;  ///< circular-spline frame, one polyline per position; for pictures, may be empty
+    std::vector<std::vector<Vec2>> tooth_family;  ///< given teeth in the frame of the branches, one polyline per position; for pictures, may be empty
     std::optional<PairCheck> check;
     ErrorEstimate error;
     WorkCount work;

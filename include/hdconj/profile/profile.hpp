@@ -48,6 +48,9 @@ struct PieceEnd
 /// Point of a piece at local parameter @p t in 0 ... 1 (proportional to arc length on lines and arcs).
 [[nodiscard]] Vec2 point_at(PieceShape const& shape, double t);
 
+/// Equal steps of the local parameter that keep the chord error of a piece within @p chord [mm].
+[[nodiscard]] int steps_of(PieceShape const& shape, double chord);
+
 /// Polygon of the whole tooth, chord error <= @p chord [mm], in the tooth frame.
 [[nodiscard]] std::vector<Vec2> polygon_of(Profile const& profile, double chord);
 

@@ -13,11 +13,11 @@ namespace hdconj {
 /// The stages that the program knows. A stage that is not in the plan is never constructed.
 enum class Stage
 {
-    profile,         ///< flexspline tooth from its family
+    profile,         ///< given tooth from its family
     neutral_curve,   ///< wave generator, closed length, r_0
     motion,          ///< relative motion flexspline tooth to circular spline
     envelope,        ///< meshing condition, branches
-    region,          ///< outer boundary of the swept region
+    region,          ///< outer boundary of the swept region: tooth space, or flexspline tooth
     backlash,        ///< side clearance: parallel offset
     root_clearance,  ///< deeper tooth-space bottom
     outline,         ///< tip land, sampling, order

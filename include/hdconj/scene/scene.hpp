@@ -27,7 +27,9 @@ struct Flexspline
     double wall = 0;                     ///< delta [mm], under the teeth
     std::optional<double> inner_radius;  ///< [mm]; default m z_f/2 - h_f - delta
     double neutral_offset = 0;           ///< [mm], neutral layer this far inside the middle of the wall
-    FamilyChoice profile;
+    FamilyChoice profile;                ///< no family where the circular spline's tooth is given
+    std::optional<double> addendum;      ///< h_a [mm] of the tooth that is solved for; absent where it is given
+    std::optional<double> dedendum;      ///< h_f [mm] of it
 };
 
 struct WaveGenerator
@@ -41,7 +43,8 @@ struct CircularSpline
     std::optional<double> width;         ///< [mm], axial; recorded, used by axial effects
     double backlash_offset = 0;          ///< [mm], along the normal, >= 0
     double root_clearance = 0;           ///< [mm], along the centre line of the space, >= 0
-    std::optional<double> inner_radius;  ///< [mm], tip circle; default r_m + delta/2 + h_f + w0 - h_a
+    std::optional<double> inner_radius;  ///< [mm], tip circle; default r_m + delta/2 + h_f + w0 - addendum of the given tooth
+    std::optional<FamilyChoice> profile; ///< the reverse problem: this tooth is given, the flexspline's is solved for
 };
 
 enum class Kinematics
@@ -103,6 +106,16 @@ struct Scene
     std::string text;                                    ///< the scene as given, after --set
     std::map<std::string, GivenKey, std::less<>> given;  ///< each key and table that is there, by path
     std::filesystem::path folder;                        ///< where relative file names start
+
+    /// Whether the circular spline's tooth is given and the flexspline's solved for.
+    [[nodiscard]] bool is_reverse() const { return circular_spline.profile.has_value(); }
+    /// The tooth that is given.
+    [[nodiscard]] FamilyChoice const& given_profile() const { return is_reverse() ? *circular_spline.profile : flexspline.profile; }
+    /// h_f of the flexspline tooth where the scene says it in so many words.
+    [[nodiscard]] std::optional<double> flexspline_dedendum() const
+    {
+        return is_reverse() ? flexspline.dedendum : flexspline.profile.number("dedendum");
+    }
 };
 
 }  // namespace hdconj

@@ -36,6 +36,7 @@ enum class Presence
 {
     required,
     optional,
+    alternative,  ///< one of several, of which exactly one must be there
     effect  ///< there: the effect is computed; absent: it has no object
 };
 

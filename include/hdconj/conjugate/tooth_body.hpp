@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The reverse problem's tooth: what teeth moving around it leave, and which stretch of which contact arc bounds it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hdconj/conjugate/body_polygons.hpp"
+#include "hdconj/conjugate/crossing.hpp"
+#include "hdconj/conjugate/tooth_space.hpp"
+#include "hdconj/numeric/error.hpp"
+#include "hdconj/numeric/tolerance.hpp"
+#include "hdconj/region/outer_boundary.hpp"
+
+namespace hdconj {
+
+/// How far the tooth may reach in its own frame [mm].
+struct BodyLimits
+{
+    double tip = 0;         ///< y of the tip
+    double root = 0;        ///< y of the root
+    double half_width = 0;  ///< half the pitch at the root
+};
+
+/// The flanks, each from the tip to its foot; `copy` of a piece is the index of the tooth that sweeps it.
+struct ToothBody
+{
+    std::vector<BoundaryPiece> left;
+    std::vector<BoundaryPiece> right;
+    std::size_t segments = 0;      ///< given to the arrangement, all attempts
+    double polygon_chord = 0;      ///< of the attempt that was accepted
+};
+
+/// Finds the largest tooth around the y axis that none of the moving teeth enters, cut flat at the tip.
+///
+/// What the teeth sweep hangs down on both sides of the axis; the tooth is the part of the rest that is reached from below, and its
+/// flanks are followed from the tip down to their feet: where the other tooth touches with the very end of its tip (its contact normal
+/// is along its own centre line, beyond which the other side of it touches), or where half the pitch is reached.
+/// Polygons decide only which arc follows which, as in ToothSpaceFinder; every corner is solved on the arcs.
+template<RelativeMotion Motion>
+class ToothBodyFinder
+{
+  public:
+    /// @param chord  chord error of the first polygons [mm]
+    ToothBodyFinder(std::vector<SweptTooth<Motion>> const& teeth, BodyLimits const& limits, Tolerance tolerance, double chord)
+        : teeth_(teeth), limits_(limits), tolerance_(tolerance), chord_(chord)
+    {
+    }
+
+    [[nodiscard]] ToothBody operator()()
+    {
+        double chord = chord_;
+        constexpr int attempts = 5;
+        for (int attempt = 0; attempt < attempts; ++attempt, chord /= 16)
+        {
+            auto const body = find(std::max(chord, tolerance_.coincidence()), attempt > 0);
+            if (body)
+                return *body;
+        }
+        throw NumericalError("region", place_, "the boundary of the flexspline tooth could not be put together: " + cause_);
+    }
+
+  private:
+    using Runs = std::vector<BoundaryRun>;
+
+    [[nodiscard]] std::optional<ToothBody> find(double chord, bool graded)
+    {
+        swept_ = body_polygons(teeth_, limits_.tip, chord, graded);
+        refuse_without_land();
+        swept_.join_ends(tolerance_.coincidence());
+        floor_ = swept_.add_floor_line(limits_.tip, limits_.half_width);
+        OuterBoundary const boundary = outer_boundary(swept_.polygons(), floor_);
+        segments_ += boundary.segments;
+        // farther out curves hang loose because more teeth were left out
+        for (Vec2 const& p : boundary.loose)
+        {
+            if (std::abs(p.x()) <= limits_.half_width)
+                return fail(p, "branches that should cross there miss each other as polygons");
+        }
+        Runs const& runs = boundary.runs;
+        auto const land = std::find_if(runs.begin(), runs.end(), [&](BoundaryRun const& run) {
+            return run.curve == floor_ && swept_.u_at(floor_, run.begin) >= 0 && swept_.u_at(floor_, run.end) <= 0;
+        });
+        if (land == runs.end())
+            return fail({0, limits_.tip}, "the boundary does not come to the tip of the tooth");
+        ToothBody body;
+        // the walk along the tip goes from right to left
+        Runs const right(std::make_reverse_iterator(land), runs.rend());
+        Runs const left(land + 1, runs.end());
+        body.segments = segments_;
+        body.polygon_chord = chord;
+        if (!follow(right, 1, chord, body.right) || !follow(left, -1, chord, body.left))
+            return std::nullopt;
+        return body;
+    }
+
+    std::nullopt_t fail(Vec2 const& where, std::string cause)
+    {
+        place_ = "near (" + std::to_string(where.x()) + ", " + std::to_string(where.y()) + ") mm of the flexspline tooth's frame";
+        cause_ = std::move(cause);
+        return std::nullopt;
+    }
+
+    void refuse_without_land() const
+    {
+        double const lowest = swept_.lowest_on_axis();
+        if (lowest < limits_.tip)
+            throw NumericalError("region", "tip of the flexspline tooth",
+                                 "the circular spline's teeth sweep down to " + std::to_string(limits_.tip - lowest)
+                                     + " mm below it on the tooth's centre line, so that the tooth would be pointed there; write a smaller "
+                                       "flexspline.addendum, a larger wave_generator.radial_deformation or a smaller circular_spline.profile.addendum");
+    }
+
+    /// One flank. @p runs  from the tip outward, as the walk met them; @p side  1: right, -1: left
+    bool follow(Runs const& runs, int side, double chord, std::vector<BoundaryPiece>& flank)
+    {
+        // positions in the order in which the flank is followed
+        auto const first = [&](BoundaryRun const& run) { return side > 0 ? run.end : run.begin; };
+        auto const last = [&](BoundaryRun const& run) { return side > 0 ? run.begin : run.end; };
+        auto const piece_of = [&](BoundaryRun const& run) {
+            SweptPolygons::Source const& source = swept_.source(run.curve);
+            return BoundaryPiece{source.arc, source.copy, swept_.u_at(run.curve, first(run)), swept_.u_at(run.curve, last(run))};
+        };
+        auto const at_tip = [&](BoundaryPiece const& piece, double& u) {
+            auto const exact = crossing_at_height(of(piece), [&](Vec2 const& p) { return p.y() - limits_.tip; }, u, chord);
+            u = exact.value_or(u);
+            return exact.has_value();
+        };
+        for (std::size_t i = 0; i < runs.size() && runs[i].curve != floor_; ++i)
+        {
+            BoundaryPiece piece = flank.empty() ? piece_of(runs[i]) : next_;
+            if (flank.empty() && !at_tip(piece, piece.begin))
+                return fail(point(piece, piece.begin), "a flank does not cross the tip where its polygon does"), false;
+            bool const more = i + 1 < runs.size() && runs[i + 1].curve != floor_;
+            if (more)
+            {
+                next_ = piece_of(runs[i + 1]);
+                if (!shared_end(swept_.polygon(runs[i].curve), last(runs[i]), swept_.polygon(runs[i + 1].curve), first(runs[i + 1]))
+                    && !meet(piece, next_, chord))
+                    return false;
+            }
+            auto const foot = foot_on(piece, swept_.source(runs[i].curve).u, side);
+            if (foot && *foot == piece.begin)
+                return !flank.empty() || (fail(point(piece, piece.begin), "the flank ends at the tip"), false);
+            flank.push_back(piece);
+            if (foot)
+            {
+                flank.back().end = *foot;
+                return true;
+            }
+            if (!more)
+                return fail(point(piece, piece.end), "a flank comes back to the tip before it reached its foot"), false;
+        }
+        return fail({0, limits_.tip}, "a side of the tooth has no flank"), false;
+    }
+
+    bool meet(BoundaryPiece& a, BoundaryPiece& b, double chord)
+    {
+        auto const exact = crossing_of_arcs(of(a), a.end, of(b), b.begin, chord, tolerance_);
+        if (!exact)
+            return fail(point(a, a.end), "two branches cross there as polygons but not as curves"), false;
+        a.end = (*exact)[0];
+        b.begin = (*exact)[1];
+        return true;
+    }
+
+    /// Where the flank ends on this piece: its begin when at once, nothing when it goes on.
+    [[nodiscard]] std::optional<double> foot_on(BoundaryPiece const& piece, std::vector<double> const& vertices, int side) const
+    {
+        SweptTooth<Motion> const& tooth = teeth_[static_cast<std::size_t>(piece.copy)];
+        ContactArc const& arc = tooth.arcs[static_cast<std::size_t>(piece.arc)];
+        // positive above the foot
+        auto const above = [&](double u) {
+            double const along = side * tooth.envelope.contact(arc, u).n.x();
+            double const room = 1 - side * tooth.envelope.point(arc, u).p.x() / limits_.half_width;
+            return std::min(along, room);
+        };
+        constexpr double on_centre_line = 1e-12;   // a flat tip's normal, after some roundings
+        if (!(above(piece.begin) > on_centre_line))
+            return piece.begin;
+        double const low = std::min(piece.begin, piece.end);
+        double const high = std::max(piece.begin, piece.end);
+        std::vector<double> stations;
+        std::copy_if(vertices.begin(), vertices.end(), std::back_inserter(stations), [&](double u) { return u > low && u < high; });
+        std::sort(stations.begin(), stations.end());
+        if (piece.begin > piece.end)
+            std::reverse(stations.begin(), stations.end());
+        stations.push_back(piece.end);
+        double before = piece.begin;
+        for (double u : stations)
+        {
+            if (!(above(u) > 0))
+            {
+                BracketedRoot const root = bracketed_root(above, std::min(before, u), std::max(before, u));
+                return root.found ? root.x : before;
+            }
+            before = u;
+        }
+        return std::nullopt;
+    }
+
+    [[nodiscard]] TurnedArc<Motion> of(BoundaryPiece const& piece) const
+    {
+        SweptTooth<Motion> const& tooth = teeth_[static_cast<std::size_t>(piece.copy)];
+        return {tooth.envelope, tooth.arcs[static_cast<std::size_t>(piece.arc)], 0};
+    }
+
+    [[nodiscard]] Vec2 point(BoundaryPiece const& piece, double u) const { return of(piece).point(u).p; }
+
+    std::vector<SweptTooth<Motion>> const& teeth_;
+    BodyLimits limits_;
+    Tolerance tolerance_;
+    double chord_;
+    SweptPolygons swept_{0};
+    int floor_ = -1;
+    BoundaryPiece next_;   ///< the piece after the one at hand, its beginning solved
+    std::size_t segments_ = 0;
+    std::string place_ = "flexspline tooth";
+    std::string cause_;
+};
+
+}  // namespace hdconj

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Outlines as they are written into results.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hdconj/conjugate/outline.hpp"
+#include "hdconj/pipeline/solution.hpp"
+
+namespace hdconj::detail {
+
+[[nodiscard]] inline std::string name_of(OutlineKind kind)
+{
+    switch (kind)
+    {
+    case OutlineKind::land: return "land";
+    case OutlineKind::flank: return "flank";
+    case OutlineKind::corner: return "corner";
+    case OutlineKind::bottom: return "bottom";
+    case OutlineKind::root_wall: return "root wall";
+    case OutlineKind::root: return "root";
+    }
+    return {};
+}
+
+/// Stretches of an outline with the names of the profile segments that made them.
+[[nodiscard]] inline std::vector<OutlinePiece> piece_records(Outline const& outline, Profile const& profile)
+{
+    std::vector<OutlinePiece> records;
+    for (OutlineStretch const& s : outline.stretches)
+        records.push_back({name_of(s.kind), s.segment < 0 ? "" : profile.segment_names[static_cast<std::size_t>(s.segment)], s.first, s.last});
+    return records;
+}
+
+}  // namespace hdconj::detail

@@ -1,0 +1,367 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "reverse_job.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <numbers>
+#include <utility>
+
+#include "drive.hpp"
+#include "given_spline.hpp"
+#include "hdconj/conjugate/tooth_body.hpp"
+#include "hdconj/motion/inverse_motion.hpp"
+#include "hdconj/numeric/parallel.hpp"
+#include "outline_records.hpp"
+#include "records.hpp"
+#include "swallowed.hpp"
+#include "turn_check.hpp"
+
+namespace hdconj::detail {
+
+namespace {
+
+using Seen = InverseMotion<ErasedMotion>;   // a circular-spline tooth as the flexspline tooth sees it
+using Swept = SweptTooth<Seen>;
+
+/// The branches of one circular-spline tooth.
+struct Traced
+{
+    int number = 0;   ///< 0 and 1 stand on the sides of the space that the flexspline tooth enters
+    std::vector<Branch> branches;
+};
+
+[[nodiscard]] std::vector<ContactArc> arcs_of(std::vector<Branch> const& branches)
+{
+    std::vector<ContactArc> arcs;
+    for (Branch const& branch : branches)
+        arcs.insert(arcs.end(), branch.arcs.begin(), branch.arcs.end());
+    return arcs;
+}
+
+/// The pieces of both flanks that the tooth of index @p copy bounds.
+[[nodiscard]] std::vector<BoundaryPiece> pieces_of(ToothBody const& body, int copy)
+{
+    std::vector<BoundaryPiece> own;
+    for (auto const* flank : {&body.left, &body.right})
+        std::copy_if(flank->begin(), flank->end(), std::back_inserter(own), [copy](BoundaryPiece const& p) { return p.copy == copy; });
+    return own;
+}
+
+/// @p more joined to the end of @p outline, whose last point is its first.
+void append(Outline& outline, Outline const& more)
+{
+    std::size_t const joint = outline.points.empty() ? 0 : outline.points.size() - 1;
+    outline.points.insert(outline.points.end(), more.points.begin() + (outline.points.empty() ? 0 : 1), more.points.end());
+    for (OutlineStretch const& s : more.stretches)
+        outline.stretches.push_back({s.kind, s.segment, s.first + joint, s.last + joint});
+    outline.chord = std::max(outline.chord, more.chord);
+    outline.error = std::max(outline.error, more.error);
+    outline.evaluations += more.evaluations;
+}
+
+void append_line(Outline& outline, OutlineKind kind, Vec2 const& from, Vec2 const& to)
+{
+    append(outline, {{from, to}, {{kind, -1, 0, 1}}});
+}
+
+class ReverseJob
+{
+  public:
+    ReverseJob(Solution& out, Profile const& given, ErasedMotion const& motion, StageClock& clock)
+        : out_(out), given_(given), motion_(motion), clock_(clock), pitch_(2 * std::numbers::pi / out.scene.drive.circular_spline_teeth),
+          seat_radius_(given_tooth_seat(out.geometry, given)), tolerance_{out.scene.solver.tolerance, seat_radius_}
+    {
+        PairGeometry const& g = out.geometry;
+        limits_.tip = g.pitch_line + g.addendum;
+        limits_.root = g.pitch_line - g.dedendum;
+        limits_.half_width = std::numbers::pi / out.scene.drive.flexspline_teeth * (g.r_m + limits_.root);
+        // the teeth that pass the flexspline tooth's centre line in a lobe; that others do not matter shows in the check
+        int const beside = (pitches_per_lobe(out.scene) - 1) / 2;
+        for (int k = -beside; k <= 1 + beside; ++k)
+        {
+            motions_.emplace_back(motion, circular_spline_seat(k, pitch_, seat_radius_));
+            traced_.push_back({k, {}});
+        }
+    }
+
+    void operator()()
+    {
+        clock_.run(Stage::envelope, [&] { trace(); });
+        double chord = (given_.addendum + given_.dedendum) * 0x1p-12;
+        // as in the forward problem: where polygons misjudge two branches, the full-turn check sees it and they are made finer
+        constexpr int attempts = 5;
+        for (int attempt = 1;; ++attempt, chord /= 64)
+        {
+            assemble(chord);
+            double const wanted = out_.scene.circular_spline.backlash_offset - tolerance_.coincidence();
+            if (!out_.check || out_.check->smallest_clearance >= wanted)
+                break;
+            if (attempt == attempts)
+                throw NumericalError("interference",
+                                     "near (" + std::to_string(out_.check->where.x()) + ", " + std::to_string(out_.check->where.y())
+                                         + ") mm of the flexspline tooth, y from the pitch line",
+                                     "a circular-spline tooth enters it by " + std::to_string(wanted - out_.check->smallest_clearance) + " mm");
+        }
+        clock_.run(Stage::outline, [&] { publish(); });
+    }
+
+  private:
+    [[nodiscard]] std::vector<Branch> branches_at(Envelope<Seen> const& envelope, bool counted)
+    {
+        BranchSet set = find_branches(envelope, out_.threads);
+        if (!set.record.certified)
+            throw NumericalError("envelope", set.record.doubts.empty() ? "meshing condition" : set.record.doubts.front(),
+                                 "its roots could not all be told apart in double precision");
+        if (counted)
+        {
+            out_.work.roots_isolated += set.record.roots;
+            out_.work.envelope_points += set.record.evaluations;
+        }
+        return std::move(set.branches);
+    }
+
+    void trace()
+    {
+        base_.clear();
+        for (std::size_t j = 0; j < traced_.size(); ++j)
+        {
+            Envelope<Seen> const envelope(given_, motions_[j], 0);
+            traced_[j].branches = branches_at(envelope, true);
+            base_.push_back({envelope, arcs_of(traced_[j].branches)});
+            for (Branch const& branch : traced_[j].branches)
+            {
+                std::size_t evaluations = 0;
+                BranchRecord record = branch_record(envelope, branch, tolerance_.length, evaluations);
+                record.tooth = traced_[j].number;
+                for (Vec2& p : record.point)
+                    p.y() -= out_.geometry.pitch_line;
+                out_.work.envelope_points += evaluations;
+                out_.branches.push_back(std::move(record));
+            }
+        }
+    }
+
+    /// Region, backlash, outline and check, with polygons of the given chord error.
+    void assemble(double chord)
+    {
+        double const offset = out_.scene.circular_spline.backlash_offset;
+        clock_.run(Stage::region, [&] {
+            body_ = body_of(base_, chord);
+            final_ = base_;
+        });
+        clock_.run(Stage::backlash, [&] {
+            std::vector<Swept> moved;
+            for (Seen const& motion : motions_)
+            {
+                Envelope<Seen> const envelope(given_, motion, offset);
+                moved.push_back({envelope, arcs_of(branches_at(envelope, false))});
+            }
+            ToothBody const shifted = body_of(moved, chord);
+            refuse_lost(shifted, moved, offset);
+            body_ = shifted;
+            final_ = std::move(moved);
+        });
+        clock_.run(Stage::outline, [&] {
+            tooth_ = outline();
+            out_.work.envelope_points += tooth_.evaluations;
+        });
+        clock_.run(Stage::interference, [&] {
+            ReverseFullTurnClearance<ErasedMotion> const clearance(given_, motion_, pitch_, seat_radius_, pitches_per_lobe(out_.scene));
+            std::vector<Vec2> points = tooth_.points;
+            std::vector<std::size_t> chosen = points_to_check(tooth_, symmetric() ? tip_land_end() : 0);
+            // the walls are long and have no points of their own
+            constexpr int stations = 8;
+            for (std::size_t const end : {std::size_t{1}, points.size() - 1})
+            {
+                for (int i = 1; i < stations; ++i)
+                {
+                    chosen.push_back(points.size());
+                    points.push_back(tooth_.points[end - 1] + (tooth_.points[end] - tooth_.points[end - 1]) * i / stations);
+                }
+            }
+            out_.check = check_turn(clearance, motion_, points, chosen, out_.threads);
+            out_.check->where.y() -= out_.geometry.pitch_line;
+        });
+    }
+
+    [[nodiscard]] ToothBody body_of(std::vector<Swept> const& teeth, double chord)
+    {
+        ToothBody body = ToothBodyFinder<Seen>(teeth, limits_, tolerance_, chord)();
+        out_.work.arrangement_edges += body.segments;
+        return body;
+    }
+
+    /// Stretches at the tip and at the foot are cut there and may move away; between them none may vanish.
+    void refuse_lost(ToothBody const& shifted, std::vector<Swept> const& moved, double offset) const
+    {
+        auto const arc_of = [](std::vector<Swept> const& teeth, BoundaryPiece const& p) -> ContactArc const& {
+            return teeth[static_cast<std::size_t>(p.copy)].arcs[static_cast<std::size_t>(p.arc)];
+        };
+        auto const kept = [&](BoundaryPiece const& p) {
+            return has_contact(pieces_of(shifted, p.copy), moved[static_cast<std::size_t>(p.copy)].arcs, arc_of(base_, p), p.copy);
+        };
+        auto const point = [&](BoundaryPiece const& p, double u) {
+            return base_[static_cast<std::size_t>(p.copy)].envelope.point(arc_of(base_, p), u).p;
+        };
+        for (auto const* flank : {&body_.left, &body_.right})
+        {
+            if (flank->size() > 2)
+                refuse_swallowed({flank->begin() + 1, flank->end() - 1}, kept, point, offset, tolerance_.length);
+        }
+    }
+
+    [[nodiscard]] bool symmetric() const { return given_.mirror_symmetric && motion_.symmetric(); }
+
+    /// Index of the right end of the tip land.
+    [[nodiscard]] std::size_t tip_land_end() const
+    {
+        auto const land = std::find_if(tooth_.stretches.begin(), tooth_.stretches.end(), [](OutlineStretch const& s) { return s.kind == OutlineKind::land; });
+        return land->last;
+    }
+
+    /// A flank from one end to the other; neighbouring pieces of one tooth are sampled together.
+    [[nodiscard]] Outline flank_outline(std::vector<BoundaryPiece> const& pieces) const
+    {
+        Outline flank;
+        for (auto from = pieces.begin(); from != pieces.end();)
+        {
+            auto const to = std::find_if(from, pieces.end(), [from](BoundaryPiece const& p) { return p.copy != from->copy; });
+            Swept const& tooth = final_[static_cast<std::size_t>(from->copy)];
+            std::vector<BoundaryPiece> own(from, to);
+            for (BoundaryPiece& piece : own)
+                piece.copy = 0;
+            append(flank, sample_outline(tooth.envelope, tooth.arcs, own, 0, 0, tolerance_.length, out_.threads));
+            from = to;
+        }
+        return flank;
+    }
+
+    /// From the left root to the right root, in the frame of the tooth.
+    [[nodiscard]] Outline outline() const
+    {
+        Outline right = flank_outline(body_.right);
+        right.points.front().y() = limits_.tip;
+        std::vector<BoundaryPiece> back(body_.left.rbegin(), body_.left.rend());
+        for (BoundaryPiece& piece : back)
+            std::swap(piece.begin, piece.end);
+        Outline left = symmetric() ? mirrored(right, given_) : flank_outline(back);
+        left.points.back().y() = limits_.tip;
+        Vec2 const left_foot = left.points.front();
+        Vec2 const right_foot = right.points.back();
+        for (Vec2 const& foot : {left_foot, right_foot})
+        {
+            if (!(foot.y() > limits_.root))
+                throw NumericalError("region", "root of the flexspline tooth",
+                                     "the circular spline's tips reach " + std::to_string(limits_.root - foot.y())
+                                         + " mm below it; write a larger flexspline.dedendum or a smaller circular_spline.profile.addendum");
+        }
+        Outline tooth;
+        append_line(tooth, OutlineKind::root_wall, root_below(left_foot), left_foot);
+        append(tooth, left);
+        append_line(tooth, OutlineKind::land, tooth.points.back(), right.points.front());
+        append(tooth, right);
+        append_line(tooth, OutlineKind::root_wall, right_foot, root_below(right_foot));
+        // the points are small differences of lengths of this size
+        tooth.error += 8 * unit_roundoff * tolerance_.scale;
+        return tooth;
+    }
+
+    /// Below its foot nothing touches the tooth. It goes on straight to the root and leaves half of what is left of the pitch to the
+    /// space between two roots, outward by 45 degrees at most: what the tips sweep is all but level there.
+    [[nodiscard]] Vec2 root_below(Vec2 const& foot) const
+    {
+        double const depth = foot.y() - limits_.root;
+        double const room = std::max(0.0, limits_.half_width - std::abs(foot.x()));
+        return {foot.x() + std::copysign(std::min(depth, room / 2), foot.x()), limits_.root};
+    }
+
+    void publish()
+    {
+        out_.flexspline_outline = tooth_.points;
+        for (Vec2& p : out_.flexspline_outline)
+            p.y() -= out_.geometry.pitch_line;
+        out_.flexspline_outline.front().y() = out_.flexspline_outline.back().y() = -out_.geometry.dedendum;
+        out_.flexspline_pieces = piece_records(tooth_, given_);
+        CentredOutline const spline = given_spline(given_, seat_radius_, pitch_, tolerance_.length);
+        publish_spline(spline.outline, spline.middle);
+        out_.error.chord = std::max(tooth_.chord, spline.outline.chord);
+        out_.error.point = std::max(tooth_.error, spline.outline.error);
+        std::size_t index = 0;
+        for (std::size_t j = 0; j < traced_.size(); ++j)
+        {
+            std::vector<BoundaryPiece> const own = pieces_of(body_, static_cast<int>(j));
+            for (Branch const& branch : traced_[j].branches)
+            {
+                std::size_t const before = out_.zones.size();
+                append_zones(base_[j].envelope, branch, index, final_[j].arcs, own, out_.zones);
+                for (std::size_t k = before; k < out_.zones.size(); ++k)
+                    out_.branches[index].on_boundary = out_.branches[index].on_boundary || out_.zones[k].on_boundary;
+                ++index;
+            }
+        }
+        tooth_family();
+    }
+
+    void publish_spline(Outline const& outline, std::size_t middle)
+    {
+        CircularSplineOutline& cs = out_.circular_spline;
+        cs.z = {0.0};
+        cs.outline = {outline.points};
+        cs.pieces = piece_records(outline, given_);
+        auto const bottom = std::find_if(outline.stretches.begin(), outline.stretches.end(), [](OutlineStretch const& s) { return s.kind == OutlineKind::root; });
+        bool const has_land = outline.stretches.front().kind == OutlineKind::land;
+        std::size_t const left_land = has_land ? outline.stretches.front().last : 0;
+        std::size_t const right_land = outline.stretches.back().kind == OutlineKind::land ? outline.stretches.back().first : outline.points.size() - 1;
+        for (std::size_t index : {left_land, bottom->first, middle, bottom->last, right_land})
+            cs.landmarks.push_back(static_cast<int>(index));
+        Vec2 const corner = outline.points[right_land];
+        out_.geometry.land_half_angle = pitch_ / 2 - std::atan2(corner.x(), corner.y());
+        double deepest = 0;
+        for (Vec2 const& p : outline.points)
+            deepest = std::max(deepest, p.norm());
+        out_.geometry.space_depth = deepest - out_.geometry.circular_spline_inner_radius;
+    }
+
+    void tooth_family()
+    {
+        constexpr int positions = 40;
+        std::vector<Vec2> const polygon = polygon_of(given_, (given_.addendum + given_.dedendum) * 0x1p-10);
+        for (Seen const& motion : motions_)
+        {
+            for (int i = 0; i <= positions; ++i)
+            {
+                Pose const pose = motion.pose(motion.half_lobe() * (2.0 * i / positions - 1));
+                std::vector<Vec2> placed;
+                placed.reserve(polygon.size());
+                for (Vec2 const& p : polygon)
+                    placed.push_back(pose(p) - Vec2(0, out_.geometry.pitch_line));
+                out_.tooth_family.push_back(std::move(placed));
+            }
+        }
+    }
+
+    Solution& out_;
+    Profile const& given_;
+    ErasedMotion motion_;
+    StageClock& clock_;
+    double pitch_;
+    double seat_radius_;
+    Tolerance tolerance_;
+    BodyLimits limits_;
+    std::deque<Seen> motions_;   // envelopes keep pointers to them
+    std::vector<Traced> traced_;
+    std::vector<Swept> base_;
+    std::vector<Swept> final_;
+    ToothBody body_;
+    Outline tooth_;
+};
+
+}  // namespace
+
+void solve_reverse(Solution& out, Profile const& given, ErasedMotion const& motion, StageClock& clock)
+{
+    ReverseJob(out, given, motion, clock)();
+}
+
+}  // namespace hdconj::detail

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The finished pair over a full turn: every outline point against every position of the other member's teeth.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "hdconj/conjugate/outline.hpp"
+#include "hdconj/contact/full_turn.hpp"
+#include "hdconj/numeric/parallel.hpp"
+#include "hdconj/pipeline/solution.hpp"
+
+namespace hdconj::detail {
+
+/// Outline points for the check from index @p first on: all of them; of a very fine outline every k-th beside the ends of its
+/// stretches, since what the check looks for (a branch that was taken for the outer one) is a stretch, not a point.
+[[nodiscard]] inline std::vector<std::size_t> points_to_check(Outline const& outline, std::size_t first)
+{
+    constexpr std::size_t enough = 4096;
+    std::size_t const count = outline.points.size() - first;
+    std::size_t const stride = (count + enough - 1) / enough;
+    std::vector<std::size_t> chosen;
+    for (OutlineStretch const& stretch : outline.stretches)
+    {
+        for (std::size_t i = std::max(first, stretch.first); i < stretch.last; i += stride)
+            chosen.push_back(i);
+    }
+    chosen.push_back(outline.points.size() - 1);
+    return chosen;
+}
+
+/// Smallest clearance of the points @p chosen by the law @p clearance (FullTurnClearance or its reverse).
+template<class Clearance, RelativeMotion Motion>
+[[nodiscard]] PairCheck check_turn(Clearance const& clearance, Motion const& motion, std::vector<Vec2> const& points,
+                                   std::vector<std::size_t> const& chosen, int threads)
+{
+    std::vector<TurnMinimum> minima(chosen.size());
+    // blocks of fixed size, whatever the number of threads: inside one, each point starts from its neighbour's result
+    constexpr std::size_t block = 64;
+    constexpr std::size_t blocks_worth_a_thread = 4;
+    parallel_for((chosen.size() + block - 1) / block, threads, blocks_worth_a_thread, [&](std::size_t b) {
+        std::size_t const end = std::min(chosen.size(), (b + 1) * block);
+        for (std::size_t i = b * block; i < end; ++i)
+            minima[i] = clearance(points[chosen[i]], i > b * block ? &minima[i - 1] : nullptr);
+    });
+    PairCheck result;
+    auto const worst = std::min_element(minima.begin(), minima.end(), [](TurnMinimum const& a, TurnMinimum const& b) { return a.distance < b.distance; });
+    result.smallest_clearance = worst->distance;
+    result.where = points[chosen[static_cast<std::size_t>(worst - minima.begin())]];
+    result.at_phi = motion.angles(worst->u).phi;
+    result.points = minima.size();
+    result.positions = clearance.positions();
+    return result;
+}
+
+}  // namespace hdconj::detail

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Scenes of the reverse problem that must be refused: the sound one with an edit, and what must be said about it.
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+
+#include "cli/bad_scenes_table.hpp"
+#include "hdconj/io/scene_reading.hpp"
+#include "hdconj/io/scene_toml.hpp"
+#include "support/catch.hpp"
+
+namespace {
+
+using namespace hdconj;
+using test::BadScene;
+
+std::string sound()
+{
+    std::ifstream file(HDCONJ_SOURCE_DIR "/data/scenes/circular-spline-given.toml");
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+std::string const flexspline_tooth =
+    "[flexspline.profile]\nfamily = \"straight\"\naddendum = 0.2\ndedendum = 0.3\nthickness = 0.35\n"
+    "pressure_angle_deg = 20\n[wave_generator]";
+
+std::vector<BadScene> const& rows()
+{
+    static std::vector<BadScene> const table{
+        {"both teeth", "[wave_generator]", flexspline_tooth, "circular_spline.profile", "both teeth are given",
+         "remove [flexspline.profile] or [circular_spline.profile]"},
+        {"no addendum", "addendum = 0.2250", "", "flexspline.addendum", "missing", "addendum = 0.225"},
+        {"no dedendum", "dedendum = 0.3030", "", "flexspline.dedendum", "missing", "dedendum = 0.303"},
+        {"addendum in quotes", "addendum = 0.2250", "addendum = \"0.225\"", "flexspline.addendum", "text where",
+         "without quotes"},
+        {"negative dedendum", "dedendum = 0.3030", "dedendum = -0.3", "flexspline.dedendum", "above 0", "above 0"},
+        {"misspelt addendum", "addendum = 0.2250", "adendum = 0.2250", "flexspline.adendum", "unknown key",
+         "write addendum"},
+        {"root clearance", "backlash_offset = 0.0", "root_clearance = 0.02", "circular_spline.root_clearance",
+         "told by its given tooth", "circular_spline.profile.dedendum"},
+        {"unknown family", "family = \"double-circular-arc\"", "family = \"gothic\"", "circular_spline.profile.family",
+         "unknown word", "\"double-circular-arc\""},
+        {"no family", "family = \"double-circular-arc\"", "", "circular_spline.profile.family", "missing", "family"},
+        {"key of another family", "convex_rise = -0.1500", "pressure_angle_deg = 20",
+         "circular_spline.profile.pressure_angle_deg", "unknown key", "family"},
+        {"family key missing", "convex_radius = 0.6000", "", "circular_spline.profile.convex_radius", "missing",
+         "convex_radius"},
+        {"family key not finite", "convex_radius = 0.6000", "convex_radius = nan",
+         "circular_spline.profile.convex_radius", "finite", "above 0"},
+        {"misspelt table", "[circular_spline.profile]", "[circular_spline.profil]", "circular_spline.profil",
+         "unknown table", "[circular_spline.profile]"},
+        {"arcs that do not meet", "concave_offset = \"tangent\"", "concave_offset = 0.3",
+         "circular_spline.profile.concave_offset", "do not meet", "tangent"},
+        {"given tooth wider than its pitch", "convex_offset = 0.3660", "convex_offset = 0.2",
+         "circular_spline.profile", "wider than its pitch", "thinner"},
+        {"tips in the rim", "dedendum = 0.3030", "dedendum = 0.1900", "flexspline.dedendum", "cut into the flexspline's rim",
+         "write more than 0.2"},
+        {"tips in the bottom", "addendum = 0.2250", "addendum = 0.2950", "flexspline.addendum",
+         "cut into the bottom of the given tooth spaces", "write less than 0.29"},
+        {"tip circle in the rim", "backlash_offset = 0.0", "inner_radius = 24.9", "circular_spline.inner_radius",
+         "cut into the flexspline's rim", "between", 0},
+        {"tip circle out of reach", "backlash_offset = 0.0", "inner_radius = 26.0", "circular_spline.inner_radius",
+         "no tooth enters", "between", 0},
+        {"no hole", "wall = 0.7 ", "wall = 24.8 ", "flexspline.wall", "leaves no hole", "thinner"},
+        {"inner radius of another drive", "wall = 0.7 ", "inner_radius = 12.0\nwall = 0.7 ", "flexspline.inner_radius",
+         "contradicts module and teeth", "write a radius"},
+    };
+    return table;
+}
+
+std::string sound_but(BadScene const& row)
+{
+    std::string text = sound();
+    std::size_t const at = text.find(row.from);
+    REQUIRE(at != std::string::npos);
+    return text.replace(at, row.from.size(), row.to);
+}
+
+Faults faults_of(std::string const& text)
+{
+    auto reading = examine_scene(text, "scene");
+    examine_geometry(reading);
+    return reading.faults;
+}
+
+}  // namespace
+
+TEST_CASE("the reverse scene has no fault", "[scene][reverse]")
+{
+    INFO(describe(faults_of(sound())));
+    CHECK(faults_of(sound()).empty());
+}
+
+TEST_CASE("wrong reverse scenes are refused", "[scene][reverse]")
+{
+    for (auto const& row : rows()) {
+        SECTION(row.name)
+        {
+            auto const faults = faults_of(sound_but(row));
+            INFO(describe(faults));
+            auto const fault = std::find_if(faults.begin(), faults.end(), [&](Fault const& f) { return f.path == row.path; });
+            REQUIRE(fault != faults.end());
+            CHECK(fault->reason.find(row.reason) != std::string::npos);
+            CHECK(fault->remedy.find(row.remedy) != std::string::npos);
+            if (row.faults > 0) {
+                CHECK(faults.size() == static_cast<std::size_t>(row.faults));
+            }
+            for (auto const& each : faults) {
+                CHECK_FALSE(each.path.empty());
+                CHECK_FALSE(each.reason.empty());
+                CHECK_FALSE(each.remedy.empty());
+            }
+        }
+    }
+}
+
+TEST_CASE("heights of the solved tooth have no place where the flexspline's tooth is given", "[scene][reverse]")
+{
+    std::string text(builtin_scene_text());
+    text.replace(text.find("wall = 0.7"), 10, "addendum = 0.2\nwall = 0.7");
+    auto const faults = faults_of(text);
+    INFO(describe(faults));
+    REQUIRE(faults.size() == 1);
+    CHECK(faults.front().path == "flexspline.addendum");
+    CHECK(faults.front().line > 0);
+    CHECK(faults.front().remedy.find("flexspline.profile.addendum") != std::string::npos);
+}
+
+TEST_CASE("a scene without any tooth says how to give either", "[scene][reverse]")
+{
+    std::string text = sound();
+    std::size_t const from = text.find("[circular_spline.profile]");
+    text.erase(from, text.find("[solver]") - from);
+    auto const faults = faults_of(text);
+    INFO(describe(faults));
+    auto const fault = std::find_if(faults.begin(), faults.end(), [](Fault const& f) { return f.path == "flexspline.profile"; });
+    REQUIRE(fault != faults.end());
+    CHECK(fault->remedy.find("[circular_spline.profile]") != std::string::npos);
+}
