@@ -96,7 +96,7 @@ void csv_profile(Bytes input)
     (tooth_family != nullptr ? scene.flexspline.profile : scene.wave_generator.shape) = choice;
     Faults faults;
     accepted([&] {
-        Profile const tooth = detail::flexspline_tooth(scene, faults);
+        Profile const tooth = detail::given_tooth(scene, faults);
         AnyWaveShape const shape = detail::wave_shape(scene, tooth, faults);
         if (!faults.empty())
             return;

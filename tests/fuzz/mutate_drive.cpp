@@ -82,7 +82,8 @@ class Mutation
             if (std::from_chars(given.written.data(), end, value).ptr == end && !given.written.empty())
                 numbers_.emplace_back(path, value);
         }
-        profile_ = described(profile_families(), reading.scene.flexspline.profile.family);
+        profile_ = described(profile_families(), reading.scene.given_profile().family);
+        tooth_table_ = reading.scene.is_reverse() ? "circular_spline.profile" : "flexspline.profile";
         wave_ = described(wave_generator_families(), reading.scene.wave_generator.shape.family);
         module_ = number("drive.module").value_or(1);
     }
@@ -208,7 +209,7 @@ class Mutation
     {
         if (profile_ != nullptr && chance(3) && !profile_->parameters.empty()) {
             ParameterSpec const& spec = one_of(profile_->parameters);
-            return set("flexspline.profile." + std::string(spec.key), value_for(spec));
+            return set(tooth_table_ + "." + std::string(spec.key), value_for(spec));
         }
         if (wave_ != nullptr && chance(3) && !wave_->parameters.empty()) {
             ParameterSpec const& spec = one_of(wave_->parameters);
@@ -248,10 +249,10 @@ class Mutation
     void change_tooth()
     {
         if (chance(4))
-            return change_family(profile_families(), "flexspline.profile");
+            return change_family(profile_families(), tooth_table_);
         drive_.scene = one_of(scene_names());
         std::erase_if(drive_.overrides, [&](std::string const& line) {
-            return line.find("flexspline.profile") != std::string::npos || chance(2);
+            return line.find(".profile") != std::string::npos || chance(2);
         });
     }
 
@@ -363,6 +364,7 @@ class Mutation
     FamilyDescription const* profile_ = nullptr;
     FamilyDescription const* wave_ = nullptr;
     double module_ = 1;
+    std::string tooth_table_ = "flexspline.profile";  ///< or the circular spline's, in the reverse problem
 };
 
 /// The scene and its geometry are without fault.

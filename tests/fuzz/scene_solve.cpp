@@ -53,6 +53,14 @@ void judge_numbers(Solution const& s)
     finite({s.error.chord, s.error.point, s.error.arc_length}, "error estimate");
 }
 
+void judge_pieces(std::vector<OutlinePiece> const& pieces, std::size_t count)
+{
+    for (OutlinePiece const& piece : pieces) {
+        if (piece.first > piece.last || piece.last >= count)
+            throw Find("a piece outside its outline");
+    }
+}
+
 void judge_indices(Solution const& s)
 {
     if (s.circular_spline.outline.empty() || s.circular_spline.outline.front().size() < 2)
@@ -62,10 +70,8 @@ void judge_indices(Solution const& s)
         if (landmark < 0 || static_cast<std::size_t>(landmark) >= count)
             throw Find("a landmark outside the outline");
     }
-    for (OutlinePiece const& piece : s.circular_spline.pieces) {
-        if (piece.first > piece.last || piece.last >= count)
-            throw Find("a piece outside the outline");
-    }
+    judge_pieces(s.circular_spline.pieces, count);
+    judge_pieces(s.flexspline_pieces, s.flexspline_outline.size());
 }
 
 void judge_pair(Solution const& s)

@@ -164,7 +164,7 @@ class Program
     explicit Program(Scene const& scene)
     {
         hdconj::Faults faults;
-        tooth_ = hdconj::detail::flexspline_tooth(scene, faults);
+        tooth_ = hdconj::detail::given_tooth(scene, faults);
         hdconj::AnyWaveShape const shape = hdconj::detail::wave_shape(scene, tooth_, faults);
         if (!faults.empty())
             throw hdconj::InputError(faults);
