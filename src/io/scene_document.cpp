@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "hdconj/scene/schema.hpp"
 #include "scene/text.hpp"
 #include "scene_lines.hpp"
 #include "scene_writer.hpp"
@@ -32,6 +33,9 @@ Kind kind_of(toml::node const& node)
     }
 }
 
+/// Items of all lists of a scene; a list cut here is refused for its length.
+constexpr std::size_t most_items = 3 * bounds::most_rows + 1;
+
 /// Tables that --set had to create have no place at all; everything parsed has one.
 bool is_override(toml::node const& node)
 {
@@ -51,6 +55,8 @@ class Converter
         raw.written = node.is_table() ? "" : written(node);
         if (auto const* const table = node.as_table()) {
             raw.entries = entries(*table);
+        } else if (auto const* const array = node.as_array()) {
+            raw.items = items(*array);
         } else if (auto const text = node.value_exact<std::string>()) {
             raw.text = *text;
         } else if (auto const* const integer = node.as_integer()) {
@@ -62,6 +68,28 @@ class Converter
     }
 
   private:
+    /// The text of an item is not kept: a list may hold thousands of numbers, all on one line.
+    std::vector<RawValue> items(toml::array const& array) const
+    {
+        std::vector<RawValue> items;
+        for (auto const& node : array) {
+            if (items_ == most_items) {
+                break;
+            }
+            ++items_;
+            RawValue raw;
+            raw.kind = kind_of(node);
+            raw.line = is_override(node) ? 0 : static_cast<int>(node.source().begin.line);
+            if (auto const* const inner = node.as_array()) {
+                raw.items = this->items(*inner);
+            } else if (auto const number = node.value<double>(); number && !node.is_string()) {
+                raw.number = *number;
+            }
+            items.push_back(std::move(raw));
+        }
+        return items;
+    }
+
     std::vector<RawEntry> entries(toml::table const& table) const
     {
         std::vector<RawEntry> entries;
@@ -76,16 +104,20 @@ class Converter
         return entries;
     }
 
-    /// As in the file; a value of --set in the form TOML gives it.
+    /// As in the file; a value of --set in the form TOML gives it; nothing of a list of several lines, which is shown by its numbers.
     std::string written(toml::node const& node) const
     {
         auto const& source = node.source();
+        if (node.is_array() && source.begin.line != source.end.line) {
+            return "";
+        }
         bool const in_file = !is_override(node) && source.end.line >= source.begin.line;
         std::string const found = in_file ? lines_.cut(source.begin, source.end) : "";
         return printable(found.empty() ? toml_text(node) : found);
     }
 
     TextLines lines_;
+    mutable std::size_t items_ = 0;
 };
 
 }  // namespace

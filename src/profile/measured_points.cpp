@@ -8,6 +8,8 @@
 #include <memory>
 
 #include "hdconj/numeric/error.hpp"
+#include "hdconj/profile/b_spline.hpp"
+#include "hdconj/profile/sound_flank.hpp"
 #include "hdconj/scene/number_pairs.hpp"
 
 namespace hdconj {
@@ -130,11 +132,9 @@ std::vector<CurvePiece> spline_through(std::vector<Vec2> const& points)
     return pieces;
 }
 
-Profile MeasuredPoints::build(FamilyChoice const& c, ToothPlace const& place, Faults& faults)
+Profile tooth_through(std::vector<Vec2> points, FamilyChoice const& c, std::string_view key, ToothPlace const& place, Faults& faults)
 {
-    std::vector<Vec2> points = read_points(c, place.folder, faults);
-    if (points.empty())
-        return {};
+    std::size_t const before = faults.size();
     bool const full = c.word("side").value_or("right") == "full";
     // the flank runs from tip to root, the whole tooth from left to right
     if (full ? points.front().x() > points.back().x() : points.front().y() < points.back().y())
@@ -143,17 +143,42 @@ Profile MeasuredPoints::build(FamilyChoice const& c, ToothPlace const& place, Fa
     double const h_a = high->y();
     double const h_f = -low->y();
     if (!(h_a > 0) || !(h_f > 0))
-        faults.push_back(parameter_fault(c, "file", "the points span y = " + short_number(-h_f) + " ... " + short_number(h_a) + " and do not cross the pitch line y = 0",
+        faults.push_back(parameter_fault(c, key, "the points span y = " + short_number(-h_f) + " ... " + short_number(h_a) + " and do not cross the pitch line y = 0",
                                          "measure y from the pitch line, up towards the tip"));
     if (!full && points.front().x() < 0)
-        faults.push_back(parameter_fault(c, "file", "the tip of the right flank is left of the tooth's centre line x = 0",
+        faults.push_back(parameter_fault(c, key, "the tip of the right flank is left of the tooth's centre line x = 0",
                                          "give the right flank with x >= 0, or set side = \"full\""));
-    if (!faults.empty())
+    if (faults.size() > before)
         return {};
     FlankSegment segment{full ? "tooth" : "flank", {}};
     for (CurvePiece& piece : spline_through(points))
         segment.pieces.emplace_back(std::move(piece));
-    return full ? whole_tooth({segment}, place, h_a, h_f, false) : symmetric_tooth({segment}, place, h_a, h_f);
+    if (full)
+        return whole_tooth({segment}, place, h_a, h_f, false);
+    judge_flank({segment}, c, key, faults);
+    return faults.size() > before ? Profile{} : symmetric_tooth({segment}, place, h_a, h_f);
+}
+
+Profile MeasuredPoints::build(FamilyChoice const& c, ToothPlace const& place, Faults& faults)
+{
+    std::vector<Vec2> points = read_points(c, place.folder, faults);
+    return points.empty() ? Profile{} : tooth_through(std::move(points), c, "file", place, faults);
+}
+
+Profile BSpline::build(FamilyChoice const& c, ToothPlace const& place, Faults& faults)
+{
+    std::vector<Vec2> points;
+    for (std::vector<double> const& row : c.rows("points"))
+    {
+        Vec2 const p{row[0], row[1]};
+        if (!points.empty() && p == points.back())
+        {
+            faults.push_back(parameter_fault(c, "points", "row " + std::to_string(points.size() + 1) + " repeats the point before it", "remove the repeated point"));
+            return {};
+        }
+        points.push_back(p);
+    }
+    return tooth_through(std::move(points), c, "points", place, faults);
 }
 
 }  // namespace hdconj

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/profile/registry.hpp"
 
+#include "hdconj/profile/arc_chain.hpp"
+#include "hdconj/profile/b_spline.hpp"
+#include "hdconj/profile/bezier.hpp"
+#include "hdconj/profile/cycloid.hpp"
 #include "hdconj/profile/double_circular_arc.hpp"
 #include "hdconj/profile/involute.hpp"
 #include "hdconj/profile/measured_points.hpp"
+#include "hdconj/profile/s_tooth.hpp"
 #include "hdconj/profile/straight_sided.hpp"
 
 namespace hdconj {
@@ -30,6 +35,11 @@ std::vector<Registered> const& table()
         registered<StraightSided>(),
         registered<MeasuredPoints>(),
         registered<Involute>(),
+        registered<Cycloid>(),
+        registered<STooth>(),
+        registered<ArcChain>(),
+        registered<Bezier>(),
+        registered<BSpline>(),
     };
     return families;
 }

@@ -8,6 +8,18 @@
 namespace hdconj::detail {
 namespace {
 
+/// "at least 4 [x, y], in mm"
+std::string rows_expectation(ParameterSpec const& spec)
+{
+    std::string forms;
+    for (auto const form : spec.words) {
+        forms += (forms.empty() ? "" : " or ") + std::string(form);
+    }
+    bool const has_angles = forms.find("_deg") != std::string::npos;
+    std::string const least = std::isfinite(spec.at_least) ? "at least " + number_text(spec.at_least) + " " : "";
+    return least + forms + (has_angles ? ", in mm and degrees" : ", in mm");
+}
+
 std::string base_expectation(ParameterSpec const& spec)
 {
     switch (spec.quantity) {
@@ -19,6 +31,8 @@ std::string base_expectation(ParameterSpec const& spec)
             return "a length in mm, 0 or more";
         case Quantity::angle_deg:
             return "an angle in degrees";
+        case Quantity::number:
+            return "a number";
         case Quantity::count:
             return "a whole number";
         case Quantity::word:
@@ -29,6 +43,8 @@ std::string base_expectation(ParameterSpec const& spec)
             return "a file name in quotes";
         case Quantity::text:
             return "text in quotes";
+        case Quantity::rows:
+            return "a list of " + rows_expectation(spec);
     }
     return "another value";
 }
@@ -40,6 +56,9 @@ std::string expectation(ParameterSpec const& spec)
     std::string const base = base_expectation(spec);
     bool const below = std::isfinite(spec.at_least);
     bool const above = std::isfinite(spec.at_most);
+    if (spec.quantity == Quantity::rows) {
+        return base;
+    }
     if (below && above) {
         return base + " from " + number_text(spec.at_least) + " to " + number_text(spec.at_most);
     }

@@ -43,8 +43,8 @@ std::optional<Parameter> take_value(Judgement& judgement, TableSpec const& table
     judgement.attempted.insert(path);
     judgement.reading.scene.given[path] = {entry.line, entry.value.written};
     auto verdict = judge_value(spec, example, entry, spelled);
-    if (auto* const fault = std::get_if<Fault>(&verdict)) {
-        judgement.reading.faults.push_back(std::move(*fault));
+    if (auto* const faults = std::get_if<Faults>(&verdict)) {
+        std::move(faults->begin(), faults->end(), std::back_inserter(judgement.reading.faults));
         return std::nullopt;
     }
     judgement.reading.known.insert(path);

@@ -24,7 +24,8 @@ using Verdict = std::optional<Refusal>;
 
 bool is_numeric(Quantity quantity)
 {
-    return quantity != Quantity::word && quantity != Quantity::file && quantity != Quantity::text;
+    return quantity != Quantity::word && quantity != Quantity::file && quantity != Quantity::text &&
+           quantity != Quantity::rows;
 }
 
 bool is_length(Quantity quantity)
@@ -62,6 +63,8 @@ std::string quantity_name(ParameterSpec const& spec)
             return "a length";
         case Quantity::angle_deg:
             return "an angle in degrees";
+        case Quantity::number:
+            return "a number";
         case Quantity::count:
             return "a whole number";
         case Quantity::word:
@@ -72,6 +75,8 @@ std::string quantity_name(ParameterSpec const& spec)
             return "a file name";
         case Quantity::text:
             return "text";
+        case Quantity::rows:
+            return "a list";
     }
     return "another value";
 }
@@ -178,6 +183,8 @@ Verdict judge_text(ParameterSpec const& spec, std::string const& text, std::stri
             return text.empty() ? Verdict(Refusal{"an empty file name", remedy}) : judge_free_text(text, remedy);
         case Quantity::text:
             return judge_free_text(text, remedy);
+        case Quantity::rows:
+            return Refusal{"text where a list belongs", remedy};
         default:
             return text_for_number(spec, text, remedy);
     }
@@ -197,12 +204,15 @@ Verdict judge(ParameterSpec const& spec, RawValue const& value, std::string cons
 
 }  // namespace
 
-std::variant<Parameter, Fault> judge_value(ParameterSpec const& spec, std::string_view example, RawEntry const& entry,
-                                           std::string const& path)
+std::variant<Parameter, Faults> judge_value(ParameterSpec const& spec, std::string_view example, RawEntry const& entry,
+                                            std::string const& path)
 {
+    if (spec.quantity == Quantity::rows && entry.value.kind == Kind::array) {
+        return judge_rows(spec, entry, path);
+    }
     auto const refusal = judge(spec, entry.value, write_instead(spec, example));
     if (refusal) {
-        return Fault{path, entry.line, entry.value.written, refusal->reason, refusal->remedy, entry.origin};
+        return Faults{{path, entry.line, entry.value.written, refusal->reason, refusal->remedy, entry.origin}};
     }
     if (entry.value.kind == Kind::text) {
         return Parameter{entry.value.text, entry.line};

@@ -19,10 +19,14 @@ namespace hdconj::detail {
 /// "write " and the expectation, with @p example when there is one.
 [[nodiscard]] std::string write_instead(ParameterSpec const& spec, std::string_view example);
 
-/// The value of @p entry when @p spec takes it, else the fault.
+/// The value of @p entry when @p spec takes it, else what is wrong with it: one fault, or one for each bad row of a list.
 /// @param path     key path for the message
 /// @param example  good value for the remedy; may be empty
-[[nodiscard]] std::variant<Parameter, Fault> judge_value(ParameterSpec const& spec, std::string_view example,
-                                                         RawEntry const& entry, std::string const& path);
+[[nodiscard]] std::variant<Parameter, Faults> judge_value(ParameterSpec const& spec, std::string_view example,
+                                                          RawEntry const& entry, std::string const& path);
+
+/// The same for a list of lists of numbers.
+[[nodiscard]] std::variant<Parameter, Faults> judge_rows(ParameterSpec const& spec, RawEntry const& entry,
+                                                         std::string const& path);
 
 }  // namespace hdconj::detail

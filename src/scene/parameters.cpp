@@ -30,6 +30,17 @@ std::optional<std::string> FamilyChoice::word(std::string_view key) const
     return value != nullptr ? std::optional<std::string>(*value) : std::nullopt;
 }
 
+NumberRows const& FamilyChoice::rows(std::string_view key) const
+{
+    static NumberRows const none;
+    auto const found = given.find(key);
+    if (found == given.end()) {
+        return none;
+    }
+    auto const* const value = std::get_if<NumberRows>(&found->second.value);
+    return value != nullptr ? *value : none;
+}
+
 int FamilyChoice::line_of(std::string_view key) const
 {
     auto const found = given.find(key);

@@ -33,7 +33,10 @@ struct NumberInText
 /// The finite number at the beginning of @p text, if any; a decimal comma counts as a point.
 [[nodiscard]] std::optional<NumberInText> leading_number(std::string text);
 
-/// A value as it would stand in a scene: number or quoted word.
+/// A list as it would stand in a scene, cut short after about one line.
+[[nodiscard]] std::string rows_text(NumberRows const& rows);
+
+/// A value as it would stand in a scene: number, quoted word or list.
 [[nodiscard]] std::string value_text(ParameterValue const& value);
 
 /// `"a", "b" or "c"`.

@@ -40,6 +40,19 @@ inline std::string text_of(double value)
     return text;
 }
 
+/// A list of lists of numbers, one row a line.
+inline std::string text_of(hdconj::NumberRows const& rows)
+{
+    std::string text = "[\n";
+    for (auto const& row : rows) {
+        text += "  [";
+        for (std::size_t i = 0; i < row.size(); ++i)
+            text += (i > 0 ? ", " : "") + text_of(row[i]);
+        text += "],\n";
+    }
+    return text + "]";
+}
+
 /// The scene as TOML.
 inline std::string toml_of(Scene const& scene)
 {
@@ -50,6 +63,10 @@ inline std::string toml_of(Scene const& scene)
         for (auto const& [key, parameter] : choice.given) {
             if (auto const* word = std::get_if<std::string>(&parameter.value))
                 line(key, "\"" + *word + "\"");
+            else if (auto const* rows = std::get_if<hdconj::NumberRows>(&parameter.value))
+                line(key, text_of(*rows));
+            else if (key == "degree")
+                line(key, std::to_string(static_cast<int>(std::get<double>(parameter.value))));
             else
                 line(key, text_of(std::get<double>(parameter.value)));
         }
@@ -92,8 +109,12 @@ inline Scene scaled(Scene scene, double factor)
         *scene.flexspline.inner_radius *= factor;
     for (auto* choice : {&scene.flexspline.profile, &scene.wave_generator.shape})
         for (auto& [key, parameter] : choice->given)
-            if (auto* number = std::get_if<double>(&parameter.value); number && key != "pressure_angle_deg")
-                *number *= factor;
+            if (auto* number = std::get_if<double>(&parameter.value))
+                *number *= key.ends_with("_deg") || key == "deflection" || key == "degree" ? 1 : factor;
+            else if (auto* rows = std::get_if<hdconj::NumberRows>(&parameter.value))
+                for (auto& row : *rows)
+                    for (std::size_t i = 0; i < row.size(); ++i)
+                        row[i] *= key == "pieces" && i == 1 ? 1 : factor;
     if (scene.circular_spline.width)
         *scene.circular_spline.width *= factor;
     scene.circular_spline.backlash_offset *= factor;
@@ -115,6 +136,8 @@ inline double tip_circle(Scene const& scene)
            motion.w0 - tooth.addendum;
 }
 
+[[nodiscard]] inline bool is_valid(Scene const& scene);
+
 class RandomDesigns
 {
   public:
@@ -126,7 +149,7 @@ class RandomDesigns
         for (;;) {
             Scene const scene = draw();
             ++drawn;
-            if (valid(scene))
+            if (is_valid(scene))
                 return scene;
         }
     }
@@ -219,39 +242,47 @@ class RandomDesigns
         return scene;
     }
 
-    static bool valid(Scene const& scene)
-    {
-        double const m = scene.drive.module;
-        try {
-            oracle::Tooth<double> const tooth(scene);
-            oracle::Motion<double> const motion(scene);
-            double const n = motion.waves;
-            if (motion.w0 * (n * n + 1) > 0.5 * motion.r_m)
-                return false;  // the neutral curve would be bent inwards or nearly so
-            // An upright tooth: every piece goes up and, above the root, gets thinner.
-            for (auto const& piece : tooth.flank) {
-                bool const flat = piece.name == "tip";
-                if (!(piece.lower.x - piece.upper.x > (flat ? 0.03 : 1e-3) * m))
-                    return false;
-                if (!flat && !(piece.upper.y - piece.lower.y > 1e-3 * m))
-                    return false;
-            }
-            auto const& foot = tooth.flank.front();
-            if (foot.arc && !(foot.at(0.0).y > foot.centre.y - 0.97 * foot.radius))
-                return false;
-            if (tooth.root().x > 0.49 * oracle::pi<double>() * m)
-                return false;
-            // The middle of the land must stay.
-            double const tip = tip_circle(scene), half_pitch = motion.pitch() / 2;
-            oracle::TouchScan scan(scene, 1200);
-            double const land = scan.nearest({tip * std::sin(half_pitch), tip * std::cos(half_pitch)}).distance;
-            return land > scene.circular_spline.backlash_offset + 0.02 * m;
-        } catch (std::exception const&) {
-            return false;
-        }
-    }
-
     std::mt19937_64 engine_;
 };
+
+/// Whether the oracle takes the design for a drive: the tooth is a tooth, and the middle of the land is not swept.
+inline bool is_valid(Scene const& scene)
+{
+    double const m = scene.drive.module;
+    try {
+        oracle::Tooth<double> const tooth(scene);
+        oracle::Motion<double> const motion(scene);
+        double const n = motion.waves;
+        if (motion.w0 * (n * n + 1) > 0.5 * motion.r_m)
+            return false;  // the neutral curve would be bent inwards or nearly so
+        // An upright tooth: every piece goes up and, above the root, gets thinner.
+        for (auto const& piece : tooth.flank) {
+            bool const flat = piece.name == "tip";
+            if (piece.curve && !piece.curve->rises())
+                return false;
+            if (piece.name == "radial")
+                continue;
+            if (!(piece.lower.x - piece.upper.x > (flat ? 0.03 : 1e-3) * m))
+                return false;
+            if (!flat && !(piece.upper.y - piece.lower.y > 1e-3 * m))
+                return false;
+        }
+        // A formula that does not come up to the tip, or down to the root.
+        if (!(std::abs(tooth.tip_corner().y - tooth.addendum) < 1e-9 * m) || !(std::abs(tooth.root().y + tooth.dedendum) < 1e-9 * m))
+            return false;
+        auto const& foot = tooth.flank.front();
+        if (foot.arc && !(foot.at(0.0).y > foot.centre.y - 0.97 * foot.radius))
+            return false;
+        if (tooth.root().x > 0.49 * oracle::pi<double>() * m)
+            return false;
+        // The middle of the land must stay.
+        double const tip = tip_circle(scene), half_pitch = motion.pitch() / 2;
+        oracle::TouchScan scan(scene, 1200);
+        double const land = scan.nearest({tip * std::sin(half_pitch), tip * std::cos(half_pitch)}).distance;
+        return land > scene.circular_spline.backlash_offset + 0.02 * m;
+    } catch (std::exception const&) {
+        return false;
+    }
+}
 
 }  // namespace designs

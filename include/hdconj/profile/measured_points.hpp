@@ -31,4 +31,7 @@ struct MeasuredPoints
 /// @param points  (n,2), n >= 4, neighbours distinct
 [[nodiscard]] std::vector<CurvePiece> spline_through(std::vector<Vec2> const& points);
 
+/// The tooth of the spline through @p points, either way round; `side` of @p choice says what they are. Faults name @p key.
+[[nodiscard]] Profile tooth_through(std::vector<Vec2> points, FamilyChoice const& choice, std::string_view key, ToothPlace const& place, Faults& faults);
+
 }  // namespace hdconj

@@ -21,10 +21,12 @@ enum class Quantity
     positive_length,     ///< [mm], > 0
     nonnegative_length,  ///< [mm], >= 0
     angle_deg,           ///< degrees in the scene
+    number,              ///< without unit
     count,               ///< whole number
     word,                ///< one of ParameterSpec::words
     length_or_word,      ///< [mm], or one of ParameterSpec::words
     file,                ///< path, relative to the scene file
+    rows,                ///< list of lists of numbers, each in one of the forms ParameterSpec::words
     text                 ///< any text
 };
 
@@ -35,7 +37,10 @@ struct ParameterSpec
     Quantity quantity;
     std::string_view meaning;  ///< one phrase, for --help and error messages
     bool required = true;
-    std::vector<std::string_view> words{};  ///< allowed words for word, length_or_word
+    /// Allowed words for word, length_or_word. Forms of a row for rows, such as "[radius, sweep_deg]": a column whose name
+    /// ends in _deg takes degrees, `radius` any number but 0, `length` a length of 0 or more, others a length. at_least and at_most
+    /// then count rows.
+    std::vector<std::string_view> words{};
     double at_least = -std::numeric_limits<double>::infinity();
     double at_most = std::numeric_limits<double>::infinity();
 };
@@ -48,8 +53,11 @@ struct FamilyDescription
     std::vector<ParameterSpec> parameters;
 };
 
-/// Number or text as given in the scene.
-using ParameterValue = std::variant<double, std::string>;
+/// A list of lists of numbers, such as points.
+using NumberRows = std::vector<std::vector<double>>;
+
+/// Number, text or list as given in the scene.
+using ParameterValue = std::variant<double, std::string, NumberRows>;
 
 /// One given parameter with its place in the scene.
 struct Parameter
@@ -73,6 +81,8 @@ struct FamilyChoice
     [[nodiscard]] double number_or(std::string_view key, double otherwise) const;
     /// The word under @p key, or nothing when absent or a number.
     [[nodiscard]] std::optional<std::string> word(std::string_view key) const;
+    /// The list under @p key; empty when absent or no list.
+    [[nodiscard]] NumberRows const& rows(std::string_view key) const;
     /// Line of @p key, or the line of `family` when the key is absent.
     [[nodiscard]] int line_of(std::string_view key) const;
     /// The value of @p key as text for messages; empty when absent.

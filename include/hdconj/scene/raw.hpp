@@ -29,6 +29,8 @@ struct RawValue
     std::string text;               ///< of text
     std::string written;            ///< as the user wrote it, for messages; empty for a table
     std::vector<RawEntry> entries;  ///< of table
+    std::vector<RawValue> items;    ///< of array, each with its line and without `written`
+    int line = 0;                   ///< of an item
 };
 
 /// One key of a table with its value.

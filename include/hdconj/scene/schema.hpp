@@ -69,6 +69,7 @@ inline constexpr int most_waves = 3;
 inline constexpr int most_pitches_per_lobe = 100;  ///< (z_c - z_f)/n; the work grows with it, drives have 1 or 2
 inline constexpr int most_threads = 1024;
 inline constexpr int most_slices = 1000;
+inline constexpr int most_rows = 20000;           ///< of a list; longer ones belong into a file
 inline constexpr double least_tolerance = 1e-12;  ///< [mm]
 inline constexpr double largest_tilt_deg = 45;    ///< excluded
 }  // namespace bounds

@@ -54,7 +54,7 @@ class Motion
         auto const& flexspline = scene.flexspline;
         T const inner = flexspline.inner_radius ? T(*flexspline.inner_radius)
                                                 : T(scene.drive.module) * T(scene.drive.flexspline_teeth) / T(2) -
-                                                      T(number_of(flexspline.profile, "dedendum")) - T(flexspline.wall);
+                                                      T(dedendum_of(scene)) - T(flexspline.wall);
         r_m = inner + T(flexspline.wall) / T(2) - T(flexspline.neutral_offset);
         waves = scene.wave_generator.waves;
         cam_ = Cam<T>(scene, r_m);

@@ -25,6 +25,7 @@
 #include <vector>
 
 #include "hdconj/scene/scene.hpp"
+#include "support/oracle/families.hpp"
 #include "support/oracle/number.hpp"
 
 namespace oracle {
@@ -48,6 +49,25 @@ inline double number_of(hdconj::FamilyChoice const& choice, std::string const& k
     return given(choice, key) ? number_of(choice, key) : otherwise;
 }
 
+/// Depth of the root below the pitch line, whatever key says it.
+inline double dedendum_of(hdconj::Scene const& scene)
+{
+    auto const& profile = scene.flexspline.profile;
+    if (given(profile, "dedendum"))
+        return number_of(profile, "dedendum");
+    auto const points = points_of(scene);
+    return -std::min(points.front().y, points.back().y);
+}
+
+inline double addendum_of(hdconj::Scene const& scene)
+{
+    auto const& profile = scene.flexspline.profile;
+    if (given(profile, "addendum"))
+        return number_of(profile, "addendum");
+    auto const points = points_of(scene);
+    return std::max(points.front().y, points.back().y);
+}
+
 /// A piece of the right flank, or the right half of the flat tip.
 template <class T>
 struct Piece
@@ -58,10 +78,13 @@ struct Piece
     Point<T> centre;        ///< of an arc
     T radius{};             ///< of an arc
     int side = 1;           ///< arc: +1 body inside the circle (convex), -1 outside
+    std::shared_ptr<FlankCurve<T> const> curve{};  ///< neither line nor arc
 
     /// Point at @p s, 0 at lower, 1 at upper, proportional to arc length.
     Point<T> at(T const& s) const
     {
+        if (curve)
+            return (*curve)(s).point;
         if (!arc)
             return lower + s * (upper - lower);
         return centre + T(side) * radius * normal(s);
@@ -74,7 +97,7 @@ struct Piece
         using std::cos;
         using std::sin;
         if (!arc) {
-            Point<T> const d = upper - lower;
+            Point<T> const d = curve ? (*curve)(s).slope : upper - lower;
             T const l = length(d);
             return {d.y / l, -d.x / l};
         }
@@ -96,6 +119,8 @@ struct Piece
     T distance(Point<T> const& p) const
     {
         using std::abs;
+        if (curve)
+            return curve->distance(p);
         if (arc) {
             Point<T> const from_centre = p - centre;
             T const l = length(from_centre);
@@ -124,17 +149,21 @@ class Tooth
     explicit Tooth(hdconj::Scene const& scene)
     {
         auto const& profile = scene.flexspline.profile;
-        addendum = T(number_of(profile, "addendum"));
-        dedendum = T(number_of(profile, "dedendum"));
+        addendum = T(addendum_of(scene));
+        dedendum = T(dedendum_of(scene));
         if (profile.family == "double-circular-arc")
             double_arc(profile);
-        else
+        else if (profile.family == "straight")
             straight(profile);
+        else
+            curves(scene);
         pitch_line = T(scene.flexspline.wall) / T(2) + dedendum + T(scene.flexspline.neutral_offset);
         top = pitch_line + addendum;
         half_width = T(0);
         for (auto const& piece : flank) {
             half_width = std::max(half_width, std::max(piece.lower.x, piece.upper.x));
+            if (piece.curve)
+                half_width = std::max(half_width, piece.curve->widest());
             // An undercut convex arc is widest at the height of its centre.
             if (piece.arc && piece.side > 0 && piece.lower.y < piece.centre.y && piece.upper.y > piece.centre.y)
                 half_width = std::max(half_width, piece.centre.x + piece.radius);
@@ -154,11 +183,21 @@ class Tooth
             if (d < best)
                 best = d;
         }
-        return p.y < addendum && p.x < half_thickness(p.y) ? -best : best;
+        return p.y < addendum && inside(p) ? -best : best;
     }
 
     /// The same with @p p in the tooth frame, whose origin is on the neutral curve.
     T distance(Point<T> const& p) const { return distance_from_pitch_line({p.x, p.y - pitch_line}); }
+
+    /// p.x < X(p.y) for a point below the tip, X found only where it matters.
+    bool inside(Point<T> const& p) const
+    {
+        if (p.y > root().y)
+            for (auto const& piece : flank)
+                if (piece.curve && p.y <= piece.upper.y && p.y >= piece.lower.y)
+                    return piece.curve->is_left(p);
+        return p.x < half_thickness(p.y);
+    }
 
     /// X(y).
     T half_thickness(T const& y) const
@@ -169,6 +208,8 @@ class Tooth
         for (auto const& piece : flank) {
             if (piece.name == "tip" || y > piece.upper.y)
                 continue;
+            if (piece.curve)
+                return piece.curve->x_at(y);
             if (!piece.arc)
                 return piece.lower.x +
                        (y - piece.lower.y) / (piece.upper.y - piece.lower.y) * (piece.upper.x - piece.lower.x);
@@ -276,6 +317,113 @@ class Tooth
             add_line("tip line", arc_end, corner);
         }
         add_line("tip", corner, {T(0), addendum});
+    }
+
+    void add_curve(char const* name, std::shared_ptr<FlankCurve<T> const> curve)
+    {
+        flank.push_back({name, false, (*curve)(T(0)).point, (*curve)(T(1)).point, {}, T(0), 1, curve});
+    }
+
+    /// Height of a formula at a parameter, less @p y.
+    template <class F>
+    static auto above(F const& formula, T const& y)
+    {
+        return [formula, y](T const& u) { return formula(u).point.y - y; };
+    }
+
+    void curves(hdconj::Scene const& scene)
+    {
+        using std::tan;
+        auto const& profile = scene.flexspline.profile;
+        T const r = T(scene.drive.module) * T(scene.drive.flexspline_teeth) / T(2);
+        T const half(number_of(profile, "thickness", pi<double>() * scene.drive.module / 2) / 2);
+        T const degree = pi<T>() / T(180);
+        if (profile.family == "involute") {
+            T const alpha = T(number_of(profile, "pressure_angle_deg")) * degree;
+            StringEnd<T> const end(r, alpha, T(2) * half);
+            T lowest(0);
+            if (end(T(0)).point.y > -dedendum) {
+                Point<T> const base = end(T(0)).point, down = T(-1) * clockwise(end.offset);
+                add_line("radial", base + ((base.y + dedendum) / -down.y) * down, base);
+            } else
+                lowest = bisected(above(end, -dedendum), T(0), tan(alpha));
+            add_curve("involute", stretch<T>(end, lowest, bisected(above(end, addendum), tan(alpha), tan(alpha) + T(1))));
+        } else if (profile.family == "cycloid") {
+            RollingPoint<T> const outside{r, T(number_of(profile, "addendum_rolling_radius")), half / r, true};
+            RollingPoint<T> const inside{r, T(number_of(profile, "dedendum_rolling_radius")), half / r, false};
+            add_curve("hypocycloid", stretch<T>(inside, bisected(above(inside, -dedendum), T(0), T(3)), T(0), 192));
+            add_curve("epicycloid", stretch<T>(outside, T(0), bisected(above(outside, addendum), T(0), T(3)), 192));
+        } else if (profile.family == "s-tooth") {
+            T const kappa(number_of(profile, "deflection")), n(scene.wave_generator.waves);
+            HalfLocus<T> locus{T(scene.drive.module) * T(scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth) / T(2), n,
+                               kappa, T(0), {}};
+            using std::acos;
+            T const steepest = kappa < T(1) ? acos(kappa) : acos(T(1) / kappa);
+            auto const slope = [&](T const& eta) { return T(-1) * locus(eta).slope.x / locus(eta).slope.y; };
+            bool const least = !given(profile, "pressure_angle_deg");
+            T const tangent = least ? slope(steepest) : tan(T(number_of(profile, "pressure_angle_deg")) * degree);
+            T const begin = least ? steepest : bisected([&](T const& eta) { return slope(eta) - tangent; }, steepest + T(1e-9), T(3));
+            locus.eta_datum = begin;
+            T const rise(number_of(profile, "datum_rise", 0.0));
+            if (rise < T(0))
+                throw std::invalid_argument("oracle: datum point below the pitch line");
+            locus.datum = {half - rise * tangent, rise};
+            add_line("line", {half + dedendum * tangent, -dedendum}, locus.datum);
+            add_curve("locus", stretch<T>(locus, begin, bisected(above(locus, addendum), begin, pi<T>())));
+        } else if (profile.family == "arc-chain") {
+            chain(profile);
+        } else if (profile.family == "bezier") {
+            auto const control = points_of(scene);
+            std::size_t const degree_of = static_cast<std::size_t>(number_of(profile, "degree", static_cast<double>(control.size() - 1)));
+            for (std::size_t last = control.size() - 1; last > 0; last -= degree_of) {
+                BezierCurve<T> curve;
+                for (std::size_t i = 0; i <= degree_of; ++i)
+                    curve.control.push_back(as<T>(control[last - i]));
+                add_curve("curve", stretch<T>(curve, T(0), T(1), 64));
+            }
+        } else if (profile.family == "b-spline" || profile.family == "points") {
+            std::vector<Point<T>> points;
+            for (auto const& p : points_of(scene))
+                points.push_back(as<T>(p));
+            for (auto const& curve : spline_curves(points))
+                add_curve("spline", curve);
+        } else
+            throw std::invalid_argument("oracle: no family " + profile.family);
+        add_line("tip", flank.back().upper, {T(0), addendum});
+    }
+
+    /// From the tip down, the heading turning by each sweep; the last piece ends where it comes to the root.
+    void chain(hdconj::FamilyChoice const& profile)
+    {
+        using std::asin;
+        using std::cos;
+        using std::sin;
+        Point<T> at{T(number_of(profile, "tip_thickness")) / T(2), addendum};
+        T normal = T(number_of(profile, "tip_angle_deg")) * pi<T>() / T(180);
+        auto const& rows = std::get<hdconj::NumberRows>(profile.given.find("pieces")->second.value);
+        std::vector<Piece<T>> down;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            bool const last = i + 1 == rows.size();
+            Point<T> const n{cos(normal), sin(normal)};
+            if (rows[i].size() == 1) {
+                T const full = T(rows[i][0]), to_root = (at.y + dedendum) / n.x;
+                T const way = last ? std::min(full, to_root) : full;
+                Point<T> const end = at + way * Point<T>{n.y, -n.x};
+                down.push_back({"line", false, end, at, {}, T(0), 1});
+                at = end;
+                continue;
+            }
+            T const radius(rows[i][0]);
+            Point<T> const centre = at - radius * n;
+            T to = normal - (radius > T(0) ? T(1) : T(-1)) * T(rows[i][1]) * pi<T>() / T(180);
+            if (last)
+                to = asin((-dedendum - centre.y) / radius);
+            Point<T> const end = centre + radius * Point<T>{cos(to), sin(to)};
+            down.push_back({"arc", true, end, at, centre, radius < T(0) ? -radius : radius, radius > T(0) ? 1 : -1});
+            at = end;
+            normal = to;
+        }
+        flank.assign(down.rbegin(), down.rend());
     }
 
     void straight(hdconj::FamilyChoice const& profile)

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/profile/sound_flank.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+
+namespace hdconj {
+
+namespace {
+
+/// Where the curve's speed falls to almost nothing of its largest.
+std::optional<Vec2> standstill(CurvePiece const& curve)
+{
+    // |x'|^2 of a piece; below this share of its largest coefficient a tangent would be rounding
+    constexpr double share = 0x1p-40;
+    std::vector<double> const x1 = bernstein_derivative(curve.x());
+    std::vector<double> const y1 = bernstein_derivative(curve.y());
+    std::vector<double> speed2 = bernstein_product(x1, x1);
+    std::vector<double> const y2 = bernstein_product(y1, y1);
+    double largest = 0;
+    for (std::size_t i = 0; i < speed2.size(); ++i)
+    {
+        speed2[i] += y2[i];
+        largest = std::max(largest, std::abs(speed2[i]));
+    }
+    if (!(largest > 0))
+        return curve.point(0);
+    for (double& value : speed2)
+        value -= share * largest;
+    if (speed2.front() <= 0)
+        return curve.point(0);
+    if (speed2.back() <= 0)
+        return curve.point(1);
+    BernsteinRoots const roots = bernstein_roots(speed2, unit_roundoff * largest);
+    return roots.count > 0 ? std::optional(curve.point(roots.t[0])) : std::nullopt;
+}
+
+/// Signed area of the triangle a, b, c.
+double side(Vec2 const& a, Vec2 const& b, Vec2 const& c)
+{
+    return cross(b - a, c - a);
+}
+
+/// Where the polygon crosses itself: segments sorted by height, each compared with those that overlap it in height.
+std::optional<Vec2> crossing(std::vector<Vec2> const& points)
+{
+    std::size_t const count = points.size() - 1;
+    std::vector<std::size_t> order(count);
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    auto const low = [&](std::size_t i) { return std::min(points[i].y(), points[i + 1].y()); };
+    auto const high = [&](std::size_t i) { return std::max(points[i].y(), points[i + 1].y()); };
+    std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return low(i) < low(j); });
+    for (std::size_t k = 0; k < count; ++k)
+    {
+        std::size_t const i = order[k];
+        for (std::size_t l = k + 1; l < count && low(order[l]) <= high(i); ++l)
+        {
+            std::size_t const j = order[l];
+            if (i + 1 == j || j + 1 == i)
+                continue;
+            Vec2 const &a = points[i], &b = points[i + 1], &c = points[j], &d = points[j + 1];
+            bool const apart = (side(a, b, c) > 0) == (side(a, b, d) > 0) || (side(c, d, a) > 0) == (side(c, d, b) > 0);
+            if (!apart)
+                return 0.5 * (a + b);
+        }
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<Vec2> flank_polygon(std::vector<FlankSegment> const& flank, double chord)
+{
+    Profile profile;
+    for (FlankSegment const& segment : flank)
+        for (PieceShape const& piece : segment.pieces)
+            profile.pieces.push_back({piece, 0, 0, 1, false});
+    return polygon_of(profile, chord);
+}
+
+std::string short_point(Vec2 const& p)
+{
+    return "(" + short_number(p.x()) + ", " + short_number(p.y()) + ")";
+}
+
+void judge_flank(std::vector<FlankSegment> const& right_flank, FamilyChoice const& choice, std::string_view key, Faults& faults)
+{
+    auto const refuse = [&](std::string reason, std::string remedy) {
+        faults.push_back(parameter_fault(choice, key, std::move(reason), std::move(remedy)));
+    };
+    for (FlankSegment const& segment : right_flank)
+        for (PieceShape const& piece : segment.pieces)
+            if (auto const* curve = std::get_if<CurvePiece>(&piece))
+                if (auto const where = standstill(*curve))
+                {
+                    refuse("the curve has no tangent at " + short_point(*where), "move points apart that lie on each other there, or take the cusp out");
+                    return;
+                }
+    double const top = start_of(right_flank.front().pieces.front()).point.y();
+    double const bottom = end_of(right_flank.back().pieces.back()).point.y();
+    double const height = top - bottom;
+    if (!(height > 0))
+    {
+        refuse("the flank ends at height " + short_number(bottom) + ", not below its start at " + short_number(top), "give the flank from the tip down to the root");
+        return;
+    }
+    double const chord = height * 0x1p-10;
+    std::vector<Vec2> const points = flank_polygon(right_flank, chord);
+    auto const highest = *std::max_element(points.begin(), points.end(), [](Vec2 const& a, Vec2 const& b) { return a.y() < b.y(); });
+    auto const lowest = *std::min_element(points.begin(), points.end(), [](Vec2 const& a, Vec2 const& b) { return a.y() < b.y(); });
+    auto const leftmost = *std::min_element(points.begin(), points.end(), [](Vec2 const& a, Vec2 const& b) { return a.x() < b.x(); });
+    // numbers are typed with finitely many digits
+    constexpr double typed = 1e-9;
+    // a spline through measured points may swing this far beyond a round tip
+    constexpr double swing = 1e-3;
+    if (highest.y() > top + swing * height)
+        refuse("the flank rises above its tip at " + short_point(highest), "start the flank at its highest point");
+    if (lowest.y() < bottom - swing * height)
+        refuse("the flank falls below its root at " + short_point(lowest), "end the flank at its lowest point");
+    if (leftmost.x() < -typed * height)
+        refuse("the flank crosses the tooth's centre line x = 0 at " + short_point(leftmost), "give the right flank, with x of 0 or more");
+    if (auto const where = crossing(points))
+        refuse("the flank crosses itself near " + short_point(*where), "give a flank without loops");
+}
+
+}  // namespace hdconj

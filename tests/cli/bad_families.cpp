@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Parameters that make no tooth are refused for the right reason, family by family.
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+#include "cli/bad_families_table.hpp"
+#include "hdconj/io/scene_reading.hpp"
+#include "hdconj/io/scene_toml.hpp"
+#include "hdconj/profile/registry.hpp"
+#include "support/catch.hpp"
+
+namespace {
+
+using namespace hdconj;
+using namespace hdconj::test;
+
+std::filesystem::path const scenes = std::filesystem::path(HDCONJ_SOURCE_DIR) / "data/scenes";
+
+std::string text_of_scene(std::string const& name)
+{
+    std::ifstream file(scenes / (name + ".toml"));
+    std::ostringstream text;
+    text << file.rdbuf();
+    return text.str();
+}
+
+Faults faults_of(std::string const& text)
+{
+    auto reading = examine_scene(text, "scene", scenes);
+    examine_geometry(reading);
+    return reading.faults;
+}
+
+}  // namespace
+
+TEST_CASE("bad parameters of tooth families are refused", "[scene][family]")
+{
+    for (auto const& [scene, row] : bad_families()) {
+        SECTION(row.name)
+        {
+            std::string text = text_of_scene(scene);
+            std::size_t const at = text.find(row.from);
+            REQUIRE(at != std::string::npos);
+            text.replace(at, row.from.size(), row.to);
+            auto const faults = faults_of(text);
+            INFO(describe(faults));
+            // one of several faults of the same key may be meant
+            CHECK(std::any_of(faults.begin(), faults.end(), [&row = row](Fault const& fault) {
+                return fault.path == row.path && fault.reason.find(row.reason) != std::string::npos &&
+                       fault.remedy.find(row.remedy) != std::string::npos;
+            }));
+            CHECK_FALSE(faults.empty());
+            if (row.faults > 0) {
+                CHECK(faults.size() == static_cast<std::size_t>(row.faults));
+            }
+            for (auto const& fault : faults) {
+                CHECK_FALSE(fault.reason.empty());
+                CHECK_FALSE(fault.remedy.empty());
+                CHECK(fault.value.size() <= 100);
+            }
+        }
+    }
+}
+
+TEST_CASE("every tooth family has bad scenes, and its good one has no fault", "[scene][family]")
+{
+    std::set<std::string> covered;
+    for (auto const& [scene, row] : bad_families()) {
+        INFO(scene << "\n" << describe(faults_of(text_of_scene(scene))));
+        CHECK(faults_of(text_of_scene(scene)).empty());
+        covered.insert(scene);
+    }
+    for (auto const& family : profile_families()) {
+        bool const is_builtin = family.name == "double-circular-arc";  // its rows are those of bad_scenes_table
+        CHECK((is_builtin || covered.count(std::string(family.name)) == 1));
+    }
+}
+
+TEST_CASE("a list with thousands of bad rows is refused in a screenful", "[scene][family]")
+{
+    std::string rows;
+    for (int i = 0; i < 5000; ++i) {
+        rows += "[nan, 1],";
+    }
+    std::string text = text_of_scene("b-spline");
+    text.replace(text.find("points = ["), 10, "points = [" + rows);
+    CHECK(faults_of(text).size() == 21);
+
+    std::string many;
+    for (int i = 0; i < 200000; ++i) {
+        many += "[1,1],";
+    }
+    text = text_of_scene("b-spline");
+    text.replace(text.find("points = ["), 10, "points = [" + many);
+    auto const faults = faults_of(text);
+    REQUIRE(faults.size() == 1);
+    CHECK_THAT(faults[0].reason, ContainsSubstring("more than 20000 rows"));
+}
