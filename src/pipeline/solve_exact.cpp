@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <optional>
 
+#include "hdconj/envelope/rest.hpp"
 #include "hdconj/motion/exact_motion.hpp"
 #include "job.hpp"
 #include "reverse_job.hpp"
@@ -20,9 +21,9 @@ void solve_exact(AnyWaveShape const& shape, Solution& out, Profile const& tooth,
     std::optional<ExactMotion<AnyWaveShape>> motion;
     clock.run(Stage::motion, [&] { motion.emplace(*curve, tooth_ratio(out.scene)); });
     if (out.scene.is_reverse())
-        solve_reverse(out, tooth, ErasedMotion(*motion), clock);
-    else
-        SolveJob<ExactMotion<AnyWaveShape>>(out, tooth, *motion, clock)();
+        return solve_reverse(out, tooth, ErasedMotion(*motion), clock);
+    Profile const clear = clear_of_rest(tooth, *motion);
+    SolveJob<ExactMotion<AnyWaveShape>>(out, clear, *motion, clock)();
 }
 
 }  // namespace hdconj::detail

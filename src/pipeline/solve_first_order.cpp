@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <optional>
 
+#include "hdconj/envelope/rest.hpp"
 #include "hdconj/motion/first_order_motion.hpp"
 #include "job.hpp"
 #include "reverse_job.hpp"
@@ -18,9 +19,9 @@ void solve_first_order(AnyWaveShape const& shape, Solution& out, Profile const& 
     std::optional<FirstOrderMotion<AnyWaveShape>> motion;
     clock.run(Stage::motion, [&] { motion.emplace(shape, out.geometry.r_m, tooth_ratio(out.scene)); });
     if (out.scene.is_reverse())
-        solve_reverse(out, tooth, ErasedMotion(*motion), clock);
-    else
-        SolveJob<FirstOrderMotion<AnyWaveShape>>(out, tooth, *motion, clock)();
+        return solve_reverse(out, tooth, ErasedMotion(*motion), clock);
+    Profile const clear = clear_of_rest(tooth, *motion);
+    SolveJob<FirstOrderMotion<AnyWaveShape>>(out, clear, *motion, clock)();
 }
 
 }  // namespace hdconj::detail

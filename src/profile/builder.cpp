@@ -9,29 +9,6 @@ namespace hdconj {
 
 namespace {
 
-PieceShape moved_up(PieceShape shape, double rise)
-{
-    Vec2 const shift{0, rise};
-    if (auto* line = std::get_if<LinePiece>(&shape))
-    {
-        line->a += shift;
-        line->b += shift;
-    }
-    else if (auto* arc = std::get_if<ArcPiece>(&shape))
-    {
-        arc->centre += shift;
-    }
-    else
-    {
-        auto const& curve = std::get<CurvePiece>(shape);
-        std::vector<double> y = curve.y();
-        for (double& value : y)
-            value += rise;
-        shape = CurvePiece(curve.x(), std::move(y));
-    }
-    return shape;
-}
-
 /// Mirror image about the y axis, traversed the other way, so that the body stays on the same side.
 PieceShape mirrored(PieceShape const& shape)
 {

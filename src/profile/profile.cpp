@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace hdconj {
 
@@ -80,6 +81,36 @@ int steps_of(PieceShape const& shape, double chord)
     if (auto const* curve = std::get_if<CurvePiece>(&shape))
         return curve_steps(*curve, chord);
     return 1;
+
+PieceShape moved_up(PieceShape shape, double rise)
+{
+    Vec2 const shift{0, rise};
+    if (auto* line = std::get_if<LinePiece>(&shape))
+    {
+        line->a += shift;
+        line->b += shift;
+    }
+    else if (auto* arc = std::get_if<ArcPiece>(&shape))
+    {
+        arc->centre += shift;
+    }
+    else
+    {
+        auto const& curve = std::get<CurvePiece>(shape);
+        std::vector<double> y = curve.y();
+        for (double& value : y)
+            value += rise;
+        shape = CurvePiece(curve.x(), std::move(y));
+    }
+    return shape;
+}
+
+Profile moved_up(Profile profile, double rise)
+{
+    for (ProfilePiece& piece : profile.pieces)
+        piece.shape = moved_up(std::move(piece.shape), rise);
+    profile.pitch_line += rise;
+    return profile;
 }
 
 std::vector<Vec2> polygon_of(Profile const& profile, double chord)

@@ -49,18 +49,50 @@ class Envelope
         return curve_contact(curve, rates, followed_root(curve, rates.twist, arc, u), offset_);
     }
 
-    /// Envelope point followed by @p arc at @p u.
+    /// Envelope point followed by @p arc at @p u. Where the arc begins or ends with an end of its piece this is that end's
+    /// path, so that neighbouring pieces meet however fast their contacts run.
     [[nodiscard]] EnvelopePoint point(ContactArc const& arc, double u) const
     {
-        Contact const c = contact(arc, u);
-        Pose const pose = motion_->pose(u);
-        Vec2 const p = pose(c.x);
         // some roundings in the pose, some in the meshing condition
         constexpr double roundings = 8;
-        return {u, c.t, p, pose.rotate(c.n), roundings * unit_roundoff * (p.norm() + c.rounding)};
+        if (u == arc.u_begin && is_end(arc.t_begin))
+            return end_point(arc, u, arc.t_begin);
+        if (u == arc.u_end && is_end(arc.t_end))
+            return end_point(arc, u, arc.t_end);
+        Contact const c = contact(arc, u);
+        double const doubt = roundings * unit_roundoff * c.rounding;
+        // a contact that runs fast is uncertain along the profile: rounding must not carry it over the end
+        if (!(c.t >= 0 && c.t <= 1) && near_end(arc, c, doubt))
+            return end_point(arc, u, c.t > 0.5 ? 1.0 : 0.0);
+        Pose const pose = motion_->pose(u);
+        Vec2 const p = pose(c.x);
+        return {u, c.t, p, pose.rotate(c.n), roundings * unit_roundoff * p.norm() + doubt};
     }
 
   private:
+    [[nodiscard]] static bool is_end(double t) { return t == 0 || t == 1; }
+
+    [[nodiscard]] PieceEnd end_of_piece(ContactArc const& arc, double t) const
+    {
+        PieceShape const& shape = profile_->pieces[static_cast<std::size_t>(arc.piece)].shape;
+        return t == 0 ? start_of(shape) : end_of(shape);
+    }
+
+    [[nodiscard]] bool near_end(ContactArc const& arc, Contact const& c, double doubt) const
+    {
+        PieceEnd const end = end_of_piece(arc, c.t > 0.5 ? 1 : 0);
+        return (c.x - end.point - offset_ * end.normal).norm() <= doubt;
+    }
+
+    [[nodiscard]] EnvelopePoint end_point(ContactArc const& arc, double u, double t) const
+    {
+        PieceEnd const end = end_of_piece(arc, t);
+        Pose const pose = motion_->pose(u);
+        Vec2 const p = pose(end.point + offset_ * end.normal);
+        constexpr double roundings = 8;
+        return {u, t, p, pose.rotate(end.normal), roundings * unit_roundoff * p.norm()};
+    }
+
     /// The root that this arc follows. Roots keep their order between two critical u; next to an end, where roundoff
     /// may add or drop one, the root nearest to the chord between the known ends is taken. At an end that was solved for the solved
     /// parameter holds: of two contacts that merge, roots at the same u are still the square root of roundoff apart.

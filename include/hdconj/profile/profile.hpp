@@ -51,6 +51,10 @@ struct PieceEnd
 /// Equal steps of the local parameter that keep the chord error of a piece within @p chord [mm].
 [[nodiscard]] int steps_of(PieceShape const& shape, double chord);
 
+/// A piece, or a whole tooth, raised along y by @p rise [mm].
+[[nodiscard]] PieceShape moved_up(PieceShape shape, double rise);
+[[nodiscard]] Profile moved_up(Profile profile, double rise);
+
 /// Polygon of the whole tooth, chord error <= @p chord [mm], in the tooth frame.
 [[nodiscard]] std::vector<Vec2> polygon_of(Profile const& profile, double chord);
 
