@@ -81,6 +81,7 @@ int steps_of(PieceShape const& shape, double chord)
     if (auto const* curve = std::get_if<CurvePiece>(&shape))
         return curve_steps(*curve, chord);
     return 1;
+}
 
 PieceShape moved_up(PieceShape shape, double rise)
 {
