@@ -408,7 +408,7 @@ HARD_ROW("corner beside the tip circle", "the corner between flank and corner pa
     right_answer({"circular_spline.inner_radius=25.0485"});
 }
 
-HARD_ROW("nearly self-touching spaces", "a tip land of some micrometres: just above the radius at which the teeth are pointed", "right answer")
+HARD_ROW("nearly self-touching spaces", "a tip land of less than a micrometre: just above the radius at which the teeth are pointed", "right answer")
 {
     double pointed = 0;
     try
@@ -423,7 +423,7 @@ HARD_ROW("nearly self-touching spaces", "a tip land of some micrometres: just ab
     REQUIRE(pointed > 25);
     Solution const s = right_answer({"circular_spline.backlash_offset=0.045", "circular_spline.inner_radius=" + digits17(pointed + 2e-6)});
     CHECK(s.geometry.land_half_angle > 0);
-    CHECK(s.geometry.land_half_angle * pointed < 1e-5);
+    CHECK(s.geometry.land_half_angle * pointed < 1e-3);
 }
 
 // sizes

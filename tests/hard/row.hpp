@@ -73,7 +73,7 @@ inline bool same_bits(Solution const& a, Solution const& b)
 }
 
 /// A right answer: finite, touched within @p roundings of the radius and never entered, chords as asked, and the same bits on 1, 2 and 4 threads.
-inline Solution right_answer(Scene scene, std::string const& note = "")
+inline Solution right_answer_of(Scene scene, std::string const& note)
 {
     scene.solver.threads = 1;
     Solution const solution = solve(scene);
@@ -98,11 +98,11 @@ inline Solution right_answer(Scene scene, std::string const& note = "")
 
 inline Solution right_answer(Overrides const& overrides, std::string const& note = "")
 {
-    return right_answer(builtin_scene(overrides), note);
+    return right_answer_of(builtin_scene(overrides), note);
 }
 
 /// Refused with a message that holds @p part.
-inline void refused(std::function<void()> const& job, std::string const& part)
+inline void refused_job(std::function<void()> const& job, std::string const& part)
 {
     try
     {
@@ -124,7 +124,7 @@ inline void refused(std::function<void()> const& job, std::string const& part)
 
 inline void refused(Overrides const& overrides, std::string const& part)
 {
-    refused([&] { (void)solve(builtin_scene(overrides)); }, part);
+    refused_job([&] { (void)solve(builtin_scene(overrides)); }, part);
 }
 
 }  // namespace hdconj::test

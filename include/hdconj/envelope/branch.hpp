@@ -44,6 +44,7 @@ struct ContactArc
     double t_end = 0;
     BranchEnd begins = BranchEnd::segment_end;
     BranchEnd ends = BranchEnd::segment_end;
+    bool resting = false;        ///< arcs: the centre stands still to roundoff while the contact runs along, so t is taken linear in u
     bool bounding = false;       ///< locally a boundary of the swept region (outer envelope)
     std::vector<double> reversals; ///< where t(u) turns back: ends of conjugate zones
 };

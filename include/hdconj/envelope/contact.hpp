@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "hdconj/envelope/branch.hpp"
 #include "hdconj/motion/relative_motion.hpp"
 #include "hdconj/profile/pieces.hpp"
 
@@ -64,6 +65,25 @@ struct Contact
     c.turning = s * bend / speed;
     c.turning_size = bend_size / speed;
     c.rounding = std::abs(r) * v_size / speed;
+    return c;
+}
+
+/// Contact of an arc whose centre stands still to roundoff while the contact runs from t_begin at u_begin to t_end at u_end: all normals
+/// between touch at once, and t is taken linear in u. It bounds the swept region locally iff sign (turn of the normal) < 0,
+/// the limit of arc_contact() for V -> 0.
+[[nodiscard]] inline Contact resting_contact(ArcPiece const& arc, ContactArc const& along, double u, double d)
+{
+    double const share = (u - along.u_begin) / (along.u_end - along.u_begin);
+    double const turn = (arc.to - arc.from) * (along.t_end - along.t_begin) / (along.u_end - along.u_begin);
+    Contact c;
+    c.t = along.t_begin + share * (along.t_end - along.t_begin);
+    c.n = direction(arc.from + c.t * (arc.to - arc.from));
+    c.x = arc.centre + (arc.radius + d) * c.n;
+    c.advance = -(arc.radius + d) * turn;
+    c.bound = along.candidate * turn < 0 ? 1 : -1;
+    c.bound_size = 1;
+    c.turning = c.bound;
+    c.turning_size = 1;
     return c;
 }
 

@@ -39,8 +39,10 @@ class Envelope
     /// Contact followed by @p arc at @p u.
     [[nodiscard]] Contact contact(ContactArc const& arc, double u) const
     {
-        MotionRates const rates = motion_->rates(u);
         PieceShape const& shape = profile_->pieces[static_cast<std::size_t>(arc.piece)].shape;
+        if (arc.resting)
+            return resting_contact(std::get<ArcPiece>(shape), arc, u, offset_);
+        MotionRates const rates = motion_->rates(u);
         if (auto const* circle = std::get_if<ArcPiece>(&shape))
             return arc_contact(*circle, rates, arc.candidate, offset_);
         if (auto const* line = std::get_if<LinePiece>(&shape))

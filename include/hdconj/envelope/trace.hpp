@@ -89,7 +89,21 @@ class PieceTracer
         };
         arc.t_begin = settled(arc.u_begin, arc.begins);
         arc.t_end = settled(arc.u_end, arc.ends);
+        arc.resting = rests(arc);
         arcs_.push_back(arc);
+    }
+
+    /// Whether the arc's centre moves less than coordinates are rounded by while the contact runs along the arc.
+    [[nodiscard]] bool rests(ContactArc const& arc) const
+    {
+        auto const* circle = std::get_if<ArcPiece>(&shape());
+        if (circle == nullptr || arc.candidate == 0 || arc.t_begin == arc.t_end)
+            return false;
+        auto const centre = [&](double u) { return envelope_.motion().pose(u)(circle->centre); };
+        Vec2 const begin = centre(arc.u_begin);
+        constexpr double roundings = 8;
+        double const rounding = roundings * unit_roundoff * begin.norm();
+        return (centre(arc.u_end) - begin).norm() <= rounding && (centre(0.5 * (arc.u_begin + arc.u_end)) - begin).norm() <= rounding;
     }
 
     /// Roots keep their order between cuts, so the k-th root of one interval is the k-th until a cut says otherwise.
