@@ -9,6 +9,24 @@ namespace hdconj {
 
 namespace {
 
+/// Somewhere in [a, b] where the polynomial with Bernstein coefficients @p c on it is not positive: by halving until no coefficient is
+/// negative, or the interval is a point to 2^-40.
+std::optional<double> not_positive(std::vector<double> c, double a, double b)
+{
+    if (std::all_of(c.begin(), c.end(), [](double value) { return value > 0; }))
+        return std::nullopt;
+    if (!(c.front() > 0))
+        return a;
+    constexpr double point = 0x1p-40;
+    if (!(c.back() > 0) || b - a < point)
+        return b;
+    std::vector<double> right(c.size());
+    bernstein_split(c, right, 0.5);
+    double const middle = 0.5 * (a + b);
+    auto const left = not_positive(std::move(c), a, middle);
+    return left ? left : not_positive(std::move(right), middle, b);
+}
+
 /// Where the curve's speed falls to almost nothing of its largest.
 std::optional<Vec2> standstill(CurvePiece const& curve)
 {
@@ -24,16 +42,10 @@ std::optional<Vec2> standstill(CurvePiece const& curve)
         speed2[i] += y2[i];
         largest = std::max(largest, std::abs(speed2[i]));
     }
-    if (!(largest > 0))
-        return curve.point(0);
     for (double& value : speed2)
         value -= share * largest;
-    if (speed2.front() <= 0)
-        return curve.point(0);
-    if (speed2.back() <= 0)
-        return curve.point(1);
-    BernsteinRoots const roots = bernstein_roots(speed2, unit_roundoff * largest);
-    return roots.count > 0 ? std::optional(curve.point(roots.t[0])) : std::nullopt;
+    auto const t = not_positive(std::move(speed2), 0, 1);
+    return t ? std::optional(curve.point(*t)) : std::nullopt;
 }
 
 /// Signed area of the triangle a, b, c.

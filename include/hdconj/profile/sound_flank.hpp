@@ -16,7 +16,7 @@ namespace hdconj {
 ///   - a flank that is not highest at its tip and lowest at its root, to a thousandth of its height
 ///   - a flank left of the tooth's centre line
 ///   - a flank that crosses itself
-/// Found on a polygon with chord error of a 1024th of the height; the standing parameter by the sign of |x'|^2 in Bernstein form.
+/// Found on a polygon with chord error of a 1024th of the height; the standing parameter by the sign of |x|^2 in Bernstein form.
 /// @param right_flank  from tip to root, y from the pitch line
 void judge_flank(std::vector<FlankSegment> const& right_flank, FamilyChoice const& choice, std::string_view key, Faults& faults);
 
