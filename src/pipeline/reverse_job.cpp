@@ -94,7 +94,7 @@ class ReverseJob
         for (int attempt = 1;; ++attempt, chord /= 64)
         {
             assemble(chord);
-            double const wanted = out_.scene.circular_spline.backlash_offset - tolerance_.coincidence();
+            double const wanted = out_.scene.circular_spline.backlash_offset - tolerance_.coincidence() - 2 * body_.gap;
             if (!out_.check || out_.check->smallest_clearance >= wanted)
                 break;
             if (attempt == attempts)
@@ -286,7 +286,7 @@ class ReverseJob
         CentredOutline const spline = given_spline(given_, seat_radius_, pitch_, tolerance_.length);
         publish_spline(spline.outline, spline.middle);
         out_.error.chord = std::max(tooth_.chord, spline.outline.chord);
-        out_.error.point = std::max(tooth_.error, spline.outline.error);
+        out_.error.point = std::max(tooth_.error, spline.outline.error) + body_.gap;
         std::size_t index = 0;
         for (std::size_t j = 0; j < traced_.size(); ++j)
         {

@@ -75,6 +75,10 @@ TEST_CASE("reverse touch law: the given tooth of data/scenes, every point", "[to
              {"circular_spline.backlash_offset=0.003"},
              {"circular_spline.inner_radius=25.06"},
              {"flexspline.neutral_offset=0.1"},
+             {"wave_generator.family=ellipse"},
+             {"wave_generator.family=four-roller", "wave_generator.roller_angle_deg=30"},
+             {"wave_generator.family=four-roller", "wave_generator.roller_angle_deg=30", "solver.kinematics=first-order"},
+             {"wave_generator.family=two-disc", "wave_generator.wrap_angle_deg=30"},
              {"wave_generator.waves=1", "drive.circular_spline_teeth=201", "wave_generator.radial_deformation=0.14",
               "flexspline.addendum=0.1", "circular_spline.profile.addendum=0.12"},
              {"wave_generator.waves=3", "drive.circular_spline_teeth=203", "wave_generator.radial_deformation=0.37"},
@@ -160,15 +164,14 @@ TEST_CASE("reverse touch law: random designs", "[touch][random][reverse]")
     CHECK(kinds["side clearance"] > 10);
 }
 
-TEST_CASE("round trip: a flank that was solved for, given and solved back, is the one it came from", "[reverse]")
+namespace {
+
+/// The stretch of type-50's circular spline that its convex arc makes, as a right flank that points inward, y from the pitch line,
+/// between two heights.
+std::vector<Vec2> solved_flank(Solution const& there, double lowest, double highest)
 {
-    // Forward: the stretch of type-50's circular spline that its convex arc makes in the second conjugate zone, as points of a
-    // tooth that points inward. (Both zones together are a degenerate case: each then touches the whole solved flank.)
-    constexpr double lowest = -0.186, highest = -0.06;
-    Scene const forward = hdconj::builtin_scene({"solver.tolerance=1e-9"});
-    Solution const there = hdconj::solve(forward);
     double const pitch_radius = there.geometry.r_m + there.geometry.pitch_line + there.geometry.w0;
-    double const half_pitch = pi<double>() / forward.drive.circular_spline_teeth;
+    double const half_pitch = pi<double>() / there.scene.drive.circular_spline_teeth;
     std::vector<Vec2> flank;
     for (auto const& piece : there.circular_spline.pieces) {
         if (piece.segment_name != "right convex arc" || piece.kind != "flank")
@@ -181,63 +184,111 @@ TEST_CASE("round trip: a flank that was solved for, given and solved back, is th
                 flank.push_back(q);
         }
     }
-    REQUIRE(flank.size() > 1000);
-    double const tip = std::max(flank.front().y(), flank.back().y());
-    double const middle = 0.5 * (flank.front().y() + flank.back().y());
+    return flank;
+}
+
+/// @p flank given as a spline through @p count of its points, at equal shares of its length, and solved back.
+Solution solved_back(Solution const& there, std::vector<Vec2> const& flank, std::size_t count, double addendum)
+{
+    hdconj::test::TemporaryFolder const folder;
     std::vector<double> length{0};
     for (std::size_t i = 1; i < flank.size(); ++i)
         length.push_back(length.back() + (flank[i] - flank[i - 1]).norm());
+    double const tip = std::max(flank.front().y(), flank.back().y());
+    double const middle = 0.5 * (flank.front().y() + flank.back().y());
+    std::ofstream file(folder / "flank.csv");
+    file.precision(17);
+    std::size_t at = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        double const wanted = length.back() * static_cast<double>(k) / static_cast<double>(count - 1);
+        while (at + 1 < flank.size() && length[at + 1] <= wanted)
+            ++at;
+        Vec2 const& p = k + 1 == count ? flank.back() : flank[at];
+        file << p.x() << "," << p.y() - middle << "\n";
+    }
+    file.close();
+    std::ostringstream text;
+    text.precision(17);
+    text << "[drive]\nmodule = 0.25\nflexspline_teeth = 200\ncircular_spline_teeth = 202\n[flexspline]\nwall = 0.7\naddendum = "
+         << addendum
+         << "\ndedendum = 0.303\n[wave_generator]\nfamily = \"cosine\"\nradial_deformation = 0.25\n[circular_spline]\ninner_radius = "
+         << there.geometry.r_m + there.geometry.pitch_line + there.geometry.w0 - tip
+         << "\n[circular_spline.profile]\nfamily = \"points\"\nfile = \"flank.csv\"\n";
+    return hdconj::solve(hdconj::parse_scene(text.str(), "round trip", folder.path()));
+}
+
+/// How far the solved flank above @p from is off type-50's tooth, and how far that one reaches out of it.
+struct RoundTrip
+{
+    double worst = 0, deepest = 0;
+    std::size_t seen = 0;
+};
+
+RoundTrip compared(Solution const& back, double from)
+{
     hdconj::Profile const tooth = hdconj::test::type50_tooth();
     hdconj::ToothDistance const distance(tooth);
-
-    hdconj::test::TemporaryFolder const folder;
-    std::vector<double> errors;
-    for (std::size_t const count : {9, 17, 33, 65}) {
-        std::ofstream file(folder / "flank.csv");
-        file.precision(17);
-        std::size_t at = 0;
-        for (std::size_t k = 0; k < count; ++k) {
-            double const wanted = length.back() * static_cast<double>(k) / static_cast<double>(count - 1);
-            while (at + 1 < flank.size() && length[at + 1] <= wanted)
-                ++at;
-            Vec2 const& p = k + 1 == count ? flank.back() : flank[at];
-            file << p.x() << "," << p.y() - middle << "\n";
-        }
-        file.close();
-        std::ostringstream text;
-        text.precision(17);
-        text << "[drive]\nmodule = 0.25\nflexspline_teeth = 200\ncircular_spline_teeth = 202\n"
-                "[flexspline]\nwall = 0.7\naddendum = 0.17\ndedendum = 0.303\n"
-                "[wave_generator]\nfamily = \"cosine\"\nradial_deformation = 0.25\n"
-                "[circular_spline]\ninner_radius = "
-             << pitch_radius - tip << "\n[circular_spline.profile]\nfamily = \"points\"\nfile = \"flank.csv\"\n";
-        Solution const back = hdconj::solve(hdconj::parse_scene(text.str(), "round trip", folder.path()));
-        double worst = 0, deepest = 0;
-        std::size_t seen = 0;
-        for (auto const& piece : back.flexspline_pieces) {
-            for (std::size_t i = piece.first; i <= piece.last; ++i) {
-                Vec2 const p = back.flexspline_outline[i] + Vec2(0, tooth.pitch_line);
-                double const away = distance(p).distance;
-                // the original tooth is free of the circular spline, so the largest free tooth contains it
-                if (piece.kind == "flank" || piece.kind == "corner")
-                    deepest = std::max(deepest, -away);
-                // what the given flank touches is the convex arc that it came from
-                if (piece.kind == "flank" && p.y() > tooth.pitch_line) {
-                    worst = std::max(worst, std::abs(away));
-                    ++seen;
-                }
+    RoundTrip trip;
+    for (auto const& piece : back.flexspline_pieces) {
+        for (std::size_t i = piece.first; i <= piece.last; ++i) {
+            Vec2 const p = back.flexspline_outline[i] + Vec2(0, tooth.pitch_line);
+            double const away = distance(p).distance;
+            // the original tooth is free of the circular spline, so the largest free tooth contains it
+            if (piece.kind == "flank" || piece.kind == "corner")
+                trip.deepest = std::max(trip.deepest, -away);
+            // what the given flank touches is the convex arc that it came from
+            if (piece.kind == "flank" && p.y() > tooth.pitch_line + from) {
+                trip.worst = std::max(trip.worst, std::abs(away));
+                ++trip.seen;
             }
         }
-        CHECK(seen > 100);
-        CHECK(deepest <= worst);
-        errors.push_back(worst);
-        std::cout << "round trip through " << count << " points: " << worst << " mm, " << seen << " points compared\n";
+    }
+    return trip;
+}
+
+}  // namespace
+
+TEST_CASE("round trip: a flank that was solved for, given and solved back, is the one it came from", "[reverse]")
+{
+    // what the second conjugate zone made
+    Solution const there = hdconj::solve(hdconj::builtin_scene({"solver.tolerance=1e-9"}));
+    std::vector<Vec2> const flank = solved_flank(there, -0.186, -0.06);
+    REQUIRE(flank.size() > 1000);
+    std::vector<double> errors;
+    for (std::size_t const count : {9, 17, 33, 65}) {
+        RoundTrip const trip = compared(solved_back(there, flank, count, 0.17), 0);
+        CHECK(trip.seen > 100);
+        CHECK(trip.deepest <= trip.worst);
+        errors.push_back(trip.worst);
+        std::cout << "round trip through " << count << " points: " << trip.worst << " mm, " << trip.seen << " points compared\n";
     }
     // a cubic spline tends to fourth order
     for (std::size_t i = 1; i < errors.size(); ++i)
         CHECK(errors[i] < errors[i - 1] / 6);
     CHECK(errors[3] < errors[1] / 128);
     CHECK(errors.back() < 5e-9);
+}
+
+TEST_CASE("round trip: both conjugate zones at once", "[reverse]")
+{
+    // each zone touches the whole solved flank: two branches side by side, as near as the spline is good
+    Solution const there = hdconj::solve(hdconj::builtin_scene({"solver.tolerance=1e-9"}));
+    std::vector<Vec2> const flank = solved_flank(there, -1, 1);
+    double before = 1;
+    for (std::size_t const count : {17, 19, 21}) {
+        Solution const back = solved_back(there, flank, count, 0.157);
+        RoundTrip const trip = compared(back, 0.07);
+        std::cout << "round trip through " << count << " points of both zones: " << trip.worst << " mm, clearance "
+                  << back.check->smallest_clearance << " mm\n";
+        CHECK(trip.seen > 50);
+        CHECK(trip.worst < before);
+        // not farther inside than the written error says
+        CHECK(back.check->smallest_clearance >= -2 * back.error.largest());
+        CHECK(back.check->smallest_clearance >= -back.scene.solver.tolerance / 4);
+        CHECK(back.error.largest() <= 1.1 * back.scene.solver.tolerance);
+        before = trip.worst;
+    }
+    CHECK(before < 2e-6);
 }
 
 TEST_CASE("a given tooth of arcs is solved in closed form, and as a spline gives the same", "[reverse]")
@@ -291,6 +342,123 @@ TEST_CASE("a given tooth of arcs is solved in closed form, and as a spline gives
     }
     CHECK(seen > 50);
     CHECK(worst < 1.1e-6);  // the chord error of the polygon that it is measured against
+}
+
+TEST_CASE("a skew tooth and its mirror image are solved as mirror images, and touched", "[reverse]")
+{
+    std::array<Solution, 2> solutions;
+    for (int side : {1, -1}) {
+        hdconj::test::TemporaryFolder const folder;
+        std::ofstream file(folder / "tooth.csv");
+        file.precision(17);
+        constexpr int half = 20;
+        for (int i = -half; i <= half; ++i) {
+            double const t = static_cast<double>(i) / half;
+            file << side * 0.30 * t + 0.02 * side * (1 - t * t) << "," << 0.2 - 0.48 * (0.6 * t * t + 0.4 * t * t * t * t) << "\n";
+        }
+        file.close();
+        std::string const text =
+            "[drive]\nmodule = 0.25\nflexspline_teeth = 200\ncircular_spline_teeth = 202\n"
+            "[flexspline]\nwall = 0.7\naddendum = 0.15\ndedendum = 0.303\n"
+            "[wave_generator]\nfamily = \"cosine\"\nradial_deformation = 0.25\n"
+            "[circular_spline.profile]\nfamily = \"points\"\nside = \"full\"\nfile = \"tooth.csv\"\n";
+        Solution& solution = solutions[side > 0 ? 0 : 1];
+        solution = hdconj::solve(hdconj::parse_scene(text, "skew", folder.path()));
+        CHECK(std::abs(solution.check->smallest_clearance) < 1e-12);
+    }
+    auto const& a = solutions[0];
+    auto const& b = solutions[1];
+    REQUIRE(a.flexspline_pieces.size() == b.flexspline_pieces.size());
+    for (std::size_t i = 0; i < a.flexspline_pieces.size(); ++i) {
+        auto const& one = a.flexspline_pieces[i];
+        auto const& other = b.flexspline_pieces[b.flexspline_pieces.size() - 1 - i];
+        CHECK(one.kind == other.kind);
+        Vec2 const p = a.flexspline_outline[one.first];
+        Vec2 const q = b.flexspline_outline[other.last];
+        CHECK((p - Vec2(-q.x(), q.y())).norm() < 1e-11);
+    }
+    CHECK(std::abs(a.flexspline_outline.front().x() + a.flexspline_outline.back().x()) > 1e-3);
+}
+
+TEST_CASE("every tooth family is taken on the circular spline and touched", "[touch][reverse]")
+{
+    std::size_t families = 0;
+    for (std::string const name : {"arc-chain", "b-spline", "bezier", "cycloid", "involute", "points", "s-tooth", "straight", "type-50"}) {
+        // the tooth of a forward scene, put on the other member
+        Scene scene = hdconj::read_scene(std::string(HDCONJ_SOURCE_DIR) + "/data/scenes/" + name + ".toml");
+        double const m = scene.drive.module;
+        scene.circular_spline = {};
+        scene.circular_spline.profile = scene.flexspline.profile;
+        scene.circular_spline.profile->path = "circular_spline.profile";
+        scene.flexspline.profile = {};
+        scene.flexspline.addendum = 0.6 * m;
+        scene.flexspline.dedendum = 1.3 * m;
+        Solution const solution = hdconj::solve(scene);
+        INFO(name);
+        CHECK(std::abs(solution.check->smallest_clearance) < 1e-11);
+        ++families;
+
+        // by the oracle's motion and the exact distance to the given tooth
+        hdconj::Faults faults;
+        hdconj::Profile const tooth = hdconj::build_profile(
+            *scene.circular_spline.profile,
+            {m, scene.drive.circular_spline_teeth, 0, 0, scene.folder.string(), true, scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth, 2},
+            faults);
+        REQUIRE(faults.empty());
+        hdconj::ToothDistance const distance(tooth);
+        Scene as_forward = scene;
+        as_forward.flexspline.inner_radius = solution.geometry.flexspline_inner_radius;
+        Motion<double> const motion(as_forward);
+        double const pitch_line = solution.geometry.pitch_line;
+        double const seat = solution.geometry.circular_spline_inner_radius + tooth.addendum + tooth.pitch_line;
+        auto const at = [&](Vec2 const& p, int k, double u) {
+            auto const there = turned_clockwise(motion.pose(u).to_circular_spline({p.x(), p.y() + pitch_line}), -(k - 0.5) * motion.pitch());
+            return distance({-there.x, seat - there.y}).distance;
+        };
+        for (auto const& piece : solution.flexspline_pieces) {
+            if (piece.kind != "flank" && piece.kind != "corner")
+                continue;
+            std::size_t const stride = std::max<std::size_t>(1, (piece.last - piece.first) / 3);
+            for (std::size_t i = piece.first; i <= piece.last; i += stride) {
+                Vec2 const p = solution.flexspline_outline[i];
+                constexpr int steps = 1500;
+                double const step = pi<double>() / steps;
+                struct Low
+                {
+                    double value, u;
+                    int k;
+                };
+                std::vector<Low> lows;
+                double best = 1;
+                for (int k : {-1, 0, 1, 2}) {
+                    std::vector<double> values;
+                    for (int j = 0; j <= steps; ++j)
+                        values.push_back(at(p, k, -pi<double>() / 2 + step * j));
+                    for (std::size_t j = 1; j + 1 < values.size(); ++j)
+                        if (values[j] <= values[j - 1] && values[j] <= values[j + 1])
+                            lows.push_back({values[j], -pi<double>() / 2 + step * static_cast<double>(j), k});
+                }
+                for (Low const& low : lows)
+                    best = std::min(best, low.value);
+                // a tooth moves by less than this in a step
+                double const slack = 4 * m * step;
+                double least = 1;
+                for (Low const& low : lows) {
+                    if (low.value > best + slack)
+                        continue;
+                    double from = low.u - step, to = low.u + step;
+                    for (int n = 0; n < 70; ++n) {
+                        double const c = from + (to - from) / 3, e = to - (to - from) / 3;
+                        (at(p, low.k, c) < at(p, low.k, e) ? to : from) = at(p, low.k, c) < at(p, low.k, e) ? e : c;
+                    }
+                    least = std::min({least, low.value, at(p, low.k, 0.5 * (from + to))});
+                }
+                INFO(piece.kind << " point " << i << ": " << least);
+                CHECK(std::abs(least) < touch_limit);
+            }
+        }
+    }
+    CHECK(families == 9);
 }
 
 TEST_CASE("the solved tooth of a symmetric pair is symmetric, bit for bit", "[reverse]")

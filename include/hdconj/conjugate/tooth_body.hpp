@@ -35,6 +35,7 @@ struct ToothBody
     std::vector<BoundaryPiece> right;
     std::size_t segments = 0;      ///< given to the arrangement, all attempts
     double polygon_chord = 0;      ///< of the attempt that was accepted
+    double gap = 0;                ///< largest distance between branches that were taken for one [mm]
 };
 
 /// Finds the largest tooth around the y axis that none of the moving teeth enters, cut flat at the tip.
@@ -42,7 +43,9 @@ struct ToothBody
 /// What the teeth sweep hangs down on both sides of the axis; the tooth is the part of the rest that is reached from below, and its
 /// flanks are followed from the tip down to their feet: where the other tooth touches with the very end of its tip (its contact normal
 /// is along its own centre line, beyond which the other side of it touches), or where half the pitch is reached.
-/// Polygons decide only which arc follows which, as in ToothSpaceFinder; every corner is solved on the arcs.
+/// Polygons decide only which arc follows which, as in ToothSpaceFinder; every corner is solved on the arcs. A flank that was itself made
+/// by two conjugate zones touches the tooth twice, and two branches then run side by side, closer than anything tells apart: where they
+/// have no corner, and are no farther apart than a small part of the tolerance, the flank changes from one to the other across the gap.
 template<RelativeMotion Motion>
 class ToothBodyFinder
 {
@@ -59,6 +62,8 @@ class ToothBodyFinder
         constexpr int attempts = 5;
         for (int attempt = 0; attempt < attempts; ++attempt, chord /= 16)
         {
+            constexpr int strict = 2;
+            across_gaps_ = attempt >= strict;
             auto const body = find(std::max(chord, tolerance_.coincidence()), attempt > 0);
             if (body)
                 return *body;
@@ -90,6 +95,7 @@ class ToothBodyFinder
         if (land == runs.end())
             return fail({0, limits_.tip}, "the boundary does not come to the tip of the tooth");
         ToothBody body;
+        gap_ = 0;
         // the walk along the tip goes from right to left
         Runs const right(std::make_reverse_iterator(land), runs.rend());
         Runs const left(land + 1, runs.end());
@@ -97,6 +103,12 @@ class ToothBodyFinder
         body.polygon_chord = chord;
         if (!follow(right, 1, chord, body.right) || !follow(left, -1, chord, body.left))
             return std::nullopt;
+        if (gap_ > 0)
+        {
+            body.right = settled(body.right);
+            body.left = settled(body.left);
+        }
+        body.gap = gap_;
         return body;
     }
 
@@ -163,11 +175,88 @@ class ToothBodyFinder
     bool meet(BoundaryPiece& a, BoundaryPiece& b, double chord)
     {
         auto const exact = crossing_of_arcs(of(a), a.end, of(b), b.begin, chord, tolerance_);
+        if (!exact && across_gaps_ && change_over(a, b))
+            return true;
         if (!exact)
             return fail(point(a, a.end), "two branches cross there as polygons but not as curves"), false;
         a.end = (*exact)[0];
         b.begin = (*exact)[1];
         return true;
+    }
+
+    /// Nearest point of an arc to @p p, from the guess @p u.
+    struct Nearest
+    {
+        double u;
+        double gap;
+    };
+    [[nodiscard]] static Nearest nearest_on(TurnedArc<Motion> const& arc, Vec2 const& p, double u)
+    {
+        constexpr int steps = 4;
+        for (int i = 0; i < steps; ++i)
+        {
+            Vec2 const v = arc.velocity(u);
+            double const step = (p - arc.point(u).p).dot(v) / v.squaredNorm();
+            if (!std::isfinite(step))
+                break;
+            u = std::clamp(u + step, arc.arc.u_begin, arc.arc.u_end);
+        }
+        return {u, (arc.point(u).p - p).norm()};
+    }
+
+    [[nodiscard]] double smallest_step() const
+    {
+        constexpr double small_part = 0x1p-4;
+        return small_part * tolerance_.length;
+    }
+
+    /// The flank leaves @p a at its end for the nearest point of @p b, if that is near enough.
+    bool change_over(BoundaryPiece const& a, BoundaryPiece& b)
+    {
+        Nearest const there = nearest_on(of(b), point(a, a.end), b.begin);
+        if (!(there.gap <= smallest_step()))
+            return false;
+        b.begin = there.u;
+        gap_ = std::max(gap_, there.gap);
+        return true;
+    }
+
+    /// Of branches that run side by side the polygons pick now one, now the other: the flank stays on the first as long as it can.
+    [[nodiscard]] std::vector<BoundaryPiece> settled(std::vector<BoundaryPiece> const& flank)
+    {
+        std::vector<BoundaryPiece> result;
+        for (std::size_t i = 0; i < flank.size();)
+        {
+            BoundaryPiece piece = flank[i];
+            std::size_t last = i;
+            double u = piece.end;
+            double widest = 0;
+            double settled_gap = 0;
+            for (std::size_t k = i + 1; k < flank.size(); ++k)
+            {
+                BoundaryPiece const& next = flank[k];
+                bool const same = next.arc == piece.arc && next.copy == piece.copy;
+                for (double const share : {0.0, 0.5, 1.0})
+                {
+                    Nearest const there = nearest_on(of(piece), point(next, next.begin + share * (next.end - next.begin)), u);
+                    u = there.u;
+                    widest = std::max(widest, same ? 0 : there.gap);
+                }
+                if (!(widest <= smallest_step()))
+                    break;
+                if (same)
+                {
+                    last = k;
+                    u = next.end;
+                    settled_gap = widest;
+                }
+            }
+            piece.end = flank[last].end;
+            gap_ = std::max(gap_, settled_gap);
+            result.push_back(piece);
+            i = last + 1;
+        }
+        return result;
     }
 
     /// Where the flank ends on this piece: its begin when at once, nothing when it goes on.
@@ -221,6 +310,8 @@ class ToothBodyFinder
     int floor_ = -1;
     BoundaryPiece next_;   ///< the piece after the one at hand, its beginning solved
     std::size_t segments_ = 0;
+    bool across_gaps_ = false;
+    double gap_ = 0;
     std::string place_ = "flexspline tooth";
     std::string cause_;
 };
