@@ -6,6 +6,8 @@
 #include <limits>
 #include <numbers>
 
+#include "hdconj/numeric/bernstein_roots.hpp"
+
 namespace hdconj {
 
 /// Keeps the foot with the smallest distance; the side of the profile gives the sign.

@@ -51,6 +51,7 @@ void write_provenance(Writer const& root, Solution const& solution)
         stages.push_back(to_string(planned.stage));
     }
     root.attribute("stages", stages);
+    root.flag("certified", solution.certificate.certified());
 }
 
 void write_branch(Writer const& branch, BranchRecord const& record, bool reverse)
@@ -115,6 +116,33 @@ void write_zones(Writer const& root, std::vector<ConjugateZone> const& zones)
         write_intervals(place, "u", zones, &ConjugateZone::u_begin, &ConjugateZone::u_end, "rad");
         write_intervals(place, "phi", zones, &ConjugateZone::phi_begin, &ConjugateZone::phi_end, "rad");
         write_intervals(place, "t", zones, &ConjugateZone::t_begin, &ConjugateZone::t_end, "1");
+    });
+}
+
+/// The places that keep a result from being certified; empty where it is.
+void write_certificate(Writer const& root, std::vector<UndecidedPlace> const& places)
+{
+    auto const column = [&](auto member) {
+        std::vector<double> values;
+        for (auto const& place : places) {
+            values.push_back(place.*member);
+        }
+        return values;
+    };
+    auto const texts = [&](auto member) {
+        std::vector<std::string> values;
+        for (auto const& place : places) {
+            values.push_back(place.*member);
+        }
+        return values;
+    };
+    root.group("undecided", [&](Writer const& place) {
+        place.texts("what", texts(&UndecidedPlace::what));
+        place.texts("segment_name", texts(&UndecidedPlace::segment_name));
+        place.numbers("t", column(&UndecidedPlace::t), "1");
+        place.numbers("u", column(&UndecidedPlace::u), "rad");
+        place.numbers("u_width", column(&UndecidedPlace::u_width), "rad");
+        place.numbers("reach", column(&UndecidedPlace::reach), "mm");
     });
 }
 
@@ -197,6 +225,7 @@ std::string result_bytes(Solution const& solution)
     root.points("neutral_curve", solution.neutral_curve);
     write_envelope(root, solution);
     write_zones(root, solution.zones);
+    write_certificate(root, solution.certificate.undecided);
     write_circular_spline(root, solution.circular_spline);
     write_summary(root, solution);
     write_timing(root, solution.timing);

@@ -82,6 +82,20 @@ Json pieces(std::vector<OutlinePiece> const& of)
     return list;
 }
 
+Json certificate(Solution const& solution)
+{
+    Json undecided = Json::array();
+    for (auto const& place : solution.certificate.undecided) {
+        undecided.push_back({{"segment_name", place.segment_name},
+                             {"t", number(place.t)},
+                             {"u_deg", number(place.u * degree_per_radian)},
+                             {"u_width_deg", number(place.u_width * degree_per_radian)},
+                             {"reach_mm", number(place.reach)},
+                             {"what", place.what}});
+    }
+    return {{"certified", solution.certificate.certified()}, {"undecided", std::move(undecided)}};
+}
+
 Json outline(Solution const& solution)
 {
     auto const& spline = solution.circular_spline;
@@ -140,6 +154,7 @@ std::string summary_json(Solution const& solution, std::vector<WrittenFile> cons
         result["flexspline"] = {{"points", solution.flexspline_outline.size()},
                                 {"pieces", pieces(solution.flexspline_pieces)}};
     }
+    result["certificate"] = certificate(solution);
     result["circular_spline"] = outline(solution);
     add_clearance(result, solution);
     result["error"] = object(error_figures(solution));

@@ -96,6 +96,20 @@ void write_zones(Page& page, Solution const& solution)
     }
 }
 
+void write_certificate(Page& page, Solution const& solution)
+{
+    auto const& places = solution.certificate.undecided;
+    if (places.empty()) {
+        page.line("  certified: all {} roots found, none lost", solution.work.roots_isolated);
+        return;
+    }
+    page.line("  not certified: {} place{} where rounding hides the number of contacts", places.size(), places.size() == 1 ? "" : "s");
+    for (auto const& place : places) {
+        page.line("    {} t {:.6f}, u {:.6f} +- {:.1e} deg, reach {:.1e} um: {}", place.segment_name, place.t, degrees(place.u),
+                  degrees(place.u_width / 2), place.reach * um_per_mm, place.what);
+    }
+}
+
 /// What the smallest clearance means within the asked-for tolerance.
 char const* verdict(double clearance, double tolerance)
 {
@@ -149,6 +163,7 @@ std::string summary_text(Solution const& solution, std::vector<WrittenFile> cons
     Page page;
     write_geometry(page, solution);
     write_zones(page, solution);
+    write_certificate(page, solution);
     write_outline(page, solution);
     write_timing(page, solution);
     if (!written.empty()) {

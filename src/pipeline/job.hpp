@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "centred_outline.hpp"
+#include "certificate.hpp"
 #include "drive.hpp"
 #include "hdconj/numeric/parallel.hpp"
 #include "outline_records.hpp"
@@ -70,9 +71,8 @@ class SolveJob
     void trace()
     {
         BranchSet set = find_branches(base_, out_.threads);
-        if (!set.record.certified)
-            throw NumericalError("envelope", set.record.doubts.empty() ? "meshing condition" : set.record.doubts.front(),
-                                 "its roots could not all be told apart in double precision");
+        refuse_lost_branches(set.record, tolerance_.length);
+        record_doubts(set.record, tooth_, out_.certificate);
         branches_ = std::move(set.branches);
         out_.work.roots_isolated += set.record.roots;
         out_.work.envelope_points += set.record.evaluations;
@@ -100,7 +100,9 @@ class SolveJob
         Envelope<Motion> const moved(tooth_, motion_, offset);
         TracedSpace shifted;
         bool const has_offset = clock_.run(Stage::backlash, [&] {
-            shifted = space_at(moved, find_branches(moved, out_.threads).branches, chord);
+            BranchSet const set = find_branches(moved, out_.threads);
+            refuse_lost_branches(set.record, tolerance_.length);
+            shifted = space_at(moved, set.branches, chord);
             refuse_swallowed(base_, base.arcs, base.space, shifted.arcs, shifted.space, pitch_, offset, tolerance_.length);
         });
         final_ = has_offset ? std::move(shifted) : std::move(base);

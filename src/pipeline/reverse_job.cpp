@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "certificate.hpp"
 #include "drive.hpp"
 #include "given_spline.hpp"
 #include "hdconj/conjugate/tooth_body.hpp"
@@ -110,11 +111,10 @@ class ReverseJob
     [[nodiscard]] std::vector<Branch> branches_at(Envelope<Seen> const& envelope, bool counted)
     {
         BranchSet set = find_branches(envelope, out_.threads);
-        if (!set.record.certified)
-            throw NumericalError("envelope", set.record.doubts.empty() ? "meshing condition" : set.record.doubts.front(),
-                                 "its roots could not all be told apart in double precision");
+        refuse_lost_branches(set.record, tolerance_.length);
         if (counted)
         {
+            record_doubts(set.record, given_, out_.certificate);
             out_.work.roots_isolated += set.record.roots;
             out_.work.envelope_points += set.record.evaluations;
         }

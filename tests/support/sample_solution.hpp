@@ -202,6 +202,7 @@ inline Solution solution()
                                 branch.phi.front(), branch.phi.back(), branch.t.front(), branch.t.back(),
                                 branch.on_boundary, branch.on_boundary});
     }
+    result.certificate.undecided = {{"convex arc right", 0.25, 0.5, 3e-7, 2e-17, "a contact touches the end of a profile piece"}};
     auto const boundary = outline(120);
     int const last = static_cast<int>(boundary.size()) - 1;
     result.circular_spline = {{0.0},

@@ -66,7 +66,7 @@ double largest_meshing_residual(Profile const& tooth, Motion const& motion, doub
 {
     Envelope<Motion> const envelope(tooth, motion, offset);
     BranchSet const set = find_branches(envelope, 1);
-    REQUIRE(set.record.certified);
+    REQUIRE(set.record.certified());
     double worst = 0;
     for (Branch const& branch : set.branches)
         for (ContactArc const& arc : branch.arcs)
@@ -214,8 +214,8 @@ TEST_CASE("double roots on a curve are found and end branches there", "[envelope
     Profile const tooth = single(s_curve);
     Exact const motion = type50_motion();
     Envelope<Exact> const envelope(tooth, motion, 0);
-    DoubleRoots const doubles = DoubleRootSearch<Exact>(s_curve, motion, -motion.half_lobe(), motion.half_lobe())();
-    REQUIRE(doubles.certified);
+    DoubleRoots const doubles = DoubleRootSearch(s_curve, rates_model(motion, -motion.half_lobe(), motion.half_lobe()), -motion.half_lobe(), motion.half_lobe())();
+    REQUIRE(doubles.certified());
     BranchSet const set = find_branches(envelope, 1);
     std::size_t ends = 0;
     for (Branch const& branch : set.branches)

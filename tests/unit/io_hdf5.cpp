@@ -79,6 +79,7 @@ TEST_CASE("numbers come back from HDF5 bit for bit, in the documented shapes")
     CHECK(read(file, "/neutral_curve").shape == std::vector<hsize_t>{720, 2});
     CHECK(read(file, "/conjugate_zones/phi").shape == std::vector<hsize_t>{solution.zones.size(), 2});
     CHECK(read(file, "/timing/seconds").values.size() == solution.timing.size());
+    CHECK(read(file, "/undecided/u_width").values == std::vector<double>{3e-7});
     CHECK(read(file, "/circular_spline/landmarks").values.back() == solution.circular_spline.landmarks.back());
 }
 
@@ -106,6 +107,7 @@ TEST_CASE("a solution with nothing in it makes a readable file")
     auto const file = open_file(folder / "a.h5");
     CHECK(read(file, "/neutral_curve").shape == std::vector<hsize_t>{0, 2});
     CHECK(read(file, "/circular_spline/outline").shape == std::vector<hsize_t>{0, 0, 2});
+    CHECK(read(file, "/undecided/u").shape == std::vector<hsize_t>{0});
     CHECK(H5Aexists_by_name(file, "/summary", "smallest_clearance_mm", H5P_DEFAULT) == 0);
 }
 

@@ -76,6 +76,19 @@ TEST_CASE("JSON has null where there is no number, and no clearance where none w
     CHECK(nlohmann::json::parse(summary_json(Solution{})).at("conjugate_zones").empty());
 }
 
+TEST_CASE("text and JSON say whether all roots are certified, and where not")
+{
+    auto solution = sample::solution();
+    CHECK_THAT(summary_text(solution), ContainsSubstring("not certified: 1 place where") && ContainsSubstring("a contact touches the end"));
+    auto const doubted = nlohmann::json::parse(summary_json(solution)).at("certificate");
+    CHECK(doubted.at("certified") == false);
+    CHECK(doubted.at("undecided").at(0).at("reach_mm") == 2e-17);
+    CHECK(doubted.at("undecided").at(0).at("u_width_deg").get<double>() == Approx(3e-7 * 180 / 3.14159265358979));
+    solution.certificate = {};
+    CHECK_THAT(summary_text(solution), ContainsSubstring("certified: all 67 roots found, none lost"));
+    CHECK(nlohmann::json::parse(summary_json(solution)).at("certificate").at("certified") == true);
+}
+
 TEST_CASE("a file name that is not UTF-8 does not break the JSON")
 {
     CHECK_NOTHROW(nlohmann::json::parse(summary_json(Solution{}, {{"hdf5", "a\xff.h5", 0}})));

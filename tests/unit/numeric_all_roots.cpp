@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/numeric/all_roots.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -92,6 +93,54 @@ TEST_CASE("noise far above its stated scale ends with an honest no, in bounded w
     RootSet const found = all_roots(noisy, -1, 1, 1);
     CHECK_FALSE(found.certified);
     CHECK(found.evaluations < 1000000);
+}
+
+TEST_CASE("waves that look smooth at the nodes are not taken for smooth", "[numeric]")
+{
+    // at the 17 nodes of [-1, 1] cos(32 arccos x) = 1: an interpolant that never crosses 0 for a function with 32 roots
+    auto const alias = [](double x) { return std::cos(32 * std::acos(std::clamp(x, -1.0, 1.0))) - 0.5; };
+    RootSet const found = all_roots(alias, -1, 1, 1);
+    REQUIRE(found.certified);
+    CHECK(found.roots.size() == 32);
+    for (IsolatedRoot const& root : found.roots)
+        CHECK(std::abs(alias(root.x)) < 1e-13);
+}
+
+TEST_CASE("high frequencies and many waves are all counted", "[numeric]")
+{
+    for (double waves : {37.0, 211.0, 1501.0})
+    {
+        RootSet const found = all_roots([&](double x) { return std::sin(waves * std::numbers::pi * (x - 0.1234567)); }, 0, 1, 1);
+        REQUIRE(found.certified);
+        CHECK(found.roots.size() == static_cast<std::size_t>(waves));
+    }
+}
+
+TEST_CASE("bumps through zero are found, from a fortieth of the interval on", "[numeric]")
+{
+    int seen = 0;
+    for (double w : {0.3, 0.1, 0.05})
+    {
+        for (int k = 0; k < 50; ++k)
+        {
+            double const at = -0.9 + 1.8 * k / 50 + 0.0123;
+            RootSet const found = all_roots([&](double x) { return 1 - 2 * std::exp(-(x - at) * (x - at) / (w * w)); }, -1, 1, 1);
+            double const half = w * std::sqrt(std::log(2.0));
+            int const expected = (at - half > -1) + (at + half < 1);
+            seen += found.certified && static_cast<int>(found.roots.size()) == expected;
+        }
+    }
+    CHECK(seen == 150);
+}
+
+TEST_CASE("a corner is found or said not to be certified", "[numeric]")
+{
+    for (double depth : {1e-3, 1e-6, 1e-9})
+    {
+        double const at = 0.2718281;
+        RootSet const found = all_roots([&](double x) { return std::abs(x - at) - depth; }, -1, 1, 1);
+        CHECK((found.roots.size() == 2 || !found.certified));
+    }
 }
 
 TEST_CASE("the work for a smooth function is a few interpolants", "[numeric]")

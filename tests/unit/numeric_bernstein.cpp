@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/numeric/bernstein.hpp"
+#include "hdconj/numeric/bernstein_roots.hpp"
 
 #include <random>
 

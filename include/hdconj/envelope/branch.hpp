@@ -3,6 +3,7 @@
 /// Branches: maximal continuous pieces of {f = 0} on which the motion's parameter grows.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -57,13 +58,29 @@ struct Branch
     std::vector<ContactArc> arcs;
 };
 
+/// A place where the number of roots is not known: within `width` of u a branch may exist that was not found.
+///
+/// Its contacts lie where |f| <= F; as f is the speed of the tooth along its own normal, the tooth covers during that interval at
+/// most reach = F width more than the known branches say, measured along the normal.
+struct RootDoubt
+{
+    int piece = -1;            ///< of the profile; -1: all
+    double t = 0;              ///< local piece parameter
+    double u = 0;
+    double width = 0;          ///< of the interval about u [rad]
+    double reach = 0;          ///< how far such a branch can stand out of the known ones [mm]
+    std::string what;
+};
+
 /// What tracing did besides finding branches.
 struct TraceRecord
 {
     std::size_t evaluations = 0;
     std::size_t roots = 0;
-    bool certified = true;              ///< every interval was decided
-    std::vector<std::string> doubts;    ///< where not
+    std::vector<RootDoubt> doubts;    ///< in the order of the profile
+
+    /// Every interval was decided: no root is missing, none invented.
+    [[nodiscard]] bool certified() const { return doubts.empty(); }
 };
 
 }  // namespace hdconj

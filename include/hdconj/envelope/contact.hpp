@@ -9,6 +9,7 @@
 
 #include "hdconj/envelope/branch.hpp"
 #include "hdconj/motion/relative_motion.hpp"
+#include "hdconj/numeric/bernstein_roots.hpp"
 #include "hdconj/profile/pieces.hpp"
 
 namespace hdconj {
@@ -136,7 +137,8 @@ struct Contact
     return c;
 }
 
-/// Bernstein coefficients in t of f(., u) = theta' A + q_x B + q_y C; returns the size of its terms.
+/// Bernstein coefficients in t of f(., u) = theta' A + q_x B + q_y C; returns how far they may be, by rounding, from those
+/// of the exact curve under the exact @p twist.
 inline double meshing_polynomial(CurvePiece const& curve, Twist const& twist, std::span<double> out)
 {
     double size = 0;
@@ -148,16 +150,17 @@ inline double meshing_polynomial(CurvePiece const& curve, Twist const& twist, st
         out[i] = a + b + c;
         size = std::max(size, std::abs(a) + std::abs(b) + std::abs(c));
     }
-    return size;
+    double const stored = std::abs(twist.omega) * curve.a_error() + (std::abs(twist.q.x()) + std::abs(twist.q.y())) * curve.b_error();
+    return 4 * unit_roundoff * size + stored;
 }
 
-/// All parameters at which the curve touches its envelope now.
+/// All parameters at which the curve touches its envelope now; see bernstein_roots for what is proved.
 [[nodiscard]] inline BernsteinRoots curve_contacts(CurvePiece const& curve, Twist const& twist)
 {
     BernsteinWork work{};
     std::span<double> const f(work.data(), curve.a().size());
-    double const size = meshing_polynomial(curve, twist, f);
-    return bernstein_roots(f, 8 * unit_roundoff * size);
+    double const noise = meshing_polynomial(curve, twist, f);
+    return bernstein_roots(f, noise);
 }
 
 }  // namespace hdconj

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "hdconj/envelope/envelope.hpp"
@@ -26,7 +27,9 @@ template<RelativeMotion Motion>
     RootSet const found = all_roots(f, 0.0, 1.0, scale);
     record.evaluations += found.evaluations;
     record.roots += found.roots.size();
-    record.certified = record.certified && found.certified;
+    if (!found.certified)
+        record.doubts.push_back({arc.piece, 0.5, 0.5 * (arc.u_begin + arc.u_end), arc.u_end - arc.u_begin,
+                                 std::numeric_limits<double>::infinity(), "cusps or reversals were not all isolated"});
     std::vector<double> s;
     for (IsolatedRoot const& root : found.roots)
         if (root.x > 0 && root.x < 1)

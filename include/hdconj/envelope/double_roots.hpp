@@ -6,225 +6,220 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <utility>
 #include <vector>
 
-#include "hdconj/motion/relative_motion.hpp"
-#include "hdconj/profile/pieces.hpp"
+#include "hdconj/envelope/meshing_patch.hpp"
 
 namespace hdconj {
 
-/// Two contacts merge at (t, u).
+/// Two contacts merge at (t, u); or a box in which that was not decided.
 struct DoubleRoot
 {
     double t = 0;
     double u = 0;
+    double t_width = 0;       ///< the point lies within t +- t_width/2 and u +- u_width/2, whatever the rounding
+    double u_width = 0;
+    int change = 0;           ///< +2: two contacts appear as u grows, -2: they vanish; 0: not known
+    double size = 0;          ///< not separated: largest |f| in the box
+    bool separated = true;    ///< false: no point, one or several (three contacts merging, a merge that parts again at once)
 };
 
-/// Double roots found on a curve, and whether every box was decided.
+/// Double roots of a curve, and what the search took.
 struct DoubleRoots
 {
     std::vector<DoubleRoot> roots;
-    bool certified = true;
+    std::size_t boxes = 0;
+
+    [[nodiscard]] bool certified() const
+    {
+        return std::all_of(roots.begin(), roots.end(), [](DoubleRoot const& root) { return root.separated; });
+    }
 };
 
-/// All (t, u) in [0,1] x [a,b] with f = f_t = 0.
+/// All (t, u) in [0, 1] x [a, b] with f = f_t = 0; geometrically the instants at which the instantaneous centre of rotation
+/// crosses the evolute of the curve.
 ///
-/// Geometrically these are the instants at which the instantaneous centre of rotation crosses the evolute of the curve.
-/// Boxes are discarded when the Bernstein coefficients of f or of f_t in t, widened by a Taylor bound in u, keep one sign;
-/// small boxes are handed to Newton's method, which must converge near the box.
-/// Accuracy: last bits of t and u where the double root is isolated.
-template<RelativeMotion Motion>
+/// F = (f, f_t) is a tensor-product Bernstein polynomial to a stated error e. A box without zero among the coefficients of f or of
+/// f_t, widened by the error, is empty. Let J be the Jacobian of F, Y the inverse of its middle over the box X widened by an eighth,
+/// X', and E >= |1 - Y J| on X' with row sums below q < 1, from the ranges of the coefficients. By the mean value theorem every zero x
+/// in X of any function within e satisfies, for any z in X',
+///   |x - z| <= (1 - E)^-1 |Y| (|F(z)| + e)                                    (1)
+/// so X' holds at most one; z is what Newton's method gives. Where the box (1) about z lies inside X' the zero exists (Brouwer);
+/// where it misses X, X is empty. Else X is cut across the direction in which F varies more. A box in which F stays within
+/// five times its error, or varies by less than it, is not cut further: it and its neighbours are reported as one root that is not separated.
+/// The work is bounded by `budget` boxes; what is left then is reported in the same way.
+/// Merges within rounding of an end of the curve are left out: there one contact crosses the end, and that is solved for.
+/// Accuracy: (1), stated with each root. Domain: the errors are those of the RatesModel.
 class DoubleRootSearch
 {
   public:
-    DoubleRootSearch(CurvePiece const& curve, Motion const& motion, double a, double b)
-        : curve_(curve), motion_(motion), a_(a), b_(b)
-    {
-    }
+    DoubleRootSearch(CurvePiece const& curve, RatesModel const& rates, double a, double b) : curve_(curve), rates_(rates), a_(a), b_(b) {}
 
     [[nodiscard]] DoubleRoots operator()()
     {
-        double const step = (b_ - a_) / u_pieces;
-        for (int i = 0; i < u_pieces; ++i)
-        {
-            Box box{0, 1, a_ + i * step, a_ + (i + 1) * step, copy(curve_.a()), copy(curve_.b()), copy(curve_.c())};
-            visit(box, 0);
-        }
+        for (RatesPanel const& panel : rates_.panels)
+            if (panel.u1 > a_ && panel.u0 < b_)
+                visit(MeshingPatch(curve_, panel));
+        std::sort(found_.roots.begin(), found_.roots.end(), [](DoubleRoot const& x, DoubleRoot const& y) { return x.u < y.u; });
         return std::move(found_);
     }
 
   private:
-    static constexpr int u_pieces = 16;
-    static constexpr int deepest = 40;
-    static constexpr int newton_from = 8;
+    static constexpr std::size_t budget = 4096;
+    static constexpr double indistinct = 4;
 
-    struct Box
+    void visit(MeshingPatch const& box)
     {
-        double t0, t1, u0, u1;
-        BernsteinWork a, b, c;
-    };
-
-    static BernsteinWork copy(std::span<double const> c)
-    {
-        BernsteinWork w{};
-        std::copy(c.begin(), c.end(), w.begin());
-        return w;
-    }
-
-    [[nodiscard]] std::size_t size() const { return curve_.a().size(); }
-
-    void visit(Box const& box, int depth)
-    {
-        double const u = 0.5 * (box.u0 + box.u1);
-        double const h = 0.5 * (box.u1 - box.u0);
-        MotionRates const mid = motion_.rates(u);
-        // Lagrange remainder of the linear expansion in u, from the change of the first derivative over the box
-        Twist const low = motion_.rates(box.u0).change;
-        Twist const high = motion_.rates(box.u1).change;
-        double const bend_omega = std::max(std::abs(low.omega - mid.change.omega), std::abs(high.omega - mid.change.omega));
-        double const bend_x = std::max(std::abs(low.q.x() - mid.change.q.x()), std::abs(high.q.x() - mid.change.q.x()));
-        double const bend_y = std::max(std::abs(low.q.y() - mid.change.q.y()), std::abs(high.q.y() - mid.change.q.y()));
-        double f_low = 0, f_high = 0, g_low = 0, g_high = 0;
-        double before = 0;
-        for (std::size_t i = 0; i < size(); ++i)
-        {
-            double const f = mid.twist.omega * box.a[i] + mid.twist.q.x() * box.b[i] + mid.twist.q.y() * box.c[i];
-            double const slope = mid.change.omega * box.a[i] + mid.change.q.x() * box.b[i] + mid.change.q.y() * box.c[i];
-            double const rest = bend_omega * std::abs(box.a[i]) + bend_x * std::abs(box.b[i]) + bend_y * std::abs(box.c[i]);
-            double const room = h * (std::abs(slope) + rest);
-            f_low = i == 0 ? f - room : std::min(f_low, f - room);
-            f_high = i == 0 ? f + room : std::max(f_high, f + room);
-            if (i > 0)
-            {
-                double const g = f - before;
-                double const wide = difference_room(box, mid, bend_omega, bend_x, bend_y, i) * h;
-                g_low = i == 1 ? g - wide : std::min(g_low, g - wide);
-                g_high = i == 1 ? g + wide : std::max(g_high, g + wide);
-            }
-            before = f;
-        }
-        if (f_low > 0 || f_high < 0 || g_low > 0 || g_high < 0)
+        ++found_.boxes;
+        Range const f = box.value();
+        if (!f.holds_zero())
             return;
-        if (depth >= newton_from && newton(box))
+        Range const f_t = box.by_t();
+        if (!f_t.holds_zero())
             return;
-        if (depth >= deepest)
-        {
-            found_.certified = false;
+        Range const f_u = box.by_u();
+        Range const f_tt = box.by_tt();
+        Range const f_tu = box.by_tu();
+        if (settled(box, f_t, f_u, f_tt, f_tu))
             return;
-        }
-        split(box, depth);
-    }
-
-    [[nodiscard]] double difference_room(Box const& box, MotionRates const& mid, double bend_omega, double bend_x, double bend_y, std::size_t i) const
-    {
-        double const a = box.a[i] - box.a[i - 1];
-        double const b = box.b[i] - box.b[i - 1];
-        double const c = box.c[i] - box.c[i - 1];
-        return std::abs(mid.change.omega * a + mid.change.q.x() * b + mid.change.q.y() * c)
-               + bend_omega * std::abs(a) + bend_x * std::abs(b) + bend_y * std::abs(c);
-    }
-
-    void split(Box const& box, int depth)
-    {
-        if (depth % 2 == 0)
+        bool const in_noise = f.largest() <= (indistinct + 1) * f.noise && f_t.largest() <= (indistinct + 1) * f_t.noise;
+        double const smallest = 4 * unit_roundoff;
+        bool const wide_t = box.t1 - box.t0 > smallest;
+        bool const wide_u = box.u1 - box.u0 > smallest * std::max(std::abs(a_), std::abs(b_));
+        // how much each of the two conditions varies, in units of its error
+        double const along_t = std::max(f_t.beyond_noise() / f.noise, f_tt.beyond_noise() / f_t.noise);
+        double const along_u = std::max(f_u.beyond_noise() / f.noise, f_tu.beyond_noise() / f_t.noise);
+        // cutting helps only while F varies by more than its error
+        if (in_noise || std::max(along_t, along_u) < 1 || found_.boxes >= budget || !(wide_t || wide_u))
+            return not_separated(box);
+        constexpr double half = 0.5;
+        if (wide_t && (along_t >= along_u || !wide_u))
         {
-            Box low = box;
-            Box high = box;
-            double const cut = 0.5;
-            bernstein_split({low.a.data(), size()}, {high.a.data(), size()}, cut);
-            bernstein_split({low.b.data(), size()}, {high.b.data(), size()}, cut);
-            bernstein_split({low.c.data(), size()}, {high.c.data(), size()}, cut);
-            low.t1 = high.t0 = 0.5 * (box.t0 + box.t1);
-            visit(low, depth + 1);
-            visit(high, depth + 1);
+            visit(box.part_in_t(0, half));
+            visit(box.part_in_t(half, 1));
         }
         else
         {
-            Box low = box;
-            Box high = box;
-            low.u1 = high.u0 = 0.5 * (box.u0 + box.u1);
-            visit(low, depth + 1);
-            visit(high, depth + 1);
+            visit(box.part_in_u(0, half));
+            visit(box.part_in_u(half, 1));
         }
     }
 
-    /// Newton from the box's centre; true when the box is settled (a root inside or next to it was recorded).
-    bool newton(Box const& box)
+    /// |1 - Y J| bounded entry by entry over a box, with Y the inverse of the middle of J.
+    struct Contraction
     {
-        double t = 0.5 * (box.t0 + box.t1);
-        double u = 0.5 * (box.u0 + box.u1);
-        double const reach_t = 2 * (box.t1 - box.t0);
-        double const reach_u = 2 * (box.u1 - box.u0);
-        double const t_start = t;
-        double const u_start = u;
-        constexpr int budget = 30;
-        for (int k = 0; k < budget; ++k)
-        {
-            MotionRates const rates = motion_.rates(u);
-            auto const combine = [](Twist const& w, double a, double b, double c) { return w.omega * a + w.q.x() * b + w.q.y() * c; };
-            auto const [a, a1, a2] = jet(curve_.a(), t);
-            auto const [b, b1, b2] = jet(curve_.b(), t);
-            auto const [c, c1, c2] = jet(curve_.c(), t);
-            Vec2 const residual{combine(rates.twist, a, b, c), combine(rates.twist, a1, b1, c1)};
-            Eigen::Matrix2d slope;
-            slope << residual.y(), combine(rates.change, a, b, c), combine(rates.twist, a2, b2, c2), combine(rates.change, a1, b1, c1);
-            Vec2 const step = slope.fullPivLu().solve(residual);
-            if (!step.allFinite())
-                return false;
-            t -= step.x();
-            u -= step.y();
-            if (std::abs(t - t_start) > reach_t || std::abs(u - u_start) > reach_u)
-                return false;
-            if (std::abs(step.x()) <= 16 * unit_roundoff && std::abs(step.y()) <= 16 * unit_roundoff * (b_ - a_))
-                return record(t, u, box);
-        }
-        return false;
-    }
+        Eigen::Matrix2d inverse = Eigen::Matrix2d::Zero();
+        Eigen::Matrix2d excess = Eigen::Matrix2d::Zero();
 
-    bool record(double t, double u, Box const& box)
-    {
-        // a root on a common border settles both boxes
-        constexpr double border = 0x1p-20;
-        double const dt = border * (box.t1 - box.t0);
-        double const du = border * (box.u1 - box.u0);
-        bool const inside = t >= box.t0 - dt && t <= box.t1 + dt && u >= box.u0 - du && u <= box.u1 + du;
-        if (t < 0 || t > 1 || u < a_ || u > b_)
-            return inside;
-        constexpr double same = 0x1p-30;
-        for (DoubleRoot const& root : found_.roots)
-            if (std::abs(root.t - t) <= same && std::abs(root.u - u) <= same * (b_ - a_))
-                return inside;
-        if (inside)
-            found_.roots.push_back({t, u});
-        return inside;
-    }
-
-    struct Jet
-    {
-        double value, first, second;
+        [[nodiscard]] double factor() const { return excess.rowwise().sum().maxCoeff(); }
     };
-    static Jet jet(std::span<double const> c, double t)
+    [[nodiscard]] static std::optional<Contraction> contraction(Range const& f_t, Range const& f_u, Range const& f_tt, Range const& f_tu)
     {
-        // de Casteljau, stopping twice before the end for the derivatives
-        BernsteinWork w{};
-        std::copy(c.begin(), c.end(), w.begin());
-        std::size_t const n = c.size() - 1;
-        Jet j{0, 0, 0};
-        for (std::size_t r = n; r > 0; --r)
+        Eigen::Matrix2d middle, radius;
+        middle << f_t.middle(), f_u.middle(), f_tt.middle(), f_tu.middle();
+        radius << f_t.radius(), f_u.radius(), f_tt.radius(), f_tu.radius();
+        Contraction c;
+        bool invertible = false;
+        middle.computeInverseWithCheck(c.inverse, invertible, 0.0);
+        if (!invertible || !c.inverse.allFinite())
+            return std::nullopt;
+        // the inverse itself is rounded
+        Eigen::Matrix2d const rounding = (Eigen::Matrix2d::Identity() - c.inverse * middle).cwiseAbs();
+        c.excess = c.inverse.cwiseAbs() * radius + rounding;
+        return c;
+    }
+
+    /// Whether (1) proves the box empty or finds its only zero.
+    bool settled(MeshingPatch const& box, Range const& f_t, Range const& f_u, Range const& f_tt, Range const& f_tu)
+    {
+        constexpr double worth_trying = 0.5;
+        constexpr double enough = 0.75;
+        std::optional<Contraction> c = contraction(f_t, f_u, f_tt, f_tu);
+        if (!c || c->factor() > worth_trying)
+            return false;
+        constexpr double margin = 0.125;
+        MeshingPatch const wide = box.part_in_t(-margin, 1 + margin).part_in_u(-margin, 1 + margin);
+        c = contraction(wide.by_t(), wide.by_u(), wide.by_tt(), wide.by_tu());
+        if (!c || c->factor() > enough)
+            return false;
+        // Newton's method in the coordinates of `wide`, in which the box is the part between rim and 1 - rim
+        constexpr double rim = margin / (1 + 2 * margin);
+        Eigen::Vector2d const error(wide.noise, 2 * wide.degree_t() * wide.noise);
+        Eigen::Matrix2d const spread = (Eigen::Matrix2d::Identity() - c->excess).inverse();
+        Eigen::Vector2d z(0.5, 0.5);
+        Eigen::Vector2d reach(1, 1);
+        constexpr int steps = 40;
+        for (int k = 0; k < steps; ++k)
         {
-            if (r == 2)
-                j.second = static_cast<double>(n * (n - 1)) * (w[2] - 2 * w[1] + w[0]);
-            if (r == 1)
-                j.first = static_cast<double>(n) * (w[1] - w[0]);
-            for (std::size_t i = 0; i < r; ++i)
-                w[i] += t * (w[i + 1] - w[i]);
+            MeshingPatch::Jet const j = wide.jet(z.x(), z.y());
+            Eigen::Vector2d const value(j.f, j.s);
+            reach = spread * (c->inverse.cwiseAbs() * (value.cwiseAbs() + error));
+            // every zero of the box lies within `reach` of z: the box may be empty already
+            if (((z - reach).array() > 1 - rim).any() || ((z + reach).array() < rim).any())
+                return true;
+            Eigen::Vector2d const step = c->inverse * value;
+            Eigen::Vector2d const next = (z - step).cwiseMax(0.0).cwiseMin(1.0);
+            bool const stands = (next - z).cwiseAbs().maxCoeff() <= 2 * unit_roundoff;
+            z = next;
+            if (stands)
+                break;
         }
-        j.value = w[0];
-        return j;
+        if (((z - reach).array() < 0).any() || ((z + reach).array() > 1).any())
+            return false;
+        // f = f_u du + f_tt dt^2/2: both factors are certain, since their product is the determinant of J there
+        MeshingPatch::Jet const at = wide.jet(z.x(), z.y());
+        bool const appears = (at.r > 0) != (at.ss > 0);
+        double const wide_t = wide.t1 - wide.t0;
+        double const wide_u = wide.u1 - wide.u0;
+        record({wide.t0 + z.x() * wide_t, wide.u0 + z.y() * wide_u, 2 * reach.x() * wide_t, 2 * reach.y() * wide_u, appears ? 2 : -2, 0, true});
+        return true;
+    }
+
+    void record(DoubleRoot const& root)
+    {
+        double const t = 0.5 * root.t_width;
+        if (root.t <= t || root.t >= 1 - t || root.u <= a_ || root.u >= b_)
+            return;
+        // the neighbour of a box finds the same root on their common border
+        for (DoubleRoot const& other : found_.roots)
+            if (other.separated && std::abs(other.t - root.t) <= t + 0.5 * other.t_width && std::abs(other.u - root.u) <= 0.5 * (root.u_width + other.u_width))
+                return;
+        found_.roots.push_back(root);
+    }
+
+    void not_separated(MeshingPatch const& box)
+    {
+        double t0 = box.t0, t1 = box.t1, u0 = std::max(a_, box.u0), u1 = std::min(b_, box.u1);
+        if (!(u1 >= u0))
+            return;
+        double size = box.value().largest();
+        // boxes that touch are one
+        std::vector<DoubleRoot>& roots = found_.roots;
+        for (std::size_t i = 0; i < roots.size();)
+        {
+            DoubleRoot const& other = roots[i];
+            bool const apart = other.separated || std::abs(other.t - 0.5 * (t0 + t1)) > 0.5 * (other.t_width + t1 - t0)
+                               || std::abs(other.u - 0.5 * (u0 + u1)) > 0.5 * (other.u_width + u1 - u0);
+            if (apart)
+            {
+                ++i;
+                continue;
+            }
+            t0 = std::min(t0, other.t - 0.5 * other.t_width);
+            t1 = std::max(t1, other.t + 0.5 * other.t_width);
+            u0 = std::min(u0, other.u - 0.5 * other.u_width);
+            u1 = std::max(u1, other.u + 0.5 * other.u_width);
+            size = std::max(size, other.size);
+            roots.erase(roots.begin() + static_cast<std::ptrdiff_t>(i));
+            i = 0;
+        }
+        roots.push_back({0.5 * (t0 + t1), 0.5 * (u0 + u1), t1 - t0, u1 - u0, 0, size, false});
     }
 
     CurvePiece const& curve_;
-    Motion const& motion_;
+    RatesModel const& rates_;
     double a_;
     double b_;
     DoubleRoots found_;

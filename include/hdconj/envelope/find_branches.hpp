@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <iterator>
+#include <limits>
 #include <vector>
 
 #include "hdconj/envelope/cusps.hpp"
@@ -38,15 +39,18 @@ namespace detail {
     return a.ends == BranchEnd::segment_end && b.begins == BranchEnd::segment_end && (forward || backward);
 }
 
-/// Links the arcs of one segment into branches, in order of their first arc.
+/// Links the arcs of one segment, which come in the order of its pieces, into branches, in order of their first arc.
 [[nodiscard]] inline std::vector<Branch> link(std::vector<ContactArc> const& arcs, int segment, bool corner)
 {
     std::size_t const none = arcs.size();
     std::vector<std::size_t> next(arcs.size(), none);
     std::vector<bool> continued(arcs.size(), false);
+    std::size_t first = 0;   // of the pieces that touch that of arc i
     for (std::size_t i = 0; i < arcs.size(); ++i)
     {
-        for (std::size_t j = 0; j < arcs.size(); ++j)
+        while (arcs[first].piece + 1 < arcs[i].piece)
+            ++first;
+        for (std::size_t j = first; j < arcs.size() && arcs[j].piece <= arcs[i].piece + 1; ++j)
         {
             if (i == j || continued[j] || !goes_on(arcs[i], arcs[j]))
                 continue;
@@ -85,20 +89,29 @@ template<RelativeMotion Motion>
     auto const& pieces = envelope.profile().pieces;
     std::vector<std::vector<ContactArc>> arcs(pieces.size());
     std::vector<TraceRecord> records(pieces.size());
+    std::vector<RatesModel> rates;
+    for (SmoothRange const& range : smooth_ranges(envelope.motion()))
+        rates.push_back(rates_model(envelope.motion(), range.a, range.b));
     constexpr std::size_t grain = 32;
     parallel_for(pieces.size(), threads, grain, [&](std::size_t i) {
-        std::vector<ContactArc> const whole = PieceTracer<Motion>(envelope, static_cast<int>(i))(records[i]);
+        std::vector<ContactArc> const whole = PieceTracer<Motion>(envelope, rates, static_cast<int>(i))(records[i]);
         for (ContactArc const& arc : whole)
             for (ContactArc& part : cut_at_cusps(envelope, arc, records[i]))
                 arcs[i].push_back(std::move(part));
     });
 
     BranchSet set;
+    for (RatesModel const& model : rates)
+    {
+        if (!model.resolved)
+            set.record.doubts.push_back({-1, 0, 0.5 * (model.panels.front().u0 + model.panels.back().u1),
+                                         model.panels.back().u1 - model.panels.front().u0, std::numeric_limits<double>::infinity(),
+                                         "the motion is not smooth between its breaks"});
+    }
     for (TraceRecord& record : records)
     {
         set.record.evaluations += record.evaluations;
         set.record.roots += record.roots;
-        set.record.certified = set.record.certified && record.certified;
         std::move(record.doubts.begin(), record.doubts.end(), std::back_inserter(set.record.doubts));
     }
     for (std::size_t i = 0; i < pieces.size();)

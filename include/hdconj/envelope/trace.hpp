@@ -3,7 +3,8 @@
 /// Finds every contact arc of a profile: where it begins, where it ends and why.
 #pragma once
 
-#include <array>
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,18 +26,22 @@ template<RelativeMotion Motion>
 class PieceTracer
 {
   public:
-    PieceTracer(Envelope<Motion> const& envelope, int piece) : envelope_(envelope), piece_(piece) {}
+    /// @param rates  models of the motion on its smooth ranges, in order
+    PieceTracer(Envelope<Motion> const& envelope, std::vector<RatesModel> const& rates, int piece) : envelope_(envelope), rates_(rates), piece_(piece)
+    {
+    }
 
     [[nodiscard]] std::vector<ContactArc> operator()(TraceRecord& record)
     {
-        for (SmoothRange const& range : smooth_ranges(envelope_.motion()))
+        std::vector<SmoothRange> const ranges = smooth_ranges(envelope_.motion());
+        for (std::size_t i = 0; i < ranges.size(); ++i)
         {
-            range_ = range;
-            critical_ = critical_angles(shape(), envelope_.motion(), range.a, range.b, record);
-            cuts_.assign(1, range.a);
+            range_ = ranges[i];
+            critical_ = critical_angles(shape(), piece_, envelope_.motion(), rates_[i], range_.a, range_.b, record);
+            cuts_.assign(1, range_.a);
             for (CriticalAngle const& c : critical_)
                 cuts_.push_back(c.u);
-            cuts_.push_back(range.b);
+            cuts_.push_back(range_.b);
             if (auto const* curve = std::get_if<CurvePiece>(&shape()))
                 trace_curve(*curve);
             else
@@ -106,73 +111,115 @@ class PieceTracer
         return (centre(arc.u_end) - begin).norm() <= rounding && (centre(0.5 * (arc.u_begin + arc.u_end)) - begin).norm() <= rounding;
     }
 
-    /// Roots keep their order between cuts, so the k-th root of one interval is the k-th until a cut says otherwise.
+    /// Contacts of a curve keep their order between critical angles, and each of these adds or removes known ones.
     void trace_curve(CurvePiece const& curve)
     {
+        count_contacts(curve);
         Motion const& motion = envelope_.motion();
-        for (std::size_t i = 0; i + 1 < cuts_.size(); ++i)
+        std::size_t const last = cuts_.size() - 1;
+        std::vector<std::vector<double>> at_cut(cuts_.size());
+        std::vector<std::size_t> first_changed(cuts_.size(), 0);
+        for (std::size_t i = 0; i <= last; ++i)
+        {
+            bool const inner = i > 0 && i < last;
+            int const before = i > 0 ? counts_[i - 1] : counts_[i];
+            int const after = i < last ? counts_[i] : counts_[i - 1];
+            // at an end of the range what rounding adds or hides lies next to an end of the curve
+            double const where = inner ? critical_[i - 1].t : 0;
+            at_cut[i] = parameters(curve, motion.rates(cuts_[i]).twist, static_cast<std::size_t>(std::min(before, after)), where);
+            if (inner)
+                first_changed[i] = static_cast<std::size_t>(std::upper_bound(at_cut[i].begin(), at_cut[i].end(), where) - at_cut[i].begin());
+            if (inner && !critical_[i - 1].merge)
+                first_changed[i] = where == 0 ? 0 : at_cut[i].size();
+        }
+        for (std::size_t i = 0; i < last; ++i)
         {
             if (!(cuts_[i + 1] > cuts_[i]))
                 continue;
-            double const middle = 0.5 * (cuts_[i] + cuts_[i + 1]);
-            BernsteinRoots const roots = curve_contacts(curve, motion.rates(middle).twist);
-            for (int k = 0; k < roots.count; ++k)
+            for (int k = 0; k < counts_[i]; ++k)
             {
                 ContactArc arc;
                 arc.piece = piece_;
                 arc.candidate = k;
-                arc.roots = roots.count;
+                arc.roots = counts_[i];
                 arc.u_begin = cuts_[i];
                 arc.u_end = cuts_[i + 1];
-                double const t = roots.t[static_cast<std::size_t>(k)];
-                std::tie(arc.t_begin, arc.begins) = limit(curve, arc, i, middle, t, cuts_[i]);
-                std::tie(arc.t_end, arc.ends) = limit(curve, arc, i + 1, middle, t, cuts_[i + 1]);
+                auto const limit = [&](std::size_t cut) -> std::pair<double, BranchEnd> {
+                    auto index = static_cast<std::size_t>(k);
+                    if (cut == 0)
+                        return {at_cut[cut][index], at_range_begin()};
+                    if (cut == last)
+                        return {at_cut[cut][index], at_range_end()};
+                    std::size_t const changed = static_cast<std::size_t>(counts_[i]) - at_cut[cut].size();
+                    if (index >= first_changed[cut] && index < first_changed[cut] + changed)
+                        return {critical_[cut - 1].t, critical_[cut - 1].merge ? BranchEnd::double_root : BranchEnd::segment_end};
+                    if (index >= first_changed[cut])
+                        index -= changed;
+                    return {at_cut[cut][index], BranchEnd::continues};
+                };
+                std::tie(arc.t_begin, arc.begins) = limit(i);
+                std::tie(arc.t_end, arc.ends) = limit(i + 1);
                 arcs_.push_back(arc);
             }
         }
     }
 
+    /// Number of contacts between cuts: seen in the middle of the longest interval whose roots are all simple, and from there on by
+    /// what each critical angle changes; compared with what is seen in all other such intervals.
+    void count_contacts(CurvePiece const& curve)
+    {
+        std::size_t const intervals = cuts_.size() - 1;
+        std::vector<int> seen(intervals, -1);
+        std::size_t anchor = intervals;
+        auto const length = [&](std::size_t i) { return cuts_[i + 1] - cuts_[i]; };
+        for (std::size_t i = 0; i < intervals; ++i)
+        {
+            BernsteinRoots const roots = curve_contacts(curve, envelope_.motion().rates(cuts_[i] + 0.5 * length(i)).twist);
+            bool sure = length(i) > 0 && roots.complete;
+            for (int k = 0; k < roots.count; ++k)
+                sure = sure && roots.width[static_cast<std::size_t>(k)] == 0;
+            if (!sure)
+                continue;
+            seen[i] = roots.count;
+            if (anchor == intervals || length(i) > length(anchor))
+                anchor = i;
+        }
+        auto const place = [&] { return "profile piece " + std::to_string(piece_); };
+        if (anchor == intervals)
+            throw NumericalError("envelope", place(), "its contacts are not distinct at any instant: the meshing condition vanishes");
+        counts_.assign(intervals, 0);
+        counts_[anchor] = seen[anchor];
+        auto const change = [&](std::size_t event, std::size_t from, std::size_t to) {
+            if (critical_[event].change == 0)
+                return seen[to] < 0 ? 0 : seen[to] - counts_[from];
+            return to > from ? critical_[event].change : -critical_[event].change;
+        };
+        for (std::size_t i = anchor + 1; i < intervals; ++i)
+            counts_[i] = counts_[i - 1] + change(i - 1, i - 1, i);
+        for (std::size_t i = anchor; i-- > 0;)
+            counts_[i] = counts_[i + 1] + change(i, i + 1, i);
+        for (std::size_t i = 0; i < intervals; ++i)
+            if (counts_[i] < 0 || (seen[i] >= 0 && seen[i] != counts_[i]))
+                throw NumericalError("envelope", place(), "contacts on both sides of a critical angle do not match");
+    }
+
+    /// The @p wanted contacts at one instant; where rounding adds or hides some they are those nearest to @p where.
+    [[nodiscard]] static std::vector<double> parameters(CurvePiece const& curve, Twist const& twist, std::size_t wanted, double where)
+    {
+        BernsteinRoots const roots = curve_contacts(curve, twist);
+        std::vector<double> t(roots.t.begin(), roots.t.begin() + roots.count);
+        auto const nearest = [&] {
+            return std::min_element(t.begin(), t.end(), [&](double x, double y) { return std::abs(x - where) < std::abs(y - where); });
+        };
+        while (t.size() > wanted)
+            t.erase(nearest());
+        while (t.size() < wanted)
+            t.insert(std::upper_bound(t.begin(), t.end(), where), where);
+        return t;
+    }
+
     [[nodiscard]] BranchEnd at_range_begin() const { return range_.from_break ? BranchEnd::continues : BranchEnd::range_end; }
     [[nodiscard]] BranchEnd at_range_end() const { return range_.to_break ? BranchEnd::continues : BranchEnd::range_end; }
-
-    /// Where the k-th root goes as u tends to a cut: followed by halving steps towards it, then matched with what
-    /// happens at the cut.
-    [[nodiscard]] std::pair<double, BranchEnd> limit(CurvePiece const& curve, ContactArc const& arc, std::size_t cut, double from, double t,
-                                                     double u_cut) const
-    {
-        Motion const& motion = envelope_.motion();
-        constexpr int halvings = 40;
-        double near = t;
-        double u = from;
-        for (int k = 0; k < halvings; ++k)
-        {
-            u = 0.5 * (u + u_cut);
-            BernsteinRoots const roots = curve_contacts(curve, motion.rates(u).twist);
-            if (roots.count != arc.roots)
-                break;
-            near = roots.t[static_cast<std::size_t>(arc.candidate)];
-        }
-        if (cut == 0)
-            return {near, at_range_begin()};
-        if (cut + 1 == cuts_.size())
-            return {near, at_range_end()};
-        // the steps stop within about 2^-40 of the cut, where a merging root is still sqrt of that away
-        constexpr double reach = 0x1p-16;
-        double best = reach;
-        std::pair<double, BranchEnd> result{near, BranchEnd::segment_end};
-        bool matched = false;
-        for (CriticalAngle const& c : critical_)
-        {
-            if (c.u != u_cut || std::abs(c.t - near) > best)
-                continue;
-            best = std::abs(c.t - near);
-            result = {c.t, c.merge ? BranchEnd::double_root : BranchEnd::segment_end};
-            matched = true;
-        }
-        if (matched)
-            return result;
-        return {near, BranchEnd::continues};
-    }
 
     /// Contacts that a cut, or a break of the motion, does not concern are one arc on both sides.
     void join_continuing()
@@ -220,10 +267,12 @@ class PieceTracer
     }
 
     Envelope<Motion> const& envelope_;
+    std::vector<RatesModel> const& rates_;
     int piece_;
     SmoothRange range_;
     std::vector<CriticalAngle> critical_;  ///< of the range being traced
     std::vector<double> cuts_;
+    std::vector<int> counts_;              ///< curves: contacts between cuts
     std::vector<ContactArc> arcs_;
 };
 

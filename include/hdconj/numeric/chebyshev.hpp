@@ -59,13 +59,27 @@ using ChebyshevVector = Eigen::Matrix<double, chebyshev_nodes, 1>;
     return d;
 }
 
+/// Value of the interpolant at @p x in [-1, 1], by Clenshaw's recurrence.
+[[nodiscard]] inline double chebyshev_value(ChebyshevVector const& c, double x)
+{
+    double b1 = 0;
+    double b2 = 0;
+    for (int k = chebyshev_degree; k >= 1; --k)
+    {
+        double const b0 = c[k] + 2 * x * b1 - b2;
+        b2 = b1;
+        b1 = b0;
+    }
+    return c[0] + x * b1 - b2;
+}
+
 /// sum_{k >= 1} |c_k|: the interpolant lies within this of c_0 on the whole interval.
 [[nodiscard]] inline double chebyshev_spread(ChebyshevVector const& c)
 {
     return c.tail<chebyshev_nodes - 1>().lpNorm<1>();
 }
 
-/// Size of the last three coefficients: an estimate of the interpolation error.
+/// Size of the last three coefficients: an estimate of the interpolation error, right where the coefficients go on falling.
 [[nodiscard]] inline double chebyshev_tail(ChebyshevVector const& c)
 {
     return c.tail<3>().lpNorm<1>();

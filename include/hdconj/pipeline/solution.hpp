@@ -99,6 +99,24 @@ struct ErrorEstimate
     [[nodiscard]] double largest() const { return chord > point ? chord : point; }
 };
 
+/// A place where the number of roots of the meshing condition is not known: a branch that is not among the branches may exist there.
+struct UndecidedPlace
+{
+    std::string segment_name;
+    double t = 0;        ///< profile parameter, 0 ... 1 along the segment
+    double u = 0;        ///< [rad]
+    double u_width = 0;  ///< of the interval about u that such a branch would live in [rad]
+    double reach = 0;    ///< how far it could stand out of the known branches, along the normal [mm]; below the tolerance
+    std::string what;
+};
+
+/// Whether all roots of the meshing condition are proved to be found.
+struct RootCertificate
+{
+    std::vector<UndecidedPlace> undecided;
+    [[nodiscard]] bool certified() const { return undecided.empty(); }
+};
+
 struct StageTime
 {
     std::string stage;
@@ -124,6 +142,7 @@ struct Solution
     std::vector<Vec2> neutral_curve;       ///< (n,2) fixed frame, closed, first point not repeated
     std::vector<BranchRecord> branches;
     std::vector<ConjugateZone> zones;
+    RootCertificate certificate;
     CircularSplineOutline circular_spline;
     std::vector<std::vector<Vec2>> tooth_family;  ///< given teeth in the frame of the branches, one polyline per position; for pictures, may be empty
     std::optional<PairCheck> check;

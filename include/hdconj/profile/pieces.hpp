@@ -4,6 +4,7 @@
 /// so that the outward normal is the tangent turned by +90 degrees.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <span>
@@ -12,6 +13,7 @@
 
 #include "hdconj/geometry/vec2.hpp"
 #include "hdconj/numeric/bernstein.hpp"
+#include "hdconj/numeric/tolerance.hpp"
 
 namespace hdconj {
 
@@ -51,11 +53,16 @@ class CurvePiece
     [[nodiscard]] std::span<double const> a() const { return a_; }
     [[nodiscard]] std::span<double const> b() const { return b_; }
     [[nodiscard]] std::span<double const> c() const { return c_; }
+    /// Largest rounding error of a coefficient of A and of B and C, against the polynomials that x and y are exactly.
+    [[nodiscard]] double a_error() const { return a_error_; }
+    [[nodiscard]] double b_error() const { return b_error_; }
     [[nodiscard]] std::vector<double> const& x() const { return x_; }
     [[nodiscard]] std::vector<double> const& y() const { return y_; }
 
   private:
     std::vector<double> x_, y_, x1_, y1_, x2_, y2_, a_, b_, c_;
+    double a_error_ = 0;
+    double b_error_ = 0;
 };
 
 inline CurvePiece::CurvePiece(std::vector<double> x, std::vector<double> y)
@@ -72,6 +79,14 @@ inline CurvePiece::CurvePiece(std::vector<double> x, std::vector<double> y)
     for (double& value : b_)
         value = -value;
     c_ = bernstein_raised(x1_, degree);
+    // each product is a convex sum of n terms whose factors are right to 3 roundings; raising rounds three times a degree
+    auto const largest = [](std::vector<double> const& v) {
+        return std::abs(*std::max_element(v.begin(), v.end(), [](double p, double q) { return std::abs(p) < std::abs(q); }));
+    };
+    double const slope = largest(x1_) + largest(y1_);
+    auto const n = static_cast<double>(x_.size());
+    a_error_ = (3 * n + 8) * unit_roundoff * (largest(x_) * largest(x1_) + largest(y_) * largest(y1_));
+    b_error_ = (3 * n + 3) * unit_roundoff * slope;
 }
 
 }  // namespace hdconj

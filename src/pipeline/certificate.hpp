@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What tracing could not decide, judged and put into the result.
+#pragma once
+
+#include <string>
+
+#include "hdconj/envelope/branch.hpp"
+#include "hdconj/numeric/error.hpp"
+#include "hdconj/pipeline/solution.hpp"
+#include "hdconj/profile/profile.hpp"
+
+namespace hdconj::detail {
+
+/// @throws NumericalError where a branch could be missing that stands out of the known ones by more than @p tolerance [mm]
+inline void refuse_lost_branches(TraceRecord const& record, double tolerance)
+{
+    for (RootDoubt const& doubt : record.doubts)
+        if (!(doubt.reach <= tolerance))
+            throw NumericalError("envelope", "profile piece " + std::to_string(doubt.piece) + " at u = " + std::to_string(doubt.u),
+                                 doubt.what + ": its roots could not all be told apart in double precision");
+}
+
+/// The doubts that pass, as the result states them.
+inline void record_doubts(TraceRecord const& record, Profile const& profile, RootCertificate& certificate)
+{
+    for (RootDoubt const& doubt : record.doubts)
+    {
+        ProfilePiece const& piece = profile.pieces[static_cast<std::size_t>(doubt.piece)];
+        certificate.undecided.push_back({profile.segment_names[static_cast<std::size_t>(piece.segment)],
+                                         piece.t_begin + doubt.t * (piece.t_end - piece.t_begin), doubt.u, doubt.width, doubt.reach, doubt.what});
+    }
+}
+
+}  // namespace hdconj::detail
