@@ -31,6 +31,16 @@ struct ToothDistance::Nearest
     }
 };
 
+namespace {
+
+/// Of a point from a box; 0 inside.
+double squared_distance(Vec2 const& low, Vec2 const& high, Vec2 const& p)
+{
+    return (low - p).cwiseMax(p - high).cwiseMax(0.0).squaredNorm();
+}
+
+}  // namespace
+
 void ToothDistance::foot_on(Line const& line, Vec2 const& p, Nearest& nearest)
 {
     double const along = (p - line.a).dot(line.along);
@@ -87,6 +97,7 @@ ToothDistance::ToothDistance(Profile const& profile)
     }
     PieceEnd const last = end_of(*before);
     vertices_.push_back({last.point, last.normal, true});
+    gather_runs();
     double const chord = (profile.addendum + profile.dedendum) * 0x1p-12;
     for (Vec2 const& p : polygon_of(profile, chord))
     {
@@ -129,16 +140,46 @@ void ToothDistance::add_patch(PieceShape const& shape)
     }
 }
 
+/// Runs of patches under one box: a profile of n patches costs about its square root, one of a few dozen has one run.
+void ToothDistance::gather_runs()
+{
+    constexpr std::size_t least = 64;
+    auto const size = std::max(least, static_cast<std::size_t>(std::sqrt(static_cast<double>(patches_.size()))));
+    for (std::size_t first = 0; first < patches_.size(); first += size)
+    {
+        Run run{first, std::min(patches_.size(), first + size), patches_[first].low, patches_[first].high};
+        for (std::size_t i = first; i < run.last; ++i)
+        {
+            run.low = run.low.cwiseMin(patches_[i].low);
+            run.high = run.high.cwiseMax(patches_[i].high);
+        }
+        runs_.push_back(run);
+    }
+}
+
+void ToothDistance::look_at(Run const& run, Vec2 const& p, Nearest& nearest) const
+{
+    // patch i lies between vertices i and i + 1
+    for (std::size_t i = run.first; i <= run.last; ++i)
+        nearest.offer(p, vertices_[i].point, vertices_[i].normal, vertices_[i].open_end);
+    for (std::size_t i = run.first; i < run.last; ++i)
+    {
+        Patch const& patch = patches_[i];
+        if (squared_distance(patch.low, patch.high, p) <= nearest.squared)
+            std::visit([&](auto const& shape) { foot_on(shape, p, nearest); }, patch.shape);
+    }
+}
+
 NearestPoint ToothDistance::operator()(Vec2 const& p) const
 {
     Nearest nearest;
-    for (Vertex const& vertex : vertices_)
-        nearest.offer(p, vertex.point, vertex.normal, vertex.open_end);
-    for (Patch const& patch : patches_)
+    auto const nearer = [&](Run const& a, Run const& b) { return squared_distance(a.low, a.high, p) < squared_distance(b.low, b.high, p); };
+    auto const likely = std::min_element(runs_.begin(), runs_.end(), nearer);
+    look_at(*likely, p, nearest);
+    for (auto run = runs_.begin(); run != runs_.end(); ++run)
     {
-        Vec2 const beside = (patch.low - p).cwiseMax(p - patch.high).cwiseMax(0.0);
-        if (beside.squaredNorm() <= nearest.squared)
-            std::visit([&](auto const& shape) { foot_on(shape, p, nearest); }, patch.shape);
+        if (run != likely && squared_distance(run->low, run->high, p) <= nearest.squared)
+            look_at(*run, p, nearest);
     }
     Vec2 const away = p - nearest.point;
     double const distance = std::sqrt(nearest.squared);

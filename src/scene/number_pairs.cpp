@@ -49,6 +49,12 @@ NumberPairs read_number_pairs(FamilyChoice const& choice, std::string_view key, 
     std::ifstream in(file);
     if (!in || std::filesystem::is_directory(file, ignored))
         return refuse("cannot be read: " + pairs.file, "write the name of a CSV file, relative to the scene file");
+    // a device has no end, and may have no line either
+    if (!std::filesystem::is_regular_file(file, ignored))
+        return refuse("is no file of numbers: " + pairs.file, "write the name of a CSV file, relative to the scene file");
+    std::string const thin_it = "write at most " + std::to_string(most_number_pairs) + " lines, such as every tenth";
+    if (std::filesystem::file_size(file, ignored) > largest_number_file)
+        return refuse(pairs.file + " is larger than " + std::to_string(largest_number_file >> 20) + " MiB", thin_it);
     std::string line;
     int number = 0;
     bool header_seen = false;
@@ -68,6 +74,8 @@ NumberPairs read_number_pairs(FamilyChoice const& choice, std::string_view key, 
         if (!ok || !std::isfinite(row.value[0]) || !std::isfinite(row.value[1]))
             return refuse("line " + std::to_string(number) + " of " + pairs.file + " is not a pair of finite numbers",
                           "write two numbers " + std::string(what) + " on each line");
+        if (pairs.rows.size() == most_number_pairs)
+            return refuse(pairs.file + " holds more than " + std::to_string(most_number_pairs) + " points", thin_it);
         pairs.rows.push_back(row);
     }
     return pairs;

@@ -480,3 +480,18 @@ HARD_ROW("far more teeth outside", "50 000 pitches a lobe - found by fuzzing: 10
 {
     refused({"drive.circular_spline_teeth=99998", "!circular_spline.inner_radius"}, "by 49899 teeth");
 }
+
+HARD_ROW("a million points", "measured points to the nanometre - found by fuzzing: minutes before an answer", "refused: how many are computed")
+{
+    TemporaryFolder const folder;
+    std::string rows;
+    constexpr int count = 1000000;
+    for (int i = 0; i < count; ++i)
+        rows += std::to_string(0.1 + 0.2e-6 * i) + "," + std::to_string(0.2 - 0.5e-6 * i) + "\n";
+    refused(points_file(folder, rows), "write at most 10000 lines");
+}
+
+HARD_ROW("points without end", "a device in place of a file of points has no line that ends", "refused: no file of numbers")
+{
+    refused({"!flexspline.profile", "flexspline.profile.family=points", "flexspline.profile.file=/dev/zero"}, "no file of numbers");
+}

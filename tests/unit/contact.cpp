@@ -110,3 +110,32 @@ TEST_CASE("the smallest distance over a full turn: marching finds what a dense s
         last = found;
     }
 }
+
+TEST_CASE("the distance to a tooth of a thousand pieces is that to its polygon", "[contact]")
+{
+    // more pieces than one run holds; a full tooth with a flat tip and wavy flanks
+    std::vector<Vec2> points;
+    constexpr int count = 1001;
+    for (int i = 0; i < count; ++i)
+    {
+        double const s = 2.0 * i / (count - 1) - 1;
+        points.emplace_back(0.3 * s + 0.01 * std::sin(9 * s), 0.25 - 0.5 * s * s * s * s);
+    }
+    Profile tooth;
+    tooth.segment_names = {"tooth"};
+    for (CurvePiece& piece : spline_through(points))
+        tooth.pieces.push_back({std::move(piece)});
+    tooth.addendum = tooth.dedendum = 0.25;
+    ToothDistance const distance(tooth);
+    constexpr double chord = 1e-8;
+    std::vector<Vec2> const polygon = polygon_of(tooth, chord);
+    for (int i = 0; i < 200; ++i)
+    {
+        Vec2 const p(0.7 * std::sin(1.7 * i), 0.5 * std::cos(2.3 * i));
+        NearestPoint const foot = distance(p);
+        INFO("p " << p.transpose());
+        // beyond the root ends the sign is the rim's
+        CHECK(std::abs(foot.distance) == Approx(std::abs(polygon_distance(polygon, p))).margin(2 * chord));
+        CHECK((p - foot.point).norm() == Approx(std::abs(foot.distance)).margin(1e-12));
+    }
+}

@@ -213,3 +213,27 @@ TEST_CASE("polygons of extreme pieces have a bounded number of points", "[profil
     auto const wilder = polygon(CurvePiece({0, 1e300, -1e300, 0}, {0, 1, 2, 3}), 1e-300);
     CHECK(wilder.size() <= (1 << 16) + 1);
 }
+
+TEST_CASE("a file of points that has no end is refused before it is read", "[profile]")
+{
+    hdconj::test::TemporaryFolder const folder;
+    auto const refused = [&](std::string const& file) {
+        Scene scene = builtin_scene({"!circular_spline.inner_radius"});
+        scene.flexspline.profile = {"points", 0, "flexspline.profile", {{"file", {file, 0}}}};
+        scene.folder = folder.path();
+        Faults faults;
+        (void)build_profile(scene.flexspline.profile, place_of(scene), faults);
+        return faults.empty() ? std::string("accepted") : faults.front().reason;
+    };
+    auto const write = [&](std::string const& name, int rows) {
+        std::ofstream out(folder / name);
+        for (int i = 0; i < rows; ++i)
+            out << 0.2 + 1e-5 * i << ',' << 0.2 - 4e-5 * i << '\n';
+        return name;
+    };
+    CHECK_THAT(refused("/dev/zero"), ContainsSubstring("no file of numbers"));
+    CHECK(refused(write("most.csv", 10000)) == "accepted");
+    CHECK_THAT(refused(write("more.csv", 10001)), ContainsSubstring("more than 10000 points"));
+    std::filesystem::resize_file(folder / "more.csv", std::uintmax_t{17} << 20);
+    CHECK_THAT(refused("more.csv"), ContainsSubstring("larger than 16 MiB"));
+}

@@ -3,6 +3,7 @@
 /// Signed distance from a point to a flexspline tooth, to its exact pieces and not to a polygon.
 #pragma once
 
+#include <cstddef>
 #include <variant>
 #include <vector>
 
@@ -62,14 +63,22 @@ class ToothDistance
         std::variant<Line, Arc, CurvePiece const*> shape;
         Vec2 low, high;        ///< bounding box
     };
+    struct Run
+    {
+        std::size_t first, last;  ///< patches, the last one excluded
+        Vec2 low, high;
+    };
     struct Nearest;
 
     static void foot_on(Line const& line, Vec2 const& p, Nearest& nearest);
     static void foot_on(Arc const& arc, Vec2 const& p, Nearest& nearest);
     static void foot_on(CurvePiece const* curve, Vec2 const& p, Nearest& nearest);
     void add_patch(PieceShape const& shape);
+    void gather_runs();
+    void look_at(Run const& run, Vec2 const& p, Nearest& nearest) const;
 
     std::vector<Patch> patches_;
+    std::vector<Run> runs_;
     std::vector<Vertex> vertices_;
     double top_ = 0;
     double half_width_ = 0;

@@ -12,7 +12,7 @@ namespace hdconj {
 /// The file has two columns x,y in mm, y from the pitch line, '#' starts a comment, one header line is allowed.
 /// side = "right" (default): the right flank between tip and root, mirrored; "full": the whole tooth from left root to right root.
 /// Accuracy: passes through every point to roundoff; between points O(h^4) for data from a smooth curve.
-/// Domain: 4 points or more, no two neighbours equal. The addendum and dedendum are the largest and smallest y.
+/// Domain: 4 to 10 000 points, no two neighbours equal. The addendum and dedendum are the largest and smallest y.
 struct MeasuredPoints
 {
     [[nodiscard]] static FamilyDescription describe()

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,6 +13,11 @@
 #include "hdconj/scene/parameters.hpp"
 
 namespace hdconj {
+
+/// The work grows with each row: 10 000 points of a flank take some seconds.
+inline constexpr std::size_t most_number_pairs = 10000;
+/// A larger file is no such table; it is refused before it is read. [bytes]
+inline constexpr std::size_t largest_number_file = std::size_t{16} << 20;
 
 /// A pair of numbers and the line of the file it stands on.
 struct NumberPair
@@ -28,7 +34,7 @@ struct NumberPairs
 };
 
 /// Reads the CSV file that @p choice names under @p key: two finite numbers a line, separated by comma, semicolon, tab or blanks;
-/// '#' starts a comment, one header line is allowed. Nothing is read when there are faults.
+/// '#' starts a comment, one header line is allowed. At most most_number_pairs rows of a regular file. Nothing is read when there are faults.
 /// @param folder  where a relative name starts
 /// @param what    the columns, for messages: "x,y in mm"
 [[nodiscard]] NumberPairs read_number_pairs(FamilyChoice const& choice, std::string_view key, std::string const& folder, std::string_view what,
