@@ -8,6 +8,7 @@
 #include <limits>
 #include <optional>
 #include <random>
+#include <sstream>
 
 #include "fuzz/drive_text.hpp"
 #include "fuzz/scratch_folder.hpp"
@@ -42,7 +43,41 @@ std::string in_quotes(std::string_view word)
 bool is_number(Quantity quantity)
 {
     using enum Quantity;
-    return quantity != word && quantity != file && quantity != text && quantity != count;
+    return quantity != word && quantity != file && quantity != text && quantity != count && quantity != rows;
+}
+
+/// A list of lists of numbers from TOML of any layout; what is no number is passed over.
+NumberRows rows_of(std::string_view text)
+{
+    NumberRows rows;
+    int depth = 0;
+    for (std::size_t i = 0; i < text.size();) {
+        char const c = text[i];
+        double value = 0;
+        auto const [next, error] = std::from_chars(text.data() + i, text.data() + text.size(), value);
+        if (depth == 2 && error == std::errc{}) {
+            rows.back().push_back(value);
+            i = static_cast<std::size_t>(next - text.data());
+            continue;
+        }
+        depth += c == '[' ? 1 : c == ']' ? -1 : 0;
+        if (c == '[' && depth == 2)
+            rows.emplace_back();
+        i = c == '#' ? std::min(text.find('\n', i), text.size()) : i + 1;
+    }
+    return rows;
+}
+
+std::string text_of_rows(NumberRows const& rows)
+{
+    std::string text = "[";
+    for (std::vector<double> const& row : rows) {
+        text += text.size() > 1 ? ", [" : "[";
+        for (std::size_t k = 0; k < row.size(); ++k)
+            text += (k > 0 ? ", " : "") + number_text(row[k]);
+        text += "]";
+    }
+    return text + "]";
 }
 
 class Mutation
@@ -76,7 +111,10 @@ class Mutation
     {
         SceneReading const reading = examine_scene(base_text(drive_), "", scratch_folder(), drive_.overrides);
         numbers_.clear();
+        lists_.clear();
         for (auto const& [path, given] : reading.scene.given) {
+            if (given.written.starts_with('['))
+                lists_.emplace_back(path, rows_of(given.written));
             double value = 0;
             char const* const end = given.written.data() + given.written.size();
             if (std::from_chars(given.written.data(), end, value).ptr == end && !given.written.empty())
@@ -112,6 +150,8 @@ class Mutation
 
     void change()
     {
+        if (!lists_.empty() && chance(3))
+            return change_list();
         switch (below(16)) {
             case 0:
             case 1:
@@ -141,6 +181,7 @@ class Mutation
             return in_quotes(one_of(spec.words));
         switch (spec.quantity) {
             case file: return in_quotes(file_for_scene());
+            case rows: return text_of_rows(new_rows(spec));
             case text:
             case word: return in_quotes("any");
             case count:
@@ -347,6 +388,45 @@ class Mutation
             pairs += (pairs.empty() ? "" : " ") + pair;
     }
 
+    /// Rows in one of the forms of the key: points run from the tip down, angles in degrees, the rest about as long as a tooth.
+    NumberRows new_rows(ParameterSpec const& spec)
+    {
+        NumberRows rows;
+        int const count = (std::isfinite(spec.at_least) ? static_cast<int>(spec.at_least) : 1) + below(6);
+        for (int i = 0; i < count; ++i) {
+            std::istringstream form(std::string(spec.words.empty() ? "[x, y]" : one_of(spec.words)));
+            std::vector<double> row;
+            for (std::string column; std::getline(form, column, ',');) {
+                bool const height = column.find('y') != std::string::npos;
+                bool const degrees = column.find("_deg") != std::string::npos;
+                row.push_back(degrees  ? between(1, 60)
+                              : height ? module_ * (0.9 - 2.0 * i / std::max(1, count - 1))
+                                       : module_ * (0.1 + 0.8 * (i + between(0, 1)) / count));
+            }
+            rows.push_back(row);
+        }
+        return rows;
+    }
+
+    void change_list()
+    {
+        auto [path, rows] = one_of(lists_);
+        if (rows.empty())
+            return;
+        auto const row = rows.begin() + below(static_cast<int>(rows.size()));
+        switch (below(6)) {
+            case 0: rows.erase(row); break;
+            case 1: rows.insert(row, std::vector(*row)); break;
+            case 2: std::iter_swap(row, rows.begin() + below(static_cast<int>(rows.size()))); break;
+            default:
+                if (!row->empty()) {
+                    double& value = (*row)[static_cast<std::size_t>(below(static_cast<int>(row->size())))];
+                    value += (std::abs(value) + module_) * std::pow(10.0, between(-16, 0)) * between(-1, 1);
+                }
+        }
+        set(path, text_of_rows(rows));
+    }
+
     void simplify()
     {
         if (!drive_.overrides.empty())
@@ -361,6 +441,7 @@ class Mutation
     DriveText drive_;
     std::mt19937 engine_;
     std::vector<std::pair<std::string, double>> numbers_;
+    std::vector<std::pair<std::string, NumberRows>> lists_;
     FamilyDescription const* profile_ = nullptr;
     FamilyDescription const* wave_ = nullptr;
     double module_ = 1;
