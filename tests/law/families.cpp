@@ -80,12 +80,12 @@ TEST_CASE("touch law of the family involute", "[touch][family]")
     check_family("involute", 2, 0);
 }
 
-TEST_CASE("touch law of the family cycloid", "[.][touch][family]")
+TEST_CASE("touch law of the family cycloid", "[touch][family]")
 {
     check_family("cycloid", 3, 0);
 }
 
-TEST_CASE("touch law of the family s-tooth", "[.][touch][family]")
+TEST_CASE("touch law of the family s-tooth", "[touch][family]")
 {
     check_family("s-tooth", 4, 0);
 }
@@ -95,17 +95,17 @@ TEST_CASE("touch law of the family arc-chain", "[touch][family]")
     check_family("arc-chain", 5, 0);
 }
 
-TEST_CASE("touch law of the family bezier", "[.][touch][family]")
+TEST_CASE("touch law of the family bezier", "[touch][family]")
 {
     check_family("bezier", 6, 0);
 }
 
-TEST_CASE("touch law of the family b-spline", "[.][touch][family]")
+TEST_CASE("touch law of the family b-spline", "[touch][family]")
 {
     check_family("b-spline", 7, 0);
 }
 
-TEST_CASE("touch law of the family points", "[.][touch][family]")
+TEST_CASE("touch law of the family points", "[touch][family]")
 {
     check_family("points", 8, 0);
 }
