@@ -145,6 +145,13 @@ Profile tooth_through(std::vector<Vec2> points, FamilyChoice const& c, std::stri
     if (!(h_a > 0) || !(h_f > 0))
         faults.push_back(parameter_fault(c, key, "the points span y = " + short_number(-h_f) + " ... " + short_number(h_a) + " and do not cross the pitch line y = 0",
                                          "measure y from the pitch line, up towards the tip"));
+    Vec2 const& left = points.front();
+    Vec2 const& right = points.back();
+    if (full && !(left.x() < 0 && right.x() > 0 && left.y() < 0 && right.y() < 0))
+        faults.push_back(parameter_fault(c, key, "a whole tooth begins left of its centre line below the pitch line and ends right of it; this one runs from ("
+                                                     + short_number(left.x()) + ", " + short_number(left.y()) + ") to (" + short_number(right.x()) + ", "
+                                                     + short_number(right.y()) + ")",
+                                         "give both flanks from the left root over the tip to the right root, or set side = \"right\""));
     if (!full && points.front().x() < 0)
         faults.push_back(parameter_fault(c, key, "the tip of the right flank is left of the tooth's centre line x = 0",
                                          "give the right flank with x >= 0, or set side = \"full\""));

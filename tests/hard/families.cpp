@@ -94,6 +94,14 @@ HARD_ROW("points out of order", "the spline goes back and forth", "refused with 
              "!circular_spline.inner_radius"}, "");
 }
 
+HARD_ROW("half a tooth as a whole one", "side = full with one flank only - found by fuzzing: an open region", "refused: where it begins and ends")
+{
+    TemporaryFolder const folder;
+    std::ofstream(folder / "points.csv") << "0.05,0.2\n0.1,0.12\n0.16,0\n0.2,-0.1\n0.25,-0.2\n0.3,-0.28\n";
+    refused({"!flexspline.profile", "flexspline.profile.family=points", "flexspline.profile.file=" + (folder / "points.csv").string(),
+             "flexspline.profile.side=full", "!circular_spline.inner_radius"}, "left of its centre line");
+}
+
 HARD_ROW("a million measured points", "an hour of work for noise", "refused in time with how many would do")
 {
     TemporaryFolder const folder;
