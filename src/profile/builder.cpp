@@ -5,6 +5,8 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "hdconj/numeric/tolerance.hpp"
+
 namespace hdconj {
 
 namespace {
@@ -86,7 +88,8 @@ Profile symmetric_tooth(std::vector<FlankSegment> const& right_flank, ToothPlace
         segments.back().name = "left " + segment->name;
     }
     Vec2 const tip = start_of(right_flank.front().pieces.front()).point;
-    if (tip.x() > 0)
+    // a land shorter than roundoff has no direction: the tooth is pointed
+    if (tip.x() > unit_roundoff * (addendum + dedendum))
         segments.push_back({"tip land", {LinePiece{{-tip.x(), tip.y()}, tip}}});
     for (FlankSegment segment : right_flank)
     {
