@@ -38,7 +38,7 @@ TEST_CASE("h5py and ezdxf read the files and find the documented layout")
     write_hdf5(solution, folder / "a.h5");
     write_dxf(solution, folder / "a.dxf");
     auto const read = run(reader + "a.h5 a.dxf", folder.path());
-    CHECK(read.out + read.err == "26 datasets, 2 branches, 0 faults\n");
+    CHECK(read.out + read.err == "32 datasets, 2 branches, 0 faults\n");
     CHECK(read.status == 0);
     solution.neutral_curve[7].x() += 1e-6;
     write_hdf5(solution, folder / "a.h5");
