@@ -70,7 +70,8 @@ def main(program, output):
             marks = "with lines lw 1.5 lc rgb '#2060c0'" if extra == "cam" else f"with points pt 7 ps {0.35 if extra == 'rows' else 1.0} lc rgb '#2060c0'"
             lines.append(f"set title \"{title}\" offset 0,-1")
             lines.append(
-                f"plot '{data}' index 0 with lines lw 1 dt 2 lc rgb '#909090', '' index 1 with lines lw 2 lc rgb '#c03020', '' index 2 {marks}"
+                f"plot '{data}' index 0 title 'undeformed ring' with lines lw 1 dt 2 lc rgb '#909090', "
+                f"'' index 1 title 'neutral curve' with lines lw 2 lc rgb '#c03020', '' index 2 title 'marks' {marks}"
             )
         lines.append("unset multiplot")
         subprocess.run(["gnuplot"], input="\n".join(["set encoding utf8"] + lines).encode(), check=True)
