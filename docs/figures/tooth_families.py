@@ -203,7 +203,7 @@ def draw(program, scene_name, folder, output):
     shown = thinned(outline)
     data.write_text("\n\n\n".join(["\n".join(f"{x:.5f} {y:.5f}" for x, y in shown)] + f.data) + "\n")
     file = output / f"tooth-{p['family']}.svg"
-    plots = [f"'{data}' index 0 with filledcurves fc rgb '#e8e6e0'", "'' index 0 with lines lw 2.5 lc rgb 'black'"]
+    plots = [f"'{data}' index 0 title 'tooth' with filledcurves fc rgb '#e8e6e0'", "'' index 0 with lines lw 2.5 lc rgb 'black'"]
     plots += [f"'' index {i} {style}" for i, style in enumerate(f.plots, 1)]
     commands = ["set encoding utf8", f"set terminal svg size {int(620 * (wide + 0.5) / 0.97)},480 font 'sans,13' background rgb 'white'", f"set output '{file}'",
                 "unset border; unset tics; set size ratio -1; set key off", f"set xrange [-0.5:{wide}]; set yrange [{bottom - (0.14 if p['family'] == 'cycloid' else 0.06)}:{top + 0.12}]",
