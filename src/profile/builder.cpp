@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 
 #include "hdconj/numeric/tolerance.hpp"
 
@@ -99,9 +100,14 @@ Profile symmetric_tooth(std::vector<FlankSegment> const& right_flank, ToothPlace
     return whole_tooth(segments, place, addendum, dedendum, true);
 }
 
-Fault parameter_fault(FamilyChoice const& choice, std::string_view key, std::string reason, std::string remedy)
+double thickness_at_pitch(FamilyChoice const& choice, ToothPlace const& place, Faults& faults)
 {
-    return {choice.path + "." + std::string(key), choice.line_of(key), choice.text_of(key), std::move(reason), std::move(remedy)};
+    double const pitch = std::numbers::pi * place.module;
+    double const s = choice.number_or("thickness", pitch / 2);
+    if (!(s < pitch))
+        faults.push_back(parameter_fault(choice, "thickness", "leaves no space between the teeth: the pitch is " + short_number(pitch),
+                                         "write about half the pitch, " + short_number(pitch / 2)));
+    return s;
 }
 
 std::string short_number(double value)

@@ -21,15 +21,12 @@ Profile Cycloid::build(FamilyChoice const& c, ToothPlace const& place, Faults& f
     double const h_f = c.number_or("dedendum", 0);
     double const above = c.number_or("addendum_rolling_radius", 0);
     double const below = c.number_or("dedendum_rolling_radius", 0);
-    double const pitch = std::numbers::pi * place.module;
-    double const s = c.number_or("thickness", pitch / 2);
     double const r = -place.centre();
     std::size_t const before = faults.size();
+    double const s = thickness_at_pitch(c, place, faults);
     auto const refuse = [&](std::string_view key, std::string reason, std::string remedy) {
         faults.push_back(parameter_fault(c, key, std::move(reason), std::move(remedy)));
     };
-    if (!(s < pitch))
-        refuse("thickness", "leaves no space between the teeth: the pitch is " + short_number(pitch), "write about half the pitch, " + short_number(pitch / 2));
     double const largest = std::abs(r) / 2;
     std::string_view const inner_key = place.internal ? "addendum_rolling_radius" : "dedendum_rolling_radius";
     if (!((place.internal ? above : below) <= largest))

@@ -48,15 +48,12 @@ Profile Involute::build(FamilyChoice const& c, ToothPlace const& place, Faults& 
 {
     double const h_a = c.number_or("addendum", 0);
     double const h_f = c.number_or("dedendum", 0);
-    double const pitch = std::numbers::pi * place.module;
-    double const s = c.number_or("thickness", pitch / 2);
     double const r = -place.centre();
     std::size_t const before = faults.size();
+    double const s = thickness_at_pitch(c, place, faults);
     auto const refuse = [&](std::string_view key, std::string reason, std::string remedy) {
         faults.push_back(parameter_fault(c, key, std::move(reason), std::move(remedy)));
     };
-    if (!(s < pitch))
-        refuse("thickness", "leaves no space between the teeth: the pitch is " + short_number(pitch), "write about half the pitch, " + short_number(pitch / 2));
     if (!(h_f < std::abs(r)))
         refuse("dedendum", "is more than the pitch radius " + short_number(std::abs(r)), "write about 1.2 modules");
     if (faults.size() > before)

@@ -9,13 +9,12 @@ Profile STooth::build(FamilyChoice const& c, ToothPlace const& place, Faults& fa
     double const h_f = c.number_or("dedendum", 0);
     double const kappa = c.number_or("deflection", 0);
     double const n = place.waves;
-    double const pitch = std::numbers::pi * place.module;
-    double const half = c.number_or("thickness", pitch / 2) / 2;
     double const rise = c.number_or("datum_rise", 0);
     double const least = detail::least_locus_angle(kappa, n);
     double const alpha = c.has("pressure_angle_deg") ? c.number_or("pressure_angle_deg", 0) * std::numbers::pi / 180 : least;
     constexpr double degrees = 180 / std::numbers::pi;
     std::size_t const before = faults.size();
+    double const half = thickness_at_pitch(c, place, faults) / 2;
     auto const refuse = [&](std::string_view key, std::string reason, std::string remedy) {
         faults.push_back(parameter_fault(c, key, std::move(reason), std::move(remedy)));
     };

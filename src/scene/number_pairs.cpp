@@ -8,6 +8,8 @@
 #include <fstream>
 #include <utility>
 
+#include "hdconj/scene/parameter_fault.hpp"
+
 namespace hdconj {
 
 namespace {
@@ -38,7 +40,7 @@ bool read_pair(std::string_view line, std::array<double, 2>& p)
 NumberPairs read_number_pairs(FamilyChoice const& choice, std::string_view key, std::string const& folder, std::string_view what, Faults& faults)
 {
     auto const refuse = [&](std::string reason, std::string remedy) {
-        faults.push_back({choice.path + "." + std::string(key), choice.line_of(key), choice.text_of(key), std::move(reason), std::move(remedy)});
+        faults.push_back(parameter_fault(choice, key, std::move(reason), std::move(remedy)));
         return NumberPairs{};
     };
     std::filesystem::path file = choice.word(key).value_or("");

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/scene/parameters.hpp"
 
+#include <utility>
+
+#include "hdconj/scene/parameter_fault.hpp"
 #include "text.hpp"
 
 namespace hdconj {
@@ -51,6 +54,11 @@ std::string FamilyChoice::text_of(std::string_view key) const
 {
     auto const found = given.find(key);
     return found == given.end() ? std::string{} : detail::value_text(found->second.value);
+}
+
+Fault parameter_fault(FamilyChoice const& choice, std::string_view key, std::string reason, std::string remedy)
+{
+    return {choice.path + "." + std::string(key), choice.line_of(key), choice.text_of(key), std::move(reason), std::move(remedy)};
 }
 
 }  // namespace hdconj

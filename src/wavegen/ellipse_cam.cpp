@@ -2,6 +2,7 @@
 #include "hdconj/wavegen/ellipse_cam.hpp"
 
 #include <boost/math/special_functions/ellint_2.hpp>
+#include <cstddef>
 #include <numbers>
 
 #include "hdconj/numeric/bracketed_root.hpp"
@@ -24,16 +25,16 @@ EllipseCam::EllipseCam(double w0, double r_m) : w0_(w0), a_(r_m + w0), b_(a_)
 
 EllipseCam EllipseCam::build(FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults& faults)
 {
+    std::size_t const before = faults.size();
     double const w0 = choice.number_or(radial_deformation, 0);
-    bool bad = place.waves != 2 && refuse_waves(choice, place.waves, "an ellipse has two waves", "write 2, or another family", faults);
-    double const most = (std::numbers::pi / 2 - 1) * place.r_m;
-    if (!(w0 < most))
-    {
-        refuse_key(choice, radial_deformation, "an ellipse with this major axis is longer than the ring even when flat",
-                   "write a smaller number, about one module", faults);
-        bad = true;
-    }
-    return bad || !(place.r_m > 0) ? EllipseCam{} : EllipseCam(w0, place.r_m);
+    if (place.waves != 2)
+        faults.push_back(waves_fault(choice, place.waves, "an ellipse has two waves", "write 2, or another family"));
+    if (!(place.r_m > 0))
+        return {};  // the tooth or the ring has faults of its own
+    if (!(w0 < (std::numbers::pi / 2 - 1) * place.r_m))
+        faults.push_back(parameter_fault(choice, radial_deformation, "an ellipse with this major axis is longer than the ring even when flat",
+                                         "write a smaller number, about one module"));
+    return faults.size() > before ? EllipseCam{} : EllipseCam(w0, place.r_m);
 }
 
 }  // namespace hdconj

@@ -16,13 +16,13 @@ FourRoller FourRoller::build(FamilyChoice const& choice, WaveGeneratorPlace cons
     double const beta = choice.number_or(key, 0) * std::numbers::pi / 180;
     if (place.waves < 2)
     {
-        refuse_waves(choice, place.waves, "one wave of forces moves the ring as a whole and does not deform it", "write 2 or 3", faults);
+        faults.push_back(waves_fault(choice, place.waves, "one wave of forces moves the ring as a whole and does not deform it", "write 2 or 3"));
         return {};
     }
     if (!(place.waves * beta < std::numbers::pi / 2))
     {
-        refuse_key(choice, key, "rollers this far from the major axis press the ring flat where it should bulge",
-                   "write less than " + std::to_string(90 / place.waves) + " (25 to 35 are usual)", faults);
+        faults.push_back(parameter_fault(choice, key, "rollers this far from the major axis press the ring flat where it should bulge",
+                                         "write less than " + std::to_string(90 / place.waves) + " (25 to 35 are usual)"));
         return {};
     }
     return {choice.number_or(radial_deformation, 0), beta, place.waves};

@@ -88,8 +88,8 @@ RingOnCam RingOnCam::build(FamilyChoice const& choice, WaveGeneratorPlace const&
         return {};
     if (!(t + w0 < place.r_m))
     {
-        refuse_key(choice, "ring_thickness", "leaves no cam inside a neutral curve of radius " + std::to_string(place.r_m) + " mm",
-                   "write a smaller number", faults);
+        faults.push_back(parameter_fault(choice, "ring_thickness", "leaves no cam inside a neutral curve of radius " + std::to_string(place.r_m) + " mm",
+                                         "write a smaller number"));
         return {};
     }
     try
@@ -98,7 +98,7 @@ RingOnCam RingOnCam::build(FamilyChoice const& choice, WaveGeneratorPlace const&
     }
     catch (NumericalError const& error)
     {
-        refuse_key(choice, radial_deformation, error.what(), "write about one module", faults);
+        faults.push_back(parameter_fault(choice, radial_deformation, error.what(), "write about one module"));
         return {};
     }
 }

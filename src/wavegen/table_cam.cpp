@@ -122,7 +122,7 @@ TableCam TableCam::build(FamilyChoice const& choice, WaveGeneratorPlace const& p
     if (faults.size() > before)
         return {};
     auto const refuse = [&](std::string reason, std::string remedy) {
-        refuse_key(choice, "file", std::move(reason), std::move(remedy), faults);
+        faults.push_back(parameter_fault(choice, "file", std::move(reason), std::move(remedy)));
         return TableCam{};
     };
     double const wave = 360.0 / place.waves;

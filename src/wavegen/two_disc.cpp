@@ -63,15 +63,15 @@ TwoDisc TwoDisc::build(FamilyChoice const& choice, WaveGeneratorPlace const& pla
     constexpr std::string_view key = "wrap_angle_deg";
     if (place.waves < 2)
     {
-        refuse_waves(choice, place.waves, "a single disc leaves the ring a circle beside the axis", "write 2 or 3", faults);
+        faults.push_back(waves_fault(choice, place.waves, "a single disc leaves the ring a circle beside the axis", "write 2 or 3"));
         return {};
     }
     double const wrap = choice.number_or(key, 0);
     double const most = 90.0 / place.waves;
     if (!(wrap < most))
     {
-        refuse_key(choice, key, "the discs would hold the ring beyond the middle of its flanks, where it bends inwards",
-                   "write less than " + std::to_string(static_cast<int>(most)) + " (20 to 40 are usual)", faults);
+        faults.push_back(parameter_fault(choice, key, "the discs would hold the ring beyond the middle of its flanks, where it bends inwards",
+                                         "write less than " + std::to_string(static_cast<int>(most)) + " (20 to 40 are usual)"));
         return {};
     }
     double const w0 = choice.number_or(radial_deformation, 0);
@@ -83,7 +83,7 @@ TwoDisc TwoDisc::build(FamilyChoice const& choice, WaveGeneratorPlace const& pla
     }
     catch (NumericalError const&)
     {
-        refuse_key(choice, radial_deformation, "no disc radius makes the neutral curve as long as the ring", "write about one module", faults);
+        faults.push_back(parameter_fault(choice, radial_deformation, "no disc radius makes the neutral curve as long as the ring", "write about one module"));
         return {};
     }
 }

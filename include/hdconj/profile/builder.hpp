@@ -13,6 +13,7 @@
 #include "hdconj/profile/polynomial_curve.hpp"
 #include "hdconj/profile/profile.hpp"
 #include "hdconj/scene/fault.hpp"
+#include "hdconj/scene/parameter_fault.hpp"
 #include "hdconj/scene/parameters.hpp"
 
 namespace hdconj {
@@ -75,8 +76,8 @@ template<class F>
     return root.x + (y - there.point.y()) / there.slope.y();
 }
 
-/// A fault of a family's parameter @p key.
-[[nodiscard]] Fault parameter_fault(FamilyChoice const& choice, std::string_view key, std::string reason, std::string remedy);
+/// Tooth thickness at the pitch line: the key `thickness`, half the pitch when absent. A fault when it leaves no space between the teeth.
+[[nodiscard]] double thickness_at_pitch(FamilyChoice const& choice, ToothPlace const& place, Faults& faults);
 
 /// A number as a user would write it: shortest text that reads back the same to 6 digits.
 [[nodiscard]] std::string short_number(double value);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hdconj/scene/fault.hpp"
+#include "hdconj/scene/parameter_fault.hpp"
 #include "hdconj/scene/parameters.hpp"
 
 namespace hdconj {
@@ -28,17 +29,10 @@ inline constexpr std::string_view radial_deformation = "radial_deformation";
     return {radial_deformation, Quantity::positive_length, "largest radial deformation w0 of the neutral curve"};
 }
 
-/// Adds the fault that a family has no shape with this number of waves. @returns whether there was one
-inline bool refuse_waves(FamilyChoice const& choice, int waves, std::string reason, std::string remedy, Faults& faults)
+/// The fault of a family that has no shape with this number of waves.
+[[nodiscard]] inline Fault waves_fault(FamilyChoice const& choice, int waves, std::string reason, std::string remedy)
 {
-    faults.push_back({choice.path + ".waves", choice.line, std::to_string(waves), std::move(reason), std::move(remedy)});
-    return true;
-}
-
-/// Adds the fault that the key @p key of @p choice has a value this family cannot use.
-inline void refuse_key(FamilyChoice const& choice, std::string_view key, std::string reason, std::string remedy, Faults& faults)
-{
-    faults.push_back({choice.path + "." + std::string(key), choice.line_of(key), choice.text_of(key), std::move(reason), std::move(remedy)});
+    return {choice.path + ".waves", choice.line, std::to_string(waves), std::move(reason), std::move(remedy)};
 }
 
 }  // namespace hdconj
