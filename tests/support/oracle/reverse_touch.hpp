@@ -123,32 +123,6 @@ class ReverseTouchScan
   private:
     double position(double index) const { return -half_ + step_ * index; }
 
-    template <class F>
-    static void golden(F const& f, double a, double b, int k, Touch& touch)
-    {
-        double const ratio = (std::sqrt(5.0) - 1) / 2;
-        double c = b - ratio * (b - a), d = a + ratio * (b - a), fc = f(c), fd = f(d);
-        for (int step = 0; step < 90 && b - a > 1e-15; ++step) {
-            if (fc < fd) {
-                b = d;
-                d = c;
-                fd = fc;
-                c = b - ratio * (b - a);
-                fc = f(c);
-            } else {
-                a = c;
-                c = d;
-                fc = fd;
-                d = a + ratio * (b - a);
-                fd = f(d);
-            }
-        }
-        if (fc < touch.distance)
-            touch = {fc, c, k};
-        if (fd < touch.distance)
-            touch = {fd, d, k};
-    }
-
     GivenTeeth<long double> fine_;
     std::vector<Pose<double>> poses_;
     std::vector<double> scratch_;

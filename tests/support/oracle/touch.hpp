@@ -19,18 +19,11 @@
 #include <limits>
 #include <vector>
 
+#include "support/oracle/golden.hpp"
 #include "support/oracle/motion.hpp"
 #include "support/oracle/tooth.hpp"
 
 namespace oracle {
-
-/// Smallest distance and where.
-struct Touch
-{
-    double distance = std::numeric_limits<double>::infinity();
-    double s = 0;  ///< position
-    int copy = 0;  ///< tooth turned clockwise by this many pitches
-};
 
 class TouchScan
 {
@@ -133,32 +126,6 @@ class TouchScan
                 continue;
             golden(at, from + part * (i - 1), from + part * (i + 1), candidate.copy, touch);
         }
-    }
-
-    template <class F>
-    static void golden(F const& f, double a, double b, int copy, Touch& touch)
-    {
-        double const ratio = (std::sqrt(5.0) - 1) / 2;
-        double c = b - ratio * (b - a), d = a + ratio * (b - a), fc = f(c), fd = f(d);
-        for (int step = 0; step < 90 && b - a > 1e-15; ++step) {
-            if (fc < fd) {
-                b = d;
-                d = c;
-                fd = fc;
-                c = b - ratio * (b - a);
-                fc = f(c);
-            } else {
-                a = c;
-                c = d;
-                fc = fd;
-                d = a + ratio * (b - a);
-                fd = f(d);
-            }
-        }
-        if (fc < touch.distance)
-            touch = {fc, c, copy};
-        if (fd < touch.distance)
-            touch = {fd, d, copy};
     }
 
     Tooth<long double> fine_tooth_;
