@@ -10,6 +10,7 @@
 
 #include "hdconj/envelope/cusps.hpp"
 #include "hdconj/envelope/trace.hpp"
+#include "hdconj/numeric/parallel.hpp"
 
 namespace hdconj {
 
