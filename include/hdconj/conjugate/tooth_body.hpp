@@ -13,6 +13,9 @@
 
 #include "hdconj/conjugate/body_polygons.hpp"
 #include "hdconj/conjugate/crossing.hpp"
+#include "hdconj/conjugate/nearest_on_arc.hpp"
+#include "hdconj/conjugate/side_by_side.hpp"
+#include "hdconj/conjugate/tooth_foot.hpp"
 #include "hdconj/conjugate/tooth_space.hpp"
 #include "hdconj/numeric/error.hpp"
 #include "hdconj/numeric/tolerance.hpp"
@@ -105,8 +108,8 @@ class ToothBodyFinder
             return std::nullopt;
         if (gap_ > 0)
         {
-            body.right = settled(body.right);
-            body.left = settled(body.left);
+            body.right = without_changes(teeth_, body.right, smallest_step(), gap_);
+            body.left = without_changes(teeth_, body.left, smallest_step(), gap_);
         }
         body.gap = gap_;
         return body;
@@ -157,7 +160,7 @@ class ToothBodyFinder
                     && !meet(piece, next_, chord))
                     return false;
             }
-            auto const foot = foot_on(piece, swept_.source(runs[i].curve).u, side);
+            auto const foot = foot_on(teeth_[static_cast<std::size_t>(piece.copy)], piece, swept_.source(runs[i].curve).u, side, limits_.half_width);
             if (foot && *foot == piece.begin)
                 return !flank.empty() || (fail(point(piece, piece.begin), "the flank ends at the tip"), false);
             flank.push_back(piece);
@@ -184,26 +187,6 @@ class ToothBodyFinder
         return true;
     }
 
-    /// Nearest point of an arc to @p p, from the guess @p u.
-    struct Nearest
-    {
-        double u;
-        double gap;
-    };
-    [[nodiscard]] static Nearest nearest_on(TurnedArc<Motion> const& arc, Vec2 const& p, double u)
-    {
-        constexpr int steps = 4;
-        for (int i = 0; i < steps; ++i)
-        {
-            Vec2 const v = arc.velocity(u);
-            double const step = (p - arc.point(u).p).dot(v) / v.squaredNorm();
-            if (!std::isfinite(step))
-                break;
-            u = std::clamp(u + step, arc.arc.u_begin, arc.arc.u_end);
-        }
-        return {u, (arc.point(u).p - p).norm()};
-    }
-
     [[nodiscard]] double smallest_step() const
     {
         constexpr double small_part = 0x1p-4;
@@ -213,7 +196,7 @@ class ToothBodyFinder
     /// The flank leaves @p a at its end for the nearest point of @p b, if that is near enough.
     bool change_over(BoundaryPiece const& a, BoundaryPiece& b)
     {
-        Nearest const there = nearest_on(of(b), point(a, a.end), b.begin);
+        NearestOnArc const there = nearest_on(of(b), point(a, a.end), b.begin);
         if (!(there.gap <= smallest_step()))
             return false;
         b.begin = there.u;
@@ -221,84 +204,7 @@ class ToothBodyFinder
         return true;
     }
 
-    /// Of branches that run side by side the polygons pick now one, now the other: the flank stays on the first as long as it can.
-    [[nodiscard]] std::vector<BoundaryPiece> settled(std::vector<BoundaryPiece> const& flank)
-    {
-        std::vector<BoundaryPiece> result;
-        for (std::size_t i = 0; i < flank.size();)
-        {
-            BoundaryPiece piece = flank[i];
-            std::size_t last = i;
-            double u = piece.end;
-            double widest = 0;
-            double settled_gap = 0;
-            for (std::size_t k = i + 1; k < flank.size(); ++k)
-            {
-                BoundaryPiece const& next = flank[k];
-                bool const same = next.arc == piece.arc && next.copy == piece.copy;
-                for (double const share : {0.0, 0.5, 1.0})
-                {
-                    Nearest const there = nearest_on(of(piece), point(next, next.begin + share * (next.end - next.begin)), u);
-                    u = there.u;
-                    widest = std::max(widest, same ? 0 : there.gap);
-                }
-                if (!(widest <= smallest_step()))
-                    break;
-                if (same)
-                {
-                    last = k;
-                    u = next.end;
-                    settled_gap = widest;
-                }
-            }
-            piece.end = flank[last].end;
-            gap_ = std::max(gap_, settled_gap);
-            result.push_back(piece);
-            i = last + 1;
-        }
-        return result;
-    }
-
-    /// Where the flank ends on this piece: its begin when at once, nothing when it goes on.
-    [[nodiscard]] std::optional<double> foot_on(BoundaryPiece const& piece, std::vector<double> const& vertices, int side) const
-    {
-        SweptTooth<Motion> const& tooth = teeth_[static_cast<std::size_t>(piece.copy)];
-        ContactArc const& arc = tooth.arcs[static_cast<std::size_t>(piece.arc)];
-        // positive above the foot
-        auto const above = [&](double u) {
-            double const along = side * tooth.envelope.contact(arc, u).n.x();
-            double const room = 1 - side * tooth.envelope.point(arc, u).p.x() / limits_.half_width;
-            return std::min(along, room);
-        };
-        constexpr double on_centre_line = 1e-12;   // a flat tip's normal, after some roundings
-        if (!(above(piece.begin) > on_centre_line))
-            return piece.begin;
-        double const low = std::min(piece.begin, piece.end);
-        double const high = std::max(piece.begin, piece.end);
-        std::vector<double> stations;
-        std::copy_if(vertices.begin(), vertices.end(), std::back_inserter(stations), [&](double u) { return u > low && u < high; });
-        std::sort(stations.begin(), stations.end());
-        if (piece.begin > piece.end)
-            std::reverse(stations.begin(), stations.end());
-        stations.push_back(piece.end);
-        double before = piece.begin;
-        for (double u : stations)
-        {
-            if (!(above(u) > 0))
-            {
-                BracketedRoot const root = bracketed_root(above, std::min(before, u), std::max(before, u));
-                return root.found ? root.x : before;
-            }
-            before = u;
-        }
-        return std::nullopt;
-    }
-
-    [[nodiscard]] TurnedArc<Motion> of(BoundaryPiece const& piece) const
-    {
-        SweptTooth<Motion> const& tooth = teeth_[static_cast<std::size_t>(piece.copy)];
-        return {tooth.envelope, tooth.arcs[static_cast<std::size_t>(piece.arc)], 0};
-    }
+    [[nodiscard]] TurnedArc<Motion> of(BoundaryPiece const& piece) const { return turned_arc(teeth_, piece); }
 
     [[nodiscard]] Vec2 point(BoundaryPiece const& piece, double u) const { return of(piece).point(u).p; }
 
