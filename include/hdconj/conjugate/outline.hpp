@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hdconj/conjugate/tooth_space.hpp"
+#include "hdconj/envelope/smooth_ranges.hpp"
 
 namespace hdconj {
 
@@ -80,13 +81,13 @@ template<RelativeMotion Motion>
 {
     Outline outline;
     Profile const& profile = envelope.profile();
-    int before = -1;   // profile piece of the stretch before
+    BoundaryPiece const* before = nullptr;   // the one that ends where this one begins, unless it is land
     for (BoundaryPiece const& piece : pieces)
     {
         if (piece.arc < 0)
         {
             detail::append_land(outline, tip_radius, piece.begin, piece.end, chord);
-            before = -1;
+            before = nullptr;
             continue;
         }
         ContactArc const& arc = arcs[static_cast<std::size_t>(piece.arc)];
@@ -104,14 +105,18 @@ template<RelativeMotion Motion>
         OutlineKind const kind = made_by.corner ? OutlineKind::corner
                                  : detail::is_tip(profile, arc.piece) ? OutlineKind::bottom
                                                                       : OutlineKind::flank;
-        // pieces that follow each other inside a segment make one stretch
-        bool const goes_on = before >= 0 && std::abs(arc.piece - before) == 1 && !made_by.corner && outline.stretches.back().kind == kind
+        // pieces that follow each other inside a segment make one stretch, and so do both sides of a break of the motion
+        int const step = before == nullptr ? 0 : std::abs(arc.piece - arcs[static_cast<std::size_t>(before->arc)].piece);
+        bool const next_piece = before != nullptr && step == 1 && !made_by.corner;
+        bool const across_break = before != nullptr && step == 0 && before->copy == piece.copy
+                                  && same_instant(std::min(before->end, piece.begin), std::max(before->end, piece.begin));
+        bool const goes_on = (next_piece || across_break) && outline.stretches.back().kind == kind
                              && outline.stretches.back().segment == made_by.segment;
         if (goes_on)
             outline.stretches.back().last = outline.points.size() - 1;
         else
             outline.stretches.push_back({kind, made_by.segment, first, outline.points.size() - 1});
-        before = arc.piece;
+        before = &piece;
     }
     return outline;
 }
