@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "assemble_until_clear.hpp"
 #include "centred_outline.hpp"
 #include "certificate.hpp"
 #include "drive.hpp"
@@ -50,20 +51,9 @@ class SolveJob
     void operator()()
     {
         clock_.run(Stage::envelope, [&] { trace(); });
-        double chord = (tooth_.addendum + tooth_.dedendum) * 0x1p-12;
-        // polygons decide which branch is outside; where they misjudge two that lie closer than their own error, the
-        // full-turn check sees it and they are made finer
-        constexpr int attempts = 5;
-        for (int attempt = 1;; ++attempt, chord /= 64)
-        {
-            assemble(chord);
-            double const wanted = out_.scene.circular_spline.backlash_offset - tolerance_.coincidence();
-            if (!out_.check || out_.check->smallest_clearance >= wanted)
-                break;
-            if (attempt == attempts)
-                throw NumericalError("interference", "near (" + std::to_string(out_.check->where.x()) + ", " + std::to_string(out_.check->where.y()) + ") mm",
-                                     "a tooth enters the outline by " + std::to_string(wanted - out_.check->smallest_clearance) + " mm");
-        }
+        double const chord = (tooth_.addendum + tooth_.dedendum) * 0x1p-12;
+        auto const wanted = [&] { return out_.scene.circular_spline.backlash_offset - tolerance_.coincidence(); };
+        assemble_until_clear(out_, chord, [&](double c) { assemble(c); }, wanted, "");
         clock_.run(Stage::outline, [&] { publish(); });
     }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "assemble_until_clear.hpp"
 #include "certificate.hpp"
 #include "drive.hpp"
 #include "given_spline.hpp"
@@ -89,21 +90,9 @@ class ReverseJob
     void operator()()
     {
         clock_.run(Stage::envelope, [&] { trace(); });
-        double chord = (given_.addendum + given_.dedendum) * 0x1p-12;
-        // as in the forward problem: where polygons misjudge two branches, the full-turn check sees it and they are made finer
-        constexpr int attempts = 5;
-        for (int attempt = 1;; ++attempt, chord /= 64)
-        {
-            assemble(chord);
-            double const wanted = out_.scene.circular_spline.backlash_offset - tolerance_.coincidence() - 2 * body_.gap;
-            if (!out_.check || out_.check->smallest_clearance >= wanted)
-                break;
-            if (attempt == attempts)
-                throw NumericalError("interference",
-                                     "near (" + std::to_string(out_.check->where.x()) + ", " + std::to_string(out_.check->where.y())
-                                         + ") mm of the flexspline tooth, y from the pitch line",
-                                     "a circular-spline tooth enters it by " + std::to_string(wanted - out_.check->smallest_clearance) + " mm");
-        }
+        double const chord = (given_.addendum + given_.dedendum) * 0x1p-12;
+        auto const wanted = [&] { return out_.scene.circular_spline.backlash_offset - tolerance_.coincidence() - 2 * body_.gap; };
+        assemble_until_clear(out_, chord, [&](double c) { assemble(c); }, wanted, " of the flexspline tooth, y from the pitch line");
         clock_.run(Stage::outline, [&] { publish(); });
     }
 
