@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What `contact` computes: plain data, all lengths in mm, all angles in rad.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hdconj/contact/gap_map.hpp"
+#include "hdconj/pipeline/solution.hpp"
+
+namespace hdconj {
+
+/// Where the teeth come closest, or enter deepest, over a full turn of the wave generator.
+struct Closest
+{
+    double clearance = 0;      ///< negative: the tooth enters by this much [mm]
+    Vec2 where = Vec2::Zero(); ///< on the circular spline, frame of the tooth space [mm]
+    double phi = 0;            ///< undeformed angle of the tooth [rad]
+};
+
+/// One slice over a full turn, the flexspline's section at the same place against it (design 3.4).
+struct SliceClearance
+{
+    double z = 0;          ///< [mm]
+    double amplitude = 0;  ///< radial deformation w0(z) of this slice [mm]
+    Closest flank;         ///< between land corner and flank end, both sides
+    Closest root;          ///< around the bottom of the space
+};
+
+/// Contact at one angle of the wave generator, the flexspline turned until it touches.
+struct ContactState
+{
+    double wave_generator = 0;   ///< angle of the wave generator from a tooth space, in the frame of the circular spline [rad]
+    double take_up = 0;          ///< turn of the flexspline to first contact, clockwise [rad]; negative: it had to be turned back
+    double take_up_back = 0;     ///< the same for the other flanks, counter-clockwise [rad]
+    double contact_area = 0;     ///< [mm^2] of the flanks on the driving side with gap <= contact_gap
+    double share = 0;            ///< of the area of all flanks on that side, 0 ... 1
+    double share_error = 0;      ///< estimated from half as many points and slices
+    int teeth = 0;               ///< tooth spaces with any contact on the driving side
+    double smallest_gap = 0;     ///< before turning, either side [mm]
+    int smallest_space = 0;      ///< tooth space where it is
+    double smallest_z = 0;       ///< and slice [mm]
+    /// Play in which the flexspline can be turned; negative: it is wedged.
+    [[nodiscard]] double backlash() const { return take_up + take_up_back; }
+};
+
+/// One surface of the circular spline: a row of the table.
+struct ContactCase
+{
+    std::string surface;  ///< "tilted", "ruled" or "per-slice"
+    std::string kind;     ///< "radial" or "draft"; empty where there is no tilt
+    double tilt = 0;      ///< [rad]
+    double backlash_offset = 0;           ///< side clearance that the contact is computed with [mm]
+    std::vector<SliceClearance> slices;   ///< without that side clearance
+    double clearing_offset = 0;           ///< least side clearance that leaves no interference on the flanks over a full turn [mm]
+    double clearing_root = 0;             ///< least further root clearance, the same for the bottom [mm]
+    double backlash_of_clearing = 0;      ///< play that the clearing offset alone would make [rad]
+    ContactState state;                   ///< at the scene's angle of the wave generator; of a revolution the one with the least share
+    std::vector<ContactState> revolution; ///< one per angle asked for; empty without --revolution
+    double flank_area = 0;                ///< of all flanks on one side [mm^2]
+    double ruled_deviation = 0;           ///< "ruled": largest distance from the slices' own conjugate outlines [mm]
+    double seconds = 0;
+
+    /// Deepest interference of any slice's flanks; clearance where there is none.
+    [[nodiscard]] Closest const& closest_flank() const;
+    [[nodiscard]] SliceClearance const& closest_slice() const;
+};
+
+/// The tilt of largest area, or of least clearing offset.
+struct BestTilt
+{
+    std::string what;        ///< "area" or "clearing offset"
+    std::string kind;        ///< "radial" or "draft"
+    double tilt = 0;         ///< [rad]
+    double tolerance = 0;    ///< of the tilt [rad]
+    double value = 0;        ///< share, or offset [mm]
+    bool on_bound = false;   ///< the best lies at an end of the interval that was searched
+    double from = 0, to = 0; ///< that interval [rad]
+};
+
+struct ContactStudy
+{
+    Solution solution;               ///< of the scene, its circular spline with the surface and slices of cases[shown]
+    std::vector<ContactCase> cases;  ///< in the order asked for
+    std::vector<BestTilt> best;      ///< with --best
+    std::size_t shown = 0;           ///< case that map and solution are of
+    GapMap map;                      ///< of that case at its state, after take-up
+    double contact_gap = 0;          ///< [mm]
+    double pitch_radius = 0;         ///< m z_f/2, at which play is given as a length [mm]
+};
+
+inline SliceClearance const& ContactCase::closest_slice() const
+{
+    std::size_t worst = 0;
+    for (std::size_t k = 1; k < slices.size(); ++k)
+        if (slices[k].flank.clearance < slices[worst].flank.clearance)
+            worst = k;
+    return slices[worst];
+}
+
+inline Closest const& ContactCase::closest_flank() const
+{
+    return closest_slice().flank;
+}
+
+}  // namespace hdconj
