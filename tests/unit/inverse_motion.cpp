@@ -6,6 +6,8 @@
 #include <numbers>
 
 #include "hdconj/motion/erased_motion.hpp"
+#include "hdconj/motion/material_motion.hpp"
+#include "hdconj/wavegen/inextensional_mode.hpp"
 #include "support/catch.hpp"
 #include "support/oracle/motion.hpp"
 #include "support/type50.hpp"
@@ -48,6 +50,7 @@ TEST_CASE("the inverse motion composed with the motion is the seat", "[motion][r
     closes(type50_motion());
     closes(type50_motion(3));
     closes(type50_first_order());
+    closes(MaterialMotion(inextensional_mode(CosineCam{type50_w0, 2}), type50_r_m, type50_ratio));
 }
 
 TEST_CASE("rates of the inverse motion are the derivatives of its pose, in long double", "[motion][reverse]")

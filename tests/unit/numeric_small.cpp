@@ -64,6 +64,14 @@ TEST_CASE("Fourier series: mean, integral, and an honest no for a kink", "[numer
         double const exact = std::atan(std::tan(u) / 3) * 4 / 3 + 0.1 * (1 - std::cos(4 * u)) / 4;
         CHECK(series.integral(u) == Approx(exact).epsilon(1e-14));
     }
+    // Poisson's kernel: 4/3 (1 + 2 sum (-1/2)^k cos(2 k u))
+    CHECK(series.cosine(0) == Approx(4.0 / 3).epsilon(1e-15));
+    CHECK(series.cosine(1) == Approx(-4.0 / 3).epsilon(1e-15));
+    CHECK(series.cosine(3) == Approx(-1.0 / 3).epsilon(1e-14));
+    CHECK(series.sine(2) == Approx(0.1).epsilon(1e-14));
+    CHECK(std::abs(series.sine(1)) <= series.noise());
+    CHECK(series.noise() < 1e-13);
+    CHECK(series.cosine(series.terms()) == 0);
     FourierSeries const kinked([](double u) { return 2 + std::abs(std::sin(u)); }, 2 * std::numbers::pi);
     CHECK_FALSE(kinked.resolved());
 }

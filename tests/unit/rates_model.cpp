@@ -6,7 +6,10 @@
 #include <numbers>
 #include <span>
 
+#include "hdconj/motion/material_motion.hpp"
 #include "hdconj/numeric/bernstein.hpp"
+#include "hdconj/wavegen/displacement_of.hpp"
+#include "hdconj/wavegen/inextensional_mode.hpp"
 #include "support/catch.hpp"
 #include "support/type50.hpp"
 
@@ -78,6 +81,14 @@ TEST_CASE("the model of the rates keeps its stated errors, values and slopes", "
             RatesModel const other = rates_model(first, -first.half_lobe(), first.half_lobe());
             REQUIRE(other.resolved);
             CHECK(used(first, other) < 0.5);
+            MaterialMotion const material(inextensional_mode(CosineCam{w0, waves}), type50_r_m, type50_ratio);
+            RatesModel const third = rates_model(material, -material.half_lobe(), material.half_lobe());
+            REQUIRE(third.resolved);
+            CHECK(used(material, third) < 0.5);
+            MaterialMotion const same(displacement_of(exact.curve()), type50_r_m, type50_ratio);
+            RatesModel const fourth = rates_model(same, -same.half_lobe(), same.half_lobe());
+            REQUIRE(fourth.resolved);
+            CHECK(used(same, fourth) < 0.5);
         }
     }
     CHECK(rates_model(type50_motion(), -std::numbers::pi / 2, std::numbers::pi / 2).panels.size() <= 16);

@@ -36,7 +36,7 @@ struct ToothAngles
 };
 
 /// A one-parameter motion of the flexspline tooth in the circular-spline frame. The parameter is u for the exact model
-/// and phi for the first-order one; one lobe of the wave generator is (-pi/n, pi/n] in either. Twist and pose are continuous and
+/// and phi for the others; one lobe of the wave generator is (-pi/n, pi/n] in either. Twist and pose are continuous and
 /// analytic between breaks(); at a break `change` is that of the side of larger u.
 /// symmetric(): the pose at -u is the mirror image of that at u.
 template<class M>

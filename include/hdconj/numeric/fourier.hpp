@@ -37,6 +37,11 @@ class FourierSeries
     [[nodiscard]] double mean() const { return a_[0]; }
     [[nodiscard]] bool resolved() const { return resolved_; }
     [[nodiscard]] std::size_t terms() const { return a_.size(); }
+    /// a_k, and b_k; 0 from k = terms() on.
+    [[nodiscard]] double cosine(std::size_t k) const { return k < a_.size() ? a_[k] : 0; }
+    [[nodiscard]] double sine(std::size_t k) const { return k < b_.size() ? b_[k] : 0; }
+    /// Coefficients up to this size are rounding, of the sums or of f.
+    [[nodiscard]] double noise() const { return std::max(8 * unit_roundoff, 2 * relative_error_) * size_; }
     /// Largest neglected coefficient against the largest of all.
     [[nodiscard]] double relative_error() const { return relative_error_; }
 
@@ -83,7 +88,7 @@ class FourierSeries
         }
         std::size_t const terms = points / 2;
         a_.assign(terms, 0);
-        std::vector<double> b(terms, 0);
+        b_.assign(terms, 0);
         double const weight = 2 / static_cast<double>(points);
         for (std::size_t k = 0; k < terms; ++k)
         {
@@ -91,7 +96,7 @@ class FourierSeries
             {
                 std::size_t const m = (k * j) % points;
                 a_[k] += weight * values[j] * cosine[m];
-                b[k] += weight * values[j] * sine[m];
+                b_[k] += weight * values[j] * sine[m];
             }
         }
         a_[0] /= 2;
@@ -99,7 +104,7 @@ class FourierSeries
         size_ = std::abs(a_[0]);
         for (std::size_t k = 1; k < terms; ++k)
         {
-            double const size = std::hypot(a_[k], b[k]);
+            double const size = std::hypot(a_[k], b_[k]);
             size_ = std::max(size_, size);
             if (k >= terms - terms / 4)
                 tail = std::max(tail, size);
@@ -107,21 +112,22 @@ class FourierSeries
         relative_error_ = size_ > 0 ? tail / size_ : 0;
         constexpr double roundoff_of_the_sums = 8 * unit_roundoff;
         resolved_ = relative_error_ <= roundoff_of_the_sums;
-        trim(b);
+        trim();
     }
 
     /// Drops coefficients that are roundoff and prepares the integrated series.
-    void trim(std::vector<double>& b)
+    void trim()
     {
         constexpr double negligible = unit_roundoff / 16;
         std::size_t used = a_.size();
         // an even function has no sines; what the sums leave of them is rounding and would spoil exact symmetry
-        double const odd = *std::max_element(b.begin(), b.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
+        double const odd = *std::max_element(b_.begin(), b_.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
         if (std::abs(odd) <= 8 * unit_roundoff * size_)
-            std::fill(b.begin(), b.end(), 0.0);
-        while (used > 1 && std::hypot(a_[used - 1], b[used - 1]) <= negligible * size_)
+            std::fill(b_.begin(), b_.end(), 0.0);
+        while (used > 1 && std::hypot(a_[used - 1], b_[used - 1]) <= negligible * size_)
             --used;
         a_.resize(used);
+        b_.resize(used);
         ai_.assign(used, 0);
         bi_.assign(used, 0);
         bi_sum_ = 0;
@@ -129,13 +135,13 @@ class FourierSeries
         {
             double const kw = static_cast<double>(k) * frequency_;
             ai_[k] = a_[k] / kw;
-            bi_[k] = b[k] / kw;
+            bi_[k] = b_[k] / kw;
             bi_sum_ += bi_[k];
         }
     }
 
     double frequency_;
-    std::vector<double> a_, ai_, bi_;
+    std::vector<double> a_, b_, ai_, bi_;
     double bi_sum_ = 0;
     double size_ = 0;  ///< largest coefficient
     double relative_error_ = 1;

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The displacement of the neutral curve as functions of the undeformed angle.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace hdconj {
+
+/// Coefficients [mm] of one harmonic of w and v.
+struct DisplacementHarmonic
+{
+    double w_cosine = 0;
+    double w_sine = 0;
+    double v_cosine = 0;
+    double v_sine = 0;
+};
+
+/// The point that stood at phi on the undeformed circle of radius r_m now stands at (r_m + w) e_r + v e_t,
+/// e_r = (sin phi, cos phi) and e_t = (cos phi, -sin phi):
+///
+///   w(phi) = sum_k w_cosine[k] cos(k n phi) + w_sine[k] sin(k n phi), v(phi) the same.
+///
+/// This is the form in which a shell or finite-element model of the cup gives its displacements, slice by slice.
+/// v_cosine of k = 0 turns the ring as a whole.
+struct MaterialDisplacement
+{
+    int waves = 2;                                ///< n >= 1
+    std::vector<DisplacementHarmonic> harmonics;  ///< k = 0, 1, ...; none: the undeformed circle
+};
+
+/// w and v of one point and their derivatives: w[j] = d^j w/dphi^j [mm].
+struct PointDisplacement
+{
+    std::array<double, 4> w{};
+    std::array<double, 4> v{};
+};
+
+/// Displacement of the point at @p phi.
+/// One sine and cosine; those of the multiples follow by adding angles, with an error of k roundings of the k-th term.
+[[nodiscard]] inline PointDisplacement displacement_at(MaterialDisplacement const& displacement, double phi)
+{
+    double const n = displacement.waves;
+    double const sine = std::sin(n * phi);
+    double const cosine = std::cos(n * phi);
+    double s = 0;
+    double c = 1;
+    double order = 0;
+    PointDisplacement at;
+    auto const add = [&](std::array<double, 4>& sum, double on_cosine, double on_sine) {
+        double const term = on_cosine * c + on_sine * s;
+        double const slope = (on_sine * c - on_cosine * s) * order;
+        sum[0] += term;
+        sum[1] += slope;
+        sum[2] -= order * order * term;
+        sum[3] -= order * order * slope;
+    };
+    for (DisplacementHarmonic const& h : displacement.harmonics)
+    {
+        add(at.w, h.w_cosine, h.w_sine);
+        add(at.v, h.v_cosine, h.v_sine);
+        double const next = s * cosine + c * sine;
+        c = c * cosine - s * sine;
+        s = next;
+        order += n;
+    }
+    return at;
+}
+
+/// Sums of the moduli of the terms of w and v and of their derivatives: bounds at every phi.
+[[nodiscard]] inline PointDisplacement displacement_bounds(MaterialDisplacement const& displacement)
+{
+    PointDisplacement bound;
+    double order = 0;
+    for (DisplacementHarmonic const& h : displacement.harmonics)
+    {
+        double w = std::hypot(h.w_cosine, h.w_sine);
+        double v = std::hypot(h.v_cosine, h.v_sine);
+        for (std::size_t j = 0; j < bound.w.size(); ++j)
+        {
+            bound.w[j] += w;
+            bound.v[j] += v;
+            w *= order;
+            v *= order;
+        }
+        order += displacement.waves;
+    }
+    return bound;
+}
+
+/// Drops harmonics at the end of which nothing is left.
+inline void drop_empty_tail(MaterialDisplacement& displacement)
+{
+    auto& all = displacement.harmonics;
+    auto const is_empty = [](DisplacementHarmonic const& h) { return h.w_cosine == 0 && h.w_sine == 0 && h.v_cosine == 0 && h.v_sine == 0; };
+    while (!all.empty() && is_empty(all.back()))
+        all.pop_back();
+}
+
+/// Whether the point at -phi goes where the mirror image of that at phi goes: w even, v odd.
+[[nodiscard]] inline bool is_symmetric(MaterialDisplacement const& displacement)
+{
+    return std::all_of(displacement.harmonics.begin(), displacement.harmonics.end(),
+                       [](DisplacementHarmonic const& h) { return h.w_sine == 0 && h.v_cosine == 0; });
+}
+
+}  // namespace hdconj
