@@ -56,7 +56,7 @@ void write_geometry(Page& page, Solution const& solution)
     auto const& geometry = solution.geometry;
     page.line("{}: m {:g} mm, z_f/z_c {}/{}, ratio {:g}, {} waves, kinematics {}", drive.name, drive.module,
               drive.flexspline_teeth, drive.circular_spline_teeth, geometry.ratio, solution.scene.wave_generator.waves,
-              solution.scene.solver.kinematics == Kinematics::exact ? "exact" : "first-order");
+              to_string(solution.scene.solver.kinematics));
     if (solution.scene.is_reverse()) {
         page.line("given: the circular spline's tooth; solved for: the flexspline's");
     }

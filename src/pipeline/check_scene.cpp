@@ -11,6 +11,7 @@ Faults check_scene(Scene const& scene)
     AnyWaveShape const shape = detail::wave_shape(scene, tooth, faults);
     if (tooth.pieces.empty() || !faults.empty())
         return faults;
+    detail::judge_kinematics(scene, shape, faults);
     detail::judge_curvature(scene, shape, detail::ring_geometry(scene, tooth).r_m, faults);
     if (faults.empty())
         detail::judge_geometry(scene, tooth, detail::pair_geometry(scene, tooth, shape.amplitude()), faults);

@@ -203,4 +203,14 @@ void judge_curvature(Scene const& scene, AnyWaveShape const& shape, double r_m, 
                           "write a smaller radial deformation, or smooth the table it comes from"});
 }
 
+void judge_kinematics(Scene const& scene, AnyWaveShape const& shape, Faults& faults)
+{
+    if (scene.solver.kinematics != Kinematics::material || shape.breaks().empty())
+        return;
+    faults.push_back({"solver.kinematics", 0, "\"material\"",
+                      "this model is a Fourier series, and wave generator \"" + scene.wave_generator.shape.family
+                          + "\" has angles where the third derivative of its shape jumps",
+                      "write \"exact\" or \"first-order\", or take a smooth wave generator such as \"cosine\""});
+}
+
 }  // namespace hdconj::detail

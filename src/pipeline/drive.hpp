@@ -37,6 +37,9 @@ void judge_geometry(Scene const& scene, Profile const& tooth, PairGeometry const
 /// The deformed neutral curve must be convex: a ring on a wave generator never bends inwards.
 void judge_curvature(Scene const& scene, AnyWaveShape const& shape, double r_m, Faults& faults);
 
+/// Motion model against wave generator: "material" needs a shape that a Fourier series follows.
+void judge_kinematics(Scene const& scene, AnyWaveShape const& shape, Faults& faults);
+
 /// Number of pitches by which the tooth moves along the circular spline in one lobe: (z_c - z_f)/n.
 [[nodiscard]] int pitches_per_lobe(Scene const& scene);
 

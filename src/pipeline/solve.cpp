@@ -33,10 +33,12 @@ Solution solve(Scene const& scene, StageObserver const& on_stage)
             p.y() -= tooth.pitch_line;
         out.geometry = detail::pair_geometry(scene, tooth, shape.amplitude());
     });
-    if (scene.solver.kinematics == Kinematics::exact)
-        detail::solve_exact(shape, out, tooth, clock);
-    else
-        detail::solve_first_order(shape, out, tooth, clock);
+    switch (scene.solver.kinematics)
+    {
+        case Kinematics::exact: detail::solve_exact(shape, out, tooth, clock); break;
+        case Kinematics::first_order: detail::solve_first_order(shape, out, tooth, clock); break;
+        case Kinematics::material: detail::solve_material(shape, out, tooth, clock); break;
+    }
     out.timing = clock.times();
     return out;
 }

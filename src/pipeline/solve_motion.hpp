@@ -15,6 +15,7 @@ namespace hdconj::detail {
 
 void solve_exact(AnyWaveShape const& shape, Solution& out, Profile const& tooth, StageClock& clock);
 void solve_first_order(AnyWaveShape const& shape, Solution& out, Profile const& tooth, StageClock& clock);
+void solve_material(AnyWaveShape const& shape, Solution& out, Profile const& tooth, StageClock& clock);
 
 /// One turn of the neutral curve rho = mean radius + w in the fixed frame; every point is on the curve.
 template<WaveShape Shape>

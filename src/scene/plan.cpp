@@ -11,11 +11,6 @@ namespace {
 using detail::in_quotes;
 using detail::number_text;
 
-std::string kinematics_name(Kinematics kinematics)
-{
-    return kinematics == Kinematics::exact ? "exact" : "first-order";
-}
-
 std::string in_mm(double value)
 {
     return number_text(value) + " mm";
@@ -30,7 +25,7 @@ std::vector<PlannedStage> base_stages(Scene const& scene)
     return {{Stage::profile, tooth + ".family = " + in_quotes(scene.given_profile().family)},
             {Stage::neutral_curve, "wave_generator.family = " + in_quotes(scene.wave_generator.shape.family) +
                                        ", waves = " + std::to_string(scene.wave_generator.waves)},
-            {Stage::motion, "solver.kinematics = " + in_quotes(kinematics_name(scene.solver.kinematics))},
+            {Stage::motion, "solver.kinematics = " + in_quotes(to_string(scene.solver.kinematics))},
             {Stage::envelope, "always: where the " + swept + " tooth can touch"},
             {Stage::region, solved}};
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/scene/schema.hpp"
 
+#include <algorithm>
 #include <limits>
 
 namespace hdconj {
@@ -179,11 +180,13 @@ TableSpec solver()
             "how to compute",
             Presence::optional,
             FamilyKind::none,
-            {{choice("kinematics", "relative motion: inextensible neutral curve, or its first order",
-                     {"exact", "first-order"}, false),
+            {{choice("kinematics", "relative motion: inextensible neutral curve, its first order, or the linear inextensional mode of "
+                     "the points of the ring",
+                     {"exact", "first-order", "material"}, false),
               "\"exact\"", std::string("exact"),
               [](Scene& s, Parameter const& p) {
-                  s.solver.kinematics = word(p) == "exact" ? Kinematics::exact : Kinematics::first_order;
+                  s.solver.kinematics = *std::find_if(all_kinematics.begin(), all_kinematics.end(),
+                                                      [&](Kinematics k) { return to_string(k) == word(p); });
               }},
              {optional("tolerance", Q::positive_length,
                        "largest distance between a written outline and the true one; at most module / 10",

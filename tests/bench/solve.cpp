@@ -41,6 +41,12 @@ void type_50_first_order(benchmark::State& state)
 }
 BENCHMARK(type_50_first_order)->Unit(benchmark::kMillisecond);
 
+void type_50_material(benchmark::State& state)
+{
+    run(state, builtin_scene({"solver.kinematics=material", "solver.threads=1"}));
+}
+BENCHMARK(type_50_material)->Unit(benchmark::kMillisecond);
+
 /// The case that the fastest public peer solves for 19 points.
 void liu(benchmark::State& state)
 {

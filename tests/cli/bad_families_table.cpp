@@ -86,6 +86,10 @@ std::vector<BadFamily> const& bad_families()
         {"b-spline", {"b-spline: unknown side", "family = \"b-spline\"", "family = \"b-spline\"\nside = \"both\"", tooth + ".side", "unknown word", "\"full\""}},
         {"b-spline", {"b-spline: left of the centre line", "[0.070, 0.200]", "[-0.070, 0.200]", points, "left of the tooth's centre line", "side = \"full\""}},
         {"b-spline", {"b-spline: family misspelt", "family = \"b-spline\"", "family = \"bspline\"", tooth + ".family", "unknown word", "\"b-spline\""}},
+        // a wave generator with breaks has no series
+        {"four-roller", {"four-roller: material motion", "kinematics = \"exact\"", "kinematics = \"material\"", "solver.kinematics", "\"four-roller\" has angles where the third derivative", "write \"exact\""}},
+        {"two-disc", {"two-disc: material motion", "kinematics = \"exact\"", "kinematics = \"material\"", "solver.kinematics", "\"two-disc\" has angles where the third derivative", "write \"exact\""}},
+        {"cam-table", {"cam-table: material motion", "kinematics = \"exact\"", "kinematics = \"material\"", "solver.kinematics", "\"table\" has angles where the third derivative", "write \"exact\""}},
     };
     return rows;
 }

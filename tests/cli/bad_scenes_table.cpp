@@ -92,9 +92,11 @@ std::vector<BadScene> const& wrong_values()
         {"tolerance nan", "tolerance = 1e-6", "tolerance = nan", "solver.tolerance", "finite", "1e-6"},
         // words
         {"unknown kinematics", "kinematics = \"exact\"", "kinematics = \"second-order\"", "solver.kinematics",
-         "unknown word", "\"exact\" or \"first-order\""},
+         "unknown word", "\"exact\", \"first-order\" or \"material\""},
         {"misspelt kinematics", "kinematics = \"exact\"", "kinematics = \"first_order\"", "solver.kinematics",
          "unknown word", "write \"first-order\""},
+        {"unfinished kinematics", "kinematics = \"exact\"", "kinematics = \"materia\"", "solver.kinematics", "unknown word",
+         "write \"material\""},
         {"capital in a word", "kinematics = \"exact\"", "kinematics = \"Exact\"", "solver.kinematics", "unknown word",
          "write \"exact\""},
         {"empty word", "kinematics = \"exact\"", "kinematics = \"\"", "solver.kinematics", "unknown word", "\"exact\""},

@@ -136,6 +136,11 @@ HARD_ROW("first order", "the other motion model", "right answer")
     right_answer({"solver.kinematics=first-order"});
 }
 
+HARD_ROW("material", "the third motion model", "right answer")
+{
+    right_answer({"solver.kinematics=material"});
+}
+
 HARD_ROW("turn of the tooth reverses", "theta' = 0 at 57 degrees: contacts of lines run to infinity there", "right answer")
 {
     right_answer(straight("0.225", "20", "0.36"));

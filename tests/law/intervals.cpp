@@ -93,7 +93,7 @@ TEST_CASE("intervals: no contact near the joint of type-50", "[intervals]")
 {
     // Between the double roots on both sides of the joint no position touches: the branches have to
     // stop there, with the reason.
-    for (Kinematics const kinematics : {Kinematics::exact, Kinematics::first_order}) {
+    for (Kinematics const kinematics : hdconj::all_kinematics) {
         Scene const scene = type_50(kinematics);
         Solution const solution = hdconj::solve(scene);
         Tooth<double> const tooth(scene);

@@ -113,7 +113,7 @@ TEST_CASE("oracle: the neutral curve closes", "[oracle]")
 TEST_CASE("oracle: two quadratures and three number types agree on the motion", "[oracle]")
 {
     GaussLegendre<Fifty> const rule(30);
-    for (Scene const& scene : {type_50(), liu_2025(), type_50(Kinematics::first_order)}) {
+    for (Scene const& scene : {type_50(), liu_2025(), type_50(Kinematics::first_order), liu_2025(Kinematics::material)}) {
         Motion<Fifty> const exact(scene);
         Motion<double> const quick(scene);
         Motion<long double> const middle(scene);
@@ -132,7 +132,7 @@ TEST_CASE("oracle: two quadratures and three number types agree on the motion", 
 
 TEST_CASE("oracle: after a lobe the motion repeats, moved by whole pitches", "[oracle]")
 {
-    for (Scene const& scene : {type_50(), liu_2025(Kinematics::first_order)}) {
+    for (Scene const& scene : {type_50(), liu_2025(Kinematics::first_order), type_50(Kinematics::material)}) {
         Motion<double> const motion(scene);
         double const angle = motion.pitches_per_turn * motion.pitch() / motion.waves;
         for (double const s : {-1.2, -0.1, 0.0, 0.7}) {

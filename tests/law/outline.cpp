@@ -36,7 +36,8 @@ std::vector<Point<double>> chain_of(Solution const& solution)
 /// The scenes that every law is asked on: known drives, then random ones.
 std::vector<Scene> scenes(int random)
 {
-    std::vector<Scene> all{type_50(), type_50(Kinematics::first_order), liu_2025(), liu_2025(Kinematics::first_order)};
+    std::vector<Scene> all{type_50(), type_50(Kinematics::first_order), liu_2025(), liu_2025(Kinematics::first_order), type_50(Kinematics::material),
+                           liu_2025(Kinematics::material)};
     designs::RandomDesigns draw(50);
     for (int i = 0; i < random; ++i)
         all.push_back(as_read(draw.next()));
@@ -163,7 +164,7 @@ TEST_CASE("outline: the polygon's sides are as near to the true curve as stated"
 {
     // Asked of the oracle: the middle of a side is as far from the touching tooth as the side is from the curve.
     for (double const tolerance : {1e-4, 1e-6, 1e-7})
-        for (Kinematics const kinematics : {Kinematics::exact, Kinematics::first_order}) {
+        for (Kinematics const kinematics : hdconj::all_kinematics) {
             Scene scene = type_50(kinematics);
             scene.solver.tolerance = tolerance;
             Solution const solution = solved(scene);

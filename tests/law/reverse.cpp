@@ -72,6 +72,8 @@ TEST_CASE("reverse touch law: the given tooth of data/scenes, every point", "[to
     for (std::vector<std::string> const& overrides : std::vector<std::vector<std::string>>{
              {},
              {"solver.kinematics=first-order"},
+             {"solver.kinematics=material"},
+             {"wave_generator.family=ellipse", "solver.kinematics=material"},
              {"circular_spline.backlash_offset=0.003"},
              {"circular_spline.inner_radius=25.06"},
              {"flexspline.neutral_offset=0.1"},

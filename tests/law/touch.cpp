@@ -42,12 +42,12 @@ std::string kind_of(std::string const& reason)
 
 TEST_CASE("touch law: type-50 and Liu's tooth, every point", "[touch]")
 {
-    for (Scene const& scene :
-         {type_50(), type_50(Kinematics::first_order), liu_2025(), liu_2025(Kinematics::first_order)}) {
+    for (Scene const& scene : {type_50(), type_50(Kinematics::first_order), type_50(Kinematics::material), liu_2025(),
+                               liu_2025(Kinematics::first_order), liu_2025(Kinematics::material)}) {
         Solution const solution = hdconj::solve(scene);
         TouchScan scan(solution.scene);
         auto const report = touch_law(solution, scan, all_points);
-        INFO(scene.drive.name << (scene.solver.kinematics == Kinematics::exact ? ", exact" : ", first order"));
+        INFO(scene.drive.name << ", " << to_string(scene.solver.kinematics));
         INFO("touched: " << report.touched);
         INFO("entered: " << report.entered);
         CHECK(report.touched.points > 100);

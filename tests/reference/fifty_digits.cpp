@@ -111,7 +111,7 @@ Errors judged(Solution const& solution, std::size_t samples)
 
 TEST_CASE("50 digits: points of every branch of type-50", "[reference]")
 {
-    for (Kinematics const kinematics : {Kinematics::exact, Kinematics::first_order}) {
+    for (Kinematics const kinematics : hdconj::all_kinematics) {
         Solution solution = hdconj::solve(type_50(kinematics));
         Tooth<double> const tooth(solution.scene);
         REQUIRE(solution.segment_names.size() == tooth.pieces_of_whole());
@@ -121,7 +121,7 @@ TEST_CASE("50 digits: points of every branch of type-50", "[reference]")
             REQUIRE(branch.u.size() == branch.t.size());
         }
         Errors const errors = judged(solution, 1000);
-        std::cout << "50 digits, " << (kinematics == Kinematics::exact ? "exact" : "first order") << ": "
+        std::cout << "50 digits, " << to_string(kinematics) << ": "
                   << errors.samples << " samples, " << errors.corners << " of corners; angle " << errors.phi
                   << " rad, point " << errors.point << " mm (" << errors.where << ")\n";
         INFO(errors.where);

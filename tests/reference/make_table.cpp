@@ -18,7 +18,7 @@ int main()
            "# Pieces of the whole tooth from the left root over the tip to the right root; t from 0 to 1 along the\n"
            "# piece, proportional to arc length; u and phi in rad, x and y in mm in the circular-spline frame.\n"
         << oracle::table_header << "\n";
-    for (auto const kinematics : {hdconj::Kinematics::exact, hdconj::Kinematics::first_order})
+    for (auto const kinematics : hdconj::all_kinematics)
         for (auto const& row : oracle::computed_rows(hdconj::builtin_scene(), kinematics))
             std::cout << oracle::table_line(row) << "\n";
 }

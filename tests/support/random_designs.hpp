@@ -93,7 +93,7 @@ inline std::string toml_of(Scene const& scene)
     if (scene.circular_spline.inner_radius)
         line("inner_radius", text_of(*scene.circular_spline.inner_radius));
     text += "[solver]\n";
-    line("kinematics", scene.solver.kinematics == hdconj::Kinematics::exact ? "\"exact\"" : "\"first-order\"");
+    line("kinematics", "\"" + std::string(to_string(scene.solver.kinematics)) + "\"");
     line("tolerance", text_of(scene.solver.tolerance));
     line("threads", std::to_string(scene.solver.threads));
     return text;

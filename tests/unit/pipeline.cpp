@@ -64,7 +64,7 @@ TEST_CASE("the times written are those of the stages that ran", "[pipeline]")
 
 TEST_CASE("solve gives the same bits for 1, 2 and 4 threads", "[pipeline][parallel]")
 {
-    for (std::string const kinematics : {"exact", "first-order"})
+    for (std::string const kinematics : {"exact", "first-order", "material"})
     {
         std::vector<std::string> const common{"solver.kinematics=" + kinematics, "solver.tolerance=1e-7", "circular_spline.backlash_offset=0.01"};
         auto const with_threads = [&](int threads) {

@@ -25,6 +25,7 @@ TEST_CASE("with --set a key changes", "[scene]")
     CHECK(builtin_scene({"drive.flexspline_teeth=300", "drive.circular_spline_teeth=302"}).drive.flexspline_teeth ==
           300);
     CHECK(builtin_scene({"solver.kinematics=first-order"}).solver.kinematics == Kinematics::first_order);
+    CHECK(builtin_scene({"solver.kinematics=material"}).solver.kinematics == Kinematics::material);
     CHECK(builtin_scene({"solver.kinematics=\"first-order\""}).solver.kinematics == Kinematics::first_order);
     CHECK(builtin_scene({"drive.name=my drive (2)"}).drive.name == "my drive (2)");
     CHECK(builtin_scene({"flexspline.profile.concave_offset=0.7"}).flexspline.profile.number("concave_offset") == 0.7);

@@ -4,11 +4,13 @@
 /// Lengths in mm, angles in rad (keys ending in _deg are converted by the reader).
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "hdconj/scene/parameters.hpp"
 
@@ -49,9 +51,26 @@ struct CircularSpline
 
 enum class Kinematics
 {
-    exact,       ///< inextensible neutral curve, arc length solved
-    first_order  ///< thesis (2-16), (2-19)
+    exact,        ///< inextensible neutral curve, arc length solved
+    first_order,  ///< thesis (2-16), (2-19)
+    material      ///< w and v given in the undeformed angle: the linear inextensional mode
 };
+
+/// Every model, and its word in a scene.
+inline constexpr std::array all_kinematics{Kinematics::exact, Kinematics::first_order, Kinematics::material};
+
+[[nodiscard]] constexpr std::string_view to_string(Kinematics kinematics)
+{
+    switch (kinematics) {
+        case Kinematics::exact:
+            return "exact";
+        case Kinematics::first_order:
+            return "first-order";
+        case Kinematics::material:
+            return "material";
+    }
+    return "unknown";
+}
 
 struct Solver
 {

@@ -11,7 +11,10 @@
 ///   rho = r_m + w0 cos(n phi), phi_1 = phi - w0 sin(n phi) / (n r_m),
 ///   mu = w0 (n - 1/n) sin(n phi) / r_m, turned by phi + mu - phi_2.
 ///
-/// The parameter `s` of a position is u (exact) or phi (first order).
+/// Material: the point of the undeformed circle at phi goes to (r_m + w(phi)) e_r + v(phi) e_t with the cam's w at phi and
+/// v = -integral of (w - mean); its frame from the tangent vector dP/dphi.
+///
+/// The parameter `s` of a position is u (exact) or phi (first order, material).
 #pragma once
 
 #include <cstddef>
@@ -64,6 +67,7 @@ class Motion
         pitches_per_turn = scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth;
         turn_ratio = T(scene.drive.flexspline_teeth) / T(scene.drive.circular_spline_teeth);
         exact = scene.solver.kinematics == hdconj::Kinematics::exact;
+        material_ = scene.solver.kinematics == hdconj::Kinematics::material;
         r_0 = r_m;
         if (exact) {
             if (cosine_) {
@@ -117,6 +121,10 @@ class Motion
         using std::sin;
         if (exact)
             return s;
+        if (material_) {
+            using std::atan2;
+            return s + atan2(v(s), r_m + cam_(s).w);
+        }
         return cosine_ ? s - w0 * sin(T(waves) * s) / (T(waves) * r_m) : s - (w_(s) - mean_ * s) / r_m;
     }
 
@@ -128,6 +136,8 @@ class Motion
         using std::cos;
         using std::sin;
         T const turned_back = turn_ratio * phi;
+        if (material_)
+            return turned(material_point(s), turned_back);
         if (!exact && !cosine_) {
             Radial<T> const r = cam_(s);
             T const rho = r_m + r.w, gamma = u(s) - turned_back, tilt = gamma - r.slope / r_m;
@@ -146,14 +156,7 @@ class Motion
         Radial<T> const radial = cam_(s);
         T const rho = r_0 + radial.w, slope = radial.slope;
         T const c = cos(s), d = sin(s);
-        Point<T> const point{rho * d, rho * c};
-        Point<T> tangent{slope * d + rho * c, slope * c - rho * d};
-        tangent = (T(1) / length(tangent)) * tangent;
-        // Fixed frame to the frame that has turned clockwise by turned_back.
-        T const back = -turned_back, cb = cos(back), sb = sin(back);
-        auto const turn = [&](Point<T> const& a) -> Point<T> { return {a.x * cb + a.y * sb, a.y * cb - a.x * sb}; };
-        Point<T> const along = turn(tangent);
-        return {turn(point), along, {-along.y, along.x}};
+        return turned({{rho * d, rho * c}, {slope * d + rho * c, slope * c - rho * d}}, turned_back);
     }
 
     /// d(pose)/ds by a central difference of order four of the pose itself.
@@ -179,6 +182,40 @@ class Motion
     bool exact = true;
 
   private:
+    /// A point of the deformed curve in the fixed frame and its derivative with respect to the parameter.
+    struct Moving
+    {
+        Point<T> point, velocity;
+    };
+
+    /// Tangential displacement, material.
+    T v(T const& s) const
+    {
+        using std::sin;
+        return cosine_ ? -w0 * sin(T(waves) * s) / T(waves) : mean_ * s - w_(s);
+    }
+
+    Moving material_point(T const& s) const
+    {
+        using std::cos;
+        using std::sin;
+        Radial<T> const radial = cam_(s);
+        T const c = cos(s), d = sin(s), out = r_m + radial.w, along = v(s), stretch = mean_ - radial.w;
+        Point<T> const e_r{d, c}, e_t{c, -d};
+        return {out * e_r + along * e_t, (radial.slope - along) * e_r + (out + stretch) * e_t};
+    }
+
+    /// The frame on the curve there, from the fixed frame to the one that has turned clockwise by @p turned_back.
+    static Pose<T> turned(Moving const& at, T const& turned_back)
+    {
+        using std::cos;
+        using std::sin;
+        T const back = -turned_back, cb = cos(back), sb = sin(back);
+        auto const turn = [&](Point<T> const& a) -> Point<T> { return {a.x * cb + a.y * sb, a.y * cb - a.x * sb}; };
+        Point<T> const along = turn((T(1) / length(at.velocity)) * at.velocity);
+        return {turn(at.point), along, {-along.y, along.x}};
+    }
+
     T speed(T const& u) const
     {
         using std::sqrt;
@@ -273,7 +310,8 @@ class Motion
     Cam<T> cam_;
     bool cosine_ = true;
     RunningIntegral<T> length_, w_;  ///< of wave generators other than cosine
-    T mean_{};                       ///< of w, first order
+    T mean_{};                       ///< of w, first order and material
+    bool material_ = false;
     int points_ = 0;
     T drift_{1};
     std::vector<T> sine_;

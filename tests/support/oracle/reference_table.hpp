@@ -3,6 +3,7 @@
 /// The reference table of envelope points: how a row is written and read.
 #pragma once
 
+#include <algorithm>
 #include <fstream>
 #include <sstream>
 #include <stdexcept>
@@ -39,7 +40,7 @@ inline std::string table_number(Fifty const& value)
 
 inline std::string table_line(TableRow const& row)
 {
-    std::string line = row.kinematics == hdconj::Kinematics::exact ? "exact" : "first-order";
+    std::string line(to_string(row.kinematics));
     line += "," + std::to_string(row.segment) + "," + row.piece + "," + row.t.str(6);
     for (Fifty const& value : {row.u, row.phi, row.point.x, row.point.y})
         line += "," + table_number(value);
@@ -72,7 +73,11 @@ inline std::vector<TableRow> read_rows(std::string const& file)
             field.push_back(one);
         if (field.size() != 8)
             throw std::runtime_error("reference table: bad line: " + line);
-        rows.push_back({field[0] == "exact" ? hdconj::Kinematics::exact : hdconj::Kinematics::first_order,
+        auto const kinematics = std::find_if(hdconj::all_kinematics.begin(), hdconj::all_kinematics.end(),
+                                             [&](auto model) { return to_string(model) == field[0]; });
+        if (kinematics == hdconj::all_kinematics.end())
+            throw std::runtime_error("reference table: bad line: " + line);
+        rows.push_back({*kinematics,
                         std::stoul(field[1]),
                         field[2],
                         Fifty(field[3]),

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <vector>
+
+#include "hdconj/envelope/rest.hpp"
+#include "hdconj/motion/material_motion.hpp"
+#include "hdconj/wavegen/inextensional_mode.hpp"
+#include "job.hpp"
+#include "reverse_job.hpp"
+#include "solve_motion.hpp"
+
+namespace hdconj::detail {
+
+namespace {
+
+/// One turn of the displaced points in the fixed frame.
+std::vector<Vec2> displaced_points(MaterialDisplacement const& displacement, double r_m)
+{
+    constexpr int points = 720;
+    std::vector<Vec2> result;
+    result.reserve(points);
+    for (int i = 0; i < points; ++i)
+    {
+        double const phi = 2 * std::numbers::pi * i / points;
+        auto const [w, v] = displacement_at(displacement, phi);
+        double const s = std::sin(phi);
+        double const c = std::cos(phi);
+        result.emplace_back((r_m + w[0]) * s + v[0] * c, (r_m + w[0]) * c - v[0] * s);
+    }
+    return result;
+}
+
+}  // namespace
+
+void solve_material(AnyWaveShape const& shape, Solution& out, Profile const& tooth, StageClock& clock)
+{
+    MaterialDisplacement displacement;
+    // a linear model measures w from the undeformed circle: its mean radius is r_m, its length right to first order
+    clock.run(Stage::neutral_curve, [&] {
+        displacement = inextensional_mode(shape);
+        out.geometry.r_0 = out.geometry.r_m;
+        out.neutral_curve = displaced_points(displacement, out.geometry.r_m);
+    });
+    std::optional<MaterialMotion> motion;
+    clock.run(Stage::motion, [&] { motion.emplace(displacement, out.geometry.r_m, tooth_ratio(out.scene)); });
+    if (out.scene.is_reverse())
+        return solve_reverse(out, tooth, ErasedMotion(*motion), clock);
+    Profile const clear = clear_of_rest(tooth, *motion);
+    SolveJob<MaterialMotion>(out, clear, *motion, clock)();
+}
+
+}  // namespace hdconj::detail
