@@ -18,6 +18,7 @@ namespace {
 struct CheckOptions
 {
     bool only_plan = false;
+    std::string verb;  ///< empty: as the scene says
 };
 
 void print_headline(Scene const& scene)
@@ -38,6 +39,13 @@ void print_text(CommonOptions const& common, CheckOptions const& own, Scene cons
     std::cout << describe(plan);
 }
 
+/// The verb whose plan is drawn: a scene with a table [contact] is meant for `contact`.
+Verb verb_of(CheckOptions const& own, Scene const& scene)
+{
+    bool const contact = own.verb.empty() ? scene.contact.has_value() : own.verb == "contact";
+    return contact ? Verb::contact : Verb::solve;
+}
+
 /// Effects that are read but not computed are no fault of the scene, so the plan of the rest is printed; but `solve`
 /// would refuse, and so does check.
 int run_check(CommonOptions const& common, CheckOptions const& own)
@@ -45,7 +53,7 @@ int run_check(CommonOptions const& common, CheckOptions const& own)
     auto const reading = examine(common);
     bool const is_right = reading.faults.empty();
     auto const faults = is_right ? uncomputed_effects(reading.scene) : reading.faults;
-    auto const plan = is_right ? std::optional(make_plan(reading.scene)) : std::nullopt;
+    auto const plan = is_right ? std::optional(make_plan(reading.scene, verb_of(own, reading.scene))) : std::nullopt;
     if (common.json) {
         std::cout << check_json(scene_name(common), faults, plan ? &*plan : nullptr) << '\n';
     } else if (plan) {
@@ -74,6 +82,8 @@ void add_check(CLI::App& program, CommonOptions& common)
     auto const own = std::make_shared<CheckOptions>();
     add_scene_options(*verb, common);
     verb->add_flag("--plan", own->only_plan, "print the plan and nothing else");
+    verb->add_option("--for", own->verb, "the verb to plan for [contact where the scene has a table [contact], else solve]")
+        ->check(CLI::IsMember({"solve", "contact"}));
     verb->footer("Families:\n" + families_text("flexspline.profile.family", profile_families()) +
                  families_text("wave_generator.family", wave_generator_families()) +
                  "Examples:\n"

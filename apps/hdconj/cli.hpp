@@ -65,5 +65,6 @@ void add_scene_options(CLI::App& verb, CommonOptions& common);
 void add_init(CLI::App& program, CommonOptions& common);
 void add_check(CLI::App& program, CommonOptions& common);
 void add_solve(CLI::App& program, CommonOptions& common);
+void add_contact(CLI::App& program, CommonOptions& common);
 
 }  // namespace hdconj::cli

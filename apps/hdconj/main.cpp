@@ -20,6 +20,7 @@ constexpr char const* examples =
     "  hdconj init                      write the built-in drive to hdconj.toml\n"
     "  hdconj check hdconj.toml         is it right, and what will be computed?\n"
     "  hdconj solve hdconj.toml         the conjugate circular spline\n"
+    "  hdconj contact hdconj.toml       how much flank touches, and what tilt does to it\n"
     "  hdconj solve --set wave_generator.radial_deformation=0.26\n"
     "                                   the built-in drive with one key changed\n"
     "Exit status: 0 done, 1 failed, 2 bad scene or bad command line.\n"
@@ -113,6 +114,7 @@ int run(int argc, char** argv)
     add_init(program, common);
     add_check(program, common);
     add_solve(program, common);
+    add_contact(program, common);
     if (argc < 2) {
         std::cerr << program.help();
         return exit_input;

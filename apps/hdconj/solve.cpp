@@ -2,11 +2,7 @@
 // The verb `solve`: which files, in which order, and what is said about them.
 #include "hdconj/pipeline/solve.hpp"
 
-#include <unistd.h>
-
 #include <CLI/CLI.hpp>
-#include <cctype>
-#include <chrono>
 #include <csignal>
 #include <functional>
 #include <iostream>
@@ -15,6 +11,7 @@
 #include "cli.hpp"
 #include "hdconj/io/atomic_file.hpp"
 #include "hdconj/io/result_files.hpp"
+#include "outputs.hpp"
 
 namespace hdconj::cli {
 namespace {
@@ -29,136 +26,46 @@ struct SolveOptions
     std::string picture;  ///< empty: none
 };
 
-/// One file to write.
+/// One file to write, and how.
 struct Job
 {
-    std::string kind;    ///< "hdf5", "dxf", "picture"
-    std::string option;  ///< for messages
-    fs::path file;
+    OutputJob output;
     std::function<void(Solution const&, fs::path const&)> write;
 };
-
-[[noreturn]] void refuse(Job const& job, std::string const& reason, std::string const& remedy)
-{
-    throw InputError(Fault{job.option, 0, job.file.string(), reason, "write " + remedy});
-}
-
-/// Both names stand for one file, whether it exists or not.
-bool same_file(fs::path const& a, fs::path const& b)
-{
-    std::error_code error;
-    return fs::equivalent(a, b, error) ||
-           fs::weakly_canonical(fs::absolute(a), error) == fs::weakly_canonical(fs::absolute(b), error);
-}
-
-/// A file name made of a drive's name: letters of any script, digits, and "._-" stay.
-std::string file_name(std::string const& drive)
-{
-    constexpr std::size_t longest = 100;  // bytes, well below what file systems take
-    constexpr unsigned char beyond_ascii = 0x80, continues = 0x80, mask = 0xC0;
-    std::string name;
-    for (char const c : drive.substr(0, longest)) {
-        auto const byte = static_cast<unsigned char>(c);
-        bool const kept = byte >= beyond_ascii || std::isalnum(byte) != 0 || c == '.' || c == '_' || c == '-';
-        name += kept ? c : '-';
-    }
-    if (drive.size() > longest) {
-        std::size_t cut = longest;
-        while (cut > 0 && (static_cast<unsigned char>(drive[cut]) & mask) == continues) {
-            --cut;
-        }
-        name.resize(cut);
-    }
-    name.erase(0, name.find_first_not_of(".-"));  // no hidden file, nothing that looks like an option
-    return name.empty() ? "drive" : name;
-}
 
 std::vector<Job> jobs_of(SolveOptions const& own, Scene const& scene)
 {
     fs::path const result = own.output.empty() ? fs::path(file_name(scene.drive.name) + ".h5") : fs::path(own.output);
-    std::vector<Job> jobs = {{"hdf5", "--output", result, write_hdf5}};
+    fs::path const dxf = own.dxf;
+    fs::path const picture = own.picture;
+    std::vector<Job> jobs = {{{"hdf5", "--output", result, [result] { check_target(result); }},
+                              [](Solution const& s, fs::path const& f) { write_hdf5(s, f); }}};
     if (!own.dxf.empty()) {
-        jobs.push_back({"dxf", "--dxf", own.dxf, write_dxf});
+        jobs.push_back({{"dxf", "--dxf", dxf, [dxf] { check_target(dxf); }}, write_dxf});
     }
     if (!own.picture.empty()) {
-        jobs.push_back({"picture", "--picture", own.picture, write_picture});
+        jobs.push_back({{"picture", "--picture", picture, [picture] { check_picture(picture); }}, write_picture});
     }
     return jobs;
 }
-
-/// Everything about the targets that can be known before the long work.
-void check_jobs(std::vector<Job> const& jobs, std::string const& scene)
-{
-    for (auto const& job : jobs) {
-        if (job.file == "-") {
-            refuse(job, "results are files and do not go to standard output",
-                   "a file name; --json prints the figures to standard output");
-        }
-        if (!scene.empty() && scene != "-" && same_file(job.file, scene)) {
-            refuse(job, "this is the scene file, the result would replace it", "another name");
-        }
-        for (auto const& other : jobs) {
-            if (&other != &job && same_file(other.file, job.file)) {
-                refuse(job, "is given to " + other.option + " too", "another name");
-            }
-        }
-    }
-    for (auto const& job : jobs) {
-        if (job.kind == "picture") {
-            check_picture(job.file);
-        } else {
-            check_target(job.file);
-        }
-    }
-}
-
-WrittenFile run(Job const& job, Solution const& solution)
-{
-    auto const begin = std::chrono::steady_clock::now();
-    job.write(solution, job.file);
-    std::chrono::duration<double> const taken = std::chrono::steady_clock::now() - begin;
-    return {job.kind, job.file, taken.count()};
-}
-
-/// On a terminal, names the stage that runs, over and over in one line; where nobody looks it says nothing.
-class Progress
-{
-  public:
-    explicit Progress(bool wanted) : shown_(wanted && ::isatty(STDERR_FILENO) == 1) {}
-    ~Progress() { clear(); }
-    Progress(Progress const&) = delete;
-    Progress& operator=(Progress const&) = delete;
-
-    void say(std::string const& what) const
-    {
-        if (shown_) {
-            std::cerr << erase_line << what << " ..." << std::flush;
-        }
-    }
-    void clear() const
-    {
-        if (shown_) {
-            std::cerr << erase_line << std::flush;
-        }
-    }
-
-  private:
-    static constexpr char const* erase_line = "\r\033[K";
-    bool shown_;
-};
 
 int run_solve(CommonOptions const& common, SolveOptions const& own)
 {
     std::signal(SIGXFSZ, SIG_IGN);  // a limit on file size becomes a failed write, with its reason
     Scene const scene = load_scene(common);
     auto const jobs = jobs_of(own, scene);
-    check_jobs(jobs, common.scene);
+    std::vector<OutputJob> outputs;
+    for (auto const& job : jobs) {
+        outputs.push_back(job.output);
+    }
+    check_outputs(outputs, common.scene);
     Progress const progress(!common.quiet);
     Solution const solution = solve(scene, [&](Stage stage) { progress.say(to_string(stage)); });
     std::vector<WrittenFile> written;
     for (auto const& job : jobs) {
-        progress.say(job.kind);
-        written.push_back(run(job, solution));
+        auto const& output = job.output;
+        progress.say(output.kind);
+        written.push_back(timed(output.kind, output.file, [&] { job.write(solution, output.file); }));
     }
     progress.clear();
     if (common.json) {

@@ -6,10 +6,9 @@
 #include <cstdlib>
 #include <ctime>
 
-#include "hdconj/io/atomic_file.hpp"
 #include "hdconj/io/result_files.hpp"
 #include "hdconj/io/version.hpp"
-#include "hdf5_writer.hpp"
+#include "hdf5_layout.hpp"
 #include "summary_figures.hpp"
 
 namespace hdconj {
@@ -164,29 +163,6 @@ void write_pieces(Writer const& member, std::vector<OutlinePiece> const& pieces)
     });
 }
 
-void write_circular_spline(Writer const& root, CircularSplineOutline const& outline)
-{
-    std::size_t const slices = outline.outline.size();
-    std::size_t const points = slices == 0 ? 0 : outline.outline.front().size();
-    std::vector<double> flat;
-    flat.reserve(slices * points * 2);
-    for (auto const& slice : outline.outline) {
-        if (slice.size() != points || outline.z.size() != slices) {
-            throw std::logic_error("slices of the circular spline do not match each other or z");
-        }
-        for (auto const& point : slice) {
-            flat.push_back(point.x());
-            flat.push_back(point.y());
-        }
-    }
-    root.group("circular_spline", [&](Writer const& place) {
-        place.numbers("z", outline.z, "mm");
-        place.array("outline", {slices, points, 2}, flat.data(), "mm");
-        place.integers("landmarks", outline.landmarks);
-        write_pieces(place, outline.pieces);
-    });
-}
-
 void write_summary(Writer const& root, Solution const& solution)
 {
     root.group("summary", [&](Writer const& summary) {
@@ -210,11 +186,10 @@ void write_timing(Writer const& root, std::vector<StageTime> const& timing)
     });
 }
 
-std::string result_bytes(Solution const& solution)
+}  // namespace
+
+void hdf5::write_solution(Writer const& root, Solution const& solution)
 {
-    hdf5::Silence const silence;
-    hdf5::MemoryFile const file;
-    Writer const root = file.root();
     write_provenance(root, solution);
     root.group("flexspline", [&](Writer const& place) {
         place.points("outline", solution.flexspline_outline);
@@ -226,21 +201,38 @@ std::string result_bytes(Solution const& solution)
     write_envelope(root, solution);
     write_zones(root, solution.zones);
     write_certificate(root, solution.certificate.undecided);
-    write_circular_spline(root, solution.circular_spline);
     write_summary(root, solution);
     write_timing(root, solution.timing);
-    return file.bytes();
 }
 
-}  // namespace
+void hdf5::write_circular_spline(Writer const& place, CircularSplineOutline const& outline)
+{
+    std::size_t const slices = outline.outline.size();
+    std::size_t const points = slices == 0 ? 0 : outline.outline.front().size();
+    std::vector<double> flat;
+    flat.reserve(slices * points * 2);
+    for (auto const& slice : outline.outline) {
+        if (slice.size() != points || outline.z.size() != slices) {
+            throw std::logic_error("slices of the circular spline do not match each other or z");
+        }
+        for (auto const& point : slice) {
+            flat.push_back(point.x());
+            flat.push_back(point.y());
+        }
+    }
+    place.numbers("z", outline.z, "mm");
+    place.array("outline", {slices, points, 2}, flat.data(), "mm");
+    place.integers("landmarks", outline.landmarks);
+    write_pieces(place, outline.pieces);
+}
 
 void write_hdf5(Solution const& solution, std::filesystem::path const& file)
 {
-    try {
-        write_text_atomically(file, result_bytes(solution));
-    } catch (hdf5::Failure const& failure) {
-        throw FileError(file, failure.what());
-    }
+    hdf5::write_file(file, [&](Writer const& root) {
+        hdf5::write_solution(root, solution);
+        root.group("circular_spline",
+                   [&](Writer const& place) { hdf5::write_circular_spline(place, solution.circular_spline); });
+    });
 }
 
 }  // namespace hdconj

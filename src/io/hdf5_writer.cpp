@@ -90,8 +90,7 @@ void Writer::numbers(std::string const& name, std::vector<double> const& values,
 
 void Writer::integers(std::string const& name, std::vector<int> const& values, char const* units) const
 {
-    auto const made = dataset(name, {values.size()}, H5T_STD_I32LE, units);
-    fill(made, H5T_NATIVE_INT, values.data(), H5P_DEFAULT);
+    array(name, {values.size()}, values.data(), units);
 }
 
 void Writer::points(std::string const& name, std::vector<Vec2> const& points, char const* units) const
@@ -103,6 +102,12 @@ void Writer::array(std::string const& name, Shape const& shape, double const* va
 {
     auto const made = dataset(name, shape, H5T_IEEE_F64LE, units);
     fill(made, H5T_NATIVE_DOUBLE, values, H5P_DEFAULT);
+}
+
+void Writer::array(std::string const& name, Shape const& shape, int const* values, char const* units) const
+{
+    auto const made = dataset(name, shape, H5T_STD_I32LE, units);
+    fill(made, H5T_NATIVE_INT, values, H5P_DEFAULT);
 }
 
 void Writer::texts(std::string const& name, std::vector<std::string> const& values, char const* units) const

@@ -45,13 +45,15 @@ class Writer
         fill(Writer(made, *tools_));
     }
 
-    /// @param units  "mm", "rad", "s" or "1"
+    /// @param units  "mm", "mm^2", "rad", "s" or "1"
     void numbers(std::string const& name, std::vector<double> const& values, char const* units) const;
     void integers(std::string const& name, std::vector<int> const& values, char const* units = "1") const;
     /// Shape (n,2).
     void points(std::string const& name, std::vector<Vec2> const& points, char const* units = "mm") const;
     /// Doubles of any shape, row by row.
     void array(std::string const& name, Shape const& shape, double const* values, char const* units) const;
+    /// Integers of any shape, row by row.
+    void array(std::string const& name, Shape const& shape, int const* values, char const* units = "1") const;
     /// Variable-length UTF-8 strings.
     void texts(std::string const& name, std::vector<std::string> const& values, char const* units = "1") const;
 

@@ -5,11 +5,11 @@
 #include "hdconj/io/atomic_file.hpp"
 #include "hdconj/io/result_files.hpp"
 #include "hdconj/scene/fault.hpp"
+#include "picture_file.hpp"
 #include "picture_gnuplot.hpp"
 #include "picture_script.hpp"
 
 namespace hdconj {
-namespace {
 
 PictureFormat format_of(std::filesystem::path const& file)
 {
@@ -27,7 +27,16 @@ PictureFormat format_of(std::filesystem::path const& file)
                            "write NAME.svg or NAME.png"});
 }
 
-}  // namespace
+void draw_picture(std::string const& script, std::filesystem::path const& file)
+{
+    std::string drawing;
+    try {
+        drawing = gnuplot::draw(script);
+    } catch (std::runtime_error const& error) {
+        throw FileError(file, error.what());
+    }
+    write_text_atomically(file, drawing);
+}
 
 void check_picture(std::filesystem::path const& file)
 {
@@ -41,13 +50,7 @@ void check_picture(std::filesystem::path const& file)
 void write_picture(Solution const& solution, std::filesystem::path const& file)
 {
     check_picture(file);
-    std::string drawing;
-    try {
-        drawing = gnuplot::draw(picture_script(solution, format_of(file)));
-    } catch (std::runtime_error const& error) {
-        throw FileError(file, error.what());
-    }
-    write_text_atomically(file, drawing);
+    draw_picture(picture_script(solution, format_of(file)), file);
 }
 
 }  // namespace hdconj

@@ -12,15 +12,6 @@ namespace {
 
 constexpr double heading_y = 26, subject_y = 50;  // [px] from above
 
-std::string title(Window const& window, Words const& words)
-{
-    return fmt::format(
-        "set label {} at {} noenhanced\n"
-        "set label {} at {} noenhanced textcolor rgb '#404040'\n",
-        gnuplot_quoted(words.heading), window.screen(left_margin, heading_y), gnuplot_quoted(words.subject),
-        window.screen(left_margin, subject_y));
-}
-
 /// Decimals that numbers in steps of @p step need.
 int decimals_of(double step)
 {
@@ -30,9 +21,35 @@ int decimals_of(double step)
 
 }  // namespace
 
+std::string screen(double x, double y, double height)
+{
+    return fmt::format("screen {:.6f},{:.6f}", x / width, 1 - y / height);
+}
+
 std::string Window::screen(double x, double y) const
 {
-    return fmt::format("screen {:.6f},{:.6f}", x / width, 1 - y / height());
+    return picture::screen(x, y, height());
+}
+
+std::string title(double height, Words const& words)
+{
+    return fmt::format(
+        "set label {} at {} noenhanced\n"
+        "set label {} at {} noenhanced textcolor rgb '#404040'\n",
+        gnuplot_quoted(words.heading), screen(left_margin, heading_y, height), gnuplot_quoted(words.subject),
+        screen(left_margin, subject_y, height));
+}
+
+std::string axes(Panel const& panel, double height)
+{
+    return fmt::format(
+        "set encoding utf8\n"
+        "set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\n"
+        "set bmargin at screen {:.6f}\nset tmargin at screen {:.6f}\n"
+        "set border 3 linecolor rgb '#808080' linewidth 0.8\n"
+        "set tics nomirror out scale 0.6 textcolor rgb '#303030'\n"
+        "unset key\n",
+        panel.left / width, panel.right / width, 1 - panel.bottom / height, 1 - panel.top / height);
 }
 
 double tic_step(double range)
@@ -43,36 +60,32 @@ double tic_step(double range)
     return power * (rest < 1.5 ? 1 : rest < 3.5 ? 2 : rest < 7.5 ? 5 : 10);
 }
 
-std::string terminal(PictureFormat format, Window const& window)
+std::string terminal(PictureFormat format, double height)
 {
     if (format == PictureFormat::svg) {
         return fmt::format("set terminal svg size {},{} fixed font 'DejaVu Sans,{}' background rgb 'white'\n", width,
-                           window.height(), font_size);
+                           height, font_size);
     }
     constexpr int finer = 2;               // for screens with many pixels
     constexpr double point_per_px = 0.75;  // cairo takes sizes in points
-    return fmt::format("set terminal pngcairo size {},{} font 'DejaVu Sans,{}' linewidth {} dashlength {}\n",
-                       finer * width, finer * window.height(), point_per_px * finer * font_size, finer, finer);
+    return fmt::format("set terminal pngcairo size {},{} font 'DejaVu Sans,{}' linewidth {} dashlength {} "
+                       "pointscale {}\n",
+                       finer * width, finer * height, point_per_px * finer * font_size, finer, finer, finer);
 }
 
 std::string frame(Window const& window, Words const& words)
 {
     double const step = tic_step(window.right - window.left);
-    return fmt::format(
-               "set encoding utf8\n"
-               "set lmargin at screen {:.6f}\nset rmargin at screen {:.6f}\n"
-               "set bmargin at screen {:.6f}\nset tmargin at screen {:.6f}\n"
+    Panel const panel{.bottom = window.height() - bottom_margin};
+    return axes(panel, window.height()) +
+           fmt::format(
                "set xrange [{:.6f}:{:.6f}]\nset yrange [{:.6f}:{:.6f}]\n"
                "set format '%.{}f'\nset xtics {:g}\nset ytics {:g}\n"
                "set xlabel {} noenhanced\n"
-               "set ylabel {} noenhanced\n"
-               "set border 3 linecolor rgb '#808080' linewidth 0.8\n"
-               "set tics nomirror out scale 0.6 textcolor rgb '#303030'\n"
-               "unset key\n",
-               left_margin / width, 1 - right_margin / width, bottom_margin / window.height(),
-               1 - top_margin / window.height(), window.left, window.right, window.low, window.high, decimals_of(step),
+               "set ylabel {} noenhanced\n",
+               window.left, window.right, window.low, window.high, decimals_of(step),
                step, step, gnuplot_quoted(words.across), gnuplot_quoted(words.up)) +
-           title(window, words);
+           title(window.height(), words);
 }
 
 }  // namespace hdconj::picture

@@ -27,11 +27,15 @@ struct Window
     [[nodiscard]] double scale() const { return (width - left_margin - right_margin) / (right - left); }
     /// Height of the whole picture [px].
     [[nodiscard]] double height() const { return std::round((high - low) * scale() + top_margin + bottom_margin); }
-    /// Place on the picture, [px] from its left and upper edges, in gnuplot's words.
+    /// See @ref picture::screen.
     [[nodiscard]] std::string screen(double x, double y) const;
 };
 
-[[nodiscard]] std::string terminal(PictureFormat format, Window const& window);
+/// Place on a picture of that height, [px] from its left and upper edges, in gnuplot's words.
+[[nodiscard]] std::string screen(double x, double y, double height);
+
+/// @param height  of the whole picture [px]
+[[nodiscard]] std::string terminal(PictureFormat format, double height);
 
 /// Words around the drawing.
 struct Words
@@ -42,10 +46,22 @@ struct Words
     std::string up;      ///< of the y axis
 };
 
+/// Heading and subject at the top of a picture of that height [px].
+[[nodiscard]] std::string title(double height, Words const& words);
+
 /// Axes of equal scale and the title.
 [[nodiscard]] std::string frame(Window const& window, Words const& words);
 
-/// Distance of the tics [mm]: 1, 2 or 5 times a power of ten, about eight across @p range.
+/// Edges of a set of axes [px], from the left and upper edges of the picture.
+struct Panel
+{
+    double left = left_margin, right = width - right_margin, top = top_margin, bottom = 0;
+};
+
+/// Places the next plot of a picture of that height [px], with the look that all have.
+[[nodiscard]] std::string axes(Panel const& panel, double height);
+
+/// Distance of the tics: 1, 2 or 5 times a power of ten, about eight across @p range.
 [[nodiscard]] double tic_step(double range);
 
 }  // namespace hdconj::picture

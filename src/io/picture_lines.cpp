@@ -4,9 +4,7 @@
 #include <algorithm>
 
 namespace hdconj {
-namespace {
 
-/// Squared distance of @p point from the segment a b.
 double squared_distance(Vec2 const& point, Vec2 const& a, Vec2 const& b)
 {
     Vec2 const along = b - a;
@@ -14,6 +12,8 @@ double squared_distance(Vec2 const& point, Vec2 const& a, Vec2 const& b)
     double const at = length > 0 ? std::clamp((point - a).dot(along) / length, 0.0, 1.0) : 0.0;
     return (point - a - at * along).squaredNorm();
 }
+
+namespace {
 
 void keep_between(std::vector<Vec2> const& line, std::size_t first, std::size_t last, double tolerance,
                   std::vector<Vec2>& kept)

@@ -224,7 +224,7 @@ std::string reverse_script(Solution const& solution, PictureFormat format)
     picture::Words const words{solution.scene.drive.name,
                                "flexspline tooth, left free by the circular spline's:  " + numbers_of(solution),
                                "x [mm], across the tooth", "y [mm], from the pitch line"};
-    return picture::terminal(format, window) + picture::frame(window, words) + plot.text();
+    return picture::terminal(format, window.height()) + picture::frame(window, words) + plot.text();
 }
 
 }  // namespace
@@ -252,7 +252,7 @@ std::string picture_script(Solution const& solution, PictureFormat format)
     picture::Words const words{solution.scene.drive.name,
                                "tooth space of the circular spline, swept by the flexspline:  " + numbers_of(solution),
                                "x [mm], across the tooth space", "y [mm], from the axis of the drive"};
-    return picture::terminal(format, window) + picture::frame(window, words) + plot.text();
+    return picture::terminal(format, window.height()) + picture::frame(window, words) + plot.text();
 }
 
 }  // namespace hdconj

@@ -2,26 +2,17 @@
 // The figures of summary_text as JSON; the keys are an interface, described in docs/json.md.
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
-#include "hdconj/io/result_files.hpp"
 #include "hdconj/io/version.hpp"
 #include "summary_figures.hpp"
+#include "summary_object.hpp"
 
 namespace hdconj {
 namespace {
 
-using Json = nlohmann::ordered_json;
-
 /// Number of the set of keys; goes up when a key changes its meaning.
 constexpr int json_version = 1;
 constexpr int indent = 2;
-
-/// JSON has no NaN and no infinity.
-Json number(double value)
-{
-    return std::isfinite(value) ? Json(value) : Json(nullptr);
-}
 
 Json object(std::vector<Figure> const& figures)
 {
@@ -137,7 +128,12 @@ Json files(std::vector<WrittenFile> const& written)
 
 }  // namespace
 
-std::string summary_json(Solution const& solution, std::vector<WrittenFile> const& written)
+Json number(double value)
+{
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json summary_object(Solution const& solution)
 {
     Json result = {{"format", "hdconj-summary"},
                    {"format_version", json_version},
@@ -154,6 +150,9 @@ std::string summary_json(Solution const& solution, std::vector<WrittenFile> cons
         result["flexspline"] = {{"points", solution.flexspline_outline.size()},
                                 {"pieces", pieces(solution.flexspline_pieces)}};
     }
+    if (!solution.notes.empty()) {
+        result["notes"] = solution.notes;
+    }
     result["certificate"] = certificate(solution);
     result["circular_spline"] = outline(solution);
     add_clearance(result, solution);
@@ -161,10 +160,20 @@ std::string summary_json(Solution const& solution, std::vector<WrittenFile> cons
     result["work"] = {{"envelope_points", solution.work.envelope_points},
                       {"roots_isolated", solution.work.roots_isolated},
                       {"arrangement_edges", solution.work.arrangement_edges}};
-    result["timing"] = timing(solution);
-    result["files"] = files(written);
+    return result;
+}
+
+std::string finished(Json summary, Solution const& solution, std::vector<WrittenFile> const& written)
+{
+    summary["timing"] = timing(solution);
+    summary["files"] = files(written);
     // File names need not be UTF-8: replace what is not, rather than fail after the work is done.
-    return result.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+    return summary.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+std::string summary_json(Solution const& solution, std::vector<WrittenFile> const& written)
+{
+    return finished(summary_object(solution), solution, written);
 }
 
 }  // namespace hdconj

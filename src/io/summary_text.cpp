@@ -1,48 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <iterator>
 
-#include "hdconj/io/result_files.hpp"
 #include "summary_figures.hpp"
+#include "summary_page.hpp"
 
 namespace hdconj {
 namespace {
 
-/// Width of the first column.
-constexpr int label_width = 26;
 constexpr double ms_per_s = 1000;
-
-/// Grows line by line.
-class Page
-{
-  public:
-    template <class... Values>
-    void line(fmt::format_string<Values...> pattern, Values&&... values)
-    {
-        fmt::format_to(std::back_inserter(text_), pattern, std::forward<Values>(values)...);
-        text_ += '\n';
-    }
-    /// One named figure: "  r_m   24.347000 mm   note".
-    void figure(std::string const& label, std::string const& value, std::string const& note = "")
-    {
-        line("  {:<{}}{:>14}{}{}", label, label_width, value, note.empty() ? "" : "   ", note);
-    }
-    [[nodiscard]] std::string const& text() const { return text_; }
-
-  private:
-    std::string text_;
-};
 
 std::string mm(double value)
 {
     return fmt::format("{:.6f} mm", value);
-}
-
-std::string um(double value_mm, char const* sign = "")
-{
-    return fmt::format("{}{:.3g} um", sign, value_mm * um_per_mm);
 }
 
 double degrees(double angle)
@@ -52,11 +21,8 @@ double degrees(double angle)
 
 void write_geometry(Page& page, Solution const& solution)
 {
-    auto const& drive = solution.scene.drive;
     auto const& geometry = solution.geometry;
-    page.line("{}: m {:g} mm, z_f/z_c {}/{}, ratio {:g}, {} waves, kinematics {}", drive.name, drive.module,
-              drive.flexspline_teeth, drive.circular_spline_teeth, geometry.ratio, solution.scene.wave_generator.waves,
-              to_string(solution.scene.solver.kinematics));
+    write_drive(page, solution);
     if (solution.scene.is_reverse()) {
         page.line("given: the circular spline's tooth; solved for: the flexspline's");
     }
@@ -96,20 +62,6 @@ void write_zones(Page& page, Solution const& solution)
     }
 }
 
-void write_certificate(Page& page, Solution const& solution)
-{
-    auto const& places = solution.certificate.undecided;
-    if (places.empty()) {
-        page.line("  certified: all {} roots found, none lost", solution.work.roots_isolated);
-        return;
-    }
-    page.line("  not certified: {} place{} where rounding hides the number of contacts", places.size(), places.size() == 1 ? "" : "s");
-    for (auto const& place : places) {
-        page.line("    {} t {:.6f}, u {:.6f} +- {:.1e} deg, reach {:.1e} um: {}", place.segment_name, place.t, degrees(place.u),
-                  degrees(place.u_width / 2), place.reach * um_per_mm, place.what);
-    }
-}
-
 /// What the smallest clearance means within the asked-for tolerance.
 char const* verdict(double clearance, double tolerance)
 {
@@ -135,10 +87,47 @@ void write_outline(Page& page, Solution const& solution)
                     fmt::format("{}: at ({:.4f}, {:.4f}) mm{}, tooth at phi {:.3f} deg",
                                 verdict(check.smallest_clearance, solution.scene.solver.tolerance), check.where.x(),
                                 check.where.y(), reverse ? " of the flexspline tooth" : "", degrees(check.at_phi)));
-        page.line("  {:<{}}{} points x {} positions over a full turn", "", label_width, check.points, check.positions);
+        page.line("  {:<{}}{} points x {} positions over a full turn", "", Page::label_width, check.points, check.positions);
     } else {
-        page.line("  {:<{}}{:>14}", "smallest clearance", label_width, "not computed");
+        page.line("  {:<{}}{:>14}", "smallest clearance", Page::label_width, "not computed");
     }
+    for (auto const& note : solution.notes) {
+        page.line("  note: {}", note);
+    }
+    write_errors(page, solution);
+}
+
+}  // namespace
+
+std::string um(double value_mm, char const* sign)
+{
+    return fmt::format("{}{:.3g} um", sign, value_mm * um_per_mm);
+}
+
+void write_drive(Page& page, Solution const& solution)
+{
+    auto const& drive = solution.scene.drive;
+    page.line("{}: m {:g} mm, z_f/z_c {}/{}, ratio {:g}, {} waves, kinematics {}", drive.name, drive.module,
+              drive.flexspline_teeth, drive.circular_spline_teeth, solution.geometry.ratio,
+              solution.scene.wave_generator.waves, to_string(solution.scene.solver.kinematics));
+}
+
+void write_certificate(Page& page, Solution const& solution)
+{
+    auto const& places = solution.certificate.undecided;
+    if (places.empty()) {
+        page.line("  certified: all {} roots found, none lost", solution.work.roots_isolated);
+        return;
+    }
+    page.line("  not certified: {} place{} where rounding hides the number of contacts", places.size(), places.size() == 1 ? "" : "s");
+    for (auto const& place : places) {
+        page.line("    {} t {:.6f}, u {:.6f} +- {:.1e} deg, reach {:.1e} um: {}", place.segment_name, place.t, degrees(place.u),
+                  degrees(place.u_width / 2), place.reach * um_per_mm, place.what);
+    }
+}
+
+void write_errors(Page& page, Solution const& solution)
+{
     page.figure("error, written points", um(solution.error.point, "<= "));
     page.figure("error, chords", um(solution.error.chord, "<= "),
                 fmt::format("asked for {:g} um", solution.scene.solver.tolerance * um_per_mm));
@@ -156,7 +145,16 @@ void write_timing(Page& page, Solution const& solution)
                             solution.work.roots_isolated, solution.work.arrangement_edges));
 }
 
-}  // namespace
+void write_files(Page& page, std::vector<WrittenFile> const& written)
+{
+    if (written.empty()) {
+        return;
+    }
+    page.line("\nwritten");
+    for (auto const& file : written) {
+        page.figure(file.kind, fmt::format("{:.3f} ms", file.seconds * ms_per_s), file.file.string());
+    }
+}
 
 std::string summary_text(Solution const& solution, std::vector<WrittenFile> const& written)
 {
@@ -166,12 +164,7 @@ std::string summary_text(Solution const& solution, std::vector<WrittenFile> cons
     write_certificate(page, solution);
     write_outline(page, solution);
     write_timing(page, solution);
-    if (!written.empty()) {
-        page.line("\nwritten");
-        for (auto const& file : written) {
-            page.figure(file.kind, fmt::format("{:.3f} ms", file.seconds * ms_per_s), file.file.string());
-        }
-    }
+    write_files(page, written);
     return page.text();
 }
 

@@ -11,6 +11,7 @@
 #include "centred_outline.hpp"
 #include "certificate.hpp"
 #include "drive.hpp"
+#include "hdconj/conjugate/space_curve.hpp"
 #include "hdconj/numeric/parallel.hpp"
 #include "outline_records.hpp"
 #include "records.hpp"
@@ -50,14 +51,48 @@ class SolveJob
 
     void operator()()
     {
-        clock_.run(Stage::envelope, [&] { trace(); });
-        double const chord = (tooth_.addendum + tooth_.dedendum) * 0x1p-12;
-        auto const wanted = [&] { return out_.scene.circular_spline.backlash_offset - tolerance_.coincidence(); };
-        assemble_until_clear(out_, chord, [&](double c) { assemble(c); }, wanted, "");
+        find_branches_of_tooth();
+        find_boundary();
         clock_.run(Stage::outline, [&] { publish(); });
     }
 
+    /// First half of the work: all that does not depend on the tip circle.
+    void find_branches_of_tooth()
+    {
+        clock_.run(Stage::envelope, [&] { trace(); });
+    }
+
+    /// Second half: the boundary down to the tip circle of `out`.geometry, checked over a full turn.
+    void find_boundary()
+    {
+        auto const wanted = [&] { return out_.scene.circular_spline.backlash_offset - tolerance_.coincidence(); };
+        assemble_until_clear(out_, first_chord(), [&](double c) { assemble(c); }, wanted, "");
+    }
+
+    /// The radius at which the circular spline's teeth would be pointed, with its side clearance: the teeth sweep all that lies inside it
+    /// half-way between two spaces. Accuracy: that of the first polygons.
+    [[nodiscard]] double pointed_radius() const
+    {
+        double const offset = out_.scene.circular_spline.backlash_offset;
+        Envelope<Motion> const moved(tooth_, motion_, offset);
+        std::vector<ContactArc> const arcs = all_arcs(offset > 0 ? find_branches(moved, out_.threads).branches : branches_);
+        return swept_polygons(moved, arcs, out_.geometry.circular_spline_inner_radius, pitch_, first_chord(), false).radius_between_spaces();
+    }
+
+    /// The boundary that was found, as a curve. @p owner keeps tooth and motion alive.
+    [[nodiscard]] SpaceCurve curve(std::shared_ptr<void const> owner) const
+    {
+        Halves const halves = cut_at_centre_line(final_envelope(), final_.arcs, final_.space.pieces, pitch_, tolerance_);
+        std::vector<BoundaryPiece> pieces = halves.left;
+        pieces.insert(pieces.end(), halves.right.begin(), halves.right.end());
+        return {std::move(owner), tooth_, ErasedMotion(motion_), final_envelope().offset(), final_.arcs, std::move(pieces),
+                out_.geometry.circular_spline_inner_radius, pitch_};
+    }
+
   private:
+    [[nodiscard]] double first_chord() const { return (tooth_.addendum + tooth_.dedendum) * 0x1p-12; }
+    [[nodiscard]] Envelope<Motion> final_envelope() const { return {tooth_, motion_, out_.scene.circular_spline.backlash_offset}; }
+
     void trace()
     {
         BranchSet set = find_branches(base_, out_.threads);

@@ -4,6 +4,7 @@
 #include "drive.hpp"
 #include "hdconj/numeric/parallel.hpp"
 #include "hdconj/scene/effects.hpp"
+#include "spread.hpp"
 #include "solve_motion.hpp"
 
 namespace hdconj {
@@ -16,6 +17,8 @@ Solution solve(Scene const& scene, StageObserver const& on_stage)
     if (!faults.empty())
         throw InputError(faults);
 
+    if (scene.circular_spline.automatic_backlash)
+        return detail::solve_with_automatic_backlash(scene, on_stage);
     Solution out;
     out.scene = scene;
     out.plan = make_plan(scene);
@@ -39,6 +42,8 @@ Solution solve(Scene const& scene, StageObserver const& on_stage)
         case Kinematics::first_order: detail::solve_first_order(shape, out, tooth, clock); break;
         case Kinematics::material: detail::solve_material(shape, out, tooth, clock); break;
     }
+    if (out.plan.has(Stage::surface))
+        detail::spread_over_width(out, tooth, shape, clock);
     out.timing = clock.times();
     return out;
 }

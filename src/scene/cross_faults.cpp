@@ -176,7 +176,20 @@ void check_coning(SceneReading const& reading, Faults& faults)
                           "this key is missing: model \"linear\" needs the distance from the cup's bottom",
                           "write bottom_to_middle = 9.0, a length in mm"});
     }
-    bool const both = knows(reading, {"coning.bottom_to_middle", "circular_spline.width"});
+    if (knows(reading, {"coning.bottom_to_middle"}) && scene.coning->apex_height >= *scene.coning->bottom_to_middle) {
+        faults.push_back(fault_at("coning.apex_height", number_text(scene.coning->apex_height),
+                                  "the apex must lie behind the middle of the bearing, which is " + number_text(*scene.coning->bottom_to_middle) +
+                                      " mm above the cup's bottom",
+                                  "write a smaller height, such as 0"));
+        return;
+    }
+    bool const both = knows(reading, {"coning.bottom_to_middle", "circular_spline.width"}) && scene.circular_spline.width;
+    double const to_apex = both ? *scene.coning->bottom_to_middle - scene.coning->apex_height : 0;
+    if (both && *scene.circular_spline.width / 2 >= to_apex && *scene.circular_spline.width / 2 < *scene.coning->bottom_to_middle) {
+        faults.push_back(fault_at("coning.apex_height", number_text(scene.coning->apex_height),
+                                  "the teeth would reach behind the apex: half the width is " + number_text(*scene.circular_spline.width / 2) + " mm",
+                                  "write a smaller height or a smaller circular_spline.width"));
+    }
     if (both && *scene.circular_spline.width / 2 >= *scene.coning->bottom_to_middle) {
         faults.push_back(fault_at("coning.bottom_to_middle", number_text(*scene.coning->bottom_to_middle),
                                   "the teeth would reach through the cup's bottom: half the width is " +
@@ -205,6 +218,13 @@ void check_tilt(SceneReading const& reading, Faults& faults)
                                       in_quotes(scene.slices->surface) + " has an outline for each slice",
                                   "write kind = \"radial\", or surface = \"tilted\" in [slices]"));
     }
+    bool const upright = scene.slices && scene.circular_spline.width && knows(reading, {"tilt.angle_deg", "circular_spline.inner_radius"});
+    double const rise = upright ? *scene.circular_spline.width / 2 * std::tan(std::abs(scene.tilt->angle)) : 0;
+    if (upright && !too_steep && scene.circular_spline.inner_radius && rise >= *scene.circular_spline.inner_radius) {
+        faults.push_back(fault_at("tilt.angle_deg", number_text(scene.tilt->angle / rad_per_deg),
+                                  "over half the width of " + number_text(*scene.circular_spline.width) + " mm the tip circle would shrink to nothing",
+                                  "write a smaller angle, such as angle_deg = 0.2"));
+    }
 }
 
 void check_slices(SceneReading const& reading, Faults& faults)
@@ -214,6 +234,36 @@ void check_slices(SceneReading const& reading, Faults& faults)
     if (spread && !scene.given.contains("circular_spline.width")) {
         faults.push_back({"circular_spline.width", 0, "", "this key is missing: [slices] spreads over the width",
                           "write width = 7.0, a length in mm, in [circular_spline]"});
+    }
+}
+
+/// The axial effects move the flexspline's given tooth.
+void check_axial_reverse(SceneReading const& reading, Faults& faults)
+{
+    auto const& scene = reading.scene;
+    auto const refuse = [&](std::string const& table, auto const& effect) {
+        if (scene.is_reverse() && effect) {
+            faults.push_back({table, effect->line, "", "axial effects need the flexspline's tooth, but the circular spline's is given",
+                              "remove [" + table + "], or give [flexspline.profile] in place of [circular_spline.profile]",
+                              effect->line > 0 ? "" : "--set"});
+        }
+    };
+    refuse("coning", scene.coning);
+    refuse("tilt", scene.tilt);
+    refuse("slices", scene.slices);
+    refuse("contact", scene.contact);
+    if (scene.is_reverse() && scene.circular_spline.automatic_backlash) {
+        faults.push_back(fault_at("circular_spline.backlash_offset", "\"auto\"", "needs the flexspline's tooth, but the circular spline's is given",
+                                  "write a length in mm, such as 0.02"));
+    }
+}
+
+void check_contact(SceneReading const& reading, Faults& faults)
+{
+    auto const& scene = reading.scene;
+    if (scene.contact && knows(reading, {"contact.contact_gap", "drive.module"}) && scene.contact->gap > scene.drive.module / 10) {
+        faults.push_back(fault_at("contact.contact_gap", number_text(scene.contact->gap), "flanks a tenth of the module apart do not touch",
+                                  "write at most " + number_text(scene.drive.module / 10) + ", such as 0.001"));
     }
 }
 
@@ -233,6 +283,8 @@ Faults cross_faults(SceneReading const& reading)
     check_coning(reading, faults);
     check_tilt(reading, faults);
     check_slices(reading, faults);
+    check_axial_reverse(reading, faults);
+    check_contact(reading, faults);
     locate(faults, reading.scene);
     return faults;
 }

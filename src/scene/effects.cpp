@@ -4,25 +4,15 @@
 #include <string>
 
 namespace hdconj {
-namespace {
-
-template <class Effect>
-void refuse(Faults& faults, std::string const& table, Effect const& effect)
-{
-    if (effect) {
-        faults.push_back({table, effect->line, "", "this version does not compute [" + table + "] yet",
-                          "remove the table [" + table + "] to solve the base case", effect->line > 0 ? "" : "--set"});
-    }
-}
-
-}  // namespace
 
 Faults uncomputed_effects(Scene const& scene)
 {
     Faults faults;
-    refuse(faults, "coning", scene.coning);
-    refuse(faults, "tilt", scene.tilt);
-    refuse(faults, "slices", scene.slices);
+    if (scene.coning && scene.coning->model == "elastic") {
+        faults.push_back({"coning.model", scene.coning->line, "\"elastic\"", "this version does not compute the elastic cup yet",
+                          "write model = \"linear\" and bottom_to_middle, the distance from the cup's bottom",
+                          scene.coning->line > 0 ? "" : "--set"});
+    }
     return faults;
 }
 

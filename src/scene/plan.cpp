@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "hdconj/scene/schema.hpp"
 #include "text.hpp"
 
 namespace hdconj {
@@ -30,10 +31,22 @@ std::vector<PlannedStage> base_stages(Scene const& scene)
             {Stage::region, solved}};
 }
 
-std::vector<AbsentEffect> absent_effects(Scene const& scene)
+bool has_slices(Scene const& scene)
+{
+    return scene.slices && scene.slices->count > 1;
+}
+
+/// Whether slices need motions of their own.
+bool cones(Scene const& scene, Verb verb)
+{
+    bool const own_outlines = has_slices(scene) && scene.slices->surface != "tilted";
+    return scene.coning && (verb == Verb::contact || own_outlines || (scene.circular_spline.automatic_backlash && has_slices(scene)));
+}
+
+std::vector<AbsentEffect> absent_effects(Scene const& scene, Verb verb)
 {
     std::vector<AbsentEffect> absent;
-    if (scene.circular_spline.backlash_offset <= 0) {
+    if (scene.circular_spline.backlash_offset <= 0 && !scene.circular_spline.automatic_backlash) {
         absent.push_back({"backlash", "circular_spline.backlash_offset above 0"});
     }
     if (scene.circular_spline.root_clearance <= 0 && !scene.is_reverse()) {
@@ -48,7 +61,15 @@ std::vector<AbsentEffect> absent_effects(Scene const& scene)
     if (!scene.slices) {
         absent.push_back({"slices", "a table [slices]"});
     }
-    absent.push_back({"contact", "the verb contact, in a later version"});
+    if (scene.coning && !cones(scene, verb)) {
+        absent.push_back({"coning of the surface", "[slices] with surface \"ruled\" or \"per-slice\", or the verb contact: one outline is that of z = 0, which the cone leaves as it is"});
+    }
+    if (scene.tilt && !has_slices(scene)) {
+        absent.push_back({"tilt of the surface", "[slices] with count above 1: at z = 0 the tilt moves nothing"});
+    }
+    if (verb != Verb::contact) {
+        absent.push_back({"contact", "the verb contact"});
+    }
     absent.push_back({"load", "the verb load, in a later version"});
     return absent;
 }
@@ -102,13 +123,25 @@ std::string to_string(Stage stage)
             return "outline";
         case Stage::interference:
             return "interference";
+        case Stage::coning:
+            return "coning";
+        case Stage::surface:
+            return "surface";
+        case Stage::tilt:
+            return "tilt";
+        case Stage::clearance:
+            return "clearance";
+        case Stage::gap_map:
+            return "gap_map";
+        case Stage::contact:
+            return "contact";
     }
     return "unknown";
 }
 
-Plan make_plan(Scene const& scene)
+Plan make_plan(Scene const& scene, Verb verb)
 {
-    Plan plan{base_stages(scene), absent_effects(scene)};
+    Plan plan{base_stages(scene), absent_effects(scene, verb)};
     auto const& spline = scene.circular_spline;
     if (spline.backlash_offset > 0) {
         plan.stages.push_back({Stage::backlash, "circular_spline.backlash_offset = " + in_mm(spline.backlash_offset)});
@@ -119,6 +152,24 @@ Plan make_plan(Scene const& scene)
     }
     plan.stages.push_back({Stage::outline, "solver.tolerance = " + in_mm(scene.solver.tolerance)});
     plan.stages.push_back({Stage::interference, "always: the finished pair over a full turn"});
+    if (cones(scene, verb)) {
+        plan.stages.push_back({Stage::coning, "coning.model = " + in_quotes(scene.coning->model)});
+    }
+    if (has_slices(scene)) {
+        plan.stages.push_back({Stage::surface, "slices.count = " + std::to_string(scene.slices->count) + ", surface = " + in_quotes(scene.slices->surface)});
+    } else if (verb == Verb::contact) {
+        plan.stages.push_back({Stage::surface, "contact: points of both flanks"});
+    }
+    if (scene.tilt && has_slices(scene)) {
+        plan.stages.push_back({Stage::tilt, "tilt.angle_deg = " + number_text(scene.tilt->angle / rad_per_deg) + ", kind = " + in_quotes(scene.tilt->kind)});
+    }
+    if (verb == Verb::contact || spline.automatic_backlash) {
+        plan.stages.push_back({Stage::clearance, spline.automatic_backlash ? "circular_spline.backlash_offset = \"auto\"" : "contact: every slice over a full turn"});
+    }
+    if (verb == Verb::contact) {
+        plan.stages.push_back({Stage::gap_map, "contact: gaps of all teeth"});
+        plan.stages.push_back({Stage::contact, "contact: first touch, area, play"});
+    }
     return plan;
 }
 

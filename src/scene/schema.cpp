@@ -44,6 +44,14 @@ ParameterSpec choice(std::string_view key, std::string_view meaning, std::vector
     return {key, Q::word, meaning, is_required, std::move(words)};
 }
 
+ParameterSpec backlash_offset()
+{
+    auto spec = optional("backlash_offset", Q::length_or_word,
+                         "side clearance along the normal of the flank; \"auto\": the least that clears every slice over a full turn", 0);
+    spec.words = {"auto"};
+    return spec;
+}
+
 TableSpec drive()
 {
     return {"drive",
@@ -145,8 +153,12 @@ TableSpec circular_spline()
           "7.0",
           {},
           [](Scene& s, Parameter const& p) { s.circular_spline.width = number(p); }},
-         {optional("backlash_offset", Q::nonnegative_length, "side clearance along the normal of the flank"), "0.02",
-          0.0, [](Scene& s, Parameter const& p) { s.circular_spline.backlash_offset = number(p); }},
+         {backlash_offset(), "0.02", 0.0,
+          [](Scene& s, Parameter const& p) {
+              bool const automatic = std::holds_alternative<std::string>(p.value);
+              s.circular_spline.automatic_backlash = automatic;
+              s.circular_spline.backlash_offset = automatic ? 0.0 : number(p);
+          }},
          {optional("root_clearance", Q::nonnegative_length, "extra depth of the tooth space"), "0.02", 0.0,
           [](Scene& s, Parameter const& p) { s.circular_spline.root_clearance = number(p); }},
          {optional("inner_radius", Q::positive_length,
@@ -211,7 +223,11 @@ TableSpec coning()
                        "from the cup's bottom to the middle of the bearing; needed by model \"linear\""),
               "9.0",
               {},
-              [](Scene& s, Parameter const& p) { s.coning->bottom_to_middle = number(p); }}},
+              [](Scene& s, Parameter const& p) { s.coning->bottom_to_middle = number(p); }},
+             {optional("apex_height", Q::length, "of the point that does not move, above the cup's bottom"), "0.43", 0.0,
+              [](Scene& s, Parameter const& p) { s.coning->apex_height = number(p); }},
+             {choice("axial_shift", "whether gaps are looked up where the wall has moved to along the axis", {"mapped", "none"}, false),
+              "\"mapped\"", std::string("mapped"), [](Scene& s, Parameter const& p) { s.coning->axial_shift = word(p); }}},
             [](Scene& s, int line) { s.coning.emplace().line = line; }};
 }
 
@@ -245,12 +261,28 @@ TableSpec slices()
             [](Scene& s, int line) { s.slices.emplace().line = line; }};
 }
 
+TableSpec contact()
+{
+    return {"contact",
+            "what the verb contact is asked for",
+            Presence::effect,
+            FamilyKind::none,
+            {{optional("contact_gap", Q::positive_length, "flanks touch where the gap is no larger", bounds::least_length), "0.001", 0.001,
+              [](Scene& s, Parameter const& p) { s.contact->gap = number(p); }},
+             {optional("flank_points", Q::count, "points along each flank", bounds::fewest_flank_points, bounds::most_flank_points), "200",
+              200.0, [](Scene& s, Parameter const& p) { s.contact->flank_points = count(p); }},
+             {optional("wave_generator_angle_deg", Q::angle_deg, "from the centre line of a tooth space", -360, 360), "0", 0.0,
+              [](Scene& s, Parameter const& p) { s.contact->wave_generator = number(p) * rad_per_deg; }}},
+            [](Scene& s, int line) { s.contact.emplace().line = line; }};
+}
+
 }  // namespace
 
 std::vector<TableSpec> const& scene_schema()
 {
     static std::vector<TableSpec> const tables{drive(),  flexspline(), profile(), wave_generator(), circular_spline(),
-                                               circular_spline_profile(), solver(), coning(), tilt(), slices()};
+                                               circular_spline_profile(), solver(), coning(), tilt(), slices(),
+                                               contact()};
     return tables;
 }
 

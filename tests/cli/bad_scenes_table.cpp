@@ -78,7 +78,7 @@ std::vector<BadScene> const& wrong_values()
         {"hollow neutral curve", "radial_deformation = 0.25", "radial_deformation = 25",
          "wave_generator.radial_deformation", "hollow", "write less than 5"},
         {"negative backlash", "backlash_offset = 0.0", "backlash_offset = -0.01", "circular_spline.backlash_offset",
-         "not be negative", "0 or more"},
+         "must be at least 0", "a length in mm, or \"auto\""},
         {"backlash above the module", "backlash_offset = 0.0", "backlash_offset = 0.3",
          "circular_spline.backlash_offset", "leaves no tooth", "module"},
         {"negative root clearance", "root_clearance = 0.0", "root_clearance = -1e-9", "circular_spline.root_clearance",

@@ -180,12 +180,25 @@ TEST_CASE("faults name file, line, key and remedy on standard error", "[program]
 TEST_CASE("solve refuses an effect that it does not compute, check prints the plan and refuses", "[program]")
 {
     TemporaryFolder const folder;
-    check_refused(hdconj_run("solve --set tilt.angle_deg=0.2", folder.path()), "does not compute [tilt] yet");
+    check_refused(hdconj_run("solve --set coning.model=elastic", folder.path()), "does not compute the elastic cup yet");
     CHECK(folder.names().empty());
-    auto const check = hdconj_run("check --set tilt.angle_deg=0.2");
+    auto const check = hdconj_run("check --set coning.model=elastic");
     CHECK(check.status == refused);
     CHECK(contains(check.out, "envelope"));
-    CHECK(contains(check.err, "does not compute [tilt] yet"));
+    CHECK(contains(check.err, "does not compute the elastic cup yet"));
+}
+
+TEST_CASE("check draws the plan of either verb", "[program]")
+{
+    std::string const cone = "--set coning.model=linear --set coning.bottom_to_middle=9 ";
+    auto const solve = hdconj_run("check --plan " + cone);
+    CHECK_FALSE(contains(solve.out, "gap_map"));
+    CHECK(contains(solve.out, "coning of the surface"));
+    auto const contact = hdconj_run("check --plan --for contact " + cone);
+    CHECK(contains(contact.out, "coning.model = \"linear\""));
+    CHECK(contains(contact.out, "gap_map"));
+    // a scene with a table [contact] is meant for that verb
+    CHECK(contains(hdconj_run("check --plan --set contact.contact_gap=0.002").out, "gap_map"));
 }
 
 TEST_CASE("standard output that is closed, full or gone", "[program]")

@@ -13,7 +13,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-UNITS = {"mm", "rad", "1", "s"}
+UNITS = {"mm", "mm^2", "rad", "1", "s"}
 ROOT = {"format": str, "format_version": np.integer, "program_version": str, "git_revision": str, "build": str,
         "date": str, "drive": str, "given": str, "scene": str, "threads": np.integer, "plan": str, "stages": np.ndarray}
 BRANCH = {"segment": np.integer, "segment_name": str, "kind": str, "begins": str, "ends": str,
@@ -81,6 +81,20 @@ def check_branches(file):
     return len(names)
 
 
+def check_contact(file):
+    contact = file["contact"]
+    cases = [name for name in contact if name.startswith("case_")]
+    columns = {name for name in contact if isinstance(contact[name], h5py.Dataset)}
+    want({len(contact[name]) for name in columns} == {len(cases)}, "columns of contact differ")
+    for name in cases:
+        want({len(contact[name][column]) for column in contact[name] if column != "revolution"} ==
+             {len(contact[name]["z"])}, f"columns of {name} differ")
+    s, two, k, p = contact["map/gap"].shape
+    want((s, two, k, p) == (len(contact["map/angle"]), 2, len(contact["map/z"]), len(contact["map/station"])), "map")
+    mesh = file["circular_spline/surface"]
+    want(mesh["points"].shape[1:] == (3,) and mesh["quads"].shape == (len(mesh["part"]), 4), "mesh")
+
+
 def check_documented(file):
     text = (Path(__file__).parents[2] / "docs" / "hdf5.md").read_text()
     known = set(re.findall(r"`([^`]+)`", text)) | {n.split("/")[-1] for n in re.findall(r"`(/[^`]+)`", text)}
@@ -90,7 +104,7 @@ def check_documented(file):
         last = name.split("/")[-1]
         if isinstance(item, h5py.Dataset):
             found.add(last)
-        elif not last.startswith("branch_"):
+        elif not last.startswith(("branch_", "case_")):
             want(f"/{last}" in text or f"/{name}" in text, f"docs/hdf5.md does not name the group {name}")
         found.update(item.attrs)
 
@@ -129,6 +143,8 @@ def main(arguments):
         datasets = check_units(file)
         check_shapes(file)
         branches = check_branches(file)
+        if "contact" in file:
+            check_contact(file)
         check_documented(file)
         want("r_0_mm" in file["summary"].attrs, "no summary")
         if len(arguments) > 1:

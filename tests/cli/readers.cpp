@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Other people's programs read what we write.
-#include "hdconj/io/result_files.hpp"
+#include "hdconj/io/contact_files.hpp"
+#include "hdconj/io/surface_files.hpp"
 #include "support/catch.hpp"
 #include "support/run_program.hpp"
-#include "support/sample_solution.hpp"
+#include "support/sample_contact_study.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace hdconj;
@@ -45,6 +46,54 @@ TEST_CASE("h5py and ezdxf read the files and find the documented layout")
     CHECK(run(reader + "a.h5 a.dxf", folder.path()).out.find("neutral curve differs") != std::string::npos);
 }
 
+TEST_CASE("h5py reads a contact result and finds the documented layout")
+{
+    if (std::string(HDCONJ_PYTHON).empty()) {
+        WARN("no python with h5py and ezdxf: not tried");
+        return;
+    }
+    TemporaryFolder const folder;
+    write_hdf5(sample::contact_study(3), folder / "a.h5");
+    auto const read = run(reader + "a.h5", folder.path());
+    CHECK_THAT(read.out + read.err, ContainsSubstring(", 2 branches, 0 faults\n"));
+    CHECK(read.status == 0);
+}
+
+TEST_CASE("surfaces of tooth and ring are read by other programs and are the slices")
+{
+    if (std::string(HDCONJ_PYTHON).empty()) {
+        WARN("no python with h5py and ezdxf: not tried");
+        return;
+    }
+    TemporaryFolder const folder;
+    auto study = sample::contact_study(3);
+    study.shown = 1;
+    SurfaceOptions ring;
+    ring.ring = true;
+    write_hdf5(study, folder / "a.h5");
+    write_xdmf(study.solution, folder / "tooth.xdmf", folder / "a.h5");
+    write_stl(study.solution, folder / "tooth.stl");
+    write_vtk(study, folder / "tooth.vtk");
+    write_xdmf(study.solution, folder / "ring.xdmf", ring);
+    write_stl(study.solution, folder / "ring.stl", ring);
+    write_vtk(study, folder / "ring.vtk", ring);
+    std::string const surfaces = "'" HDCONJ_PYTHON "' '" HDCONJ_SOURCE_DIR "/tests/cli/read_surfaces.py' ";
+    auto const read = run(surfaces + "a.h5 tooth ring", folder.path());
+    INFO(read.out + read.err);
+    CHECK(read.status == 0);
+    if (read.out.find("no meshio") != std::string::npos) {
+        WARN("meshio is not installed: surfaces were read by other means");
+    }
+    // The reader sees a wrong gap and a wrong point.
+    study.map.gap[study.map.index(1, GapMap::right, 1, 20)] += 1e-6;
+    write_vtk(study, folder / "ring.vtk", ring);
+    CHECK_THAT(run(surfaces + "a.h5 tooth ring", folder.path()).out, ContainsSubstring("gaps of space 1 differ"));
+    study.solution.circular_spline.outline[1][40].x() += 1e-6;
+    write_hdf5(study, folder / "b.h5");
+    write_xdmf(study.solution, folder / "tooth.xdmf", folder / "b.h5");
+    CHECK_THAT(run(surfaces + "a.h5 tooth ring", folder.path()).out, ContainsSubstring("is not the slices"));
+}
+
 TEST_CASE("h5dump reads every dataset")
 {
     if (is_missing("h5dump")) {
@@ -66,4 +115,7 @@ TEST_CASE("SVG pictures are well-formed")
     TemporaryFolder const folder;
     write_picture(sample::solution(), folder / "a.svg");
     CHECK(run("rsvg-convert a.svg -o a.png", folder.path()).status == 0);
+    for (auto const& picture : write_contact_pictures(sample::contact_study(), folder / "b.svg")) {
+        CHECK(run("rsvg-convert " + picture.file.filename().string() + " -o b.png", folder.path()).status == 0);
+    }
 }

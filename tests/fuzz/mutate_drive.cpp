@@ -257,9 +257,13 @@ class Mutation
             return set("wave_generator." + std::string(spec.key), value_for(spec));
         }
         TableSpec const& table = one_of(scene_schema());
-        bool const effect = table.presence == Presence::effect;  // refused by `solve`
-        if (table.keys.empty() || (effect && !chance(20)))
+        if (table.keys.empty())
             return;
+        // an effect is nothing without the keys that it requires
+        bool const effect = table.presence == Presence::effect;
+        for (KeySpec const& key : table.keys)
+            if (effect && key.spec.required && chance(2))
+                set(std::string(table.path) + "." + std::string(key.spec.key), value_for(key.spec));
         ParameterSpec const& spec = one_of(table.keys).spec;
         if (spec.key != "family" && spec.key != "tolerance")
             set(std::string(table.path) + "." + std::string(spec.key), value_for(spec));

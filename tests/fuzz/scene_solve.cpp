@@ -6,6 +6,7 @@
 #include "fuzz/drive_text.hpp"
 #include "fuzz/refusal.hpp"
 #include "fuzz/targets.hpp"
+#include "hdconj/pipeline/contact.hpp"
 #include "hdconj/pipeline/solve.hpp"
 
 namespace hdconj::fuzz {
@@ -66,6 +67,12 @@ void judge_indices(Solution const& s)
     if (s.circular_spline.outline.empty() || s.circular_spline.outline.front().size() < 2)
         throw Find("no outline");
     std::size_t const count = s.circular_spline.outline.front().size();
+    for (auto const& slice : s.circular_spline.outline) {
+        if (slice.size() != count)
+            throw Find("slices that do not match");
+    }
+    if (s.circular_spline.z.size() != s.circular_spline.outline.size())
+        throw Find("a slice without its place");
     for (int landmark : s.circular_spline.landmarks) {
         if (landmark < 0 || static_cast<std::size_t>(landmark) >= count)
             throw Find("a landmark outside the outline");
@@ -86,18 +93,39 @@ void judge_pair(Solution const& s)
         throw Find("chord error " + std::to_string(s.error.chord) + " mm above the tolerance");
 }
 
+/// The same drive in contact, on a coarse grid.
+void judge_contact(Scene scene)
+{
+    constexpr int few = 12;
+    scene.contact->flank_points = std::min(scene.contact->flank_points, few);
+    ContactStudy const study = contact(scene);
+    finite(study.map.gap, "gap map");
+    for (ContactCase const& each : study.cases) {
+        finite({each.clearing_offset, each.clearing_tip, each.clearing_root, each.state.take_up, each.state.take_up_back, each.state.share,
+                each.state.share_error, each.state.smallest_gap},
+               "contact");
+        if (!(each.state.share >= 0 && each.state.share <= 1))
+            throw Find("a share of contact outside 0 ... 1");
+    }
+}
+
 }  // namespace
 
 void scene_solve(Bytes input)
 {
+    constexpr int most_slices = 4;
     constexpr double finest = 0x1p-24;  // of the module: bounds the number of points, and with it the work
     accepted([&] {
         Scene scene = scene_of(parse_drive(text_of(input)));
         scene.solver.threads = 1;
         scene.solver.tolerance = std::max(scene.solver.tolerance, scene.drive.module * finest);
+        if (scene.slices)
+            scene.slices->count = std::min(scene.slices->count, most_slices);
         Solution const solution = solve(scene);
         judge_numbers(solution);
         judge_indices(solution);
+        if (scene.contact)
+            judge_contact(scene);
         judge_pair(solution);
     });
 }

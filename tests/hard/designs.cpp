@@ -439,6 +439,16 @@ HARD_ROW("module 1e3", "scale invariance: a drive of 200 m", "the same drive to 
     CHECK(difference(solve(builtin_scene()), large, factor) / 25 < 1e-13);
 }
 
+/// How far the ends of the width are apart, mid-land to mid-land.
+double largest_step(Solution const& solution)
+{
+    double largest = 0;
+    auto const& slices = solution.circular_spline.outline;
+    for (std::size_t i = 0; i < slices.front().size(); ++i)
+        largest = std::max(largest, std::abs(slices.back()[i].norm() - slices.front()[i].norm()));
+    return largest;
+}
+
 HARD_ROW("another unit of length", "powers of two change no digit", "the same bits")
 {
     Solution const base = solve(builtin_scene());
@@ -456,18 +466,38 @@ HARD_ROW("fine tolerance", "chord error near the rounding of the coordinates", "
     right_answer({"solver.tolerance=1e-11"});
 }
 
-// effects that this version does not compute yet
+// along the axis
 
-HARD_ROW("tilt", "angles 0 and 1e-12 and -0.2 degrees", "refused: not computed by solve")
+HARD_ROW("tilt", "angles 0 and 1e-12 and -0.2 degrees, both kinds", "right answer; 0 has the bits of no tilt, 1e-12 moves nothing that can be measured")
 {
-    for (std::string const angle : {"0", "1e-12", "-0.2"})
-        refused({"tilt.angle_deg=" + angle}, "does not compute [tilt]");
+    for (std::string const kind : {"radial", "draft"})
+    {
+        auto const tilted = [&](std::string const& angle) {
+            return right_answer({"tilt.angle_deg=" + angle, "tilt.kind=" + kind, "slices.count=3"}, kind + " tilt " + angle + " deg");
+        };
+        Solution const upright = right_answer({"slices.count=3"});
+        Solution const zero = tilted("0");
+        CHECK(zero.circular_spline.outline == upright.circular_spline.outline);
+        CHECK(largest_step(tilted("1e-12")) < 1e-12);
+        // 3.5 mm tan 0.2 deg at the mid-land; a draft moves it along the radius too
+        CHECK(largest_step(tilted("-0.2")) == Approx(2 * 3.5 * std::tan(0.2 * std::numbers::pi / 180)).epsilon(1e-3));
+    }
 }
 
-HARD_ROW("slices", "one and 1000", "refused: not computed by solve")
+HARD_ROW("slices", "one and 1000", "right answer; one has the bits of none")
 {
-    for (std::string const count : {"1", "1000"})
-        refused({"slices.count=" + count}, "does not compute [slices]");
+    Solution const base = solve(builtin_scene());
+    CHECK(same_bits(base, right_answer({"slices.count=1", "slices.surface=per-slice"})));
+    Solution const many = right_answer({"slices.count=1000", "solver.tolerance=1e-4"});
+    CHECK(many.circular_spline.outline.size() == 1000);
+}
+
+HARD_ROW("slices of a cone", "100 slices whose conjugate zones appear and vanish", "every slice is its own right answer")
+{
+    Overrides const cone{"coning.model=linear", "coning.bottom_to_middle=9", "slices.count=100", "slices.surface=per-slice", "solver.tolerance=1e-4"};
+    Solution const solution = right_answer(cone, "100 slices");
+    for (auto const& slice : solution.circular_spline.outline)
+        CHECK(slice.size() == solution.circular_spline.outline.front().size());
 }
 
 HARD_ROW("far more teeth outside", "50 000 pitches a lobe - found by fuzzing: 10 s and 2 GB before it was refused", "refused: by how many teeth")

@@ -7,40 +7,17 @@
 #include "hdconj/io/result_files.hpp"
 #include "io/hdf5_handle.hpp"
 #include "support/catch.hpp"
+#include "support/read_hdf5.hpp"
 #include "support/sample_solution.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace hdconj;
 using test::content;
+using test::open_file;
+using test::read;
 using test::TemporaryFolder;
 
 namespace {
-
-/// Dimensions and numbers of a dataset.
-struct Read
-{
-    std::vector<hsize_t> shape;
-    std::vector<double> values;
-};
-
-Read read(hid_t file, char const* name)
-{
-    hdf5::Dataset const dataset(H5Dopen2(file, name, H5P_DEFAULT), "open");
-    hdf5::Space const space(H5Dget_space(dataset), "space");
-    Read result;
-    result.shape.resize(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
-    H5Sget_simple_extent_dims(space, result.shape.data(), nullptr);
-    result.values.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
-    if (!result.values.empty()) {
-        hdf5::checked(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, result.values.data()), "read");
-    }
-    return result;
-}
-
-hdf5::File open_file(std::filesystem::path const& file)
-{
-    return {H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "open"};
-}
 
 /// Sets SOURCE_DATE_EPOCH while it lives.
 class FixedDate

@@ -1,44 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cstdlib>
-
 #include "hdconj/io/atomic_file.hpp"
 #include "hdconj/io/result_files.hpp"
 #include "hdconj/scene/fault.hpp"
 #include "io/picture_gnuplot.hpp"
 #include "io/picture_lines.hpp"
 #include "support/catch.hpp"
+#include "support/gnuplot.hpp"
 #include "support/sample_solution.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace hdconj;
 using test::content;
+using test::EmptyPath;
+using test::no_gnuplot;
 using test::TemporaryFolder;
-
-namespace {
-
-bool no_gnuplot()
-{
-    if (!gnuplot::is_installed()) {
-        WARN("gnuplot is not installed: no picture was drawn");
-        return true;
-    }
-    return false;
-}
-
-/// PATH with nothing on it, while it lives.
-class EmptyPath
-{
-  public:
-    EmptyPath() : before_(std::getenv("PATH")) { ::setenv("PATH", "", 1); }
-    ~EmptyPath() { ::setenv("PATH", before_.c_str(), 1); }
-    EmptyPath(EmptyPath const&) = delete;
-    EmptyPath& operator=(EmptyPath const&) = delete;
-
-  private:
-    std::string before_;
-};
-
-}  // namespace
 
 TEST_CASE("pictures are drawn as SVG and PNG")
 {

@@ -22,7 +22,7 @@ struct GapMap
 
     std::vector<double> z;        ///< (k) slices [mm]
     std::vector<double> station;  ///< (p) place along the flank: share of its arc length, 0 at the land corner ... 1 at the flank end
-    std::vector<double> angle;    ///< (s) centre line of the tooth space, clockwise from the major axis [rad], -pi ... pi
+    std::vector<double> angle;    ///< (s) centre line of the tooth space, clockwise from the major axis [rad], within half a pitch of -pi ... pi, increasing
     std::vector<double> gap;      ///< (s,2,k,p) [mm]
 
     [[nodiscard]] std::size_t index(std::size_t space, int flank, std::size_t slice, std::size_t point) const

@@ -39,6 +39,7 @@ struct ContactState
     double contact_area = 0;     ///< [mm^2] of the flanks on the driving side with gap <= contact_gap
     double share = 0;            ///< of the area of all flanks on that side, 0 ... 1
     double share_error = 0;      ///< estimated from half as many points and slices
+    double flank_area = 0;       ///< [mm^2] of all flanks on the driving side
     int teeth = 0;               ///< tooth spaces with any contact on the driving side
     double smallest_gap = 0;     ///< before turning, either side [mm]
     int smallest_space = 0;      ///< tooth space where it is
@@ -54,13 +55,14 @@ struct ContactCase
     std::string kind;     ///< "radial" or "draft"; empty where there is no tilt
     double tilt = 0;      ///< [rad]
     double backlash_offset = 0;           ///< side clearance that the contact is computed with [mm]
-    std::vector<SliceClearance> slices;   ///< without that side clearance
-    double clearing_offset = 0;           ///< least side clearance that leaves no interference on the flanks over a full turn [mm]
+    bool raised = false;                  ///< it is more than the scene gives, because with that the teeth enter the flanks
+    std::vector<SliceClearance> slices;   ///< with the side clearance that the scene gives; "auto": with none
+    double clearing_offset = 0;           ///< least side clearance that leaves no interference on the flanks over a full turn, with that tip circle [mm]
+    double clearing_tip = 0;              ///< least tip circle at z = 0 that goes with it: every slice has a tip land and clears the rim [mm]
     double clearing_root = 0;             ///< least further root clearance, the same for the bottom [mm]
     double backlash_of_clearing = 0;      ///< play that the clearing offset alone would make [rad]
     ContactState state;                   ///< at the scene's angle of the wave generator; of a revolution the one with the least share
     std::vector<ContactState> revolution; ///< one per angle asked for; empty without --revolution
-    double flank_area = 0;                ///< of all flanks on one side [mm^2]
     double ruled_deviation = 0;           ///< "ruled": largest distance from the slices' own conjugate outlines [mm]
     double seconds = 0;
 
@@ -79,6 +81,8 @@ struct BestTilt
     double value = 0;        ///< share, or offset [mm]
     bool on_bound = false;   ///< the best lies at an end of the interval that was searched
     double from = 0, to = 0; ///< that interval [rad]
+    int refused = 0;         ///< tilts tried there at which no surface can be made
+    std::string refusal{};   ///< why not the last of them; empty where none was refused
 };
 
 struct ContactStudy

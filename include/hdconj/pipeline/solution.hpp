@@ -148,6 +148,7 @@ struct Solution
     std::optional<PairCheck> check;
     ErrorEstimate error;
     WorkCount work;
+    std::vector<std::string> notes;        ///< what was changed so that the scene could be solved, in words; mostly empty
     int threads = 1;
     std::vector<StageTime> timing;
 };

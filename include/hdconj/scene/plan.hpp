@@ -21,7 +21,20 @@ enum class Stage
     backlash,        ///< side clearance: parallel offset
     root_clearance,  ///< deeper tooth-space bottom
     outline,         ///< tip land, sampling, order
-    interference     ///< finished pair over the full turn
+    interference,    ///< finished pair over the full turn
+    coning,          ///< a motion for each slice
+    surface,         ///< outlines of all slices, matched
+    tilt,            ///< outlines moved along the axis
+    clearance,       ///< every slice over a full turn: clearing side clearance, tip circle and root
+    gap_map,         ///< gaps of all teeth at an angle of the wave generator
+    contact          ///< first contact, contact area, play
+};
+
+/// What is planned for.
+enum class Verb
+{
+    solve,
+    contact
 };
 
 /// One stage of a plan and the reason it is there.
@@ -49,8 +62,8 @@ struct Plan
 /// Stage name as written into results: "profile", "neutral_curve", ...
 [[nodiscard]] std::string to_string(Stage stage);
 
-/// Stages for `solve`, in the order they run.
-[[nodiscard]] Plan make_plan(Scene const& scene);
+/// Stages for @p verb, in the order they run.
+[[nodiscard]] Plan make_plan(Scene const& scene, Verb verb = Verb::solve);
 
 /// The plan as text for `hdconj check`.
 [[nodiscard]] std::string describe(Plan const& plan);

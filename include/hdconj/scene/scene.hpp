@@ -44,6 +44,7 @@ struct CircularSpline
 {
     std::optional<double> width;         ///< [mm], axial; recorded, used by axial effects
     double backlash_offset = 0;          ///< [mm], along the normal, >= 0
+    bool automatic_backlash = false;     ///< "auto": the least offset that clears every slice over a full turn
     double root_clearance = 0;           ///< [mm], along the centre line of the space, >= 0
     std::optional<double> inner_radius;  ///< [mm], tip circle; default r_m + delta/2 + h_f + w0 - addendum of the given tooth
     std::optional<FamilyChoice> profile; ///< the reverse problem: this tooth is given, the flexspline's is solved for
@@ -84,6 +85,8 @@ struct Coning
 {
     std::string model;                       ///< "linear"
     std::optional<double> bottom_to_middle;  ///< [mm]
+    double apex_height = 0;                  ///< of the apex above the cup's bottom [mm]
+    std::string axial_shift;                 ///< "mapped" or "none": whether gaps know of the axial displacement
     int line = 0;
 };
 
@@ -100,6 +103,15 @@ struct Slices
 {
     int count = 1;
     std::string surface;  ///< "tilted", "ruled" or "per-slice"
+    int line = 0;
+};
+
+/// What contact is asked for. Only the verb `contact` looks at it.
+struct ContactRequest
+{
+    double gap = 0;              ///< contact where the gap is no larger [mm]
+    int flank_points = 0;        ///< along each flank
+    double wave_generator = 0;   ///< angle of the wave generator from a tooth space [rad]
     int line = 0;
 };
 
@@ -121,6 +133,7 @@ struct Scene
     std::optional<Coning> coning;
     std::optional<Tilt> tilt;
     std::optional<Slices> slices;
+    std::optional<ContactRequest> contact;
 
     std::string text;                                    ///< the scene as given, after --set
     std::map<std::string, GivenKey, std::less<>> given;  ///< each key and table that is there, by path

@@ -40,7 +40,7 @@ class AnyWaveShape
     }
     [[nodiscard]] double amplitude() const
     {
-        return std::visit([](auto const& s) { return s.amplitude(); }, shape_);
+        return factor_ * std::visit([](auto const& s) { return s.amplitude(); }, shape_);
     }
     [[nodiscard]] bool even() const
     {
@@ -53,12 +53,30 @@ class AnyWaveShape
     [[nodiscard]] RadialDisplacement operator()(double u) const
     {
         if (auto const* cosine = std::get_if<CosineCam>(&shape_))
-            return (*cosine)(u);
-        return std::visit([u](auto const& s) { return s(u); }, shape_);
+            return times_factor((*cosine)(u));
+        return std::visit([this, u](auto const& s) { return times_factor(s(u)); }, shape_);
+    }
+
+    /// The same shape with every displacement multiplied by @p factor > 0: what a slice of a coned cup has.
+    [[nodiscard]] AnyWaveShape scaled(double factor) const
+    {
+        AnyWaveShape result = *this;
+        result.factor_ *= factor;
+        return result;
     }
 
   private:
+    [[nodiscard]] RadialDisplacement times_factor(RadialDisplacement d) const
+    {
+        d.w *= factor_;
+        d.w1 *= factor_;
+        d.w2 *= factor_;
+        d.w3 *= factor_;
+        return d;
+    }
+
     Families shape_;
+    double factor_ = 1;
 };
 
 /// Every registered wave generator family, in the order of registration.

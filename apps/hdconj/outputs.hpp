@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What verbs that write files share: names, checks before the long work, progress on a terminal.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "hdconj/io/result_files.hpp"
+#include "hdconj/scene/scene.hpp"
+
+namespace hdconj::cli {
+
+/// One file, or one family of files, to write.
+struct OutputJob
+{
+    std::string kind;             ///< "hdf5", "dxf", "picture"
+    std::string option;           ///< for messages
+    std::filesystem::path file;
+    std::function<void()> check;  ///< what can be known about the target before the long work; throws
+};
+
+/// Everything about the targets that can be known before the long work.
+/// @param scene  scene file given, which no result may replace
+/// @throws InputError, FileError
+void check_outputs(std::vector<OutputJob> const& jobs, std::string const& scene);
+
+/// A file name made of a drive's name: letters of any script, digits, and "._-" stay.
+[[nodiscard]] std::string file_name(std::string const& drive);
+
+/// Runs @p write and keeps its time.
+[[nodiscard]] WrittenFile timed(std::string const& kind, std::filesystem::path const& file, std::function<void()> const& write);
+
+/// On a terminal, names the stage that runs, over and over in one line; where nobody looks it says nothing.
+class Progress
+{
+  public:
+    explicit Progress(bool wanted);
+    ~Progress() { clear(); }
+    Progress(Progress const&) = delete;
+    Progress& operator=(Progress const&) = delete;
+
+    void say(std::string const& what) const;
+    /// The same with a bar; @p share 0 ... 1.
+    void say(std::string const& what, double share) const;
+    void clear() const;
+
+  private:
+    bool shown_;
+};
+
+}  // namespace hdconj::cli

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The boundary of a tooth space as a curve of exact points, whatever motion it came from.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "hdconj/conjugate/outline.hpp"
+#include "hdconj/motion/erased_motion.hpp"
+
+namespace hdconj {
+
+/// A point of the boundary.
+struct CurvePoint
+{
+    Vec2 p = Vec2::Zero();  ///< [mm]
+    Vec2 n = Vec2::Zero();  ///< unit normal into the circular spline's material
+};
+
+/// The boundary of one tooth space, left mid-land to right mid-land: pieces of contact arcs and lands on the tip circle.
+///
+/// Owns what its points are computed from, so that slices can be kept and sampled together. Points are exact contacts.
+class SpaceCurve
+{
+  public:
+    /// @param owner    keeps @p tooth and the object behind @p motion alive
+    /// @param offset   side clearance of the arcs [mm]
+    /// @param pieces   left mid-land to right mid-land, cut where x = 0
+    /// @param pitch    of the circular spline [rad]
+    SpaceCurve(std::shared_ptr<void const> owner, Profile const& tooth, ErasedMotion motion, double offset, std::vector<ContactArc> arcs,
+               std::vector<BoundaryPiece> pieces, double tip_radius, double pitch)
+        : owner_(std::move(owner)), tooth_(&tooth), motion_(std::make_shared<ErasedMotion>(motion)), envelope_(tooth, *motion_, offset),
+          arcs_(std::move(arcs)), pieces_(std::move(pieces)), tip_radius_(tip_radius), pitch_(pitch)
+    {
+    }
+
+    [[nodiscard]] Profile const& tooth() const { return *tooth_; }
+    [[nodiscard]] ErasedMotion const& motion() const { return *motion_; }
+    [[nodiscard]] std::vector<BoundaryPiece> const& pieces() const { return pieces_; }
+    [[nodiscard]] ContactArc const& arc(BoundaryPiece const& piece) const { return arcs_[static_cast<std::size_t>(piece.arc)]; }
+    [[nodiscard]] double tip_radius() const { return tip_radius_; }
+    [[nodiscard]] double pitch() const { return pitch_; }
+    [[nodiscard]] double offset() const { return envelope_.offset(); }
+    /// Whether the left half is the mirror image of the right one.
+    [[nodiscard]] bool symmetric() const { return tooth_->mirror_symmetric && motion_->symmetric(); }
+
+    /// Kind and segment of what made a piece, as in an outline.
+    [[nodiscard]] OutlineStretch made_by(BoundaryPiece const& piece) const;
+
+    /// Point of @p piece at its parameter @p u, between its begin and its end.
+    [[nodiscard]] CurvePoint at(BoundaryPiece const& piece, double u) const;
+
+    /// Profile parameter of the contact at @p u, 0 ... 1 along its segment.
+    [[nodiscard]] double profile_parameter(BoundaryPiece const& piece, double u) const;
+
+    /// Exact points along @p piece to a chord error, in its own direction.
+    [[nodiscard]] SampledArc sampled(BoundaryPiece const& piece, double chord) const;
+
+    /// The same boundary moved by @p distance along its normal into the material (negative: out of it), tip circle too, its pieces cut or
+    /// extended to where they meet then: corners stay sharp, as a constant-taper cut or a CAD draft leaves them.
+    /// Paths of the tooth's corners and of its tip that turn more sharply than by this radius are swallowed: their neighbours meet instead.
+    /// Exact: the contacts of an offset are those of the base.
+    /// @throws NumericalError where a flank would fold or a piece would vanish
+    [[nodiscard]] SpaceCurve moved_along_normal(double distance, Tolerance const& tolerance) const;
+
+  private:
+    /// Which part of a moved piece runs backwards.
+    enum class Swallowed
+    {
+        nothing,
+        begin,
+        end,
+        whole
+    };
+    [[nodiscard]] Swallowed swallow(SpaceCurve const& base, BoundaryPiece& piece) const;
+    /// Whether what is left of a piece meets @p neighbour; cuts it there.
+    [[nodiscard]] bool reaches(BoundaryPiece& rest, bool begin, BoundaryPiece const& neighbour, double distance, Tolerance const& tolerance) const;
+    void meet(BoundaryPiece& before, BoundaryPiece& after, double distance, Tolerance const& tolerance) const;
+    [[nodiscard]] TurnedArc<ErasedMotion> turned(BoundaryPiece const& piece) const { return {envelope_, arc(piece), piece.copy * pitch_}; }
+
+    std::shared_ptr<void const> owner_;
+    Profile const* tooth_;
+    std::shared_ptr<ErasedMotion const> motion_;   // the envelope keeps a pointer to it
+    Envelope<ErasedMotion> envelope_;
+    std::vector<ContactArc> arcs_;
+    std::vector<BoundaryPiece> pieces_;
+    double tip_radius_;
+    double pitch_;
+};
+
+}  // namespace hdconj

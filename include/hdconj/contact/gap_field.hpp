@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Gaps of all flanks of the circular spline against all teeth, for any turn of the flexspline.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "hdconj/contact/flank_grid.hpp"
+#include "hdconj/contact/gap_map.hpp"
+#include "hdconj/contact/tooth_distance.hpp"
+#include "hdconj/contact/tooth_places.hpp"
+
+namespace hdconj {
+
+/// Gap of any flank point, in the plane of its slice.
+///
+/// The nearest tooth of a space is one of the three that are nearest in angle; its distance is exact (ToothDistance). Turning
+/// the flexspline clockwise by `turn` about the axis of the drive moves all its teeth alike.
+class GapField
+{
+  public:
+    struct Index
+    {
+        std::size_t space;
+        int flank;
+        std::size_t slice;
+        std::size_t point;
+    };
+
+    /// @param phase  undeformed angle of tooth 0 [rad]
+    GapField(Profile const& tooth, FlankGrid const& grid, ToothPlaces const& places, int flexspline_teeth, int circular_spline_teeth, double phase);
+    GapField(GapField const&) = delete;
+    GapField& operator=(GapField const&) = delete;
+
+    [[nodiscard]] FlankGrid const& grid() const { return *grid_; }
+    [[nodiscard]] std::size_t spaces() const { return space_angle_.size(); }
+    /// Angle of the centre line of @p space from the major axis, -pi ... pi.
+    [[nodiscard]] double space_angle(std::size_t space) const { return space_angle_[space]; }
+
+    [[nodiscard]] double gap(Index const& i, double turn) const;
+
+    /// All gaps at @p turn. Same bits for any number of threads.
+    [[nodiscard]] GapMap map(double turn, int threads) const;
+
+    /// Largest distance of a flank point from the axis: no gap changes faster than this with the turn [mm/rad].
+    [[nodiscard]] double reach() const { return reach_; }
+
+  private:
+    /// x = R q - shift takes a point of a space into the frame of a tooth.
+    struct Placement
+    {
+        double cosine, sine;
+        Vec2 shift;
+        [[nodiscard]] Vec2 operator()(Vec2 const& q) const { return Vec2{cosine * q.x() + sine * q.y(), -sine * q.x() + cosine * q.y()} - shift; }
+    };
+    static constexpr int candidates = 3;
+    using Candidates = std::array<Placement, candidates>;
+    [[nodiscard]] Candidates candidates_of(std::size_t space, std::size_t slice, double turn) const;
+    [[nodiscard]] double nearest(Candidates const& teeth, Vec2 const& q) const;
+
+    ToothDistance distance_;
+    FlankGrid const* grid_;
+    ToothPlaces const* places_;
+    std::vector<double> space_angle_;
+    std::vector<int> space_number_;
+    std::vector<int> nearest_tooth_;
+    double pitch_;
+    double reach_ = 0;
+};
+
+/// Range of teeth that a GapField needs: first and last number.
+[[nodiscard]] std::array<int, 2> teeth_needed(int flexspline_teeth, int circular_spline_teeth, double phase);
+
+}  // namespace hdconj

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// How far the flexspline turns until its teeth touch.
+#pragma once
+
+#include "hdconj/contact/gap_field.hpp"
+
+namespace hdconj {
+
+/// First contact of the flanks on one side.
+struct TakeUp
+{
+    double turn = 0;            ///< [rad] clockwise for GapMap::right, counter-clockwise for left; negative: turned back out of interference
+    GapField::Index where{};    ///< the point that touches
+    double gap = 0;             ///< smallest gap there: zero to roundoff [mm]
+};
+
+/// The turn at which the smallest gap of the flanks @p flank is zero.
+///
+/// No gap changes faster than the reach of the flanks times the turn, so points that cannot become zero between the bracket's ends are dropped, and
+/// the smallest gap of the rest is bracketed and closed in on (false position, Illinois): the sign change is never lost.
+/// @param at_rest  gaps at turn 0
+/// @param limit    largest turn looked at, either way [rad]
+/// Accuracy: the gap at the result is zero to some roundings of the reach.
+/// @throws NumericalError where nothing touches within the limit
+[[nodiscard]] TakeUp take_up(GapField const& field, GapMap const& at_rest, int flank, double limit, int threads);
+
+}  // namespace hdconj

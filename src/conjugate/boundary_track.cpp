@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "boundary_track.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hdconj/envelope/smooth_ranges.hpp"
+#include "hdconj/numeric/bracketed_root.hpp"
+
+namespace hdconj::detail {
+namespace {
+
+/// Whether @p piece goes on where @p before ended, traced by the same segment: the outline's own rule.
+bool goes_on(SpaceCurve const& curve, BoundaryPiece const& before, BoundaryPiece const& piece)
+{
+    if (before.arc < 0 || piece.arc < 0 || before.copy != piece.copy)
+        return false;
+    OutlineStretch const a = curve.made_by(before);
+    OutlineStretch const b = curve.made_by(piece);
+    if (a.kind != b.kind || a.segment != b.segment)
+        return false;
+    int const step = std::abs(curve.arc(piece).piece - curve.arc(before).piece);
+    bool const same_time = same_instant(std::min(before.end, piece.begin), std::max(before.end, piece.begin));
+    return (step == 1 && a.kind != OutlineKind::corner) || (step == 0 && same_time);
+}
+
+}  // namespace
+
+std::vector<BoundaryStretch> stretches_of(SpaceCurve const& curve, std::vector<BoundaryPiece> const& pieces)
+{
+    std::vector<BoundaryStretch> stretches;
+    for (BoundaryPiece const& piece : pieces)
+    {
+        if (!stretches.empty() && goes_on(curve, stretches.back().pieces.back(), piece))
+        {
+            stretches.back().pieces.push_back(piece);
+            continue;
+        }
+        OutlineStretch const origin = curve.made_by(piece);
+        stretches.push_back({origin.kind, origin.segment, {piece}});
+    }
+    return stretches;
+}
+
+BoundaryTrack::BoundaryTrack(SpaceCurve const& curve, std::vector<BoundaryStretch> const& stretches, Measure measure, double chord)
+    : curve_(&curve), measure_(measure)
+{
+    std::vector<std::size_t> begins;   // index of the first station of each stretch
+    Vec2 before = Vec2::Zero();
+    for (BoundaryStretch const& stretch : stretches)
+    {
+        begins.push_back(stations_.size());
+        for (BoundaryPiece const& piece : stretch.pieces)
+        {
+            pieces_.push_back(piece);
+            SampledArc const sampled = curve.sampled(piece, chord);
+            for (std::size_t i = 0; i < sampled.points.size(); ++i)
+            {
+                EnvelopePoint const& e = sampled.points[i];
+                if (i > 0)
+                    length_ += (e.p - before).norm();
+                before = e.p;
+                double const u = i == 0 ? piece.begin : i + 1 == sampled.points.size() ? piece.end : e.u;
+                stations_.push_back({measure == Measure::length ? length_ : curve.profile_parameter(piece, u), pieces_.size() - 1, u});
+            }
+        }
+    }
+    if (stations_.empty())
+        return;
+    first_ = stations_.front().share;
+    last_ = stations_.back().share;
+    double const range = last_ - first_;
+    double highest = 0;
+    for (std::size_t i = 0; i < stations_.size(); ++i)
+    {
+        double const share = range != 0 ? (stations_[i].share - first_) / range : static_cast<double>(i) / static_cast<double>(stations_.size());
+        constexpr double rounding = 64 * unit_roundoff;
+        monotone_ = monotone_ && share >= highest - rounding && share <= 1 + rounding;
+        highest = std::max(highest, share);
+        stations_[i].share = std::min(highest, 1.0);
+    }
+    stations_.back().share = 1;
+    monotone_ = monotone_ && range != 0;
+    for (std::size_t i = 1; i < begins.size(); ++i)
+        joints_.push_back(stations_[begins[i]].share);
+}
+
+double BoundaryTrack::between(Station const& a, Station const& b, double share) const
+{
+    double const part = (share - a.share) / (b.share - a.share);
+    double const guess = a.u + part * (b.u - a.u);
+    if (measure_ == Measure::length)
+        return guess;
+    double const wanted = first_ + share * (last_ - first_);
+    auto const excess = [&](double u) { return curve_->profile_parameter(pieces_[a.piece], u) - wanted; };
+    BracketedRoot const root = bracketed_root(excess, std::min(a.u, b.u), std::max(a.u, b.u));
+    return root.found ? root.x : guess;
+}
+
+TrackPoint BoundaryTrack::at(double share) const
+{
+    auto const after = std::upper_bound(stations_.begin(), stations_.end(), share, [](double s, Station const& station) { return s < station.share; });
+    auto const not_before = std::lower_bound(stations_.begin(), stations_.end(), share, [](Station const& station, double s) { return station.share < s; });
+    if (not_before != after)
+    {
+        CurvePoint const first = point(*not_before);
+        CurvePoint const last = point(*(after - 1));
+        return {first.p, first.n, last.n};
+    }
+    // strictly between two stations of one piece: joints are pairs of stations with one share
+    Station const& a = *(after - 1);
+    CurvePoint const c = curve_->at(pieces_[a.piece], between(a, *after, share));
+    return {c.p, c.n, c.n};
+}
+
+}  // namespace hdconj::detail

@@ -1,0 +1,305 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/conjugate/matched_outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <iterator>
+#include <string>
+
+#include "boundary_track.hpp"
+#include "hdconj/numeric/error.hpp"
+#include "hdconj/numeric/parallel.hpp"
+
+namespace hdconj {
+namespace {
+
+using detail::BoundaryStretch;
+using detail::BoundaryTrack;
+using detail::Measure;
+using detail::TrackPoint;
+
+/// The stretches of one half of one slice between its landmarks, in the order of increasing x.
+struct HalfIntervals
+{
+    std::vector<BoundaryStretch> bottom, flank, land;
+};
+
+bool around_bottom(BoundaryStretch const& s)
+{
+    return s.kind == OutlineKind::corner || s.kind == OutlineKind::bottom;
+}
+
+/// The right half runs bottom, flank, land; the left one the other way round.
+HalfIntervals intervals_of(SpaceCurve const& curve, bool right)
+{
+    auto const& pieces = curve.pieces();
+    auto const middle = std::find_if(pieces.begin(), pieces.end(), [&](BoundaryPiece const& piece) {
+        return 0.5 * (curve.at(piece, piece.begin).p + curve.at(piece, piece.end).p).x() > 0;
+    });
+    std::vector<BoundaryPiece> half = right ? std::vector<BoundaryPiece>(middle, pieces.end()) : std::vector<BoundaryPiece>(pieces.begin(), middle);
+    std::vector<BoundaryStretch> stretches = detail::stretches_of(curve, half);
+    if (!right)
+        std::reverse(stretches.begin(), stretches.end());
+    HalfIntervals found;
+    auto const flank = std::find_if(stretches.begin(), stretches.end(), [](BoundaryStretch const& s) { return !around_bottom(s); });
+    auto const land = std::find_if(stretches.begin(), stretches.end(), [](BoundaryStretch const& s) { return s.kind == OutlineKind::land; });
+    if (flank == stretches.end() || land == stretches.end() || flank >= land)
+        throw NumericalError("slices", right ? "right half of the tooth space" : "left half of the tooth space",
+                             "has no flank between its bottom and the tip circle; the tip of the tooth alone makes the space");
+    found.bottom.assign(stretches.begin(), flank);
+    found.flank.assign(flank, land);
+    found.land.assign(land, stretches.end());
+    if (!right)
+        for (auto* interval : {&found.bottom, &found.flank, &found.land})
+            std::reverse(interval->begin(), interval->end());
+    return found;
+}
+
+/// Stretches of all slices that are sampled at the same shares.
+struct Unit
+{
+    OutlineKind kind = OutlineKind::land;
+    int segment = -1;
+    std::vector<BoundaryTrack> tracks;       ///< (k)
+    std::vector<double> stations;
+    std::vector<std::vector<TrackPoint>> at; ///< (k, stations)
+
+    /// Of the longest slice [mm].
+    [[nodiscard]] double length() const
+    {
+        double longest = 0;
+        for (BoundaryTrack const& track : tracks)
+            longest = std::max(longest, track.length());
+        return longest;
+    }
+};
+
+double chord_between(TrackPoint const& a, TrackPoint const& b)
+{
+    return detail::chord_error({0, 0, a.p, a.after, 0}, {0, 0, b.p, b.before, 0});
+}
+
+/// Cuts every interval of stations that is too coarse in any slice, until none is.
+void sample(Unit& unit, double chord, int intervals, int threads)
+{
+    constexpr int fewest = 4;   // the chord error of a stretch that turns far is only right after a few cuts
+    int const first_look = std::max(fewest, intervals);
+    std::vector<double> added;
+    for (int i = 0; i <= first_look; ++i)
+        added.push_back(static_cast<double>(i) / first_look);
+    for (BoundaryTrack const& track : unit.tracks)
+        added.insert(added.end(), track.joints().begin(), track.joints().end());
+    std::sort(added.begin(), added.end());
+    added.erase(std::unique(added.begin(), added.end()), added.end());
+    std::size_t const slices = unit.tracks.size();
+    unit.at.assign(slices, {});
+    constexpr int deepest = 48;
+    for (int depth = 0; !added.empty(); ++depth)
+    {
+        if (depth > deepest)
+            throw NumericalError("slices", "matched outline", "could not be sampled to a chord error of " + std::to_string(chord) + " mm");
+        std::vector<double> merged;
+        std::merge(unit.stations.begin(), unit.stations.end(), added.begin(), added.end(), std::back_inserter(merged));
+        std::vector<std::uint8_t> split(merged.size(), 0);
+        std::vector<std::vector<std::uint8_t>> coarse(slices);
+        parallel_for(slices, threads, 8, [&](std::size_t k) {
+            std::vector<TrackPoint> points;
+            points.reserve(merged.size());
+            std::size_t old = 0;
+            for (double const share : merged)
+                points.push_back(old < unit.stations.size() && unit.stations[old] == share ? unit.at[k][old++] : unit.tracks[k].at(share));
+            coarse[k].assign(merged.size(), 0);
+            for (std::size_t i = 0; i + 1 < points.size(); ++i)
+                coarse[k][i] = chord_between(points[i], points[i + 1]) > chord ? 1 : 0;
+            unit.at[k] = std::move(points);
+        });
+        unit.stations = std::move(merged);
+        added.clear();
+        for (std::size_t i = 0; i + 1 < unit.stations.size(); ++i)
+        {
+            bool const any = std::any_of(coarse.begin(), coarse.end(), [i](auto const& slice) { return slice[i] != 0; });
+            double const middle = 0.5 * (unit.stations[i] + unit.stations[i + 1]);
+            if (any && middle > unit.stations[i] && middle < unit.stations[i + 1])
+                added.push_back(middle);
+        }
+    }
+}
+
+bool same_stretches(std::vector<std::vector<BoundaryStretch> const*> const& slices)
+{
+    return std::all_of(slices.begin(), slices.end(), [&](auto const* stretches) {
+        return std::equal(stretches->begin(), stretches->end(), slices.front()->begin(), slices.front()->end(),
+                          [](BoundaryStretch const& a, BoundaryStretch const& b) { return a.kind == b.kind && a.segment == b.segment; });
+    });
+}
+
+/// One stretch of every slice: by profile parameter on flanks where it is monotone everywhere, else by length.
+Unit unit_of(std::vector<SpaceCurve const*> const& curves, std::vector<std::vector<BoundaryStretch>> const& stretches, OutlineKind kind, int segment,
+             bool by_profile, double chord)
+{
+    Unit unit{kind, segment, {}, {}, {}};
+    for (Measure const measure : {Measure::profile, Measure::length})
+    {
+        if (measure == Measure::profile && !by_profile)
+            continue;
+        unit.tracks.clear();
+        bool monotone = true;
+        for (std::size_t k = 0; k < curves.size(); ++k)
+        {
+            unit.tracks.emplace_back(*curves[k], stretches[k], measure, chord);
+            monotone = monotone && unit.tracks.back().monotone();
+        }
+        if (monotone)
+            break;
+    }
+    return unit;
+}
+
+/// The units of one interval: stretch by stretch where all slices have the same, else as a whole.
+void add_interval(std::vector<Unit>& units, std::vector<SpaceCurve const*> const& curves, std::vector<std::vector<BoundaryStretch> const*> const& slices,
+                  OutlineKind kind, double chord, bool& by_origin)
+{
+    bool const same = same_stretches(slices);
+    by_origin = by_origin && same;
+    std::size_t const count = same ? slices.front()->size() : 1;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        std::vector<std::vector<BoundaryStretch>> stretches;
+        for (auto const* each : slices)
+            stretches.push_back(same ? std::vector<BoundaryStretch>{(*each)[i]} : *each);
+        BoundaryStretch const& first = stretches.front().front();
+        OutlineKind const made = same ? first.kind : kind;
+        units.push_back(unit_of(curves, stretches, made, same ? first.segment : -1, same && made == OutlineKind::flank, chord));
+    }
+}
+
+}  // namespace
+
+MatchedOutline matched_outline(std::vector<SpaceCurve const*> const& slices, double chord, int flank_intervals, int threads)
+{
+    bool const symmetric = std::all_of(slices.begin(), slices.end(), [](SpaceCurve const* curve) { return curve->symmetric(); });
+    MatchedOutline out;
+    std::vector<Unit> units;
+    std::array<std::size_t, 5> marks{};   // number of units before each landmark
+    for (bool const right : {false, true})
+    {
+        if (!right && symmetric)
+            continue;
+        std::vector<HalfIntervals> halves;
+        for (SpaceCurve const* curve : slices)
+            halves.push_back(intervals_of(*curve, right));
+        auto const of = [&](auto member) {
+            std::vector<std::vector<BoundaryStretch> const*> interval;
+            for (HalfIntervals const& half : halves)
+                interval.push_back(&(half.*member));
+            return interval;
+        };
+        // a bottom that only some slices have cannot be told from the flank
+        bool const all_have_bottom = std::all_of(halves.begin(), halves.end(), [](HalfIntervals const& h) { return !h.bottom.empty(); });
+        if (!all_have_bottom)
+        {
+            for (HalfIntervals& half : halves)
+            {
+                half.flank.insert(right ? half.flank.begin() : half.flank.end(), half.bottom.begin(), half.bottom.end());
+                half.bottom.clear();
+            }
+        }
+        auto const add = [&](auto member, OutlineKind kind) { add_interval(units, slices, of(member), kind, chord, out.by_origin); };
+        if (right)
+        {
+            marks[2] = units.size();
+            if (all_have_bottom)
+                add(&HalfIntervals::bottom, OutlineKind::bottom);
+            marks[3] = units.size();
+            add(&HalfIntervals::flank, OutlineKind::flank);
+            marks[4] = units.size();
+            add(&HalfIntervals::land, OutlineKind::land);
+        }
+        else
+        {
+            add(&HalfIntervals::land, OutlineKind::land);
+            marks[0] = units.size();
+            add(&HalfIntervals::flank, OutlineKind::flank);
+            marks[1] = units.size();
+            if (all_have_bottom)
+                add(&HalfIntervals::bottom, OutlineKind::bottom);
+        }
+    }
+    // the flank of one half, whose units share its intervals
+    double flank = 0;
+    for (std::size_t i = marks[3]; i < marks[4]; ++i)
+        flank += units[i].length();
+    for (std::size_t i = 0; i < units.size(); ++i)
+    {
+        bool const on_flank = (i >= marks[3] && i < marks[4]) || (!symmetric && i >= marks[0] && i < marks[1]);
+        sample(units[i], chord, on_flank && flank > 0 ? static_cast<int>(std::ceil(flank_intervals * units[i].length() / flank)) : 0, threads);
+    }
+
+    std::size_t const k_count = slices.size();
+    out.points.resize(k_count);
+    out.normals.resize(k_count);
+    std::vector<std::size_t> ends{0};   // index of the last point of each unit
+    for (std::size_t u = 0; u < units.size(); ++u)
+    {
+        Unit const& unit = units[u];
+        // where a flank begins, the corner moves with the flank
+        bool const begins_flank = u == marks[3] || (!symmetric && u == marks[0]);
+        std::size_t const first = out.points.front().empty() ? 0 : out.points.front().size() - 1;
+        for (std::size_t k = 0; k < k_count; ++k)
+        {
+            if (begins_flank && !out.normals[k].empty())
+                out.normals[k].back() = unit.at[k].front().after;
+            for (std::size_t i = out.points[k].empty() ? 0 : 1; i < unit.stations.size(); ++i)
+            {
+                out.points[k].push_back(unit.at[k][i].p);
+                out.normals[k].push_back(unit.at[k][i].before);
+            }
+            for (std::size_t i = 0; i + 1 < unit.stations.size(); ++i)
+                out.chord = std::max(out.chord, chord_between(unit.at[k][i], unit.at[k][i + 1]));
+        }
+        ends.push_back(out.points.front().size() - 1);
+        out.stretches.push_back({unit.kind, unit.segment, first, ends.back()});
+    }
+    if (!symmetric)
+    {
+        for (std::size_t i = 0; i < marks.size(); ++i)
+            out.landmarks[i] = ends[marks[i]];
+        return out;
+    }
+    // the left half is the image of the right one, bit for bit
+    std::size_t const half = out.points.front().size() - 1;
+    for (std::size_t k = 0; k < k_count; ++k)
+    {
+        auto& p = out.points[k];
+        auto& n = out.normals[k];
+        p.front().x() = 0;
+        std::vector<Vec2> points, normals;
+        for (std::size_t i = half; i > 0; --i)
+        {
+            points.emplace_back(-p[i].x(), p[i].y());
+            normals.emplace_back(-n[i].x(), n[i].y());
+        }
+        p.insert(p.begin(), points.begin(), points.end());
+        n.insert(n.begin(), normals.begin(), normals.end());
+    }
+    std::vector<OutlineStretch> whole;
+    Profile const& tooth = slices.front()->tooth();
+    int const segments = static_cast<int>(tooth.segment_names.size());
+    for (auto s = out.stretches.rbegin(); s != out.stretches.rend(); ++s)
+    {
+        int const image = s->segment < 0 ? -1 : segments - 1 - s->segment - (s->kind == OutlineKind::corner ? 1 : 0);
+        whole.push_back({s->kind, image, half - s->last, half - s->first});
+    }
+    for (OutlineStretch s : out.stretches)
+        whole.push_back({s.kind, s.segment, s.first + half, s.last + half});
+    out.stretches = std::move(whole);
+    for (std::size_t i = 2; i < marks.size(); ++i)
+    {
+        out.landmarks[i] = half + ends[marks[i]];
+        out.landmarks[4 - i] = half - ends[marks[i]];
+    }
+    return out;
+}
+
+}  // namespace hdconj

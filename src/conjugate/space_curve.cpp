@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/conjugate/space_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+
+#include "hdconj/conjugate/crossing.hpp"
+#include "hdconj/numeric/error.hpp"
+
+namespace hdconj {
+namespace {
+
+std::string near_text(Vec2 const& p)
+{
+    return "near (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ") mm";
+}
+
+}  // namespace
+
+OutlineStretch SpaceCurve::made_by(BoundaryPiece const& piece) const
+{
+    if (piece.arc < 0)
+        return {};
+    ContactArc const& contacts = arc(piece);
+    ProfilePiece const& origin = tooth_->pieces[static_cast<std::size_t>(contacts.piece)];
+    OutlineKind const kind = origin.corner                             ? OutlineKind::corner
+                             : detail::is_tip(*tooth_, contacts.piece) ? OutlineKind::bottom
+                                                                       : OutlineKind::flank;
+    return {kind, origin.segment};
+}
+
+CurvePoint SpaceCurve::at(BoundaryPiece const& piece, double u) const
+{
+    if (piece.arc < 0)
+    {
+        Vec2 const out{std::sin(u), std::cos(u)};
+        return {tip_radius_ * out, out};
+    }
+    EnvelopePoint const e = turned(piece).point(u);
+    return {e.p, e.n};
+}
+
+double SpaceCurve::profile_parameter(BoundaryPiece const& piece, double u) const
+{
+    ContactArc const& contacts = arc(piece);
+    ProfilePiece const& origin = tooth_->pieces[static_cast<std::size_t>(contacts.piece)];
+    return origin.t_begin + envelope_.point(contacts, u).t * (origin.t_end - origin.t_begin);
+}
+
+SampledArc SpaceCurve::sampled(BoundaryPiece const& piece, double chord) const
+{
+    SampledArc result;
+    if (piece.arc >= 0)
+    {
+        result = sample_arc(envelope_, arc(piece), piece.begin, piece.end, chord, 1);
+        for (EnvelopePoint& e : result.points)
+        {
+            CurvePoint const c = at(piece, e.u);
+            e.p = c.p;
+            e.n = c.n;
+        }
+        return result;
+    }
+    double const step = 2 * std::acos(1 - std::min(0.5, chord / tip_radius_));
+    auto const count = static_cast<int>(std::max(1.0, std::ceil(std::abs(piece.end - piece.begin) / step)));
+    for (int k = 0; k <= count; ++k)
+    {
+        double const angle = k == count ? piece.end : piece.begin + (piece.end - piece.begin) * k / count;
+        CurvePoint const c = at(piece, angle);
+        result.points.push_back({angle, 0, c.p, c.n, 0});
+    }
+    result.chord = tip_radius_ * (1 - std::cos(0.5 * (piece.end - piece.begin) / count));
+    return result;
+}
+
+SpaceCurve SpaceCurve::moved_along_normal(double distance, Tolerance const& tolerance) const
+{
+    SpaceCurve moved(owner_, *tooth_, *motion_, offset() + distance, arcs_, pieces_, tip_radius_ + distance, pitch_);
+    if (distance == 0)
+        return moved;
+    std::vector<BoundaryPiece> before;   // as they are here, those that are left
+    std::vector<BoundaryPiece>& after = moved.pieces_;
+    std::vector<std::uint8_t> cut;       // whether the end that faces the next piece was cut, or what lay there left out
+    after.clear();
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+    {
+        BoundaryPiece const& piece = pieces_[i];
+        BoundaryPiece rest = piece;
+        Swallowed swallowed = moved.swallow(*this, rest);
+        if (swallowed == Swallowed::begin || swallowed == Swallowed::end)
+        {
+            // what is left of it may be cut off by its neighbour as well
+            bool const begin = swallowed == Swallowed::begin;
+            bool const has_neighbour = begin ? !after.empty() : i + 1 < pieces_.size();
+            if (!has_neighbour || !moved.reaches(rest, begin, begin ? after.back() : pieces_[i + 1], std::abs(distance), tolerance))
+                swallowed = Swallowed::whole;
+        }
+        if (swallowed != Swallowed::nothing && made_by(piece).kind == OutlineKind::flank)
+            throw NumericalError("draft", near_text(at(piece, piece.begin).p), "moved by " + std::to_string(distance)
+                                                                                  + " mm along its normal, the flank folds there; write a smaller tilt.angle_deg");
+        if (!cut.empty() && (swallowed == Swallowed::whole || swallowed == Swallowed::begin))
+            cut.back() = 1;
+        if (swallowed == Swallowed::whole)
+            continue;
+        before.push_back(piece);
+        after.push_back(rest);
+        cut.push_back(swallowed == Swallowed::end ? 1 : 0);
+    }
+    for (std::size_t i = 0; i + 1 < after.size(); ++i)
+    {
+        // normals that agree to this come from one contact that goes on over a joint of the profile, or from the cut at x = 0
+        constexpr double smooth = 0x1p-20;
+        Vec2 const n = at(before[i], before[i].end).n;
+        Vec2 const next = at(before[i + 1], before[i + 1].begin).n;
+        if (cut[i] != 0 || std::abs(cross(n, next)) > smooth || n.dot(next) < 0)
+            moved.meet(after[i], after[i + 1], std::abs(distance), tolerance);
+    }
+    for (std::size_t i = 0; i < after.size(); ++i)
+    {
+        double const was = before[i].end - before[i].begin;
+        double const is = after[i].end - after[i].begin;
+        if (std::signbit(was) != std::signbit(is) && was != 0)
+            throw NumericalError("draft", near_text(at(before[i], before[i].begin).p),
+                                 "moved by " + std::to_string(distance) + " mm along its normal, a stretch of the outline vanishes; write a smaller tilt.angle_deg");
+    }
+    return moved;
+}
+
+/// What runs backwards lies beyond a centre of curvature; @p piece is cut down to what does not.
+SpaceCurve::Swallowed SpaceCurve::swallow(SpaceCurve const& base, BoundaryPiece& piece) const
+{
+    if (piece.arc < 0)
+        return Swallowed::nothing;
+    auto const place = [&](double share) { return piece.begin + share * (piece.end - piece.begin); };
+    auto const forward = [&](double share) { return turned(piece).velocity(place(share)).dot(base.turned(piece).velocity(place(share))); };
+    // the speed may have no finite value at an end itself
+    constexpr double near_end = 0x1p-10;
+    bool const begin = forward(near_end) < 0;
+    bool const end = forward(1 - near_end) < 0;
+    if (begin == end)
+        return begin ? Swallowed::whole : Swallowed::nothing;
+    double kept = begin ? 1 - near_end : near_end;
+    double lost = begin ? near_end : 1 - near_end;
+    constexpr int halvings = 40;
+    for (int i = 0; i < halvings; ++i)
+    {
+        double const middle = 0.5 * (kept + lost);
+        (forward(middle) < 0 ? lost : kept) = middle;
+    }
+    double const fold = place(kept);
+    (begin ? piece.begin : piece.end) = fold;
+    return begin ? Swallowed::begin : Swallowed::end;
+}
+
+bool SpaceCurve::reaches(BoundaryPiece& rest, bool begin, BoundaryPiece const& neighbour, double distance, Tolerance const& tolerance) const
+{
+    if (neighbour.arc < 0)
+        return false;
+    // Newton cannot start at the fold itself, where the piece stands still
+    for (double const share : {0.5, 0.125, 0.875})
+    {
+        double const guess = rest.begin + share * (rest.end - rest.begin);
+        auto const u = crossing_of_arcs(turned(rest), guess, turned(neighbour), begin ? neighbour.end : neighbour.begin, distance, tolerance);
+        if (u && (*u)[0] > std::min(rest.begin, rest.end) && (*u)[0] < std::max(rest.begin, rest.end))
+        {
+            (begin ? rest.begin : rest.end) = (*u)[0];
+            return true;
+        }
+    }
+    return false;
+}
+
+void SpaceCurve::meet(BoundaryPiece& before, BoundaryPiece& after, double distance, Tolerance const& tolerance) const
+{
+    bool met = false;
+    if (before.arc < 0 || after.arc < 0)
+    {
+        BoundaryPiece& flank = before.arc < 0 ? after : before;
+        double& end = before.arc < 0 ? flank.begin : flank.end;
+        if (auto const u = crossing_with_circle(turned(flank), tip_radius_, end, distance))
+        {
+            end = *u;
+            Vec2 const p = at(flank, *u).p;
+            (before.arc < 0 ? before.end : after.begin) = std::atan2(p.x(), p.y());
+            met = true;
+        }
+    }
+    else if (auto const u = crossing_of_arcs(turned(before), before.end, turned(after), after.begin, distance, tolerance))
+    {
+        before.end = (*u)[0];
+        after.begin = (*u)[1];
+        met = true;
+    }
+    if (!met)
+        throw NumericalError("draft", near_text(at(before, before.end).p), "the stretches of outline that meet there no longer do after "
+                                                                               + std::to_string(distance) + " mm along their normals; write a smaller tilt.angle_deg");
+}
+
+}  // namespace hdconj

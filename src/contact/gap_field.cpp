@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/contact/gap_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+#include "hdconj/geometry/rigid_motion.hpp"
+#include "hdconj/numeric/parallel.hpp"
+
+namespace hdconj {
+namespace {
+
+/// Number of the first space of a turn, so that the spaces lie in -pi ... pi about the major axis.
+int first_space(int spaces)
+{
+    return -((spaces - 1) / 2);
+}
+
+/// The tooth whose undeformed angle is nearest to that of space @p m.
+int tooth_near(int m, int flexspline_teeth, int circular_spline_teeth, double phase)
+{
+    double const k = static_cast<double>(flexspline_teeth) / circular_spline_teeth;
+    double const angle = 2 * std::numbers::pi * m / circular_spline_teeth + k * phase;
+    return static_cast<int>(std::lround((angle - phase) * flexspline_teeth / (2 * std::numbers::pi)));
+}
+
+}  // namespace
+
+std::array<int, 2> teeth_needed(int flexspline_teeth, int circular_spline_teeth, double phase)
+{
+    int const first = first_space(circular_spline_teeth);
+    int const last = first + circular_spline_teeth - 1;
+    return {tooth_near(first, flexspline_teeth, circular_spline_teeth, phase) - 1, tooth_near(last, flexspline_teeth, circular_spline_teeth, phase) + 1};
+}
+
+GapField::GapField(Profile const& tooth, FlankGrid const& grid, ToothPlaces const& places, int flexspline_teeth, int circular_spline_teeth, double phase)
+    : distance_(tooth), grid_(&grid), places_(&places), pitch_(2 * std::numbers::pi / circular_spline_teeth)
+{
+    int const first = first_space(circular_spline_teeth);
+    double const k = static_cast<double>(flexspline_teeth) / circular_spline_teeth;
+    for (int m = first; m < first + circular_spline_teeth; ++m)
+    {
+        space_number_.push_back(m);
+        space_angle_.push_back(pitch_ * m + k * phase);
+        nearest_tooth_.push_back(tooth_near(m, flexspline_teeth, circular_spline_teeth, phase));
+    }
+    for (auto const& flank : grid.point)
+        for (auto const& slice : flank)
+            for (Vec2 const& p : slice)
+                reach_ = std::max(reach_, p.norm());
+}
+
+GapField::Candidates GapField::candidates_of(std::size_t space, std::size_t slice, double turn) const
+{
+    Candidates teeth;
+    for (int c = 0; c < candidates; ++c)
+    {
+        // nearest first, so that the others are mostly told far by their bound
+        int const tooth = nearest_tooth_[space] + (c == 0 ? 0 : c == 1 ? -1 : 1);
+        Pose const& pose = places_->at(tooth, slice);
+        // into the frame of the tooth's own space, then back by the flexspline's turn, then into the tooth's frame
+        double const angle = (space_number_[space] - tooth) * pitch_ - turn;
+        double const c0 = std::cos(angle);
+        double const s0 = std::sin(angle);
+        teeth[static_cast<std::size_t>(c)] = {c0 * pose.cosine + s0 * pose.sine, s0 * pose.cosine - c0 * pose.sine, pose.rotate_back(pose.origin)};
+    }
+    return teeth;
+}
+
+double GapField::nearest(Candidates const& teeth, Vec2 const& q) const
+{
+    double best = std::numeric_limits<double>::infinity();
+    for (Placement const& tooth : teeth)
+    {
+        Vec2 const x = tooth(q);
+        if (distance_.lower_bound(x) < best)
+            best = std::min(best, distance_(x).distance);
+    }
+    return best;
+}
+
+double GapField::gap(Index const& i, double turn) const
+{
+    return nearest(candidates_of(i.space, i.slice, turn), grid_->point[static_cast<std::size_t>(i.flank)][i.slice][i.point]);
+}
+
+GapMap GapField::map(double turn, int threads) const
+{
+    GapMap result{grid_->z, grid_->station, space_angle_, {}};
+    std::size_t const points = grid_->points();
+    result.gap.resize(spaces() * 2 * grid_->slices() * points);
+    constexpr double nanoseconds_each = 100;
+    constexpr double worth_a_thread = 1e6;
+    auto const per_space = nanoseconds_each * static_cast<double>(2 * grid_->slices() * points);
+    auto const grain = static_cast<std::size_t>(std::ceil(worth_a_thread / per_space));
+    parallel_for(spaces(), threads, grain, [&](std::size_t space) {
+        for (std::size_t k = 0; k < grid_->slices(); ++k)
+        {
+            Candidates const teeth = candidates_of(space, k, turn);
+            for (int flank = 0; flank < 2; ++flank)
+            {
+                double* const row = result.gap.data() + result.index(space, flank, k, 0);
+                auto const& line = grid_->point[static_cast<std::size_t>(flank)][k];
+                for (std::size_t i = 0; i < points; ++i)
+                    row[i] = nearest(teeth, line[i]);
+            }
+        }
+    });
+    return result;
+}
+
+}  // namespace hdconj

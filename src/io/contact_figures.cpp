@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "summary_figures.hpp"
+
+namespace hdconj {
+namespace {
+
+constexpr double as_stored = 1;
+
+}  // namespace
+
+std::span<ContactFigure<ContactState> const> state_figures()
+{
+    using State = ContactState const&;
+    static constexpr std::array figures = {
+        ContactFigure<ContactState>{"wave_generator", "rad", "wave_generator_deg", degree_per_radian,
+                                    [](State state) { return state.wave_generator; }},
+        ContactFigure<ContactState>{"take_up", "rad", "take_up_arcmin", arcmin_per_radian,
+                                    [](State state) { return state.take_up; }},
+        ContactFigure<ContactState>{"take_up_back", "rad", "take_up_back_arcmin", arcmin_per_radian,
+                                    [](State state) { return state.take_up_back; }},
+        ContactFigure<ContactState>{"backlash", "rad", "backlash_arcmin", arcmin_per_radian,
+                                    [](State state) { return state.backlash(); }},
+        ContactFigure<ContactState>{"contact_area", "mm^2", "contact_area_mm2", as_stored,
+                                    [](State state) { return state.contact_area; }},
+        ContactFigure<ContactState>{"share", "1", "share", as_stored, [](State state) { return state.share; }},
+        ContactFigure<ContactState>{"share_error", "1", "share_error", as_stored,
+                                    [](State state) { return state.share_error; }},
+        ContactFigure<ContactState>{"smallest_gap", "mm", "smallest_gap_um", um_per_mm,
+                                    [](State state) { return state.smallest_gap; }},
+        ContactFigure<ContactState>{"smallest_z", "mm", "smallest_z_mm", as_stored,
+                                    [](State state) { return state.smallest_z; }}};
+    return figures;
+}
+
+std::span<ContactFigure<ContactCase> const> case_figures()
+{
+    using Case = ContactCase const&;
+    static constexpr std::array figures = {
+        ContactFigure<ContactCase>{"tilt", "rad", "tilt_deg", degree_per_radian, [](Case each) { return each.tilt; }},
+        ContactFigure<ContactCase>{"backlash_offset", "mm", "backlash_offset_um", um_per_mm,
+                                   [](Case each) { return each.backlash_offset; }},
+        ContactFigure<ContactCase>{"clearing_offset", "mm", "clearing_offset_um", um_per_mm,
+                                   [](Case each) { return each.clearing_offset; }},
+        ContactFigure<ContactCase>{"clearing_tip", "mm", "clearing_tip_mm", as_stored,
+                                   [](Case each) { return each.clearing_tip; }},
+        ContactFigure<ContactCase>{"clearing_root", "mm", "clearing_root_um", um_per_mm,
+                                   [](Case each) { return each.clearing_root; }},
+        ContactFigure<ContactCase>{"backlash_of_clearing", "rad", "backlash_of_clearing_arcmin", arcmin_per_radian,
+                                   [](Case each) { return each.backlash_of_clearing; }},
+        ContactFigure<ContactCase>{"flank_area", "mm^2", "flank_area_mm2", as_stored,
+                                   [](Case each) { return each.state.flank_area; }},
+        ContactFigure<ContactCase>{"ruled_deviation", "mm", "ruled_deviation_um", um_per_mm,
+                                   [](Case each) { return each.ruled_deviation; }},
+        ContactFigure<ContactCase>{"seconds", "s", "time_s", as_stored, [](Case each) { return each.seconds; }}};
+    return figures;
+}
+
+std::string case_name(ContactCase const& each)
+{
+    return each.kind.empty() ? each.surface
+                             : fmt::format("{}, {} {:g} deg", each.surface, each.kind, each.tilt * degree_per_radian);
+}
+
+}  // namespace hdconj

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The numbers of a contact study under the names that they have in HDF5 and JSON; private to src/io.
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "hdconj/pipeline/contact_study.hpp"
+
+namespace hdconj {
+
+/// One number of a @p Record: a column in HDF5, a key in JSON.
+template <class Record>
+struct ContactFigure
+{
+    char const* column;      ///< name in HDF5
+    char const* units;       ///< there
+    char const* key;         ///< in JSON, ending in its unit
+    double json_per_stored;  ///< from the unit in HDF5 to that in JSON
+    double (*value)(Record const&);
+};
+
+/// At one angle of the wave generator.
+[[nodiscard]] std::span<ContactFigure<ContactState> const> state_figures();
+
+/// Of the surface, over a full turn.
+[[nodiscard]] std::span<ContactFigure<ContactCase> const> case_figures();
+
+/// Arc minutes per radian.
+inline constexpr double arcmin_per_radian = 57.295779513082320877 * 60;
+
+/// "tilted, radial 0.2 deg", or "per-slice": what a row of the table is of.
+[[nodiscard]] std::string case_name(ContactCase const& each);
+
+/// An angle as play at the pitch circle [mm].
+inline double at_pitch_circle(double angle, ContactStudy const& study) { return angle * study.pitch_radius; }
+
+}  // namespace hdconj

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The keys are an interface, described in docs/json.md.
+#include <span>
+
+#include "contact_figures.hpp"
+#include "hdconj/io/contact_files.hpp"
+#include "summary_figures.hpp"
+#include "summary_object.hpp"
+
+namespace hdconj {
+namespace {
+
+template <class Record>
+void add_figures(Json& object, std::span<ContactFigure<Record> const> figures, Record const& record)
+{
+    for (auto const& figure : figures) {
+        object[figure.key] = number(figure.value(record) * figure.json_per_stored);
+    }
+}
+
+Json state_object(ContactState const& state, ContactStudy const& study)
+{
+    Json object = Json::object();
+    add_figures(object, state_figures(), state);
+    object["backlash_um"] = number(at_pitch_circle(state.backlash(), study) * um_per_mm);
+    object["teeth"] = state.teeth;
+    object["smallest_space"] = state.smallest_space;
+    return object;
+}
+
+Json closest_object(Closest const& closest)
+{
+    return {{"clearance_um", number(closest.clearance * um_per_mm)},
+            {"x_mm", number(closest.where.x())},
+            {"y_mm", number(closest.where.y())},
+            {"phi_deg", number(closest.phi * degree_per_radian)}};
+}
+
+Json slice_object(SliceClearance const& slice)
+{
+    return {{"z_mm", number(slice.z)},
+            {"amplitude_mm", number(slice.amplitude)},
+            {"flank", closest_object(slice.flank)},
+            {"root", closest_object(slice.root)}};
+}
+
+Json case_object(ContactCase const& each, ContactStudy const& study)
+{
+    Json object = {{"surface", each.surface}, {"kind", each.kind}};
+    add_figures(object, case_figures(), each);
+    object["backlash_of_clearing_um"] = number(at_pitch_circle(each.backlash_of_clearing, study) * um_per_mm);
+    object["raised"] = each.raised;
+    object["closest_flank"] = nullptr;
+    if (!each.slices.empty()) {
+        object["closest_flank"] = closest_object(each.closest_flank());
+        object["closest_flank"]["z_mm"] = number(each.closest_slice().z);
+    }
+    object["state"] = state_object(each.state, study);
+    object["slices"] = Json::array();
+    for (auto const& slice : each.slices) {
+        object["slices"].push_back(slice_object(slice));
+    }
+    object["revolution"] = Json::array();
+    for (auto const& state : each.revolution) {
+        object["revolution"].push_back(state_object(state, study));
+    }
+    return object;
+}
+
+Json best_object(BestTilt const& best)
+{
+    bool const area = best.what == "area";
+    return {{"what", best.what},
+            {"kind", best.kind},
+            {"tilt_deg", number(best.tilt * degree_per_radian)},
+            {"tolerance_deg", number(best.tolerance * degree_per_radian)},
+            {area ? "share" : "clearing_offset_um", number(area ? best.value : best.value * um_per_mm)},
+            {"on_bound", best.on_bound},
+            {"refused", best.refused},
+            {"from_deg", number(best.from * degree_per_radian)},
+            {"to_deg", number(best.to * degree_per_radian)}};
+}
+
+}  // namespace
+
+std::string summary_json(ContactStudy const& study, std::vector<WrittenFile> const& written)
+{
+    Json contact = {{"contact_gap_um", number(study.contact_gap * um_per_mm)},
+                    {"pitch_radius_mm", number(study.pitch_radius)},
+                    {"shown", study.shown}};
+    contact["cases"] = Json::array();
+    for (auto const& each : study.cases) {
+        contact["cases"].push_back(case_object(each, study));
+    }
+    contact["best"] = Json::array();
+    for (auto const& each : study.best) {
+        contact["best"].push_back(best_object(each));
+    }
+    auto summary = summary_object(study.solution);
+    summary["contact"] = std::move(contact);
+    return finished(std::move(summary), study.solution, written);
+}
+
+}  // namespace hdconj

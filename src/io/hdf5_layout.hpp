@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The parts of the result file that every verb writes; private to src/io.
+#pragma once
+
+#include <filesystem>
+
+#include "hdconj/io/atomic_file.hpp"
+#include "hdconj/pipeline/solution.hpp"
+#include "hdf5_writer.hpp"
+#include "spline_surface.hpp"
+
+namespace hdconj::hdf5 {
+
+/// All of docs/hdf5.md up to `/circular_spline`, summary and time.
+void write_solution(Writer const& root, Solution const& solution);
+
+/// The slices, into the group `/circular_spline`.
+/// @throws std::logic_error where slices differ in their number of points, or z in its number
+void write_circular_spline(Writer const& place, CircularSplineOutline const& outline);
+
+/// The datasets of a mesh.
+void write_surface(Writer const& place, Surface const& surface);
+
+/// Builds a file in memory and writes it whole: @p fill is called with the writer of its root.
+/// @throws FileError with the cause
+template <class Fill>
+void write_file(std::filesystem::path const& file, Fill fill)
+{
+    try {
+        Silence const silence;
+        MemoryFile const memory;
+        fill(memory.root());
+        write_text_atomically(file, memory.bytes());
+    } catch (Failure const& failure) {
+        throw FileError(file, failure.what());
+    }
+}
+
+}  // namespace hdconj::hdf5

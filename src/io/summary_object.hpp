@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The JSON summary as an object that a verb adds to; private to src/io.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include "hdconj/io/result_files.hpp"
+
+namespace hdconj {
+
+using Json = nlohmann::ordered_json;
+
+/// JSON has no NaN and no infinity.
+[[nodiscard]] Json number(double value);
+
+/// Everything that is known of @p solution, without "timing" and "files", which stand last.
+[[nodiscard]] Json summary_object(Solution const& solution);
+
+/// Adds "timing" and "files" and prints it.
+[[nodiscard]] std::string finished(Json summary, Solution const& solution, std::vector<WrittenFile> const& written);
+
+}  // namespace hdconj

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/pipeline/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "contact_case.hpp"
+#include "drive.hpp"
+#include "hdconj/axial/slice_places.hpp"
+#include "hdconj/numeric/parallel.hpp"
+#include "hdconj/profile/builder.hpp"
+#include "hdconj/scene/effects.hpp"
+#include "hdconj/scene/schema.hpp"
+#include "outline_records.hpp"
+#include "place_teeth.hpp"
+
+namespace hdconj {
+namespace {
+
+using detail::ContactBench;
+using detail::SurfaceChoice;
+
+constexpr double standard_gap = 1e-3;      // [mm]
+constexpr int standard_flank_points = 200;
+constexpr double searches_worth = 20;      // cases, for the progress bar
+
+ContactRequest request_of(Scene const& scene)
+{
+    return scene.contact.value_or(ContactRequest{standard_gap, standard_flank_points, 0, 0});
+}
+
+std::vector<std::string> or_else(std::vector<std::string> const& asked, std::string const& otherwise)
+{
+    return asked.empty() ? std::vector<std::string>{otherwise} : asked;
+}
+
+/// Every combination that makes a difference, in the order asked for.
+std::vector<SurfaceChoice> choices(Scene const& scene, ContactOptions const& options)
+{
+    std::vector<double> const tilts = options.tilts.empty() ? std::vector<double>{scene.tilt ? scene.tilt->angle : 0.0} : options.tilts;
+    std::vector<SurfaceChoice> result;
+    for (std::string const& surface : or_else(options.surfaces, scene.slices ? scene.slices->surface : "tilted"))
+        for (std::string const& kind : or_else(options.kinds, scene.tilt ? scene.tilt->kind : "radial"))
+            for (double const tilt : tilts)
+                if (surface == "tilted" || kind == "radial" || tilt == 0)
+                    result.push_back({surface, kind, tilt});
+    return result;
+}
+
+bool axial(Scene const& scene, ContactOptions const& options)
+{
+    return scene.coning || scene.tilt || scene.slices || !options.tilts.empty() || !options.surfaces.empty() || options.best;
+}
+
+/// The best of @p value over a scan and a golden-section search around its best point. A tilt at which no surface can be made is no candidate,
+/// and is counted; @throws NumericalError, that of the last one, where none can be made.
+template<class Value>
+BestTilt best_tilt(std::string const& what, std::string const& kind, ContactOptions const& options, bool largest, Value const& value)
+{
+    constexpr int scan = 20;
+    constexpr double tolerance_deg = 0.005;
+    constexpr double none = std::numeric_limits<double>::infinity();
+    double const tolerance = tolerance_deg * rad_per_deg;
+    double const span = options.best_to - options.best_from;
+    BestTilt result{what, kind, 0, tolerance, 0, false, options.best_from, options.best_to, 0, {}};
+    std::optional<NumericalError> last;
+    auto const cost = [&](double tilt) {
+        try
+        {
+            return largest ? -value(tilt) : value(tilt);
+        }
+        catch (NumericalError const& error)
+        {
+            ++result.refused;
+            result.refusal = error.what();
+            last.emplace(error);
+            return none;
+        }
+    };
+    double best = options.best_from;
+    double least = cost(best);
+    for (int i = 1; i <= scan; ++i)
+    {
+        double const tilt = options.best_from + span * i / scan;
+        double const c = cost(tilt);
+        if (c < least)
+        {
+            least = c;
+            best = tilt;
+        }
+    }
+    double low = std::max(options.best_from, best - span / scan);
+    double high = std::min(options.best_to, best + span / scan);
+    constexpr double golden = 0.6180339887498949;
+    double a = high - golden * (high - low), b = low + golden * (high - low);
+    double at_a = cost(a), at_b = cost(b);
+    while (high - low > tolerance)
+    {
+        if (at_a < at_b)
+        {
+            high = b;
+            b = a;
+            at_b = at_a;
+            a = high - golden * (high - low);
+            at_a = cost(a);
+        }
+        else
+        {
+            low = a;
+            a = b;
+            at_a = at_b;
+            b = low + golden * (high - low);
+            at_b = cost(b);
+        }
+    }
+    // a bound that was scanned may still be better than what the search closed in on
+    double const found = at_a < at_b ? a : b;
+    if (std::min(at_a, at_b) < least)
+    {
+        least = std::min(at_a, at_b);
+        best = found;
+    }
+    if (least == none)
+        throw NumericalError(*last);
+    result.tilt = best;
+    result.value = largest ? -least : least;
+    result.on_bound = best - options.best_from <= tolerance || options.best_to - best <= tolerance;
+    return result;
+}
+
+}  // namespace
+
+Faults check_contact(Scene const& scene, ContactOptions const& options)
+{
+    Faults faults;
+    if (scene.is_reverse())
+        faults.push_back({"circular_spline.profile", scene.circular_spline.profile->line, "", "contact needs the flexspline's tooth, but the circular spline's is given",
+                          "give [flexspline.profile]; `hdconj solve` finds the tooth that this circular spline needs"});
+    if (!scene.circular_spline.width)
+        faults.push_back({"circular_spline.width", 0, "", "this key is missing: contact is an area, and needs the face width",
+                          "write width = 7.0, a length in mm, in [circular_spline]"});
+    double const steepest = bounds::largest_tilt_deg * rad_per_deg;
+    for (double const tilt : options.tilts)
+    {
+        if (!std::isfinite(tilt))
+            faults.push_back({"--tilt", 0, short_number(tilt), "not a finite number", "write angles in degrees such as 0,0.1,0.2"});
+        else if (!(std::abs(tilt) < steepest))
+            faults.push_back({"--tilt", 0, short_number(tilt / rad_per_deg), "teeth are not tilted by 45 degrees or more", "write angles in degrees such as 0,0.1,0.2"});
+    }
+    std::vector<std::string> const surfaces = or_else(options.surfaces, scene.slices ? scene.slices->surface : "tilted");
+    std::vector<std::string> const kinds = or_else(options.kinds, scene.tilt ? scene.tilt->kind : "radial");
+    bool const draft = std::find(kinds.begin(), kinds.end(), "draft") != kinds.end();
+    bool const tilted = std::find(surfaces.begin(), surfaces.end(), "tilted") != surfaces.end();
+    if (draft && !tilted)
+    {
+        bool const by_kind = !options.kinds.empty();
+        faults.push_back({by_kind ? "--kind" : "--surface", 0, by_kind ? "draft" : surfaces.front(),
+                          "a draft needs one outline to offset, but surface \"" + surfaces.front() + "\" has an outline for each slice",
+                          "write --kind radial, or --surface tilted"});
+    }
+    if (options.best && !tilted)
+        faults.push_back({"--best", 0, "", "the search is for the tilt of surface \"tilted\", but surface \"" + surfaces.front() + "\" is asked for",
+                          "write --surface tilted, or list tilts with --tilt"});
+    if (options.best && !(options.best_to > options.best_from))
+        faults.push_back({"--best", 0, "", "the interval of tilts to search is empty", "write --tilt FROM,TO with FROM below TO"});
+    return faults;
+}
+
+namespace {
+
+/// The pair at z = 0 without side clearance: what all surfaces start from.
+Scene middle_scene(Scene const& scene)
+{
+    Scene middle = scene;
+    middle.coning.reset();
+    middle.tilt.reset();
+    middle.slices.reset();
+    middle.contact.reset();
+    middle.circular_spline.automatic_backlash = false;
+    middle.circular_spline.backlash_offset = 0;
+    return middle;
+}
+
+/// A bench with all that it refers to.
+struct OwnedBench
+{
+    OwnedBench(Scene const& asked, int slices, StageObserver const& on_stage)
+        : scene(asked), plan(make_plan(scene, Verb::contact)), clock(plan, on_stage), middle(solve(middle_scene(scene), on_stage)), threads(middle.threads)
+    {
+        Faults faults;
+        tooth = detail::given_tooth(scene, faults);
+        shape = detail::wave_shape(scene, tooth, faults);
+        middle.scene.coning = scene.coning;
+        PairGeometry const& g = middle.geometry;
+        double const width = *scene.circular_spline.width;
+        maker.emplace(middle, tooth, shape, slice_places(slices, width), threads);
+        bench.emplace(ContactBench{scene, tooth, shape, g, *maker, request_of(scene), threads, width,
+                                   {scene.solver.tolerance, g.r_m + g.w0 + tooth.pitch_line + tooth.addendum}, clock, places});
+        clock.run(Stage::coning, [&] {
+            for (std::size_t k = 0; k < maker->z().size(); ++k)
+                (void)maker->motion(k);
+        });
+    }
+    OwnedBench(OwnedBench const&) = delete;
+    OwnedBench& operator=(OwnedBench const&) = delete;
+
+    Scene scene;
+    Plan plan;
+    detail::StageClock clock;
+    Solution middle;
+    int threads;
+    Profile tooth;
+    AnyWaveShape shape;
+    detail::PlaceCache places;
+    std::optional<detail::SurfaceMaker> maker;
+    std::optional<ContactBench> bench;
+};
+
+/// The scene with the effects that options ask for, so that its plan names them.
+Scene with_options(Scene scene, ContactOptions const& options)
+{
+    bool const tilts = std::any_of(options.tilts.begin(), options.tilts.end(), [](double tilt) { return tilt != 0; }) || options.best;
+    if (tilts && !scene.tilt)
+        scene.tilt = Tilt{options.tilts.empty() ? 0.0 : options.tilts.front(), options.kinds.empty() ? "radial" : options.kinds.front(), 0};
+    if (axial(scene, options) && !scene.slices)
+        scene.slices = Slices{standard_slices, options.surfaces.empty() ? "tilted" : options.surfaces.front(), 0};
+    return scene;
+}
+
+}  // namespace
+
+ContactStudy contact(Scene const& scene, ContactOptions const& options, StageObserver const& on_stage, Progress const& progress)
+{
+    Faults faults = uncomputed_effects(scene);
+    for (Faults const& more : {check_scene(scene), check_contact(scene, options)})
+        faults.insert(faults.end(), more.begin(), more.end());
+    if (!faults.empty())
+        throw InputError(faults);
+    Scene const asked = with_options(scene, options);
+    OwnedBench owned(asked, asked.slices ? asked.slices->count : 1, on_stage);
+    ContactBench const& bench = *owned.bench;
+    std::vector<SurfaceChoice> const wanted = choices(scene, options);
+    std::vector<std::string> const kinds = options.best ? or_else(options.kinds, scene.tilt ? scene.tilt->kind : "radial") : std::vector<std::string>{};
+    double const steps = static_cast<double>(wanted.size()) + 2 * searches_worth * static_cast<double>(kinds.size());
+    double done = 0;
+    auto const say = [&](std::string const& what, double weight) {
+        if (progress)
+            progress(what, done / steps);
+        done += weight;
+    };
+    ContactStudy study;
+    study.contact_gap = bench.request.gap;
+    study.pitch_radius = scene.drive.module * scene.drive.flexspline_teeth / 2;
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+    {
+        say("surface " + std::to_string(i + 1) + " of " + std::to_string(wanted.size()), 1);
+        GapMap map;
+        study.cases.push_back(detail::contact_case(bench, wanted[i], options.revolution, &map));
+        if (i == 0 || study.cases[i].state.share > study.cases[study.shown].state.share)
+        {
+            study.shown = i;
+            study.map = std::move(map);
+        }
+    }
+    for (std::string const& kind : kinds)
+    {
+        auto const area = [&](double tilt) {
+            say("best tilt", 0.5);
+            return detail::contact_case(bench, {"tilted", kind, tilt}, 0, nullptr).state.share;
+        };
+        auto const offset = [&](double tilt) {
+            say("best tilt", 0.5);
+            return detail::clearing_offset_of(bench, {"tilted", kind, tilt});
+        };
+        study.best.push_back(best_tilt("area", kind, options, true, area));
+        study.best.push_back(best_tilt("clearing offset", kind, options, false, offset));
+    }
+    SurfaceChoice const& shown = wanted[study.shown];
+    study.solution = owned.middle;
+    study.solution.scene = scene;
+    study.solution.plan = owned.plan;
+    if (bench.maker.z().size() > 1)
+    {
+        MatchedOutline const outline = owned.maker->operator()(shown, study.cases[study.shown].clearing_tip, scene.solver.tolerance, 0);
+        CircularSplineOutline& spline = study.solution.circular_spline;
+        spline.z = bench.maker.z();
+        spline.outline = outline.points;
+        spline.landmarks.assign(outline.landmarks.begin(), outline.landmarks.end());
+        Outline common;
+        common.stretches = outline.stretches;
+        spline.pieces = detail::piece_records(common, owned.tooth);
+    }
+    std::vector<StageTime> const times = owned.clock.times();
+    study.solution.timing.insert(study.solution.timing.end(), times.begin(), times.end());
+    return study;
+}
+
+namespace detail {
+
+ClearingNeed clearing_need(Scene const& scene)
+{
+    OwnedBench owned(scene, scene.slices ? scene.slices->count : 1, {});
+    SurfaceChoice const choice = choices(scene, {}).front();
+    ContactCase const found = clearing_case(*owned.bench, choice);
+    return {found.clearing_offset, found.clearing_tip, owned.middle.geometry.circular_spline_inner_radius};
+}
+
+}  // namespace detail
+
+}  // namespace hdconj

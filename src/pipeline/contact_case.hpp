@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// One surface of the circular spline against all teeth.
+#pragma once
+
+#include "contact_bench.hpp"
+#include "hdconj/contact/flank_grid.hpp"
+#include "hdconj/pipeline/contact_study.hpp"
+
+namespace hdconj::detail {
+
+/// Contact of @p grid at one phase; @p map, where given, gets the gaps after take-up.
+[[nodiscard]] ContactState contact_state(ContactBench const& bench, FlankGrid const& grid, double phase, GapMap* map);
+
+/// Everything about one surface. @p revolution angles beside the scene's own. @p map gets the gaps after take-up.
+[[nodiscard]] ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice, int revolution, GapMap* map);
+
+/// Side clearance and tip circle of one surface, and nothing else.
+[[nodiscard]] ContactCase clearing_case(ContactBench const& bench, SurfaceChoice const& choice);
+
+/// What a scene's surface needs so that no slice is entered over a full turn.
+struct ClearingNeed
+{
+    double offset = 0;   ///< side clearance [mm]
+    double tip = 0;      ///< tip circle [mm]
+    double own_tip = 0;  ///< what it is without
+};
+[[nodiscard]] ClearingNeed clearing_need(Scene const& scene);
+
+/// The least side clearance of this surface alone, for searches.
+[[nodiscard]] double clearing_offset_of(ContactBench const& bench, SurfaceChoice const& choice);
+
+}  // namespace hdconj::detail

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "place_teeth.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "hdconj/axial/coning.hpp"
+#include "hdconj/axial/section_poses.hpp"
+#include "hdconj/contact/gap_field.hpp"
+#include "hdconj/motion/parameter_at.hpp"
+#include "hdconj/numeric/parallel.hpp"
+#include "solve_motion.hpp"
+
+namespace hdconj::detail {
+
+double phase_of(Scene const& scene, double wave_generator)
+{
+    double const pitch = 2 * std::numbers::pi / scene.drive.flexspline_teeth;
+    double const phase = -wave_generator / tooth_ratio(scene);
+    return phase - pitch * std::round(phase / pitch);
+}
+
+ToothPlaces tooth_places(ContactBench const& bench, double phase)
+{
+    Scene const& scene = bench.scene;
+    auto const [first, last] = teeth_needed(scene.drive.flexspline_teeth, scene.drive.circular_spline_teeth, phase);
+    std::vector<double> const& z = bench.maker.z();
+    auto const teeth = static_cast<std::size_t>(last - first + 1);
+    ToothPlaces places{first, z.size(), std::vector<Pose>(teeth * z.size())};
+    auto const phi_of = [&](std::size_t tooth) {
+        return 2 * std::numbers::pi * (first + static_cast<int>(tooth)) / scene.drive.flexspline_teeth + phase;
+    };
+    bool const mapped = scene.coning && scene.coning->axial_shift == "mapped";
+    if (!mapped)
+    {
+        for (std::size_t k = 0; k < z.size(); ++k)
+            (void)bench.maker.motion(scene.coning ? k : 0);
+        constexpr std::size_t grain = 64;
+        parallel_for(teeth, bench.threads, grain, [&](std::size_t i) {
+            for (std::size_t k = 0; k < z.size(); ++k)
+            {
+                bool const repeated = k > 0 && !scene.coning;
+                ErasedMotion const& motion = bench.maker.motion(scene.coning ? k : 0).motion;
+                Pose& pose = places.pose[i * z.size() + k];
+                pose = repeated ? places.pose[i * z.size()] : motion.pose(parameter_at(motion, phi_of(i)));
+            }
+        });
+        return places;
+    }
+    ConingMode const mode = coning_mode(*scene.coning);
+    AxialShift<AnyWaveShape> const shift(bench.shape, bench.geometry.r_m, mode);
+    std::vector<AxialDisplacement> moved(teeth);
+    double largest = 0;
+    for (std::size_t i = 0; i < teeth; ++i)
+    {
+        moved[i] = shift(phi_of(i));
+        largest = std::max(largest, std::abs(moved[i].u_z));
+    }
+    std::vector<SliceMotion> motions;
+    SectionPoses const sections(mode.factor(z.front() - largest), mode.factor(z.back() + largest), tooth_ratio(scene), [&](double factor) {
+        motions.push_back(slice_motion(scene, bench.tooth, bench.shape, factor, bench.geometry.r_m));
+        return motions.back().motion;
+    });
+    constexpr std::size_t grain = 16;
+    parallel_for(teeth, bench.threads, grain, [&](std::size_t i) {
+        for (std::size_t k = 0; k < z.size(); ++k)
+            places.pose[i * z.size() + k] = sections(phi_of(i), mode.factor(z[k] - moved[i].u_z), -mode.slope() * moved[i].slope);
+    });
+    return places;
+}
+
+std::shared_ptr<ToothPlaces const> PlaceCache::operator()(ContactBench const& bench, double phase)
+{
+    auto const known = known_.find(phase);
+    if (known != known_.end())
+        return known->second;
+    auto made = std::make_shared<ToothPlaces const>(tooth_places(bench, phase));
+    constexpr std::size_t most = 64;
+    if (known_.size() < most)
+        known_.emplace(phase, made);
+    return made;
+}
+
+}  // namespace hdconj::detail

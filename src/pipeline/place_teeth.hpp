@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// All teeth of a drive at one angle of the wave generator.
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "contact_bench.hpp"
+#include "hdconj/contact/tooth_places.hpp"
+
+namespace hdconj::detail {
+
+/// Undeformed angle of tooth 0 for an angle of the wave generator, reduced to one tooth.
+[[nodiscard]] double phase_of(Scene const& scene, double wave_generator);
+
+/// Teeth at the angles that several surfaces are looked at: their places do not depend on the surface.
+class PlaceCache
+{
+  public:
+    /// The same as tooth_places(); kept for the next who asks, up to as many angles as cost little memory.
+    [[nodiscard]] std::shared_ptr<ToothPlaces const> operator()(ContactBench const& bench, double phase);
+
+  private:
+    std::map<double, std::shared_ptr<ToothPlaces const>> known_;
+};
+
+/// All teeth of the drive in the planes of the slices; where the wall has moved along the axis, the parts of them that are in the plane.
+[[nodiscard]] ToothPlaces tooth_places(ContactBench const& bench, double phase);
+
+}  // namespace hdconj::detail

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Every slice over a full turn under its own motion, and how far its points must be moved to clear.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "contact_bench.hpp"
+#include "hdconj/contact/flank_grid.hpp"
+#include "hdconj/contact/full_turn.hpp"
+#include "hdconj/pipeline/contact_study.hpp"
+
+namespace hdconj::detail {
+
+/// Outline points of each slice that are looked at over a full turn, and the way they are moved to clear.
+struct ClearanceSet
+{
+    std::vector<std::vector<Vec2>> point;   ///< (k,p) [mm]
+    std::vector<std::vector<Vec2>> way;     ///< (k,p)
+};
+
+/// One or both flanks as one list per slice: of a symmetric pair the right one stands for both.
+[[nodiscard]] ClearanceSet flank_set(FlankGrid const& grid, bool both);
+
+/// The bottom of the space, moved along the centre line; at most some tens of points.
+[[nodiscard]] ClearanceSet root_set(MatchedOutline const& outline);
+
+/// (k,p)
+using TurnMinima = std::vector<std::vector<TurnMinimum>>;
+
+/// Full-turn clearances of all points of all slices, each slice under its own motion.
+class SliceTurns
+{
+  public:
+    explicit SliceTurns(ContactBench const& bench);
+
+    [[nodiscard]] ErasedMotion const& motion(std::size_t k) const { return bench_.maker.motion(of(k)).motion; }
+
+    /// Minimum of every point moved by @p distance; only those that @p wanted names, the others are left out (infinite).
+    [[nodiscard]] TurnMinima operator()(ClearanceSet const& set, double distance, std::vector<std::vector<std::uint8_t>> const* wanted = nullptr) const;
+
+  private:
+    [[nodiscard]] std::size_t of(std::size_t k) const { return std::min(k, turns_.size() - 1); }
+
+    ContactBench const& bench_;
+    double pitch_;
+    std::vector<std::unique_ptr<FullTurnClearance<ErasedMotion>>> turns_;
+};
+
+/// Least distance by which @p set must be moved so that no tooth enters it. @p at_zero: minima without.
+/// @throws NumericalError where moving it does not clear
+[[nodiscard]] double least_clearing(SliceTurns const& turns, ClearanceSet const& set, TurnMinima const& at_zero, Tolerance const& tolerance);
+
+/// The smallest of one slice's minima.
+[[nodiscard]] Closest closest(std::vector<TurnMinimum> const& minima, std::vector<Vec2> const& points, ErasedMotion const& motion);
+
+}  // namespace hdconj::detail

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The circular spline's tooth surface over the face width, by any of the ways it can be made.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hdconj/conjugate/matched_outline.hpp"
+#include "hdconj/pipeline/solution.hpp"
+#include "slice_motion.hpp"
+
+namespace hdconj::detail {
+
+/// Narrowest part of the module by which a tip circle that has to be widened stays clear of pointed teeth and of the rim.
+inline constexpr double least_land = 0.02;
+
+/// Which surface.
+struct SurfaceChoice
+{
+    std::string surface = "tilted";  ///< "tilted", "ruled" or "per-slice"
+    std::string kind = "radial";     ///< of the tilt: "radial" or "draft"
+    double tilt = 0;                 ///< [rad]
+};
+
+/// Tilt of kind "radial": every point of slice k moved outward by z_k tan(tilt).
+void move_radially(MatchedOutline& outline, std::vector<double> const& z, double tilt);
+
+/// Radius at which the two flanks beside a tip land of @p outline's slice @p k meet when both are moved by @p distance into the material; 0 where
+/// they do not meet on the flanks that are there. @p pitch of the circular spline [rad].
+[[nodiscard]] double meeting_radius(MatchedOutline const& outline, std::size_t k, double distance, double pitch);
+
+struct SliceJob;
+
+/// Makes surfaces for the slices of one drive. What several surfaces need is solved once, and nothing before it is asked for.
+class SurfaceMaker
+{
+  public:
+    /// @param base  solved drive: its outline at z = 0
+    /// @param z     places of the slices [mm], increasing
+    SurfaceMaker(Solution const& base, Profile const& tooth, AnyWaveShape shape, std::vector<double> z, int threads);
+    ~SurfaceMaker();
+    SurfaceMaker(SurfaceMaker const&) = delete;
+    SurfaceMaker& operator=(SurfaceMaker const&) = delete;
+
+    [[nodiscard]] std::vector<double> const& z() const { return z_; }
+    /// Motion of slice @p k.
+    [[nodiscard]] SliceMotion const& motion(std::size_t k);
+
+    /// Tip circle of z = 0 [mm] that leaves every slice a tip land and clears every slice's rim, by no less than least_land; the
+    /// drive's own where that does. With fewer slices than all where the surface is made from its end planes.
+    [[nodiscard]] double needed_tip(SurfaceChoice const& choice);
+
+    /// Matched outlines of all slices, root clearance included (design 3.4).
+    /// @param tip              radius of the tip circle at z = 0 [mm]
+    /// @param flank_intervals  see matched_outline()
+    [[nodiscard]] MatchedOutline operator()(SurfaceChoice const& choice, double tip, double chord, int flank_intervals);
+
+    /// Which slice asked for the widened tip circle and why, in words; empty where the drive's own is left.
+    [[nodiscard]] std::string const& why_widened() const { return why_; }
+
+  private:
+    using Curves = std::vector<std::unique_ptr<SpaceCurve>>;
+
+    [[nodiscard]] double factor(double z) const;
+    [[nodiscard]] SliceJob& job(std::size_t k);
+    [[nodiscard]] double pointed_radius(std::size_t k);
+    void prepare(std::vector<std::size_t> const& wanted);
+    [[nodiscard]] SpaceCurve const& middle(double tip);
+    [[nodiscard]] Curves solved(std::vector<std::size_t> const& wanted, double tip);
+    [[nodiscard]] std::vector<std::size_t> own_slices(SurfaceChoice const& choice) const;
+    void check_reach(SurfaceChoice const& choice, bool follows, double tip);
+    [[nodiscard]] MatchedOutline tilted(SurfaceChoice const& choice, double tip, double chord, int flank_intervals);
+    [[nodiscard]] MatchedOutline own(SurfaceChoice const& choice, double tip, double chord, int flank_intervals);
+    [[nodiscard]] bool coned() const { return base_->scene.coning.has_value() && z_.size() > 1; }
+
+    Solution const* base_;
+    Profile const* tooth_;
+    AnyWaveShape shape_;
+    std::vector<double> z_;
+    int threads_;
+    Tolerance tolerance_;
+    std::vector<std::optional<SliceMotion>> motions_;
+    std::vector<std::unique_ptr<SliceJob>> jobs_;
+    std::vector<std::optional<double>> pointed_;
+    std::unique_ptr<SliceJob> middle_job_;
+    std::unique_ptr<SpaceCurve> middle_;
+    std::optional<MatchedOutline> base_flank_;
+    std::string why_;
+};
+
+}  // namespace hdconj::detail

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "spread.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "contact_case.hpp"
+#include "drive.hpp"
+#include "hdconj/axial/cone.hpp"
+#include "hdconj/axial/slice_places.hpp"
+#include "hdconj/numeric/parallel.hpp"
+#include "hdconj/pipeline/contact.hpp"
+#include "hdconj/profile/builder.hpp"
+#include "outline_records.hpp"
+#include "spline_surface.hpp"
+
+namespace hdconj::detail {
+namespace {
+
+/// Every slice is the outline at z = 0, perhaps moved along its radii.
+void repeat_outline(CircularSplineOutline& spline, std::vector<double> const& z, double tilt)
+{
+    std::vector<Vec2> const middle = spline.outline.front();
+    spline.z = z;
+    spline.outline.assign(z.size(), middle);
+    if (tilt == 0)
+        return;
+    for (std::size_t k = 0; k < z.size(); ++k)
+        for (Vec2& p : spline.outline[k])
+            p = moved_radially(p, z[k] * std::tan(tilt));
+}
+
+void take(Solution& out, MatchedOutline const& outline, Profile const& tooth, std::vector<double> const& z)
+{
+    Outline common;
+    common.stretches = outline.stretches;
+    out.circular_spline.z = z;
+    out.circular_spline.outline = outline.points;
+    out.circular_spline.pieces = piece_records(common, tooth);
+    out.circular_spline.landmarks.assign(outline.landmarks.begin(), outline.landmarks.end());
+    out.error.chord = std::max(out.error.chord, outline.chord);
+}
+
+/// Tip circle and land of the slice in the middle.
+void take_tip(Solution& out, MatchedOutline const& outline, double tip, std::string const& why)
+{
+    if (tip == out.geometry.circular_spline_inner_radius)
+        return;
+    out.notes.push_back("tip circle widened from " + short_number(out.geometry.circular_spline_inner_radius) + " to " + short_number(tip) + " mm: " + why);
+    auto const& middle = outline.points[outline.points.size() / 2];
+    Vec2 const corner = middle[outline.landmarks[4]];
+    out.geometry.space_depth += out.geometry.circular_spline_inner_radius - tip;
+    out.geometry.circular_spline_inner_radius = tip;
+    out.geometry.land_half_angle = std::numbers::pi / out.scene.drive.circular_spline_teeth - std::atan2(corner.x(), corner.y());
+}
+
+}  // namespace
+
+void spread_over_width(Solution& out, Profile const& tooth, AnyWaveShape const& shape, StageClock& clock)
+{
+    Scene const& scene = out.scene;
+    std::vector<double> const z = slice_places(scene.slices->count, scene.circular_spline.width.value_or(0));
+    double const tilt = scene.tilt ? scene.tilt->angle : 0;
+    bool const draft = scene.tilt && scene.tilt->kind == "draft" && tilt != 0;
+    bool const follows = scene.coning && scene.slices->surface != "tilted";
+    if (!follows && !draft)
+    {
+        clock.run(Stage::surface, [&] { repeat_outline(out.circular_spline, z, 0); });
+        clock.run(Stage::tilt, [&] { repeat_outline(out.circular_spline, z, tilt); });
+        return;
+    }
+    Solution const base = out;
+    SurfaceMaker maker(base, tooth, shape, z, out.threads);
+    clock.run(Stage::coning, [&] {
+        for (std::size_t k = 0; k < z.size(); ++k)
+            (void)maker.motion(k);
+    });
+    MatchedOutline outline;
+    SurfaceChoice const flat{scene.slices->surface, "radial", 0};
+    SurfaceChoice const choice{scene.slices->surface, draft ? "draft" : "radial", tilt};
+    double const tip = maker.needed_tip(choice);
+    std::string const why = maker.why_widened();
+    clock.run(Stage::surface, [&] {
+        if (!draft)
+            outline = maker(flat, tip, scene.solver.tolerance, 0);
+    });
+    clock.run(Stage::tilt, [&] {
+        if (draft)
+            outline = maker(choice, tip, scene.solver.tolerance, 0);
+        else
+            move_radially(outline, z, tilt);
+    });
+    take(out, outline, tooth, z);
+    take_tip(out, outline, tip, why);
+}
+
+Solution solve_with_automatic_backlash(Scene const& scene, StageObserver const& on_stage)
+{
+    Scene given = scene;
+    given.circular_spline.automatic_backlash = false;
+    given.circular_spline.backlash_offset = 0;
+    std::string note = "side clearance \"auto\": none is needed";
+    bool const moves = scene.slices && scene.slices->count > 1 && (scene.coning || scene.tilt);
+    if (moves)
+    {
+        if (on_stage)
+            on_stage(Stage::clearance);
+        ClearingNeed const need = clearing_need(scene);
+        given.circular_spline.backlash_offset = need.offset;
+        bool const wider = need.tip > need.own_tip;
+        if (wider)
+            given.circular_spline.inner_radius = need.tip;
+        note = "side clearance \"auto\": " + short_number(need.offset) + " mm" + (wider ? ", with a tip circle of " + short_number(need.tip) + " in place of "
+                                                                                        + short_number(need.own_tip) + " mm" : "");
+    }
+    Solution out = solve(given, on_stage);
+    out.scene.text = scene.text;
+    out.scene.circular_spline.automatic_backlash = true;
+    out.notes.insert(out.notes.begin(), note);
+    return out;
+}
+
+}  // namespace hdconj::detail

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `hdconj contact` as a user meets it: files, streams, exit statuses, and the same figures in all of them.
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <sstream>
+
+#include "support/catch.hpp"
+#include "support/read_hdf5.hpp"
+#include "support/run_program.hpp"
+#include "support/temporary_folder.hpp"
+
+using hdconj::test::content;
+using hdconj::test::Outcome;
+using hdconj::test::TemporaryFolder;
+using nlohmann::json;
+
+namespace {
+
+std::string const program = "'" HDCONJ_PROGRAM "'";
+
+/// Few slices and points: what is looked at here does not depend on them.
+std::string const coned = "'" HDCONJ_SOURCE_DIR "/data/scenes/type-50-coned.toml' --set slices.count=3 --set contact.flank_points=40 ";
+
+Outcome contact(std::string const& arguments, TemporaryFolder const& folder)
+{
+    return hdconj::test::run(program + " contact " + arguments, folder.path());
+}
+
+bool is_missing(std::string const& name)
+{
+    return hdconj::test::run("command -v " + name).status != 0;
+}
+
+std::string two_places(double value)
+{
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(2) << value;
+    return text.str();
+}
+
+/// Times and files are left out.
+json without_times(json summary)
+{
+    summary.erase("timing");
+    summary.erase("files");
+    for (auto& each : summary.at("contact").at("cases")) {
+        each.erase("time_s");
+    }
+    return summary;
+}
+
+}  // namespace
+
+TEST_CASE("contact names its result after the drive and says so", "[contact]")
+{
+    TemporaryFolder const folder;
+    auto const done = contact(coned, folder);
+    CHECK(done.status == 0);
+    CHECK(done.err.empty());
+    CHECK_THAT(done.out, ContainsSubstring("type-50-coned") && ContainsSubstring("per-slice") && ContainsSubstring("type-50-coned-contact.h5"));
+    CHECK(folder.names() == std::vector<std::string>{"type-50-coned-contact.h5"});
+}
+
+TEST_CASE("contact: --json prints one object and keeps the talk apart, --quiet prints nothing", "[contact]")
+{
+    TemporaryFolder const folder;
+    auto const summary = contact(coned + "--json -o a.h5", folder);
+    CHECK(summary.status == 0);
+    CHECK(json::parse(summary.out).at("files").at("hdf5").at("path") == "a.h5");
+    CHECK(summary.err == "wrote a.h5\n");
+    auto const quiet = contact(coned + "--quiet -o a.h5", folder);
+    CHECK(quiet.status == 0);
+    CHECK(quiet.out + quiet.err == "");
+    auto const both = contact(coned + "--quiet --json -o a.h5", folder);
+    CHECK(json::parse(both.out).at("format") == "hdconj-summary");
+    CHECK(both.err.empty());
+    CHECK(folder.names() == std::vector<std::string>{"a.h5"});
+}
+
+TEST_CASE("contact: JSON text and HDF5 say the same", "[contact]")
+{
+    TemporaryFolder const folder;
+    std::string const run = coned + "--surface tilted --kind radial,draft --tilt=-0.2,0,0.2 -o a.h5 ";
+    auto const summary = contact(run + "--json", folder);
+    REQUIRE(summary.status == 0);
+    auto const text = contact(run, folder);
+    REQUIRE(text.status == 0);
+    json const found = json::parse(summary.out).at("contact");
+    auto const& cases = found.at("cases");
+    REQUIRE(cases.size() == 6);
+    auto const file = hdconj::test::open_file(folder / "a.h5");
+    auto const doubles = [&](char const* name) { return hdconj::test::read(file, name).values; };
+    constexpr double um = 1e3, arcmin = 60 * 180 / std::numbers::pi;
+    auto const tilt = doubles("/contact/tilt"), offset = doubles("/contact/backlash_offset"), clearing = doubles("/contact/clearing_offset");
+    auto const share = doubles("/contact/share"), area = doubles("/contact/contact_area"), play = doubles("/contact/backlash");
+    auto const clearance = doubles("/contact/flank_clearance");
+    REQUIRE(tilt.size() == cases.size());
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        INFO(cases[i].dump(1));
+        json const& state = cases[i].at("state");
+        CHECK(cases[i].at("tilt_deg").get<double>() == Approx(tilt[i] * arcmin / 60).margin(1e-12));
+        CHECK(cases[i].at("backlash_offset_um").get<double>() == Approx(offset[i] * um).epsilon(1e-12));
+        CHECK(cases[i].at("clearing_offset_um").get<double>() == Approx(clearing[i] * um).epsilon(1e-12));
+        CHECK(state.at("share").get<double>() == Approx(share[i]).epsilon(1e-12));
+        CHECK(state.at("contact_area_mm2").get<double>() == Approx(area[i]).epsilon(1e-12));
+        CHECK(state.at("backlash_arcmin").get<double>() == Approx(play[i] * arcmin).margin(1e-9));
+        CHECK(cases[i].at("closest_flank").at("clearance_um").get<double>() == Approx(clearance[i] * um).epsilon(1e-12));
+        CHECK(state.at("share").get<double>() * cases[i].at("flank_area_mm2").get<double>() == Approx(state.at("contact_area_mm2").get<double>()));
+        CHECK_THAT(text.out, ContainsSubstring(two_places(cases[i].at("clearing_offset_um"))));
+        CHECK_THAT(text.out, ContainsSubstring(two_places(cases[i].at("closest_flank").at("clearance_um"))));
+    }
+    // the case with most contact is the one that map and outline are of
+    auto const shown = found.at("shown").get<std::size_t>();
+    CHECK(std::max_element(share.begin(), share.end()) - share.begin() == static_cast<std::ptrdiff_t>(shown));
+    auto const gap = doubles("/contact/map/gap");
+    CHECK(gap.size() == doubles("/contact/map/angle").size() * 2 * 3 * doubles("/contact/map/station").size());
+    CHECK(*std::min_element(gap.begin(), gap.end()) == Approx(0).margin(1e-9));
+}
+
+TEST_CASE("contact writes every file asked for", "[contact]")
+{
+    bool const draws = !is_missing("gnuplot");
+    TemporaryFolder const folder;
+    auto const done = contact(coned + "--tilt 0,0.1 -o a.h5 --xdmf a.xdmf --stl a.stl --vtk a.vtk --json" + (draws ? " --picture a.svg" : ""), folder);
+    INFO(done.err);
+    REQUIRE(done.status == 0);
+    json const files = json::parse(done.out).at("files");
+    std::vector<std::string> named;
+    for (auto const& each : files) {
+        named.push_back(each.at("path"));
+    }
+    std::sort(named.begin(), named.end());
+    auto written = folder.names();
+    std::sort(written.begin(), written.end());
+    CHECK(written == named);
+    CHECK(named.size() == (draws ? 7U : 4U));
+    CHECK_THAT(content(folder / "a.xdmf"), ContainsSubstring("a.h5:/circular_spline"));
+    CHECK_THAT(content(folder / "a.vtk"), ContainsSubstring("gap"));
+    CHECK(content(folder / "a.stl").size() > 1000);
+    if (draws) {
+        for (std::string const name : {"a-tilt.svg", "a-map.svg", "a-flank.svg"}) {
+            INFO(name);
+            CHECK_THAT(content(folder / name), ContainsSubstring("</svg>"));
+        }
+    }
+}
+
+TEST_CASE("contact: a failure leaves the result that is there", "[contact]")
+{
+    TemporaryFolder const folder;
+    REQUIRE(contact(coned + "--quiet -o a.h5", folder).status == 0);
+    auto const before = content(folder / "a.h5");
+    auto const refused = contact(coned + "--tilt 50 -o a.h5", folder);
+    CHECK(refused.status == 2);
+    auto const failed = contact(coned + "--tilt 20 -o a.h5", folder);
+    CHECK(failed.status == 1);
+    CHECK_THAT(failed.err, ContainsSubstring("hdconj: slices: "));
+    CHECK(failed.out.empty());
+    auto const limited = hdconj::test::run("ulimit -f 8 && " + program + " contact " + coned + "-o a.h5", folder.path());
+    CHECK(limited.status == 1);
+    CHECK_THAT(limited.err, ContainsSubstring("ulimit -f"));
+    CHECK(content(folder / "a.h5") == before);
+    CHECK(folder.names() == std::vector<std::string>{"a.h5"});
+}
+
+TEST_CASE("contact: the number of threads changes no bit of any figure", "[contact]")
+{
+    TemporaryFolder const folder;
+    std::string const run = coned + "--surface tilted,ruled,per-slice --tilt 0,0.1 --revolution 3 --quiet --json --set solver.threads=1 -o ";
+    auto const one = contact(run + "one.h5 --threads 1", folder);
+    auto const two = contact(run + "two.h5 --threads 2", folder);
+    REQUIRE(one.status == 0);
+    REQUIRE(two.status == 0);
+    CHECK(without_times(json::parse(one.out)).dump() == without_times(json::parse(two.out)).dump());
+    auto const a = hdconj::test::open_file(folder / "one.h5"), b = hdconj::test::open_file(folder / "two.h5");
+    for (char const* name : {"/contact/map/gap", "/contact/share", "/contact/take_up", "/contact/clearing_offset", "/contact/flank_where",
+                                   "/circular_spline/outline", "/circular_spline/z"}) {
+        INFO(name);
+        CHECK(hdconj::test::read(a, name).values == hdconj::test::read(b, name).values);
+    }
+}
+
+TEST_CASE("contact of a drive without axial effects is one slice", "[contact]")
+{
+    TemporaryFolder const folder;
+    auto const done = contact("--quiet --json -o a.h5 --set contact.flank_points=40", folder);
+    REQUIRE(done.status == 0);
+    json const found = json::parse(done.out).at("contact");
+    REQUIRE(found.at("cases").size() == 1);
+    json const& only = found.at("cases")[0];
+    CHECK(only.at("slices").size() == 1);
+    CHECK(only.at("kind") == "");
+    CHECK(std::abs(only.at("clearing_offset_um").get<double>()) <= 1e-6);
+    CHECK(std::abs(only.at("closest_flank").at("clearance_um").get<double>()) <= 1e-6);
+    CHECK(only.at("state").at("teeth").get<int>() > 0);
+}
+
+TEST_CASE("contact: --best answers for each kind and says where it looked", "[contact]")
+{
+    TemporaryFolder const folder;
+    auto const done = contact(coned + "--surface tilted --kind radial,draft --best --tilt=-0.5,0.5 --quiet --json -o a.h5", folder);
+    INFO(done.err);
+    REQUIRE(done.status == 0);
+    json const found = json::parse(done.out).at("contact");
+    REQUIRE(found.at("best").size() == 4);
+    for (auto const& best : found.at("best")) {
+        INFO(best.dump());
+        CHECK(best.at("from_deg").get<double>() == Approx(-0.5));
+        CHECK(best.at("to_deg").get<double>() == Approx(0.5));
+        CHECK(best.at("tilt_deg").get<double>() >= -0.5);
+        CHECK(best.at("tilt_deg").get<double>() <= 0.5);
+        bool const area = best.at("what") == "area";
+        for (auto const& each : found.at("cases")) {
+            if (each.at("kind") != best.at("kind")) {
+                continue;
+            }
+            // nothing that was computed on the way is better
+            if (area) {
+                CHECK(best.at("share").get<double>() >= each.at("state").at("share").get<double>() * (1 - 1e-12));
+            } else {
+                CHECK(best.at("clearing_offset_um").get<double>() <= each.at("clearing_offset_um").get<double>() * (1 + 1e-12));
+            }
+        }
+    }
+}

@@ -1,0 +1,480 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Laws of effects along the axis and of contact: what must hold whatever the numbers are.
+#include "hdconj/pipeline/contact.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "hdconj/axial/cone.hpp"
+#include "hdconj/contact/full_turn.hpp"
+#include "support/catch.hpp"
+#include "support/coned_drive.hpp"
+#include "support/oracle/touch.hpp"
+#include "support/polyline.hpp"
+
+using namespace hdconj;
+using namespace hdconj::test;
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double um = 1e-3;
+
+using Keys = std::vector<std::string>;
+
+std::string number(double value)
+{
+    char text[40];
+    std::snprintf(text, sizeof text, "%.17g", value);
+    return text;
+}
+
+Keys sliced(int count, std::string const& surface)
+{
+    return {"slices.count=" + std::to_string(count), "slices.surface=" + surface};
+}
+
+Keys tilted(double angle_deg, std::string const& kind = "radial")
+{
+    return {"tilt.angle_deg=" + number(angle_deg), "tilt.kind=" + kind};
+}
+
+/// Few enough points that a study takes a tenth of a second.
+Keys small(Keys const& more)
+{
+    return with({"contact.flank_points=60"}, more);
+}
+
+ContactCase only_case(Scene const& scene, ContactOptions const& options = {})
+{
+    return contact(scene, options).cases.front();
+}
+
+std::map<Stage, int> entered(Scene const& scene, Verb verb)
+{
+    std::map<Stage, int> count;
+    StageObserver const observer = [&](Stage stage) { ++count[stage]; };
+    if (verb == Verb::solve)
+        (void)solve(scene, observer);
+    else
+        (void)contact(scene, {}, observer);
+    return count;
+}
+
+double furthest(std::vector<Vec2> const& a, std::vector<Vec2> const& b)
+{
+    REQUIRE(a.size() == b.size());
+    double worst = 0;
+    for (std::size_t i = 0; i < a.size(); ++i)
+        worst = std::max(worst, (a[i] - b[i]).norm());
+    return worst;
+}
+
+double furthest_from(std::vector<Vec2> const& line, std::vector<Vec2> const& points)
+{
+    double worst = 0;
+    for (Vec2 const& p : points)
+        worst = std::max(worst, distance_to_polyline(line, p));
+    return worst;
+}
+
+}  // namespace
+
+TEST_CASE("contact law: one slice is the plane drive bit for bit whatever effects are there", "[law][contact]")
+{
+    Solution const plane = solve(builtin_scene());
+    for (std::string const surface : {"tilted", "ruled", "per-slice"})
+        for (Keys const& effects : {Keys{}, coned(), coned("mapped"), tilted(0.7), with(coned(), tilted(0.7))})
+        {
+            Solution const sliced_drive = solve(builtin_scene(with(sliced(1, surface), effects)));
+            CHECK(sliced_drive.circular_spline.outline == plane.circular_spline.outline);
+            CHECK(sliced_drive.circular_spline.z == plane.circular_spline.z);
+            CHECK(sliced_drive.circular_spline.landmarks == plane.circular_spline.landmarks);
+            CHECK(sliced_drive.check->smallest_clearance == plane.check->smallest_clearance);
+            CHECK(sliced_drive.geometry.land_half_angle == plane.geometry.land_half_angle);
+        }
+}
+
+TEST_CASE("contact law: effects without anything to move leave the bits and their stages are not entered", "[law][contact]")
+{
+    Solution const plane = solve(builtin_scene());
+    // a tilt of zero and slices of one outline repeat it
+    for (Keys const& keys : {with(sliced(5, "tilted"), tilted(0)), sliced(5, "tilted"), with(sliced(5, "tilted"), coned()), with(sliced(4, "per-slice"), {})})
+    {
+        Solution const drive = solve(builtin_scene(keys));
+        for (auto const& outline : drive.circular_spline.outline)
+            CHECK(outline == plane.circular_spline.outline.front());
+    }
+    std::vector<Stage> const axial{Stage::coning, Stage::surface, Stage::tilt, Stage::clearance, Stage::gap_map, Stage::contact};
+    std::map<Stage, int> base = entered(builtin_scene(), Verb::solve);
+    for (Stage const stage : axial)
+        CHECK(base[stage] == 0);
+    // tables that change nothing enter nothing
+    for (Keys const& keys : {coned(), tilted(0.7), Keys{"contact.contact_gap=0.002"}})
+    {
+        std::map<Stage, int> counts = entered(builtin_scene(keys), Verb::solve);
+        for (Stage const stage : axial)
+            CHECK(counts[stage] == 0);
+    }
+    std::map<Stage, int> slices_only = entered(builtin_scene(sliced(3, "tilted")), Verb::solve);
+    CHECK(slices_only[Stage::surface] == 1);
+    for (Stage const stage : {Stage::coning, Stage::tilt, Stage::clearance, Stage::gap_map, Stage::contact})
+        CHECK(slices_only[stage] == 0);
+    std::map<Stage, int> tilt_too = entered(builtin_scene(with(sliced(3, "tilted"), tilted(0.1))), Verb::solve);
+    CHECK(tilt_too[Stage::tilt] == 1);
+    CHECK(tilt_too[Stage::coning] == 0);
+    std::map<Stage, int> cone = entered(builtin_scene(with(sliced(3, "per-slice"), coned())), Verb::solve);
+    CHECK(cone[Stage::coning] == 1);
+    CHECK(cone[Stage::tilt] == 0);
+    // and of the verb contact
+    std::map<Stage, int> plain = entered(builtin_scene(small({})), Verb::contact);
+    CHECK(plain[Stage::coning] == 0);
+    CHECK(plain[Stage::tilt] == 0);
+    CHECK(plain[Stage::contact] >= 1);
+    std::map<Stage, int> coned_contact = entered(builtin_scene(small(with(sliced(3, "tilted"), coned()))), Verb::contact);
+    CHECK(coned_contact[Stage::coning] >= 1);
+    CHECK(coned_contact[Stage::tilt] == 0);
+}
+
+TEST_CASE("contact law: outlines tend to the plane one with the tilt in first order", "[law][contact]")
+{
+    Solution const plane = solve(builtin_scene());
+    auto const& base = plane.circular_spline.outline.front();
+    for (std::string const kind : {"radial", "draft"})
+    {
+        for (double const angle : {1e-3, 1e-6, 1e-9, 1e-12, -1e-3, -1e-9})
+        {
+            Solution const drive = solve(builtin_scene(with(sliced(3, "tilted"), tilted(angle, kind))));
+            double const wanted = 3.5 * std::tan(std::abs(angle) * degree);
+            INFO(kind << " " << angle);
+            auto const& outlines = drive.circular_spline.outline;
+            REQUIRE(outlines.size() == 3);
+            if (kind == "radial")
+            {
+                CHECK(outlines[1] == base);
+                for (std::size_t const k : {0u, 2u})
+                    CHECK(furthest(outlines[k], base) == Approx(wanted).margin(1e-14));
+            }
+            else
+            {
+                // another choice of points: both polygons are right to the chord error
+                CHECK(furthest_from(base, outlines[1]) < 1.05e-6);
+                for (std::size_t const k : {0u, 2u})
+                {
+                    CHECK(furthest_from(base, outlines[k]) < 1.42 * wanted + 1.05e-6);
+                    CHECK(furthest(outlines[k], outlines[1]) >= wanted * (1 - 1e-9) - 1e-14);
+                    CHECK(furthest(outlines[k], outlines[1]) < 2.5 * wanted + 2e-12);
+                }
+            }
+        }
+    }
+}
+
+TEST_CASE("contact law: outlines of a coned drive tend to the plane one with the length of the cup in first order", "[law][contact]")
+{
+    Solution const plane = solve(builtin_scene());
+    double before = 0;
+    for (double const length : {1e2, 1e4, 1e6, 1e8})
+    {
+        // the last one is more than a scene may ask for
+        Scene scene = builtin_scene(coned());
+        scene.coning->bottom_to_middle = length;
+        ConedDrive drive(scene, 3);
+        MatchedOutline const outline = drive.surface("per-slice", "radial", 0, 1e-6, 0);
+        double const moved = std::max(furthest(outline.points[0], outline.points[1]), furthest(outline.points[2], outline.points[1]));
+        INFO("length " << length << ": " << moved);
+        CHECK(furthest_from(plane.circular_spline.outline.front(), outline.points[1]) < 1.05e-6);
+        // amplitudes differ by w0 z/length; points of one origin move by a few times that
+        CHECK(moved < 10 * 0.25 * 3.5 / length + 1e-12);
+        CHECK(moved > 0.25 * 3.5 / length * 0.5);
+        if (before > 0)
+            CHECK(before / moved == Approx(100).epsilon(0.2));
+        before = moved;
+    }
+}
+
+TEST_CASE("contact law: contact of a coned drive tends to that of the plane one", "[law][contact]")
+{
+    ContactState const plane = only_case(builtin_scene(small(with({"circular_spline.backlash_offset=0.002"}, sliced(3, "tilted"))))).state;
+    for (std::string const shift : {"none", "mapped"})
+    {
+        double before = 0;
+        for (double const length : {1e2, 1e4, 1e6})
+        {
+            ContactCase const one = only_case(builtin_scene(small(with(with({"circular_spline.backlash_offset=0.002"}, sliced(3, "tilted")), coned(shift, length)))));
+            double const difference = std::abs(one.state.take_up - plane.take_up);
+            INFO(shift << ", length " << length << ": " << difference);
+            // no more than the change of shape over the reach: (w0 z + r u_z'...)/length over 25 mm
+            CHECK(difference < 1 / (25 * length) + 1e-12);
+            if (before > 0)
+                CHECK(difference < before / 50 + 1e-13);
+            before = difference;
+        }
+    }
+}
+
+TEST_CASE("contact law: area grows with the contact gap and is gone with it", "[law][contact]")
+{
+    double before = 0;
+    for (double const gap : {1e-9, 1e-7, 1e-5, 1e-4, 1e-3, 0.003, 0.01, 0.025})
+    {
+        ContactCase const one = only_case(builtin_scene(with({"contact.flank_points=200", "circular_spline.backlash_offset=0.005", "contact.contact_gap=" + number(gap)}, {})));
+        INFO("gap " << gap << ": share " << one.state.share);
+        CHECK(one.state.share >= before);
+        CHECK(one.state.share <= 1);
+        if (gap <= 1e-7)
+            CHECK(one.state.share < 1e-3);
+        if (gap >= 0.003)
+            CHECK(one.state.share > 0.05);
+        before = one.state.share;
+    }
+}
+
+TEST_CASE("contact law: play goes to nothing with the side clearance", "[law][contact]")
+{
+    double before = 1;
+    for (double const offset : {1e-2, 1e-4, 1e-6})
+    {
+        ContactState const state = only_case(builtin_scene(small({"circular_spline.backlash_offset=" + number(offset)}))).state;
+        INFO("offset " << offset << " play " << state.backlash());
+        CHECK(state.backlash() > 2 * offset / 26);
+        CHECK(state.backlash() < 4 * offset / 25);
+        CHECK(state.backlash() < before);
+        before = state.backlash();
+    }
+}
+
+TEST_CASE("contact law: a conjugate surface clears itself in each of its slices", "[law][contact]")
+{
+    for (std::string const name : {"type-50", "liu-2025", "ellipse"})
+    {
+        Scene const scene = read_scene(file_of(name), small(with(with({"circular_spline.width=7.0"}, coned()), sliced(5, "per-slice"))));
+        ContactCase const one = only_case(scene);
+        INFO(name);
+        CHECK(one.clearing_offset == 0);
+        CHECK_FALSE(one.raised);
+        REQUIRE(one.slices.size() == 5);
+        for (SliceClearance const& slice : one.slices)
+        {
+            INFO("z " << slice.z << ": " << slice.flank.clearance);
+            CHECK(std::abs(slice.flank.clearance) <= 1e-9);
+            CHECK(slice.root.clearance >= -1e-9);
+        }
+    }
+}
+
+TEST_CASE("contact law: clearances of a tilted type-50 are the oracle's and the design's", "[law][contact]")
+{
+    // Design 3.4, cone with its apex 0.43 mm above the cup's bottom, zero clearance, tilted radially. "Over the flank" is here: all points of the circular
+    // spline between land corner and flank end, and the depth of each of them in the nearest tooth over a full turn. At z = -3.5 the worst is the
+    // land corner, and the design's numbers are met to 2 um. At z = +3.5 it is the flank end, and this gives -70, -62, -38, -3 where the design says -81,
+    // -72, -48, -3. The design's numbers are right for a flank that reaches 14 um further, to x = 0.0447 on the land in the root, under the tip of the tooth:
+    // one place that gives all three. In the middle of the root it is -100, -87, -53, which the program tells apart as the root's.
+    struct Row
+    {
+        double tilt_deg, at_bottom_end, at_open_end, root, design_at_open_end;
+    };
+    for (Row const& row : {Row{0, -78, -69.9, -99.6, -81}, {0.2, -88, -61.9, -87.4, -72}, {0.77, -117, -37.6, -52.5, -48}, {1.67, -157, -3.4, 0, 0}})
+    {
+        Keys const keys = with(with(small(coned()), sliced(3, "tilted")), tilted(row.tilt_deg));
+        ContactCase const one = only_case(builtin_scene(keys));
+        INFO("tilt " << row.tilt_deg << ": " << one.slices.front().flank.clearance / um << ", " << one.slices.back().flank.clearance / um << ", root "
+                     << one.slices.back().root.clearance / um);
+        CHECK(one.slices.front().flank.clearance / um == Approx(row.at_bottom_end).margin(2.2));
+        CHECK(one.slices.back().flank.clearance / um == Approx(row.at_open_end).margin(0.1));
+        if (row.root < 0)
+            CHECK(one.slices.back().root.clearance / um == Approx(row.root).margin(0.1));
+
+        // the oracle: its own tooth, its own motion, all positions
+        Solution const plane = solve(builtin_scene());
+        auto const& outline = plane.circular_spline.outline.front();
+        auto const& marks = plane.circular_spline.landmarks;
+        ConedDrive const drive(builtin_scene(keys), 3);
+        for (std::size_t const k : {0u, 2u})
+        {
+            oracle::TouchScan scan(drive.slice_scene(k), 600);
+            double worst = 1;
+            int where = marks[3];
+            auto const look = [&](int i) {
+                Vec2 const p = moved_radially(outline[static_cast<std::size_t>(i)], drive.z()[k] * std::tan(row.tilt_deg * degree));
+                double const distance = scan.nearest({p.x(), p.y()}).distance;
+                where = distance < worst ? i : where;
+                worst = std::min(worst, distance);
+            };
+            // the ends and a few between, then all about the worst
+            for (int i = marks[3]; i < marks[4]; i += 16)
+                look(i);
+            look(marks[4]);
+            int const about = where;
+            for (int i = std::max(marks[3], about - 16); i <= std::min(marks[4], about + 16); i += 2)
+                look(i);
+            double const found = (k == 0 ? one.slices.front() : one.slices.back()).flank.clearance;
+            CHECK(found == Approx(worst).margin(0.1 * um));
+            if (k == 2 && row.root < 0)
+            {
+                // the root is flat there to a tenth of a micrometre
+                Vec2 const bottom = outline[static_cast<std::size_t>(marks[2])];
+                Vec2 const under_the_tip = moved_radially({0.0447, bottom.y()}, drive.z()[k] * std::tan(row.tilt_deg * degree));
+                CHECK(scan.nearest({under_the_tip.x(), under_the_tip.y()}).distance / um == Approx(row.design_at_open_end).margin(1));
+            }
+        }
+    }
+}
+
+TEST_CASE("contact law: the clearing offset clears and a micrometre less does not", "[law][contact]")
+{
+    for (Keys const& surface : {with(sliced(3, "tilted"), tilted(0.2)), sliced(3, "tilted"), sliced(3, "ruled"), with(sliced(3, "tilted"), tilted(0.2, "draft"))})
+    {
+        Scene const scene = builtin_scene(with(with({"contact.flank_points=200"}, coned()), surface));
+        ContactCase const one = only_case(scene);
+        INFO(one.surface << " " << one.kind << " " << one.tilt / degree << ": offset " << one.clearing_offset / um);
+        // the straight lines between conjugate end planes stay clear of the slices between them on this drive
+        bool const needed = one.surface != "ruled";
+        CHECK((one.clearing_offset > 1 * um) == needed);
+        // finer points than the program looked at
+        ConedDrive drive(scene, 3);
+        MatchedOutline const outline = (*drive.maker)({one.surface, one.kind.empty() ? "radial" : one.kind, one.tilt}, one.clearing_tip, 1e-6, 700);
+        FlankGrid const fine = drive.flanks(outline, 700);
+        auto const least = [&](double offset) {
+            FlankGrid const moved = moved_into_material(fine, offset);
+            double worst = 1;
+            for (std::size_t k = 0; k < fine.slices(); ++k)
+            {
+                auto const& motion = drive.maker->motion(k).motion;
+                FullTurnClearance<ErasedMotion> const turns(drive.tooth, motion, drive.pitch(), 1);
+                TurnMinimum last = turns(moved.point[1][k].front());
+                for (Vec2 const& p : moved.point[1][k])
+                {
+                    last = turns(p, &last);
+                    worst = std::min(worst, last.distance);
+                }
+            }
+            return worst;
+        };
+        CHECK(least(one.clearing_offset) >= -1e-6);
+        if (needed)
+            CHECK(least(one.clearing_offset - 1 * um) < 0);
+    }
+}
+
+TEST_CASE("contact law: the flank moved by a side clearance is the flank solved with it", "[law][contact]")
+{
+    ConedDrive drive(builtin_scene(), 1);
+    for (double const offset : {1e-4, 0.003, 0.02})
+    {
+        FlankGrid const moved = moved_into_material(drive.flanks(drive.surface("tilted", "radial", 0, 1e-6, 200)), offset);
+        auto const own = solve(builtin_scene({"circular_spline.backlash_offset=" + number(offset), "solver.tolerance=1e-8"})).circular_spline.outline.front();
+        for (std::size_t flank = 0; flank < 2; ++flank)
+        {
+            double worst = 0;
+            std::size_t looked = 0;
+            for (Vec2 const& p : moved.point[flank][0])
+                // what has moved below the tip circle is cut off, and beside corners the moved flanks cross
+                if (p.norm() > drive.middle.geometry.circular_spline_inner_radius + offset)
+                {
+                    double const d = distance_to_polyline(own, p);
+                    looked += d < 1.05e-8;
+                    worst = std::max(worst, d);
+                }
+            INFO("offset " << offset << " flank " << flank << " worst " << worst);
+            CHECK(worst < 0.2 * offset);
+            CHECK(looked + 12 > moved.point[flank][0].size());
+        }
+    }
+}
+
+TEST_CASE("contact law: both flanks are alike at no torque", "[law][contact]")
+{
+    for (std::string const shift : {"none", "mapped"})
+    {
+        ContactState const state = only_case(builtin_scene(small(with(with(coned(shift), sliced(3, "per-slice")), {"circular_spline.backlash_offset=0.05"})))).state;
+        INFO(shift);
+        CHECK(state.take_up == Approx(state.take_up_back).margin(1e-13));
+    }
+    // and with the wave generator off a tooth space one flank at an angle is the other at the opposite one
+    auto const at = [](double angle) {
+        return only_case(builtin_scene(small({"circular_spline.backlash_offset=0.01", "contact.wave_generator_angle_deg=" + number(angle)}))).state;
+    };
+    ContactState const plus = at(0.37), minus = at(-0.37);
+    CHECK(plus.take_up == Approx(minus.take_up_back).margin(1e-13));
+    CHECK(plus.take_up_back == Approx(minus.take_up).margin(1e-13));
+    CHECK(plus.smallest_gap == Approx(minus.smallest_gap).margin(1e-12));
+}
+
+TEST_CASE("contact law: nothing changes when the wave generator turns by one pitch of the circular spline", "[law][contact]")
+{
+    auto const at = [](double angle) {
+        return only_case(builtin_scene(small(with(with(coned("mapped"), sliced(3, "tilted")),
+                                                  {"circular_spline.backlash_offset=0.15", "contact.wave_generator_angle_deg=" + number(angle)})))).state;
+    };
+    ContactState const one = at(0.4), next = at(0.4 + 360.0 / 202), far = at(0.4 - 7 * 360.0 / 202);
+    for (ContactState const& other : {next, far})
+    {
+        CHECK(other.take_up == Approx(one.take_up).margin(1e-12));
+        CHECK(other.take_up_back == Approx(one.take_up_back).margin(1e-12));
+        CHECK(other.share == Approx(one.share).margin(1e-9));
+        CHECK(other.teeth == one.teeth);
+        CHECK(other.smallest_gap == Approx(one.smallest_gap).margin(1e-11));
+    }
+    ContactState const half = at(0.4 + 180.0 / 202);
+    CHECK(std::abs(half.smallest_gap - one.smallest_gap) > 1e-9);
+}
+
+TEST_CASE("contact law: a drive twice or a quarter as large has lengths twice or a quarter as large", "[law][contact]")
+{
+    auto const scaled = [](double s) {
+        Keys keys{"contact.flank_points=60", "contact.contact_gap=" + number(s * 1e-3), "solver.tolerance=" + number(s * 0x1p-20)};
+        for (auto const& [key, value] : std::map<std::string, double>{{"drive.module", 0.25}, {"flexspline.wall", 0.7}, {"flexspline.profile.addendum", 0.225},
+                 {"flexspline.profile.dedendum", 0.303}, {"flexspline.profile.convex_radius", 0.2701}, {"flexspline.profile.convex_offset", 0.0982},
+                 {"flexspline.profile.concave_radius", 0.5145}, {"flexspline.profile.concave_rise", 0.0671}, {"flexspline.profile.tip_line_from", 0.19},
+                 {"wave_generator.radial_deformation", 0.25}, {"circular_spline.width", 7.0}, {"circular_spline.backlash_offset", 0.02},
+                 {"circular_spline.inner_radius", 25.025}, {"coning.bottom_to_middle", 9.0}, {"coning.apex_height", 0.43}})
+            keys.push_back(key + "=" + number(s * value));
+        return only_case(builtin_scene(with(with(keys, {"coning.model=linear", "coning.axial_shift=mapped"}), with(sliced(3, "tilted"), tilted(0.1)))));
+    };
+    ContactCase const one = scaled(1);
+    for (double const s : {2.0, 0.25})
+    {
+        ContactCase const other = scaled(s);
+        INFO("scale " << s);
+        CHECK(other.clearing_offset == Approx(s * one.clearing_offset).epsilon(1e-12));
+        CHECK(other.clearing_tip == Approx(s * one.clearing_tip).epsilon(1e-12));
+        CHECK(other.state.take_up == Approx(one.state.take_up).epsilon(1e-10));
+        CHECK(other.state.share == Approx(one.state.share).margin(1e-9));
+        CHECK(other.state.flank_area == Approx(s * s * one.state.flank_area).epsilon(1e-10));
+        for (std::size_t k = 0; k < one.slices.size(); ++k)
+            CHECK(other.slices[k].flank.clearance == Approx(s * one.slices[k].flank.clearance).epsilon(1e-11));
+    }
+}
+
+TEST_CASE("contact law: a whole study has the same bits for 1 and 2 threads", "[law][contact][parallel]")
+{
+    auto const study = [](int threads) {
+        ContactOptions options;
+        options.tilts = {0, 0.2 * degree};
+        options.surfaces = {"tilted", "per-slice"};
+        return contact(builtin_scene(small(with(with(coned("mapped"), sliced(3, "tilted")), {"solver.threads=" + std::to_string(threads)}))), options);
+    };
+    ContactStudy const one = study(1), two = study(2);
+    REQUIRE(one.cases.size() == two.cases.size());
+    CHECK(one.cases.size() == 4);
+    CHECK(one.shown == two.shown);
+    CHECK(one.map.gap == two.map.gap);
+    CHECK(one.solution.circular_spline.outline == two.solution.circular_spline.outline);
+    for (std::size_t i = 0; i < one.cases.size(); ++i)
+    {
+        CHECK(one.cases[i].clearing_offset == two.cases[i].clearing_offset);
+        CHECK(one.cases[i].clearing_root == two.cases[i].clearing_root);
+        CHECK(one.cases[i].state.take_up == two.cases[i].state.take_up);
+        CHECK(one.cases[i].state.contact_area == two.cases[i].state.contact_area);
+        CHECK(one.cases[i].state.share_error == two.cases[i].state.share_error);
+        for (std::size_t k = 0; k < one.cases[i].slices.size(); ++k)
+        {
+            CHECK(one.cases[i].slices[k].flank.clearance == two.cases[i].slices[k].flank.clearance);
+            CHECK(one.cases[i].slices[k].root.clearance == two.cases[i].slices[k].root.clearance);
+        }
+    }
+}

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// With gnuplot and without.
+#pragma once
+
+#include <cstdlib>
+#include <string>
+
+#include "io/picture_gnuplot.hpp"
+#include "support/catch.hpp"
+
+namespace hdconj::test {
+
+/// Says so where there is none.
+inline bool no_gnuplot()
+{
+    if (!gnuplot::is_installed()) {
+        WARN("gnuplot is not installed: no picture was drawn");
+        return true;
+    }
+    return false;
+}
+
+/// PATH with nothing on it, while it lives.
+class EmptyPath
+{
+  public:
+    EmptyPath() : before_(std::getenv("PATH")) { ::setenv("PATH", "", 1); }
+    ~EmptyPath() { ::setenv("PATH", before_.c_str(), 1); }
+    EmptyPath(EmptyPath const&) = delete;
+    EmptyPath& operator=(EmptyPath const&) = delete;
+
+  private:
+    std::string before_;
+};
+
+}  // namespace hdconj::test

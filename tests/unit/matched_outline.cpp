@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/conjugate/matched_outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+
+#include "support/catch.hpp"
+#include "support/coned_drive.hpp"
+#include "support/oracle/touch.hpp"
+#include "support/polyline.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace hdconj;
+using namespace hdconj::test;
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double chord = 1e-6;
+
+/// A slice solved as a drive of its own, with the tip circle of the surface.
+Solution slice_alone(ConedDrive const& drive, std::size_t k, double tip, double tolerance)
+{
+    Scene scene = drive.slice_scene(k);
+    scene.circular_spline.inner_radius = tip;
+    scene.solver.tolerance = tolerance;
+    return solve(scene);
+}
+
+double tip_of(ConedDrive& drive, std::string const& surface)
+{
+    return drive.maker->needed_tip({surface, "radial", 0});
+}
+
+void check_order_and_landmarks(MatchedOutline const& outline, std::vector<double> const& tip, double pitch)
+{
+    std::size_t const n = outline.points.front().size();
+    auto const [left_land, left_end, middle, right_end, right_land] = outline.landmarks;
+    CHECK(0 < left_land);
+    CHECK(left_land < left_end);
+    CHECK(left_end <= middle);
+    CHECK(middle <= right_end);
+    CHECK(right_end < right_land);
+    CHECK(right_land < n - 1);
+    for (std::size_t k = 0; k < outline.points.size(); ++k)
+    {
+        auto const& p = outline.points[k];
+        INFO("slice " << k);
+        REQUIRE(p.size() == n);
+        REQUIRE(outline.normals[k].size() == n);
+        for (std::size_t i = 0; i + 1 < n; ++i)
+            CHECK(p[i + 1].x() > p[i].x());
+        for (std::size_t i = 0; i < n; ++i)
+            CHECK(outline.normals[k][i].norm() == Approx(1).epsilon(1e-13));
+        CHECK(p[middle].x() == 0);
+        for (std::size_t const land : {std::size_t{0}, left_land, right_land, n - 1})
+            CHECK(p[land].norm() == Approx(tip[k]).epsilon(1e-13));
+        // the flank leaves the tip circle there
+        CHECK(p[right_land - 1].norm() > tip[k] * (1 + 1e-9));
+        CHECK(p[left_land + 1].norm() > tip[k] * (1 + 1e-9));
+        CHECK(std::atan2(p.back().x(), p.back().y()) == Approx(pitch / 2).epsilon(1e-13));
+        CHECK(std::atan2(p.front().x(), p.front().y()) == Approx(-pitch / 2).epsilon(1e-13));
+    }
+    for (std::size_t i = 0; i + 1 < outline.stretches.size(); ++i)
+        CHECK(outline.stretches[i].last == outline.stretches[i + 1].first);
+    CHECK(outline.stretches.front().first == 0);
+    CHECK(outline.stretches.back().last == n - 1);
+    CHECK(outline.stretches.front().last == left_land);
+    CHECK(outline.stretches.back().first == right_land);
+}
+
+void check_mirror(MatchedOutline const& outline)
+{
+    std::size_t const last = outline.points.front().size() - 1;
+    for (std::size_t k = 0; k < outline.points.size(); ++k)
+        for (std::size_t i = 0; i <= last; ++i)
+        {
+            CHECK(outline.points[k][i].x() == -outline.points[k][last - i].x());
+            CHECK(outline.points[k][i].y() == outline.points[k][last - i].y());
+        }
+    for (std::size_t i = 0; i < outline.landmarks.size(); ++i)
+        CHECK(outline.landmarks[i] + outline.landmarks[4 - i] == last);
+}
+
+}  // namespace
+
+TEST_CASE("slices of a coned drive have matched outlines that are those of the slices alone", "[matched_outline]")
+{
+    // type-50: conjugate zones appear and vanish along z (design 3.4)
+    ConedDrive drive(builtin_scene(coned()), 9);
+    double const tip = tip_of(drive, "per-slice");
+    MatchedOutline const outline = drive.surface("per-slice", "radial", 0, chord, 0);
+    REQUIRE(outline.points.size() == 9);
+    check_order_and_landmarks(outline, std::vector<double>(9, tip), drive.pitch());
+    check_mirror(outline);
+    CHECK_FALSE(outline.by_origin);
+    CHECK(outline.chord <= chord);
+    CHECK(outline.chord > chord / 8);
+    double off = 0, coarse = 0, off_corner = 0;
+    for (std::size_t k = 0; k < outline.points.size(); ++k)
+    {
+        constexpr double finer = 1e-8;
+        Solution const own = slice_alone(drive, k, tip, finer);
+        auto const& fine = own.circular_spline.outline.front();
+        for (Vec2 const& p : outline.points[k])
+            off = std::max(off, distance_to_polyline(fine, p));
+        for (Vec2 const& p : fine)
+            coarse = std::max(coarse, distance_to_polyline(outline.points[k], p));
+        // where one stretch of this slice ends and another begins there is a station
+        for (OutlinePiece const& piece : own.circular_spline.pieces)
+        {
+            double nearest = 1;
+            for (Vec2 const& p : outline.points[k])
+                nearest = std::min(nearest, (p - fine[piece.last]).norm());
+            off_corner = std::max(off_corner, piece.last + 1 < fine.size() ? nearest : 0.0);
+        }
+    }
+    INFO("points off their slice " << off << ", polygon off " << coarse << ", corners off " << off_corner);
+    CHECK(off < 1.05e-8);
+    CHECK(coarse < 1.05 * chord);
+    CHECK(coarse > 0.2 * chord);
+    CHECK(off_corner < 1e-10);
+}
+
+TEST_CASE("points of matched outlines are exact contacts and their normals those of the boundary", "[matched_outline]")
+{
+    ConedDrive drive(builtin_scene(coned()), 3);
+    MatchedOutline const outline = drive.surface("per-slice", "radial", 0, chord, 0);
+    std::size_t const middle = outline.landmarks[2];
+    std::size_t const right_land = outline.landmarks[4];
+    for (std::size_t k = 0; k < 3; ++k)
+    {
+        oracle::TouchScan scan(drive.slice_scene(k));
+        double worst = 0, worst_moved = 0;
+        auto const& line = outline.points[k];
+        std::vector<Vec2> corners;
+        for (std::size_t i = middle + 1; i <= right_land; ++i)
+            if (std::abs(cross((line[i] - line[i - 1]).normalized(), (line[i + 1] - line[i]).normalized())) > 0.05)
+                corners.push_back(line[i]);
+        CHECK(corners.size() >= 1);
+        int moved = 0;
+        for (std::size_t i = middle; i <= right_land; i += 12)
+        {
+            Vec2 const p = line[i];
+            worst = std::max(worst, std::abs(scan.nearest({p.x(), p.y()}).distance));
+            // a small way along the normal every point is that far from the teeth, unless it is beside a corner of the boundary
+            if (std::any_of(corners.begin(), corners.end(), [&](Vec2 const& c) { return (c - p).norm() < 2e-3; }))
+                continue;
+            ++moved;
+            Vec2 const q = p + 1e-4 * outline.normals[k][i];
+            worst_moved = std::max(worst_moved, std::abs(scan.nearest({q.x(), q.y()}).distance - 1e-4));
+        }
+        INFO("slice " << k << ": " << worst << ", moved " << worst_moved);
+        CHECK(worst < 1e-11);
+        CHECK(worst_moved < 1e-10);
+        CHECK(moved > 30);
+    }
+}
+
+TEST_CASE("matched outlines have the same bits for 1 2 and 4 threads", "[matched_outline][parallel]")
+{
+    auto const made = [](int threads) { return ConedDrive(builtin_scene(coned()), 5, threads).surface("per-slice"); };
+    MatchedOutline const one = made(1);
+    for (int const threads : {2, 4})
+    {
+        MatchedOutline const many = made(threads);
+        CHECK(many.points == one.points);
+        CHECK(many.normals == one.normals);
+        CHECK(many.landmarks == one.landmarks);
+    }
+}
+
+TEST_CASE("matched outlines for a map have about as many points along the flank as asked for", "[matched_outline]")
+{
+    ConedDrive drive(builtin_scene(coned()), 3);
+    for (int const wanted : {50, 200, 2000})
+    {
+        // so coarse a chord that only the wish counts
+        MatchedOutline const outline = drive.surface("per-slice", "radial", 0, 1e-2, wanted);
+        std::size_t const intervals = outline.landmarks[4] - outline.landmarks[3];
+        CHECK(intervals >= static_cast<std::size_t>(wanted));
+        CHECK(intervals < static_cast<std::size_t>(1.1 * wanted) + 40);
+    }
+}
+
+TEST_CASE("matched outlines of one slice are the outline of the pair", "[matched_outline]")
+{
+    for (std::string const name : {"type-50", "liu-2025", "involute", "straight", "cycloid", "ellipse", "four-roller", "s-tooth", "points"})
+    {
+        INFO(name);
+        ConedDrive drive(read_scene(file_of(name)), 1);
+        MatchedOutline const outline = drive.surface("tilted", "radial", 0, chord, 0);
+        check_order_and_landmarks(outline, {drive.middle.geometry.circular_spline_inner_radius}, drive.pitch());
+        double off = 0, coarse = 0;
+        auto const& own = drive.middle.circular_spline.outline.front();
+        for (Vec2 const& p : outline.points.front())
+            off = std::max(off, distance_to_polyline(own, p));
+        for (Vec2 const& p : own)
+            coarse = std::max(coarse, distance_to_polyline(outline.points.front(), p));
+        CHECK(off < 1.05e-6);
+        CHECK(coarse < 1.05e-6);
+        CHECK(outline.by_origin);
+        // the landmarks that solve itself gives
+        for (std::size_t i = 0; i < 5; ++i)
+            CHECK((outline.points.front()[outline.landmarks[i]] - own[static_cast<std::size_t>(drive.middle.circular_spline.landmarks[i])]).norm() < 1e-9);
+    }
+}
+
+TEST_CASE("ruled surfaces are straight between their end planes and those are the slices' own", "[matched_outline]")
+{
+    ConedDrive drive(builtin_scene(coned()), 5);
+    MatchedOutline const ruled = drive.surface("ruled");
+    double const tip = tip_of(drive, "ruled");
+    for (std::size_t const k : {0u, 4u})
+    {
+        Solution const own = slice_alone(drive, k, tip, 1e-8);
+        for (Vec2 const& p : ruled.points[k])
+            CHECK(distance_to_polyline(own.circular_spline.outline.front(), p) < 1.05e-8);
+    }
+    double bent = 0;
+    for (std::size_t k = 0; k < 5; ++k)
+        for (std::size_t i = 0; i < ruled.points[k].size(); ++i)
+            bent = std::max(bent, (ruled.points[k][i] - (ruled.points[0][i] + (ruled.points[4][i] - ruled.points[0][i]) * (static_cast<double>(k) / 4))).norm());
+    CHECK(bent < 1e-13);
+    for (std::size_t k = 0; k < 5; ++k)
+        for (std::size_t i = 0; i + 1 < ruled.points[k].size(); ++i)
+            CHECK(ruled.points[k][i + 1].x() > ruled.points[k][i].x());
+    check_mirror(ruled);
+}
+
+TEST_CASE("drafted slices lie parallel to the middle one by the height times the tangent", "[matched_outline]")
+{
+    ConedDrive drive(builtin_scene({"solver.tolerance=1e-6"}), 5);
+    for (double const tilt : {0.05 * degree, 0.2 * degree})
+    {
+        MatchedOutline const outline = drive.surface("tilted", "draft", tilt);
+        double const tip = drive.maker->needed_tip({"tilted", "draft", tilt});
+        std::vector<double> tips;
+        for (double const z : drive.z())
+            tips.push_back(tip + z * std::tan(tilt));
+        check_order_and_landmarks(outline, tips, drive.pitch());
+        check_mirror(outline);
+        Solution const base = slice_alone(drive, 2, tip, 1e-8);
+        auto const& fine = base.circular_spline.outline.front();
+        for (std::size_t k = 0; k < drive.z().size(); ++k)
+        {
+            double const wanted = std::abs(drive.z()[k] * std::tan(tilt));
+            double nearest = 1, furthest = 0;
+            // sharp corners stand further off
+            std::size_t parallel = 0;
+            for (std::size_t i = outline.landmarks[3]; i <= outline.landmarks[4]; ++i)
+            {
+                double const d = distance_to_polyline(fine, outline.points[k][i]);
+                nearest = std::min(nearest, d);
+                furthest = std::max(furthest, d);
+                parallel += std::abs(d - wanted) < 1.1e-8;
+            }
+            INFO("tilt " << tilt << " z " << drive.z()[k]);
+            CHECK(nearest > wanted - 1.1e-8);
+            CHECK(furthest < 2 * wanted + 1.1e-8);
+            CHECK(parallel + 60 > outline.landmarks[4] - outline.landmarks[3]);
+        }
+    }
+}
+
+TEST_CASE("ends of a flank have the flank's normals on both sides also where the pair is not its own mirror image", "[matched_outline]")
+{
+    TemporaryFolder const folder;
+    std::string table;
+    for (int i = 0; i < 60; ++i)
+    {
+        double const u = 2 * std::numbers::pi * i / 60;
+        table += std::to_string(3.0 * i) + "," + std::to_string(0.25 * std::cos(u) + 0.004 * std::sin(2 * u)) + "\n";
+    }
+    std::ofstream(folder / "cam-table.csv") << table;
+    std::ifstream text(file_of("cam-table"));
+    std::string const scene((std::istreambuf_iterator<char>(text)), {});
+    ConedDrive drive(parse_scene(scene, "uneven cam", folder.path()), 1);
+    REQUIRE_FALSE(drive.maker->motion(0).motion.symmetric());
+    MatchedOutline const outline = drive.surface("tilted");
+    auto const& p = outline.points.front();
+    auto const& n = outline.normals.front();
+    auto const [left_land, left_end, middle, right_end, right_land] = outline.landmarks;
+    CHECK(left_end <= middle);
+    // the chord beside the end lies along the flank to the turn of one chord; land and root turn away from it by a quarter of a right angle at least
+    for (auto const& [end, inner] : {std::pair(left_land, left_land + 1), {left_end, left_end - 1}, {right_end, right_end + 1}, {right_land, right_land - 1}})
+        CHECK(std::abs(n[end].dot((p[inner] - p[end]).normalized())) < 0.02);
+}
