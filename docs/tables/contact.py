@@ -1,0 +1,144 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tables of docs/contact.md, from the program's own JSON: docs/tables/contact.py build/release/bin/hdconj [TABLE ...]
+
+TABLE is any of: surfaces, tilt, best, thesis, clearances, liu; all of them without one.
+"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+COARSE = [-1, -0.8, -0.6, -0.4, -0.2, -0.1, 0, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1, 1.2, 1.4, 1.6, 1.8, 2]
+
+
+def contact(program, scene, *arguments, **keys):
+    """The contact object of one run; keys are --set, with __ for the dot."""
+    with tempfile.TemporaryDirectory() as folder:
+        command = [program, "contact", os.path.join(ROOT, "data/scenes", scene + ".toml"), "--json", "--quiet",
+                   "-o", os.path.join(folder, "result.h5"), *arguments]
+        for key, value in keys.items():
+            command += ["--set", key.replace("__", ".") + "=" + str(value)]
+        done = subprocess.run(command, capture_output=True, text=True)
+        if done.returncode != 0:
+            return done.stderr.strip()
+        return json.loads(done.stdout)["contact"]
+
+
+def cases(program, scene, tilts, *arguments, **keys):
+    """One case per tilt, each from a run of its own: a tilt that has no answer does not take the others with it."""
+    found = []
+    for tilt in tilts:
+        result = contact(program, scene, f"--tilt={tilt}", *arguments, **keys)
+        found.append((tilt, result if isinstance(result, str) else result["cases"][0]))
+    return found
+
+
+def share(state):
+    return "%.2g" % (100 * state["share"]) if state["share"] > 0 else "0"
+
+
+def row(*cells):
+    """Zeros of rounding have no sign."""
+    print("| " + " | ".join({"-0.0": "0.0", "-0.00": "0.00"}.get(str(cell), str(cell)) for cell in cells) + " |")
+
+
+def head(*cells):
+    row(*cells)
+    print("|" + "---|" * len(cells))
+
+
+def surfaces(program):
+    head("surface", "axial shift", "clearance as made [um]", "clearing offset [um]", "tip circle [mm]", "further root [um]",
+         "side clearance used [um]", "play [arcmin]", "teeth", "share [%]", "+- [%]")
+    for shift in ("none", "mapped"):
+        for surface in ("tilted", "ruled", "per-slice"):
+            case = contact(program, "type-50-coned", "--surface", surface, coning__axial_shift=shift)["cases"][0]
+            row(surface, shift, "%.2f" % case["closest_flank"]["clearance_um"], "%.2f" % case["clearing_offset_um"],
+                "%.4f" % case["clearing_tip_mm"], "%.2f" % case["clearing_root_um"], "%.2f" % case["backlash_offset_um"],
+                "%.2f" % case["state"]["backlash_arcmin"], case["state"]["teeth"], share(case["state"]),
+                "%.1g" % (100 * case["state"]["share_error"]))
+
+
+def tilt(program):
+    for surface, kind in (("tilted", "radial"), ("tilted", "draft"), ("ruled", "radial"), ("per-slice", "radial")):
+        print(f"\n**{surface}, {kind}**\n")
+        head("tilt [deg]", "as made [um]", "clearing offset [um]", "tip circle [mm]", "further root [um]", "play it means [arcmin]",
+             "none: share [%]", "none: teeth", "mapped: side clearance [um]", "mapped: share [%]", "mapped: teeth")
+        runs = [cases(program, "type-50-coned", COARSE, "--surface", surface, "--kind", kind, coning__axial_shift=shift)
+                for shift in ("none", "mapped")]
+        for (angle, none), (_, mapped) in zip(*runs):
+            if isinstance(none, str) or isinstance(mapped, str):
+                row(angle, none if isinstance(none, str) else mapped, *[""] * 9)
+                continue
+            row(angle, "%.1f" % none["closest_flank"]["clearance_um"], "%.2f" % none["clearing_offset_um"],
+                "%.4f" % none["clearing_tip_mm"], "%.1f" % none["clearing_root_um"], "%.2f" % none["backlash_of_clearing_arcmin"],
+                share(none["state"]), none["state"]["teeth"], "%.2f" % mapped["backlash_offset_um"], share(mapped["state"]),
+                mapped["state"]["teeth"])
+
+
+def best(program):
+    head("kind", "axial shift", "contact_gap [um]", "largest area: tilt [deg]", "share [%]", "least clearing offset: tilt [deg]", "offset [um]")
+    for kind in ("radial", "draft"):
+        for shift in ("none", "mapped"):
+            for gap in (1, 20):
+                found = contact(program, "type-50-coned", "--surface", "tilted", "--kind", kind, "--best", "--tilt=-1,2" if kind == "radial" else "--tilt=-1,1.9",
+                                coning__axial_shift=shift, contact__contact_gap=gap / 1000)
+                if isinstance(found, str):
+                    row(kind, shift, gap, found, "", "", "")
+                    continue
+                where = {each["what"]: each for each in found["best"]}
+                area, offset = where["area"], where["clearing offset"]
+                bound = {True: " (at the bound)", False: ""}
+                row(kind, shift, gap, "%.3f%s" % (area["tilt_deg"], bound[area["on_bound"]]), share(area),
+                    "%.3f%s" % (offset["tilt_deg"], bound[offset["on_bound"]]), "%.2f" % offset["clearing_offset_um"])
+
+
+def thesis(program):
+    """Tilts of Table 4-1 with the prototypes' play, for limits up to where the flanks count as touching."""
+    tilts = (0, 0.1, 0.2, 0.3)
+    head("kind", "axial shift", "contact_gap [um]", *[f"{t} deg [%]" for t in tilts], "order")
+    for kind in ("radial", "draft"):
+        for shift in ("none", "mapped"):
+            for gap in (1, 5, 10, 20, 25):
+                found = cases(program, "type-50-coned", tilts, "--surface", "tilted", "--kind", kind, coning__axial_shift=shift,
+                              contact__contact_gap=gap / 1000, circular_spline__backlash_offset=0.045)
+                values = [case["state"]["share"] for _, case in found]
+                ranked = sorted(zip(tilts, values), key=lambda pair: pair[1])
+                row(kind, shift, gap, *["%.3g" % (100 * v) for v in values], " < ".join(str(t) for t, _ in ranked))
+
+
+def clearances(program):
+    head("tilt [deg]", "z = -3.5, program [um]", "design", "z = +3.5, program [um]", "design")
+    expected = {0: (-78, -81), 0.2: (-88, -72), 0.77: (-117, -48), 1.67: (-157, -3)}
+    for angle, case in cases(program, "type-50-coned", expected, "--surface", "tilted", "--kind", "radial"):
+        ends = [case["slices"][0], case["slices"][-1]]
+        row(angle, "%.2f" % ends[0]["flank"]["clearance_um"], expected[angle][0],
+            "%.2f (root %.2f)" % (ends[1]["flank"]["clearance_um"], ends[1]["root"]["clearance_um"]), expected[angle][1])
+
+
+def liu(program):
+    head("width [mm]", "surface", "clearance of the flanks [um]", "at z [mm]", "of the bottom [um]", "clearing offset [um]", "share [%]")
+    for width in (6, 10, 15):
+        for surface in ("tilted", "per-slice"):
+            case = contact(program, "liu-2025-coned", "--surface", surface, circular_spline__width=float(width))["cases"][0]
+            row(width, surface, "%.2f" % case["closest_flank"]["clearance_um"], "%g" % case["closest_flank"]["z_mm"],
+                "%.2f" % min(each["root"]["clearance_um"] for each in case["slices"]), "%.2f" % case["clearing_offset_um"],
+                share(case["state"]))
+
+
+TABLES = {"surfaces": surfaces, "tilt": tilt, "best": best, "thesis": thesis, "clearances": clearances, "liu": liu}
+
+
+def main():
+    if len(sys.argv) < 2 or any(name not in TABLES for name in sys.argv[2:]):
+        sys.exit(__doc__)
+    for name in sys.argv[2:] or TABLES:
+        print(f"\n<!-- {name} -->\n")
+        TABLES[name](sys.argv[1])
+        sys.stdout.flush()
+
+
+main()
