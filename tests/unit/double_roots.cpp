@@ -3,47 +3,16 @@
 
 #include <cmath>
 #include <random>
-#include <span>
 
 #include "hdconj/envelope/find_branches.hpp"
 #include "support/catch.hpp"
+#include "support/turning_motion.hpp"
 #include "support/type50.hpp"
 
 using namespace hdconj;
 using namespace hdconj::test;
 
 namespace {
-
-/// A translation whose direction turns: f = x' dy - y' dx, on the curve below a polynomial of our choice.
-struct Turning
-{
-    double rate = 1;    ///< of q_y
-    double at = 0;      ///< instant at which q_y = 0
-    double square = 0;  ///< of q_y in u
-
-    Pose pose(double) const { return {}; }
-    MotionRates rates(double u) const
-    {
-        double const d = u - at;
-        return {{0, {1, rate * d + square * d * d}}, {0, {0, rate + 2 * square * d}}, 1, 1, 1, 1};
-    }
-    ToothAngles angles(double u) const { return {u, u}; }
-    double half_lobe() const { return 1; }
-    std::span<double const> breaks() const { return {}; }
-    bool symmetric() const { return false; }
-};
-
-/// x = t, y' = p(t) given by its Bernstein coefficients: f = q_y - q_x p(t).
-CurvePiece with_slope(std::vector<double> const& p)
-{
-    std::vector<double> x, y{0.5};
-    auto const n = static_cast<double>(p.size());
-    for (std::size_t i = 0; i <= p.size(); ++i)
-        x.push_back(static_cast<double>(i) / n);
-    for (double slope : p)
-        y.push_back(y.back() + slope / n);
-    return CurvePiece(x, y);
-}
 
 DoubleRoots search(CurvePiece const& curve, Turning const& motion)
 {
