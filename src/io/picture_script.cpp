@@ -5,17 +5,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <numbers>
 
 #include "picture_frame.hpp"
 #include "picture_lines.hpp"
+#include "picture_plot.hpp"
 
 namespace hdconj {
 namespace {
 
+using picture::line;
+using picture::Plot;
+using picture::Polylines;
 using picture::Window;
-using Polylines = std::vector<std::vector<Vec2>>;
 
 // Colours that stay apart for colour-blind eyes and in grey print.
 constexpr char const* colour_material = "#f1efe9";
@@ -108,64 +110,6 @@ std::vector<Vec2> material(std::vector<Vec2> outline, Window const& window)
         outline.insert(outline.end(), {{2 * window.right, outline.back().y()}, {2 * window.right, beyond}});
     }
     return outline;
-}
-
-/// Collects data blocks, the plot command and the legend; leaves out what is empty.
-class Plot
-{
-  public:
-    explicit Plot(Window const& window) : window_(window) {}
-
-    /// @param legend  left out where empty; lines only
-    void add(Polylines const& lines, std::string const& with, std::string const& look, std::string const& legend)
-    {
-        std::string block;
-        for (auto const& line : lines) {
-            for (auto const& point : line) {
-                fmt::format_to(std::back_inserter(block), "{:.6f} {:.6f}\n", point.x(), point.y());
-            }
-            block += line.empty() ? "" : "\n";
-        }
-        if (block.empty()) {
-            return;
-        }
-        ++count_;
-        data_ += fmt::format("$data{} << END\n{}END\n", count_, block);
-        command_ += fmt::format("{} $data{} using 1:2 with {} {}", command_.empty() ? "plot" : ", \\\n    ", count_,
-                                with, look);
-        if (!legend.empty()) {
-            add_legend(look, legend);
-        }
-    }
-    void add(Polylines const& lines, std::string const& look, std::string const& legend)
-    {
-        add(lines, "lines", look, legend);
-    }
-    [[nodiscard]] std::string text() const { return data_ + legend_ + command_ + '\n'; }
-
-  private:
-    /// Drawn here: gnuplot's own legend depends on guesses of text widths, which differ between SVG and PNG.
-    void add_legend(std::string const& look, std::string const& text)
-    {
-        constexpr int columns = 2;
-        constexpr double below_axis = 92, row_height = 25, sample = 42, gap = 12;  // [px]
-        double const column_width = (picture::width - picture::left_margin - picture::right_margin) / columns;
-        double const x = picture::left_margin + entries_ % columns * column_width;
-        double const y = window_.height() - picture::bottom_margin + below_axis + entries_ / columns * row_height;
-        legend_ +=
-            fmt::format("set arrow from {} to {} nohead {}\nset label {} at {} noenhanced\n", window_.screen(x, y),
-                        window_.screen(x + sample, y), look, gnuplot_quoted(text), window_.screen(x + sample + gap, y));
-        ++entries_;
-    }
-
-    Window window_;
-    std::string data_, legend_, command_;
-    int count_ = 0, entries_ = 0;
-};
-
-std::string line(char const* colour, double width, char const* dash = "solid")
-{
-    return fmt::format("linecolor rgb '{}' linewidth {} dashtype {}", colour, width, dash);
 }
 
 std::string numbers_of(Solution const& solution)

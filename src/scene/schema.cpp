@@ -276,13 +276,84 @@ TableSpec contact()
             [](Scene& s, int line) { s.contact.emplace().line = line; }};
 }
 
+ParameterSpec passes()
+{
+    auto spec = optional("passes", Q::rows, "stock that each pass leaves, in order; it decreases, and the last pass leaves 0; absent: one pass", 1,
+                         bounds::most_passes);
+    spec.words = {"[length]"};
+    return spec;
+}
+
+TableSpec wedm()
+{
+    return {"wedm",
+            "what the verb wedm is asked for: the circular spline cut by wire",
+            Presence::effect,
+            FamilyKind::none,
+            {{required("wire_diameter", Q::positive_length, "of the wire; never assumed"),
+              "0.10",
+              {},
+              [](Scene& s, Parameter const& p) { s.wedm->wire_diameter = number(p); }},
+             {required("spark_gap", Q::nonnegative_length, "between wire and part; never assumed"),
+              "0.006",
+              {},
+              [](Scene& s, Parameter const& p) { s.wedm->spark_gap = number(p); }},
+             {optional("thickness", Q::positive_length, "of the workpiece, its middle at z = 0; absent: circular_spline.width"),
+              "7.0",
+              {},
+              [](Scene& s, Parameter const& p) { s.wedm->thickness = number(p); }},
+             {optional("lower_guide", Q::nonnegative_length, "lower guide point of the wire below the lower face"), "20.0", 20.0,
+              [](Scene& s, Parameter const& p) { s.wedm->lower_guide = number(p); }},
+             {optional("upper_guide", Q::nonnegative_length, "upper guide point above the upper face"), "30.0", 30.0,
+              [](Scene& s, Parameter const& p) { s.wedm->upper_guide = number(p); }},
+             {passes(),
+              "[[0.02], [0.005], [0]]",
+              {},
+              [](Scene& s, Parameter const& p) {
+                  for (auto const& row : std::get<NumberRows>(p.value)) {
+                      s.wedm->stock.push_back(row.front());
+                  }
+              }},
+             {choice("direction", "whether every second pass runs against the first", {"same", "alternating"}, false), "\"same\"",
+              std::string("same"), [](Scene& s, Parameter const& p) { s.wedm->alternating = word(p) == "alternating"; }},
+             {optional("start", Q::count, "tooth space where the path begins, in the middle of the tip land clockwise of it; 0 lies on the y axis, the others follow clockwise", 0, bounds::most_teeth),
+              "0", 0.0, [](Scene& s, Parameter const& p) { s.wedm->start = count(p); }},
+             {optional("lead_in", Q::positive_length, "from the centre of the start hole, inside the bore, to the tip land"), "3.0", 3.0,
+              [](Scene& s, Parameter const& p) { s.wedm->lead_in = number(p); }},
+             {optional("start_hole_radius", Q::positive_length, "of the hole that the wire is threaded through"), "0.5", 0.5,
+              [](Scene& s, Parameter const& p) { s.wedm->start_hole_radius = number(p); }},
+             {optional("overlap", Q::nonnegative_length, "beyond the point where the contour closes"), "0.0", 0.0,
+              [](Scene& s, Parameter const& p) { s.wedm->overlap = number(p); }},
+             {optional("stop_before", Q::nonnegative_length, "first pass: stop this far before the contour closes and the slug drops; 0: no stop"),
+              "1.0", 1.0, [](Scene& s, Parameter const& p) { s.wedm->stop_before = number(p); }},
+             {optional("tolerance", Q::positive_length, "largest distance of the surface that is cut from the nominal one, residuals apart", bounds::least_tolerance),
+              "0.0005", 0.0005, [](Scene& s, Parameter const& p) { s.wedm->tolerance = number(p); }},
+             {optional("residual_limit", Q::nonnegative_length, "material that the last pass may leave where the wire cannot follow"), "0.01",
+              0.01, [](Scene& s, Parameter const& p) { s.wedm->residual_limit = number(p); }},
+             {optional("surface_limit", Q::nonnegative_length, "accepted distance of the cut from the true surface between the faces, where that is not ruled or too twisted for a straight wire; absent: tolerance"),
+              "0.003",
+              {},
+              [](Scene& s, Parameter const& p) { s.wedm->surface_limit = number(p); }},
+             {optional("largest_tilt_deg", Q::angle_deg, "of the wire that the machine can make", 0, bounds::largest_tilt_deg), "30", 30.0,
+              [](Scene& s, Parameter const& p) { s.wedm->largest_tilt = number(p) * rad_per_deg; }},
+             {optional("largest_travel", Q::positive_length, "of each axis of each guide from the start hole, either way; absent: not checked"),
+              "100.0",
+              {},
+              [](Scene& s, Parameter const& p) { s.wedm->largest_travel = number(p); }},
+             {optional("decimals", Q::count, "of coordinates in mm in rounded files", bounds::fewest_decimals, bounds::most_decimals), "4", 4.0,
+              [](Scene& s, Parameter const& p) { s.wedm->decimals = count(p); }},
+             {optional("dialects", Q::text, "files to write, names separated by blanks; empty: all that fit"), "\"\"", std::string(),
+              [](Scene& s, Parameter const& p) { s.wedm->dialects = word(p); }}},
+            [](Scene& s, int line) { s.wedm.emplace().line = line; }};
+}
+
 }  // namespace
 
 std::vector<TableSpec> const& scene_schema()
 {
     static std::vector<TableSpec> const tables{drive(),  flexspline(), profile(), wave_generator(), circular_spline(),
                                                circular_spline_profile(), solver(), coning(), tilt(), slices(),
-                                               contact()};
+                                               contact(), wedm()};
     return tables;
 }
 

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "hdconj/scene/parameters.hpp"
 
@@ -115,6 +116,31 @@ struct ContactRequest
     int line = 0;
 };
 
+/// How the part is cut by wire. Only the verb `wedm` looks at it. Lengths in mm.
+struct WireRequest
+{
+    std::optional<double> thickness;     ///< of the workpiece; default circular_spline.width
+    double wire_diameter = 0;            ///< stated by the user, never assumed
+    double spark_gap = 0;                ///< between wire and part; stated by the user, never assumed
+    double lower_guide = 0;              ///< lower guide point below the lower face
+    double upper_guide = 0;              ///< upper guide point above the upper face
+    std::vector<double> stock;           ///< left by each pass, in order; the last one leaves none
+    bool alternating = false;            ///< every second pass runs against the first
+    int start = 0;                       ///< tooth space beside whose tip land the path begins
+    double lead_in = 0;                  ///< from the start hole's centre to the nominal contour
+    double start_hole_radius = 0;
+    double overlap = 0;                  ///< beyond the point where the contour closes
+    double stop_before = 0;              ///< first pass: stop this far before it closes; 0: no stop
+    double tolerance = 0;                ///< largest distance of the surface cut from the nominal one, residuals apart
+    double residual_limit = 0;           ///< residual material that is accepted
+    std::optional<double> surface_limit; ///< error between the faces that is accepted; default the tolerance
+    double largest_tilt = 0;             ///< of the wire that the machine can make [rad]
+    std::optional<double> largest_travel;  ///< of each axis of the lower guide from the start hole, either way
+    int decimals = 4;                    ///< of rounded outputs
+    std::string dialects;                ///< names, separated by blanks; empty: all that fit
+    int line = 0;
+};
+
 /// Where a key or table of the scene was given, for messages.
 struct GivenKey
 {
@@ -134,6 +160,7 @@ struct Scene
     std::optional<Tilt> tilt;
     std::optional<Slices> slices;
     std::optional<ContactRequest> contact;
+    std::optional<WireRequest> wedm;
 
     std::string text;                                    ///< the scene as given, after --set
     std::map<std::string, GivenKey, std::less<>> given;  ///< each key and table that is there, by path

@@ -74,6 +74,9 @@ inline constexpr int most_flank_points = 10000;
 inline constexpr int most_rows = 20000;           ///< of a list; longer ones belong into a file
 inline constexpr double least_tolerance = 1e-12;  ///< [mm]
 inline constexpr double largest_tilt_deg = 45;    ///< excluded
+inline constexpr int most_passes = 20;            ///< of the wire
+inline constexpr int fewest_decimals = 2;         ///< of rounded wire coordinates in mm
+inline constexpr int most_decimals = 9;
 }  // namespace bounds
 
 }  // namespace hdconj

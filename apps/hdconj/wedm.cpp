@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The verb `wedm`: from which outline, into which folder and dialects, and what is said about it.
+#include "hdconj/pipeline/wedm.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <optional>
+#include <sstream>
+
+#include "cli.hpp"
+#include "hdconj/io/scene_reading.hpp"
+#include "hdconj/io/stored_outline.hpp"
+#include "hdconj/io/wire_files.hpp"
+#include "outputs.hpp"
+
+namespace hdconj::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What only `wedm` is asked.
+struct WireOptions
+{
+    std::optional<double> tilt_deg;
+    std::string output;                 ///< folder; empty: named after the drive
+    std::string from;                   ///< result file; empty: the scene is solved
+    std::vector<std::string> dialects;  ///< empty: as the scene says
+    std::optional<int> decimals;
+    std::string picture;                ///< empty: none
+};
+
+/// The words of the command line that stand for keys of the scene.
+CommonOptions with_keys(CommonOptions const& common, WireOptions const& own)
+{
+    CommonOptions all = common;
+    if (own.tilt_deg) {
+        all.overrides.push_back(fmt::format("tilt.angle_deg={}", *own.tilt_deg));
+    }
+    if (own.decimals) {
+        all.overrides.push_back(fmt::format("wedm.decimals={}", *own.decimals));
+    }
+    return all;
+}
+
+/// A scene, and its outline where that was solved before.
+struct Given
+{
+    Scene scene;
+    std::optional<CircularSplineOutline> outline;
+};
+
+/// The scene of a result file is the file's own; --set may change what the wire is to do.
+Given stored(CommonOptions const& common, WireOptions const& own)
+{
+    if (!common.scene.empty()) {
+        throw InputError(Fault{"--from", 0, own.from, "a result holds its own scene, and " + scene_name(common) + " is given too",
+                               "leave one of them out; --set changes keys of the table [wedm]"});
+    }
+    if (own.tilt_deg) {
+        throw InputError(Fault{"--from", 0, own.from, "the stored outline has the tilt that it was solved with, and --tilt asks for another",
+                               "leave one of them out"});
+    }
+    auto result = read_outline(own.from);
+    auto reading = examine_scene(result.scene, own.from, {}, common.overrides);
+    examine_geometry(reading);
+    if (!reading.faults.empty()) {
+        throw InputError(std::move(reading.faults));
+    }
+    return {std::move(reading.scene), std::move(result.outline)};
+}
+
+Given given(CommonOptions const& common, WireOptions const& own)
+{
+    CommonOptions const all = with_keys(common, own);
+    Given found = own.from.empty() ? Given{load_scene(all), {}} : stored(all, own);
+    if (Faults faults = check_wedm(found.scene); !faults.empty()) {
+        throw InputError(std::move(faults));
+    }
+    return found;
+}
+
+std::vector<std::string> dialects_of(WireOptions const& own, Scene const& scene)
+{
+    if (!own.dialects.empty() || !scene.wedm) {
+        return own.dialects;
+    }
+    std::istringstream words(scene.wedm->dialects);
+    return {std::istream_iterator<std::string>(words), {}};
+}
+
+void check_targets(WireOptions const& own, fs::path const& folder, std::vector<std::string> const& dialects, std::string const& scene)
+{
+    std::vector<OutputJob> jobs = {{"wire", "--output", folder, [&] { check_wire_files(folder, dialects); }}};
+    if (!own.picture.empty()) {
+        jobs.push_back({"picture", "--picture", own.picture, [&] { check_wire_pictures(own.picture); }});
+    }
+    check_outputs(jobs, scene);
+}
+
+int run_wedm(CommonOptions const& common, WireOptions const& own)
+{
+    std::signal(SIGXFSZ, SIG_IGN);  // a limit on file size becomes a failed write, with its reason
+    Given const start = given(common, own);
+    auto const dialects = dialects_of(own, start.scene);
+    fs::path const folder = own.output.empty() ? fs::path(file_name(start.scene.drive.name) + "-wedm") : fs::path(own.output);
+    check_targets(own, folder, dialects, common.scene);
+    Progress const progress(!common.quiet);
+    WireProgram const program = start.outline ? wire_program(start.scene, *start.outline)
+                                              : wire_program(start.scene, [&](Stage stage) { progress.say(to_string(stage)); });
+    progress.say("wire files");
+    auto const files = write_wire_files(program, folder, dialects);
+    std::vector<WrittenFile> pictures;
+    if (!own.picture.empty()) {
+        progress.say("picture");
+        pictures = write_wire_pictures(program, own.picture);
+    }
+    progress.clear();
+    if (common.json) {
+        std::cout << summary_json(program, files, folder, pictures);
+    } else if (!common.quiet) {
+        std::cout << summary_text(program, files) << "\nwritten into " << folder.string() << '\n';
+    }
+    if (common.json && !common.quiet) {
+        std::cerr << "wrote " << files.size() << " files into " << folder.string() << '\n';
+    }
+    for (auto const& picture : pictures) {
+        if (!common.quiet) {
+            std::cerr << "wrote " << picture.file.string() << '\n';
+        }
+    }
+    return exit_done;
+}
+
+std::string dialects_text()
+{
+    std::string text = "Dialects:\n";
+    for (auto const& dialect : wire_dialects()) {
+        text += fmt::format("  {:<12}{}{}\n", dialect.name, dialect.meaning,
+                            dialect.verified() ? fmt::format(" [read by: {}]", dialect.verified_by) : " [not verified on hardware]");
+    }
+    return text;
+}
+
+}  // namespace
+
+void add_wedm(CLI::App& program, CommonOptions& common)
+{
+    auto* verb = program.add_subcommand("wedm", "coordinate files for cutting the circular spline by wire");
+    add_scene_options(*verb, common);
+    auto own = std::make_shared<WireOptions>();
+    verb->add_option("--tilt", own->tilt_deg, "tilt of the teeth, key tilt.angle_deg [the scene's, or 0]")->type_name("DEG");
+    verb->add_option("-o,--output", own->output, "folder to make [the drive's name and -wedm, in this folder]")->type_name("DIR");
+    verb->add_option("--from", own->from, "take scene and outline from a result file in place of solving")->type_name("FILE.h5");
+    verb->add_option("--dialect", own->dialects, "files to write, see below [the scene's, or all that fit]")->delimiter(',')->type_name("NAME,...");
+    verb->add_option("--decimals", own->decimals, "of coordinates in mm, key wedm.decimals [the scene's, or 4]")->type_name("N");
+    verb->add_option("--picture", own->picture, "drawings NAME-tooth, NAME-ring, NAME-residual; needs gnuplot")->type_name("NAME.svg|NAME.png");
+    verb->footer(dialects_text() +
+                 "The wire's diameter and spark gap stand in the scene, table [wedm]; there is no default for them.\n"
+                 "Nothing is written unless every file, read back, gives both faces again to one unit of its last digit.\n"
+                 "Examples:\n"
+                 "  hdconj wedm drive.toml --tilt 0.2 -o cut --picture cut.svg\n"
+                 "  hdconj wedm --tilt 0.2 --dialect dxf,csv --decimals 3 -o cut\n"
+                 "  hdconj wedm --from drive.h5 --set wedm.wire_diameter=0.07");
+    verb->callback([&common, own] { common.action = [&common, own] { return run_wedm(common, *own); }; });
+}
+
+}  // namespace hdconj::cli

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What `wedm` writes and prints: one list of wire moves in the dialects of CAD programs and machines.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hdconj/io/result_files.hpp"
+#include "hdconj/wedm/wire_program.hpp"
+
+namespace hdconj {
+
+/// A dialect that wire programs can be written in.
+struct WireDialect
+{
+    std::string_view name;         ///< word for `--dialect`
+    std::string_view meaning;
+    std::string_view verified_by;  ///< reader that is not ours and accepts it; empty: not verified, on hardware or otherwise
+    bool only_untilted = false;    ///< can be written only where both faces are the same
+
+    [[nodiscard]] bool verified() const { return !verified_by.empty(); }
+};
+
+/// All dialects, in the order written.
+[[nodiscard]] std::vector<WireDialect> wire_dialects();
+
+/// Those that can be written of @p program.
+[[nodiscard]] std::vector<std::string> fitting_dialects(WireProgram const& program);
+
+/// A file of a wire program.
+struct WireFile
+{
+    std::string dialect;
+    std::string name;         ///< in the folder
+    int pass = 0;             ///< 0: all passes
+    std::size_t blocks = 0;   ///< straight moves in it
+    std::size_t bytes = 0;
+    double unit = 0;          ///< last digit [mm]; 0: not rounded
+    double drift = 0;         ///< largest distance, along the whole path and in both faces, of what is read back from the exact; of all files of its dialect [mm]
+};
+
+/// What can be known before the long work.
+/// @param dialects  empty: all that fit
+/// @throws InputError for a dialect that is not known; FileError where @p folder cannot be made, or holds files that are not ours
+void check_wire_files(std::filesystem::path const& folder, std::vector<std::string> const& dialects = {});
+
+/// Writes @p program into @p folder, with a list of the files, files.txt. All or nothing: the files are made in a temporary folder beside
+/// it, each is read back from there and rebuilt to both faces within one unit of its last digit along the whole path, and then the
+/// folder is renamed. A folder that was written so before is replaced as a whole.
+///
+/// Checked before: pairing, finite numbers, closed paths from and to a vertical wire, no block of length zero in either plane after
+/// rounding; of the texts: characters, line lengths, no exponent, no negative zero; equal faces give equal words.
+/// @throws NumericalError with file, line and cause where a check fails; InputError, FileError. Nothing is written then.
+std::vector<WireFile> write_wire_files(WireProgram const& program, std::filesystem::path const& folder,
+                                       std::vector<std::string> const& dialects = {});
+
+/// The printed summary that a machine operator reads: wire and gap, passes, faces, guides, files, residuals.
+[[nodiscard]] std::string summary_text(WireProgram const& program, std::vector<WireFile> const& files = {});
+
+/// The same figures as one JSON object, keys in docs/json.md. Numbers are finite or null.
+[[nodiscard]] std::string summary_json(WireProgram const& program, std::vector<WireFile> const& files = {},
+                                       std::filesystem::path const& folder = {}, std::vector<WrittenFile> const& pictures = {});
+
+/// Names of the pictures of a wire program: NAME.svg or .png stands for up to three.
+struct WirePictures
+{
+    std::filesystem::path tooth;     ///< NAME-tooth.svg: one tooth space in both faces, with the wire
+    std::filesystem::path ring;      ///< NAME-ring.svg: the whole contour, start hole, lead-in
+    std::filesystem::path residual;  ///< NAME-residual.svg: what no pass reaches
+};
+
+[[nodiscard]] WirePictures wire_picture_names(std::filesystem::path const& file);
+
+/// What can be known before the long work. Throws what @ref write_wire_pictures would.
+void check_wire_pictures(std::filesystem::path const& file);
+
+/// Draws them with gnuplot; the residual map only where there is any.
+std::vector<WrittenFile> write_wire_pictures(WireProgram const& program, std::filesystem::path const& file);
+
+}  // namespace hdconj

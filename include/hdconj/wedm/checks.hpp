@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Checks of a wire program before anything is written. Each returns all that it finds wrong; nothing found is an empty list.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hdconj/wedm/faces.hpp"
+#include "hdconj/wedm/wire_program.hpp"
+
+namespace hdconj {
+
+/// Something that must not be cut so.
+struct WireFailure
+{
+    std::string check;  ///< "pairing", "crossing", "sweep", ...
+    std::string what;   ///< with numbers and place
+};
+using WireFailures = std::vector<WireFailure>;
+
+/// Numbers that make no wire program: negative gap, no wire, guides inside the part, anything not finite.
+[[nodiscard]] WireFailures check_numbers(WireProgram const& program);
+
+/// As many points in both faces, sync marks increasing, no move of length zero in one face only or in both, start and end in one point with the wire vertical.
+[[nodiscard]] WireFailures check_pairing(WireProgram const& program);
+
+/// Nominal contour and every closed pass at z = 0, T/2 and T: no crossing, counter-clockwise (reversed passes clockwise).
+[[nodiscard]] WireFailures check_crossings(WireProgram const& program);
+
+/// Every contour point and move's middle of every pass keeps its offset from the nominal face, neither less nor more, to the tolerance: the way from
+/// the path to the part, where residuals were found by the way from the part to the path. Fills in face_error.
+/// @param faces  the fine contour, not the program's thinned one
+[[nodiscard]] WireFailures check_sweep(WireFaces const& faces, WireProgram& program);
+
+/// True sections between the faces against the wire at their height, residuals apart; fills in middle_error and ruling_error.
+///
+/// Beyond the tolerance there can be two errors that no path avoids: the surface is not ruled (ruling_error), or its normal turns along a ruling by some
+/// angle a, so that a straight wire which touches at both faces cuts d (1 - cos(a/2)) too deep between them.
+/// @param residual_at  of each pass (n): 1 where a residual of either face lies on the fine contour
+/// @param limit        accepted error [mm]
+[[nodiscard]] WireFailures check_sections(WireFaces const& faces, std::vector<std::vector<char>> const& residual_at, double limit, WireProgram& program);
+
+/// Matched edges go the same way, in the nominal faces and in all passes: rulings do not cross. Fills in normal_angle.
+[[nodiscard]] WireFailures check_rulings(WireProgram& program);
+
+/// Tilt of the wire and travel of the guides against the machine's limits; fills in tilt, travel and guide_shift.
+/// @param largest_tilt    [rad]
+/// @param largest_travel  [mm]; infinity: no limit
+[[nodiscard]] WireFailures check_machine(double largest_tilt, double largest_travel, WireProgram& program);
+
+/// Start hole and straight ways from and to it keep clear of the nominal contour in both faces.
+[[nodiscard]] WireFailures check_start(WireProgram const& program);
+
+/// Every tooth space is cut as the first one of the pass is, turned: nominal contour and guides of all passes without stop and overlap points.
+[[nodiscard]] WireFailures check_pitches(WireProgram const& program);
+
+/// Where the nominal faces are the same bits, all moves are.
+[[nodiscard]] WireFailures check_untilted(WireProgram const& program);
+
+/// What constant taper (G51) would be wrong by: the lower contour moved along its normal by what the tip land moves between the faces, against the
+/// upper face, on the flanks [mm].
+[[nodiscard]] double constant_taper_error(WireFaces const& faces);
+
+/// Chord error at the guides, where moves between @p kept points of @p path are straight as well: largest distance of a point's guides from the move [mm].
+[[nodiscard]] double guide_chord_error(PairedPath const& path, std::vector<std::size_t> const& kept, WireMachine const& machine);
+
+/// Path of the wire's centre along tooth space 0, from mid-land to mid-land, turned back from the first space of @p pass.
+/// @throws std::invalid_argument when the moves are not those of @p teeth equal spaces
+[[nodiscard]] PairedPath pitch_of(WirePass const& pass, int teeth);
+
+}  // namespace hdconj

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What a wire is to do, in the two face planes of the workpiece: the list that every post writes in its own dialect. Plain data.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "hdconj/geometry/vec2.hpp"
+
+namespace hdconj {
+
+/// How the machine holds the wire. Lengths in mm.
+struct WireMachine
+{
+    double thickness = 0;     ///< T: lower face z = 0, upper face z = T
+    double lower_guide = 0;   ///< h_l: lower guide point below the lower face
+    double upper_guide = 0;   ///< h_u: upper guide point above the upper face
+    [[nodiscard]] double guide_distance() const { return lower_guide + thickness + upper_guide; }
+};
+
+/// A closed contour in both faces, point k of one paired with point k of the other: between them the surface is a straight line.
+struct PairedContour
+{
+    std::vector<Vec2> lower;        ///< (n) z = 0 [mm]; first point not repeated
+    std::vector<Vec2> upper;        ///< (n) z = T
+    std::vector<std::size_t> sync;  ///< indices of the marks that CAM synchronises on: land corners and flank ends of every tooth space, increasing
+};
+
+/// What a move is for.
+enum class WireTag
+{
+    thread,    ///< at the start hole, wire vertical
+    lead_in,   ///< straight from the start hole to the contour
+    contour,
+    stop,      ///< contour, reached just before the slug drops: the machine may stop here
+    overlap,   ///< beyond the point where the contour closes
+    lead_out
+};
+
+/// End of one straight move, wire centre in both faces.
+struct WireMove
+{
+    Vec2 lower = Vec2::Zero();
+    Vec2 upper = Vec2::Zero();
+    WireTag tag = WireTag::contour;
+    int tooth = -1;  ///< tooth space 0 ... z_c - 1; -1 where none
+};
+
+/// One pass around the contour.
+struct WirePass
+{
+    int number = 1;
+    double offset = 0;        ///< wire centre to nominal contour: wire radius + spark gap + stock [mm]
+    double stock = 0;         ///< left for later passes [mm]
+    bool reversed = false;    ///< runs against the first pass
+    std::vector<WireMove> moves;  ///< the first one is the start hole
+};
+
+/// Material that a pass cannot reach.
+struct Residual
+{
+    int pass = 1;
+    int tooth = 0;
+    Vec2 where = Vec2::Zero();  ///< nominal point, lower or upper face [mm]
+    bool upper = false;
+    double height = 0;          ///< left on the nominal contour, along its normal [mm]
+    bool meshing = false;       ///< in a zone that meshes (a flank), not in the root
+};
+
+/// What a shop wants to know before it cuts. Lengths in mm, angles in rad.
+struct WireFigures
+{
+    double lower_tip = 0, lower_root = 0;  ///< least and largest radius of the lower face
+    double upper_tip = 0, upper_root = 0;  ///< of the upper one
+    double face_shift = 0;                 ///< largest distance of matched points of the nominal faces
+    double guide_shift = 0;                ///< largest distance of the guides of any move, seen along the axis
+    double tilt = 0;                       ///< largest angle of the wire from the axis in any move [rad]
+    double travel = 0;                     ///< largest |x| or |y| of a guide from the start hole
+    double face_error = 0;                 ///< largest distance of the cut from the nominal faces, residuals apart, all passes
+    double guide_chord = 0;                ///< chord error at the guides; in the faces it is part of face_error
+    double middle_error = 0;               ///< of the cut from the true sections between the faces, residuals apart, all passes
+    double ruling_error = 0;               ///< of straight lines between the faces from the true sections: that of the surface itself
+    double normal_angle = 0;               ///< largest angle between matched edges of the faces [rad]
+    double constant_taper_error = 0;       ///< what a machine's constant taper (G51) would be wrong by on the flanks of the upper face
+    double residual = 0;                   ///< highest material that the last pass leaves
+    double meshing_residual = 0;           ///< the same on flanks only
+
+    /// "lower", "upper" or "same": the face with the wider hole.
+    [[nodiscard]] std::string larger_face() const { return lower_tip == upper_tip && lower_root == upper_root ? "same" : lower_tip + lower_root > upper_tip + upper_root ? "lower" : "upper"; }
+};
+
+/// All passes of one part in one set-up.
+struct WireProgram
+{
+    std::string name;             ///< of the part, ASCII
+    WireMachine machine;
+    PairedContour nominal;
+    std::vector<WirePass> passes;
+    std::vector<Residual> residuals;
+    double wire_diameter = 0;
+    double spark_gap = 0;
+    int decimals = 4;             ///< of every rounded output
+    double tolerance = 0;         ///< of the surface that is cut [mm]
+    double start_hole_radius = 0; ///< [mm]
+    int teeth = 0;                ///< tooth spaces around; contour and passes go counter-clockwise where not reversed
+    std::string surface;          ///< "tilted", "ruled", "per-slice"; empty: both faces are the same
+    std::string tilt_kind;        ///< "radial" or "draft"; empty: not tilted
+    WireFigures figures;
+};
+
+}  // namespace hdconj

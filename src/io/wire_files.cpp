@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/io/wire_files.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hdconj/numeric/error.hpp"
+#include "hdconj/scene/fault.hpp"
+#include "hdconj/scene/suggest.hpp"
+#include "wire_checks.hpp"
+#include "wire_folder.hpp"
+#include "wire_post.hpp"
+
+namespace hdconj {
+namespace {
+
+constexpr char const* operator_name = "_summary.txt";
+
+void check_names(std::vector<std::string> const& dialects)
+{
+    std::vector<std::string_view> known;
+    for (auto const& dialect : wire_dialects()) {
+        known.push_back(dialect.name);
+    }
+    Faults faults;
+    for (auto const& name : dialects) {
+        if (std::find(known.begin(), known.end(), name) == known.end()) {
+            auto const meant = nearest(name, known);
+            faults.push_back({"--dialect", 0, name, "no dialect is called so",
+                              meant ? "write " + std::string(*meant) : fmt::format("known: {}", fmt::join(known, ", "))});
+        }
+    }
+    if (!faults.empty()) {
+        throw InputError(std::move(faults));
+    }
+}
+
+std::vector<WirePost> chosen(WireProgram const& program, std::vector<std::string> const& dialects)
+{
+    check_names(dialects);
+    auto const fitting = fitting_dialects(program);
+    auto const is_in = [](std::vector<std::string> const& names, std::string_view name) {
+        return std::find(names.begin(), names.end(), name) != names.end();
+    };
+    std::vector<WirePost> posts;
+    for (auto const& post : wire_posts()) {
+        if (!is_in(dialects.empty() ? fitting : dialects, post.dialect.name)) {
+            continue;
+        }
+        if (!is_in(fitting, post.dialect.name)) {
+            throw InputError(Fault{"--dialect", 0, std::string(post.dialect.name), "the faces differ, and this dialect has one contour for both",
+                                   "write --tilt 0, or another dialect"});
+        }
+        posts.push_back(post);
+    }
+    return posts;
+}
+
+/// Letters, digits, "._-": what every control takes for a name.
+std::string stem_of(std::string const& part)
+{
+    constexpr std::size_t longest = 40;
+    std::string stem;
+    for (char const c : part.substr(0, longest)) {
+        bool const kept = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '.' || c == '_' || c == '-';
+        stem += kept ? c : '-';
+    }
+    stem.erase(0, stem.find_first_not_of(".-"));
+    return stem.empty() ? "part" : stem;
+}
+
+/// Writes the files of one dialect, reads them from the disk and compares.
+std::vector<WireFile> write_one(WireFolder const& folder, WirePost const& post, WireProgram const& program, std::string const& stem)
+{
+    auto const made = post.write(program, stem);
+    std::vector<WireText> on_disk = made;
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        check_text(post, made[i]);
+        folder.write(made[i].name, made[i].text);
+        on_disk[i].text = folder.read(made[i].name);
+    }
+    double const drift = check_paths(post, program, post.read(on_disk, program));
+    std::vector<WireFile> files;
+    for (auto const& each : made) {
+        files.push_back({std::string(post.dialect.name), each.name, each.pass, each.blocks, each.text.size(), post.unit(program), drift});
+    }
+    return files;
+}
+
+std::string said_of(WireFile const& file)
+{
+    auto const dialects = wire_dialects();
+    auto const dialect = std::find_if(dialects.begin(), dialects.end(), [&](auto const& each) { return each.name == file.dialect; });
+    return fmt::format("{} blocks, {} bytes, {}, {}", file.blocks, file.bytes, file.dialect,
+                       dialect->verified() ? fmt::format("read by: {}", dialect->verified_by) : "not verified on hardware");
+}
+
+}  // namespace
+
+void check_wire_files(std::filesystem::path const& folder, std::vector<std::string> const& dialects)
+{
+    check_names(dialects);
+    WireFolder::check(folder);
+}
+
+std::vector<WireFile> write_wire_files(WireProgram const& program, std::filesystem::path const& folder, std::vector<std::string> const& dialects)
+{
+    auto const posts = chosen(program, dialects);
+    check_program(program);
+    std::string const stem = stem_of(program.name);
+    WireFolder target(folder);
+    std::vector<WireFile> files;
+    for (auto const& post : posts) {
+        auto const written = write_one(target, post, program, stem);
+        files.insert(files.end(), written.begin(), written.end());
+    }
+    target.write(stem + operator_name, summary_text(program, files));
+    std::vector<std::pair<std::string, std::string>> lines;
+    for (auto const& file : files) {
+        lines.emplace_back(file.name, said_of(file));
+    }
+    lines.emplace_back(stem + operator_name, "for the operator of the machine");
+    target.publish(lines);
+    return files;
+}
+
+}  // namespace hdconj

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "wire_folder.hpp"
+
+#include <fmt/format.h>
+#include <stdio.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "atomic_file_posix.hpp"
+#include "hdconj/io/atomic_file.hpp"
+
+namespace hdconj {
+namespace fs = std::filesystem;
+using namespace posix;
+
+namespace {
+
+constexpr char const* first_line = "hdconj wire program: the files of this folder";
+
+fs::path without_slash(fs::path const& target)
+{
+    return target.has_filename() ? target : target.parent_path();
+}
+
+/// The folder that is meant: a link to a folder stands for that folder.
+fs::path resolved(fs::path const& target)
+{
+    std::error_code error;
+    fs::path const real = fs::weakly_canonical(fs::absolute(without_slash(target), error), error);
+    return error ? without_slash(target) : real;
+}
+
+/// Names in the list of files of @p folder; empty where there is no list of ours.
+std::vector<std::string> listed(fs::path const& folder)
+{
+    std::ifstream in(folder / WireFolder::list_name);
+    std::vector<std::string> names;
+    std::string line;
+    if (std::getline(in, line) && line == first_line) {
+        names.emplace_back(WireFolder::list_name);
+        while (std::getline(in, line)) {
+            names.push_back(line.substr(0, line.find(' ')));
+        }
+    }
+    return names;
+}
+
+/// A file in @p folder that is not ours; empty: none.
+std::string foreign_file(fs::path const& folder)
+{
+    auto const ours = listed(folder);
+    std::error_code error;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+        std::string const name = at->path().filename().string();
+        if (std::find(ours.begin(), ours.end(), name) == ours.end()) {
+            return name;
+        }
+    }
+    return {};
+}
+
+void flush(fs::path const& name, fs::path const& blamed)
+{
+    Descriptor const file(name, O_RDONLY);
+    if (!file.is_open() || (::fsync(file.number()) != 0 && errno != EINVAL)) {
+        throw FileError(blamed, cannot_write(errno));
+    }
+}
+
+}  // namespace
+
+void WireFolder::check(fs::path const& target)
+{
+    if (target.empty()) {
+        throw FileError("(empty name)", "no folder name given");
+    }
+    fs::path const real = resolved(target);
+    if (!real.has_filename()) {
+        throw FileError(target, "is no folder that could be made (write the name of a new one)");
+    }
+    Status const status = status_of(real);
+    if (status.error != 0) {
+        throw FileError(target, cannot_write(status.error));
+    }
+    if (status.found && !status.is_folder()) {
+        throw FileError(target, "is a file, not a folder (write the name of a new folder)");
+    }
+    // Also where the folder is there already: a new one is made beside it.
+    check_target(real.parent_path() / ("." + real.filename().string() + ".new"));
+    if (status.is_folder()) {
+        if (std::string const name = foreign_file(real); !name.empty()) {
+            throw FileError(target, "holds " + name + ", which hdconj did not write there (write the name of a new folder)");
+        }
+    }
+}
+
+WireFolder::WireFolder(fs::path const& target) : target_(resolved(target))
+{
+    check(target);
+    made_ = temporary_name(target_);
+    std::error_code error;
+    fs::remove_all(made_, error);  // left over by a killed process that had this process id
+    if (!fs::create_directory(made_, error) || error) {
+        throw FileError(target, cannot_write(error.value()));
+    }
+}
+
+WireFolder::~WireFolder()
+{
+    if (!made_.empty()) {
+        std::error_code ignored;
+        fs::remove_all(made_, ignored);
+    }
+}
+
+void WireFolder::write(std::string const& name, std::string const& text) const
+{
+    Descriptor out(made_ / name, O_WRONLY | O_CREAT | O_EXCL);
+    if (!out.is_open()) {
+        throw FileError(target_ / name, cannot_write(errno));
+    }
+    for (std::size_t at = 0; at < text.size();) {
+        ssize_t const written = ::write(out.number(), text.data() + at, text.size() - at);
+        if (written < 0 && errno == EINTR) {
+            continue;
+        }
+        if (written < 0) {
+            throw FileError(target_ / name, cannot_write(errno));
+        }
+        at += static_cast<std::size_t>(written);
+    }
+    if (int const error = out.close(); error != 0) {
+        throw FileError(target_ / name, cannot_write(error));
+    }
+}
+
+std::string WireFolder::read(std::string const& name) const
+{
+    std::ifstream in(made_ / name, std::ios::binary);
+    std::ostringstream all;
+    all << in.rdbuf();
+    if (!in || !all) {
+        throw FileError(target_ / name, "cannot be read back");
+    }
+    return all.str();
+}
+
+void WireFolder::publish(std::vector<std::pair<std::string, std::string>> const& lines)
+{
+    std::string list = std::string(first_line) + "\n";
+    for (auto const& [name, said] : lines) {
+        list += name + " " + said + "\n";
+    }
+    write(list_name, list);
+    for (auto const& entry : fs::directory_iterator(made_)) {
+        flush(entry.path(), target_ / entry.path().filename());
+    }
+    flush(made_, target_);
+    check(target_);  // again: something may have been put there while the work went on
+    bool const there = status_of(target_).is_folder();
+    unsigned int const how = there ? RENAME_EXCHANGE : RENAME_NOREPLACE;
+    int failed = ::renameat2(AT_FDCWD, made_.c_str(), AT_FDCWD, target_.c_str(), how);
+    if (failed != 0 && !there && errno == EINVAL) {  // a file system that knows no such flags
+        failed = ::rename(made_.c_str(), target_.c_str());
+    }
+    if (failed != 0) {
+        int const error = errno;
+        throw FileError(target_, there && error == EINVAL ? "this file system cannot exchange folders (remove the old one first)" : cannot_write(error));
+    }
+    if (there) {
+        std::error_code ignored;
+        fs::remove_all(made_, ignored);  // now the old one
+    }
+    made_.clear();
+}
+
+}  // namespace hdconj

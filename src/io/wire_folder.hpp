@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// A folder that appears whole or not at all; private to src/io.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace hdconj {
+
+/// Files are written into a hidden folder beside the target; publish() renames it. A folder that was published before, and holds nothing
+/// but its own files, is exchanged for the new one. Whatever is left unpublished is removed.
+class WireFolder
+{
+  public:
+    /// What can be known before: @throws FileError where the folder cannot be made or holds other files
+    static void check(std::filesystem::path const& target);
+
+    explicit WireFolder(std::filesystem::path const& target);
+    ~WireFolder();
+    WireFolder(WireFolder const&) = delete;
+    WireFolder& operator=(WireFolder const&) = delete;
+
+    /// @throws FileError, named after where the file is going to be
+    void write(std::string const& name, std::string const& text) const;
+    [[nodiscard]] std::string read(std::string const& name) const;
+
+    /// Adds the list of files, puts everything on the disk and renames.
+    /// @param lines  of the list: name, and what is to be said about the file
+    void publish(std::vector<std::pair<std::string, std::string>> const& lines);
+
+    /// Name of the list of files.
+    static constexpr char const* list_name = "files.txt";
+
+  private:
+    std::filesystem::path target_;
+    std::filesystem::path made_;
+};
+
+}  // namespace hdconj

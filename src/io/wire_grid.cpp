@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "wire_grid.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+
+#include "hdconj/numeric/error.hpp"
+#include "hdconj/wedm/planes.hpp"
+
+namespace hdconj {
+namespace {
+
+constexpr double largest = 1e6;  // [mm]
+
+void refuse_nothing(WirePass const& pass, std::size_t i, char const* plane, double unit)
+{
+    auto const& move = pass.moves[i];
+    throw NumericalError("wire files", fmt::format("pass {}, block {} ({}, tooth {})", pass.number, i, to_string(move.tag), move.tooth),
+                         fmt::format("the block has no length in the {} plane when rounded to {:g} mm; write more decimals, or a "
+                                     "coarser wedm.tolerance",
+                                     plane, unit));
+}
+
+}  // namespace
+
+WireGrid::WireGrid(int decimals) : decimals_(decimals)
+{
+    constexpr int most = 9;  // largest coordinate and its differences stay far inside long long
+    if (decimals < 0 || decimals > most) {
+        throw NumericalError("wire files", fmt::format("{} decimals", decimals), fmt::format("0 to {} can be written", most));
+    }
+    constexpr long long base = 10;
+    for (int i = 0; i < decimals; ++i) {
+        scale_ *= base;
+    }
+}
+
+long long WireGrid::units(double mm) const
+{
+    if (!(std::abs(mm) <= largest)) {
+        throw NumericalError("wire files", fmt::format("coordinate {} mm", mm), "no machine reaches so far");
+    }
+    return std::llround(mm * static_cast<double>(scale_));
+}
+
+void WireGrid::put(std::string& text, std::string_view word, long long units) const
+{
+    constexpr long long base = 10;
+    constexpr std::size_t longest = 24;
+    std::array<char, longest> digits = {};
+    std::size_t at = longest;
+    long long rest = units < 0 ? -units : units;
+    for (int i = 0; rest > 0 || i <= decimals_; ++i) {
+        if (i == decimals_ && decimals_ > 0) {
+            digits[--at] = '.';
+        }
+        digits[--at] = static_cast<char>('0' + rest % base);
+        rest /= base;
+    }
+    text += word;
+    if (units < 0) {
+        text += '-';
+    }
+    text.append(digits.data() + at, longest - at);
+}
+
+std::vector<WireBlock> blocks_of(WireProgram const& program, WirePass const& pass, WirePlanes planes, WireGrid const& grid,
+                                 Vec2 const& origin)
+{
+    std::vector<WireBlock> blocks;
+    blocks.reserve(pass.moves.size());
+    for (std::size_t i = 0; i < pass.moves.size(); ++i) {
+        auto const& move = pass.moves[i];
+        WirePoints const faces{move.lower, move.upper};
+        WirePoints const at = planes == WirePlanes::faces ? faces : guides_of(program.machine, faces);
+        blocks.push_back({grid.units(at.lower - origin), grid.units(at.upper - origin), move.tag});
+        if (i > 0 && blocks[i].lower == blocks[i - 1].lower) {
+            refuse_nothing(pass, i, "lower", grid.unit());
+        }
+        if (i > 0 && blocks[i].upper == blocks[i - 1].upper) {
+            refuse_nothing(pass, i, "upper", grid.unit());
+        }
+    }
+    return blocks;
+}
+
+std::string_view to_string(WireTag tag)
+{
+    switch (tag) {
+        case WireTag::thread:
+            return "thread";
+        case WireTag::lead_in:
+            return "lead_in";
+        case WireTag::contour:
+            return "contour";
+        case WireTag::stop:
+            return "stop";
+        case WireTag::overlap:
+            return "overlap";
+        case WireTag::lead_out:
+            return "lead_out";
+    }
+    return "unknown";
+}
+
+}  // namespace hdconj

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Coordinates as whole units of the last digit, and the block list that every dialect writes; private to src/io.
+///
+/// Rounding is of absolute coordinates; differences are differences of rounded ones, so that no sum of them drifts. Whole numbers print
+/// without exponent and without negative zero in any locale.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hdconj/wedm/wire_program.hpp"
+
+namespace hdconj {
+
+/// A point in units of the last digit.
+struct UnitPoint
+{
+    long long x = 0, y = 0;
+
+    friend bool operator==(UnitPoint const&, UnitPoint const&) = default;
+    friend UnitPoint operator-(UnitPoint const& a, UnitPoint const& b) { return {a.x - b.x, a.y - b.y}; }
+};
+
+/// The grid of all multiples of 10^-decimals mm.
+class WireGrid
+{
+  public:
+    explicit WireGrid(int decimals);
+
+    /// Length of one unit [mm].
+    [[nodiscard]] double unit() const { return 1 / static_cast<double>(scale_); }
+    /// Nearest units. @throws NumericalError beyond 1 km or where not finite
+    [[nodiscard]] long long units(double mm) const;
+    [[nodiscard]] UnitPoint units(Vec2 const& point) const { return {units(point.x()), units(point.y())}; }
+    /// Appends @p word and the number in mm, all decimals written.
+    void put(std::string& text, std::string_view word, long long units) const;
+
+  private:
+    int decimals_;
+    long long scale_ = 1;
+};
+
+/// The two planes that a dialect gives coordinates in.
+enum class WirePlanes
+{
+    faces,
+    guides
+};
+
+struct WireBlock
+{
+    UnitPoint lower, upper;
+    WireTag tag = WireTag::contour;
+};
+
+/// The moves of a pass on @p grid, coordinates from @p origin.
+/// @throws NumericalError where a block has no length in one of the planes: controllers refuse or misread it
+[[nodiscard]] std::vector<WireBlock> blocks_of(WireProgram const& program, WirePass const& pass, WirePlanes planes,
+                                               WireGrid const& grid, Vec2 const& origin = Vec2::Zero());
+
+/// Word of a tag in files: "lead_in".
+[[nodiscard]] std::string_view to_string(WireTag tag);
+
+}  // namespace hdconj

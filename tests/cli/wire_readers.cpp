@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Other people's programs, and parsers in another language, read wire files.
+#include <array>
+#include <fstream>
+
+#include "hdconj/io/wire_files.hpp"
+#include "support/catch.hpp"
+#include "support/run_program.hpp"
+#include "support/sample_wire_program.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace hdconj;
+using test::run;
+using test::TemporaryFolder;
+
+namespace {
+
+std::string const reader = "'" HDCONJ_PYTHON "' '" HDCONJ_SOURCE_DIR "/tests/cli/read_wire.py' ";
+
+bool no_python()
+{
+    if (std::string(HDCONJ_PYTHON).empty()) {
+        WARN("no python with numpy: not tried");
+        return true;
+    }
+    return false;
+}
+
+/// Replaces the first @p from in a file.
+void change(std::filesystem::path const& file, std::string const& from, std::string const& to)
+{
+    auto text = test::content(file);
+    auto const at = text.find(from);
+    REQUIRE(at != std::string::npos);
+    std::ofstream(file, std::ios::binary) << text.replace(at, from.size(), to);
+}
+
+/// What the wire and the contour may be off between points of 96 in a tooth space of the sample: the sagitta of a chord of
+/// 0.04 mm at its least radius of curvature, 0.5 mm, of each.
+constexpr char const* chord = "0.0008";
+
+}  // namespace
+
+TEST_CASE("every dialect of a toothed ring is read back to both faces and its wire sweeps the ring", "[wire]")
+{
+    if (no_python()) {
+        return;
+    }
+    TemporaryFolder const folder;
+    write_wire_files(sample::wire_ring(sample::wire_tilt, 96), folder / "out");
+    auto const read = run(reader + "out ring 7 20 30 4 " + chord, folder.path());
+    INFO(read.out);
+    CHECK(read.err.empty());
+    CHECK_THAT(read.out, ContainsSubstring(", 0 faults\n"));
+    CHECK(read.status == 0);
+    if (read.out.find("LinuxCNC is not installed") != std::string::npos) {
+        WARN("LinuxCNC is not installed: its interpreter was not tried");
+    }
+    for (auto const& [file, from, to] : {std::array<std::string, 3>{"ring_xyuv_guide_pass2.ngc", "\nN40 G1 X", "\nN40 G1 X1"},
+                                         {"ring_rel_pass1.iso", " U", " U-"},
+                                         {"ring_lower_pass3.3b", " L", " L4\nB1 B0 B1 GX L"},
+                                         {"ring_planes.dxf", "\n8\nWIRE_UPPER\n10\n", "\n8\nWIRE_UPPER\n10\n1"}}) {
+        TemporaryFolder const broken;
+        write_wire_files(sample::wire_ring(sample::wire_tilt, 96), broken / "out");
+        if (test::content(broken / "out" / file).find(from) == std::string::npos) {
+            FAIL(file << " has no " << from);
+        }
+        change(broken / "out" / file, from, to);
+        auto const noticed = run(reader + "out ring 7 20 30 4 " + chord, broken.path());
+        INFO(file << "\n" << noticed.out << noticed.err);
+        CHECK(noticed.status != 0);
+    }
+}
+
+TEST_CASE("the square hole is read back in three decimals too", "[wire]")
+{
+    if (no_python()) {
+        return;
+    }
+    for (int const decimals : {3, 4, 5}) {
+        TemporaryFolder const folder;
+        auto program = sample::square_hole();
+        program.decimals = decimals;
+        write_wire_files(program, folder / "out");
+        // No chord error, but round wire makes round corners: offset (sqrt 2 - 1) of them is left.
+        auto const read = run(reader + "out square 7 20 30 " + std::to_string(decimals) + " 0.0258", folder.path());
+        INFO(read.out << read.err);
+        CHECK(read.status == 0);
+    }
+}

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the scene to the wire's moves.
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "hdconj/io/scene_toml.hpp"
+#include "hdconj/numeric/error.hpp"
+#include "hdconj/pipeline/wedm.hpp"
+#include "hdconj/wedm/planes.hpp"
+#include "support/catch.hpp"
+
+using namespace hdconj;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+bool names(Faults const& faults, std::string const& path)
+{
+    return std::any_of(faults.begin(), faults.end(), [&](Fault const& fault) { return fault.path == path; });
+}
+
+Faults faults_of(std::vector<std::string> const& sets)
+{
+    try
+    {
+        return check_wedm(builtin_scene(sets));
+    }
+    catch (InputError const& error)
+    {
+        return error.faults();
+    }
+}
+
+}  // namespace
+
+TEST_CASE("the table wedm changes nothing of the solved drive", "[wedm]")
+{
+    Solution const with = solve(builtin_scene());
+    Solution const without = solve(builtin_scene({"!wedm"}));
+    CHECK(with.circular_spline.outline == without.circular_spline.outline);
+    CHECK(with.plan.stages.size() == without.plan.stages.size());
+    // nor does a wire that does not go with the drive keep it from being solved
+    CHECK(solve(builtin_scene({"wedm.wire_diameter=5", "wedm.start_hole_radius=4", "wedm.lead_in=20"})).circular_spline.outline == without.circular_spline.outline);
+}
+
+TEST_CASE("type-50 tilted by 0.2 degrees is cut to the tolerance and its numbers are those of the notes", "[wedm]")
+{
+    WireProgram const program = wire_program(builtin_scene({"tilt.angle_deg=0.2"}));
+    WireFigures const& figures = program.figures;
+    double const shift = 7 * std::tan(0.2 * pi / 180);
+    CHECK(figures.face_shift == Approx(shift).epsilon(1e-9));  // 0.0244 mm
+    CHECK(figures.guide_shift == Approx(shift * 57 / 7).epsilon(1e-4));  // 0.199 mm
+    CHECK(figures.tilt == Approx(0.2 * pi / 180).epsilon(1e-4));
+    CHECK(figures.upper_tip - figures.lower_tip == Approx(shift).epsilon(1e-9));
+    CHECK(figures.larger_face() == "upper");
+    CHECK(figures.face_error <= program.tolerance);
+    CHECK(figures.middle_error <= program.tolerance);
+    CHECK(figures.ruling_error < 1e-12);
+    // a constant taper moves the steepest flank point, 11.9 degrees from the radius, by shift (1 - sin 11.9 deg) too far
+    CHECK(figures.constant_taper_error == Approx(shift * (1 - std::sin(11.9 * pi / 180))).epsilon(0.02));
+    // the corner of the root is near 45 degrees: d (1 - sqrt(1 - tan^2 22.5 deg))
+    double const d = 0.056;
+    double const corner = d * (1 - std::sqrt(1 - std::pow(std::tan(pi / 8), 2)));
+    CHECK(figures.residual == Approx(corner).epsilon(0.05));
+    CHECK(program.residuals.size() % 202 == 0);
+    CHECK(program.nominal.sync.size() == 5 * 202);
+    CHECK(program.passes.front().offset == Approx(d).epsilon(1e-15));
+    CHECK(std::count_if(program.passes.front().moves.begin(), program.passes.front().moves.end(), [](WireMove const& m) { return m.tag == WireTag::stop; }) == 1);
+}
+
+TEST_CASE("without tilt both faces are the same bits and so are the guides", "[wedm]")
+{
+    for (auto const& sets : {std::vector<std::string>{}, {"tilt.angle_deg=0", "slices.count=5"}})
+    {
+        WireProgram const program = wire_program(builtin_scene(sets));
+        CHECK(program.nominal.lower == program.nominal.upper);
+        CHECK(program.figures.larger_face() == "same");
+        for (WireMove const& move : program.passes.front().moves)
+        {
+            WirePoints const guides = guides_of(program.machine, {move.lower, move.upper});
+            REQUIRE(guides.lower == guides.upper);
+            REQUIRE(guides.lower == move.lower);
+        }
+    }
+}
+
+TEST_CASE("a tilt of the other sign exchanges the faces", "[wedm]")
+{
+    WireProgram const up = wire_program(builtin_scene({"tilt.angle_deg=0.2"}));
+    WireProgram const down = wire_program(builtin_scene({"tilt.angle_deg=-0.2"}));
+    CHECK(down.figures.larger_face() == "lower");
+    REQUIRE(up.nominal.lower.size() == down.nominal.lower.size());
+    for (std::size_t i = 0; i < up.nominal.lower.size(); ++i)
+    {
+        CHECK((up.nominal.lower[i] - down.nominal.upper[i]).norm() < 1e-12);
+        CHECK((up.nominal.upper[i] - down.nominal.lower[i]).norm() < 1e-12);
+    }
+}
+
+TEST_CASE("passes leave their stock and the last one none", "[wedm]")
+{
+    WireProgram const program = wire_program(builtin_scene({"tilt.angle_deg=0.2", "wedm.passes=[[0.02], [0.005], [0]]", "wedm.direction=alternating", "wedm.start=5", "wedm.overlap=0.05"}));
+    REQUIRE(program.passes.size() == 3);
+    CHECK(program.passes[0].offset == Approx(0.076).epsilon(1e-14));
+    CHECK(program.passes[2].stock == 0);
+    CHECK(program.passes[1].reversed);
+    CHECK_FALSE(program.passes[2].reversed);
+    for (WirePass const& pass : program.passes)
+    {
+        // the lead-in ends on the tip land clockwise of space 5
+        Vec2 const at = pass.moves[1].lower;
+        CHECK(std::atan2(at.x(), at.y()) == Approx(5.5 * 2 * pi / 202).epsilon(1e-9));
+        CHECK(std::any_of(pass.moves.begin(), pass.moves.end(), [](WireMove const& m) { return m.tag == WireTag::overlap; }));
+    }
+    // what a wider pass leaves is more
+    auto const worst = [&](int pass) {
+        double height = 0;
+        for (Residual const& r : program.residuals)
+            height = std::max(height, r.pass == pass ? r.height : 0);
+        return height;
+    };
+    CHECK(worst(1) > worst(2));
+    CHECK(worst(2) > worst(3));
+    CHECK(program.figures.residual == worst(3));
+}
+
+TEST_CASE("a drafted surface is what constant taper makes but for its corners", "[wedm]")
+{
+    WireProgram const program = wire_program(builtin_scene({"tilt.angle_deg=0.2", "tilt.kind=draft"}));
+    CHECK(program.figures.constant_taper_error < program.tolerance);
+    CHECK(program.figures.face_error <= program.tolerance);
+    CHECK(program.tilt_kind == "draft");
+}
+
+TEST_CASE("a wire too wide for the root is refused and a wider limit tells the residual", "[wedm]")
+{
+    try
+    {
+        (void)wire_program(builtin_scene({"wedm.wire_diameter=0.3"}));
+        FAIL("a wire of 0.3 mm was accepted");
+    }
+    catch (InputError const& error)
+    {
+        CHECK(names(error.faults(), "wedm.wire_diameter"));
+    }
+    WireProgram const program = wire_program(builtin_scene({"wedm.wire_diameter=0.3", "wedm.residual_limit=1"}));
+    CHECK(program.figures.residual > 0.01);
+    CHECK(program.figures.residual < 0.05);
+}
+
+TEST_CASE("an outline solved before gives the same program", "[wedm]")
+{
+    Scene const scene = builtin_scene({"tilt.angle_deg=0.2"});
+    Solution const solution = solve(wire_scene(scene));
+    WireProgram const again = wire_program(scene, solution.circular_spline);
+    WireProgram const once = wire_program(scene);
+    CHECK(again.nominal.lower == once.nominal.lower);
+    CHECK(again.passes.front().moves.size() == once.passes.front().moves.size());
+    // the outline of one slice is no tilted part
+    CHECK_THROWS_AS(wire_program(scene, solve(builtin_scene()).circular_spline), InputError);
+}
+
+TEST_CASE("wire data that cannot be right is refused with its key", "[wedm]")
+{
+    std::vector<std::pair<std::vector<std::string>, std::string>> const wrong{
+        {{"!wedm"}, "wedm"},
+        {{"!wedm.wire_diameter"}, "wedm.wire_diameter"},
+        {{"!wedm.spark_gap"}, "wedm.spark_gap"},
+        {{"wedm.wire_diameter=0"}, "wedm.wire_diameter"},
+        {{"wedm.wire_diameter=0.8"}, "wedm.wire_diameter"},
+        {{"wedm.spark_gap=-0.001"}, "wedm.spark_gap"},
+        {{"wedm.spark_gap=0.2"}, "wedm.spark_gap"},
+        {{"wedm.decimals=3"}, "wedm.decimals"},
+        {{"wedm.tolerance=0.00005"}, "wedm.tolerance"},
+        {{"wedm.tolerance=0.03"}, "wedm.tolerance"},
+        {{"wedm.tolerance=0.000005", "wedm.decimals=7"}, "wedm.tolerance"},
+        {{"wedm.passes=[[0.005], [0.02], [0]]"}, "wedm.passes"},
+        {{"wedm.passes=[[0.02], [0.005]]"}, "wedm.passes"},
+        {{"wedm.passes=[[0.3], [0]]"}, "wedm.passes"},
+        {{"wedm.passes=[]"}, "wedm.passes"},
+        {{"wedm.lower_guide=-1"}, "wedm.lower_guide"},
+        {{"wedm.thickness=6"}, "wedm.thickness"},
+        {{"!circular_spline.width"}, "wedm.thickness"},
+        {{"wedm.start_hole_radius=0.05"}, "wedm.start_hole_radius"},
+        {{"wedm.lead_in=0.5"}, "wedm.lead_in"},
+        {{"wedm.lead_in=40"}, "wedm.lead_in"},
+        {{"wedm.start=202"}, "wedm.start"},
+        {{"wedm.overlap=100"}, "wedm.overlap"},
+        {{"tilt.angle_deg=31"}, "tilt.angle_deg"},
+    };
+    for (auto const& [sets, path] : wrong)
+    {
+        INFO(sets.front());
+        CHECK(names(faults_of(sets), path));
+    }
+    CHECK(faults_of({"tilt.angle_deg=0.2"}).empty());
+    CHECK_THROWS_AS(wire_program(builtin_scene({"wedm.largest_travel=20"})), NumericalError);
+}
