@@ -21,7 +21,6 @@ using picture::Polylines;
 using picture::Window;
 
 // Colours that stay apart for colour-blind eyes and in grey print.
-constexpr char const* colour_material = "#f1efe9";
 constexpr char const* colour_wire = "#dbe9f3";
 constexpr char const* colour_lower = "#000000";
 constexpr char const* colour_upper = "#d55e00";

@@ -25,7 +25,8 @@ double phase_of(Scene const& scene, double wave_generator)
 ToothPlaces tooth_places(ContactBench const& bench, double phase)
 {
     Scene const& scene = bench.scene;
-    auto const [first, last] = teeth_needed(scene.drive.flexspline_teeth, scene.drive.circular_spline_teeth, phase);
+    auto const needed = teeth_needed(scene.drive.flexspline_teeth, scene.drive.circular_spline_teeth, phase);
+    int const first = needed[0], last = needed[1];  // no structured binding: a lambda of clang 14 cannot capture one
     std::vector<double> const& z = bench.maker.z();
     auto const teeth = static_cast<std::size_t>(last - first + 1);
     ToothPlaces places{first, z.size(), std::vector<Pose>(teeth * z.size())};

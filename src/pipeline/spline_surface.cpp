@@ -84,7 +84,7 @@ void deepen_all(MatchedOutline& outline, double clearance)
         outline.points[k] = std::move(slice.points);
     }
     outline.stretches = std::move(stretches);
-    for (std::size_t i : {2, 3, 4})
+    for (std::size_t i = 2; i < 5; ++i)
         outline.landmarks[i] += i == 2 ? 1 : 2;
 }
 

@@ -213,7 +213,7 @@ WireFailures check_sweep(WireFaces const& faces, WireProgram& program)
         PairedPath const path = pitch_of(pass, faces.teeth);
         double worst = 0;
         Vec2 place = Vec2::Zero();
-        for (std::size_t f : {0, 1})
+        for (std::size_t f = 0; f < 2; ++f)
         {
             std::vector<Vec2> const& points = f == 0 ? path.lower : path.upper;
             for (std::size_t i = 0; i < points.size(); ++i)
@@ -324,7 +324,7 @@ WireFailures check_start(WireProgram const& program)
         Vec2 const hole = pass.moves.front().lower;
         Vec2 const to[2] = {pass.moves[1].lower, pass.moves[1].upper};
         Vec2 const from[2] = {pass.moves[pass.moves.size() - 2].lower, pass.moves[pass.moves.size() - 2].upper};
-        for (std::size_t f : {0, 1})
+        for (std::size_t f = 0; f < 2; ++f)
         {
             std::string const face = f == 0 ? " in the lower face" : " in the upper face";
             double clear = std::numeric_limits<double>::infinity();

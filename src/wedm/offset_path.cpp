@@ -179,7 +179,7 @@ TrimmedPath without_loops(PairedPath const& c)
         std::vector<Vec2> lead[2];
         std::vector<Vec2> trail[2];
         Jump own[2];
-        for (std::size_t f : {0, 1})
+        for (std::size_t f = 0; f < 2; ++f)
         {
             double const middle = 0.5 * (cut.from + cut.to);
             // a face without a loop keeps the whole of its parallel
@@ -189,7 +189,7 @@ TrimmedPath without_loops(PairedPath const& c)
         }
         std::size_t const leads = std::max(lead[0].size(), lead[1].size());
         std::size_t const trails = std::max(trail[0].size(), trail[1].size());
-        for (std::size_t f : {0, 1})
+        for (std::size_t f = 0; f < 2; ++f)
         {
             fill(lead[f], leads, (*faces[f])[before - 1], own[f].at);
             fill(trail[f], trails, own[f].at, (*faces[f])[behind]);
