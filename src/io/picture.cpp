@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cctype>
+#include <chrono>
 
 #include "hdconj/io/atomic_file.hpp"
 #include "hdconj/io/result_files.hpp"
@@ -36,6 +37,21 @@ void draw_picture(std::string const& script, std::filesystem::path const& file)
         throw FileError(file, error.what());
     }
     write_text_atomically(file, drawing);
+}
+
+std::filesystem::path picture_part(std::filesystem::path const& file, std::string const& what)
+{
+    auto name = file.stem();
+    name += "-" + what;
+    name += file.extension();
+    return file.parent_path() / name;
+}
+
+WrittenFile drawn(std::string const& kind, std::string const& script, std::filesystem::path const& file)
+{
+    auto const begin = std::chrono::steady_clock::now();
+    draw_picture(script, file);
+    return {kind, file, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()};
 }
 
 void check_picture(std::filesystem::path const& file)

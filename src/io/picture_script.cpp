@@ -9,6 +9,7 @@
 
 #include "picture_frame.hpp"
 #include "picture_lines.hpp"
+#include "picture_palette.hpp"
 #include "picture_plot.hpp"
 
 namespace hdconj {
@@ -19,15 +20,14 @@ using picture::Plot;
 using picture::Polylines;
 using picture::Window;
 
-// Colours that stay apart for colour-blind eyes and in grey print.
-constexpr char const* colour_material = "#f1efe9";
-constexpr char const* colour_family = "#c4c4c4";
-constexpr char const* colour_tooth = "#5f5f5f";
-constexpr char const* colour_outline = "#000000";
-constexpr char const* colour_regular = "#0072b2";
-constexpr char const* colour_regular_unused = "#9ccbe6";
-constexpr char const* colour_corner = "#d55e00";
-constexpr char const* colour_corner_unused = "#efb790";
+constexpr char const* colour_material = picture::paper;
+constexpr char const* colour_family = picture::light_grey;
+constexpr char const* colour_tooth = picture::dark_grey;
+constexpr char const* colour_outline = picture::black;
+constexpr char const* colour_regular = picture::blue;
+constexpr char const* colour_regular_unused = picture::light_blue;
+constexpr char const* colour_corner = picture::vermilion;
+constexpr char const* colour_corner_unused = picture::light_vermilion;
 
 constexpr double seen_pitches = 1.06;  // width of the drawing in pitches
 constexpr double margin = 0.16;        // above and below, in depths of the tooth space
