@@ -2,12 +2,15 @@
 #include "cli.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cstdlib>
 #include <iostream>
 
 #include "hdconj/io/scene_reading.hpp"
 #include "hdconj/io/scene_toml.hpp"
 #include "hdconj/scene/effects.hpp"
 #include "hdconj/scene/schema.hpp"
+#include "hdconj/scene/suggest.hpp"
 
 namespace hdconj::cli {
 namespace {
@@ -41,6 +44,27 @@ SceneReading read(CommonOptions const& common)
 }
 
 }  // namespace
+
+std::string word_fault(std::string const& given, std::vector<std::string_view> const& words)
+{
+    if (std::find(words.begin(), words.end(), given) != words.end()) {
+        return {};
+    }
+    std::string known;
+    for (auto const word : words) {
+        known += (known.empty() ? "" : ", ") + std::string(word);
+    }
+    auto const meant = nearest(given, words);
+    return "unknown word '" + given + "' (" + (meant ? "write " + std::string(*meant) + "; " : "") + "known: " + known + ")";
+}
+
+std::string number_fault(std::string const& given, std::string const& what, std::string const& remedy)
+{
+    char* end = nullptr;
+    (void)std::strtod(given.c_str(), &end);
+    bool const number = !given.empty() && *end == '\0' && end != given.c_str();
+    return number ? "" : "'" + given + "' is no " + what + " (write " + remedy + ")";
+}
 
 void add_scene_options(CLI::App& verb, CommonOptions& common)
 {

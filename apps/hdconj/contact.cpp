@@ -5,7 +5,6 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
-#include <cstdlib>
 #include <iostream>
 #include <memory>
 
@@ -14,7 +13,6 @@
 #include "hdconj/io/contact_files.hpp"
 #include "hdconj/io/surface_files.hpp"
 #include "hdconj/scene/schema.hpp"
-#include "hdconj/scene/suggest.hpp"
 #include "outputs.hpp"
 
 namespace hdconj::cli {
@@ -35,29 +33,6 @@ struct VerbOptions
     std::string xdmf, stl, vtk;
     bool ring = false;
 };
-
-/// What is wrong with @p given, which should be one of @p words; empty: nothing.
-std::string word_fault(std::string const& given, std::vector<std::string_view> const& words)
-{
-    if (std::find(words.begin(), words.end(), given) != words.end()) {
-        return {};
-    }
-    std::string known;
-    for (auto const word : words) {
-        known += (known.empty() ? "" : ", ") + std::string(word);
-    }
-    auto const meant = nearest(given, words);
-    return "unknown word '" + given + "' (" + (meant ? "write " + std::string(*meant) + "; " : "") + "known: " + known + ")";
-}
-
-/// What is wrong with @p given, which should be a number; empty: nothing.
-std::string angle_fault(std::string const& given)
-{
-    char* end = nullptr;
-    (void)std::strtod(given.c_str(), &end);
-    bool const number = !given.empty() && *end == '\0' && end != given.c_str();
-    return number ? "" : "'" + given + "' is no angle (write angles in degrees such as 0,0.1,0.2)";
-}
 
 /// One file to write, and how.
 struct Job
@@ -184,7 +159,7 @@ void add_contact(CLI::App& program, CommonOptions& common)
     auto own = std::make_shared<VerbOptions>();
     verb->add_option("--tilt", own->tilts_deg, "tilt angles in degrees, such as 0,0.1,0.2; with --best the interval searched [the scene's]")
         ->delimiter(',')
-        ->check(angle_fault)
+        ->check([](std::string const& given) { return number_fault(given, "angle", "angles in degrees such as 0,0.1,0.2"); })
         ->type_name("DEG,...");
     verb->add_option("--surface", own->surfaces, "how the teeth of the circular spline are made: tilted, ruled, per-slice [the scene's, or tilted]")
         ->delimiter(',')

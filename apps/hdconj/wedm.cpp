@@ -26,11 +26,12 @@ namespace fs = std::filesystem;
 /// What only `wedm` is asked.
 struct WireOptions
 {
+    std::string part;                   ///< empty: as the scene says
     std::optional<double> tilt_deg;
     std::string output;                 ///< folder; empty: named after the drive
     std::string from;                   ///< result file; empty: the scene is solved
     std::vector<std::string> dialects;  ///< empty: as the scene says
-    std::optional<int> decimals;
+    std::optional<std::string> decimals;
     std::string picture;                ///< empty: none
 };
 
@@ -38,6 +39,9 @@ struct WireOptions
 CommonOptions with_keys(CommonOptions const& common, WireOptions const& own)
 {
     CommonOptions all = common;
+    if (!own.part.empty()) {
+        all.overrides.push_back("wedm.part=" + own.part);
+    }
     if (own.tilt_deg) {
         all.overrides.push_back(fmt::format("tilt.angle_deg={}", *own.tilt_deg));
     }
@@ -64,6 +68,13 @@ Given stored(CommonOptions const& common, WireOptions const& own)
     if (own.tilt_deg) {
         throw InputError(Fault{"--from", 0, own.from, "the stored outline has the tilt that it was solved with, and --tilt asks for another",
                                "leave one of them out"});
+    }
+    for (auto const& override : common.overrides) {
+        std::string const key = override.substr(override.starts_with('!') ? 1 : 0, override.find('=') - (override.starts_with('!') ? 1 : 0));
+        if (key != "wedm" && !key.starts_with("wedm.")) {
+            throw InputError(Fault{"--from", 0, own.from, "the stored outline was solved with another scene than one with --set " + override,
+                                   "change keys of the table [wedm] only, or leave --from out"});
+        }
     }
     auto result = read_outline(own.from);
     auto reading = examine_scene(result.scene, own.from, {}, common.overrides);
@@ -93,13 +104,21 @@ std::vector<std::string> dialects_of(WireOptions const& own, Scene const& scene)
     return {std::istream_iterator<std::string>(words), {}};
 }
 
-void check_targets(WireOptions const& own, fs::path const& folder, std::vector<std::string> const& dialects, std::string const& scene)
+/// The flexspline is cut in two.
+bool cuts_flexspline(Scene const& scene)
 {
-    std::vector<OutputJob> jobs = {{"wire", "--output", folder, [&] { check_wire_files(folder, dialects); }}};
+    return scene.wedm->part == WirePart::flexspline;
+}
+
+void check_targets(WireOptions const& own, fs::path const& folder, std::vector<std::string> const& dialects, Scene const& scene, std::string const& scene_file)
+{
+    std::string const place = own.dialects.empty() ? "wedm.dialects" : "--dialect";
+    std::size_t const set_ups = cuts_flexspline(scene) ? 2 : 1;
+    std::vector<OutputJob> jobs = {{"wire", "--output", folder, [&] { check_wire_files(folder, dialects, place); }}};
     if (!own.picture.empty()) {
-        jobs.push_back({"picture", "--picture", own.picture, [&] { check_wire_pictures(own.picture); }});
+        jobs.push_back({"picture", "--picture", own.picture, [&] { check_wire_pictures(own.picture, set_ups); }});
     }
-    check_outputs(jobs, scene);
+    check_outputs(jobs, scene_file);
 }
 
 int run_wedm(CommonOptions const& common, WireOptions const& own)
@@ -107,23 +126,24 @@ int run_wedm(CommonOptions const& common, WireOptions const& own)
     std::signal(SIGXFSZ, SIG_IGN);  // a limit on file size becomes a failed write, with its reason
     Given const start = given(common, own);
     auto const dialects = dialects_of(own, start.scene);
-    fs::path const folder = own.output.empty() ? fs::path(file_name(start.scene.drive.name) + "-wedm") : fs::path(own.output);
-    check_targets(own, folder, dialects, common.scene);
+    bool const flexspline = cuts_flexspline(start.scene);
+    fs::path const folder = own.output.empty() ? fs::path(file_name(start.scene.drive.name) + (flexspline ? "-flexspline" : "") + "-wedm") : fs::path(own.output);
+    check_targets(own, folder, dialects, start.scene, common.scene);
     Progress const progress(!common.quiet);
-    WireProgram const program = start.outline ? wire_program(start.scene, *start.outline)
-                                              : wire_program(start.scene, [&](Stage stage) { progress.say(to_string(stage)); });
+    WireSetUps const programs = start.outline && !flexspline ? WireSetUps{wire_program(start.scene, *start.outline)}
+                                                             : wire_set_ups(start.scene, [&](Stage stage) { progress.say(to_string(stage)); });
     progress.say("wire files");
-    auto const files = write_wire_files(program, folder, dialects);
+    auto const files = write_wire_files(programs, folder, dialects);
     std::vector<WrittenFile> pictures;
     if (!own.picture.empty()) {
         progress.say("picture");
-        pictures = write_wire_pictures(program, own.picture);
+        pictures = write_wire_pictures(programs, own.picture);
     }
     progress.clear();
     if (common.json) {
-        std::cout << summary_json(program, files, folder, pictures);
+        std::cout << summary_json(programs, files, folder, pictures);
     } else if (!common.quiet) {
-        std::cout << summary_text(program, files) << "\nwritten into " << folder.string() << '\n';
+        std::cout << summary_text(programs, files) << "\nwritten into " << folder.string() << '\n';
     }
     if (common.json && !common.quiet) {
         std::cerr << "wrote " << files.size() << " files into " << folder.string() << '\n';
@@ -150,21 +170,32 @@ std::string dialects_text()
 
 void add_wedm(CLI::App& program, CommonOptions& common)
 {
-    auto* verb = program.add_subcommand("wedm", "coordinate files for cutting the circular spline by wire");
+    auto* verb = program.add_subcommand("wedm", "coordinate files for cutting the circular spline, or the flexspline, by wire");
     add_scene_options(*verb, common);
     auto own = std::make_shared<WireOptions>();
-    verb->add_option("--tilt", own->tilt_deg, "tilt of the teeth, key tilt.angle_deg [the scene's, or 0]")->type_name("DEG");
-    verb->add_option("-o,--output", own->output, "folder to make [the drive's name and -wedm, in this folder]")->type_name("DIR");
-    verb->add_option("--from", own->from, "take scene and outline from a result file in place of solving")->type_name("FILE.h5");
+    auto const not_empty = [](std::string const& name) { return name.empty() ? std::string("an empty name (write a name, or leave the option out)") : ""; };
+    verb->add_option("--part", own->part, "circular-spline or flexspline, key wedm.part [the scene's, or circular-spline]")
+        ->check([](std::string const& given) { return word_fault(given, {"circular-spline", "flexspline"}); })
+        ->type_name("WORD");
+    verb->add_option("--tilt", own->tilt_deg, "tilt of the circular spline's teeth, key tilt.angle_deg [the scene's, or 0]")
+        ->check([](std::string const& given) { return number_fault(given, "angle", "an angle in degrees such as 0.2"); })
+        ->type_name("DEG");
+    verb->add_option("-o,--output", own->output, "folder to make [the drive's name and -wedm, in this folder]")->check(not_empty)->type_name("DIR");
+    verb->add_option("--from", own->from, "take scene and outline from a result file in place of solving")->check(not_empty)->type_name("FILE.h5");
     verb->add_option("--dialect", own->dialects, "files to write, see below [the scene's, or all that fit]")->delimiter(',')->type_name("NAME,...");
-    verb->add_option("--decimals", own->decimals, "of coordinates in mm, key wedm.decimals [the scene's, or 4]")->type_name("N");
-    verb->add_option("--picture", own->picture, "drawings NAME-tooth, NAME-ring, NAME-residual; needs gnuplot")->type_name("NAME.svg|NAME.png");
+    verb->add_option("--decimals", own->decimals, "of coordinates in mm, key wedm.decimals [the scene's, or 4]")
+        ->check([](std::string const& given) { return number_fault(given, "number of decimals", "a whole number such as 4"); })
+        ->type_name("N");
+    verb->add_option("--picture", own->picture, "drawings NAME-tooth, NAME-ring, NAME-residual; needs gnuplot")
+        ->check(not_empty)
+        ->type_name("NAME.svg|NAME.png");
     verb->footer(dialects_text() +
                  "The wire's diameter and spark gap stand in the scene, table [wedm]; there is no default for them.\n"
                  "Nothing is written unless every file, read back, gives both faces again to one unit of its last digit.\n"
                  "Examples:\n"
                  "  hdconj wedm drive.toml --tilt 0.2 -o cut --picture cut.svg\n"
-                 "  hdconj wedm --tilt 0.2 --dialect dxf,csv --decimals 3 -o cut\n"
+                 "  hdconj wedm --tilt 0.2 --dialect dxf,csv --decimals 5 -o cut\n"
+                 "  hdconj wedm drive.toml --part flexspline --set wedm.overlap=0.05\n"
                  "  hdconj wedm --from drive.h5 --set wedm.wire_diameter=0.07");
     verb->callback([&common, own] { common.action = [&common, own] { return run_wedm(common, *own); }; });
 }

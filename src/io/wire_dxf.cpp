@@ -120,7 +120,7 @@ std::vector<FacePath> exact(WireProgram const& program)
 WirePost dxf_post()
 {
     WirePost post;
-    post.dialect = {"dxf", "DXF R12 for CAM: contours and wire in both faces", "ezdxf"};
+    post.dialect = {"dxf", "DXF R12 for CAM: contours and wire in both faces", "ezdxf, GDAL"};
     post.unit = [](WireProgram const&) { return std::pow(10.0, -dxf::decimals); };
     post.write = write;
     post.exact = exact;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr char const* operator_name = "_summary.txt";
 
-void check_names(std::vector<std::string> const& dialects)
+void check_names(std::vector<std::string> const& dialects, std::string const& place)
 {
     std::vector<std::string_view> known;
     for (auto const& dialect : wire_dialects()) {
@@ -27,7 +27,7 @@ void check_names(std::vector<std::string> const& dialects)
     for (auto const& name : dialects) {
         if (std::find(known.begin(), known.end(), name) == known.end()) {
             auto const meant = nearest(name, known);
-            faults.push_back({"--dialect", 0, name, "no dialect is called so",
+            faults.push_back({place, 0, name, "no dialect is called so",
                               meant ? "write " + std::string(*meant) : fmt::format("known: {}", fmt::join(known, ", "))});
         }
     }
@@ -38,7 +38,7 @@ void check_names(std::vector<std::string> const& dialects)
 
 std::vector<WirePost> chosen(WireProgram const& program, std::vector<std::string> const& dialects)
 {
-    check_names(dialects);
+    check_names(dialects, "--dialect");
     auto const fitting = fitting_dialects(program);
     auto const is_in = [](std::vector<std::string> const& names, std::string_view name) {
         return std::find(names.begin(), names.end(), name) != names.end();
@@ -83,7 +83,7 @@ std::vector<WireFile> write_one(WireFolder const& folder, WirePost const& post, 
     double const drift = check_paths(post, program, post.read(on_disk, program));
     std::vector<WireFile> files;
     for (auto const& each : made) {
-        files.push_back({std::string(post.dialect.name), each.name, each.pass, each.blocks, each.text.size(), post.unit(program), drift});
+        files.push_back({std::string(post.dialect.name), each.name, program.set_up.number, each.pass, each.blocks, each.text.size(), post.unit(program), drift});
     }
     return files;
 }
@@ -98,24 +98,32 @@ std::string said_of(WireFile const& file)
 
 }  // namespace
 
-void check_wire_files(std::filesystem::path const& folder, std::vector<std::string> const& dialects)
+void check_wire_files(std::filesystem::path const& folder, std::vector<std::string> const& dialects, std::string const& place)
 {
-    check_names(dialects);
+    check_names(dialects, place);
     WireFolder::check(folder);
 }
 
-std::vector<WireFile> write_wire_files(WireProgram const& program, std::filesystem::path const& folder, std::vector<std::string> const& dialects)
+std::vector<WireFile> write_wire_files(WireSetUps const& programs, std::filesystem::path const& folder, std::vector<std::string> const& dialects)
 {
-    auto const posts = chosen(program, dialects);
-    check_program(program);
-    std::string const stem = stem_of(program.name);
+    if (programs.empty()) {
+        throw NumericalError("wire files", "set-ups", "there is none: nothing was written");
+    }
+    auto const posts = chosen(programs.front(), dialects);
+    for (auto const& program : programs) {
+        check_program(program);
+    }
+    std::string const stem = stem_of(programs.front().name);
     WireFolder target(folder);
     std::vector<WireFile> files;
-    for (auto const& post : posts) {
-        auto const written = write_one(target, post, program, stem);
-        files.insert(files.end(), written.begin(), written.end());
+    for (auto const& program : programs) {
+        std::string const name = program.closed() ? stem : fmt::format("{}_setup{}", stem, program.set_up.number);
+        for (auto const& post : posts) {
+            auto const written = write_one(target, post, program, name);
+            files.insert(files.end(), written.begin(), written.end());
+        }
     }
-    target.write(stem + operator_name, summary_text(program, files));
+    target.write(stem + operator_name, summary_text(programs, files));
     std::vector<std::pair<std::string, std::string>> lines;
     for (auto const& file : files) {
         lines.emplace_back(file.name, said_of(file));

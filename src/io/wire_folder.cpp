@@ -88,7 +88,7 @@ void WireFolder::check(fs::path const& target)
         throw FileError(target, "is a file, not a folder (write the name of a new folder)");
     }
     // Also where the folder is there already: a new one is made beside it.
-    check_target(real.parent_path() / ("." + real.filename().string() + ".new"));
+    check_target(status.found ? real.parent_path() / ("." + real.filename().string() + ".new") : without_slash(target));
     if (status.is_folder()) {
         if (std::string const name = foreign_file(real); !name.empty()) {
             throw FileError(target, "holds " + name + ", which hdconj did not write there (write the name of a new folder)");

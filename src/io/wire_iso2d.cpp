@@ -41,22 +41,14 @@ Foot foot_of(std::vector<Vec2> const& contour, Vec2 const& from)
     return best;
 }
 
-double area_of(std::vector<Vec2> const& points)
-{
-    double twice = 0;
-    for (std::size_t k = 0; k < points.size(); ++k) {
-        twice += cross(points[k], points[(k + 1) % points.size()]);
-    }
-    return twice / 2;
-}
-
 struct NominalPath
 {
     std::vector<Vec2> points;  ///< start hole, on the contour ..., start hole
     bool wire_left = true;     ///< of the direction of travel
 };
 
-/// From the start hole straight to the contour's point nearest to where the wire arrives, once around, on for the overlap, and back.
+/// From the start hole straight to the contour's point nearest to where the wire arrives, once around, on for the overlap, and back; in a set-up that does not
+/// close to the point nearest to where the wire leaves, and out.
 NominalPath path_of(WireProgram const& program, WirePass const& pass)
 {
     std::vector<Vec2> around;
@@ -70,7 +62,7 @@ NominalPath path_of(WireProgram const& program, WirePass const& pass)
             overlap += (move.lower - pass.moves[i - 1].lower).norm();
         }
     }
-    bool const forward = (area_of(around) > 0) == (area_of(program.nominal.lower) > 0);
+    bool const forward = !pass.reversed;
     auto contour = program.nominal.lower;
     if (!forward) {
         std::reverse(contour.begin(), contour.end());
@@ -85,11 +77,13 @@ NominalPath path_of(WireProgram const& program, WirePass const& pass)
             path.points.push_back(point);
         }
     };
-    for (std::size_t k = 1; k <= count; ++k) {
+    Foot const last = program.closed() ? foot : foot_of(contour, around.back());
+    std::size_t const corners = program.closed() ? count : (last.segment + count - foot.segment) % count;
+    for (std::size_t k = 1; k <= corners; ++k) {
         add(contour[(foot.segment + k) % count]);
     }
-    add(foot.point);
-    for (std::size_t k = 1; overlap > 0 && k <= count; ++k) {
+    add(last.point);
+    for (std::size_t k = 1; program.closed() && overlap > 0 && k <= count; ++k) {
         Vec2 const along = contour[(foot.segment + k) % count] - path.points.back();
         double const length = along.norm();
         if (length > 0) {
@@ -97,7 +91,7 @@ NominalPath path_of(WireProgram const& program, WirePass const& pass)
             overlap -= length;
         }
     }
-    add(start);
+    add(pass.moves.back().lower);
     Vec2 const travel = contour[(foot.segment + 1) % count] - contour[foot.segment];
     path.wire_left = cross(travel, around.front() - foot.point) > 0;
     return path;
@@ -195,13 +189,7 @@ WirePost iso2d_post()
     post.unit = program_unit;
     post.write = write;
     post.exact = exact;
-    post.read = [](std::vector<WireText> const& files, WireProgram const&) {
-        std::vector<FacePath> paths;
-        for (auto const& file : files) {
-            paths.push_back(read_one(file));
-        }
-        return paths;
-    };
+    post.read = read_each<read_one>;
     return post;
 }
 

@@ -6,7 +6,6 @@
 #include "hdconj/io/wire_files.hpp"
 #include "summary_figures.hpp"
 #include "summary_object.hpp"
-#include "wire_numbers.hpp"
 
 namespace hdconj {
 namespace {
@@ -50,6 +49,7 @@ Json file_object(WireFile const& file)
     bool const verified = dialect != dialects.end() && dialect->verified();
     return {{"name", file.name},
             {"dialect", file.dialect},
+            {"set_up", file.set_up},
             {"pass", file.pass},
             {"blocks", file.blocks},
             {"bytes", file.bytes},
@@ -58,18 +58,63 @@ Json file_object(WireFile const& file)
             {"verified_by", verified ? Json(dialect->verified_by) : Json(nullptr)}};
 }
 
+Json place(Vec2 const& p)
+{
+    return {number(p.x()), number(p.y())};
+}
+
+Json set_up_object(WireProgram const& program)
+{
+    WireFigures const figures = measured(program);
+    auto const& set_up = program.set_up;
+    auto const& moves = program.passes.front().moves;
+    Json result = {{"set_up", set_up.number},
+                   {"first_space", program.closed() ? 0 : set_up.first},
+                   {"spaces", program.spaces()},
+                   {"part_turned_deg", set_up.turned ? 180 : 0},
+                   {"start_mm", place(moves.front().lower)},
+                   {"end_mm", place(moves.back().lower)}};
+    result["passes"] = Json::array();
+    for (std::size_t i = 0; i < program.passes.size(); ++i) {
+        result["passes"].push_back(pass_object(program.passes[i], figures.passes[i]));
+    }
+    result["residuals"] = Json::array();
+    for (auto const& residual : program.residuals) {
+        result["residuals"].push_back(residual_object(residual));
+    }
+    return result;
+}
+
+/// What the checks found; null where no check was made.
+Json checks_object(WireProgram const& program, WireFigures const& figures)
+{
+    if (program.tolerance <= 0) {
+        return nullptr;
+    }
+    return {{"tolerance_um", number(program.tolerance * um_per_mm)},
+            {"face_error_um", number(figures.face_error * um_per_mm)},
+            {"guide_chord_um", number(figures.guide_chord * um_per_mm)},
+            {"middle_error_um", number(figures.middle_error * um_per_mm)},
+            {"ruling_error_um", number(figures.ruling_error * um_per_mm)},
+            {"matched_edges_turn_deg", number(figures.normal_angle * degree_per_radian)},
+            {"constant_taper_error_um", number(figures.constant_taper_error * um_per_mm)}};
+}
+
 }  // namespace
 
-std::string summary_json(WireProgram const& program, std::vector<WireFile> const& files, std::filesystem::path const& folder,
+std::string summary_json(WireSetUps const& programs, std::vector<WireFile> const& files, std::filesystem::path const& folder,
                          std::vector<WrittenFile> const& pictures)
 {
-    WireNumbers const figures(program);
+    auto const& program = programs.front();
+    WireFigures const figures = measured(program);
     auto const& machine = program.machine;
     Json result = {{"format", "hdconj-wire-summary"},
                    {"format_version", json_version},
                    {"program_version", program_version()},
                    {"git_revision", git_revision()},
                    {"part", program.name},
+                   {"teeth", program.teeth},
+                   {"external", program.external},
                    {"wire_diameter_mm", number(program.wire_diameter)},
                    {"spark_gap_mm", number(program.spark_gap)},
                    {"thickness_mm", number(machine.thickness)},
@@ -81,18 +126,20 @@ std::string summary_json(WireProgram const& program, std::vector<WireFile> const
                    {"upper_face", face(figures.upper, program.nominal.upper)},
                    {"face_shift_mm", number(figures.face_shift)},
                    {"least_face_shift_mm", number(figures.least_shift)},
-                   {"guide_offset_mm", number(figures.guide_offset)},
-                   {"largest_wire_tilt_deg", number(figures.largest_tilt * degree_per_radian)},
-                   {"sync_marks", program.nominal.sync.size()}};
-    result["passes"] = Json::array();
-    for (std::size_t i = 0; i < program.passes.size(); ++i) {
-        result["passes"].push_back(pass_object(program.passes[i], figures.passes[i]));
+                   {"guide_offset_mm", number(figures.guide_shift)},
+                   {"largest_wire_tilt_deg", number(figures.tilt * degree_per_radian)},
+                   {"travel_mm", number(figures.travel)},
+                   {"uv_travel_mm", number(figures.uv_travel)},
+                   {"sync_marks", program.nominal.sync.size()},
+                   {"checks", checks_object(program, figures)},
+                   {"warnings", program.warnings}};
+    bool meshing = false;
+    result["set_ups"] = Json::array();
+    for (auto const& each : programs) {
+        result["set_ups"].push_back(set_up_object(each));
+        meshing = meshing || std::any_of(each.residuals.begin(), each.residuals.end(), [](auto const& residual) { return residual.meshing; });
     }
-    result["residual_in_meshing_zone"] = figures.meshing_residual;
-    result["residuals"] = Json::array();
-    for (auto const& residual : program.residuals) {
-        result["residuals"].push_back(residual_object(residual));
-    }
+    result["residual_in_meshing_zone"] = meshing;
     result["folder"] = folder.string();
     result["files"] = Json::array();
     for (auto const& file : files) {

@@ -29,6 +29,17 @@ struct FacePath
     std::vector<Vec2> upper;
 };
 
+/// Reads every file of a dialect whose files hold one pass each.
+template <FacePath (*read_one)(WireText const&)>
+std::vector<FacePath> read_each(std::vector<WireText> const& files, WireProgram const& /*program*/)
+{
+    std::vector<FacePath> paths;
+    for (auto const& file : files) {
+        paths.push_back(read_one(file));
+    }
+    return paths;
+}
+
 struct WirePost
 {
     WireDialect dialect;
@@ -70,6 +81,12 @@ WirePost iso2d_post();
 
 /// What machine operators must see before they cut, one short line each: part, pass, wire and gap, planes, which face is larger.
 [[nodiscard]] std::vector<std::string> heading(WireProgram const& program, WirePass const* pass);
+
+/// "SMALLER than the lower face", "LARGER ...", "as ...": of the upper face.
+[[nodiscard]] std::string upper_face_words(WireFigures const& figures);
+
+/// "set-up 1 of 2: 100 spaces from 0 clockwise, part turned 0 deg"
+[[nodiscard]] std::string set_up_words(WireProgram const& program);
 
 /// "NAME_xyuv_guide_pass1.ngc"
 [[nodiscard]] std::string pass_file(std::string const& stem, std::string const& what, WirePass const& pass, std::string const& ending);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "wire_numbers.hpp"
 #include "wire_grid.hpp"
 #include "wire_post.hpp"
 
@@ -76,7 +75,7 @@ std::string comment_text(std::string const& text, std::size_t longest)
 
 std::vector<std::string> heading(WireProgram const& program, WirePass const* pass)
 {
-    WireNumbers const figures(program);
+    WireFigures const figures = measured(program);
     std::vector<std::string> lines = {"part " + program.name};
     if (pass != nullptr) {
         lines.push_back(fmt::format("pass {} of {}, wire centre {:.6f} mm from the part", pass->number, program.passes.size(), pass->offset));
@@ -87,8 +86,24 @@ std::vector<std::string> heading(WireProgram const& program, WirePass const* pas
                                 program.machine.upper_guide));
     lines.push_back(fmt::format("lower face z 0: radii {:.4f} to {:.4f} mm", figures.lower.inner, figures.lower.outer));
     lines.push_back(fmt::format("upper face z {:g}: radii {:.4f} to {:.4f} mm, {}", program.machine.thickness, figures.upper.inner,
-                                figures.upper.outer, figures.larger_face()));
+                                figures.upper.outer, upper_face_words(figures)));
+    if (!program.closed()) {
+        lines.push_back(set_up_words(program));
+    }
     return lines;
+}
+
+std::string upper_face_words(WireFigures const& figures)
+{
+    std::string const larger = figures.larger_face();
+    return larger == "same" ? "as the lower face" : larger == "lower" ? "SMALLER than the lower face" : "LARGER than the lower face";
+}
+
+std::string set_up_words(WireProgram const& program)
+{
+    auto const& set_up = program.set_up;
+    return fmt::format("set-up {} of {}: {} spaces from {} clockwise, part turned {} deg", set_up.number, set_up.of, set_up.spaces, set_up.first,
+                       set_up.turned ? 180 : 0);
 }
 
 std::string pass_file(std::string const& stem, std::string const& what, WirePass const& pass, std::string const& ending)

@@ -72,13 +72,7 @@ WirePost relative_post()
     post.unit = program_unit;
     post.write = write;
     post.exact = exact_passes;
-    post.read = [](std::vector<WireText> const& files, WireProgram const&) {
-        std::vector<FacePath> paths;
-        for (auto const& file : files) {
-            paths.push_back(read_one(file));
-        }
-        return paths;
-    };
+    post.read = read_each<read_one>;
     return post;
 }
 

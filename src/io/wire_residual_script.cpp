@@ -16,7 +16,7 @@ namespace {
 // Layout [px].
 constexpr double top = 82;
 constexpr double panel_height = 400;
-constexpr double below = 130;
+constexpr double below = 148;
 constexpr double height = top + panel_height + below;
 
 /// What is told apart: face, and whether it meshes.
@@ -31,10 +31,10 @@ constexpr std::array groups = {Group{false, false, "pointtype 6 pointsize 0.7 li
                                Group{false, true, "pointtype 7 pointsize 0.7 linecolor rgb '#d55e00'", "lower face, meshes"},
                                Group{true, true, "pointtype 12 pointsize 1.2 linecolor rgb '#cc79a7'", "upper face, meshes"}};
 
-std::string rows_of(WireProgram const& program, Group const& group, int pass)
+std::string rows_of(std::vector<Residual> const& residuals, Group const& group, int pass)
 {
     std::string rows;
-    for (auto const& each : program.residuals) {
+    for (auto const& each : residuals) {
         if (each.pass == pass && each.upper == group.upper && each.meshing == group.meshing) {
             fmt::format_to(std::back_inserter(rows), "{} {:.6g}\n", each.tooth, each.height * um_per_mm);
         }
@@ -44,16 +44,21 @@ std::string rows_of(WireProgram const& program, Group const& group, int pass)
 
 }  // namespace
 
-std::string wire_residual_script(WireProgram const& program, PictureFormat format)
+std::string wire_residual_script(WireSetUps const& programs, PictureFormat format)
 {
+    auto const& program = programs.front();
+    std::vector<Residual> residuals;
+    for (auto const& each : programs) {
+        residuals.insert(residuals.end(), each.residuals.begin(), each.residuals.end());
+    }
     int last = 0, least = 0, most = 0;
     double highest = 0;
-    for (auto const& each : program.residuals) {
+    for (auto const& each : residuals) {
         last = std::max(last, each.pass);
         least = std::min(least, each.tooth);
         most = std::max(most, each.tooth);
     }
-    for (auto const& each : program.residuals) {
+    for (auto const& each : residuals) {
         highest = std::max(highest, each.pass == last ? each.height * um_per_mm : 0);
     }
     constexpr double headroom = 1.1;
@@ -68,10 +73,10 @@ std::string wire_residual_script(WireProgram const& program, PictureFormat forma
         "set ylabel 'residual material [µm]' noenhanced\n",
         least - 1, most + 1, range, picture::tic_step(range));
     std::string plot;
-    constexpr double legend_top = 88, column = 440, row = 26, gap = 18;
+    constexpr double legend_top = 106, column = 440, row = 26, gap = 18;
     std::size_t shown = 0;
     for (std::size_t i = 0; i < groups.size(); ++i) {
-        std::string const rows = rows_of(program, groups[i], last);
+        std::string const rows = rows_of(residuals, groups[i], last);
         if (rows.empty()) {
             continue;
         }

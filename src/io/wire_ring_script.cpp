@@ -5,8 +5,9 @@
 
 #include "picture_frame.hpp"
 #include "picture_lines.hpp"
+#include "picture_palette.hpp"
 #include "picture_plot.hpp"
-#include "wire_numbers.hpp"
+#include "wire_post.hpp"
 #include "wire_scripts.hpp"
 
 namespace hdconj {
@@ -16,10 +17,10 @@ using picture::line;
 using picture::Plot;
 using picture::Window;
 
-constexpr char const* colour_contour = "#000000";
-constexpr char const* colour_wire = "#0072b2";
-constexpr char const* colour_lead = "#d55e00";
-constexpr char const* colour_stop = "#cc79a7";
+constexpr char const* colour_contour = picture::black;
+constexpr char const* colour_wire = picture::blue;
+constexpr char const* colour_lead = picture::vermilion;
+constexpr char const* colour_stop = picture::purple;
 
 constexpr double margin = 0.04;         // around, in widths of the drawing
 constexpr double finest_detail = 0.05;  // [px], what thinning may move a line
@@ -38,6 +39,7 @@ Window window_of(WireProgram const& program)
         }
     }
     take(program.passes.front().moves.front().lower);
+    take(program.passes.front().moves.back().lower);
     double const air = margin * (window.right - window.left);
     return {window.left - air, window.right + air, window.low - air, window.high + air};
 }
@@ -50,9 +52,12 @@ std::string mark(Vec2 const& at, char const* text, char const* colour, double tu
 }
 
 /// Start hole, direction of travel, and stop.
-std::string marks(WirePass const& pass)
+std::string marks(WirePass const& pass, bool closed)
 {
-    std::string script = mark(pass.moves.front().lower, "start hole", colour_lead, 0.5);
+    std::string script = mark(pass.moves.front().lower, closed ? "start hole" : "start", colour_lead, 0.5);
+    if (!closed) {
+        script += mark(pass.moves.back().lower, "end", colour_lead, 0.5);
+    }
     for (auto const& move : pass.moves) {
         if (move.tag == WireTag::stop) {
             script += mark(move.lower, "stop", colour_stop, -0.9);
@@ -62,14 +67,16 @@ std::string marks(WirePass const& pass)
 }
 
 /// An arrow along the first twentieth of the path.
-std::string arrow(WirePass const& pass, Window const& window)
+std::string arrow(WireProgram const& program, Window const& window)
 {
+    auto const& pass = program.passes.front();
     constexpr double from = 0.05, to = 0.1;
-    double const inside = 0.93;
+    double const inside = program.external ? 1.06 : 0.93;  // in the void
     std::size_t const count = pass.moves.size();
     auto const at = [&](double share) { return pass.moves[std::min(count - 1, static_cast<std::size_t>(share * static_cast<double>(count)))].lower; };
     Vec2 const middle((window.left + window.right) / 2, (window.low + window.high) / 2);
-    Vec2 const a = middle + inside * (at(from) - middle), b = middle + inside * (at(to) - middle);
+    Vec2 const centre = program.closed() ? middle : Vec2(0, 0);
+    Vec2 const a = centre + inside * (at(from) - centre), b = centre + inside * (at(to) - centre);
     return fmt::format("set arrow from first {:.6f},{:.6f} to first {:.6f},{:.6f} head filled size screen 0.014,18 linecolor rgb '{}' linewidth 1.6 front\n",
                        a.x(), a.y(), b.x(), b.y(), colour_wire);
 }
@@ -99,17 +106,17 @@ std::string wire_ring_script(WireProgram const& program, PictureFormat format)
     plot.add({thinned(contour, tolerance)}, line(colour_contour, 1.6), "contour of the part, lower face");
     plot.add({thinned(wire, tolerance)}, line(colour_wire, 0.9), "centre of the wire, lower face, first pass");
     plot.add({in, out}, line(colour_lead, 1.5), "straight in and out");
-    WireNumbers const figures(program);
+    WireFigures const figures = measured(program);
     std::size_t blocks = 0;
     for (auto const& each : figures.passes) {
         blocks += each.blocks;
     }
-    picture::Words const words{program.name,
+    picture::Words const words{program.closed() ? program.name : program.name + ", " + set_up_words(program),
                                fmt::format("{} pass{}, {} blocks;  lower face {:.4f} to {:.4f} mm, upper face {:.4f} to {:.4f} mm from the axis",
                                            program.passes.size(), program.passes.size() == 1 ? "" : "es", blocks, figures.lower.inner,
                                            figures.lower.outer, figures.upper.inner, figures.upper.outer),
                                "x [mm]", "y [mm]"};
-    return picture::terminal(format, window.height()) + picture::frame(window, words) + marks(pass) + arrow(pass, window) + plot.text();
+    return picture::terminal(format, window.height()) + picture::frame(window, words) + marks(pass, program.closed()) + arrow(program, window) + plot.text();
 }
 
 }  // namespace hdconj

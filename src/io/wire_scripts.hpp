@@ -14,7 +14,7 @@ namespace hdconj {
 /// The whole contour, the start hole and the leads.
 [[nodiscard]] std::string wire_ring_script(WireProgram const& program, PictureFormat format);
 
-/// Height of what the last pass leaves, around the ring. Needs residuals.
-[[nodiscard]] std::string wire_residual_script(WireProgram const& program, PictureFormat format);
+/// Height of what the last pass leaves, around the part, of all set-ups. Needs residuals.
+[[nodiscard]] std::string wire_residual_script(WireSetUps const& programs, PictureFormat format);
 
 }  // namespace hdconj

@@ -7,9 +7,10 @@
 
 #include "picture_frame.hpp"
 #include "picture_lines.hpp"
+#include "picture_palette.hpp"
 #include "picture_plot.hpp"
 #include "summary_figures.hpp"
-#include "wire_numbers.hpp"
+#include "wire_post.hpp"
 #include "wire_scripts.hpp"
 
 namespace hdconj {
@@ -20,13 +21,12 @@ using picture::Plot;
 using picture::Polylines;
 using picture::Window;
 
-// Colours that stay apart for colour-blind eyes and in grey print.
-constexpr char const* colour_wire = "#dbe9f3";
-constexpr char const* colour_lower = "#000000";
-constexpr char const* colour_upper = "#d55e00";
-constexpr char const* colour_lower_wire = "#0072b2";
-constexpr char const* colour_upper_wire = "#e69f00";
-constexpr char const* colour_earlier = "#9a9a9a";
+constexpr char const* colour_wire = picture::pale_blue;
+constexpr char const* colour_lower = picture::black;
+constexpr char const* colour_upper = picture::vermilion;
+constexpr char const* colour_lower_wire = picture::blue;
+constexpr char const* colour_upper_wire = picture::orange;
+constexpr char const* colour_earlier = picture::grey;
 
 constexpr double margin = 0.08;         // around, in widths of the drawing
 constexpr double finest_detail = 0.05;  // [px], what thinning may move a line
@@ -57,7 +57,8 @@ View view_of(WireProgram const& program)
     auto const& all = program.residuals;
     auto const highest = std::max_element(all.begin(), all.end(), [](auto const& a, auto const& b) { return a.height < b.height; });
     constexpr int third = 2;
-    view.tooth = highest != all.end() && highest->tooth >= 0 ? highest->tooth : std::min(third, last);
+    int const plain = program.closed() ? std::min(third, last) : (program.set_up.first + std::min(third, program.set_up.spaces - 1)) % program.teeth;
+    view.tooth = highest != all.end() && highest->tooth >= 0 ? highest->tooth : plain;
     Vec2 sum = Vec2::Zero();
     for (auto const& move : program.passes.back().moves) {
         sum += view.tooth >= 0 && view.shows(move) ? move.lower : Vec2(0, 0);
@@ -180,7 +181,7 @@ std::string wire_tooth_script(WireProgram const& program, PictureFormat format)
     auto const moves = shown_moves(program, view);
     auto const& last = program.passes.back();
     Window const window = window_of(moves, view, last.offset);
-    WireNumbers const figures(program);
+    WireFigures const figures = measured(program);
     auto const radius = program.wire_diameter / 2;
     auto const wire = circles(moves, view, radius, false);
     Plot plot(window);
@@ -193,19 +194,28 @@ std::string wire_tooth_script(WireProgram const& program, PictureFormat format)
         earlier.insert(earlier.end(), pieces.begin(), pieces.end());
     }
     plot.add(earlier, line(colour_earlier, 0.8), "centre of the wire, lower face, earlier passes");
-    plot.add(cut(program.nominal.lower, view, window, true), line(colour_lower, 2.6), "contour of the part, lower face");
-    plot.add(cut(program.nominal.upper, view, window, true), line(colour_upper, 2.2), "contour of the part, upper face");
-    plot.add(cut(path_of(last, false), view, window, false), line(colour_lower_wire, 1.7), "centre of the wire, lower face, last pass");
-    plot.add(cut(path_of(last, true), view, window, false), line(colour_upper_wire, 1.6), "centre of the wire, upper face, last pass");
-    plot.add(wire, line(colour_lower_wire, 0.9), fmt::format("wire, {:g} mm, lower face", program.wire_diameter));
+    // equal faces are drawn once
+    bool const level = is_untilted(program);
+    std::string const face = level ? "both faces" : "lower face";
+    plot.add(cut(program.nominal.lower, view, window, true), line(colour_lower, 2.6), "contour of the part, " + face);
+    if (!level) {
+        plot.add(cut(program.nominal.upper, view, window, true), line(colour_upper, 2.2), "contour of the part, upper face");
+    }
+    plot.add(cut(path_of(last, false), view, window, false), line(colour_lower_wire, 1.7), "centre of the wire, " + face + ", last pass");
+    if (!level) {
+        plot.add(cut(path_of(last, true), view, window, false), line(colour_upper_wire, 1.6), "centre of the wire, upper face, last pass");
+    }
+    plot.add(wire, line(colour_lower_wire, 0.9), fmt::format("wire, {:g} mm, {}", program.wire_diameter, face));
     plot.add(circles(moves, view, radius + program.spark_gap, false), line(colour_lower_wire, 0.65, "(3,3)"),
              fmt::format("what it cuts there, gap {:g} mm", program.spark_gap));
-    plot.add(circles(moves, view, radius, true), line(colour_upper_wire, 0.8), "wire, upper face, the same moves");
+    if (!level) {
+        plot.add(circles(moves, view, radius, true), line(colour_upper_wire, 0.8), "wire, upper face, the same moves");
+    }
     std::string const where = view.tooth < 0 ? "the whole part" : fmt::format("tooth space {}", view.tooth);
     picture::Words const words{program.name,
                                fmt::format("{};  face shift {:.4g} µm,  guide offset {:.4g} µm,  upper face {}", where,
-                                           figures.face_shift * um_per_mm, figures.guide_offset * um_per_mm,
-                                           figures.larger_face()),
+                                           figures.face_shift * um_per_mm, figures.guide_shift * um_per_mm,
+                                           upper_face_words(figures)),
                                view.tooth < 0 ? "x [mm]" : "x [mm], across the tooth space", view.tooth < 0 ? "y [mm]" : "y [mm], from the axis of the part"};
     return picture::terminal(format, window.height()) + picture::frame(window, words) + plot.text();
 }

@@ -108,12 +108,12 @@ WirePost post(WireDialect dialect)
 
 WirePost xyuv_guide_post()
 {
-    return post<WirePlanes::guides>({"xyuv-guide", "RS274 XYUV, wire in the planes of the guides", ""});
+    return post<WirePlanes::guides>({"xyuv-guide", "RS274 XYUV, wire in the planes of the guides", "LinuxCNC"});
 }
 
 WirePost xyuv_face_post()
 {
-    return post<WirePlanes::faces>({"xyuv-face", "RS274 XYUV, wire in the faces of the workpiece", ""});
+    return post<WirePlanes::faces>({"xyuv-face", "RS274 XYUV, wire in the faces of the workpiece", "LinuxCNC"});
 }
 
 }  // namespace hdconj

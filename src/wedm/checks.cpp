@@ -40,8 +40,8 @@ std::string name(WirePass const& pass)
     return "pass " + std::to_string(pass.number);
 }
 
-/// Lead-in point, contour and stop: the closed path, its closing point repeated.
-std::vector<WireMove> closed_path(WirePass const& pass)
+/// Lead-in point, contour and stop: the path along the part; where it closes, its closing point is repeated.
+std::vector<WireMove> contour_path(WirePass const& pass)
 {
     std::vector<WireMove> path;
     for (WireMove const& move : pass.moves)
@@ -51,15 +51,15 @@ std::vector<WireMove> closed_path(WirePass const& pass)
 }
 
 /// The same without the point that only the stop put there.
-std::vector<WireMove> even_path(WirePass const& pass, int teeth)
+std::vector<WireMove> even_path(WirePass const& pass, int spaces)
 {
-    std::vector<WireMove> path = closed_path(pass);
-    auto const count = static_cast<std::size_t>(teeth);
+    std::vector<WireMove> path = contour_path(pass);
+    auto const count = static_cast<std::size_t>(spaces);
     auto const stop = std::find_if(path.begin(), path.end(), [](WireMove const& m) { return m.tag == WireTag::stop; });
     if (stop != path.end() && path.size() % count != 1 % count)
         path.erase(stop);
-    if (teeth < 1 || path.size() < count + 1 || (path.size() - 1) % count != 0)
-        throw std::invalid_argument("the moves of pass " + std::to_string(pass.number) + " are not those of " + std::to_string(teeth) + " equal tooth spaces");
+    if (spaces < 1 || path.size() < count + 1 || (path.size() - 1) % count != 0)
+        throw std::invalid_argument("the moves of pass " + std::to_string(pass.number) + " are not those of " + std::to_string(spaces) + " equal tooth spaces");
     if (pass.reversed)
         std::reverse(path.begin(), path.end());
     return path;
@@ -73,11 +73,12 @@ std::vector<Vec2> section(PairedPath const& path, WireMachine const& machine, do
     return points;
 }
 
-SegmentGrid neighbourhood(std::vector<Vec2> const& pitch, int teeth)
+SegmentGrid neighbourhood(std::vector<Vec2> const& pitch, WireFaces const& faces)
 {
-    return {with_neighbours(pitch, teeth, pitch.size() - 1), false};
+    return {with_neighbours(pitch, faces, pitch.size() - 1), false};
 }
 
+/// Of a path that does not close: with the straight way back from its end to its beginning.
 double signed_area(std::vector<Vec2> const& points)
 {
     double area = 0;
@@ -86,8 +87,18 @@ double signed_area(std::vector<Vec2> const& points)
     return area;
 }
 
-void check_closed(std::string const& what, PairedPath const& path, bool clockwise, WireMachine const& machine, WireFailures& failures)
+/// A path, closed or not, and which way it must go round.
+struct Round
 {
+    std::string name;
+    PairedPath path;
+    bool closed = true;
+    bool clockwise = false;
+};
+
+void check_round(Round const& round, WireMachine const& machine, WireFailures& failures)
+{
+    auto const& [what, path, closed, clockwise] = round;
     bool const one = path.lower == path.upper;
     for (double const share : one ? std::vector<double>{0.0} : std::vector<double>{0.0, 0.5, 1.0})
     {
@@ -98,7 +109,7 @@ void check_closed(std::string const& what, PairedPath const& path, bool clockwis
             failures.push_back({"crossing", place + " has " + std::to_string(points.size()) + " points: no contour"});
             continue;
         }
-        auto const [i, j] = SegmentGrid(points, true).crossing();
+        auto const [i, j] = SegmentGrid(points, closed).crossing();
         if (i != j)
             failures.push_back({"crossing", place + " crosses itself at " + text(points[i]) + ": moves " + std::to_string(i) + " and " + std::to_string(j)});
         if ((signed_area(points) > 0) == clockwise)
@@ -108,15 +119,15 @@ void check_closed(std::string const& what, PairedPath const& path, bool clockwis
 
 }  // namespace
 
-PairedPath pitch_of(WirePass const& pass, int teeth)
+PairedPath pitch_of(WirePass const& pass, WireProgram const& program)
 {
-    std::vector<WireMove> const path = even_path(pass, teeth);
-    std::size_t const steps = (path.size() - 1) / static_cast<std::size_t>(teeth);
+    std::vector<WireMove> const path = even_path(pass, program.spaces());
+    std::size_t const steps = (path.size() - 1) / static_cast<std::size_t>(program.spaces());
     PairedPath pitch;
     // the point behind the first belongs to the first space either way round
     int const space = path[1].tooth;
     for (std::size_t i = 0; i <= steps; ++i)
-        pitch.add(turned_to(path[i].lower, -space, teeth), turned_to(path[i].upper, -space, teeth));
+        pitch.add(turned_to(path[i].lower, -space, program.teeth), turned_to(path[i].upper, -space, program.teeth));
     return pitch;
 }
 
@@ -175,13 +186,14 @@ WireFailures check_pairing(WireProgram const& program)
         WireMove const& first = pass.moves.front();
         WireMove const& last = pass.moves.back();
         bool const vertical = first.lower == first.upper && last.lower == last.upper;
-        if (!vertical || first.lower != last.lower || first.tag != WireTag::thread || last.tag != WireTag::lead_out)
+        bool const apart = program.closed() && first.lower != last.lower;
+        if (!vertical || apart || first.tag != WireTag::thread || last.tag != WireTag::lead_out)
             failures.push_back({"pairing", name(pass) + " does not begin and end in the start hole with the wire vertical"});
         for (std::size_t i = 1; i < pass.moves.size(); ++i)
             if (pass.moves[i].lower == pass.moves[i - 1].lower || pass.moves[i].upper == pass.moves[i - 1].upper)
                 failures.push_back({"pairing", "move " + std::to_string(i) + " of " + name(pass) + " has length zero in one face, at " + text(pass.moves[i].lower)});
-        std::vector<WireMove> const path = closed_path(pass);
-        if (path.front().lower != path.back().lower || path.front().upper != path.back().upper)
+        std::vector<WireMove> const path = contour_path(pass);
+        if (program.closed() && (path.front().lower != path.back().lower || path.front().upper != path.back().upper))
             failures.push_back({"pairing", name(pass) + " does not close: from " + text(path.front().lower) + " to " + text(path.back().lower)});
     }
     return failures;
@@ -190,16 +202,18 @@ WireFailures check_pairing(WireProgram const& program)
 WireFailures check_crossings(WireProgram const& program)
 {
     WireFailures failures;
-    PairedPath const nominal{program.nominal.lower, program.nominal.upper};
-    check_closed("the nominal contour", nominal, false, program.machine, failures);
+    check_round({"the nominal contour", {program.nominal.lower, program.nominal.upper}, true, program.external}, program.machine, failures);
     for (WirePass const& pass : program.passes)
     {
         PairedPath path;
-        for (WireMove const& move : closed_path(pass))
+        for (WireMove const& move : contour_path(pass))
             path.add(move.lower, move.upper);
-        path.lower.pop_back();
-        path.upper.pop_back();
-        check_closed(name(pass), path, pass.reversed, program.machine, failures);
+        if (program.closed())
+        {
+            path.lower.pop_back();
+            path.upper.pop_back();
+        }
+        check_round({name(pass), path, program.closed(), program.external != pass.reversed}, program.machine, failures);
     }
     return failures;
 }
@@ -207,10 +221,10 @@ WireFailures check_crossings(WireProgram const& program)
 WireFailures check_sweep(WireFaces const& faces, WireProgram& program)
 {
     WireFailures failures;
-    std::array<SegmentGrid, 2> const part{neighbourhood(faces.pitch.lower, faces.teeth), neighbourhood(faces.pitch.upper, faces.teeth)};
+    std::array<SegmentGrid, 2> const part{neighbourhood(faces.pitch.lower, faces), neighbourhood(faces.pitch.upper, faces)};
     for (WirePass const& pass : program.passes)
     {
-        PairedPath const path = pitch_of(pass, faces.teeth);
+        PairedPath const path = pitch_of(pass, program);
         double worst = 0;
         Vec2 place = Vec2::Zero();
         for (std::size_t f = 0; f < 2; ++f)
@@ -241,7 +255,7 @@ WireFailures check_sections(WireFaces const& faces, std::vector<std::vector<char
     for (SectionBetween const& between : faces.between)
     {
         std::string const place = " at z = " + text(between.share * program.machine.thickness) + " mm";
-        SegmentGrid const rulings = neighbourhood(section(faces.pitch, program.machine, between.share), faces.teeth);
+        SegmentGrid const rulings = neighbourhood(section(faces.pitch, program.machine, between.share), faces);
         double ruling = 0;
         for (Vec2 const& p : between.points)
             ruling = std::max(ruling, rulings.distance(p));
@@ -249,7 +263,7 @@ WireFailures check_sections(WireFaces const& faces, std::vector<std::vector<char
         for (std::size_t n = 0; n < program.passes.size(); ++n)
         {
             WirePass const& pass = program.passes[n];
-            SegmentGrid const wire = neighbourhood(section(pitch_of(pass, faces.teeth), program.machine, between.share), faces.teeth);
+            SegmentGrid const wire = neighbourhood(section(pitch_of(pass, program), program.machine, between.share), faces);
             double worst = 0;
             Vec2 where = Vec2::Zero();
             for (std::size_t i = 0; i < between.points.size(); ++i)
@@ -294,25 +308,20 @@ WireFailures check_rulings(WireProgram& program)
     return failures;
 }
 
-WireFailures check_machine(double largest_tilt, double largest_travel, WireProgram& program)
+WireFailures check_machine(MachineLimits const& limits, WireProgram& program)
 {
-    WireFigures& figures = program.figures;
-    for (WirePass const& pass : program.passes)
-    {
-        for (WireMove const& move : pass.moves)
-        {
-            WirePoints const guides = guides_of(program.machine, {move.lower, move.upper});
-            Vec2 const hole = pass.moves.front().lower;
-            figures.guide_shift = std::max(figures.guide_shift, (guides.upper - guides.lower).norm());
-            figures.tilt = std::max(figures.tilt, std::atan((move.upper - move.lower).norm() / program.machine.thickness));
-            figures.travel = std::max({figures.travel, (guides.lower - hole).cwiseAbs().maxCoeff(), (guides.upper - hole).cwiseAbs().maxCoeff()});
-        }
-    }
+    program.figures = measured(program);
+    WireFigures const& figures = program.figures;
     WireFailures failures;
-    if (figures.tilt > largest_tilt)
-        failures.push_back({"machine", "the wire would be tilted by " + text(figures.tilt) + " rad, and the machine tilts it by " + text(largest_tilt) + " rad at most"});
-    if (figures.travel > largest_travel)
-        failures.push_back({"machine", "a guide would travel " + text(figures.travel) + " mm from the start hole, and the machine " + text(largest_travel) + " mm at most"});
+    if (figures.tilt > limits.tilt)
+        failures.push_back({"machine", "the wire would be tilted by " + text(figures.tilt) + " rad, and the machine tilts it by " + text(limits.tilt)
+                                           + " rad at most (wedm.largest_tilt_deg)"});
+    if (figures.travel > limits.travel)
+        failures.push_back({"machine", "a guide would travel " + text(figures.travel) + " mm from the start hole, and the machine " + text(limits.travel)
+                                           + " mm at most (wedm.largest_travel)"});
+    if (figures.uv_travel > limits.uv_travel)
+        failures.push_back({"machine", "the upper guide would stand " + text(figures.uv_travel) + " mm off the lower one along an axis, and the machine moves it by "
+                                           + text(limits.uv_travel) + " mm at most (wedm.largest_uv_travel)"});
     return failures;
 }
 
@@ -322,6 +331,7 @@ WireFailures check_start(WireProgram const& program)
     for (WirePass const& pass : program.passes)
     {
         Vec2 const hole = pass.moves.front().lower;
+        Vec2 const out = pass.moves.back().lower;
         Vec2 const to[2] = {pass.moves[1].lower, pass.moves[1].upper};
         Vec2 const from[2] = {pass.moves[pass.moves.size() - 2].lower, pass.moves[pass.moves.size() - 2].upper};
         for (std::size_t f = 0; f < 2; ++f)
@@ -331,8 +341,8 @@ WireFailures check_start(WireProgram const& program)
             double way = clear;
             for (Vec2 const& p : f == 0 ? program.nominal.lower : program.nominal.upper)
             {
-                clear = std::min(clear, (p - hole).norm());
-                way = std::min({way, detail::distance_to_segment(p, hole, to[f]), detail::distance_to_segment(p, from[f], hole)});
+                clear = std::min({clear, (p - hole).norm(), (p - out).norm()});
+                way = std::min({way, detail::distance_to_segment(p, hole, to[f]), detail::distance_to_segment(p, from[f], out)});
             }
             if (!(clear >= pass.offset + program.start_hole_radius))
                 failures.push_back({"start", "the start hole's centre is " + text(clear) + " mm from the part" + face + ", and " + name(pass) + " needs "
@@ -349,31 +359,34 @@ WireFailures check_pitches(WireProgram const& program)
 {
     WireFailures failures;
     WireMachine const& m = program.machine;
-    auto const ask = [&](std::string const& what, PairedPath const& path) {
-        std::size_t const steps = path.size() / static_cast<std::size_t>(program.teeth);
+    int const next_space = program.external ? 1 : -1;
+    // a path that does not close is compared with itself one pitch on, as far as it reaches
+    auto const ask = [&](std::string const& what, PairedPath const& path, int spaces, bool closed) {
+        std::size_t const steps = path.size() / static_cast<std::size_t>(spaces);
         double worst = 0;
         double scale = 0;
-        for (std::size_t i = 0; i < path.size(); ++i)
+        for (std::size_t i = 0; i < (closed ? path.size() : path.size() - steps); ++i)
         {
             std::size_t const j = (i + steps) % path.size();
             WirePoints const here = guides_of(m, {path.lower[i], path.upper[i]});
             WirePoints const next = guides_of(m, {path.lower[j], path.upper[j]});
             scale = std::max({scale, here.lower.norm(), here.upper.norm()});
-            worst = std::max({worst, (turned_to(here.lower, -1, program.teeth) - next.lower).norm(), (turned_to(here.upper, -1, program.teeth) - next.upper).norm()});
+            worst = std::max({worst, (turned_to(here.lower, next_space, program.teeth) - next.lower).norm(),
+                              (turned_to(here.upper, next_space, program.teeth) - next.upper).norm()});
         }
         double const allowed = Tolerance{program.tolerance, scale * (1 + 2 * (m.lower_guide + m.upper_guide) / m.thickness)}.roundoff();
-        if (path.size() % static_cast<std::size_t>(program.teeth) != 0 || !(worst <= allowed))
+        if (path.size() % static_cast<std::size_t>(spaces) != 0 || !(worst <= allowed))
             failures.push_back({"pitches", what + " is not the same in every tooth space: guides differ by " + text(worst) + " mm"});
     };
-    ask("the nominal contour", {program.nominal.lower, program.nominal.upper});
+    ask("the nominal contour", {program.nominal.lower, program.nominal.upper}, program.teeth, true);
     for (WirePass const& pass : program.passes)
     {
         PairedPath path;
-        for (WireMove const& move : even_path(pass, program.teeth))
+        for (WireMove const& move : even_path(pass, program.spaces()))
             path.add(move.lower, move.upper);
         path.lower.pop_back();
         path.upper.pop_back();
-        ask(name(pass), path);
+        ask(name(pass), path, program.spaces(), program.closed());
     }
     return failures;
 }
@@ -387,6 +400,23 @@ WireFailures check_untilted(WireProgram const& program)
         if (!std::all_of(pass.moves.begin(), pass.moves.end(), [](WireMove const& move) { return move.lower == move.upper; }))
             failures.push_back({"untilted", "both faces of the part are the same, but not those of " + name(pass)});
     return failures;
+}
+
+std::vector<std::string> skim_warnings(WireProgram const& program)
+{
+    std::vector<std::string> warnings;
+    for (std::size_t k = 0; k + 1 < program.passes.size(); ++k)
+    {
+        WirePass const& pass = program.passes[k];
+        double const layer = pass.stock - program.passes[k + 1].stock;
+        double highest = 0;
+        for (Residual const& residual : program.residuals)
+            highest = std::max(highest, residual.pass == pass.number ? residual.height : 0);
+        if (highest > layer)
+            warnings.push_back(name(pass) + " leaves up to " + text(highest) + " mm on top of its stock where it cannot follow the contour, more than the layer of " + text(layer)
+                               + " mm that " + name(program.passes[k + 1]) + " is to take: there it cuts " + text(highest + layer) + " mm deep");
+    }
+    return warnings;
 }
 
 double guide_chord_error(PairedPath const& path, std::vector<std::size_t> const& kept, WireMachine const& machine)
@@ -406,8 +436,10 @@ double guide_chord_error(PairedPath const& path, std::vector<std::size_t> const&
 
 double constant_taper_error(WireFaces const& faces)
 {
-    SegmentGrid const upper = neighbourhood(faces.pitch.upper, faces.teeth);
     std::vector<Vec2> const& low = faces.pitch.lower;
+    if (low == faces.pitch.upper)
+        return 0;
+    SegmentGrid const upper = neighbourhood(faces.pitch.upper, faces);
     double const shift = faces.pitch.upper.front().norm() - low.front().norm();
     double worst = 0;
     for (std::size_t i = 1; i < low.size(); ++i)

@@ -7,11 +7,6 @@
 
 namespace hdconj {
 
-double WireFaces::pitch_angle() const
-{
-    return 2 * std::numbers::pi / teeth;
-}
-
 Vec2 turned_to(Vec2 const& point, int space, int teeth)
 {
     return space == 0 ? point : turned_clockwise(point, 2 * std::numbers::pi * space / teeth);
@@ -26,15 +21,15 @@ std::vector<Vec2> turned_to(std::vector<Vec2> const& points, int space, int teet
     return turned;
 }
 
-std::vector<Vec2> with_neighbours(std::vector<Vec2> const& points, int teeth, std::size_t more)
+std::vector<Vec2> with_neighbours(std::vector<Vec2> const& points, WireFaces const& faces, std::size_t more)
 {
     std::vector<Vec2> line;
-    // the pitch before lies clockwise, and its last point is this one's first
+    // the last point of the pitch before is this one's first
     for (std::size_t i = points.size() - 1 - more; i + 1 < points.size(); ++i)
-        line.push_back(turned_to(points[i], 1, teeth));
+        line.push_back(turned_to(points[i], -faces.next(), faces.teeth));
     line.insert(line.end(), points.begin(), points.end());
     for (std::size_t i = 1; i <= more; ++i)
-        line.push_back(turned_to(points[i], -1, teeth));
+        line.push_back(turned_to(points[i], faces.next(), faces.teeth));
     return line;
 }
 

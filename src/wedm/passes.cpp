@@ -7,20 +7,26 @@
 namespace hdconj {
 namespace {
 
-/// All spaces, counter-clockwise from the tip land clockwise of @p start; the closing point is not repeated.
-std::vector<WireMove> ring(PairedPath const& pitch, int teeth, int start)
+/// @p count spaces from @p start on, void on the left; the last point, where the next space begins, is not among them.
+std::vector<WireMove> spaces(PairedPath const& pitch, WireFaces const& faces, int start, int count)
 {
     std::vector<WireMove> moves;
-    moves.reserve((pitch.size() - 1) * static_cast<std::size_t>(teeth));
-    for (int k = 0; k < teeth; ++k)
+    moves.reserve((pitch.size() - 1) * static_cast<std::size_t>(count) + 1);
+    for (int k = 0; k < count; ++k)
     {
-        int const space = space_in_order(start, k, teeth);
-        auto const lower = turned_to(pitch.lower, space, teeth);
-        auto const upper = turned_to(pitch.upper, space, teeth);
+        int const space = faces.space_in_order(start, k);
+        auto const lower = turned_to(pitch.lower, space, faces.teeth);
+        auto const upper = turned_to(pitch.upper, space, faces.teeth);
         for (std::size_t i = 0; i + 1 < pitch.size(); ++i)
             moves.push_back({lower[i], upper[i], WireTag::contour, space});
     }
     return moves;
+}
+
+/// The point where space @p space ends.
+WireMove last_of(PairedPath const& pitch, WireFaces const& faces, int space)
+{
+    return {turned_to(pitch.lower.back(), space, faces.teeth), turned_to(pitch.upper.back(), space, faces.teeth), WireTag::contour, space};
 }
 
 /// The point on the way from @p a to @p b at @p share of it.
@@ -66,7 +72,7 @@ PairedContour whole_contour(WireFaces const& faces, std::vector<std::size_t> con
     PairedPath const few = taken(faces.pitch, indices);
     for (int k = 0; k < faces.teeth; ++k)
     {
-        int const space = space_in_order(0, k, faces.teeth);
+        int const space = faces.space_in_order(0, k);
         std::size_t const first = contour.lower.size();
         for (std::size_t const mark : faces.marks)
         {
@@ -81,41 +87,91 @@ PairedContour whole_contour(WireFaces const& faces, std::vector<std::size_t> con
     return contour;
 }
 
-Vec2 start_hole(WireFaces const& faces, int start, double lead_in)
+namespace {
+
+Vec2 beside(WireFaces const& faces, Vec2 const& low, Vec2 const& up, double lead_in)
 {
-    Vec2 const& low = faces.pitch.lower.front();
-    Vec2 const& up = faces.pitch.upper.front();
-    double const land = std::min(low.norm(), up.norm());
-    return turned_to(Vec2(low.normalized() * (land - lead_in)), start, faces.teeth);
+    double const land = faces.external ? std::max(low.norm(), up.norm()) + lead_in : std::min(low.norm(), up.norm()) - lead_in;
+    return low.normalized() * land;
 }
 
-WirePass wire_pass(PairedPath const& pitch, int teeth, WireRun const& run)
+/// The whole way of a pass, and what follows behind its end.
+struct Way
 {
-    std::vector<WireMove> around = ring(pitch, teeth, run.start);
+    std::vector<WireMove> path;    ///< closing point, or end of the last space, included
+    std::vector<WireMove> beyond;  ///< does not repeat the end
+};
+
+Way closed_way(PairedPath const& pitch, WireFaces const& faces, WireRun const& run)
+{
+    Way way;
+    way.path = spaces(pitch, faces, run.start, faces.teeth);
     if (run.reversed)
-        std::reverse(around.begin() + 1, around.end());
+        std::reverse(way.path.begin() + 1, way.path.end());
+    way.beyond.assign(way.path.begin() + 1, way.path.end());
+    WireMove closing = way.path.front();
+    closing.tooth = way.path.back().tooth;
+    way.path.push_back(closing);
+    return way;
+}
+
+Way open_way(PairedPath const& pitch, WireFaces const& faces, WireRun const& run)
+{
+    Way way;
+    int const rest = faces.teeth - run.spaces;
+    way.path = spaces(pitch, faces, run.start, run.spaces);
+    way.path.push_back(last_of(pitch, faces, faces.space_in_order(run.start, run.spaces - 1)));
+    way.beyond = spaces(pitch, faces, faces.space_in_order(run.start, run.spaces), rest);
+    if (run.reversed)
+    {
+        std::reverse(way.path.begin(), way.path.end());
+        std::reverse(way.beyond.begin(), way.beyond.end());
+    }
+    else if (!way.beyond.empty())
+        way.beyond.erase(way.beyond.begin());
+    return way;
+}
+
+}  // namespace
+
+Vec2 start_hole(WireFaces const& faces, int start, double lead_in)
+{
+    return turned_to(beside(faces, faces.pitch.lower.front(), faces.pitch.upper.front(), lead_in), start, faces.teeth);
+}
+
+Vec2 end_hole(WireFaces const& faces, int last, double lead_in)
+{
+    return turned_to(beside(faces, faces.pitch.lower.back(), faces.pitch.upper.back(), lead_in), last, faces.teeth);
+}
+
+WirePass wire_pass(PairedPath const& pitch, WireFaces const& faces, WireRun const& run)
+{
+    bool const closed = run.spaces == 0;
+    Way const way = closed ? closed_way(pitch, faces, run) : open_way(pitch, faces, run);
+    Vec2 const first = !closed && run.reversed ? run.end : run.hole;
+    Vec2 const last = closed || run.reversed ? run.hole : run.end;
     WirePass pass;
     pass.reversed = run.reversed;
-    pass.moves.push_back({run.hole, run.hole, WireTag::thread, -1});
-    pass.moves.push_back({around.front().lower, around.front().upper, WireTag::lead_in, around.front().tooth});
-    pass.moves.insert(pass.moves.end(), around.begin() + 1, around.end());
-    WireMove closing = around.front();
-    closing.tooth = around.back().tooth;
-    pass.moves.push_back(closing);
+    pass.moves.push_back({first, first, WireTag::thread, -1});
+    pass.moves.insert(pass.moves.end(), way.path.begin(), way.path.end());
+    pass.moves[1].tag = WireTag::lead_in;
     if (run.stop_before > 0)
         tag_stop(pass.moves, 1, run.stop_before);
     double left = run.overlap;
-    for (std::size_t i = 1; left > 0; ++i)
+    WireMove from = way.path.back();
+    for (std::size_t i = 0; left > 0; ++i)
     {
-        if (i == around.size())
+        if (i == way.beyond.size())
             throw std::invalid_argument("overlap is longer than the path");
-        double const step = length(around[i - 1], around[i]);
-        WireMove move = left < step ? between(around[i - 1], around[i], left / step) : around[i];
+        double const step = length(from, way.beyond[i]);
+        WireMove move = left < step ? between(from, way.beyond[i], left / step) : way.beyond[i];
         move.tag = WireTag::overlap;
+        move.tooth = way.beyond[i].tooth;
         pass.moves.push_back(move);
         left -= step;
+        from = way.beyond[i];
     }
-    pass.moves.push_back({run.hole, run.hole, WireTag::lead_out, -1});
+    pass.moves.push_back({last, last, WireTag::lead_out, -1});
     return pass;
 }
 

@@ -3,6 +3,8 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "hdconj/io/atomic_file.hpp"
@@ -24,7 +26,7 @@ namespace {
 std::map<std::string, std::string> texts_of(WireProgram const& program, std::vector<std::string> const& dialects = {})
 {
     TemporaryFolder const folder;
-    auto const files = write_wire_files(program, folder / "out", dialects);
+    auto const files = write_wire_files({program}, folder / "out", dialects);
     std::map<std::string, std::string> texts;
     for (auto const& file : files) {
         texts[file.name] = content(folder / "out" / file.name);
@@ -58,7 +60,7 @@ void check_refused(WireProgram const& program, std::string const& cause)
 {
     TemporaryFolder const folder;
     try {
-        write_wire_files(program, folder / "out");
+        write_wire_files({program}, folder / "out");
         FAIL("not refused: " << cause);
     } catch (NumericalError const& error) {
         CHECK_THAT(error.what(), ContainsSubstring(cause));
@@ -146,7 +148,7 @@ TEST_CASE("block numbers stay within five digits", "[wire]")
 TEST_CASE("drift along the path is below a unit and reported for every file", "[wire]")
 {
     TemporaryFolder const folder;
-    auto const files = write_wire_files(sample::wire_ring(), folder / "out");
+    auto const files = write_wire_files({sample::wire_ring()}, folder / "out");
     REQUIRE(files.size() == 1 + 3 + 3 + 2 + 3 + 3 + 6);
     for (auto const& file : files) {
         INFO(file.name << " " << file.drift);
@@ -205,28 +207,28 @@ TEST_CASE("a folder of wire files appears whole and is replaced whole", "[wire]"
 {
     TemporaryFolder const folder;
     auto const out = folder / "out";
-    auto const first = write_wire_files(sample::wire_ring(), out);
+    auto const first = write_wire_files({sample::wire_ring()}, out);
     REQUIRE(std::filesystem::exists(out / "ring_rel_pass3.iso"));
     CHECK(folder.names() == std::vector<std::string>{"out"});
-    write_wire_files(sample::wire_ring(sample::wire_tilt, 48, {0}), out);
+    write_wire_files({sample::wire_ring(sample::wire_tilt, 48, {0})}, out);
     CHECK_FALSE(std::filesystem::exists(out / "ring_rel_pass3.iso"));
     CHECK(std::filesystem::exists(out / "ring_rel_pass1.iso"));
     CHECK(folder.names() == std::vector<std::string>{"out"});
     auto broken = sample::wire_ring();
     broken.passes[2].moves[50].lower = broken.passes[2].moves[49].lower;
-    CHECK_THROWS_AS(write_wire_files(broken, out), NumericalError);
+    CHECK_THROWS_AS(write_wire_files({broken}, out), NumericalError);
     CHECK(std::filesystem::exists(out / "ring_rel_pass1.iso"));
     CHECK(folder.names() == std::vector<std::string>{"out"});
     std::ofstream(out / "mine.txt") << "notes\n";
-    CHECK_THROWS_WITH(write_wire_files(sample::wire_ring(), out), ContainsSubstring("mine.txt, which hdconj did not write there"));
+    CHECK_THROWS_WITH(write_wire_files({sample::wire_ring()}, out), ContainsSubstring("mine.txt, which hdconj did not write there"));
     CHECK(content(out / "mine.txt") == "notes\n");
     std::ofstream(folder / "file") << "x";
-    CHECK_THROWS_WITH(write_wire_files(sample::wire_ring(), folder / "file"), ContainsSubstring("is a file, not a folder"));
-    CHECK_THROWS_AS(write_wire_files(sample::wire_ring(), folder / "no" / "where"), FileError);
+    CHECK_THROWS_WITH(write_wire_files({sample::wire_ring()}, folder / "file"), ContainsSubstring("is a file, not a folder"));
+    CHECK_THROWS_AS(write_wire_files({sample::wire_ring()}, folder / "no" / "where"), FileError);
     CHECK_THROWS_AS(check_wire_files(""), FileError);
     CHECK_THROWS_AS(check_wire_files("/"), FileError);
     std::filesystem::create_directory(folder / "empty");
-    write_wire_files(sample::wire_ring(), (folder / "empty").string() + "/", {"csv"});
+    write_wire_files({sample::wire_ring()}, (folder / "empty").string() + "/", {"csv"});
     CHECK(std::filesystem::exists(folder / "empty" / "ring_path.csv"));
     auto const list = content(folder / "empty" / "files.txt");
     CHECK(lines_with(list, "ring_path.csv ").size() == 1);
@@ -236,7 +238,7 @@ TEST_CASE("an unknown dialect is named with the one that was meant", "[wire]")
 {
     TemporaryFolder const folder;
     try {
-        write_wire_files(sample::wire_ring(), folder / "out", {"csv", "xyuv-guid"});
+        write_wire_files({sample::wire_ring()}, folder / "out", {"csv", "xyuv-guid"});
         FAIL("not refused");
     } catch (InputError const& error) {
         CHECK_THAT(describe(error.faults()), ContainsSubstring("xyuv-guide"));
@@ -266,20 +268,44 @@ TEST_CASE("guides move with the part and faces come back from them", "[wire]")
 TEST_CASE("the summary of a wire program repeats wire and gap and says which face is larger", "[wire]")
 {
     auto program = sample::square_hole();
-    auto const text = summary_text(program);
+    auto const text = summary_text(WireSetUps{program});
     CHECK_THAT(text, ContainsSubstring("0.1 mm") && ContainsSubstring("0.012 mm"));
     CHECK_THAT(text, ContainsSubstring("SMALLER than the lower face"));
-    auto const json = summary_json(program);
+    auto const json = summary_json(WireSetUps{program});
     CHECK_THAT(json, ContainsSubstring("\"wire_diameter_mm\": 0.1,") && ContainsSubstring("\"spark_gap_mm\": 0.012,"));
-    auto const ring = summary_json(sample::wire_ring());
+    auto const ring = summary_json(WireSetUps{sample::wire_ring()});
     CHECK_THAT(ring, ContainsSubstring("\"face_shift_mm\": 0.02443470"));
     CHECK_THAT(ring, ContainsSubstring("\"guide_offset_mm\": 0.1989") || ContainsSubstring("\"guide_offset_mm\": 0.199"));
     program = sample::wire_ring();
     program.residuals = sample::residuals();
-    CHECK_THAT(summary_text(program), ContainsSubstring("residual material at 58 places, 10 of them in a zone that meshes"));
-    CHECK_THAT(summary_json(program), ContainsSubstring("\"residual_in_meshing_zone\": true"));
-    CHECK_THAT(summary_text(sample::wire_ring(0)), ContainsSubstring("as the lower face"));
-    CHECK_THAT(summary_text(sample::wire_ring(-sample::wire_tilt)), ContainsSubstring("LARGER than the lower face"));
+    CHECK_THAT(summary_text(WireSetUps{program}), ContainsSubstring("residual material at 58 places, 10 of them in a zone that meshes"));
+    CHECK_THAT(summary_json(WireSetUps{program}), ContainsSubstring("\"residual_in_meshing_zone\": true"));
+    CHECK_THAT(summary_text(WireSetUps{sample::wire_ring(0)}), ContainsSubstring("as the lower face"));
+    CHECK_THAT(summary_text(WireSetUps{sample::wire_ring(-sample::wire_tilt)}), ContainsSubstring("LARGER than the lower face"));
+}
+
+TEST_CASE("docs/json.md names every key of a wire program", "[wire]")
+{
+    auto const document = content(HDCONJ_SOURCE_DIR "/docs/json.md");
+    auto ring = sample::wire_ring();
+    ring.residuals = sample::residuals();
+    ring.tolerance = 0.0005;
+    std::set<std::string> keys;
+    auto const collect = [&](auto const& self, nlohmann::json const& json) -> void {
+        for (auto const& [key, value] : json.items()) {
+            if (json.is_object()) {
+                keys.insert(key);
+            }
+            if (value.is_structured()) {
+                self(self, value);
+            }
+        }
+    };
+    collect(collect, nlohmann::json::parse(summary_json(WireSetUps{ring}, {{"3b", "a.3b", 1, 1, 1, 1, 0.001, 0}}, "out", {{"picture_ring1", "a.svg", 0.1}, {"picture_ring2", "b.svg", 0.1}})));
+    CHECK(keys.size() > 60);
+    for (auto const& key : keys) {
+        CHECK_THAT(document, ContainsSubstring("`" + key + "`"));
+    }
 }
 
 TEST_CASE("dialects that no other reader has taken yet are called unverified", "[wire]")
@@ -289,6 +315,6 @@ TEST_CASE("dialects that no other reader has taken yet are called unverified", "
         verified += dialect.verified() ? 1 : 0;
     }
     CHECK(wire_dialects().size() == 8);
-    CHECK(verified == 2);  // DXF by ezdxf and CSV by NumPy, in tests/cli/wire_readers.cpp
-    CHECK_THAT(summary_text(sample::wire_ring(), {{"3b", "a.3b", 1, 1, 1, 0.001, 0}}), ContainsSubstring("not verified on hardware"));
+    CHECK(verified == 4);  // DXF by ezdxf and GDAL, XYUV by LinuxCNC and CSV by NumPy, in tests/cli/wire_readers.cpp
+    CHECK_THAT(summary_text(WireSetUps{sample::wire_ring()}, {{"3b", "a.3b", 1, 1, 1, 1, 0.001, 0}}), ContainsSubstring("not verified on hardware"));
 }

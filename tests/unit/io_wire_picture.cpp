@@ -29,20 +29,20 @@ TEST_CASE("a wire program is drawn as tooth and ring and as a map of what is lef
     }
     test::TemporaryFolder const folder;
     auto program = sample::wire_ring();
-    auto const two = write_wire_pictures(program, folder / "a.svg");
+    auto const two = write_wire_pictures({program}, folder / "a.svg");
     REQUIRE(two.size() == 2);
     auto const tooth = test::content(folder / "a-tooth.svg");
     CHECK_THAT(tooth, ContainsSubstring("contour of the part, upper face") && ContainsSubstring("tooth space 2") &&
                           ContainsSubstring("earlier passes") && ContainsSubstring("face shift 24.43"));
     CHECK_THAT(test::content(folder / "a-ring.svg"), ContainsSubstring("start hole") && ContainsSubstring(">stop<"));
     program.residuals = sample::residuals();
-    auto const three = write_wire_pictures(program, folder / "b.png");
+    auto const three = write_wire_pictures({program}, folder / "b.png");
     REQUIRE(three.size() == 3);
     for (auto const& each : three) {
         CHECK(test::content(each.file).substr(1, 3) == "PNG");
     }
     CHECK(three[2].kind == "picture_residual");
-    write_wire_pictures(program, folder / "c.svg");
+    write_wire_pictures({program}, folder / "c.svg");
     auto const map = test::content(folder / "c-residual.svg");
     CHECK(count(map, "meshes") == 2);
     CHECK(test::content(folder / "c-tooth.svg").find("tooth space 2,") == std::string::npos);
@@ -58,6 +58,6 @@ TEST_CASE("a part without teeth is drawn whole", "[wire]")
         return;
     }
     test::TemporaryFolder const folder;
-    write_wire_pictures(sample::square_hole(), folder / "a.svg");
+    write_wire_pictures({sample::square_hole()}, folder / "a.svg");
     CHECK_THAT(test::content(folder / "a-tooth.svg"), ContainsSubstring("the whole part"));
 }

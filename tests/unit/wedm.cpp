@@ -65,7 +65,7 @@ WireFaces square_hole(double half, double upper_half)
 
 PairedPath with_guards(WireFaces const& faces)
 {
-    return {with_neighbours(faces.pitch.lower, faces.teeth, 1), with_neighbours(faces.pitch.upper, faces.teeth, 1)};
+    return {with_neighbours(faces.pitch.lower, faces, 1), with_neighbours(faces.pitch.upper, faces, 1)};
 }
 
 WireProgram program_of(WireFaces const& faces)
@@ -80,7 +80,7 @@ WireProgram program_of(WireFaces const& faces)
     std::vector<std::size_t> const kept = thinned(faces.pitch, 0.0004, faces.marks);
     program.nominal = whole_contour(faces, kept);
     PairedPath const path = offset_path(with_guards(faces), 0.062, 3e-5);
-    WirePass pass = wire_pass(taken(path, thinned(path, 0.0004)), faces.teeth, {0, {0, -1}, 0, 0, false});
+    WirePass pass = wire_pass(taken(path, thinned(path, 0.0004)), faces, {0, {0, -1}, 0, 0, false});
     pass.offset = 0.062;
     program.passes = {pass};
     return program;
@@ -279,7 +279,7 @@ TEST_CASE("a sound wire program passes every check", "[wedm]")
     CHECK(program.figures.face_error < 0.0005);
     CHECK(check_rulings(program).empty());
     CHECK(program.figures.normal_angle < 1e-9);
-    CHECK(check_machine(pi / 6, 100, program).empty());
+    CHECK(check_machine({pi / 6, 100}, program).empty());
     CHECK(check_start(program).empty());
     CHECK(check_untilted(program).empty());
     // corners move by T tan(0.2 deg) in both directions
@@ -311,8 +311,8 @@ TEST_CASE("each check finds what it is there for", "[wedm]")
     auto backwards = broken([](auto& p) { std::swap(p.passes.front().moves[3].upper, p.passes.front().moves[4].upper); });
     CHECK_FALSE(check_rulings(backwards).empty());
     auto same = broken([](auto&) {});
-    CHECK_FALSE(check_machine(0.01, 100, same).empty());
-    CHECK_FALSE(check_machine(1, 5, same).empty());
+    CHECK_FALSE(check_machine({0.01, 100}, same).empty());
+    CHECK_FALSE(check_machine({1, 5}, same).empty());
     CHECK_FALSE(check_start(broken([](auto& p) { p.start_hole_radius = 4; })).empty());
     CHECK_FALSE(check_start(broken([](auto& p) { p.passes.front().moves.front().lower = Vec2(0, -6); })).empty());
     auto level = program_of(square_hole(5, 5));
@@ -325,8 +325,8 @@ TEST_CASE("stop and overlap lie where they were asked for and move nothing else"
 {
     WireFaces const faces = square_hole(5, 4.9);
     PairedPath const path = offset_path(with_guards(faces), 0.062, 3e-5);
-    WirePass const plain = wire_pass(path, 1, {0, {0, -1}, 0, 0, false});
-    WirePass const pass = wire_pass(path, 1, {0, {0, -1}, 0.7, 1.3, false});
+    WirePass const plain = wire_pass(path, faces, {0, {0, -1}, 0, 0, false});
+    WirePass const pass = wire_pass(path, faces, {0, {0, -1}, 0.7, 1.3, false});
     double left = 0;
     auto const stop = std::find_if(pass.moves.begin(), pass.moves.end(), [](WireMove const& m) { return m.tag == WireTag::stop; });
     REQUIRE(stop != pass.moves.end());
@@ -338,9 +338,9 @@ TEST_CASE("stop and overlap lie where they were asked for and move nothing else"
         if (pass.moves[i].tag == WireTag::overlap)
             beyond += (pass.moves[i].lower - pass.moves[i - 1].lower).norm();
     CHECK(beyond == Approx(0.7).epsilon(1e-12));
-    WirePass const back = wire_pass(path, 1, {0, {0, -1}, 0, 0, true});
+    WirePass const back = wire_pass(path, faces, {0, {0, -1}, 0, 0, true});
     REQUIRE(back.moves.size() == plain.moves.size());
     for (std::size_t i = 0; i < plain.moves.size(); ++i)
         CHECK(back.moves[i].upper == plain.moves[plain.moves.size() - 1 - i].upper);
-    CHECK_THROWS_AS(wire_pass(path, 1, {0, {0, -1}, 0, 1000, false}), std::invalid_argument);
+    CHECK_THROWS_AS(wire_pass(path, faces, {0, {0, -1}, 0, 1000, false}), std::invalid_argument);
 }

@@ -53,7 +53,7 @@ TEST_CASE("type-50 tilted by 0.2 degrees is cut to the tolerance and its numbers
     CHECK(figures.face_shift == Approx(shift).epsilon(1e-9));  // 0.0244 mm
     CHECK(figures.guide_shift == Approx(shift * 57 / 7).epsilon(1e-4));  // 0.199 mm
     CHECK(figures.tilt == Approx(0.2 * pi / 180).epsilon(1e-4));
-    CHECK(figures.upper_tip - figures.lower_tip == Approx(shift).epsilon(1e-9));
+    CHECK(figures.upper.inner - figures.lower.inner == Approx(shift).epsilon(1e-9));
     CHECK(figures.larger_face() == "upper");
     CHECK(figures.face_error <= program.tolerance);
     CHECK(figures.middle_error <= program.tolerance);
@@ -160,6 +160,64 @@ TEST_CASE("an outline solved before gives the same program", "[wedm]")
     CHECK(again.passes.front().moves.size() == once.passes.front().moves.size());
     // the outline of one slice is no tilted part
     CHECK_THROWS_AS(wire_program(scene, solve(builtin_scene()).circular_spline), InputError);
+}
+
+TEST_CASE("a pitch of the flexspline is its profile on the round neutral circle and the root's arc", "[wedm]")
+{
+    Scene const scene = builtin_scene({"wedm.part=flexspline"});
+    WireFaces const faces = flexspline_faces(scene);
+    Solution const drive = solve(scene);
+    CHECK(faces.external);
+    CHECK(faces.teeth == 200);
+    CHECK(faces.pitch.lower == faces.pitch.upper);
+    // the lowest points of the profile lie on the rim, half the wall and the pitch line's height beside r_m
+    Vec2 const foot = drive.flexspline_outline.front();
+    double const rim = drive.geometry.r_m + drive.geometry.pitch_line + foot.y();
+    CHECK(rim == Approx(drive.geometry.flexspline_inner_radius + 0.7).epsilon(1e-14));
+    double const root = std::hypot(rim, foot.x());
+    REQUIRE(faces.marks.size() == 5);
+    for (std::size_t i = faces.marks[1]; i <= faces.marks[3]; ++i)
+        CHECK(faces.pitch.lower[i].norm() == Approx(root).epsilon(1e-14));
+    CHECK(std::abs(faces.pitch.lower[faces.marks[2]].x()) < 1e-12);
+    // every point of the profile, turned by half a pitch, is there
+    for (std::size_t i = 0; i < drive.flexspline_outline.size(); i += 37)
+    {
+        Vec2 const p = drive.flexspline_outline[i] + Vec2(0, drive.geometry.r_m + drive.geometry.pitch_line);
+        double const half = pi / 200 * (p.x() <= 0 ? 1 : -1);
+        Vec2 const there(std::cos(half) * p.x() + std::sin(half) * p.y(), -std::sin(half) * p.x() + std::cos(half) * p.y());
+        CHECK(std::any_of(faces.pitch.lower.begin(), faces.pitch.lower.end(), [&](Vec2 const& q) { return (q - there).norm() < 1e-12; }));
+    }
+    // pitches join
+    CHECK((turned_to(faces.pitch.lower.front(), 1, 200) - faces.pitch.lower.back()).norm() < 1e-12);
+}
+
+TEST_CASE("set-ups of the flexspline run from land to land and back where passes alternate", "[wedm]")
+{
+    WireSetUps const set_ups = wire_set_ups(builtin_scene({"wedm.part=flexspline", "wedm.passes=[[0.02], [0]]", "wedm.direction=alternating", "wedm.overlap=0.05"}));
+    REQUIRE(set_ups.size() == 2);
+    for (WireProgram const& program : set_ups)
+    {
+        CHECK_FALSE(program.closed());
+        CHECK(program.figures.face_error <= program.tolerance);
+        auto const& there = program.passes[0].moves;
+        auto const& back = program.passes[1].moves;
+        CHECK(back.front().lower == there.back().lower);
+        CHECK(back.back().lower == there.front().lower);
+        CHECK(program.passes[1].reversed);
+        // the ends lie lead_in off the middle of a tip land, r_m + pitch line + addendum from the axis, half a turn apart
+        CHECK(there.front().lower.norm() == Approx(24.347 + 0.653 + 0.225 + 3).epsilon(1e-12));
+        CHECK((there.front().lower + there.back().lower).norm() < 1e-12);
+    }
+    // half a turn is 100 pitches: in the machine both are one program, and no coordinate is a negative zero
+    auto const& one = set_ups[0].passes[0].moves;
+    auto const& two = set_ups[1].passes[0].moves;
+    REQUIRE(one.size() == two.size());
+    for (std::size_t i = 0; i < one.size(); ++i)
+    {
+        CHECK((one[i].lower - two[i].lower).norm() < 1e-12);
+        CHECK_FALSE((two[i].lower.x() == 0 && std::signbit(two[i].lower.x())));
+    }
+    CHECK(wire_set_ups(builtin_scene()).size() == 1);
 }
 
 TEST_CASE("wire data that cannot be right is refused with its key", "[wedm]")

@@ -35,6 +35,7 @@ struct WireFile
 {
     std::string dialect;
     std::string name;         ///< in the folder
+    int set_up = 1;
     int pass = 0;             ///< 0: all passes
     std::size_t blocks = 0;   ///< straight moves in it
     std::size_t bytes = 0;
@@ -44,40 +45,41 @@ struct WireFile
 
 /// What can be known before the long work.
 /// @param dialects  empty: all that fit
+/// @param place     option or key that names them, for messages
 /// @throws InputError for a dialect that is not known; FileError where @p folder cannot be made, or holds files that are not ours
-void check_wire_files(std::filesystem::path const& folder, std::vector<std::string> const& dialects = {});
+void check_wire_files(std::filesystem::path const& folder, std::vector<std::string> const& dialects = {}, std::string const& place = "--dialect");
 
-/// Writes @p program into @p folder, with a list of the files, files.txt. All or nothing: the files are made in a temporary folder beside
-/// it, each is read back from there and rebuilt to both faces within one unit of its last digit along the whole path, and then the
+/// Writes the set-ups @p programs of one part into @p folder, with a list of the files, files.txt; where there are several, names of files say which they belong
+/// to. All or nothing: the files are made in a temporary folder beside it, each is read back from there and rebuilt to both faces within one unit of its last digit along the whole path, and then the
 /// folder is renamed. A folder that was written so before is replaced as a whole.
 ///
 /// Checked before: pairing, finite numbers, closed paths from and to a vertical wire, no block of length zero in either plane after
 /// rounding; of the texts: characters, line lengths, no exponent, no negative zero; equal faces give equal words.
 /// @throws NumericalError with file, line and cause where a check fails; InputError, FileError. Nothing is written then.
-std::vector<WireFile> write_wire_files(WireProgram const& program, std::filesystem::path const& folder,
+std::vector<WireFile> write_wire_files(WireSetUps const& programs, std::filesystem::path const& folder,
                                        std::vector<std::string> const& dialects = {});
 
-/// The printed summary that a machine operator reads: wire and gap, passes, faces, guides, files, residuals.
-[[nodiscard]] std::string summary_text(WireProgram const& program, std::vector<WireFile> const& files = {});
+/// The printed summary that a machine operator reads: wire and gap, passes, faces, guides, files, residuals, what was checked.
+[[nodiscard]] std::string summary_text(WireSetUps const& programs, std::vector<WireFile> const& files = {});
 
 /// The same figures as one JSON object, keys in docs/json.md. Numbers are finite or null.
-[[nodiscard]] std::string summary_json(WireProgram const& program, std::vector<WireFile> const& files = {},
+[[nodiscard]] std::string summary_json(WireSetUps const& programs, std::vector<WireFile> const& files = {},
                                        std::filesystem::path const& folder = {}, std::vector<WrittenFile> const& pictures = {});
 
-/// Names of the pictures of a wire program: NAME.svg or .png stands for up to three.
+/// Names of the pictures of a wire program: NAME.svg or .png stands for three or four.
 struct WirePictures
 {
-    std::filesystem::path tooth;     ///< NAME-tooth.svg: one tooth space in both faces, with the wire
-    std::filesystem::path ring;      ///< NAME-ring.svg: the whole contour, start hole, lead-in
-    std::filesystem::path residual;  ///< NAME-residual.svg: what no pass reaches
+    std::filesystem::path tooth;               ///< NAME-tooth.svg: one tooth space in both faces, with the wire
+    std::vector<std::filesystem::path> rings;  ///< NAME-ring.svg: the whole contour, start hole, lead-in; NAME-ring1.svg and on of several set-ups
+    std::filesystem::path residual;            ///< NAME-residual.svg: what no pass reaches
 };
 
-[[nodiscard]] WirePictures wire_picture_names(std::filesystem::path const& file);
+[[nodiscard]] WirePictures wire_picture_names(std::filesystem::path const& file, std::size_t set_ups = 1);
 
 /// What can be known before the long work. Throws what @ref write_wire_pictures would.
-void check_wire_pictures(std::filesystem::path const& file);
+void check_wire_pictures(std::filesystem::path const& file, std::size_t set_ups = 1);
 
 /// Draws them with gnuplot; the residual map only where there is any.
-std::vector<WrittenFile> write_wire_pictures(WireProgram const& program, std::filesystem::path const& file);
+std::vector<WrittenFile> write_wire_pictures(WireSetUps const& programs, std::filesystem::path const& file);
 
 }  // namespace hdconj

@@ -116,9 +116,17 @@ struct ContactRequest
     int line = 0;
 };
 
+/// What a wire can cut.
+enum class WirePart
+{
+    circular_spline,
+    flexspline  ///< upright teeth outside, in two set-ups
+};
+
 /// How the part is cut by wire. Only the verb `wedm` looks at it. Lengths in mm.
 struct WireRequest
 {
+    WirePart part = WirePart::circular_spline;
     std::optional<double> thickness;     ///< of the workpiece; default circular_spline.width
     double wire_diameter = 0;            ///< stated by the user, never assumed
     double spark_gap = 0;                ///< between wire and part; stated by the user, never assumed
@@ -135,7 +143,8 @@ struct WireRequest
     double residual_limit = 0;           ///< residual material that is accepted
     std::optional<double> surface_limit; ///< error between the faces that is accepted; default the tolerance
     double largest_tilt = 0;             ///< of the wire that the machine can make [rad]
-    std::optional<double> largest_travel;  ///< of each axis of the lower guide from the start hole, either way
+    std::optional<double> largest_travel;     ///< of each axis of each guide from the start hole, either way
+    std::optional<double> largest_uv_travel;  ///< of each axis of the upper guide against the lower one, either way
     int decimals = 4;                    ///< of rounded outputs
     std::string dialects;                ///< names, separated by blanks; empty: all that fit
     int line = 0;

@@ -3,6 +3,7 @@
 /// Checks of a wire program before anything is written. Each returns all that it finds wrong; nothing found is an empty list.
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -22,10 +23,11 @@ using WireFailures = std::vector<WireFailure>;
 /// Numbers that make no wire program: negative gap, no wire, guides inside the part, anything not finite.
 [[nodiscard]] WireFailures check_numbers(WireProgram const& program);
 
-/// As many points in both faces, sync marks increasing, no move of length zero in one face only or in both, start and end in one point with the wire vertical.
+/// As many points in both faces, sync marks increasing, no move of length zero in one face only or in both; a path that closes starts and ends in one point,
+/// every path with the wire vertical.
 [[nodiscard]] WireFailures check_pairing(WireProgram const& program);
 
-/// Nominal contour and every closed pass at z = 0, T/2 and T: no crossing, counter-clockwise (reversed passes clockwise).
+/// Nominal contour and every pass at z = 0, T/2 and T: no crossing, void on the left (reversed passes: on the right).
 [[nodiscard]] WireFailures check_crossings(WireProgram const& program);
 
 /// Every contour point and move's middle of every pass keeps its offset from the nominal face, neither less nor more, to the tolerance: the way from
@@ -44,13 +46,22 @@ using WireFailures = std::vector<WireFailure>;
 /// Matched edges go the same way, in the nominal faces and in all passes: rulings do not cross. Fills in normal_angle.
 [[nodiscard]] WireFailures check_rulings(WireProgram& program);
 
-/// Tilt of the wire and travel of the guides against the machine's limits; fills in tilt, travel and guide_shift.
-/// @param largest_tilt    [rad]
-/// @param largest_travel  [mm]; infinity: no limit
-[[nodiscard]] WireFailures check_machine(double largest_tilt, double largest_travel, WireProgram& program);
+/// What a machine can do; infinity: no limit.
+struct MachineLimits
+{
+    double tilt = std::numeric_limits<double>::infinity();       ///< of the wire [rad]
+    double travel = std::numeric_limits<double>::infinity();     ///< of each axis of each guide from the start hole, either way [mm]
+    double uv_travel = std::numeric_limits<double>::infinity();  ///< of each axis of the upper guide against the lower one, either way [mm]
+};
 
-/// Start hole and straight ways from and to it keep clear of the nominal contour in both faces.
+/// The figures that can be measured (measured()) against the limits.
+[[nodiscard]] WireFailures check_machine(MachineLimits const& limits, WireProgram& program);
+
+/// Both ends of each pass, and the straight ways from and to them, keep clear of the nominal contour in both faces.
 [[nodiscard]] WireFailures check_start(WireProgram const& program);
+
+/// What is no failure but may surprise a shop, in words: a pass that leaves, where it cannot follow, more than the layer that the next one is to take.
+[[nodiscard]] std::vector<std::string> skim_warnings(WireProgram const& program);
 
 /// Every tooth space is cut as the first one of the pass is, turned: nominal contour and guides of all passes without stop and overlap points.
 [[nodiscard]] WireFailures check_pitches(WireProgram const& program);
@@ -66,7 +77,7 @@ using WireFailures = std::vector<WireFailure>;
 [[nodiscard]] double guide_chord_error(PairedPath const& path, std::vector<std::size_t> const& kept, WireMachine const& machine);
 
 /// Path of the wire's centre along tooth space 0, from mid-land to mid-land, turned back from the first space of @p pass.
-/// @throws std::invalid_argument when the moves are not those of @p teeth equal spaces
-[[nodiscard]] PairedPath pitch_of(WirePass const& pass, int teeth);
+/// @throws std::invalid_argument when the moves are not those of as many equal spaces as the program cuts
+[[nodiscard]] PairedPath pitch_of(WirePass const& pass, WireProgram const& program);
 
 }  // namespace hdconj

@@ -11,23 +11,29 @@ namespace hdconj {
 /// How a pass begins, ends and goes round. Lengths in mm along the lower face.
 struct WireRun
 {
-    int start = 0;           ///< space whose clockwise tip land the path begins on
+    int start = 0;           ///< first space with the void on the left; the path begins on the tip land before it
     Vec2 hole = Vec2::Zero();///< centre of the start hole
     double overlap = 0;      ///< on beyond the closing point
     double stop_before = 0;  ///< tag a point this far before the closing point; 0: none
-    bool reversed = false;   ///< clockwise
+    bool reversed = false;   ///< the other way round, void on the right
+    int spaces = 0;          ///< that are cut, from `start`; 0: all of them, and the path closes
+    Vec2 end = Vec2::Zero(); ///< where a path that does not close ends, or begins if reversed
 };
 
 /// The whole contour: turned copies of the fine pitch thinned to @p indices, as marks for CAM those of @p faces.marks.
 [[nodiscard]] PairedContour whole_contour(WireFaces const& faces, std::vector<std::size_t> const& indices);
 
-/// Centre of the start hole: @p lead_in [mm] inside the tip land where tooth space @p start begins. Both faces are asked, and the one that reaches
-/// further inward counts.
+/// Centre of the start hole: @p lead_in [mm] off the tip land where tooth space @p start begins, in the void. Both faces are asked, and the one that
+/// reaches further into the void counts.
 [[nodiscard]] Vec2 start_hole(WireFaces const& faces, int start, double lead_in);
 
-/// Moves from the start hole, straight to the tip land, around all spaces, over the closing point and back. In the hole the wire is vertical.
-/// @param pitch  path of the wire's centre along space 0, from mid-land to mid-land
-/// @throws std::invalid_argument when stop or overlap are longer than the path
-[[nodiscard]] WirePass wire_pass(PairedPath const& pitch, int teeth, WireRun const& run);
+/// The same beside the tip land where space @p last ends: where a path that does not close leaves the part.
+[[nodiscard]] Vec2 end_hole(WireFaces const& faces, int last, double lead_in);
+
+/// Moves from the start hole, straight to the tip land, along all spaces of @p run, on for the overlap, and straight back, or out where the path does not
+/// close. At both ends the wire is vertical.
+/// @param pitch  path of the wire's centre along space 0 of @p faces, from mid-land to mid-land
+/// @throws std::invalid_argument when stop or overlap are longer than the path, or the overlap than the spaces left over
+[[nodiscard]] WirePass wire_pass(PairedPath const& pitch, WireFaces const& faces, WireRun const& run);
 
 }  // namespace hdconj

@@ -54,8 +54,8 @@ struct WirePass
     int number = 1;
     double offset = 0;        ///< wire centre to nominal contour: wire radius + spark gap + stock [mm]
     double stock = 0;         ///< left for later passes [mm]
-    bool reversed = false;    ///< runs against the first pass
-    std::vector<WireMove> moves;  ///< the first one is the start hole
+    bool reversed = false;    ///< runs against the first pass: void on the right
+    std::vector<WireMove> moves;  ///< the first one is the start hole, or a place in the open beside an external part
 };
 
 /// Material that a pass cannot reach.
@@ -69,26 +69,62 @@ struct Residual
     bool meshing = false;       ///< in a zone that meshes (a flank), not in the root
 };
 
-/// What a shop wants to know before it cuts. Lengths in mm, angles in rad.
+/// Smallest and largest distance of a contour's points from the axis [mm]: tip and root of a toothed ring, root and tip of a gear.
+struct FaceRadii
+{
+    double inner = 0, outer = 0;
+};
+
+/// A pass in numbers.
+struct PassFigures
+{
+    std::size_t blocks = 0;    ///< moves after the start hole
+    double length = 0;         ///< of the path in the lower face [mm]
+    double shortest = 0;       ///< block, in either face [mm]
+    double residual = 0;       ///< highest material left [mm]
+    std::size_t residuals = 0; ///< places
+};
+
+/// What a shop wants to know before it cuts. Lengths in mm, angles in rad. The first block is what measured() finds in the program; the second what the
+/// checks found when it was made, 0 in a program that was not.
 struct WireFigures
 {
-    double lower_tip = 0, lower_root = 0;  ///< least and largest radius of the lower face
-    double upper_tip = 0, upper_root = 0;  ///< of the upper one
-    double face_shift = 0;                 ///< largest distance of matched points of the nominal faces
-    double guide_shift = 0;                ///< largest distance of the guides of any move, seen along the axis
+    FaceRadii lower, upper;
+    double face_shift = 0;                 ///< largest distance of matched points of the nominal faces: T tan(tilt) of a radial tilt
+    double least_shift = 0;                ///< smallest
+    double guide_shift = 0;                ///< largest distance of the guides of any move, seen along the axis: H tan(tilt)
     double tilt = 0;                       ///< largest angle of the wire from the axis in any move [rad]
+    double ellipse = 0;                    ///< r (1/cos tilt - 1): a wire that leans cuts an ellipse in the plane of a face, this much wider; neglected
     double travel = 0;                     ///< largest |x| or |y| of a guide from the start hole
+    double uv_travel = 0;                  ///< largest |x| or |y| of the upper guide from the lower one
+    std::vector<PassFigures> passes;
+    double residual = 0;                   ///< highest material that the last pass leaves
+    double meshing_residual = 0;           ///< the same on flanks only
+
     double face_error = 0;                 ///< largest distance of the cut from the nominal faces, residuals apart, all passes
     double guide_chord = 0;                ///< chord error at the guides; in the faces it is part of face_error
     double middle_error = 0;               ///< of the cut from the true sections between the faces, residuals apart, all passes
     double ruling_error = 0;               ///< of straight lines between the faces from the true sections: that of the surface itself
     double normal_angle = 0;               ///< largest angle between matched edges of the faces [rad]
     double constant_taper_error = 0;       ///< what a machine's constant taper (G51) would be wrong by on the flanks of the upper face
-    double residual = 0;                   ///< highest material that the last pass leaves
-    double meshing_residual = 0;           ///< the same on flanks only
 
-    /// "lower", "upper" or "same": the face with the wider hole.
-    [[nodiscard]] std::string larger_face() const { return lower_tip == upper_tip && lower_root == upper_root ? "same" : lower_tip + lower_root > upper_tip + upper_root ? "lower" : "upper"; }
+    /// "lower", "upper" or "same": the face whose contour is wider.
+    [[nodiscard]] std::string larger_face() const
+    {
+        double const change = upper.inner + upper.outer - lower.inner - lower.outer;
+        bool const same = upper.inner == lower.inner && upper.outer == lower.outer;
+        return same ? "same" : change < 0 ? "lower" : "upper";
+    }
+};
+
+/// Which part of the work one clamping does.
+struct WireSetUp
+{
+    int number = 1;       ///< 1 ... of
+    int of = 1;           ///< more than 1: no path closes
+    int first = 0;        ///< space that is cut first, and
+    int spaces = 0;       ///< how many from there on, clockwise; only where there are several set-ups
+    bool turned = false;  ///< the part is turned by half a turn on its mandrel: coordinates are the machine's, numbers of spaces the part's
 };
 
 /// All passes of one part in one set-up.
@@ -104,10 +140,27 @@ struct WireProgram
     int decimals = 4;             ///< of every rounded output
     double tolerance = 0;         ///< of the surface that is cut [mm]
     double start_hole_radius = 0; ///< [mm]
-    int teeth = 0;                ///< tooth spaces around; contour and passes go counter-clockwise where not reversed
+    int teeth = 0;                ///< tooth spaces around
+    bool external = false;        ///< teeth outside; the void is left of contour and passes, so that they go counter-clockwise inside and clockwise outside
+    WireSetUp set_up;
     std::string surface;          ///< "tilted", "ruled", "per-slice"; empty: both faces are the same
     std::string tilt_kind;        ///< "radial" or "draft"; empty: not tilted
     WireFigures figures;
+    std::vector<std::string> warnings;  ///< no failures, but a shop should read them
+
+    /// Whether the wire goes all around in this set-up.
+    [[nodiscard]] bool closed() const { return set_up.of == 1; }
+    /// Tooth spaces that it cuts.
+    [[nodiscard]] int spaces() const { return closed() ? teeth : set_up.spaces; }
 };
+
+/// The clampings of one part, in order; one for a part that is cut all around.
+using WireSetUps = std::vector<WireProgram>;
+
+/// The figures of @p program, its first block measured anew.
+[[nodiscard]] WireFigures measured(WireProgram const& program);
+
+/// The same program for a part that is turned by half a turn.
+[[nodiscard]] WireProgram turned_half(WireProgram program);
 
 }  // namespace hdconj
