@@ -4,6 +4,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "cli/bad_commands.hpp"
 #include "cli/bad_scenes_table.hpp"
 #include "hdconj/io/scene_reading.hpp"
 #include "hdconj/io/scene_toml.hpp"
@@ -16,6 +17,7 @@
 namespace {
 
 using namespace hdconj;
+using test::BadCommand;
 using test::BadScene;
 using test::TemporaryFolder;
 
@@ -134,16 +136,6 @@ void check_row(std::string text, BadScene const& row)
     }
 }
 
-/// A command line: what must be said, in what place, and the exit status.
-struct BadCommand
-{
-    std::string arguments;
-    std::string place;
-    std::string reason;
-    std::string remedy;
-    int status = 2;
-};
-
 std::vector<BadCommand> const& commands()
 {
     static std::vector<BadCommand> const table{
@@ -229,13 +221,7 @@ TEST_CASE("wrong command lines of contact say place reason and remedy and write 
             TemporaryFolder const folder;
             std::ofstream(folder / "scene.toml") << coned();
             std::filesystem::create_directory(folder / "folder");
-            auto const before = folder.names();
-            auto const refused = test::run(program + " contact scene.toml " + row.arguments, folder.path());
-            INFO(refused.err);
-            CHECK(refused.status == row.status);
-            CHECK_THAT(refused.err, ContainsSubstring(row.place) && ContainsSubstring(row.reason) && ContainsSubstring(row.remedy));
-            CHECK(refused.out.empty());
-            CHECK(folder.names() == before);
+            test::check_refused(program + " contact scene.toml", row, folder);
         }
     }
 }

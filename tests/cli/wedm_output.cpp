@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `hdconj wedm` as a user meets it: files, streams, the same figures everywhere, the part and its files under a turn and without a tilt.
+#include <algorithm>
+#include <array>
+#include <csignal>
+#include <cmath>
+#include <cstdio>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <sstream>
+#include <thread>
+
+#include "hdconj/io/wire_files.hpp"
+#include "support/catch.hpp"
+#include "support/run_program.hpp"
+#include "support/sample_wire_program.hpp"
+#include "support/temporary_folder.hpp"
+
+using hdconj::test::content;
+using hdconj::test::Outcome;
+using hdconj::test::TemporaryFolder;
+using nlohmann::json;
+
+namespace {
+
+std::string const program = "'" HDCONJ_PROGRAM "'";
+
+Outcome wedm(std::string const& arguments, TemporaryFolder const& folder)
+{
+    return hdconj::test::run(program + " wedm " + arguments, folder.path());
+}
+
+std::vector<std::string> lines_of(std::string const& text)
+{
+    std::istringstream stream(text);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(stream, line);) {
+        lines.push_back(line);
+    }
+    return lines;
+}
+
+/// Blocks of an XYUV file, their words apart.
+std::vector<std::vector<std::string>> blocks_of(std::string const& text)
+{
+    std::vector<std::vector<std::string>> blocks;
+    for (auto const& line : lines_of(text)) {
+        if (line.find(" U") == std::string::npos || line.front() == '(') {
+            continue;
+        }
+        std::istringstream words(line);
+        auto& block = blocks.emplace_back();
+        for (std::string word; words >> word;) {
+            block.push_back(word);
+        }
+    }
+    return blocks;
+}
+
+json without_folder(json summary)
+{
+    summary.erase("folder");
+    return summary;
+}
+
+}  // namespace
+
+TEST_CASE("wedm names its folder after the drive and says so", "[wedm]")
+{
+    TemporaryFolder const folder;
+    auto const done = wedm("--tilt 0.2", folder);
+    CHECK(done.status == 0);
+    CHECK(done.err.empty());
+    CHECK_THAT(done.out, ContainsSubstring("wire diameter                     0.1 mm") && ContainsSubstring("spark gap                       0.006 mm"));
+    CHECK_THAT(done.out, ContainsSubstring("written into type-50-wedm\n") && ContainsSubstring("not verified on hardware"));
+    CHECK(folder.names() == std::vector<std::string>{"type-50-wedm"});
+    // the operator's summary is the same text
+    auto const text = content(folder / "type-50-wedm" / "type-50_summary.txt");
+    CHECK(done.out.starts_with(text));
+    auto const listed = lines_of(content(folder / "type-50-wedm" / "files.txt"));
+    std::size_t files = 0;
+    for (auto const& entry : std::filesystem::directory_iterator(folder / "type-50-wedm")) {
+        (void)entry;
+        ++files;
+    }
+    CHECK(listed.size() == files);  // its heading stands for itself
+}
+
+TEST_CASE("wedm: --json prints one object with the figures of the text and --quiet prints nothing", "[wedm]")
+{
+    TemporaryFolder const folder;
+    auto const text = wedm("--tilt 0.2 -o a", folder);
+    auto const summary = wedm("--tilt 0.2 -o a --json", folder);
+    CHECK(summary.status == 0);
+    CHECK(summary.err == "wrote 9 files into a\n");
+    auto const figures = json::parse(summary.out);
+    CHECK(figures.at("format") == "hdconj-wire-summary");
+    CHECK(figures.at("folder") == "a");
+    auto const shown = [&](char const* pattern, double value) {
+        std::array<char, 64> digits{};
+        std::snprintf(digits.data(), digits.size(), pattern, value);
+        INFO(digits.data());
+        CHECK_THAT(text.out, ContainsSubstring(digits.data()));
+    };
+    shown("face shift                   %.6f mm", figures.at("face_shift_mm"));
+    shown("guide offset                 %.6f mm", figures.at("guide_offset_mm"));
+    shown("wire leans %.6f deg", figures.at("largest_wire_tilt_deg"));
+    shown("cut off the faces               %.3g um", figures.at("checks").at("face_error_um"));
+    shown("cut between the faces           %.3g um", figures.at("checks").at("middle_error_um"));
+    shown("constant taper                   %.3g um", figures.at("checks").at("constant_taper_error_um"));
+    CHECK(figures.at("face_shift_mm") == Approx(7 * std::tan(0.2 * std::acos(-1.0) / 180)).epsilon(1e-9));
+    CHECK(figures.at("guide_offset_mm") == Approx(0.199).margin(5e-4));
+    auto const& set_ups = figures.at("set_ups");
+    REQUIRE(set_ups.size() == 1);
+    shown("material at %.0f places", static_cast<double>(set_ups[0].at("residuals").size()));
+    for (auto const& file : figures.at("files")) {
+        auto const name = file.at("name").get<std::string>();
+        CHECK_THAT(text.out, ContainsSubstring(name));
+        CHECK(std::filesystem::file_size(folder / "a" / name) == file.at("bytes").get<std::uintmax_t>());
+    }
+    auto const quiet = wedm("--tilt 0.2 -o a --quiet", folder);
+    CHECK(quiet.out + quiet.err == "");
+    CHECK(folder.names() == std::vector<std::string>{"a"});
+}
+
+TEST_CASE("wedm gives the same figures and files for any number of threads and from a stored outline", "[wedm]")
+{
+    TemporaryFolder const folder;
+    auto const one = wedm("--tilt 0.2 --threads 1 -o a --json --quiet", folder);
+    auto const two = wedm("--tilt 0.2 --threads 2 -o b --json --quiet", folder);
+    REQUIRE(one.status == 0);
+    CHECK(without_folder(json::parse(one.out)) == without_folder(json::parse(two.out)));
+    REQUIRE(hdconj::test::run(program + " solve --quiet --set tilt.angle_deg=0.2 --set slices.count=3 -o s.h5", folder.path()).status == 0);
+    auto const stored = wedm("--from s.h5 -o c --json --quiet", folder);
+    CHECK(without_folder(json::parse(one.out)) == without_folder(json::parse(stored.out)));
+    for (auto const& entry : std::filesystem::directory_iterator(folder / "a")) {
+        auto const name = entry.path().filename().string();
+        INFO(name);
+        CHECK(content(folder / "a" / name) == content(folder / "b" / name));
+        CHECK(content(folder / "a" / name) == content(folder / "c" / name));
+    }
+}
+
+TEST_CASE("wedm without a tilt writes U as X and V as Y byte for byte", "[wedm]")
+{
+    TemporaryFolder const folder;
+    REQUIRE(wedm("--tilt 0 --quiet -o a", folder).status == 0);
+    for (std::string const plane : {"face", "guide"}) {
+        auto const blocks = blocks_of(content(folder / "a" / ("type-50_xyuv_" + plane + "_pass1.ngc")));
+        REQUIRE(blocks.size() > 7000);
+        CHECK(std::all_of(blocks.begin(), blocks.end(), [](auto const& block) {
+            return block.size() == 6 && block[2].substr(1) == block[4].substr(1) && block[3].substr(1) == block[5].substr(1);
+        }));
+    }
+    CHECK(content(folder / "a" / "type-50_lower_pass1.3b") == content(folder / "a" / "type-50_upper_pass1.3b"));
+    CHECK(std::filesystem::exists(folder / "a" / "type-50_2d_pass1.iso"));
+}
+
+TEST_CASE("wedm: another first space turns the path by pitches", "[wedm]")
+{
+    TemporaryFolder const folder;
+    REQUIRE(wedm("--tilt 0.2 --dialect xyuv-guide --decimals 6 --set wedm.stop_before=0 --quiet -o a", folder).status == 0);
+    REQUIRE(wedm("--tilt 0.2 --dialect xyuv-guide --decimals 6 --set wedm.stop_before=0 --set wedm.start=1 --quiet -o b", folder).status == 0);
+    auto const first = blocks_of(content(folder / "a" / "type-50_xyuv_guide_pass1.ngc"));
+    auto const second = blocks_of(content(folder / "b" / "type-50_xyuv_guide_pass1.ngc"));
+    REQUIRE(first.size() == second.size());
+    double const pitch = 2 * std::acos(-1.0) / 202, c = std::cos(pitch), s = std::sin(pitch);
+    double worst = 0;
+    for (std::size_t i = 0; i < first.size(); ++i) {
+        for (std::size_t k : {std::size_t{2}, std::size_t{4}}) {  // X Y, then U V
+            std::size_t const at = first[i].size() - 6 + k;
+            double const x = std::stod(first[i][at].substr(1)), y = std::stod(first[i][at + 1].substr(1));
+            worst = std::max({worst, std::abs(c * x + s * y - std::stod(second[i][at].substr(1))), std::abs(-s * x + c * y - std::stod(second[i][at + 1].substr(1)))});
+        }
+    }
+    CHECK(worst < 2e-6);  // both are rounded to 1e-6 mm
+}
+
+TEST_CASE("wedm cuts the flexspline in two set-ups that appear together", "[wedm]")
+{
+    TemporaryFolder const folder;
+    auto const done = wedm("--part flexspline --set wedm.overlap=0.1 --json --quiet", folder);
+    REQUIRE(done.status == 0);
+    CHECK(folder.names() == std::vector<std::string>{"type-50-flexspline-wedm"});
+    auto const figures = json::parse(done.out);
+    auto const& set_ups = figures.at("set_ups");
+    REQUIRE(set_ups.size() == 2);
+    CHECK(set_ups[0].at("first_space") == 0);
+    CHECK(set_ups[0].at("spaces") == 100);
+    CHECK(set_ups[1].at("first_space") == 100);
+    CHECK(set_ups[1].at("spaces") == 100);
+    CHECK(set_ups[1].at("part_turned_deg") == 180);
+    CHECK(figures.at("external") == true);
+    // half a turn is a whole number of pitches of 200 teeth: both set-ups have one program
+    auto const file = [&](std::string const& name) { return content(folder / "type-50-flexspline-wedm" / ("type-50-flexspline_" + name)); };
+    CHECK(blocks_of(file("setup1_xyuv_face_pass1.ngc")) == blocks_of(file("setup2_xyuv_face_pass1.ngc")));
+    CHECK(file("setup1_lower_pass1.3b") == file("setup2_lower_pass1.3b"));
+    CHECK_THAT(file("summary.txt"), ContainsSubstring("set-up 2 of 2: 100 spaces from 100 clockwise, part turned 180 deg") && ContainsSubstring("0.1 mm   overlap beyond"));
+}
+
+TEST_CASE("wedm cuts the flexspline that a given circular spline calls for", "[wedm]")
+{
+    TemporaryFolder const folder;
+    auto const done = wedm("'" HDCONJ_SOURCE_DIR "/data/scenes/circular-spline-given.toml' --part flexspline --set wedm.wire_diameter=0.1 --set wedm.spark_gap=0.006 --quiet -o a", folder);
+    CHECK(done.status == 0);
+    CHECK(done.err.empty());
+    CHECK(std::filesystem::exists(folder / "a" / "circular-spline-given-flexspline_setup2_planes.dxf"));
+}
+
+TEST_CASE("wedm tells a pass that leaves more than the next one takes", "[wedm]")
+{
+    TemporaryFolder const folder;
+    auto const rough = wedm("--tilt 0.2 --set 'wedm.passes=[[0.05], [0.048], [0]]' --dialect csv -o a", folder);
+    CHECK(rough.status == 0);
+    CHECK_THAT(rough.out, ContainsSubstring("WARNING: pass 1 leaves up to 0.0") && ContainsSubstring("more than the layer of 0.002 mm that pass 2 is to take"));
+    auto const fine = wedm("--tilt 0.2 --set 'wedm.passes=[[0.02], [0]]' --dialect csv -o a", folder);
+    CHECK(fine.out.find("WARNING") == std::string::npos);
+}
+
+TEST_CASE("wedm that fails leaves the folder as it was", "[wedm]")
+{
+    TemporaryFolder const folder;
+    REQUIRE(wedm("--tilt 0.2 --dialect csv --quiet -o a", folder).status == 0);
+    auto const before = content(folder / "a" / "type-50_path.csv");
+    // no file may grow beyond 100 blocks of 1024 bytes: the disk is full, as far as the program can tell
+    auto const full = hdconj::test::run("ulimit -f 100; " + program + " wedm --quiet -o a", folder.path());
+    CHECK(full.status == 1);
+    CHECK_THAT(full.err, ContainsSubstring("type-50_planes.dxf") && ContainsSubstring("File too large"));
+    CHECK(wedm("--tilt 0.2 --set wedm.largest_travel=20 -o a", folder).status == 1);
+    CHECK(content(folder / "a" / "type-50_path.csv") == before);
+    CHECK(folder.names() == std::vector<std::string>{"a"});
+}
+
+TEST_CASE("a killed process leaves the old folder of wire files or the new one", "[wedm]")
+{
+    TemporaryFolder const folder;
+    auto const one = hdconj::sample::wire_ring(hdconj::sample::wire_tilt, 16, {0});
+    auto const other = hdconj::sample::wire_ring(hdconj::sample::wire_tilt, 20, {0});
+    auto const target = folder / "out";
+    hdconj::write_wire_files({one}, folder / "one");
+    hdconj::write_wire_files({other}, folder / "other");
+    hdconj::write_wire_files({one}, target);
+    auto const same = [&](std::string const& with) {
+        for (auto const& entry : std::filesystem::directory_iterator(folder / with)) {
+            auto const name = entry.path().filename().string();
+            if (!std::filesystem::exists(target / name) || content(target / name) != content(folder / with / name)) {
+                return false;
+            }
+        }
+        return true;
+    };
+    std::mt19937 random(1);
+    std::uniform_int_distribution<long> wait(0, 30000);
+    constexpr int times = 40;
+    for (int i = 0; i < times; ++i) {
+        pid_t const child = ::fork();
+        if (child == 0) {
+            for (;;) {
+                hdconj::write_wire_files({other}, target);
+                hdconj::write_wire_files({one}, target);
+            }
+        }
+        std::this_thread::sleep_for(std::chrono::microseconds(wait(random)));
+        ::kill(child, SIGKILL);
+        int waited = 0;
+        ::waitpid(child, &waited, 0);
+        REQUIRE(hdconj::test::status_of_wait(waited) == 128 + SIGKILL);
+        REQUIRE((same("one") || same("other")));
+    }
+    // what is left besides is hidden
+    for (auto const& name : folder.names()) {
+        CHECK((name == "one" || name == "other" || name == "out" || name.front() == '.'));
+    }
+}
