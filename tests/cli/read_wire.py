@@ -8,7 +8,9 @@ written here, rebuilds both faces from each, and sweeps the emitted wire with sh
 CHORD [mm]: what the sampled contour and wire may be off between their points. Prints what is wrong, and what was read.
 """
 import re
+import shutil
 import sys
+import tempfile
 from pathlib import Path
 
 import numpy as np
@@ -17,6 +19,10 @@ try:
     import ezdxf
 except ImportError:
     ezdxf = None
+try:
+    from osgeo import ogr
+except ImportError:
+    ogr = None
 try:
     from shapely.geometry import Polygon
 except ImportError:
@@ -114,6 +120,29 @@ def three_b(name, start):
     return np.array(path)
 
 
+def flat_contour(name):
+    """The contour of the part with G41 or G42 on the way in and G40 on the way out."""
+    rows = [words(line) for line in lines(name)]
+    moves = [row for row in rows if "X" in row]
+    want(set(moves[1]["G"]) & {41, 42} and 40 in moves[-1]["G"], f"{name}: offset on and off")
+    want(not any({40, 41, 42} & set(row.get("G", [])) for row in moves[2:-1]), f"{name}: offset switched on the contour")
+    return np.array([(row["X"], row["Y"]) for row in moves])
+
+
+def distance_to(points, line, closed=True):
+    """Of each point from the line, whose points are far closer together than it is long."""
+    ends = np.roll(line, -1, axis=0) if closed else line[1:]
+    starts = line if closed else line[:-1]
+    nearest = np.full(len(points), np.inf)
+    for block in np.array_split(np.arange(len(points)), max(1, len(points) // 200)):
+        p = points[block][:, None, :]
+        close = np.flatnonzero(((starts > p.min((0, 1)) - 1) & (starts < p.max((0, 1)) + 1)).all(axis=1))
+        a, along = starts[close], (ends - starts)[close]
+        share = np.clip(((p - a) * along).sum(-1) / np.maximum((along**2).sum(-1), 1e-300), 0, 1)
+        nearest[block] = np.linalg.norm(p - a - share[..., None] * along, axis=-1).min(axis=1)
+    return nearest
+
+
 def dxf_by_groups(name):
     """Polylines by layer: pairs of lines, code and value. A second reader beside ezdxf."""
     text = lines(name)
@@ -141,6 +170,20 @@ def dxf_by_ezdxf(name):
         want(line.is_closed == line.dxf.layer.startswith("PART"), f"{name}: closed")
         found.setdefault(line.dxf.layer, []).append(np.array([tuple(v.dxf.location) for v in line.vertices]))
     want({"START", "SYNC"} <= {e.dxf.layer for e in drawing.modelspace()}, f"{name}: start and sync")
+    return found
+
+
+def dxf_by_gdal(name):
+    """GDAL repeats the first vertex of what is closed; SYNC and START are no rings of points."""
+    source = ogr.Open(str(folder / name))
+    found = {}
+    for feature in source.GetLayer(0):
+        points = np.array(feature.GetGeometryRef().GetPoints())
+        layer = feature.GetField("Layer")
+        if layer.startswith(("PART", "WIRE")):
+            closed = layer.startswith("PART")
+            want(not closed or (points[0] == points[-1]).all(), f"{name}: GDAL: {layer} is not closed")
+            found.setdefault(layer, []).append(points[:-1] if closed else points)
     return found
 
 
@@ -185,17 +228,16 @@ def sweep(name, paths, closed, nominal, cut, allowed):
 
 def linuxcnc(names):
     try:
-        import gcode  # noqa: F401
+        import gcode as interpreter
     except ImportError:
         print("LinuxCNC is not installed: its interpreter was not tried")
         return {}
-    import gcode as interpreter
 
     class Canon:
         """What the interpreter asks of its machine; moves are kept, in inches."""
 
         def __init__(self):
-            self.moves, self.parameter_file = [], str(folder / "linuxcnc.var")
+            self.moves, self.parameter_file = [], str(parameters)
 
         def straight(self, x, y, z, a, b, c, u, v, w):
             self.moves.append((25.4 * x, 25.4 * y, 25.4 * u, 25.4 * v))
@@ -205,17 +247,29 @@ def linuxcnc(names):
         def get_axis_mask(self):
             return 1 | 2 | 64 | 128
 
+        def get_external_length_units(self):
+            return 1.0
+
+        get_external_angular_units = get_external_length_units
+
+        def get_tool(self, pocket):
+            return (-1,) + 13 * (0,)  # number, offsets, diameter, angles, orientation: none
+
         def __getattr__(self, name):
             if name.startswith("get_"):
                 return lambda *arguments: 0
             return lambda *arguments: None
 
     paths = {}
+    here = Path(tempfile.mkdtemp())
+    parameters = here / "linuxcnc.var"
     for name in names:
+        parameters.touch()  # the interpreter renames it when it ends
         canon = Canon()
         result, line = interpreter.parse(str(folder / name), canon, "G21", "")
         want(result <= interpreter.MIN_ERROR, f"{name}, line {line}: LinuxCNC: {interpreter.strerror(result)}")
         paths[name] = np.array(canon.moves)
+    shutil.rmtree(here)
     return paths
 
 
@@ -242,8 +296,20 @@ for number in range(1, passes + 1):
     offset = float(re.search(r"wire centre ([\d.]+) mm", head)[1])
     if Polygon is not None:
         closed = np.isin(tags, ("lead_in", "contour", "stop"))
+        along = exact[0][closed]
+        if np.linalg.norm(along[0] - along[-1]) > 0:
+            print(f"pass {number} does not close: it was not swept here")
+            continue
         for each, guides in ((name, False), (name.replace("face", "guide"), True)):
             sweep(each, xyuv(each, guides), closed, nominal, offset, UNIT + CHORD)
+    flat = f"{stem}_2d_pass{number}.iso"
+    if (folder / flat).exists():
+        part = flat_contour(flat)
+        on_part = distance_to(part[1:-1], nominal[0])
+        want(on_part.max() <= 2**0.5 / 2 * UNIT + 1e-12, f"{flat}: {on_part.max():.3g} mm off the contour")
+        reached = distance_to(nominal[0], part[1:-1], closed=False)
+        want((reached <= 2 * UNIT).mean() > 0.49, f"{flat}: passes over half of the contour")
+        said.append((flat, on_part.max()))
 if Polygon is None:
     print("shapely is not installed: nothing was swept")
 
@@ -252,6 +318,11 @@ if ezdxf is None:
     print("ezdxf is not installed: not tried")
 else:
     readers["ezdxf"] = dxf_by_ezdxf
+if ogr is None:
+    print("GDAL is not installed: not tried")
+else:
+    ogr.UseExceptions()
+    readers["GDAL"] = dxf_by_gdal
 for reader, read in readers.items():
     layers = read(f"{stem}_planes.dxf")
     want(set(layers) == {"PART_LOWER", "PART_UPPER", "WIRE_LOWER", "WIRE_UPPER"}, f"dxf, {reader}: layers {sorted(layers)}")
@@ -263,11 +334,12 @@ for reader, read in readers.items():
         these = {key: value[rows["pass"] == number] for key, value in rows.items()}
         compare(f"dxf, {reader}, pass {number}", [layers[f"WIRE_{face}"][number - 1][:, :2] for face in ("LOWER", "UPPER")], pair(these), DXF_UNIT)
 
-names = [f"{stem}_xyuv_face_pass{number}.ngc" for number in range(1, passes + 1)]
+names = [f"{stem}_xyuv_{plane}_pass{number}.ngc" for number in range(1, passes + 1) for plane in ("face", "guide")]
 for name, moves in linuxcnc(names).items():
     number = int(re.search(r"pass(\d+)", name)[1])
     these = {key: value[rows["pass"] == number] for key, value in rows.items()}
-    compare(f"LinuxCNC, {name}", (moves[:, :2], moves[:, 2:]), pair(these), UNIT + 1e-9)
+    planes = moves[:, :2], moves[:, 2:]
+    compare(f"LinuxCNC, {name}", faces(*planes) if "guide" in name else planes, pair(these), UNIT + 1e-9)
 
 for name, drift in said:
     print(f"{name}: {drift * 1000:.4f} um")
