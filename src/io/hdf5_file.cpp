@@ -12,15 +12,8 @@
 #include "summary_figures.hpp"
 
 namespace hdconj {
-namespace {
 
-using hdf5::Writer;
-
-/// Number of this layout; goes up when a reader of the old one would misread the new one.
-constexpr int format_version = 1;
-
-/// Now, or SOURCE_DATE_EPOCH where that is set (reproducible files): ISO 8601, UTC.
-std::string date_text()
+std::string hdf5::date_text()
 {
     char const* const given = std::getenv("SOURCE_DATE_EPOCH");
     std::time_t const seconds =
@@ -32,6 +25,13 @@ std::string date_text()
     return text.data();
 }
 
+namespace {
+
+using hdf5::Writer;
+
+/// Number of this layout; goes up when a reader of the old one would misread the new one.
+constexpr int format_version = 1;
+
 void write_provenance(Writer const& root, Solution const& solution)
 {
     root.attribute("format", std::string("hdconj"));
@@ -39,7 +39,7 @@ void write_provenance(Writer const& root, Solution const& solution)
     root.attribute("program_version", std::string(program_version()));
     root.attribute("git_revision", std::string(git_revision()));
     root.attribute("build", std::string(build_description()));
-    root.attribute("date", date_text());
+    root.attribute("date", hdf5::date_text());
     root.attribute("drive", solution.scene.drive.name);
     root.attribute("given", given_member(solution));
     root.attribute("scene", solution.scene.text);

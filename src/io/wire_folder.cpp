@@ -17,8 +17,6 @@ using namespace posix;
 
 namespace {
 
-constexpr char const* first_line = "hdconj wire program: the files of this folder";
-
 fs::path without_slash(fs::path const& target)
 {
     return target.has_filename() ? target : target.parent_path();
@@ -33,7 +31,7 @@ fs::path resolved(fs::path const& target)
 }
 
 /// Names in the list of files of @p folder; empty where there is no list of ours.
-std::vector<std::string> listed(fs::path const& folder)
+std::vector<std::string> listed(fs::path const& folder, char const* first_line)
 {
     std::ifstream in(folder / WireFolder::list_name);
     std::vector<std::string> names;
@@ -48,9 +46,9 @@ std::vector<std::string> listed(fs::path const& folder)
 }
 
 /// A file in @p folder that is not ours; empty: none.
-std::string foreign_file(fs::path const& folder)
+std::string foreign_file(fs::path const& folder, char const* first_line)
 {
-    auto const ours = listed(folder);
+    auto const ours = listed(folder, first_line);
     std::error_code error;
     for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
         std::string const name = at->path().filename().string();
@@ -71,7 +69,7 @@ void flush(fs::path const& name, fs::path const& blamed)
 
 }  // namespace
 
-void WireFolder::check(fs::path const& target)
+void WireFolder::check(fs::path const& target, char const* first_line)
 {
     if (target.empty()) {
         throw FileError("(empty name)", "no folder name given");
@@ -90,15 +88,15 @@ void WireFolder::check(fs::path const& target)
     // Also where the folder is there already: a new one is made beside it.
     check_target(status.found ? real.parent_path() / ("." + real.filename().string() + ".new") : without_slash(target));
     if (status.is_folder()) {
-        if (std::string const name = foreign_file(real); !name.empty()) {
+        if (std::string const name = foreign_file(real, first_line); !name.empty()) {
             throw FileError(target, "holds " + name + ", which hdconj did not write there (write the name of a new folder)");
         }
     }
 }
 
-WireFolder::WireFolder(fs::path const& target) : target_(resolved(target))
+WireFolder::WireFolder(fs::path const& target, char const* first_line) : first_line_(first_line), target_(resolved(target))
 {
-    check(target);
+    check(target, first_line_);
     made_ = temporary_name(target_);
     std::error_code error;
     fs::remove_all(made_, error);  // left over by a killed process that had this process id
@@ -149,7 +147,7 @@ std::string WireFolder::read(std::string const& name) const
 
 void WireFolder::publish(std::vector<std::pair<std::string, std::string>> const& lines)
 {
-    std::string list = std::string(first_line) + "\n";
+    std::string list = std::string(first_line_) + "\n";
     for (auto const& [name, said] : lines) {
         list += name + " " + said + "\n";
     }
@@ -158,7 +156,7 @@ void WireFolder::publish(std::vector<std::pair<std::string, std::string>> const&
         flush(entry.path(), target_ / entry.path().filename());
     }
     flush(made_, target_);
-    check(target_);  // again: something may have been put there while the work went on
+    check(target_, first_line_);  // again: something may have been put there while the work went on
     bool const there = status_of(target_).is_folder();
     unsigned int const how = there ? RENAME_EXCHANGE : RENAME_NOREPLACE;
     int failed = ::renameat2(AT_FDCWD, made_.c_str(), AT_FDCWD, target_.c_str(), how);

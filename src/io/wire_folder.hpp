@@ -14,10 +14,14 @@ namespace hdconj {
 class WireFolder
 {
   public:
-    /// What can be known before: @throws FileError where the folder cannot be made or holds other files
-    static void check(std::filesystem::path const& target);
+    /// First lines of the list of files: only a folder with the same one is exchanged.
+    static constexpr char const* wire_program = "hdconj wire program: the files of this folder";
+    static constexpr char const* accuracy_study = "hdconj accuracy study: the files of this folder";
 
-    explicit WireFolder(std::filesystem::path const& target);
+    /// What can be known before: @throws FileError where the folder cannot be made or holds other files
+    static void check(std::filesystem::path const& target, char const* first_line = wire_program);
+
+    explicit WireFolder(std::filesystem::path const& target, char const* first_line = wire_program);
     ~WireFolder();
     WireFolder(WireFolder const&) = delete;
     WireFolder& operator=(WireFolder const&) = delete;
@@ -34,6 +38,7 @@ class WireFolder
     static constexpr char const* list_name = "files.txt";
 
   private:
+    char const* first_line_;
     std::filesystem::path target_;
     std::filesystem::path made_;
 };

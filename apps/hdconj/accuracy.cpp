@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The verb `accuracy`: which studies, which files, and what is advised.
+#include "hdconj/study/accuracy.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <csignal>
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+#include <optional>
+
+#include "cli.hpp"
+#include "hdconj/io/accuracy_files.hpp"
+#include "hdconj/io/atomic_file.hpp"
+#include "outputs.hpp"
+
+namespace hdconj::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What only `accuracy` is asked.
+struct AccuracyVerb
+{
+    AccuracyOptions study;
+    bool sample_given = false;
+    std::string output;   ///< folder; empty: named after the drive
+    std::string from;     ///< records measured before; empty: measure
+    std::string page;     ///< empty: none
+    std::string budget;   ///< as written; empty: not asked
+    std::string error;
+};
+
+/// A number with one of these units, in the first unit; nothing where it is none.
+std::optional<double> with_unit(std::string const& text, std::vector<std::pair<std::string, double>> const& units)
+{
+    char* end = nullptr;
+    double const value = std::strtod(text.c_str(), &end);
+    if (end == text.c_str() || !(value > 0) || !(value < 1e9)) {
+        return {};
+    }
+    for (auto const& [name, factor] : units) {
+        if (end == name) {
+            return value * factor;
+        }
+    }
+    return {};
+}
+
+std::optional<double> seconds_of(std::string const& text)
+{
+    return with_unit(text, {{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}});
+}
+
+std::optional<double> millimetres_of(std::string const& text)
+{
+    return with_unit(text, {{"", 1}, {"mm", 1}, {"um", 1e-3}, {"nm", 1e-6}});
+}
+
+StoredAccuracy measured(CommonOptions const& common, AccuracyVerb const& own)
+{
+    Scene const scene = load_scene(common);
+    if (Faults faults = check_accuracy(scene, own.study); !faults.empty()) {
+        throw InputError(std::move(faults));
+    }
+    fs::path const folder = own.output.empty() ? fs::path(file_name(scene.drive.name) + "-accuracy") : fs::path(own.output);
+    std::vector<OutputJob> jobs = {{"folder", "--output", folder, [folder] { check_accuracy_folder(folder); }}};
+    if (!own.page.empty()) {
+        jobs.push_back({"page", "--page", own.page, [&own] { check_target(own.page); }});
+    }
+    check_outputs(jobs, common.scene);
+    Progress const progress(!common.quiet);
+    AccuracyOptions options = own.study;
+    constexpr int sample_of_quick = 3;
+    if (options.quick && !own.sample_given) {
+        options.sample = sample_of_quick;
+    }
+    StoredAccuracy study{measure_accuracy(scene, options, [&](std::string const& what, double share) { progress.say(what, share); }), this_program()};
+    progress.clear();
+    return study;
+}
+
+StoredAccuracy stored(CommonOptions const& common, AccuracyVerb const& own)
+{
+    if (!common.scene.empty() || !common.overrides.empty()) {
+        throw InputError(Fault{"--from", 0, own.from, "stored records have a scene of their own, and another is given", "leave SCENE and --set out, or --from"});
+    }
+    if (!own.study.studies.empty()) {
+        throw InputError(Fault{"--from", 0, own.from, "nothing is measured anew, and --study asks for it", "leave one of them out"});
+    }
+    std::vector<OutputJob> jobs;
+    if (!own.output.empty()) {
+        jobs.push_back({"folder", "--output", own.output, [&own] { check_accuracy_folder(own.output); }});
+    }
+    if (!own.page.empty()) {
+        jobs.push_back({"page", "--page", own.page, [&own] { check_target(own.page); }});
+    }
+    check_outputs(jobs, own.from);
+    return read_accuracy(own.from);
+}
+
+int run_accuracy(CommonOptions const& common, AccuracyVerb const& own)
+{
+    std::signal(SIGXFSZ, SIG_IGN);  // a limit on file size becomes a failed write, with its reason
+    StoredAccuracy const study = own.from.empty() ? measured(common, own) : stored(common, own);
+    std::vector<WrittenFile> written;
+    if (own.from.empty() || !own.output.empty()) {
+        fs::path const folder = own.output.empty() ? fs::path(file_name(study.report.scene.drive.name) + "-accuracy") : fs::path(own.output);
+        written = write_accuracy_folder(study, folder);
+    }
+    if (!own.page.empty()) {
+        auto const files = write_accuracy_page(study, own.page);
+        written.insert(written.end(), files.begin(), files.end());
+    }
+    AccuracyAdvice const advice{millimetres_of(own.error), seconds_of(own.budget)};
+    if (common.json) {
+        std::cout << summary_json(study, advice, written);
+    } else if (!common.quiet) {
+        std::cout << summary_text(study, advice);
+    }
+    if (!common.quiet) {
+        for (auto const& each : written) {
+            std::cerr << "wrote " << each.file.string() << '\n';
+        }
+    }
+    return exit_done;
+}
+
+std::string studies_text()
+{
+    std::string text = "Studies:\n";
+    for (auto const& kind : study_kinds()) {
+        text += fmt::format("  {:<16}{}\n", kind.name, kind.question);
+    }
+    return text;
+}
+
+}  // namespace
+
+void add_accuracy(CLI::App& program, CommonOptions& common)
+{
+    auto* verb = program.add_subcommand("accuracy", "what accuracy costs in time: error against time of every method and knob");
+    add_scene_options(*verb, common);
+    auto own = std::make_shared<AccuracyVerb>();
+    verb->add_option("--study", own->study.studies, "studies to run, see below [all]")->delimiter(',')->type_name("NAME,...");
+    verb->add_option("-o,--output", own->output, "folder to make [the drive's name and -accuracy, in this folder; with --from none]")->type_name("DIR");
+    auto* sample = verb->add_option("--sample", own->study.sample, "designs about the scene whose worst is shown beside it [64]")->check(CLI::Range(0, 1000))->type_name("N");
+    verb->add_option("--repeats", own->study.repeats, "runs of each setting; the median counts [5]")->check(CLI::Range(1, 1000))->type_name("N");
+    verb->add_flag("--quick", own->study.quick, "short ladders, one run of each setting, 3 designs: some seconds");
+    verb->add_option("--from", own->from, "take records that were measured before in place of measuring")->type_name("DIR/records.h5");
+    verb->add_option("--budget", own->budget, "advise the most accurate setting within a time, such as 10ms, 0.5s, 800us")
+        ->check([](std::string const& text) { return seconds_of(text) ? "" : "'" + text + "' is no time (write a number with s, ms or us, such as 10ms)"; })
+        ->type_name("TIME");
+    verb->add_option("--error", own->error, "advise the fastest setting with this error or less, in mm, or such as 1um, 5nm")
+        ->check([](std::string const& text) { return millimetres_of(text) ? "" : "'" + text + "' is no length (write a number above 0 in mm, or with um or nm)"; })
+        ->type_name("LENGTH");
+    verb->add_option("--page", own->page, "write the report as a page, its pictures into figures/ beside it")->type_name("FILE.md");
+    verb->footer(studies_text() +
+                 "Errors are distances in mm from a reference in 50 digits that is computed by another path. The folder holds records.h5, records.csv\n"
+                 "and, where gnuplot is installed, a picture of each study; it appears whole or not at all. Times are of this machine, as busy as it is.\n"
+                 "Examples:\n"
+                 "  hdconj accuracy drive.toml -o study\n"
+                 "  hdconj accuracy --study tolerance,motion-model --sample 0\n"
+                 "  hdconj accuracy --from study/records.h5 --budget 10ms --error 1e-6\n"
+                 "  hdconj accuracy --from study/records.h5 --page accuracy.md");
+    verb->callback([&common, own, sample] {
+        own->sample_given = sample->count() > 0;
+        common.action = [&common, own] { return run_accuracy(common, *own); };
+    });
+}
+
+}  // namespace hdconj::cli

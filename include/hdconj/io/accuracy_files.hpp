@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What `accuracy` writes, reads and prints.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hdconj/io/result_files.hpp"
+#include "hdconj/study/ladder.hpp"
+#include "hdconj/study/record.hpp"
+
+namespace hdconj {
+
+/// Who made a report: goes into every row.
+struct AccuracyOrigin
+{
+    std::string version, revision, build, libraries;
+};
+[[nodiscard]] AccuracyOrigin this_program();
+
+/// A report, and the program that measured it.
+struct StoredAccuracy
+{
+    AccuracyReport report;
+    AccuracyOrigin origin;
+};
+
+/// What is asked for: an error to keep or a time to stay within.
+struct AccuracyAdvice
+{
+    std::optional<double> error;    ///< [mm]
+    std::optional<double> seconds;
+};
+
+/// What can be known about the folder before the long work. @throws FileError
+void check_accuracy_folder(std::filesystem::path const& folder);
+
+/// records.h5, records.csv and, where gnuplot is installed, a picture of each study as SVG and PNG, into a folder that appears whole.
+/// @throws FileError
+std::vector<WrittenFile> write_accuracy_folder(StoredAccuracy const& study, std::filesystem::path const& folder);
+
+/// Reads records.h5. @throws FileError
+[[nodiscard]] StoredAccuracy read_accuracy(std::filesystem::path const& file);
+
+/// One row per case, method, knob and repeat, a line of names first.
+[[nodiscard]] std::string accuracy_csv(StoredAccuracy const& study);
+
+/// The report as a page in Markdown, pictures as links into the folder "figures" beside it.
+[[nodiscard]] std::string accuracy_page(StoredAccuracy const& study);
+/// Writes that page and, where gnuplot is installed, its pictures. @throws FileError
+std::vector<WrittenFile> write_accuracy_page(StoredAccuracy const& study, std::filesystem::path const& page);
+
+/// The printed summary: a table for each study, and what is advised.
+[[nodiscard]] std::string summary_text(StoredAccuracy const& study, AccuracyAdvice const& advice);
+
+/// The same figures as one JSON object; keys in docs/json.md.
+[[nodiscard]] std::string summary_json(StoredAccuracy const& study, AccuracyAdvice const& advice, std::vector<WrittenFile> const& written);
+
+}  // namespace hdconj

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Work-precision studies: for each method and knob a ladder from coarse to fine, error against time.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hdconj/scene/fault.hpp"
+#include "hdconj/study/record.hpp"
+
+namespace hdconj {
+
+/// A study by its name, and the question it answers.
+struct StudyKind
+{
+    std::string_view name;
+    std::string_view question;
+};
+
+/// Every study, in the order in which they run.
+[[nodiscard]] std::vector<StudyKind> const& study_kinds();
+
+/// What is asked beside the scene.
+struct AccuracyOptions
+{
+    std::vector<std::string> studies;     ///< names; empty: all
+    int sample = 64;                      ///< designs beside the scene; 0: none
+    int repeats = 5;
+    bool quick = false;                   ///< short ladders, one repeat: for tests
+    std::uint64_t seed = 20250301;        ///< of the sample
+};
+
+/// Told which study runs, and how much of all is done, 0 ... 1.
+using StudyProgress = std::function<void(std::string const& what, double share)>;
+
+/// Whether this scene can be measured: the reference in 50 digits knows the cosine wave generator and the forward problem.
+[[nodiscard]] Faults check_accuracy(Scene const& scene, AccuracyOptions const& options);
+
+/// Runs the studies.
+///
+/// Effects along the axis, root clearance and an automatic side clearance are left out of the drive that is measured; `notes` says so.
+/// Deterministic but for the times and the memory.
+/// @throws InputError for what check_accuracy() finds; NumericalError where the scene itself cannot be solved
+[[nodiscard]] AccuracyReport measure_accuracy(Scene const& scene, AccuracyOptions const& options = {}, StudyProgress const& progress = {});
+
+}  // namespace hdconj

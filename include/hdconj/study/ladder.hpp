@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// From records to curves: medians, observed order, floors, and what to set for a wanted error or time.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hdconj/study/record.hpp"
+
+namespace hdconj {
+
+/// Name of the ladders that take the worst design of the sample at every rung.
+inline constexpr char const* worst_of_sample = "worst of the sample";
+
+/// One ladder for each study, method and knob of the scene itself, and one for the sample, in the order of the records.
+[[nodiscard]] std::vector<StudyLadder> ladders_of(AccuracyReport const& report);
+
+/// A setting with what it was measured to cost and to reach.
+struct Recommendation
+{
+    StudyRung rung;
+    bool reaches = false;       ///< whether it keeps what was asked; else it is the nearest that was measured
+    double sample_error = not_measured;  ///< the worst of the sample with the same setting
+};
+
+/// The fastest setting of the whole program with an error of @p error [mm] or less, on the scene and on the sample.
+[[nodiscard]] std::optional<Recommendation> fastest_within(std::vector<StudyLadder> const& ladders, double error);
+
+/// The most accurate setting of the whole program that takes @p seconds or less.
+[[nodiscard]] std::optional<Recommendation> finest_within(std::vector<StudyLadder> const& ladders, double seconds);
+
+/// Slope of log(error) against log(value) by least squares over the rungs that stand above @p floor; not_measured with fewer than three.
+[[nodiscard]] double observed_order(std::vector<StudyRung> const& rungs, double floor);
+
+/// The error at which a ladder stays: the smallest, where the last two rungs differ by less than a tenth; else not_measured.
+[[nodiscard]] double floor_of(std::vector<StudyRung> const& rungs);
+
+}  // namespace hdconj

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Records of a study as the bytes of an HDF5 file; private to src/io.
+#pragma once
+
+#include <string>
+
+#include "hdconj/io/accuracy_files.hpp"
+
+namespace hdconj {
+
+/// @throws hdf5::Failure
+[[nodiscard]] std::string accuracy_bytes(StoredAccuracy const& study);
+
+}  // namespace hdconj

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "bench.hpp"
+
+#include <fstream>
+#include <sstream>
+
+namespace hdconj::detail {
+
+void reset_peak_memory()
+{
+    std::ofstream("/proc/self/clear_refs") << "5";   // Linux: starts VmHWM anew
+}
+
+double peak_memory()
+{
+    std::ifstream status("/proc/self/status");
+    for (std::string line; std::getline(status, line);)
+    {
+        std::istringstream words(line);
+        std::string key;
+        double kilobytes = 0;
+        if (words >> key >> kilobytes && key == "VmHWM:")
+            return kilobytes / 1024;
+    }
+    return not_measured;
+}
+
+double power_of_ten(int digits)
+{
+    double power = 1;
+    for (int i = 0; i < digits; ++i)
+        power *= 10;
+    return 1 / power;
+}
+
+}  // namespace hdconj::detail

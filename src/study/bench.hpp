@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What every study is given, and how it keeps its records; private to src/study.
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <utility>
+
+#include "hdconj/study/accuracy.hpp"
+#include "study_drive.hpp"
+
+namespace hdconj::detail {
+
+/// Largest resident set since the last reset [MB]; not_measured where the system does not say.
+[[nodiscard]] double peak_memory();
+void reset_peak_memory();
+
+/// The drive that is measured, its reference, and where records go.
+struct StudyBench
+{
+    AccuracyReport& report;
+    StudyDrive const& drive;
+    ReferenceCurve const& reference;
+    std::string name;      ///< of the drive
+    int repeats = 1;
+    bool quick = false;    ///< short ladders
+    bool sampled = false;  ///< one of the sample: ladders of medium length
+    int threads = 1;
+
+    /// Runs @p run, which returns nothing, for every repeat of a record. Runs shorter than some milliseconds are repeated within one
+    /// timing, so that a tick of the clock does not count.
+    template<class Run>
+    void measure(StudyRecord record, Run const& run) const
+    {
+        record.drive = name;
+        for (int repeat = 0; repeat < repeats; ++repeat)
+        {
+            record.repeat = repeat;
+            reset_peak_memory();
+            constexpr double long_enough = 3e-3;   // s
+            long runs = 0;
+            double seconds = 0;
+            auto const start = std::chrono::steady_clock::now();
+            do
+            {
+                run();
+                ++runs;
+                seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+            } while (seconds < long_enough && !quick);
+            record.seconds = seconds / static_cast<double>(runs);
+            record.memory = peak_memory();
+            report.records.push_back(record);
+        }
+    }
+};
+
+void study_tolerance(StudyBench const& bench);
+void study_sampling(StudyBench const& bench);
+void study_motion_model(StudyBench const& bench);
+void study_fit(StudyBench const& bench);
+void study_union(StudyBench const& bench);
+void study_roots(StudyBench const& bench);
+void study_precision(StudyBench const& bench);
+void study_contact(StudyBench const& bench);
+void study_threads(StudyBench const& bench);
+
+/// 10^-digits.
+[[nodiscard]] double power_of_ten(int digits);
+
+}  // namespace hdconj::detail

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Studies of `solve` as a whole: tolerance, motion model, threads.
+#include <algorithm>
+
+#include "bench.hpp"
+#include "hdconj/numeric/parallel.hpp"
+#include "hdconj/pipeline/solve.hpp"
+
+namespace hdconj::detail {
+namespace {
+
+constexpr int coarsest = 3;   // digits of the tolerance
+
+int finest(StudyBench const& bench, int whole)
+{
+    constexpr int of_quick = 6, of_sample = 8;
+    return std::min(whole, bench.quick ? of_quick : bench.sampled ? of_sample : whole);
+}
+
+/// One solution of @p scene against the reference, and its times.
+Solution rung(StudyBench const& bench, Scene const& scene, StudyRecord record)
+{
+    Solution const solution = solve(scene);
+    constexpr double clearly = 4;
+    CurveDifference const difference = bench.reference.compare(solution.circular_spline.outline.front(), clearly * scene.solver.tolerance);
+    constexpr std::size_t contacts = 400;
+    record.error = difference.points;
+    record.hausdorff = difference.hausdorff;
+    record.estimate = solution.error.largest();
+    record.residual = scene.solver.kinematics == Kinematics::exact ? residual_of(bench.drive, solution, contacts) : not_measured;
+    int const found = static_cast<int>(solution.branches.size()), there = static_cast<int>(bench.drive.branches);
+    record.branches = found;
+    record.missed = std::max(0, there - found) + (scene.solver.kinematics == Kinematics::exact ? difference.missed : 0);
+    record.extra = std::max(0, found - there);
+    record.evaluations = static_cast<double>(solution.work.envelope_points);
+    record.points = static_cast<double>(solution.circular_spline.outline.front().size());
+    record.threads = solution.threads;
+    bench.measure(record, [&] { (void)solve(scene); });
+    return solution;
+}
+
+void tolerance_ladder(StudyBench const& bench, std::string const& study, std::string const& method, Kinematics kinematics, int to)
+{
+    for (int digits = coarsest; digits <= finest(bench, to); ++digits)
+    {
+        Scene scene = bench.drive.scene;
+        scene.solver.kinematics = kinematics;
+        scene.solver.tolerance = power_of_ten(digits);
+        StudyRecord record;
+        record.study = study;
+        record.method = method;
+        record.knob = "solver.tolerance";
+        record.value = scene.solver.tolerance;
+        (void)rung(bench, scene, record);
+    }
+}
+
+}  // namespace
+
+void study_tolerance(StudyBench const& bench)
+{
+    constexpr int to = 11;
+    tolerance_ladder(bench, "tolerance", "solve", Kinematics::exact, to);
+}
+
+void study_motion_model(StudyBench const& bench)
+{
+    constexpr int to = 7;
+    tolerance_ladder(bench, "motion-model", "exact", Kinematics::exact, to);
+    tolerance_ladder(bench, "motion-model", "first order", Kinematics::first_order, to);
+    tolerance_ladder(bench, "motion-model", "material", Kinematics::material, to);
+}
+
+void study_threads(StudyBench const& bench)
+{
+    constexpr int digits = 9, digits_of_quick = 6;
+    Scene scene = bench.drive.scene;
+    scene.solver.tolerance = power_of_ten(bench.quick ? digits_of_quick : digits);
+    int const cores = thread_count(0);
+    std::vector<Vec2> single;
+    for (int threads = 1; threads <= std::max(2, cores); threads *= 2)
+    {
+        scene.solver.threads = threads;
+        StudyRecord record;
+        record.study = "threads";
+        record.method = "solve";
+        record.knob = "solver.threads";
+        record.value = threads;
+        Solution const solution = solve(scene);
+        auto const& outline = solution.circular_spline.outline.front();
+        if (single.empty())
+            single = outline;
+        CurveDifference const difference = bench.reference.compare(outline, scene.solver.tolerance);
+        record.error = difference.points;
+        record.hausdorff = difference.hausdorff;
+        record.estimate = solution.error.largest();
+        record.branches = static_cast<int>(solution.branches.size());
+        // a point that differs in any bit from that of one thread is an extra one
+        record.extra = static_cast<int>(outline.size() != single.size());
+        for (std::size_t i = 0; i < std::min(outline.size(), single.size()); ++i)
+            record.extra += outline[i] != single[i];
+        record.evaluations = static_cast<double>(solution.work.envelope_points);
+        record.points = static_cast<double>(outline.size());
+        record.threads = threads;
+        bench.measure(record, [&] { (void)solve(scene); });
+    }
+}
+
+}  // namespace hdconj::detail

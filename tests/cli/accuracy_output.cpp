@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `hdconj accuracy` as a user meets it: folder, streams, exit statuses, stored records, advice.
+#include <algorithm>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "support/catch.hpp"
+#include "support/run_program.hpp"
+#include "support/temporary_folder.hpp"
+
+using hdconj::test::content;
+using hdconj::test::Outcome;
+using hdconj::test::TemporaryFolder;
+using nlohmann::json;
+
+namespace {
+
+std::string const program = "'" HDCONJ_PROGRAM "'";
+std::string const quick = "--quick --sample 0 --study tolerance,number-type ";
+
+Outcome accuracy(std::string const& arguments, TemporaryFolder const& folder)
+{
+    return hdconj::test::run(program + " accuracy " + arguments, folder.path());
+}
+
+bool has_gnuplot()
+{
+    return hdconj::test::run("command -v gnuplot").status == 0;
+}
+
+}  // namespace
+
+TEST_CASE("accuracy writes a folder of records and pictures, and prints tables", "[accuracy]")
+{
+    TemporaryFolder const folder;
+    auto const done = accuracy(quick + "--budget 10s --error 1um", folder);
+    CHECK(done.status == 0);
+    CHECK_THAT(done.out, ContainsSubstring("tolerance:") && ContainsSubstring("order 1.0") && ContainsSubstring("--set solver.tolerance=") &&
+                             ContainsSubstring("reference: 50 digits"));
+    CHECK_THAT(done.err, ContainsSubstring("wrote type-50-accuracy/records.h5"));
+    CHECK(folder.names() == std::vector<std::string>{"type-50-accuracy"});
+    std::istringstream csv(content(folder.path() / "type-50-accuracy/records.csv"));
+    std::string line;
+    std::getline(csv, line);
+    CHECK(line.starts_with("study,drive,method,knob,unit,value,repeat,error,hausdorff,estimate,residual,"));
+    CHECK(line.ends_with("version,revision,compiler_and_flags,libraries"));
+    auto const columns = std::count(line.begin(), line.end(), ',');
+    int rows = 0;
+    while (std::getline(csv, line)) {
+        bool quoted = false;
+        auto found = columns - columns;
+        for (char const c : line) {
+            quoted = quoted != (c == '"');
+            found += c == ',' && !quoted;
+        }
+        CHECK(found == columns);
+        ++rows;
+    }
+    CHECK(rows == 4 + 4);  // tolerances 1e-3 ... 1e-6; three number types and the program
+    if (has_gnuplot()) {
+        CHECK_THAT(content(folder.path() / "type-50-accuracy/tolerance.svg"), ContainsSubstring("<svg"));
+    }
+    // once more into the same folder: exchanged; into one that holds something else: refused
+    CHECK(accuracy(quick + "--quiet", folder).status == 0);
+    std::ofstream(folder.path() / "type-50-accuracy/mine.txt") << "mine\n";
+    auto const refused = accuracy(quick, folder);
+    CHECK(refused.status == 1);
+    CHECK_THAT(refused.err, ContainsSubstring("mine.txt"));
+    CHECK(content(folder.path() / "type-50-accuracy/mine.txt") == "mine\n");
+}
+
+TEST_CASE("accuracy: stored records give the same figures, a page and advice", "[accuracy]")
+{
+    TemporaryFolder const folder;
+    auto const measured = accuracy(quick + "--json -o a", folder);
+    REQUIRE(measured.status == 0);
+    json const first = json::parse(measured.out);
+    CHECK(first.at("format") == "hdconj-accuracy");
+    CHECK(first.at("reference_error_mm").get<double>() < 1e-14);
+    auto const again = accuracy("--from a/records.h5 --json --page page.md --error 1e-5 --budget 1us", folder);
+    REQUIRE(again.status == 0);
+    json const second = json::parse(again.out);
+    CHECK(second.at("ladders") == first.at("ladders"));
+    CHECK(second.at("for_error").at("set") == "solver.tolerance=1e-05");
+    CHECK(second.at("for_error").at("reaches") == true);
+    CHECK(second.at("for_budget").at("reaches") == false);
+    std::string const page = content(folder.path() / "page.md");
+    CHECK_THAT(page, ContainsSubstring("# What accuracy costs in time") && ContainsSubstring("| 1e-05 | `solver.tolerance = 1e-05` |"));
+    // every picture that the page shows is there
+    for (auto at = page.find("](figures/"); at != std::string::npos; at = page.find("](figures/", at + 1)) {
+        auto const name = page.substr(at + 2, page.find(')', at) - at - 2);
+        if (has_gnuplot())
+            CHECK(std::filesystem::exists(folder.path() / name));
+    }
+}
+
+TEST_CASE("accuracy: bad input is answered with what to write", "[accuracy]")
+{
+    TemporaryFolder const folder;
+    struct Row
+    {
+        std::string arguments, answer;
+    };
+    for (Row const& row : {Row{"--study tolerence", "write tolerance"}, Row{"--budget 10", "write a number with s, ms or us"}, Row{"--error nought", "write a number above 0"},
+                           Row{"--error 0", "write a number above 0"}, Row{"--set solver.kinematics=first-order", "leave the key out"},
+                           Row{"--set wave_generator.family=ellipse", "cosine wave generator only"}, Row{"--sample -1", "--sample"},
+                           Row{"--from a.h5 --study tolerance", "leave one of them out"}, Row{"--from a.h5 --set drive.module=1", "leave SCENE and --set out"}}) {
+        INFO(row.arguments);
+        auto const refused = accuracy(row.arguments, folder);
+        CHECK(refused.status == 2);
+        CHECK(refused.out.empty());
+        CHECK_THAT(refused.err, ContainsSubstring(row.answer));
+    }
+    auto const missing = accuracy("--from nothing.h5", folder);
+    CHECK(missing.status == 1);
+    CHECK_THAT(missing.err, ContainsSubstring("nothing.h5") && ContainsSubstring("hdconj accuracy -o DIR"));
+    CHECK(folder.names().empty());
+    CHECK_THAT(accuracy("--help", folder).out, ContainsSubstring("polynomial-fit") && ContainsSubstring("Examples:"));
+}
