@@ -75,5 +75,6 @@ void add_solve(CLI::App& program, CommonOptions& common);
 void add_contact(CLI::App& program, CommonOptions& common);
 void add_wedm(CLI::App& program, CommonOptions& common);
 void add_accuracy(CLI::App& program, CommonOptions& common);
+void add_export(CLI::App& program, CommonOptions& common);
 
 }  // namespace hdconj::cli

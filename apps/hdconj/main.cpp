@@ -23,6 +23,8 @@ constexpr char const* examples =
     "  hdconj contact hdconj.toml       how much flank touches, and what tilt does to it\n"
     "  hdconj wedm hdconj.toml          files to cut it by wire\n"
     "  hdconj accuracy hdconj.toml      what accuracy costs in time\n"
+    "  hdconj export hdconj.toml --calculix deck\n"
+    "                                   the elastic cup for CalculiX\n"
     "  hdconj solve --set wave_generator.radial_deformation=0.26\n"
     "                                   the built-in drive with one key changed\n"
     "Exit status: 0 done, 1 failed, 2 bad scene or bad command line.\n"
@@ -119,6 +121,7 @@ int run(int argc, char** argv)
     add_contact(program, common);
     add_wedm(program, common);
     add_accuracy(program, common);
+    add_export(program, common);
     if (argc < 2) {
         std::cerr << program.help();
         return exit_input;

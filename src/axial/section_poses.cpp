@@ -5,11 +5,11 @@
 
 namespace hdconj {
 
-SectionPoses::SectionPoses(double low, double high, double tooth_ratio, MotionOf const& motion_of) : ratio_(tooth_ratio)
+SectionPoses::SectionPoses(double low, double high, double tooth_ratio, MotionOf const& motion_of, int count) : ratio_(tooth_ratio)
 {
-    for (int j = 0; j < nodes; ++j)
+    for (int j = 0; j < count; ++j)
     {
-        double const x = std::cos(std::numbers::pi * (j + 0.5) / nodes);
+        double const x = std::cos(std::numbers::pi * (j + 0.5) / count);
         factor_.push_back(0.5 * (low + high) + 0.5 * (high - low) * x);
         motion_.push_back(motion_of(factor_.back()));
     }

@@ -31,7 +31,7 @@ Json drive(Solution const& solution)
             {"flexspline_teeth", drive.flexspline_teeth},
             {"circular_spline_teeth", drive.circular_spline_teeth},
             {"waves", solution.scene.wave_generator.waves},
-            {"kinematics", to_string(solution.scene.solver.kinematics)},
+            {"kinematics", to_string(solution.scene.is_elastic() ? Kinematics::material : solution.scene.solver.kinematics)},
             {"tolerance_mm", number(solution.scene.solver.tolerance)},
             {"given", given_member(solution)}};
 }

@@ -109,7 +109,7 @@ void write_drive(Page& page, Solution const& solution)
     auto const& drive = solution.scene.drive;
     page.line("{}: m {:g} mm, z_f/z_c {}/{}, ratio {:g}, {} waves, kinematics {}", drive.name, drive.module,
               drive.flexspline_teeth, drive.circular_spline_teeth, solution.geometry.ratio,
-              solution.scene.wave_generator.waves, to_string(solution.scene.solver.kinematics));
+              solution.scene.wave_generator.waves, to_string(solution.scene.is_elastic() ? Kinematics::material : solution.scene.solver.kinematics));
 }
 
 void write_certificate(Page& page, Solution const& solution)

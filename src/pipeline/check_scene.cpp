@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "drive.hpp"
+#include "elastic_cup.hpp"
 #include "hdconj/pipeline/solve.hpp"
 
 namespace hdconj {
@@ -11,7 +12,10 @@ Faults check_scene(Scene const& scene)
     AnyWaveShape const shape = detail::wave_shape(scene, tooth, faults);
     if (tooth.pieces.empty() || !faults.empty())
         return faults;
-    detail::judge_kinematics(scene, shape, faults);
+    if (scene.is_elastic())
+        detail::judge_cup(scene, detail::ring_geometry(scene, tooth).flexspline_inner_radius, faults);
+    else
+        detail::judge_kinematics(scene, shape, faults);
     detail::judge_curvature(scene, shape, detail::ring_geometry(scene, tooth).r_m, faults);
     if (faults.empty())
         detail::judge_geometry(scene, tooth, detail::pair_geometry(scene, tooth, shape.amplitude()), faults);

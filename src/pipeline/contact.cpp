@@ -174,7 +174,9 @@ namespace {
 Scene middle_scene(Scene const& scene)
 {
     Scene middle = scene;
-    middle.coning.reset();
+    // the elastic cup moves z = 0 too
+    if (!scene.is_elastic())
+        middle.coning.reset();
     middle.tilt.reset();
     middle.slices.reset();
     middle.contact.reset();
@@ -197,7 +199,7 @@ struct OwnedBench
         double const width = *scene.circular_spline.width;
         maker.emplace(middle, tooth, shape, slice_places(slices, width), threads);
         bench.emplace(ContactBench{scene, tooth, shape, g, *maker, request_of(scene), threads, width,
-                                   {scene.solver.tolerance, g.r_m + g.w0 + tooth.pitch_line + tooth.addendum}, clock, places});
+                                   {scene.solver.tolerance, g.r_m + g.w0 + tooth.pitch_line + tooth.addendum}, clock, places, middle.cup.get()});
         clock.run(Stage::coning, [&] {
             for (std::size_t k = 0; k < maker->z().size(); ++k)
                 (void)maker->motion(k);

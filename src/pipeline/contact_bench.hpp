@@ -26,6 +26,7 @@ struct ContactBench
     Tolerance tolerance;
     StageClock& clock;
     PlaceCache& places;
+    BentCup const* cup = nullptr;  ///< null: the linear cone, or none
 };
 
 }  // namespace hdconj::detail

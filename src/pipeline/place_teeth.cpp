@@ -9,11 +9,95 @@
 #include "hdconj/axial/coning.hpp"
 #include "hdconj/axial/section_poses.hpp"
 #include "hdconj/contact/gap_field.hpp"
+#include "hdconj/elastic/bent_cup.hpp"
 #include "hdconj/motion/parameter_at.hpp"
 #include "hdconj/numeric/parallel.hpp"
 #include "solve_motion.hpp"
 
 namespace hdconj::detail {
+namespace {
+
+/// Heights between which the poses on an elastic cup are interpolated: its wall bends at the edges of the bearing.
+constexpr int cup_nodes = 16;
+
+/// Poses in the planes of the slices where the amplitude follows the linear cone.
+template<class PhiOf>
+void place_on_cone(ContactBench const& bench, PhiOf const& phi_of, ToothPlaces& places)
+{
+    Scene const& scene = bench.scene;
+    std::vector<double> const& z = bench.maker.z();
+    std::size_t const teeth = places.pose.size() / z.size();
+    ConingMode const mode = coning_mode(*scene.coning);
+    AxialShift<AnyWaveShape> const shift(bench.shape, bench.geometry.r_m, mode);
+    std::vector<AxialDisplacement> moved(teeth);
+    double largest = 0;
+    for (std::size_t i = 0; i < teeth; ++i)
+    {
+        moved[i] = shift(phi_of(i));
+        largest = std::max(largest, std::abs(moved[i].u_z));
+    }
+    std::vector<SliceMotion> motions;
+    SectionPoses const sections(mode.factor(z.front() - largest), mode.factor(z.back() + largest), tooth_ratio(scene), [&](double factor) {
+        motions.push_back(slice_motion(scene, bench.tooth, bench.shape, factor, bench.geometry.r_m));
+        return motions.back().motion;
+    });
+    constexpr std::size_t grain = 16;
+    parallel_for(teeth, bench.threads, grain, [&](std::size_t i) {
+        for (std::size_t k = 0; k < z.size(); ++k)
+            places.pose[i * z.size() + k] = sections(phi_of(i), mode.factor(z[k] - moved[i].u_z), -mode.slope() * moved[i].slope);
+    });
+}
+
+/// The same on the elastic cup, where the height of the wall itself says how far it moves: through the plane at z passes the part that was at
+/// h with h + u_z(phi, h) = z.
+template<class PhiOf>
+void place_on_cup(ContactBench const& bench, PhiOf const& phi_of, ToothPlaces& places)
+{
+    Scene const& scene = bench.scene;
+    BentCup const& cup = *bench.cup;
+    std::vector<double> const& z = bench.maker.z();
+    std::size_t const teeth = places.pose.size() / z.size();
+    double const r_m = bench.geometry.r_m, middle = cup.bearing().middle;
+    struct Height
+    {
+        double h;
+        double by_phi;
+    };
+    std::vector<Height> height(places.pose.size());
+    constexpr std::size_t grain = 16;
+    parallel_for(teeth, bench.threads, grain, [&](std::size_t i) {
+        constexpr int steps = 4;  // of Newton's method: u_z hardly depends on the height
+        for (std::size_t k = 0; k < z.size(); ++k)
+        {
+            double h = z[k];
+            AxialMove move;
+            for (int step = 0; step < steps; ++step)
+            {
+                move = cup.axial(middle + h, r_m, phi_of(i));
+                h -= (h + move.u_z - z[k]) / (1 + move.by_z);
+            }
+            height[i * z.size() + k] = {h, -move.by_phi / (1 + move.by_z)};
+        }
+    });
+    auto const lower = [](Height const& a, Height const& b) { return a.h < b.h; };
+    double const low = std::min_element(height.begin(), height.end(), lower)->h;
+    double const high = std::max_element(height.begin(), height.end(), lower)->h;
+    std::vector<SliceMotion> motions;
+    SectionPoses const sections(low, high, tooth_ratio(scene), [&](double h) {
+        motions.push_back(bench.maker.motion_at(h));
+        return motions.back().motion;
+    }, cup_nodes);
+    parallel_for(teeth, bench.threads, grain, [&](std::size_t i) {
+        for (std::size_t k = 0; k < z.size(); ++k)
+        {
+            Height const& at = height[i * z.size() + k];
+            places.pose[i * z.size() + k] = sections(phi_of(i), at.h, at.by_phi);
+        }
+    });
+}
+
+}  // namespace
+
 
 double phase_of(Scene const& scene, double wave_generator)
 {
@@ -50,25 +134,10 @@ ToothPlaces tooth_places(ContactBench const& bench, double phase)
         });
         return places;
     }
-    ConingMode const mode = coning_mode(*scene.coning);
-    AxialShift<AnyWaveShape> const shift(bench.shape, bench.geometry.r_m, mode);
-    std::vector<AxialDisplacement> moved(teeth);
-    double largest = 0;
-    for (std::size_t i = 0; i < teeth; ++i)
-    {
-        moved[i] = shift(phi_of(i));
-        largest = std::max(largest, std::abs(moved[i].u_z));
-    }
-    std::vector<SliceMotion> motions;
-    SectionPoses const sections(mode.factor(z.front() - largest), mode.factor(z.back() + largest), tooth_ratio(scene), [&](double factor) {
-        motions.push_back(slice_motion(scene, bench.tooth, bench.shape, factor, bench.geometry.r_m));
-        return motions.back().motion;
-    });
-    constexpr std::size_t grain = 16;
-    parallel_for(teeth, bench.threads, grain, [&](std::size_t i) {
-        for (std::size_t k = 0; k < z.size(); ++k)
-            places.pose[i * z.size() + k] = sections(phi_of(i), mode.factor(z[k] - moved[i].u_z), -mode.slope() * moved[i].slope);
-    });
+    if (bench.cup != nullptr)
+        place_on_cup(bench, phi_of, places);
+    else
+        place_on_cone(bench, phi_of, places);
     return places;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "slice_motion.hpp"
 
+#include <algorithm>
+#include <numbers>
 #include <utility>
 
 #include "hdconj/envelope/rest.hpp"
@@ -41,6 +43,15 @@ SliceMotion slice_motion(Scene const& scene, Profile const& tooth, AnyWaveShape 
         return owned(MaterialMotion(inextensional_mode(scaled), r_m, ratio), tooth, r_m, scaled.amplitude());
     NeutralCurve<AnyWaveShape> const curve(scaled, r_m);
     return owned(ExactMotion<AnyWaveShape>(curve, ratio), tooth, curve.r_0(), scaled.amplitude());
+}
+
+SliceMotion slice_motion(Scene const& scene, Profile const& tooth, MaterialDisplacement const& displacement, double r_m)
+{
+    constexpr int samples = 720;
+    double amplitude = 0;
+    for (int i = 0; i < samples; ++i)
+        amplitude = std::max(amplitude, displacement_at(displacement, 2 * std::numbers::pi * i / samples).w[0]);
+    return owned(MaterialMotion(displacement, r_m, tooth_ratio(scene)), tooth, r_m, amplitude);
 }
 
 }  // namespace hdconj::detail

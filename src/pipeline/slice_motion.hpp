@@ -8,6 +8,7 @@
 #include "hdconj/motion/erased_motion.hpp"
 #include "hdconj/pipeline/solution.hpp"
 #include "hdconj/profile/profile.hpp"
+#include "hdconj/wavegen/material_displacement.hpp"
 #include "hdconj/wavegen/registry.hpp"
 
 namespace hdconj::detail {
@@ -25,5 +26,8 @@ struct SliceMotion
 /// The motion of the slice whose displacements are @p factor times those of @p shape, by the scene's kinematics.
 /// @throws NumericalError as the neutral curve and the motion do
 [[nodiscard]] SliceMotion slice_motion(Scene const& scene, Profile const& tooth, AnyWaveShape const& shape, double factor, double r_m);
+
+/// The motion of the slice with these displacements.
+[[nodiscard]] SliceMotion slice_motion(Scene const& scene, Profile const& tooth, MaterialDisplacement const& displacement, double r_m);
 
 }  // namespace hdconj::detail

@@ -2,7 +2,9 @@
 #include "hdconj/pipeline/solve.hpp"
 
 #include "drive.hpp"
+#include "elastic_cup.hpp"
 #include "hdconj/numeric/parallel.hpp"
+#include "hdconj/pipeline/elastic_cup.hpp"
 #include "hdconj/scene/effects.hpp"
 #include "spread.hpp"
 #include "solve_motion.hpp"
@@ -36,12 +38,19 @@ Solution solve(Scene const& scene, StageObserver const& on_stage)
             p.y() -= tooth.pitch_line;
         out.geometry = detail::pair_geometry(scene, tooth, shape.amplitude());
     });
-    switch (scene.solver.kinematics)
-    {
-        case Kinematics::exact: detail::solve_exact(shape, out, tooth, clock); break;
-        case Kinematics::first_order: detail::solve_first_order(shape, out, tooth, clock); break;
-        case Kinematics::material: detail::solve_material(shape, out, tooth, clock); break;
-    }
+    bool const elastic = clock.run(Stage::cup, [&] {
+        out.cup = detail::bent_cup(scene, out.geometry.flexspline_inner_radius, shape, out.threads);
+        out.notes.push_back(describe(*out.cup));
+    });
+    if (elastic)
+        detail::solve_elastic(out, tooth, clock);
+    else
+        switch (scene.solver.kinematics)
+        {
+            case Kinematics::exact: detail::solve_exact(shape, out, tooth, clock); break;
+            case Kinematics::first_order: detail::solve_first_order(shape, out, tooth, clock); break;
+            case Kinematics::material: detail::solve_material(shape, out, tooth, clock); break;
+        }
     if (out.plan.has(Stage::surface))
         detail::spread_over_width(out, tooth, shape, clock);
     out.timing = clock.times();

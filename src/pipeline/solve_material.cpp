@@ -7,6 +7,7 @@
 #include "hdconj/envelope/rest.hpp"
 #include "hdconj/motion/material_motion.hpp"
 #include "hdconj/wavegen/inextensional_mode.hpp"
+#include "elastic_cup.hpp"
 #include "job.hpp"
 #include "reverse_job.hpp"
 #include "solve_motion.hpp"
@@ -34,12 +35,16 @@ std::vector<Vec2> displaced_points(MaterialDisplacement const& displacement, dou
 
 }  // namespace
 
-void solve_material(AnyWaveShape const& shape, Solution& out, Profile const& tooth, StageClock& clock)
+namespace {
+
+/// @param given  the displacement, once it is asked for
+template<class Given>
+void solve_displaced(Given&& given, Solution& out, Profile const& tooth, StageClock& clock)
 {
     MaterialDisplacement displacement;
     // a linear model measures w from the undeformed circle: its mean radius is r_m, its length right to first order
     clock.run(Stage::neutral_curve, [&] {
-        displacement = inextensional_mode(shape);
+        displacement = given();
         out.geometry.r_0 = out.geometry.r_m;
         out.neutral_curve = displaced_points(displacement, out.geometry.r_m);
     });
@@ -49,6 +54,18 @@ void solve_material(AnyWaveShape const& shape, Solution& out, Profile const& too
         return solve_reverse(out, tooth, ErasedMotion(*motion), clock);
     Profile const clear = clear_of_rest(tooth, *motion);
     SolveJob<MaterialMotion>(out, clear, *motion, clock)();
+}
+
+}  // namespace
+
+void solve_material(AnyWaveShape const& shape, Solution& out, Profile const& tooth, StageClock& clock)
+{
+    solve_displaced([&] { return inextensional_mode(shape); }, out, tooth, clock);
+}
+
+void solve_elastic(Solution& out, Profile const& tooth, StageClock& clock)
+{
+    solve_displaced([&] { return displacement_at(*out.cup, 0, out.geometry.r_m); }, out, tooth, clock);
 }
 
 }  // namespace hdconj::detail

@@ -16,6 +16,8 @@ namespace hdconj::detail {
 void solve_exact(AnyWaveShape const& shape, Solution& out, Profile const& tooth, StageClock& clock);
 void solve_first_order(AnyWaveShape const& shape, Solution& out, Profile const& tooth, StageClock& clock);
 void solve_material(AnyWaveShape const& shape, Solution& out, Profile const& tooth, StageClock& clock);
+/// With the displacements of the elastic cup at z = 0.
+void solve_elastic(Solution& out, Profile const& tooth, StageClock& clock);
 
 /// One turn of the neutral curve rho = mean radius + w in the fixed frame; every point is on the curve.
 template<WaveShape Shape>

@@ -10,6 +10,7 @@
 #include "hdconj/axial/cone.hpp"
 #include "hdconj/axial/coning.hpp"
 #include "hdconj/profile/builder.hpp"
+#include "elastic_cup.hpp"
 #include "job.hpp"
 
 namespace hdconj::detail {
@@ -142,8 +143,15 @@ double SurfaceMaker::factor(double z) const
 SliceMotion const& SurfaceMaker::motion(std::size_t k)
 {
     if (!motions_[k])
-        in_slice(z_[k], [&] { motions_[k] = slice_motion(base_->scene, *tooth_, shape_, factor(z_[k]), base_->geometry.r_m); });
+        in_slice(z_[k], [&] { motions_[k] = motion_at(z_[k]); });
     return *motions_[k];
+}
+
+SliceMotion SurfaceMaker::motion_at(double z) const
+{
+    if (base_->scene.coning && base_->cup)
+        return slice_motion(base_->scene, *tooth_, displacement_at(*base_->cup, z, base_->geometry.r_m), base_->geometry.r_m);
+    return slice_motion(base_->scene, *tooth_, shape_, factor(z), base_->geometry.r_m);
 }
 
 /// Motions, branches and pointed radii of the slices @p wanted.
@@ -222,7 +230,7 @@ SpaceCurve const& SurfaceMaker::middle(double tip)
         return *middle_;
     if (!middle_job_)
     {
-        middle_job_ = std::make_unique<SliceJob>(*base_, slice_motion(base_->scene, *tooth_, shape_, 1, base_->geometry.r_m), threads_);
+        middle_job_ = std::make_unique<SliceJob>(*base_, motion_at(0), threads_);
         middle_job_->solve->find_branches_of_tooth();
     }
     middle_job_->out.geometry.circular_spline_inner_radius = tip;

@@ -49,6 +49,9 @@ class SurfaceMaker
     /// Motion of slice @p k.
     [[nodiscard]] SliceMotion const& motion(std::size_t k);
 
+    /// Motion of the slice at any height.
+    [[nodiscard]] SliceMotion motion_at(double z) const;
+
     /// Tip circle of z = 0 [mm] that leaves every slice a tip land and clears every slice's rim, by no less than least_land; the
     /// drive's own where that does. With fewer slices than all where the surface is made from its end planes.
     [[nodiscard]] double needed_tip(SurfaceChoice const& choice);

@@ -167,16 +167,67 @@ void check_reverse(SceneReading const& reading, Faults& faults)
     }
 }
 
+/// What the elastic cup cannot do without, and what is not for it. What the dimensions say to each other: pipeline/check_scene.cpp.
+void check_elastic(SceneReading const& reading, Faults& faults)
+{
+    auto const& scene = reading.scene;
+    int const line = scene.coning->line;
+    if (!scene.flexspline.cup && !scene.given.contains("flexspline.cup")) {
+        faults.push_back({"flexspline.cup", line, "", "this table is missing: model \"elastic\" needs the cup's dimensions",
+                          "write the line [flexspline.cup] and below it length = 15.0, barrel_wall = 0.4, bottom = 0.5, corner_radius = 2.0, "
+                          "flange_radius = 13.0, tooth_width = 8.0, front_land = 2.0",
+                          line > 0 ? "" : "--set"});
+    }
+    if (!scene.bearing && !scene.given.contains("bearing")) {
+        faults.push_back({"bearing", line, "", "this table is missing: model \"elastic\" needs what pushes the cup outward",
+                          "write the line [bearing] and below it type = \"elastic\", width = 6.0, ring_thickness = 1.2", line > 0 ? "" : "--set"});
+    }
+    if (scene.given.contains("coning.apex_height")) {
+        faults.push_back(fault_at("coning.apex_height", number_text(scene.coning->apex_height), "the elastic cup tells where its apex is",
+                                  "remove the key, or write model = \"linear\""));
+    }
+}
+
+void check_bearing(SceneReading const& reading, Faults& faults)
+{
+    auto const& scene = reading.scene;
+    if (!scene.bearing || !knows(reading, {"bearing.type"})) {
+        return;
+    }
+    BearingChoice const& bearing = *scene.bearing;
+    auto const refuse = [&](std::string const& key, std::string const& reason, std::string const& remedy) {
+        faults.push_back(fault_at("bearing." + key, "", reason, remedy));
+    };
+    if (bearing.elastic && !scene.given.contains("bearing.ring_thickness")) {
+        faults.push_back({"bearing.ring_thickness", bearing.line, "", "this key is missing: an outer ring that bends has a thickness",
+                          "write ring_thickness = 1.2, a length in mm, or type = \"rigid\""});
+    }
+    if (bearing.elastic && knows(reading, {"bearing.width"}) && bearing.width <= 0) {
+        refuse("width", "an outer ring that bends has a width above 0", "write width = 6.0, or type = \"rigid\"");
+    }
+    for (std::string const key : {"ring_thickness", "radial_stiffness", "axially"}) {
+        if (!bearing.elastic && scene.given.contains("bearing." + key)) {
+            refuse(key, "type \"rigid\" has no outer ring and no balls", "remove the key, or write type = \"elastic\"");
+        }
+    }
+    if (knows(reading, {"bearing.angles"}) && bearing.angles % 2 != 0) {
+        refuse("angles", "is odd", "write an even number such as 48");
+    }
+}
+
 void check_coning(SceneReading const& reading, Faults& faults)
 {
     auto const& scene = reading.scene;
     if (!scene.coning || !knows(reading, {"coning.model"})) {
         return;
     }
-    if (scene.coning->model == "linear" && !scene.given.contains("coning.bottom_to_middle")) {
+    if (!scene.given.contains("coning.bottom_to_middle")) {
         faults.push_back({"coning.bottom_to_middle", scene.coning->line, "",
-                          "this key is missing: model \"linear\" needs the distance from the cup's bottom",
+                          "this key is missing: model " + in_quotes(scene.coning->model) + " needs the distance from the cup's bottom",
                           "write bottom_to_middle = 9.0, a length in mm"});
+    }
+    if (scene.is_elastic()) {
+        check_elastic(reading, faults);
     }
     if (knows(reading, {"coning.bottom_to_middle"}) && scene.coning->apex_height >= *scene.coning->bottom_to_middle) {
         faults.push_back(fault_at("coning.apex_height", number_text(scene.coning->apex_height),
@@ -341,6 +392,7 @@ Faults cross_faults(SceneReading const& reading)
     check_clearance(reading, "root_clearance", reading.scene.circular_spline.root_clearance, faults);
     check_reverse(reading, faults);
     check_coning(reading, faults);
+    check_bearing(reading, faults);
     check_tilt(reading, faults);
     check_slices(reading, faults);
     check_axial_reverse(reading, faults);

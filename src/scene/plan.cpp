@@ -23,12 +23,20 @@ std::vector<PlannedStage> base_stages(Scene const& scene)
     std::string const swept = scene.is_reverse() ? "circular-spline" : "flexspline";
     std::string const solved = scene.is_reverse() ? "always: the flexspline tooth that no circular-spline tooth enters"
                                                   : "always: the space that no flexspline tooth enters from outside";
-    return {{Stage::profile, tooth + ".family = " + in_quotes(scene.given_profile().family)},
+    std::string const elastic = "coning.model = \"elastic\": displacements of the cup";
+    std::vector<PlannedStage> stages{{Stage::profile, tooth + ".family = " + in_quotes(scene.given_profile().family)}};
+    if (scene.is_elastic() && scene.bearing) {
+        stages.push_back({Stage::cup, std::string("coning.model = \"elastic\", bearing.type = ") + (scene.bearing->elastic ? "\"elastic\"" : "\"rigid\"")});
+    }
+    for (PlannedStage const& stage : std::vector<PlannedStage>{
             {Stage::neutral_curve, "wave_generator.family = " + in_quotes(scene.wave_generator.shape.family) +
                                        ", waves = " + std::to_string(scene.wave_generator.waves)},
-            {Stage::motion, "solver.kinematics = " + in_quotes(to_string(scene.solver.kinematics))},
+            {Stage::motion, scene.is_elastic() ? elastic + " (solver.kinematics is not asked)" : "solver.kinematics = " + in_quotes(to_string(scene.solver.kinematics))},
             {Stage::envelope, "always: where the " + swept + " tooth can touch"},
-            {Stage::region, solved}};
+            {Stage::region, solved}}) {
+        stages.push_back(stage);
+    }
+    return stages;
 }
 
 bool has_slices(Scene const& scene)
@@ -61,7 +69,9 @@ std::vector<AbsentEffect> absent_effects(Scene const& scene, Verb verb)
     if (!scene.slices) {
         absent.push_back({"slices", "a table [slices]"});
     }
-    if (scene.coning && !cones(scene, verb)) {
+    if (scene.is_elastic() && !cones(scene, verb)) {
+        absent.push_back({"coning of the surface", "[slices] with surface \"ruled\" or \"per-slice\", or the verb contact: one outline is that of z = 0"});
+    } else if (scene.coning && !cones(scene, verb)) {
         absent.push_back({"coning of the surface", "[slices] with surface \"ruled\" or \"per-slice\", or the verb contact: one outline is that of z = 0, which the cone leaves as it is"});
     }
     if (scene.tilt && !has_slices(scene)) {
@@ -107,6 +117,8 @@ std::string to_string(Stage stage)
     switch (stage) {
         case Stage::profile:
             return "profile";
+        case Stage::cup:
+            return "cup";
         case Stage::neutral_curve:
             return "neutral_curve";
         case Stage::motion:

@@ -108,6 +108,53 @@ TableSpec flexspline()
             nullptr};
 }
 
+TableSpec cup()
+{
+    return {"flexspline.cup",
+            "the cup that carries the toothed ring, for [coning] model \"elastic\"",
+            Presence::effect,
+            FamilyKind::none,
+            {{required("length", Q::positive_length, "from the outer face of the bottom to the open end"),
+              "15.0",
+              {},
+              [](Scene& s, Parameter const& p) { s.flexspline.cup->length = number(p); }},
+             {required("barrel_wall", Q::positive_length, "wall thickness of the barrel behind the teeth and of the land in front of them"),
+              "0.4",
+              {},
+              [](Scene& s, Parameter const& p) { s.flexspline.cup->barrel_wall = number(p); }},
+             {required("bottom", Q::positive_length, "thickness of the bottom"),
+              "0.5",
+              {},
+              [](Scene& s, Parameter const& p) { s.flexspline.cup->bottom = number(p); }},
+             {required("corner_radius", Q::positive_length, "outer fillet between bottom and barrel"),
+              "2.0",
+              {},
+              [](Scene& s, Parameter const& p) { s.flexspline.cup->corner_radius = number(p); }},
+             {required("flange_radius", Q::positive_length, "of the flange: inside it the bottom does not move"),
+              "13.0",
+              {},
+              [](Scene& s, Parameter const& p) { s.flexspline.cup->flange_radius = number(p); }},
+             {required("tooth_width", Q::positive_length, "width of the toothed ring"),
+              "8.0",
+              {},
+              [](Scene& s, Parameter const& p) { s.flexspline.cup->tooth_width = number(p); }},
+             {optional("front_land", Q::nonnegative_length, "from the teeth to the open end"), "2.0", 0.0,
+              [](Scene& s, Parameter const& p) { s.flexspline.cup->front_land = number(p); }},
+             {optional("rear_ramp", Q::nonnegative_length, "length over which the barrel's wall grows to that under the teeth; absent: as long as it grows"),
+              "0.4",
+              {},
+              [](Scene& s, Parameter const& p) { s.flexspline.cup->rear_ramp = number(p); }},
+             {optional("front_ramp", Q::nonnegative_length, "the same in front of the teeth"),
+              "0.4",
+              {},
+              [](Scene& s, Parameter const& p) { s.flexspline.cup->front_ramp = number(p); }},
+             {optional("youngs_modulus", Q::number, "of the flexspline's steel, in MPa", bounds::least_modulus, bounds::largest_modulus), "206000",
+              206000.0, [](Scene& s, Parameter const& p) { s.flexspline.cup->youngs_modulus = number(p); }},
+             {optional("poissons_ratio", Q::number, "of the flexspline's steel", 0, bounds::largest_poissons_ratio), "0.3", 0.3,
+              [](Scene& s, Parameter const& p) { s.flexspline.cup->poissons_ratio = number(p); }}},
+            [](Scene& s, int line) { s.flexspline.cup.emplace().line = line; }};
+}
+
 TableSpec profile()
 {
     return {"flexspline.profile",
@@ -220,15 +267,51 @@ TableSpec coning()
               {},
               [](Scene& s, Parameter const& p) { s.coning->model = word(p); }},
              {optional("bottom_to_middle", Q::positive_length,
-                       "from the cup's bottom to the middle of the bearing; needed by model \"linear\""),
+                       "from the cup's bottom to the middle of the bearing; needed by either model"),
               "9.0",
               {},
               [](Scene& s, Parameter const& p) { s.coning->bottom_to_middle = number(p); }},
-             {optional("apex_height", Q::length, "of the point that does not move, above the cup's bottom"), "0.43", 0.0,
+             {optional("apex_height", Q::length, "of the point that does not move, above the cup's bottom; model \"linear\" only"), "0.43", 0.0,
               [](Scene& s, Parameter const& p) { s.coning->apex_height = number(p); }},
              {choice("axial_shift", "whether gaps are looked up where the wall has moved to along the axis", {"mapped", "none"}, false),
               "\"mapped\"", std::string("mapped"), [](Scene& s, Parameter const& p) { s.coning->axial_shift = word(p); }}},
             [](Scene& s, int line) { s.coning.emplace().line = line; }};
+}
+
+TableSpec bearing()
+{
+    return {"bearing",
+            "the bearing between wave generator and cup, for [coning] model \"elastic\"",
+            Presence::effect,
+            FamilyKind::none,
+            {{choice("type", "surface that keeps the cam's shape, or outer ring that bends on a line of balls", {"rigid", "elastic"}, true),
+              "\"elastic\"",
+              {},
+              [](Scene& s, Parameter const& p) { s.bearing->elastic = word(p) == "elastic"; }},
+             {required("width", Q::nonnegative_length, "over which the cup may touch it, its middle at z = 0; 0: one line, type \"rigid\" only"),
+              "6.0",
+              {},
+              [](Scene& s, Parameter const& p) { s.bearing->width = number(p); }},
+             {optional("ring_thickness", Q::positive_length, "of the outer ring; needed by type \"elastic\""),
+              "1.2",
+              {},
+              [](Scene& s, Parameter const& p) { s.bearing->ring_thickness = number(p); }},
+             {optional("fit", Q::length, "interference: outer radius of the bearing less inner radius of the cup"), "0.005", 0.0,
+              [](Scene& s, Parameter const& p) { s.bearing->fit = number(p); }},
+             {optional("cam_oversize", Q::length, "of the cam's radius under the line of balls, all round: preload of the balls"), "0.002", 0.0,
+              [](Scene& s, Parameter const& p) { s.bearing->cam_oversize = number(p); }},
+             {optional("radial_stiffness", Q::number, "of the line of balls, in N/mm per mm of arc; absent: rigid; type \"elastic\" only",
+                       bounds::least_stiffness, bounds::largest_stiffness),
+              "2000",
+              {},
+              [](Scene& s, Parameter const& p) { s.bearing->radial_stiffness = number(p); }},
+             {choice("axially", "whether the groove holds the line of balls along the axis; type \"elastic\" only", {"held", "free"}, false),
+              "\"held\"", std::string("held"), [](Scene& s, Parameter const& p) { s.bearing->axially_held = word(p) == "held"; }},
+             {optional("angles", Q::count, "points in a lobe where bearing and cup may touch, an even number", bounds::fewest_angles, bounds::most_angles), "48",
+              48.0, [](Scene& s, Parameter const& p) { s.bearing->angles = count(p); }},
+             {optional("circles", Q::count, "circles of such points over the width, its edges included", bounds::fewest_circles, bounds::most_circles), "13",
+              13.0, [](Scene& s, Parameter const& p) { s.bearing->circles = count(p); }}},
+            [](Scene& s, int line) { s.bearing.emplace().line = line; }};
 }
 
 TableSpec tilt()
@@ -358,8 +441,8 @@ TableSpec wedm()
 
 std::vector<TableSpec> const& scene_schema()
 {
-    static std::vector<TableSpec> const tables{drive(),  flexspline(), profile(), wave_generator(), circular_spline(),
-                                               circular_spline_profile(), solver(), coning(), tilt(), slices(),
+    static std::vector<TableSpec> const tables{drive(),  flexspline(), cup(), profile(), wave_generator(), circular_spline(),
+                                               circular_spline_profile(), solver(), coning(), bearing(), tilt(), slices(),
                                                contact(), wedm()};
     return tables;
 }

@@ -43,7 +43,7 @@ std::vector<BadScene> const& rows()
     static std::vector<BadScene> const table{
         {"coning without model", "model = \"linear\"", "", "coning.model", "missing", "model = \"linear\""},
         {"unknown coning", "model = \"linear\"", "model = \"linar\"", "coning.model", "unknown word", "write \"linear\""},
-        {"elastic coning", "model = \"linear\"", "model = \"elastic\"", "coning.model", "does not compute the elastic cup", "model = \"linear\""},
+        {"elastic coning", "model = \"linear\"", "model = \"elastic\"", "flexspline.cup", "needs the cup's dimensions", "length = 15.0", 0},
         {"no cup", "bottom_to_middle = 9.0", "", "coning.bottom_to_middle", "missing", "bottom_to_middle = 9.0"},
         {"cup of no length", "bottom_to_middle = 9.0", "bottom_to_middle = 0", "coning.bottom_to_middle", "above 0", "above 0", 0},
         {"cup that is not finite", "bottom_to_middle = 9.0", "bottom_to_middle = nan", "coning.bottom_to_middle", "finite", "length in mm", 0},

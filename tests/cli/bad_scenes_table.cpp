@@ -173,7 +173,7 @@ std::vector<BadScene> const& wrong_tables()
          "bottom_to_middle = 9.0"},
         {"cup shorter than its teeth", "", "[coning]\nmodel = \"linear\"\nbottom_to_middle = 3.5\n",
          "coning.bottom_to_middle", "through the cup's bottom", "longer cup"},
-        {"negative cup", "", "[coning]\nmodel = \"elastic\"\nbottom_to_middle = -9\n", "coning.bottom_to_middle",
+        {"negative cup", "", "[coning]\nmodel = \"linear\"\nbottom_to_middle = -9\n", "coning.bottom_to_middle",
          "above 0", "9.0"},
         {"tilt without angle", "", "[tilt]\nkind = \"radial\"\n", "tilt.angle_deg", "missing", "angle_deg = 0.2"},
         {"tilt of 45 degrees", "", "[tilt]\nangle_deg = 45\n", "tilt.angle_deg", "45 degrees or more",

@@ -156,25 +156,68 @@ TEST_CASE("effects exist when their table does", "[scene]")
     CHECK(scene.slices->line == scene.given.at("slices").line);
 }
 
+namespace {
+
+constexpr auto elastic = "[coning]\nmodel = \"elastic\"\nbottom_to_middle = 9\n[bearing]\ntype = \"elastic\"\nwidth = 6\nring_thickness = 1.2\n"
+                         "[flexspline.cup]\nlength = 15.0\nbarrel_wall = 0.4\nbottom = 0.5\ncorner_radius = 2.0\nflange_radius = 13.0\ntooth_width = 8.0\n"
+                         "front_land = 2.0\n";
+
+}  // namespace
+
 TEST_CASE("effects that are allowed together are", "[scene]")
 {
     CHECK_NOTHROW(parse_scene(with("[slices]\ncount = 9\nsurface = \"tilted\"\n"), "no tilt"));
     CHECK_NOTHROW(parse_scene(with("[slices]\ncount = 1\n"), "one slice"));
     CHECK_NOTHROW(parse_scene(with("[tilt]\nangle_deg = 0\nkind = \"draft\"\n"), "draft without slices"));
     CHECK_NOTHROW(parse_scene(with("[tilt]\nangle_deg = 44.9\nkind = \"draft\"\n[slices]\ncount = 3\n"), "draft"));
-    CHECK_NOTHROW(parse_scene(with("[coning]\nmodel = \"elastic\"\n"), "elastic"));
+    CHECK_NOTHROW(parse_scene(with(elastic), "elastic"));
 }
 
-TEST_CASE("an effect that is not computed is refused by name and line", "[scene]")
+TEST_CASE("every effect that can be asked for is computed", "[scene]")
 {
     CHECK(uncomputed_effects(builtin_scene()).empty());
     CHECK(uncomputed_effects(parse_scene(with("[tilt]\nangle_deg = 1\n"), "scene", {}, {"slices.count=3"})).empty());
-    Scene const scene = parse_scene(with("[coning]\nmodel = \"elastic\"\n"), "scene");
-    auto const faults = uncomputed_effects(scene);
-    REQUIRE(faults.size() == 1);
-    CHECK(faults[0].path == "coning.model");
-    CHECK(faults[0].line == scene.coning->line);
-    CHECK(faults[0].reason == "this version does not compute the elastic cup yet");
+    Scene const scene = parse_scene(with(elastic), "scene");
+    CHECK(uncomputed_effects(scene).empty());
+    CHECK(scene.is_elastic());
+    REQUIRE(scene.bearing);
+    CHECK(scene.bearing->elastic);
+    CHECK(scene.bearing->axially_held);
+    CHECK(scene.bearing->angles == 48);
+    CHECK_FALSE(scene.bearing->radial_stiffness);
+    REQUIRE(scene.flexspline.cup);
+    CHECK(scene.flexspline.cup->youngs_modulus == 206000);
+    CHECK_FALSE(scene.flexspline.cup->rear_ramp);
+}
+
+TEST_CASE("an elastic cup with keys that say nothing together is refused with the reason", "[scene]")
+{
+    auto const refused = [](std::vector<std::string> const& overrides, std::string const& path, std::string const& reason) {
+        auto reading = examine_scene(with(elastic), "scene", {}, overrides);
+        examine_geometry(reading);
+        INFO(describe(reading.faults));
+        auto const fault = std::find_if(reading.faults.begin(), reading.faults.end(), [&](Fault const& f) { return f.path == path; });
+        REQUIRE(fault != reading.faults.end());
+        CHECK_THAT(fault->reason, ContainsSubstring(reason));
+        CHECK_FALSE(fault->remedy.empty());
+    };
+    refused({"!bearing"}, "bearing", "needs what pushes");
+    refused({"!flexspline.cup"}, "flexspline.cup", "needs the cup's dimensions");
+    refused({"!coning.bottom_to_middle"}, "coning.bottom_to_middle", "missing");
+    refused({"coning.apex_height=0.4"}, "coning.apex_height", "tells where its apex is");
+    refused({"bearing.type=rigid"}, "bearing.ring_thickness", "no outer ring");
+    refused({"!bearing.ring_thickness"}, "bearing.ring_thickness", "missing");
+    refused({"bearing.width=0"}, "bearing.width", "width above 0");
+    refused({"bearing.angles=47"}, "bearing.angles", "odd");
+    refused({"bearing.width=20"}, "bearing.width", "beyond the straight wall");
+    refused({"bearing.ring_thickness=30"}, "bearing.ring_thickness", "inner radius");
+    refused({"bearing.radial_stiffness=0"}, "bearing.radial_stiffness", "at least 1");
+    refused({"flexspline.cup.corner_radius=0.3"}, "flexspline.cup", "corner at the bottom");
+    refused({"flexspline.cup.flange_radius=30"}, "flexspline.cup", "flange");
+    refused({"flexspline.cup.tooth_width=14"}, "flexspline.cup", "rear ramp begins");
+    refused({"flexspline.cup.poissons_ratio=0.5"}, "flexspline.cup.poissons_ratio", "at most 0.499");
+    refused({"bearing.friction=0.08"}, "bearing.friction", "unknown key");
+    refused({"circular_spline.width=9", "slices.count=3"}, "circular_spline.width", "beyond the flexspline's teeth");
 }
 
 TEST_CASE("a scene read from a file knows its folder", "[scene]")

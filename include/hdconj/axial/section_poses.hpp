@@ -22,7 +22,8 @@ namespace hdconj {
 /// without df/dphi. Between slices the wall is straight along z, so v(phi, z), and with it the tooth's skew, follows from the amplitude.
 ///
 /// Poses are interpolated in the amplitude between Chebyshev nodes, to the power `nodes`: analytic and nearly linear, so that 8 nodes are right
-/// to roundoff (1e-13 mm on type-50 over its width). With u_z = 0 this is the slice itself.
+/// to roundoff (1e-13 mm on type-50 over its width). With u_z = 0 this is the slice itself. Where motions are told by another coordinate along the
+/// axis, such as the height of an elastic wall, that takes the place of the amplitude.
 class SectionPoses
 {
   public:
@@ -32,7 +33,8 @@ class SectionPoses
 
     /// @param low, high  amplitude factors met [1]
     /// @param motion_of  motion of a factor; what it refers to must outlive this
-    SectionPoses(double low, double high, double tooth_ratio, MotionOf const& motion_of);
+    /// @param count      nodes: more where motions are less smooth along the axis
+    SectionPoses(double low, double high, double tooth_ratio, MotionOf const& motion_of, int count = nodes);
 
     /// Pose of the tooth at @p phi where the amplitude is @p factor and changes by @p factor_slope per rad of phi.
     /// @param parameter_at  the motion's parameter for phi

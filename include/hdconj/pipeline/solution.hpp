@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -131,11 +132,14 @@ struct WorkCount
     std::size_t arrangement_edges = 0; ///< segments given to the planar arrangement
 };
 
+class BentCup;
+
 struct Solution
 {
     Scene scene;
     Plan plan;
     PairGeometry geometry;
+    std::shared_ptr<BentCup const> cup;    ///< the cup on its bearing, where the scene asks for the elastic one; else null
     std::vector<std::string> segment_names;
     std::vector<Vec2> flexspline_outline;  ///< (n,2) one tooth in its own frame, y from the pitch line
     std::vector<OutlinePiece> flexspline_pieces;  ///< reverse problem: where it comes from; else empty

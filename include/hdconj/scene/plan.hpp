@@ -14,6 +14,7 @@ namespace hdconj {
 enum class Stage
 {
     profile,         ///< given tooth from its family
+    cup,             ///< elastic cup on its bearing: displacements of the wall
     neutral_curve,   ///< wave generator, closed length, r_0
     motion,          ///< relative motion flexspline tooth to circular spline
     envelope,        ///< meshing condition, branches

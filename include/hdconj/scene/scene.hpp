@@ -25,6 +25,23 @@ struct Drive
     int circular_spline_teeth = 0;  ///< z_c
 };
 
+/// Effect: the cup below the toothed ring, for what needs an elastic body. Heights along the axis, lengths in mm.
+struct Cup
+{
+    double length = 0;               ///< from the outer face of the bottom to the open end
+    double barrel_wall = 0;          ///< of the barrel and of the land in front of the teeth
+    double bottom = 0;               ///< thickness of the bottom
+    double corner_radius = 0;        ///< outer fillet between bottom and barrel
+    double flange_radius = 0;        ///< inside it the bottom is clamped
+    double tooth_width = 0;          ///< of the toothed ring
+    double front_land = 0;           ///< from the teeth to the open end
+    std::optional<double> rear_ramp;   ///< over which the wall grows to that of the ring; default as long as it grows
+    std::optional<double> front_ramp;  ///< the same in front
+    double youngs_modulus = 0;       ///< [MPa]
+    double poissons_ratio = 0;
+    int line = 0;
+};
+
 struct Flexspline
 {
     double wall = 0;                     ///< delta [mm], under the teeth
@@ -33,6 +50,7 @@ struct Flexspline
     FamilyChoice profile;                ///< no family where the circular spline's tooth is given
     std::optional<double> addendum;      ///< h_a [mm] of the tooth that is solved for; absent where it is given
     std::optional<double> dedendum;      ///< h_f [mm] of it
+    std::optional<Cup> cup;
 };
 
 struct WaveGenerator
@@ -84,10 +102,25 @@ struct Solver
 /// Effect: the flexspline cones along the axis.
 struct Coning
 {
-    std::string model;                       ///< "linear"
+    std::string model;                       ///< "linear" or "elastic"
     std::optional<double> bottom_to_middle;  ///< [mm]
     double apex_height = 0;                  ///< of the apex above the cup's bottom [mm]
     std::string axial_shift;                 ///< "mapped" or "none": whether gaps know of the axial displacement
+    int line = 0;
+};
+
+/// Effect: the wave generator's bearing, for what needs to know how it gives way. Lengths in mm.
+struct BearingChoice
+{
+    bool elastic = false;                    ///< whether its outer ring bends; otherwise its surface is that of the cam
+    double width = 0;                        ///< over which the cup may touch it
+    std::optional<double> ring_thickness;    ///< of the outer ring
+    double fit = 0;                          ///< interference of the outer ring with the cup, of radii
+    double cam_oversize = 0;                 ///< preload of the balls, of radii
+    std::optional<double> radial_stiffness;  ///< of the line of balls [N/mm per mm of arc]; default rigid
+    bool axially_held = true;                ///< whether the groove keeps the line of balls from moving along the axis
+    int angles = 0;                          ///< points of contact in a lobe
+    int circles = 0;                         ///< and over the width
     int line = 0;
 };
 
@@ -166,6 +199,7 @@ struct Scene
     CircularSpline circular_spline;
     Solver solver;
     std::optional<Coning> coning;
+    std::optional<BearingChoice> bearing;
     std::optional<Tilt> tilt;
     std::optional<Slices> slices;
     std::optional<ContactRequest> contact;
@@ -177,6 +211,8 @@ struct Scene
 
     /// Whether the circular spline's tooth is given and the flexspline's solved for.
     [[nodiscard]] bool is_reverse() const { return circular_spline.profile.has_value(); }
+    /// Whether the cup's displacements come from the elastic model.
+    [[nodiscard]] bool is_elastic() const { return coning && coning->model == "elastic"; }
     /// The tooth that is given.
     [[nodiscard]] FamilyChoice const& given_profile() const { return is_reverse() ? *circular_spline.profile : flexspline.profile; }
     /// h_f of the flexspline tooth where the scene says it in so many words.

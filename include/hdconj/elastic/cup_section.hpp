@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Dimensions of the flexspline cup.
+#pragma once
+
+#include "hdconj/elastic/elasticity.hpp"
+
+namespace hdconj {
+
+/// Meridian section of the cup, lengths in mm, z from the outer face of the bottom towards the open end.
+///
+///     z = length      _
+///                    | |   front land, `wall`
+///     ring_end        \ \  ramp on the outside, `front_ramp` long
+///                    |   | tooth ring, `ring_wall` (to the root of the teeth)
+///     ring_begin      / /  ramp on the outside, `rear_ramp` long
+///                    | |   barrel, `wall`
+///     corner_radius  / /   outer fillet of `corner_radius`; the wall changes evenly into the bottom
+///     z = 0   =======      bottom, clamped at `clamp_radius`
+///
+/// The inner surface of barrel, ring and land is one cylinder of `inner_radius`. A fillet of radius R between the walls t and T
+/// fits into a ramp of sqrt((T - t)(2 R - T + t)).
+/// Domain: section_mesh() says what it cannot mesh. Defaults: the case that docs/elastic.md checks against CalculiX.
+struct CupSection
+{
+    double inner_radius = 24;
+    double length = 15;
+    double wall = 0.4;
+    double ring_wall = 0.7;
+    double ring_begin = 5;
+    double ring_end = 13;
+    double rear_ramp = 0.4;
+    double front_ramp = 0.4;
+    double bottom = 0.5;
+    double corner_radius = 2;
+    double clamp_radius = 13;
+    Elasticity material;
+};
+
+}  // namespace hdconj

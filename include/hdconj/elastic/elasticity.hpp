@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Linear elastic material.
+#pragma once
+
+#include <Eigen/Core>
+
+namespace hdconj {
+
+/// Isotropic material. Domain: youngs_modulus > 0, 0 <= poissons_ratio < 0.5.
+struct Elasticity
+{
+    double youngs_modulus = 206e3;  ///< E [MPa]
+    double poissons_ratio = 0.3;    ///< nu
+};
+
+/// Stress from strain in the order rr, zz, tt, rz, rt, zt, shear strains as gamma = 2 epsilon.
+using StressMatrix = Eigen::Matrix<double, 6, 6>;
+
+/// sigma = lambda tr(epsilon) + 2 mu epsilon with lambda = E nu/((1 + nu)(1 - 2 nu)), mu = E/(2 (1 + nu)).
+[[nodiscard]] inline StressMatrix stress_matrix(Elasticity const& material)
+{
+    double const nu = material.poissons_ratio;
+    double const shear = material.youngs_modulus / (2 * (1 + nu));
+    double const lame = 2 * shear * nu / (1 - 2 * nu);
+    StressMatrix d = StressMatrix::Zero();
+    d.topLeftCorner<3, 3>().setConstant(lame);
+    for (Eigen::Index i = 0; i < 3; ++i)
+    {
+        d(i, i) += 2 * shear;
+        d(i + 3, i + 3) = shear;
+    }
+    return d;
+}
+
+}  // namespace hdconj

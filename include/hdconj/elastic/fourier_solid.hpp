@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Elastic solid of revolution under loads that vary round the axis, one Fourier harmonic at a time.
+#pragma once
+
+#include <Eigen/SparseCore>
+
+#include <array>
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "hdconj/elastic/section_mesh.hpp"
+
+namespace hdconj {
+
+/// Component of a displacement or force, and its place among the three of a node.
+enum class Direction
+{
+    radial = 0,     ///< U, positive outward
+    axial = 1,      ///< W, positive towards the open end
+    tangential = 2  ///< V, positive towards increasing phi
+};
+
+/// Gauss points of an element in each direction.
+enum class Quadrature
+{
+    reduced = 2,  ///< no locking of thin walls
+    full = 3
+};
+
+/// Strain of one point of a section: B0 + n B1 turns the 24 amplitudes of an element into those of
+/// e_rr, e_zz, e_tt, g_rz (cos n phi) and g_rt, g_zt (sin n phi).
+struct StrainMatrices
+{
+    Eigen::Matrix<double, 6, 24> at_rest;
+    Eigen::Matrix<double, 6, 24> per_harmonic;
+    double jacobian = 0;  ///< area of the section per (xi, eta) [mm^2]
+    double radius = 0;    ///< [mm]
+};
+
+/// With u_r = U cos n phi, u_z = W cos n phi, u_t = V sin n phi:
+///
+///   e_rr = U,r   e_zz = W,z   e_tt = (U + n V)/r   g_rz = U,z + W,r   g_rt = V,r - (n U + V)/r   g_zt = V,z - n W/r
+///
+/// (Zienkiewicz and Taylor, semi-analytical finite elements.) The other half of a general field, (sin, sin, -cos), has the same matrices.
+[[nodiscard]] StrainMatrices strain_matrices(SectionMesh const& mesh, SectionPoint const& point);
+
+/// Stiffness per harmonic, K_n = integral of B_n^T D B_n r dr dz = K_0 + n K_1 + n^2 K_2: the factor pi of the integral over phi (2 pi for
+/// n = 0) is left out, and with it a load is an amplitude [N/rad]. Unknown 3 i + d is component d of node i.
+class FourierSolid
+{
+  public:
+    /// @throws NumericalError for an element that is turned inside out
+    explicit FourierSolid(SectionMesh mesh, Quadrature quadrature = Quadrature::reduced);
+
+    [[nodiscard]] SectionMesh const& mesh() const { return mesh_; }
+    [[nodiscard]] Eigen::Index unknowns() const { return static_cast<Eigen::Index>(3 * mesh_.nodes.size()); }
+    [[nodiscard]] Eigen::SparseMatrix<double> stiffness(int harmonic) const;
+
+  private:
+    SectionMesh mesh_;
+    std::array<Eigen::SparseMatrix<double>, 3> power_;  ///< of n
+};
+
+/// A spring from one component of a node to the ground, or a fixed component.
+struct Support
+{
+    int node = 0;
+    Direction direction = Direction::radial;
+    double stiffness = -1;                                ///< [N/mm per rad]; below 0: fixed
+    int last_harmonic = std::numeric_limits<int>::max();  ///< what only stops a rigid motion must not hold n = 2 and up
+};
+
+/// What holds a body: its clamped nodes and more.
+/// For n = 0 the tangential displacement is uncoupled from the others. A body that can turn, shift (n = 0, 1) or tilt (n = 1) as a
+/// whole has no answer there, and needs a support.
+using Supports = std::vector<Support>;
+
+/// One harmonic of a supported body, factorised.
+class HarmonicSolver
+{
+  public:
+    /// @throws NumericalError where the body can move as a whole
+    HarmonicSolver(FourierSolid const& solid, Supports const& supports, int harmonic);
+
+    [[nodiscard]] int harmonic() const { return harmonic_; }
+    /// Amplitudes [mm] of all unknowns, a column for each column of loads [N/rad]; fixed ones stay 0.
+    [[nodiscard]] Eigen::MatrixXd operator()(Eigen::MatrixXd const& loads) const;
+    /// Amplitudes of all unknowns without loads where the fixed ones are moved as @p given says; its other rows are not looked at.
+    [[nodiscard]] Eigen::MatrixXd moved(Eigen::MatrixXd const& given) const;
+    /// Forces [N/rad] that the unknowns need to be displaced so, springs apart: loads, and at fixed unknowns reactions.
+    [[nodiscard]] Eigen::MatrixXd forces(Eigen::MatrixXd const& displacements) const;
+
+  private:
+    struct Factors;
+    int harmonic_;
+    std::shared_ptr<Factors const> factors_;
+};
+
+}  // namespace hdconj

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The cup on its wave generator: where they touch, and how the cup cones.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "hdconj/elastic/bearing.hpp"
+#include "hdconj/elastic/complementarity.hpp"
+
+namespace hdconj {
+
+/// Displacements of stations as literal Fourier series, sum_k cosine(a, k) cos(k n phi) + sine(a, k) sin(k n phi) [mm], of every direction.
+/// Rows: stations, columns: harmonics.
+struct DisplacementSeries
+{
+    int waves = 2;
+    Eigen::MatrixXd cosine;
+    Eigen::MatrixXd sine;
+
+    [[nodiscard]] double at(std::size_t station, double phi) const;
+};
+
+/// Unilateral contact over the bearing's width, without friction, of first order in the displacements.
+struct WaveGeneratorContact
+{
+    std::vector<double> phi;  ///< of the points [rad]: half a lobe with both ends for an even shape, otherwise a whole one
+    std::vector<double> z;    ///< of the points [mm]
+    Eigen::MatrixXd force;    ///< [N] at (phi, z) of the wall, outward
+    Eigen::MatrixXd gap;      ///< [mm]
+    /// Loads of the cup [N/rad] as series in phi: rows z, columns harmonics.
+    Eigen::MatrixXd load_cosine;
+    Eigen::MatrixXd load_sine;
+    DisplacementSeries displacement;  ///< of the stations asked for
+    double total_force = 0;           ///< sum of all forces between bearing and cup, all round [N]
+    /// Reaction of the line of balls at `phi` [N/rad], positive outward; empty for a rigid bearing. A negative one pulls, which balls do
+    /// not: then the fit is too loose for the model.
+    std::vector<double> reaction;
+    int iterations = 0;
+    double residual = 0;
+    ContactMethod method = ContactMethod::active_set;
+};
+
+/// Solves for the contact.
+/// @param cup       meshed with elements of contact_mesh_size, or finer
+/// @param cam       its samples are the angles of the points
+/// @param across    circles over the bearing's width
+/// @param stations  where displacements are asked for
+/// Accuracy: pressures at the bearing's edges grow without limit as the grid gets finer, what they add up to and the displacements converge;
+/// 48 angles and 13 circles give the coning of type-50 to 0.5 %.
+/// @throws NumericalError for a bearing that reaches beyond the straight wall, and as solve_complementarity does
+[[nodiscard]] WaveGeneratorContact solve_wave_generator(FourierSolid const& cup, double inner_radius, Bearing const& bearing, CamSeries const& cam,
+                                                        int across, std::vector<Station> const& stations, int threads = 1);
+
+/// Size of elements for a grid: two circles never share all of their nodes.
+[[nodiscard]] MeshSize contact_mesh_size(Bearing const& bearing, int across);
+
+}  // namespace hdconj

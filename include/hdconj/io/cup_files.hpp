@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The bent cup for other programs: ParaView, and CalculiX to check it.
+#pragma once
+
+#include <filesystem>
+
+#include "hdconj/elastic/bent_cup.hpp"
+
+namespace hdconj {
+
+/// VTK's XML format, text: the whole undeformed cup as hexahedra with twenty nodes, point data `displacement` [mm] (ParaView's filter "Warp By Vector")
+/// and `von_mises` [MPa], extrapolated to the nodes and averaged there. Frame of the drive: x = r sin phi, y = r cos phi, z from the middle of the bearing.
+/// @param steps  elements round the axis
+void write_vtu(BentCup const& cup, std::filesystem::path const& file, int steps = 96);
+
+/// A folder with a deck for CalculiX that needs nothing from here to run (`ccx linear`), and what it must come to:
+///
+///   linear.inp    cup of C3D20R, bottom clamped at the flange, forces of the bearing on the inner surface, geometrically linear
+///   expected.csv  node, r, z, phi_deg, u_r, u_t, u_z of some nodes whose displacements the deck prints
+///   files.txt     what is there
+///
+/// Of a cup that is its own mirror image half a lobe, otherwise the whole turn.
+/// @param steps  elements round that
+/// @throws FileError where the folder cannot be made or holds other files
+void write_calculix(BentCup const& cup, std::filesystem::path const& folder, int steps = 48);
+
+}  // namespace hdconj

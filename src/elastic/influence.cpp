@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/elastic/influence.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "hdconj/numeric/parallel.hpp"
+
+namespace hdconj {
+namespace {
+
+/// Whether a component goes with sin n phi.
+bool is_odd(Direction direction)
+{
+    return direction == Direction::tangential;
+}
+
+/// Factor of the compliance of harmonic n: c_n, times the number of forces that answer; 0 where they cancel.
+double weight(int n, Repetition const& repetition)
+{
+    if (n % repetition.waves != 0)
+        return 0;
+    return (n == 0 ? 1 / (2 * std::numbers::pi) : 1 / std::numbers::pi) * repetition.waves;
+}
+
+/// cos n phi and sin n phi of each point (rows), each harmonic (columns).
+struct Waves
+{
+    Waves(std::vector<InfluencePoint> const& points, std::vector<int> const& harmonics)
+        : cosine(static_cast<Eigen::Index>(points.size()), static_cast<Eigen::Index>(harmonics.size())), sine(cosine.rows(), cosine.cols())
+    {
+        for (Eigen::Index i = 0; i < cosine.rows(); ++i)
+            for (Eigen::Index k = 0; k < cosine.cols(); ++k)
+            {
+                double const angle = harmonics[static_cast<std::size_t>(k)] * points[static_cast<std::size_t>(i)].phi;
+                cosine(i, k) = std::cos(angle);
+                sine(i, k) = std::sin(angle);
+            }
+    }
+
+    Eigen::MatrixXd cosine;
+    Eigen::MatrixXd sine;
+};
+
+}  // namespace
+
+std::vector<int> harmonics_of(int waves, int highest)
+{
+    std::vector<int> harmonics;
+    for (int n = 0; n <= highest; n += waves)
+        harmonics.push_back(n);
+    return harmonics;
+}
+
+Influence::Influence(std::vector<Direction> directions, std::vector<int> harmonics, std::vector<Eigen::MatrixXd> compliance)
+    : directions_(std::move(directions)), harmonics_(std::move(harmonics)), compliance_(std::move(compliance))
+{
+    if (harmonics_.size() != compliance_.size())
+        throw std::invalid_argument("Influence: one matrix for each harmonic");
+}
+
+double Influence::operator()(InfluencePoint const& at, InfluencePoint const& load, Repetition const& repetition) const
+{
+    return matrix({at}, {load}, repetition)(0, 0);
+}
+
+Eigen::MatrixXd Influence::matrix(std::vector<InfluencePoint> const& points, Repetition const& repetition, int threads) const
+{
+    Eigen::MatrixXd all = matrix(points, points, repetition, threads);
+    // sums in another order differ by rounding
+    all.triangularView<Eigen::StrictlyLower>() = all.transpose();
+    return all;
+}
+
+Eigen::MatrixXd Influence::matrix(std::vector<InfluencePoint> const& at, std::vector<InfluencePoint> const& loads, Repetition const& repetition,
+                                  int threads) const
+{
+    auto const rows = static_cast<Eigen::Index>(at.size()), columns = static_cast<Eigen::Index>(loads.size());
+    auto const terms = static_cast<Eigen::Index>(harmonics_.size());
+    Waves const to(at, harmonics_), from(loads, harmonics_);
+    // column of each pair of stations: the weighted compliances, harmonic by harmonic
+    auto const count = static_cast<Eigen::Index>(stations());
+    Eigen::MatrixXd pairs(terms, count * count);
+    for (Eigen::Index k = 0; k < terms; ++k)
+    {
+        double const c = weight(harmonics_[static_cast<std::size_t>(k)], repetition);
+        for (Eigen::Index a = 0; a < count; ++a)
+            for (Eigen::Index b = 0; b < count; ++b)
+                pairs(k, a * count + b) = c * compliance_[static_cast<std::size_t>(k)](a, b);
+    }
+    Eigen::MatrixXd const cosines = from.cosine.transpose(), sines = from.sine.transpose();
+    Eigen::MatrixXd result(columns, rows);
+    constexpr std::size_t worth_a_thread = 8;
+    parallel_for(at.size(), threads, worth_a_thread, [&](std::size_t i) {
+        auto const row = static_cast<Eigen::Index>(i);
+        auto const a = static_cast<Eigen::Index>(at[i].station);
+        bool const odd = is_odd(directions_[at[i].station]);
+        Eigen::ArrayXd const c = to.cosine.row(row).transpose(), s = to.sine.row(row).transpose();
+        for (Eigen::Index column = 0; column < columns; ++column)
+        {
+            auto const station = loads[static_cast<std::size_t>(column)].station;
+            auto const pair = pairs.col(a * count + static_cast<Eigen::Index>(station)).array();
+            auto const cl = cosines.col(column).array(), sl = sines.col(column).array();
+            bool const odd_load = is_odd(directions_[station]);
+            // h = f(n phi) F(n phi') + g(n phi) G(n phi'); a mirrored force doubles the first term and cancels the second
+            double first = 0, second = 0;
+            if (!odd && !odd_load)
+                first = (pair * c * cl).sum(), second = repetition.mirrored ? 0 : (pair * s * sl).sum();
+            else if (odd && odd_load)
+                first = (pair * s * sl).sum(), second = repetition.mirrored ? 0 : (pair * c * cl).sum();
+            else if (odd)
+                first = (pair * s * cl).sum(), second = repetition.mirrored ? 0 : -(pair * c * sl).sum();
+            else
+                first = (pair * c * sl).sum(), second = repetition.mirrored ? 0 : -(pair * s * cl).sum();
+            result(column, row) = repetition.mirrored ? 2 * first : first + second;
+        }
+    });
+    return result.transpose();
+}
+
+Eigen::MatrixXd station_shares(FourierSolid const& solid, std::vector<Station> const& stations)
+{
+    Eigen::MatrixXd shares = Eigen::MatrixXd::Zero(solid.unknowns(), static_cast<Eigen::Index>(stations.size()));
+    for (std::size_t b = 0; b < stations.size(); ++b)
+    {
+        auto const n = shape_functions(stations[b].place.xi, stations[b].place.eta);
+        auto const& nodes = solid.mesh().elements[stations[b].place.element];
+        for (std::size_t a = 0; a < n.size(); ++a)
+            shares(3 * static_cast<Eigen::Index>(nodes[a]) + static_cast<Eigen::Index>(stations[b].direction), static_cast<Eigen::Index>(b)) = n[a];
+    }
+    return shares;
+}
+
+Influence influence(FourierSolid const& solid, Supports const& supports, std::vector<Station> const& stations, std::vector<int> const& harmonics, int threads)
+{
+    std::vector<Direction> directions;
+    for (Station const& station : stations)
+        directions.push_back(station.direction);
+    Eigen::MatrixXd const shares = station_shares(solid, stations);
+    std::vector<Eigen::MatrixXd> compliance(harmonics.size());
+    parallel_for(harmonics.size(), threads, 1, [&](std::size_t i) {
+        Eigen::MatrixXd const s = shares.transpose() * HarmonicSolver(solid, supports, harmonics[i])(shares);
+        compliance[i] = (s + s.transpose()) / 2;
+    });
+    return {std::move(directions), harmonics, std::move(compliance)};
+}
+
+}  // namespace hdconj

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "elastic_cup.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "drive.hpp"
+#include "hdconj/elastic/bent_cup.hpp"
+#include "hdconj/numeric/error.hpp"
+#include "hdconj/numeric/parallel.hpp"
+#include "hdconj/pipeline/elastic_cup.hpp"
+#include "hdconj/pipeline/solve.hpp"
+#include "hdconj/profile/builder.hpp"
+#include "hdconj/scene/schema.hpp"
+
+namespace hdconj::detail {
+
+CupSection cup_section(Scene const& scene, double inner_radius)
+{
+    Cup const& cup = *scene.flexspline.cup;
+    double const step = std::abs(scene.flexspline.wall - cup.barrel_wall);
+    CupSection section;
+    section.inner_radius = inner_radius;
+    section.length = cup.length;
+    section.wall = cup.barrel_wall;
+    section.ring_wall = scene.flexspline.wall;
+    section.ring_end = cup.length - cup.front_land;
+    section.ring_begin = section.ring_end - cup.tooth_width;
+    section.rear_ramp = cup.rear_ramp.value_or(step);
+    section.front_ramp = cup.front_ramp.value_or(step);
+    section.bottom = cup.bottom;
+    section.corner_radius = cup.corner_radius;
+    section.clamp_radius = cup.flange_radius;
+    section.material = {cup.youngs_modulus, cup.poissons_ratio};
+    return section;
+}
+
+Bearing bearing_of(Scene const& scene)
+{
+    BearingChoice const& choice = *scene.bearing;
+    Bearing bearing{*scene.coning->bottom_to_middle, choice.width, choice.fit, choice.cam_oversize, std::nullopt};
+    if (choice.elastic)
+        bearing.ring = BearingRing{*choice.ring_thickness, choice.axially_held, choice.radial_stiffness, BearingRing{}.material};
+    return bearing;
+}
+
+void judge_cup(Scene const& scene, double inner_radius, Faults& faults)
+{
+    CupSection const section = cup_section(scene, inner_radius);
+    Bearing const bearing = bearing_of(scene);
+    std::string const origin = scene.flexspline.cup->line > 0 ? "" : "--set";
+    try
+    {
+        (void)section_mesh(section, contact_mesh_size(bearing, scene.bearing->circles));
+    }
+    catch (NumericalError const& error)
+    {
+        faults.push_back({"flexspline.cup", scene.flexspline.cup->line, "", error.what(), "write dimensions that fit together", origin});
+        return;
+    }
+    auto const at = [&](std::string const& path, std::string const& reason, std::string const& remedy) {
+        auto const given = scene.given.find(path);
+        int const line = given == scene.given.end() ? 0 : given->second.line;
+        faults.push_back({path, line, given == scene.given.end() ? "" : given->second.written, reason, remedy, line > 0 ? "" : "--set"});
+    };
+    if (bearing.middle - bearing.width / 2 < section.corner_radius || bearing.middle + bearing.width / 2 > section.length)
+        at("bearing.width", "the bearing would reach beyond the straight wall, from " + short_number(section.corner_radius) + " to " + short_number(section.length)
+                                + " mm above the bottom: its middle is at " + short_number(bearing.middle) + " mm",
+           "write a narrower bearing, or another coning.bottom_to_middle");
+    if (bearing.ring && bearing.ring->thickness >= inner_radius)
+        at("bearing.ring_thickness", "the cup's inner radius is " + short_number(inner_radius) + " mm", "write a small part of that, such as 1.2");
+    double const half = scene.circular_spline.width.value_or(0) / 2;
+    bool const spread = scene.slices && scene.slices->count > 1;
+    if (spread && (bearing.middle - half < section.ring_begin || bearing.middle + half > section.ring_end))
+        at("circular_spline.width", "the circular spline would reach beyond the flexspline's teeth, which stand from " + short_number(section.ring_begin - bearing.middle)
+                                        + " to " + short_number(section.ring_end - bearing.middle) + " mm",
+           "write a smaller width, or another flexspline.cup.tooth_width");
+}
+
+std::shared_ptr<BentCup const> bent_cup(Scene const& scene, double inner_radius, AnyWaveShape const& shape, int threads)
+{
+    return std::make_shared<BentCup const>(cup_section(scene, inner_radius), bearing_of(scene), shape, BentCupGrid{scene.bearing->angles, scene.bearing->circles}, threads);
+}
+
+MaterialDisplacement displacement_at(BentCup const& cup, double z, double r_m)
+{
+    return cup.displacement(cup.bearing().middle + z, r_m);
+}
+
+}  // namespace hdconj::detail
+
+namespace hdconj {
+
+std::shared_ptr<BentCup const> elastic_cup(Scene const& scene)
+{
+    Faults faults = check_scene(scene);
+    if (!scene.is_elastic())
+        faults.push_back({"coning.model", scene.coning ? scene.coning->line : 0, "", "the scene has no elastic cup",
+                          "write model = \"elastic\" in [coning], with [flexspline.cup] and [bearing]; data/scenes/type-50-elastic.toml is an example"});
+    Profile const tooth = detail::given_tooth(scene, faults);
+    AnyWaveShape const shape = detail::wave_shape(scene, tooth, faults);
+    if (!faults.empty())
+        throw InputError(faults);
+    return detail::bent_cup(scene, detail::ring_geometry(scene, tooth).flexspline_inner_radius, shape, thread_count(scene.solver.threads));
+}
+
+std::string describe(BentCup const& cup)
+{
+    WaveGeneratorContact const& contact = cup.contact();
+    std::string text = "elastic cup: cones by " + short_number(cup.coning(0) / rad_per_deg) + " degrees at the major axis; bearing and cup press each other with "
+                       + short_number(contact.total_force) + " N";
+    if (!contact.reaction.empty())
+    {
+        double const least = *std::min_element(contact.reaction.begin(), contact.reaction.end());
+        if (least < 0)
+            text += "; the balls would have to pull (" + short_number(least) + " N/rad): the fit is too loose for this model, write a larger bearing.cam_oversize";
+    }
+    return text;
+}
+
+}  // namespace hdconj

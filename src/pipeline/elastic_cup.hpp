@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The elastic cup that a scene describes.
+#pragma once
+
+#include <memory>
+
+#include "hdconj/elastic/cup_section.hpp"
+#include "hdconj/pipeline/solution.hpp"
+#include "hdconj/scene/fault.hpp"
+#include "hdconj/wavegen/material_displacement.hpp"
+#include "hdconj/wavegen/registry.hpp"
+
+namespace hdconj {
+struct Bearing;
+}
+
+namespace hdconj::detail {
+
+/// Section of the cup of [flexspline.cup]. Domain: the scene has that table.
+[[nodiscard]] CupSection cup_section(Scene const& scene, double inner_radius);
+
+/// Bearing of [bearing] at the height of [coning]. Domain: the scene has both.
+[[nodiscard]] Bearing bearing_of(Scene const& scene);
+
+/// What the dimensions of cup, bearing and teeth say to each other, for a scene that asks for the elastic cup.
+void judge_cup(Scene const& scene, double inner_radius, Faults& faults);
+
+/// Cup, bearing and cam, solved.
+/// @throws NumericalError as BentCup does
+[[nodiscard]] std::shared_ptr<BentCup const> bent_cup(Scene const& scene, double inner_radius, AnyWaveShape const& shape, int threads);
+
+/// Displacements of the slice at @p z of the scene (0 in the middle of the bearing).
+[[nodiscard]] MaterialDisplacement displacement_at(BentCup const& cup, double z, double r_m);
+
+}  // namespace hdconj::detail
