@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "cli.hpp"
+#include "hdconj/pipeline/load.hpp"
 #include "hdconj/io/scene_json.hpp"
 #include "hdconj/profile/registry.hpp"
 #include "hdconj/scene/effects.hpp"
@@ -42,6 +43,9 @@ void print_text(CommonOptions const& common, CheckOptions const& own, Scene cons
 /// The verb whose plan is drawn: a scene with a table [contact] is meant for `contact`.
 Verb verb_of(CheckOptions const& own, Scene const& scene)
 {
+    if (own.verb == "load") {
+        return Verb::load;
+    }
     bool const contact = own.verb.empty() ? scene.contact.has_value() : own.verb == "contact";
     return contact ? Verb::contact : Verb::solve;
 }
@@ -53,7 +57,8 @@ int run_check(CommonOptions const& common, CheckOptions const& own)
     auto const reading = examine(common);
     bool const is_right = reading.faults.empty();
     auto const faults = is_right ? uncomputed_effects(reading.scene) : reading.faults;
-    auto const plan = is_right ? std::optional(make_plan(reading.scene, verb_of(own, reading.scene))) : std::nullopt;
+    auto const verb = is_right ? verb_of(own, reading.scene) : Verb::solve;
+    auto const plan = is_right ? std::optional(make_plan(verb == Verb::load ? loaded_scene(reading.scene) : reading.scene, verb)) : std::nullopt;
     if (common.json) {
         std::cout << check_json(scene_name(common), faults, plan ? &*plan : nullptr) << '\n';
     } else if (plan) {
@@ -83,7 +88,7 @@ void add_check(CLI::App& program, CommonOptions& common)
     add_scene_options(*verb, common);
     verb->add_flag("--plan", own->only_plan, "print the plan and nothing else");
     verb->add_option("--for", own->verb, "the verb to plan for [contact where the scene has a table [contact], else solve]")
-        ->check(CLI::IsMember({"solve", "contact"}));
+        ->check(CLI::IsMember({"solve", "contact", "load"}));
     verb->footer("Families:\n" + families_text("flexspline.profile.family", profile_families()) +
                  families_text("wave_generator.family", wave_generator_families()) +
                  "Examples:\n"

@@ -10,7 +10,6 @@
 #include "hdconj/io/scene_toml.hpp"
 #include "hdconj/scene/effects.hpp"
 #include "hdconj/scene/schema.hpp"
-#include "hdconj/scene/suggest.hpp"
 
 namespace hdconj::cli {
 namespace {
@@ -44,19 +43,6 @@ SceneReading read(CommonOptions const& common)
 }
 
 }  // namespace
-
-std::string word_fault(std::string const& given, std::vector<std::string_view> const& words)
-{
-    if (std::find(words.begin(), words.end(), given) != words.end()) {
-        return {};
-    }
-    std::string known;
-    for (auto const word : words) {
-        known += (known.empty() ? "" : ", ") + std::string(word);
-    }
-    auto const meant = nearest(given, words);
-    return "unknown word '" + given + "' (" + (meant ? "write " + std::string(*meant) + "; " : "") + "known: " + known + ")";
-}
 
 std::string number_fault(std::string const& given, std::string const& what, std::string const& remedy)
 {

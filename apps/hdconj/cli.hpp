@@ -63,9 +63,6 @@ void add_scene_options(CLI::App& verb, CommonOptions& common);
 /// How messages call the scene of @p common: its file name, "standard input" or "the built-in scene".
 [[nodiscard]] std::string scene_name(CommonOptions const& common);
 
-/// What is wrong with @p given, which should be one of @p words; empty: nothing. For a check of an option.
-[[nodiscard]] std::string word_fault(std::string const& given, std::vector<std::string_view> const& words);
-
 /// What is wrong with @p given, which should be a number: "'abc' is no angle (write ...)"; empty: nothing.
 [[nodiscard]] std::string number_fault(std::string const& given, std::string const& what, std::string const& remedy);
 
@@ -73,6 +70,7 @@ void add_init(CLI::App& program, CommonOptions& common);
 void add_check(CLI::App& program, CommonOptions& common);
 void add_solve(CLI::App& program, CommonOptions& common);
 void add_contact(CLI::App& program, CommonOptions& common);
+void add_load(CLI::App& program, CommonOptions& common);
 void add_wedm(CLI::App& program, CommonOptions& common);
 void add_accuracy(CLI::App& program, CommonOptions& common);
 void add_export(CLI::App& program, CommonOptions& common);

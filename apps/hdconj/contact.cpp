@@ -14,6 +14,7 @@
 #include "hdconj/io/surface_files.hpp"
 #include "hdconj/scene/schema.hpp"
 #include "outputs.hpp"
+#include "words.hpp"
 
 namespace hdconj::cli {
 namespace {

@@ -21,6 +21,7 @@ constexpr char const* examples =
     "  hdconj check hdconj.toml         is it right, and what will be computed?\n"
     "  hdconj solve hdconj.toml         the conjugate circular spline\n"
     "  hdconj contact hdconj.toml       how much flank touches, and what tilt does to it\n"
+    "  hdconj load hdconj.toml          the elastic cup, and the teeth under torque\n"
     "  hdconj wedm hdconj.toml          files to cut it by wire\n"
     "  hdconj accuracy hdconj.toml      what accuracy costs in time\n"
     "  hdconj export hdconj.toml --calculix deck\n"
@@ -119,6 +120,7 @@ int run(int argc, char** argv)
     add_check(program, common);
     add_solve(program, common);
     add_contact(program, common);
+    add_load(program, common);
     add_wedm(program, common);
     add_accuracy(program, common);
     add_export(program, common);

@@ -55,7 +55,7 @@ std::string file_name(std::string const& drive)
     return name.empty() ? "drive" : name;
 }
 
-void check_outputs(std::vector<OutputJob> const& jobs, std::string const& scene)
+void check_outputs(std::vector<OutputJob> const& jobs, std::string const& scene, std::vector<std::string> const& read)
 {
     for (auto const& job : jobs) {
         if (job.file == "-") {
@@ -64,6 +64,11 @@ void check_outputs(std::vector<OutputJob> const& jobs, std::string const& scene)
         }
         if (!scene.empty() && scene != "-" && same_file(job.file, scene)) {
             refuse(job, "this is the scene file, the result would replace it", "another name");
+        }
+        for (auto const& input : read) {
+            if (same_file(job.file, input)) {
+                refuse(job, "this file is read, the result would replace it", "another name");
+            }
         }
         for (auto const& other : jobs) {
             if (&other != &job && same_file(other.file, job.file)) {

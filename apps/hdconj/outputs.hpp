@@ -24,8 +24,9 @@ struct OutputJob
 
 /// Everything about the targets that can be known before the long work.
 /// @param scene  scene file given, which no result may replace
+/// @param read  further files that are read
 /// @throws InputError, FileError
-void check_outputs(std::vector<OutputJob> const& jobs, std::string const& scene);
+void check_outputs(std::vector<OutputJob> const& jobs, std::string const& scene, std::vector<std::string> const& read = {});
 
 /// A file name made of a drive's name: letters of any script, digits, and "._-" stay.
 [[nodiscard]] std::string file_name(std::string const& drive);

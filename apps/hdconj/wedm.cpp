@@ -17,6 +17,7 @@
 #include "hdconj/io/stored_outline.hpp"
 #include "hdconj/io/wire_files.hpp"
 #include "outputs.hpp"
+#include "words.hpp"
 
 namespace hdconj::cli {
 namespace {

@@ -53,13 +53,18 @@ GapField::GapField(Profile const& tooth, FlankGrid const& grid, ToothPlaces cons
                 reach_ = std::max(reach_, p.norm());
 }
 
+int GapField::candidate(std::size_t space, int c) const
+{
+    // nearest first, so that the others are mostly told far by their bound
+    return nearest_tooth_[space] + (c == 0 ? 0 : c == 1 ? -1 : 1);
+}
+
 GapField::Candidates GapField::candidates_of(std::size_t space, std::size_t slice, double turn) const
 {
     Candidates teeth;
     for (int c = 0; c < candidates; ++c)
     {
-        // nearest first, so that the others are mostly told far by their bound
-        int const tooth = nearest_tooth_[space] + (c == 0 ? 0 : c == 1 ? -1 : 1);
+        int const tooth = candidate(space, c);
         Pose const& pose = places_->at(tooth, slice);
         // into the frame of the tooth's own space, then back by the flexspline's turn, then into the tooth's frame
         double const angle = (space_number_[space] - tooth) * pitch_ - turn;
@@ -85,6 +90,34 @@ double GapField::nearest(Candidates const& teeth, Vec2 const& q) const
 double GapField::gap(Index const& i, double turn) const
 {
     return nearest(candidates_of(i.space, i.slice, turn), grid_->point[static_cast<std::size_t>(i.flank)][i.slice][i.point]);
+}
+
+void GapField::along(std::size_t space, int flank, std::size_t slice, double turn, std::vector<double>& out) const
+{
+    Candidates const teeth = candidates_of(space, slice, turn);
+    auto const& line = grid_->point[static_cast<std::size_t>(flank)][slice];
+    out.resize(line.size());
+    for (std::size_t i = 0; i < line.size(); ++i)
+        out[i] = nearest(teeth, line[i]);
+}
+
+GapField::Touch GapField::touch(Index const& i, double turn) const
+{
+    Candidates const teeth = candidates_of(i.space, i.slice, turn);
+    Vec2 const& q = grid_->point[static_cast<std::size_t>(i.flank)][i.slice][i.point];
+    Touch best;
+    best.nearest.distance = std::numeric_limits<double>::infinity();
+    for (int c = 0; c < candidates; ++c)
+    {
+        Placement const& tooth = teeth[static_cast<std::size_t>(c)];
+        Vec2 const x = tooth(q);
+        if (!(distance_.lower_bound(x) < best.nearest.distance))
+            continue;
+        NearestPoint const found = distance_(x);
+        if (found.distance < best.nearest.distance)
+            best = {candidate(i.space, c), found, tooth.rotate_back(found.normal)};
+    }
+    return best;
 }
 
 GapMap GapField::map(double turn, int threads) const

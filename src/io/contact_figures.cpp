@@ -61,10 +61,9 @@ std::span<ContactFigure<ContactCase> const> case_figures()
     return figures;
 }
 
-std::string case_name(ContactCase const& each)
+std::string surface_name(std::string const& surface, std::string const& kind, double tilt)
 {
-    return each.kind.empty() ? each.surface
-                             : fmt::format("{}, {} {:g} deg", each.surface, each.kind, each.tilt * degree_per_radian);
+    return kind.empty() ? surface : fmt::format("{}, {} {:g} deg", surface, kind, tilt * degree_per_radian);
 }
 
 }  // namespace hdconj

@@ -31,7 +31,9 @@ struct ContactFigure
 inline constexpr double arcmin_per_radian = 57.295779513082320877 * 60;
 
 /// "tilted, radial 0.2 deg", or "per-slice": what a row of the table is of.
-[[nodiscard]] std::string case_name(ContactCase const& each);
+[[nodiscard]] std::string surface_name(std::string const& surface, std::string const& kind, double tilt);
+
+[[nodiscard]] inline std::string case_name(ContactCase const& each) { return surface_name(each.surface, each.kind, each.tilt); }
 
 /// An angle as play at the pitch circle [mm].
 inline double at_pitch_circle(double angle, ContactStudy const& study) { return angle * study.pitch_radius; }

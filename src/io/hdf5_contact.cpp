@@ -2,39 +2,20 @@
 // The layout of /contact and of the surface's mesh, as docs/hdf5.md describes them.
 #include <fmt/format.h>
 
-#include <span>
 #include <stdexcept>
 
 #include "contact_figures.hpp"
 #include "hdconj/io/contact_files.hpp"
+#include "hdf5_columns.hpp"
 #include "hdf5_layout.hpp"
 
 namespace hdconj {
 namespace {
 
+using hdf5::column;
 using hdf5::Shape;
+using hdf5::write_columns;
 using hdf5::Writer;
-
-/// Values of @p take over all records.
-template <class Record, class Take>
-auto column(std::vector<Record> const& records, Take take)
-{
-    std::vector<std::decay_t<decltype(take(records.front()))>> values;
-    values.reserve(records.size());
-    for (auto const& record : records) {
-        values.push_back(take(record));
-    }
-    return values;
-}
-
-template <class Record>
-void write_columns(Writer const& place, std::span<ContactFigure<Record> const> figures,
-                   std::vector<Record> const& records)
-{
-    for (auto const& figure : figures) {
-        place.numbers(figure.column, column(records, figure.value), figure.units);
-    }
-}
 
 void write_states(Writer const& place, std::vector<ContactState> const& states)
 {

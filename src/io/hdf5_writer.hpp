@@ -45,7 +45,7 @@ class Writer
         fill(Writer(made, *tools_));
     }
 
-    /// @param units  "mm", "mm^2", "rad", "s" or "1"
+    /// @param units  "mm", "mm^2", "rad", "s", "1", "N", "N mm", "N/mm", "N mm/rad" or "MPa"
     void numbers(std::string const& name, std::vector<double> const& values, char const* units) const;
     void integers(std::string const& name, std::vector<int> const& values, char const* units = "1") const;
     /// Shape (n,2).

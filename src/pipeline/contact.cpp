@@ -7,47 +7,22 @@
 #include <optional>
 
 #include "contact_case.hpp"
-#include "drive.hpp"
-#include "hdconj/axial/slice_places.hpp"
 #include "hdconj/numeric/parallel.hpp"
 #include "hdconj/profile/builder.hpp"
 #include "hdconj/scene/effects.hpp"
 #include "hdconj/scene/schema.hpp"
 #include "outline_records.hpp"
-#include "place_teeth.hpp"
+#include "owned_bench.hpp"
+#include "surface_choices.hpp"
 
 namespace hdconj {
 namespace {
 
 using detail::ContactBench;
+using detail::or_else;
 using detail::SurfaceChoice;
 
-constexpr double standard_gap = 1e-3;      // [mm]
-constexpr int standard_flank_points = 200;
 constexpr double searches_worth = 20;      // cases, for the progress bar
-
-ContactRequest request_of(Scene const& scene)
-{
-    return scene.contact.value_or(ContactRequest{standard_gap, standard_flank_points, 0, 0});
-}
-
-std::vector<std::string> or_else(std::vector<std::string> const& asked, std::string const& otherwise)
-{
-    return asked.empty() ? std::vector<std::string>{otherwise} : asked;
-}
-
-/// Every combination that makes a difference, in the order asked for.
-std::vector<SurfaceChoice> choices(Scene const& scene, ContactOptions const& options)
-{
-    std::vector<double> const tilts = options.tilts.empty() ? std::vector<double>{scene.tilt ? scene.tilt->angle : 0.0} : options.tilts;
-    std::vector<SurfaceChoice> result;
-    for (std::string const& surface : or_else(options.surfaces, scene.slices ? scene.slices->surface : "tilted"))
-        for (std::string const& kind : or_else(options.kinds, scene.tilt ? scene.tilt->kind : "radial"))
-            for (double const tilt : tilts)
-                if (surface == "tilted" || kind == "radial" || tilt == 0)
-                    result.push_back({surface, kind, tilt});
-    return result;
-}
 
 bool axial(Scene const& scene, ContactOptions const& options)
 {
@@ -170,56 +145,6 @@ Faults check_contact(Scene const& scene, ContactOptions const& options)
 
 namespace {
 
-/// The pair at z = 0 without side clearance: what all surfaces start from.
-Scene middle_scene(Scene const& scene)
-{
-    Scene middle = scene;
-    // the elastic cup moves z = 0 too
-    if (!scene.is_elastic())
-        middle.coning.reset();
-    middle.tilt.reset();
-    middle.slices.reset();
-    middle.contact.reset();
-    middle.circular_spline.automatic_backlash = false;
-    middle.circular_spline.backlash_offset = 0;
-    return middle;
-}
-
-/// A bench with all that it refers to.
-struct OwnedBench
-{
-    OwnedBench(Scene const& asked, int slices, StageObserver const& on_stage)
-        : scene(asked), plan(make_plan(scene, Verb::contact)), clock(plan, on_stage), middle(solve(middle_scene(scene), on_stage)), threads(middle.threads)
-    {
-        Faults faults;
-        tooth = detail::given_tooth(scene, faults);
-        shape = detail::wave_shape(scene, tooth, faults);
-        middle.scene.coning = scene.coning;
-        PairGeometry const& g = middle.geometry;
-        double const width = *scene.circular_spline.width;
-        maker.emplace(middle, tooth, shape, slice_places(slices, width), threads);
-        bench.emplace(ContactBench{scene, tooth, shape, g, *maker, request_of(scene), threads, width,
-                                   {scene.solver.tolerance, g.r_m + g.w0 + tooth.pitch_line + tooth.addendum}, clock, places, middle.cup.get()});
-        clock.run(Stage::coning, [&] {
-            for (std::size_t k = 0; k < maker->z().size(); ++k)
-                (void)maker->motion(k);
-        });
-    }
-    OwnedBench(OwnedBench const&) = delete;
-    OwnedBench& operator=(OwnedBench const&) = delete;
-
-    Scene scene;
-    Plan plan;
-    detail::StageClock clock;
-    Solution middle;
-    int threads;
-    Profile tooth;
-    AnyWaveShape shape;
-    detail::PlaceCache places;
-    std::optional<detail::SurfaceMaker> maker;
-    std::optional<ContactBench> bench;
-};
-
 /// The scene with the effects that options ask for, so that its plan names them.
 Scene with_options(Scene scene, ContactOptions const& options)
 {
@@ -241,9 +166,9 @@ ContactStudy contact(Scene const& scene, ContactOptions const& options, StageObs
     if (!faults.empty())
         throw InputError(faults);
     Scene const asked = with_options(scene, options);
-    OwnedBench owned(asked, asked.slices ? asked.slices->count : 1, on_stage);
+    detail::OwnedBench owned(asked, asked.slices ? asked.slices->count : 1, make_plan(asked, Verb::contact), on_stage);
     ContactBench const& bench = *owned.bench;
-    std::vector<SurfaceChoice> const wanted = choices(scene, options);
+    std::vector<SurfaceChoice> const wanted = detail::surface_choices(scene, options);
     std::vector<std::string> const kinds = options.best ? or_else(options.kinds, scene.tilt ? scene.tilt->kind : "radial") : std::vector<std::string>{};
     double const steps = static_cast<double>(wanted.size()) + 2 * searches_worth * static_cast<double>(kinds.size());
     double done = 0;
@@ -303,8 +228,8 @@ namespace detail {
 
 ClearingNeed clearing_need(Scene const& scene)
 {
-    OwnedBench owned(scene, scene.slices ? scene.slices->count : 1, {});
-    SurfaceChoice const choice = choices(scene, {}).front();
+    OwnedBench owned(scene, scene.slices ? scene.slices->count : 1, make_plan(scene, Verb::contact), {});
+    SurfaceChoice const choice = surface_choices(scene, {}).front();
     ContactCase const found = clearing_case(*owned.bench, choice);
     return {found.clearing_offset, found.clearing_tip, owned.middle.geometry.circular_spline_inner_radius};
 }

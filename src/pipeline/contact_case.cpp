@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "clearing_search.hpp"
 #include "hdconj/contact/contact_area.hpp"
@@ -166,6 +167,24 @@ Cleared clear_flanks(ContactBench const& bench, SliceTurns const& turns, Surface
 }
 
 }  // namespace
+
+FlankSurface flank_surface(ContactBench const& bench, SurfaceChoice const& choice, bool clearing)
+{
+    CircularSpline const& spline = bench.scene.circular_spline;
+    if (spline.automatic_backlash || clearing)
+    {
+        double const given = spline.automatic_backlash ? 0 : spline.backlash_offset;
+        Cleared cleared = clear_flanks(bench, SliceTurns(bench), choice, given);
+        double const offset = std::max(given, cleared.offset);
+        FlankGrid moved = moved_into_material(std::move(cleared.grid), offset);
+        return {std::move(cleared.outline), std::move(moved), offset, cleared.tip};
+    }
+    bool const follows = choice.surface != "tilted" || choice.kind == "draft";
+    double const tip = follows ? bench.maker.needed_tip(choice) : bench.geometry.circular_spline_inner_radius;
+    MatchedOutline outline = surface_of(bench, choice, tip);
+    FlankGrid grid = moved_into_material(flank_grid(outline, bench.maker.z(), bench.request.flank_points), spline.backlash_offset);
+    return {std::move(outline), std::move(grid), spline.backlash_offset, tip};
+}
 
 double clearing_offset_of(ContactBench const& bench, SurfaceChoice const& choice)
 {

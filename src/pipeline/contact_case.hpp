@@ -15,6 +15,17 @@ namespace hdconj::detail {
 /// Everything about one surface. @p revolution angles beside the scene's own. @p map gets the gaps after take-up.
 [[nodiscard]] ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice, int revolution, GapMap* map);
 
+/// The flanks of one surface with the scene's side clearance; "auto": with the least that clears, and the tip circle that goes with it.
+struct FlankSurface
+{
+    MatchedOutline outline;  ///< without side clearance
+    FlankGrid grid;          ///< with it
+    double offset = 0;       ///< [mm]
+    double tip = 0;          ///< [mm]
+};
+/// @param clearing  as for "auto", whatever the scene says
+[[nodiscard]] FlankSurface flank_surface(ContactBench const& bench, SurfaceChoice const& choice, bool clearing = false);
+
 /// Side clearance and tip circle of one surface, and nothing else.
 [[nodiscard]] ContactCase clearing_case(ContactBench const& bench, SurfaceChoice const& choice);
 

@@ -79,7 +79,10 @@ void judge_cup(Scene const& scene, double inner_radius, Faults& faults)
 
 std::shared_ptr<BentCup const> bent_cup(Scene const& scene, double inner_radius, AnyWaveShape const& shape, int threads)
 {
-    return std::make_shared<BentCup const>(cup_section(scene, inner_radius), bearing_of(scene), shape, BentCupGrid{scene.bearing->angles, scene.bearing->circles}, threads);
+    auto cup = std::make_shared<BentCup const>(cup_section(scene, inner_radius), bearing_of(scene), shape, BentCupGrid{scene.bearing->angles, scene.bearing->circles}, threads);
+    if (!(cup->contact().total_force > 0))
+        throw NumericalError("elastic cup", "bearing", "it never touches the cup, which stays round; write a larger bearing.fit");
+    return cup;
 }
 
 MaterialDisplacement displacement_at(BentCup const& cup, double z, double r_m)

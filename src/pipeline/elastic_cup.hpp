@@ -27,7 +27,7 @@ namespace hdconj::detail {
 void judge_cup(Scene const& scene, double inner_radius, Faults& faults);
 
 /// Cup, bearing and cam, solved.
-/// @throws NumericalError as BentCup does
+/// @throws NumericalError as BentCup does, and for a bearing that nowhere touches the cup
 [[nodiscard]] std::shared_ptr<BentCup const> bent_cup(Scene const& scene, double inner_radius, AnyWaveShape const& shape, int threads);
 
 /// Displacements of the slice at @p z of the scene (0 in the middle of the bearing).

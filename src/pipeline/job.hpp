@@ -186,7 +186,7 @@ class SolveJob
         for (Vec2 const& p : outline.points)
             deepest = std::max(deepest, p.norm());
         out_.geometry.space_depth = deepest - out_.geometry.circular_spline_inner_radius;
-        out_.error.chord = outline.chord + outline.error;   // both ends of a chord may be off as well
+        out_.error.chord = outline.chord;
         out_.error.point = outline.error;
         for (std::size_t i = 0; i < branches_.size(); ++i)
         {

@@ -274,7 +274,7 @@ class ReverseJob
         out_.flexspline_pieces = piece_records(tooth_, given_);
         CentredOutline const spline = given_spline(given_, seat_radius_, pitch_, tolerance_.length);
         publish_spline(spline.outline, spline.middle);
-        out_.error.chord = std::max(tooth_.chord + tooth_.error, spline.outline.chord + spline.outline.error);
+        out_.error.chord = std::max(tooth_.chord, spline.outline.chord);
         out_.error.point = std::max(tooth_.error, spline.outline.error) + body_.gap;
         std::size_t index = 0;
         for (std::size_t j = 0; j < traced_.size(); ++j)

@@ -22,6 +22,9 @@ constexpr double roundings_of_radius = 100;
 /// An inner radius further than this share from the one that module and teeth give is a typing error.
 constexpr double radius_doubt = 0.25;
 
+/// Points between bearing and cup: their influences fill a matrix of some hundred megabytes.
+constexpr int most_contact_points = 4000;
+
 bool knows(SceneReading const& reading, std::initializer_list<std::string_view> paths)
 {
     return std::all_of(paths.begin(), paths.end(),
@@ -212,6 +215,10 @@ void check_bearing(SceneReading const& reading, Faults& faults)
     }
     if (knows(reading, {"bearing.angles"}) && bearing.angles % 2 != 0) {
         refuse("angles", "is odd", "write an even number such as 48");
+    }
+    if (knows(reading, {"bearing.angles", "bearing.circles"}) && bearing.angles * bearing.circles > most_contact_points) {
+        refuse("angles", "with " + std::to_string(bearing.circles) + " circles makes " + std::to_string(bearing.angles * bearing.circles) + " points of contact, each with each",
+               "write at most " + std::to_string(most_contact_points) + " points, such as angles = 96 and circles = 17");
     }
 }
 

@@ -48,7 +48,7 @@ bool has_slices(Scene const& scene)
 bool cones(Scene const& scene, Verb verb)
 {
     bool const own_outlines = has_slices(scene) && scene.slices->surface != "tilted";
-    return scene.coning && (verb == Verb::contact || own_outlines || (scene.circular_spline.automatic_backlash && has_slices(scene)));
+    return scene.coning && (verb != Verb::solve || own_outlines || (scene.circular_spline.automatic_backlash && has_slices(scene)));
 }
 
 std::vector<AbsentEffect> absent_effects(Scene const& scene, Verb verb)
@@ -80,7 +80,9 @@ std::vector<AbsentEffect> absent_effects(Scene const& scene, Verb verb)
     if (verb != Verb::contact) {
         absent.push_back({"contact", "the verb contact"});
     }
-    absent.push_back({"load", "the verb load, in a later version"});
+    if (verb != Verb::load) {
+        absent.push_back({"load", "the verb load"});
+    }
     return absent;
 }
 
@@ -147,6 +149,12 @@ std::string to_string(Stage stage)
             return "gap_map";
         case Stage::contact:
             return "contact";
+        case Stage::influence:
+            return "influence";
+        case Stage::assembly:
+            return "assembly";
+        case Stage::load:
+            return "load";
     }
     return "unknown";
 }
@@ -169,18 +177,25 @@ Plan make_plan(Scene const& scene, Verb verb)
     }
     if (has_slices(scene)) {
         plan.stages.push_back({Stage::surface, "slices.count = " + std::to_string(scene.slices->count) + ", surface = " + in_quotes(scene.slices->surface)});
-    } else if (verb == Verb::contact) {
-        plan.stages.push_back({Stage::surface, "contact: points of both flanks"});
+    } else if (verb != Verb::solve) {
+        plan.stages.push_back({Stage::surface, verb == Verb::contact ? "contact: points of both flanks" : "load: points of both flanks"});
     }
     if (scene.tilt && has_slices(scene)) {
         plan.stages.push_back({Stage::tilt, "tilt.angle_deg = " + number_text(scene.tilt->angle / rad_per_deg) + ", kind = " + in_quotes(scene.tilt->kind)});
     }
-    if (verb == Verb::contact || spline.automatic_backlash) {
-        plan.stages.push_back({Stage::clearance, spline.automatic_backlash ? "circular_spline.backlash_offset = \"auto\"" : "contact: every slice over a full turn"});
+    if (verb != Verb::solve || spline.automatic_backlash) {
+        plan.stages.push_back({Stage::clearance, spline.automatic_backlash  ? "circular_spline.backlash_offset = \"auto\""
+                                                 : verb == Verb::contact ? "contact: every slice over a full turn"
+                                                                         : "load: side clearance, if the scene's leaves the assembled teeth none"});
     }
     if (verb == Verb::contact) {
         plan.stages.push_back({Stage::gap_map, "contact: gaps of all teeth"});
         plan.stages.push_back({Stage::contact, "contact: first touch, area, play"});
+    }
+    if (verb == Verb::load) {
+        plan.stages.push_back({Stage::influence, "load: the wall gives way"});
+        plan.stages.push_back({Stage::assembly, "load: the wave generator presses where it touches"});
+        plan.stages.push_back({Stage::load, "load: torque on the teeth"});
     }
     return plan;
 }

@@ -213,7 +213,11 @@ TableSpec circular_spline()
                    "given tooth"),
           "25.025",
           {},
-          [](Scene& s, Parameter const& p) { s.circular_spline.inner_radius = number(p); }}},
+          [](Scene& s, Parameter const& p) { s.circular_spline.inner_radius = number(p); }},
+         {optional("youngs_modulus", Q::number, "of the circular spline's steel, in MPa; for the verb load", bounds::least_modulus, bounds::largest_modulus), "210000",
+          210000.0, [](Scene& s, Parameter const& p) { s.circular_spline.youngs_modulus = number(p); }},
+         {optional("poissons_ratio", Q::number, "of the circular spline's steel; for the verb load", 0, bounds::largest_poissons_ratio), "0.3", 0.3,
+          [](Scene& s, Parameter const& p) { s.circular_spline.poissons_ratio = number(p); }}},
         nullptr};
 }
 
@@ -359,6 +363,23 @@ TableSpec contact()
             [](Scene& s, int line) { s.contact.emplace().line = line; }};
 }
 
+TableSpec load()
+{
+    return {"load",
+            "what the verb load is asked for",
+            Presence::effect,
+            FamilyKind::none,
+            {{optional("torque", Q::number, "rated torque on the circular spline, in N m", bounds::least_torque, bounds::largest_torque),
+              "28.0",
+              {},
+              [](Scene& s, Parameter const& p) { s.load->torque = number(p) * n_mm_per_n_m; }},
+             {optional("points", Q::count, "torques from 0 to the rated one", 1, bounds::most_torques), "10", 10.0,
+              [](Scene& s, Parameter const& p) { s.load->points = count(p); }},
+             {optional("harmonics", Q::count, "highest harmonic around the circumference", bounds::fewest_harmonics, bounds::most_harmonics), "100", 100.0,
+              [](Scene& s, Parameter const& p) { s.load->harmonics = count(p); }}},
+            [](Scene& s, int line) { s.load.emplace().line = line; }};
+}
+
 ParameterSpec passes()
 {
     auto spec = optional("passes", Q::rows, "stock that each pass leaves, in order; it decreases, and the last pass leaves 0; absent: one pass", 1,
@@ -443,7 +464,7 @@ std::vector<TableSpec> const& scene_schema()
 {
     static std::vector<TableSpec> const tables{drive(),  flexspline(), cup(), profile(), wave_generator(), circular_spline(),
                                                circular_spline_profile(), solver(), coning(), bearing(), tilt(), slices(),
-                                               contact(), wedm()};
+                                               contact(), load(), wedm()};
     return tables;
 }
 

@@ -26,7 +26,7 @@ Solution rung(StudyBench const& bench, Scene const& scene, StudyRecord record)
     constexpr std::size_t contacts = 400;
     record.error = difference.points;
     record.hausdorff = difference.hausdorff;
-    record.estimate = solution.error.largest();
+    record.estimate = solution.error.chord + solution.error.point;
     record.residual = scene.solver.kinematics == Kinematics::exact ? residual_of(bench.drive, solution, contacts) : not_measured;
     int const found = static_cast<int>(solution.branches.size()), there = static_cast<int>(bench.drive.branches);
     record.branches = found;
@@ -93,7 +93,7 @@ void study_threads(StudyBench const& bench)
         CurveDifference const difference = bench.reference.compare(outline, scene.solver.tolerance);
         record.error = difference.points;
         record.hausdorff = difference.hausdorff;
-        record.estimate = solution.error.largest();
+        record.estimate = solution.error.chord + solution.error.point;
         record.branches = static_cast<int>(solution.branches.size());
         // a point that differs in any bit from that of one thread is an extra one
         record.extra = static_cast<int>(outline.size() != single.size());

@@ -5,7 +5,7 @@
   instructions.py PROGRAM            compare with instructions.csv: exit status 1 where a count has moved by more than 2 %
   instructions.py PROGRAM --update   write that file anew
 
-A table belongs to one compiler and its libraries; with another, or without valgrind, nothing is compared and the exit status is 77 (skipped).
+A table belongs to one compiler, its libraries and one kind of processor (by which the C library chooses its routines); with others, or without valgrind, nothing is compared and the exit status is 77 (skipped).
 """
 import csv
 import pathlib
@@ -27,7 +27,9 @@ RUNS = {
 
 def build_of(program):
     said = subprocess.run([program, "--version"], capture_output=True, text=True, check=True).stdout.splitlines()
-    return said[1].strip()
+    with open("/proc/cpuinfo") as file:
+        models = [line.split(":", 1)[1].strip() for line in file if line.startswith("model name")]
+    return said[1].strip() + "; " + (models[0] if models else "unknown processor")
 
 
 def count(program, arguments):

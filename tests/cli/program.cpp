@@ -180,7 +180,7 @@ TEST_CASE("faults name file, line, key and remedy on standard error", "[program]
 TEST_CASE("an elastic cup without its dimensions or its bearing is refused", "[program]")
 {
     TemporaryFolder const folder;
-    auto const outcome = hdconj_run("solve --set coning.model=elastic", folder.path());
+    auto const outcome = hdconj_run("solve --set coning.model=elastic --set '!flexspline.cup' --set '!bearing'", folder.path());
     check_refused(outcome, "needs the cup's dimensions");
     CHECK(contains(outcome.err, "needs what pushes the cup outward"));
     CHECK(contains(outcome.err, "coning.bottom_to_middle"));

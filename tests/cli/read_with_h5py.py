@@ -13,7 +13,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-UNITS = {"mm", "mm^2", "rad", "1", "s"}
+UNITS = {"mm", "mm^2", "rad", "1", "s", "N", "N mm", "N/mm", "N mm/rad", "MPa"}
 ROOT = {"format": str, "format_version": np.integer, "program_version": str, "git_revision": str, "build": str,
         "date": str, "drive": str, "given": str, "scene": str, "threads": np.integer, "plan": str, "stages": np.ndarray}
 BRANCH = {"segment": np.integer, "segment_name": str, "kind": str, "begins": str, "ends": str,
@@ -95,6 +95,21 @@ def check_contact(file):
     want(mesh["points"].shape[1:] == (3,) and mesh["quads"].shape == (len(mesh["part"]), 4), "mesh")
 
 
+def check_load(file):
+    load = file["load"]
+    cases = [name for name in load if name.startswith("case_")]
+    columns = {name for name in load if isinstance(load[name], h5py.Dataset)}
+    want({len(load[name]) for name in columns} == {len(cases)}, "columns of load differ")
+    for name in cases:
+        curve, flanks = load[name]["curve"], load[name]["map"]
+        want(len({len(curve[column]) for column in curve}) == 1 and set(curve) <= columns, f"columns of {name} differ")
+        want({flanks[column].shape for column in ("force", "line_load", "pressure", "gap", "height")} == {(len(flanks["angle"]), 2, len(flanks["z"]))}, f"map of {name}")
+    shape = load["shape"]
+    want({shape[column].shape for column in ("u_r", "u_t", "u_z", "stress")} == {(len(shape["phi"]), len(shape["r"]))}, "shape")
+    want(shape["cells"].shape[1:] == (4,) and shape["cells"][()].max() < len(shape["r"]) and len(shape["z"]) == len(shape["r"]), "cells")
+    want(0 <= load.attrs["shown"] < len(cases), "shown")
+
+
 def check_documented(file):
     text = (Path(__file__).parents[2] / "docs" / "hdf5.md").read_text()
     known = set(re.findall(r"`([^`]+)`", text)) | {n.split("/")[-1] for n in re.findall(r"`(/[^`]+)`", text)}
@@ -145,6 +160,8 @@ def main(arguments):
         branches = check_branches(file)
         if "contact" in file:
             check_contact(file)
+        if "load" in file:
+            check_load(file)
         check_documented(file)
         want("r_0_mm" in file["summary"].attrs, "no summary")
         if len(arguments) > 1:

@@ -176,7 +176,7 @@ TEST_CASE("accuracy: the estimate bounds the true error on random designs and is
         try {
             Solution const solution = solve(scenes[i]);
             ReferenceCurve const truth = reference_outline(scenes[i]);
-            outcomes[i] = {truth.compare(solution.circular_spline.outline.front(), 1).hausdorff, solution.error.largest(), true};
+            outcomes[i] = {truth.compare(solution.circular_spline.outline.front(), 1).hausdorff, solution.error.chord + solution.error.point, true};
         } catch (std::exception const& error) {
             outcomes[i].refused = error.what();
         }

@@ -109,6 +109,11 @@ TEST_CASE("a stiffer wave generator cones the cup less, and its slices are more 
     CHECK(free < 2 * 3.5 * std::tan(0.0293));  // linear coning of one line: 1.677 degrees
 }
 
+TEST_CASE("a bearing that is too small for the cup is an error that says so", "[elastic_cup]")
+{
+    CHECK_THROWS_WITH(elastic_cup(elastic_scene({"bearing.fit=-0.5"})), ContainsSubstring("never touches the cup"));
+}
+
 TEST_CASE("teeth in planes across the elastic cup stand where the displaced wall passes through", "[elastic_cup]")
 {
     Scene const scene = elastic_scene({"bearing.angles=48", "bearing.circles=13"});

@@ -41,6 +41,18 @@ class GapField
 
     [[nodiscard]] double gap(Index const& i, double turn) const;
 
+    /// Gaps of all points of one flank and slice at @p turn, into @p out, which is resized.
+    void along(std::size_t space, int flank, std::size_t slice, double turn, std::vector<double>& out) const;
+
+    /// The tooth that is nearest to a flank point, and its nearest point in its own frame.
+    struct Touch
+    {
+        int tooth = 0;  ///< number as in ToothPlaces
+        NearestPoint nearest;
+        Vec2 normal = Vec2::Zero();  ///< outward from the tooth, in the frame of the space
+    };
+    [[nodiscard]] Touch touch(Index const& i, double turn) const;
+
     /// All gaps at @p turn. Same bits for any number of threads.
     [[nodiscard]] GapMap map(double turn, int threads) const;
 
@@ -53,12 +65,14 @@ class GapField
     {
         double cosine, sine;
         Vec2 shift;
+        [[nodiscard]] Vec2 rotate_back(Vec2 const& v) const { return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y()}; }
         [[nodiscard]] Vec2 operator()(Vec2 const& q) const { return Vec2{cosine * q.x() + sine * q.y(), -sine * q.x() + cosine * q.y()} - shift; }
     };
     static constexpr int candidates = 3;
     using Candidates = std::array<Placement, candidates>;
     [[nodiscard]] Candidates candidates_of(std::size_t space, std::size_t slice, double turn) const;
     [[nodiscard]] double nearest(Candidates const& teeth, Vec2 const& q) const;
+    [[nodiscard]] int candidate(std::size_t space, int c) const;
 
     ToothDistance distance_;
     FlankGrid const* grid_;

@@ -28,14 +28,18 @@ enum class Stage
     tilt,            ///< outlines moved along the axis
     clearance,       ///< every slice over a full turn: clearing side clearance, tip circle and root
     gap_map,         ///< gaps of all teeth at an angle of the wave generator
-    contact          ///< first contact, contact area, play
+    contact,         ///< first contact, contact area, play
+    influence,       ///< what the elastic wall gives way by, harmonic by harmonic
+    assembly,        ///< the cup on its wave generator, without torque
+    load             ///< teeth and wave generator in equilibrium, torque by torque
 };
 
 /// What is planned for.
 enum class Verb
 {
     solve,
-    contact
+    contact,
+    load
 };
 
 /// One stage of a plan and the reason it is there.

@@ -65,6 +65,8 @@ struct CircularSpline
     double backlash_offset = 0;          ///< [mm], along the normal, >= 0
     bool automatic_backlash = false;     ///< "auto": the least offset that clears every slice over a full turn
     double root_clearance = 0;           ///< [mm], along the centre line of the space, >= 0
+    double youngs_modulus = 210e3;       ///< [MPa]
+    double poissons_ratio = 0.3;
     std::optional<double> inner_radius;  ///< [mm], tip circle; default r_m + delta/2 + h_f + w0 - addendum of the given tooth
     std::optional<FamilyChoice> profile; ///< the reverse problem: this tooth is given, the flexspline's is solved for
 };
@@ -156,6 +158,15 @@ enum class WirePart
     flexspline  ///< upright teeth outside, in two set-ups
 };
 
+/// What a load is asked for. Only the verb `load` looks at it.
+struct LoadRequest
+{
+    std::optional<double> torque;  ///< rated, on the circular spline [N mm]
+    int points = 0;                ///< torques from 0 to the rated one
+    int harmonics = 0;             ///< highest one around the circumference
+    int line = 0;
+};
+
 /// How the part is cut by wire. Only the verb `wedm` looks at it. Lengths in mm.
 struct WireRequest
 {
@@ -203,6 +214,7 @@ struct Scene
     std::optional<Tilt> tilt;
     std::optional<Slices> slices;
     std::optional<ContactRequest> contact;
+    std::optional<LoadRequest> load;
     std::optional<WireRequest> wedm;
 
     std::string text;                                    ///< the scene as given, after --set

@@ -57,6 +57,9 @@ struct TableSpec
 /// Degrees appear in a scene only; the reader multiplies by this.
 inline constexpr double rad_per_deg = std::numbers::pi / 180;
 
+/// Torques are in N m in a scene only.
+inline constexpr double n_mm_per_n_m = 1000;
+
 /// Bounds that keep typing errors out; nothing in the mathematics needs them.
 namespace bounds {
 inline constexpr double least_module = 1e-4;   ///< [mm]
@@ -83,6 +86,11 @@ inline constexpr int fewest_angles = 8;           ///< where bearing and cup may
 inline constexpr int most_angles = 512;
 inline constexpr int fewest_circles = 2;
 inline constexpr int most_circles = 101;
+inline constexpr double least_torque = 1e-9;      ///< [N m]
+inline constexpr double largest_torque = 1e9;     ///< [N m]
+inline constexpr int most_torques = 1000;
+inline constexpr int fewest_harmonics = 8;
+inline constexpr int most_harmonics = 400;
 inline constexpr int most_passes = 20;            ///< of the wire
 inline constexpr int fewest_decimals = 2;         ///< of rounded wire coordinates in mm
 inline constexpr int most_decimals = 9;

@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tables of docs/load.md and docs/thesis.md, from the program's own JSON: docs/tables/load.py build/release/bin/hdconj [TABLE ...]
+
+TABLE is any of: thesis, surfaces, bearing, cost; all of them without one.
+"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+
+from contact import head, row
+
+
+def load(program, *arguments, **keys):
+    """The load object of one run on the built-in scene, or what the program says; keys are --set, with __ for the dot."""
+    with tempfile.TemporaryDirectory() as folder:
+        command = [program, "load", "--json", "--quiet", "-o", os.path.join(folder, "result.h5"), *arguments]
+        for key, value in keys.items():
+            command += ["--set", key.replace("__", ".") + "=" + str(value)]
+        done = subprocess.run(command, capture_output=True, text=True)
+        return json.loads(done.stdout)["load"] if done.returncode == 0 else done.stderr.strip()
+
+
+def figures(case):
+    """Cells of one case: clearance, play, stages, and the rated state."""
+    state = case["rated"]
+    second = "%.0f" % case["second_stage_Nm_per_deg"] if case["stages_found"] else "="
+    return ["%.1f%s" % (case["backlash_offset_um"], "*" if case["raised"] else ""), "%.2f" % case["backlash_arcmin"], "%.0f" % case["first_stage_Nm_per_deg"],
+            second, state["teeth"], "%.3f" % (100 * state["contact_share"]), "%.2f" % (100 * state["near_share"]), "%.2f" % (100 * state["node_share"]),
+            "%.0f" % state["largest_pressure_MPa"], "%.0f" % state["largest_stress_MPa"]]
+
+
+COLUMNS = ["side clearance [um]", "play [arcmin]", "first stage [N m/deg]", "second", "teeth", "contact [%]", "near [%]", "nodes [%]", "pressure [MPa]",
+           "cup [MPa]"]
+
+
+def told(result, *cells):
+    if isinstance(result, str):
+        row(*cells, result)
+        return
+    for case in result["cases"]:
+        row(*cells, *figures(case))
+
+
+def thesis(program):
+    head("tilt [deg]", "kind", *COLUMNS)
+    for kind in ("radial", "draft"):
+        for tilt in (0, 0.1, 0.2, 0.3):
+            told(load(program, f"--tilt={tilt}", "--kind", kind), tilt, kind)
+
+
+def surfaces(program):
+    head("surface", *COLUMNS)
+    for surface in ("tilted", "ruled", "per-slice"):
+        told(load(program, "--surface", surface, circular_spline__backlash_offset=0.04), surface)
+
+
+def bearing(program):
+    head("bearing", "coning [deg]", *COLUMNS)
+    variants = [("elastic ring 1.2 mm, rigid balls", {}), ("ring 0.8 mm", {"bearing__ring_thickness": 0.8}), ("ring 1.6 mm", {"bearing__ring_thickness": 1.6}),
+                ("balls 3000 N/mm^2", {"bearing__radial_stiffness": 3000}), ("balls 1000 N/mm^2", {"bearing__radial_stiffness": 1000}),
+                ("balls 300 N/mm^2", {"bearing__radial_stiffness": 300}), ("balls 100 N/mm^2", {"bearing__radial_stiffness": 100}),
+                ("balls free along the axis", {"bearing__axially": "free"}), ("fit +5 um", {"bearing__fit": 0.005}), ("fit -5 um", {"bearing__fit": -0.005}),
+                ("side clearance 80 um", {"circular_spline__backlash_offset": 0.08})]
+    for name, keys in variants:
+        keys = {"circular_spline__backlash_offset": 0.065, **keys}
+        result = load(program, **keys)
+        told(result, name, "" if isinstance(result, str) else "%.3f" % result["cup"]["coning_major_deg"])
+
+
+def cost(program):
+    head("change", "load stage [s]", "twist at 28 N m [arcmin]", "pressure [MPa]")
+    for name, keys in [("as it is", {}), ("5 slices", {"slices__count": 5}), ("17 slices", {"slices__count": 17}), ("50 harmonics", {"load__harmonics": 50}),
+                       ("400 flank points", {"contact__flank_points": 400}), ("100 flank points", {"contact__flank_points": 100}), ("25 circles", {"bearing__circles": 25})]:
+        begin = time.perf_counter()
+        result = load(program, "--no-curve", circular_spline__backlash_offset=0.065, **keys)
+        if isinstance(result, str):
+            row(name, result)
+            continue
+        state = result["cases"][0]["rated"]
+        row(name, "%.2f" % (time.perf_counter() - begin), "%.3f" % state["twist_arcmin"], "%.0f" % state["largest_pressure_MPa"])
+
+
+TABLES = {"thesis": thesis, "surfaces": surfaces, "bearing": bearing, "cost": cost}
+
+if __name__ == "__main__":
+    for table in sys.argv[2:] or TABLES:
+        print("\n" + table + "\n")
+        TABLES[table](sys.argv[1])

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The numbers of a load study under the names that they have in HDF5 and JSON; private to src/io.
+#pragma once
+
+#include <numbers>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "contact_figures.hpp"
+#include "hdconj/io/load_files.hpp"
+
+namespace hdconj {
+
+/// As of a contact study. Without a column it is in JSON only.
+template <class Record>
+using LoadFigure = ContactFigure<Record>;
+
+/// At one torque.
+[[nodiscard]] std::span<LoadFigure<LoadedState> const> loaded_state_figures();
+
+/// Of the surface, with its stages.
+[[nodiscard]] std::span<LoadFigure<LoadCase> const> load_case_figures();
+
+/// Of the cup without torque.
+[[nodiscard]] std::span<LoadFigure<AssembledCup> const> assembled_cup_figures();
+
+/// What a test rig gave.
+struct MeasuredFigure
+{
+    char const* name;         ///< in HDF5 and JSON, without unit
+    char const* words;        ///< in text
+    char const* units;        ///< in HDF5
+    char const* key_unit;     ///< in JSON, with what leads
+    char const* text_units;
+    double shown_per_stored;  ///< in JSON and text
+    Estimate const& (*value)(MeasuredStiffness const&);
+    /// The same of the simulation; none where it has none.
+    std::optional<double> (*simulated)(LoadCase const&);
+};
+
+[[nodiscard]] std::span<MeasuredFigure const> measured_figures();
+
+inline constexpr double nm_per_nmm = 1e-3;
+/// N m/deg of the thesis per N mm/rad.
+inline constexpr double nm_per_deg = nm_per_nmm * std::numbers::pi / 180;
+
+[[nodiscard]] inline std::string case_name(LoadCase const& each) { return surface_name(each.surface, each.kind, each.tilt); }
+
+/// At the largest torque; null where nothing was computed.
+[[nodiscard]] inline LoadedState const* rated_state(LoadCase const& each) { return each.rated < each.curve.size() ? &each.curve[each.rated] : nullptr; }
+
+/// The case that the shape is of; null where there is none.
+[[nodiscard]] inline LoadCase const* shown_case(LoadStudy const& study) { return study.shown < study.cases.size() ? &study.cases[study.shown] : nullptr; }
+
+}  // namespace hdconj

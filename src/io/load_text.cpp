@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "load_figures.hpp"
+#include "summary_figures.hpp"
+#include "summary_page.hpp"
+
+namespace hdconj {
+namespace {
+
+constexpr double percent = 100;
+
+/// Fixed decimals, and never "-0.00".
+std::string fixed(double value, int decimals)
+{
+    std::string text = fmt::format("{:.{}f}", value, decimals);
+    return text.find_first_not_of("-0.") == std::string::npos && text.front() == '-' ? text.substr(1) : text;
+}
+
+/// Three or four digits that count, as a length of text that suits a table.
+std::string short_number(double value)
+{
+    constexpr double hundred = 100, ten = 10;
+    double const size = std::abs(value);
+    return fixed(value, size >= hundred ? 0 : size >= ten ? 1 : 2);
+}
+
+void write_setting(Page& page, LoadStudy const& study)
+{
+    auto const& cup = study.cup;
+    page.line("\ncup on the wave generator, without torque");
+    page.figure("coning, major axis", fixed(cup.coning_major * degree_per_radian, 4) + " deg", "slope of the radial displacement over the toothed width");
+    page.figure("coning, minor axis", fixed(cup.coning_minor * degree_per_radian, 4) + " deg");
+    if (!cup.z.empty()) {
+        auto const [first, last] = std::minmax_element(cup.z.begin(), cup.z.end());
+        page.figure("slices", std::to_string(cup.z.size()), fmt::format("z {:g} ... {:g} mm", *first, *last));
+    }
+    page.figure("wave generator force", fmt::format("{:.1f} N", cup.wave_generator_force), fmt::format("without direction, over {} places", cup.contacts));
+    if (cup.largest_stress > 0) {
+        page.figure("largest stress", fmt::format("{:.1f} MPa", cup.largest_stress), "von Mises");
+    }
+    page.figure("harmonics", fmt::format("up to {}", study.harmonics), study.sectors > 1 ? fmt::format("the solved sector repeats {} times", study.sectors) : "");
+}
+
+/// Surface, kind and tilt, as wide as in all tables.
+std::string begin_row(LoadCase const& each)
+{
+    bool const tilted = !each.kind.empty();
+    return fmt::format("  {:<10}{:<7}{:>6}", each.surface, tilted ? each.kind : "-",
+                       tilted || each.surface == "tilted" ? fmt::format("{:.3g}", each.tilt * degree_per_radian) : "-");
+}
+
+void write_row(Page& page, LoadCase const& each)
+{
+    auto const& stages = each.stages;
+    std::string const first = stages.first == 0 ? "-" : short_number(stages.first * nm_per_deg);
+    std::string const second = stages.found ? short_number(stages.second * nm_per_deg) : stages.first == 0 ? "-" : "=";
+    std::string const knee = stages.found ? short_number(stages.knee * nm_per_nmm) : "-";
+    std::string row = fmt::format("{}{:>8}{}{:>9}{:>9}{:>9}{:>8}", begin_row(each), fixed(each.backlash_offset * um_per_mm, 2), each.raised ? '*' : ' ', fixed(each.backlash * arcmin_per_radian, 2), first, second, knee);
+    if (auto const* state = rated_state(each)) {
+        row += fmt::format("{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", fixed(state->twist * arcmin_per_radian, 2), state->teeth, fmt::format("{:.3g}", state->contact_share * percent),
+                           fmt::format("{:.3g}", state->near_share * percent), short_number(state->largest_pressure), short_number(state->largest_force),
+                           state->largest_stress > 0 ? short_number(state->largest_stress) : "-");
+    } else {
+        row += "   not computed";
+    }
+    page.line("{}", row);
+}
+
+void write_table(Page& page, LoadStudy const& study)
+{
+    // Tilt ends in column 25; the columns of the stages follow, then those of the largest torque.
+    page.line("\n{:<25}{:>44}{}", "", "", fmt::format("   at {:g} N m", study.rated_torque * nm_per_nmm));
+    page.line("  {:<10}{:<7}{:>6}{:>8}{:>10}{:>18}{:>8}{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", "surface", "kind", "tilt", "offset", "backlash", "stiffness: stages", "bend", "twist", "teeth",
+              "contact", "near", "pressure", "force", "stress");
+    page.line("  {:<10}{:<7}{:>6}{:>8}{:>10}{:>9}{:>9}{:>8}{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", "", "", "deg", "um", "arcmin", "N m/deg", "N m/deg", "N m", "arcmin", "", "%", "%", "MPa",
+              "N", "MPa");
+    for (auto const& each : study.cases) {
+        write_row(page, each);
+    }
+    page.line("  contact: flank under pressure; near: gap no larger than {:g} um; of the area of all flanks of the loaded side", study.contact_gap * um_per_mm);
+    if (std::any_of(study.cases.begin(), study.cases.end(), [](auto const& each) { return each.raised; })) {
+        page.line("  *: more side clearance than the scene gives, because with that the assembled teeth press on both flanks");
+    }
+    bool const one_line = std::any_of(study.cases.begin(), study.cases.end(), [](auto const& each) { return !each.stages.found && each.stages.first != 0; });
+    if (one_line) {
+        page.line("  =: one line, the curve has no bend that would make two stages of it");
+    }
+    if (std::any_of(study.cases.begin(), study.cases.end(), [](auto const& each) { return each.backlash < 0; })) {
+        page.line("  backlash below zero: the assembled teeth press on both flanks");
+    }
+}
+
+void write_places(Page& page, LoadStudy const& study)
+{
+    page.line("\nwhere it is largest, at {:g} N m", study.rated_torque * nm_per_nmm);
+    for (auto const& each : study.cases) {
+        auto const* state = rated_state(each);
+        if (state == nullptr) {
+            continue;
+        }
+        auto const space = static_cast<std::size_t>(state->pressure_space);
+        std::string const angle = space < each.map.angle.size() ? fmt::format("tooth space at {} deg, ", fixed(each.map.angle[space] * degree_per_radian, 2)) : "";
+        std::string text = fmt::format("  {}: pressure {} MPa in the {}slice z = {} mm", case_name(each), short_number(state->largest_pressure), angle, fixed(state->pressure_z, 3));
+        if (state->largest_stress > 0) {
+            text += fmt::format("; stress {} MPa at z = {} mm, r = {} mm, {} deg", short_number(state->largest_stress), fixed(state->stress_z, 2), fixed(state->stress_r, 2),
+                                fixed(state->stress_phi * degree_per_radian, 1));
+        }
+        page.line("{}", text);
+    }
+    LoadedState worst;
+    int rounds = 0;
+    for (auto const& each : study.cases) {
+        for (auto const& state : each.curve) {
+            worst.residual = std::max(worst.residual, state.residual);
+            worst.complementarity = std::max(worst.complementarity, state.complementarity);
+            rounds = std::max(rounds, state.rounds);
+        }
+    }
+    page.line("  solved to: gap against the loaded shape {:.2g} um, force and gap {:.1e} relative; {} rounds of the geometry at most", worst.residual * um_per_mm,
+              worst.complementarity, rounds);
+}
+
+std::string rig_text(MeasuredCurve const& curve)
+{
+    std::string text = curve.columns;
+    if (curve.rig.torque_constant != 0) {
+        text += fmt::format(", {:g} N m/A", curve.rig.torque_constant);
+        text += curve.rig.efficiency != 1 ? fmt::format(", efficiency {:g}", curve.rig.efficiency) : "";
+    }
+    text += curve.rig.counts_per_turn != 0 ? fmt::format(", {:g} counts per turn", curve.rig.counts_per_turn) : "";
+    text += curve.rig.torque_constant != 0 || curve.rig.counts_per_turn != 0 ? fmt::format(", ratio {:g}", curve.rig.ratio) : "";
+    return text;
+}
+
+void write_measured(Page& page, LoadStudy const& study, Measurement const& measured)
+{
+    auto const& [curve, found] = measured;
+    auto const* simulated = shown_case(study);
+    page.line("\nmeasured: {} ({})", curve.file, rig_text(curve));
+    page.line("  {} samples, {} load cycle{} up to {:.4g} N m, angles in steps of {:.3g} arcmin", curve.twist.size(), found.cycles, found.cycles == 1 ? "" : "s",
+              found.largest_torque * nm_per_nmm, found.angle_step * arcmin_per_radian);
+    page.line("  {:<26}{:>24}{:>12}{}", "", "measured", "of", simulated != nullptr ? "   simulated: " + case_name(*simulated) : "");
+    for (auto const& figure : measured_figures()) {
+        Estimate const& estimate = figure.value(found);
+        auto const value = simulated != nullptr ? figure.simulated(*simulated) : std::nullopt;
+        if (estimate.count == 0 && !value) {
+            continue;
+        }
+        std::string const label = fmt::format("{} [{}]", figure.words, figure.text_units);
+        std::string const text = estimate.count == 0 ? "-" : fmt::format("{:.4g} +- {:.2g}", estimate.value * figure.shown_per_stored, estimate.error * figure.shown_per_stored);
+        page.line("  {:<26}{:>24}{:>12}   {}", label, text, estimate.count, value ? fmt::format("{:.4g}", *value * figure.shown_per_stored) : "-");
+    }
+    if (found.straight > 0) {
+        page.line("  {} of {} loading branches have no bend and are no part of the stages", found.straight, found.whole.count);
+    }
+}
+
+}  // namespace
+
+std::string summary_text(LoadStudy const& study, std::vector<WrittenFile> const& written, Measurement const* measured)
+{
+    Page page;
+    write_drive(page, study.solution);
+    write_setting(page, study);
+    write_table(page, study);
+    write_places(page, study);
+    if (measured != nullptr) {
+        write_measured(page, study, *measured);
+    }
+    if (auto const* shown = shown_case(study)) {
+        page.line("\ncup and circular spline, as written: {}", case_name(*shown));
+    }
+    write_certificate(page, study.solution);
+    write_errors(page, study.solution);
+    write_timing(page, study.solution);
+    write_files(page, written);
+    return page.text();
+}
+
+}  // namespace hdconj

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/load/elastic_drive.hpp"
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "hdconj/elastic/complementarity.hpp"
+#include "hdconj/numeric/error.hpp"
+#include "hdconj/numeric/parallel.hpp"
+
+namespace hdconj {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+int grid_of(ElasticDrive const& drive, FlankContact const& c)
+{
+    int const grid = drive.response.grid();
+    int const at = c.tooth * drive.steps_per_tooth % grid;
+    return at < 0 ? at + grid : at;
+}
+
+/// A flank contact as components of stations.
+struct Footing
+{
+    int at;
+    std::size_t station[3];
+    double share[3];
+};
+
+Footing footing(ElasticDrive const& drive, FlankContact const& c)
+{
+    DriveStations const& s = drive.stations;
+    return {grid_of(drive, c), {s.radial(c.slice), s.tangential(c.slice), s.turn(c.slice)}, {c.c_r, c.c_t, c.c_turn}};
+}
+
+double between(PointResponse const& response, Footing const& a, Footing const& b)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+            sum += a.share[i] * b.share[j] * response(a.station[i], b.station[j], a.at - b.at);
+    return sum;
+}
+
+struct BearingNode
+{
+    std::size_t height;
+    std::size_t angle;
+    int at;
+};
+
+std::vector<BearingNode> bearing_nodes(ElasticDrive const& drive)
+{
+    std::vector<BearingNode> nodes;
+    for (std::size_t w = 0; w < drive.bearing_steps.size(); ++w)
+        for (std::size_t j = 0; j < drive.stations.bearing; ++j)
+            nodes.push_back({j, w, drive.bearing_steps[w]});
+    return nodes;
+}
+
+/// b'G^-1 b over the closed contacts: what one radian more needs.
+double stiffness_of(MatrixXd const& compliance, VectorXd const& border, std::vector<int> const& closed)
+{
+    if (closed.empty())
+        return 0;
+    VectorXd const b = border(closed);
+    return b.dot(compliance(closed, closed).llt().solve(b));
+}
+
+}  // namespace
+
+double ElasticDrive::tooth_bending(FlankContact const& c) const
+{
+    if (tooth_height.empty())
+        return 0;
+    auto const above = std::upper_bound(tooth_height.begin(), tooth_height.end(), c.tooth_y);
+    double value = tooth_compliance.back();
+    if (above == tooth_height.begin())
+        value = tooth_compliance.front();
+    else if (above != tooth_height.end())
+    {
+        auto const i = static_cast<std::size_t>(above - tooth_height.begin());
+        double const t = (c.tooth_y - tooth_height[i - 1]) / (tooth_height[i] - tooth_height[i - 1]);
+        value = tooth_compliance[i - 1] + t * (tooth_compliance[i] - tooth_compliance[i - 1]);
+    }
+    return value * (1 - c.inclination * c.inclination);
+}
+
+LineContact ElasticDrive::line_contact(FlankContact const& c) const
+{
+    return {flexspline, circular_spline, c.curvature, contact_depth};
+}
+
+Equilibrium equilibrium(ElasticDrive const& drive, LinearGaps const& gaps, std::optional<double> torque, Equilibrium const* guess, int threads)
+{
+    std::vector<BearingNode> const nodes = bearing_nodes(drive);
+    std::size_t const flanks = torque ? gaps.contacts.size() : 0;
+    std::size_t const count = flanks + nodes.size();
+    std::vector<Footing> feet;
+    for (std::size_t i = 0; i < flanks; ++i)
+        feet.push_back(footing(drive, gaps.contacts[i]));
+    Complementarity problem;
+    MatrixXd& a = problem.compliance;
+    a.resize(static_cast<Index>(count), static_cast<Index>(count));
+    problem.approach.resize(static_cast<Index>(count));
+    VectorXd lever = VectorXd::Zero(static_cast<Index>(count));
+    constexpr std::size_t grain = 32;
+    // columns below the diagonal; a tooth pressed inwards moves away, one that the bearing presses outwards comes nearer
+    parallel_for(count, threads, grain, [&](std::size_t col) {
+        auto const j = static_cast<Index>(col);
+        for (std::size_t row = col; row < count; ++row)
+        {
+            double& value = a(static_cast<Index>(row), j);
+            if (row < flanks)
+                value = between(drive.response, feet[row], feet[col]);
+            else if (col < flanks)
+            {
+                BearingNode const& node = nodes[row - flanks];
+                value = 0;
+                for (std::size_t i = 0; i < 3; ++i)
+                    value -= feet[col].share[i] * drive.response(node.height, feet[col].station[i], node.at - feet[col].at);
+            }
+            else
+            {
+                BearingNode const& p = nodes[row - flanks];
+                BearingNode const& q = nodes[col - flanks];
+                value = drive.response(p.height, q.height, p.at - q.at);
+                if (drive.outer_ring)
+                    value += (*drive.outer_ring)(p.height, q.height, p.at - q.at);
+            }
+        }
+        if (col < flanks)
+            a(j, j) += gaps.compliance[col];
+    });
+    a.triangularView<Eigen::StrictlyUpper>() = a.transpose();
+    for (std::size_t i = 0; i < flanks; ++i)
+    {
+        FlankContact const& c = gaps.contacts[i];
+        problem.approach(static_cast<Index>(i)) = -(c.gap + gaps.displacement[i] + c.lever * gaps.turn);
+        lever(static_cast<Index>(i)) = c.lever;
+    }
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        problem.approach(static_cast<Index>(flanks + i)) = drive.needed(static_cast<Index>(nodes[i].height), static_cast<Index>(nodes[i].angle));
+
+    ComplementarityOptions options;
+    options.scalar = gaps.turn;
+    if (guess != nullptr)
+    {
+        if (guess->flank.size() == flanks)
+            for (std::size_t i = 0; i < flanks; ++i)
+                if (guess->flank[i] > 0)
+                    options.start.push_back(static_cast<int>(i));
+        for (std::size_t i = 0; i < nodes.size(); ++i)
+            if (guess->bearing(static_cast<Index>(nodes[i].height), static_cast<Index>(nodes[i].angle)) > 0)
+                options.start.push_back(static_cast<int>(flanks + i));
+    }
+    double const sectors = drive.response.sectors();
+    if (torque)
+    {
+        if (*torque != 0 && !((lever * *torque).maxCoeff() > 0))
+            throw NumericalError("load", "torque of " + std::to_string(*torque / 1000) + " N m", "no flank of that side is near enough to carry it: the teeth pass over each other");
+        problem.border = lever;
+        problem.total = *torque / sectors;
+    }
+    ComplementaritySolution const solved = solve_complementarity(problem, options);
+
+    Equilibrium result;
+    result.turn = torque ? solved.scalar : gaps.turn;
+    result.steps = solved.iterations;
+    result.complementarity = solved.residual;
+    result.stiffness = torque ? sectors * stiffness_of(a, lever, solved.contacts) : 0;
+    for (std::size_t i = 0; i < gaps.contacts.size(); ++i)
+        result.flank.push_back(i < flanks ? solved.force(static_cast<Index>(i)) : 0.0);
+    result.bearing = MatrixXd::Zero(static_cast<Index>(drive.stations.bearing), static_cast<Index>(drive.bearing_steps.size()));
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        result.bearing(static_cast<Index>(nodes[i].height), static_cast<Index>(nodes[i].angle)) = solved.force(static_cast<Index>(flanks + i));
+    return result;
+}
+
+MatrixXd forces_on_cup(ElasticDrive const& drive, std::vector<FlankContact> const& contacts, Equilibrium const& state)
+{
+    MatrixXd force = MatrixXd::Zero(static_cast<Index>(drive.stations.count()), drive.response.grid());
+    for (std::size_t w = 0; w < drive.bearing_steps.size(); ++w)
+        for (std::size_t j = 0; j < drive.stations.bearing; ++j)
+            force(static_cast<Index>(j), drive.bearing_steps[w]) += state.bearing(static_cast<Index>(j), static_cast<Index>(w));
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+    {
+        Footing const foot = footing(drive, contacts[i]);
+        for (std::size_t j = 0; j < 3; ++j)
+            force(static_cast<Index>(foot.station[j]), foot.at) -= foot.share[j] * state.flank[i];
+    }
+    return force;
+}
+
+std::vector<std::vector<double>> displacements(ElasticDrive const& drive, MatrixXd const& forces)
+{
+    std::vector<std::size_t> all;
+    for (std::size_t i = 0; i < drive.stations.count(); ++i)
+        all.push_back(i);
+    return drive.response.series(forces, drive.phase, all);
+}
+
+SeriesValue series_at(ElasticDrive const& drive, std::vector<double> const& series, double phi)
+{
+    SeriesValue at;
+    for (std::size_t k = 0; k < drive.response.harmonics().size(); ++k)
+    {
+        double const n = drive.response.harmonics()[k].n;
+        double const c = std::cos(n * phi), s = std::sin(n * phi);
+        at.value += series[2 * k] * c + series[2 * k + 1] * s;
+        at.slope += n * (series[2 * k + 1] * c - series[2 * k] * s);
+    }
+    return at;
+}
+
+}  // namespace hdconj

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/pipeline/load.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "hdconj/profile/builder.hpp"
+#include "hdconj/scene/effects.hpp"
+#include "load_case.hpp"
+#include "load_model.hpp"
+#include "loaded_shape.hpp"
+#include "outline_records.hpp"
+#include "owned_bench.hpp"
+#include "surface_choices.hpp"
+
+namespace hdconj {
+namespace {
+
+using detail::ContactBench;
+using detail::SurfaceChoice;
+
+constexpr int load_slices = 9;
+constexpr int standard_points = 10;
+constexpr int stress_angles = 90;   // of a sector, at which the largest stress is looked for
+constexpr int shape_angles = 180;   // of the whole cup, as it is drawn
+
+ContactOptions contact_options(LoadOptions const& options)
+{
+    ContactOptions result;
+    result.tilts = options.tilts;
+    result.surfaces = options.surfaces;
+    result.kinds = options.kinds;
+    return result;
+}
+
+/// Even angles of one sector.
+std::vector<double> angles_of(int count, int sectors)
+{
+    std::vector<double> phi;
+    for (int i = 0; i < count; ++i)
+        phi.push_back(2 * std::numbers::pi * i / (sectors * count));
+    return phi;
+}
+
+/// Slope of the line through (x, y) by least squares.
+double slope_of(std::vector<double> const& x, std::vector<double> const& y)
+{
+    double const n = static_cast<double>(x.size());
+    double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+        mean_x += x[i] / n;
+        mean_y += y[i] / n;
+    }
+    for (std::size_t i = 0; i < x.size(); ++i)
+    {
+        xx += (x[i] - mean_x) * (x[i] - mean_x);
+        xy += (x[i] - mean_x) * (y[i] - mean_y);
+    }
+    return xx > 0 ? xy / xx : 0;
+}
+
+AssembledCup assembled(ContactBench const& bench, detail::LoadModel const& model, detail::Assembly const& start)
+{
+    AssembledCup cup;
+    cup.z = bench.maker.z();
+    auto const series = displacements(model.drive, start.forces);
+    double const minor = std::numbers::pi / bench.scene.wave_generator.waves;
+    for (std::size_t k = 0; k < cup.z.size(); ++k)
+    {
+        cup.w_major.push_back(series_at(model.drive, series[model.drive.stations.radial(k)], 0).value);
+        cup.w_minor.push_back(series_at(model.drive, series[model.drive.stations.radial(k)], minor).value);
+    }
+    cup.coning_major = slope_of(cup.z, cup.w_major);
+    cup.coning_minor = slope_of(cup.z, cup.w_minor);
+    cup.wave_generator_force = start.state.bearing.sum() * model.drive.response.sectors();
+    cup.contacts = static_cast<int>((start.state.bearing.array() > 0).count()) * model.drive.response.sectors();
+    HarmonicField const field = detail::cup_field(model, start.forces, bench.threads);
+    cup.largest_stress = stress_peak(model.solid.mesh(), field, angles_of(stress_angles, model.drive.response.sectors()), bench.threads).stress;
+    return cup;
+}
+
+/// Up to the torque, down again, and to the opposite one.
+std::vector<double> path(double torque, int points, bool curve)
+{
+    if (!curve)
+        return {torque};
+    std::vector<double> result;
+    for (int i = 0; i <= points; ++i)
+        result.push_back(torque * i / points);
+    for (int i = points - 1; i >= -points; --i)
+        result.push_back(torque * i / points);
+    return result;
+}
+
+}  // namespace
+
+Faults check_load(Scene const& scene, LoadOptions const& options)
+{
+    Faults faults = check_contact(scene, contact_options(options));
+    if (!scene.flexspline.cup)
+        faults.push_back({"flexspline.cup", 0, "", "this table is missing: a load needs the cup's dimensions",
+                          "write the line [flexspline.cup] and below it length = 15.0, barrel_wall = 0.4, bottom = 0.5, corner_radius = 2.0, flange_radius = 13.0, "
+                          "tooth_width = 8.0, front_land = 2.0"});
+    if (!scene.bearing)
+        faults.push_back({"bearing", 0, "", "this table is missing: a load needs what pushes the cup outward",
+                          "write the line [bearing] and below it type = \"elastic\", width = 6.0, ring_thickness = 1.2"});
+    if (!options.torque && !(scene.load && scene.load->torque))
+        faults.push_back({"load.torque", scene.load ? scene.load->line : 0, "", "this key is missing: nothing says which torque is meant",
+                          "write torque = 28.0, in N m, in [load], or --torque 28"});
+    if (options.torque && !std::isfinite(*options.torque))
+        faults.push_back({"--torque", 0, short_number(*options.torque), "not a finite number", "write a torque in N m such as 28"});
+    if (options.points && *options.points < 1)
+        faults.push_back({"--points", 0, std::to_string(*options.points), "a curve has at least one torque", "write a whole number such as 10"});
+    return faults;
+}
+
+Scene loaded_scene(Scene asked, LoadOptions const& options)
+{
+    if (!asked.slices)
+        asked.slices = Slices{load_slices, options.surfaces.empty() ? "tilted" : options.surfaces.front(), 0};
+    bool const tilts = std::any_of(options.tilts.begin(), options.tilts.end(), [](double tilt) { return tilt != 0; });
+    if (tilts && !asked.tilt)
+        asked.tilt = Tilt{options.tilts.front(), options.kinds.empty() ? "radial" : options.kinds.front(), 0};
+    if (!asked.coning && asked.flexspline.cup)
+    {
+        // the middle of the teeth is that of the bearing
+        Cup const& cup = *asked.flexspline.cup;
+        asked.coning = Coning{"elastic", cup.length - cup.front_land - cup.tooth_width / 2, 0, "mapped", 0};
+    }
+    return asked;
+}
+
+LoadStudy load(Scene const& scene, LoadOptions const& options, StageObserver const& on_stage, Progress const& progress)
+{
+    Faults faults = check_load(scene, options);
+    Scene const asked = loaded_scene(scene, options);
+    if (faults.empty())
+        faults = uncomputed_effects(asked);
+    for (Fault const& more : faults.empty() ? check_scene(asked) : check_scene(scene))
+        faults.push_back(more);
+    if (!faults.empty())
+        throw InputError(faults);
+    detail::OwnedBench owned(asked, asked.slices->count, make_plan(asked, Verb::load), on_stage);
+    ContactBench const& bench = *owned.bench;
+    LoadStudy study;
+    std::optional<detail::LoadModel> model;
+    owned.clock.run(Stage::influence, [&] { model = detail::load_model(bench); });
+    ElasticDrive const& drive = model->drive;
+    detail::Assembly start;
+    owned.clock.run(Stage::assembly, [&] {
+        start = detail::assembly(bench, drive);
+        study.cup = assembled(bench, *model, start);
+    });
+    LoadRequest const request = scene.load.value_or(LoadRequest{{}, standard_points, 0, 0});
+    study.rated_torque = options.torque ? *options.torque : *request.torque;
+    std::vector<double> const torques = path(study.rated_torque, options.points.value_or(request.points), options.curve);
+    std::vector<SurfaceChoice> const wanted = detail::surface_choices(asked, contact_options(options));
+    Eigen::MatrixXd shown;
+    double const total = static_cast<double>(wanted.size() * torques.size());
+    double done = 0;
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+    {
+        Eigen::MatrixXd forces;
+        owned.clock.run(Stage::load, [&] {
+            study.cases.push_back(detail::load_case(bench, drive, start, wanted[i], torques, [&] {
+                done += 1;
+                if (progress)
+                    progress("load", done / total);
+            }, forces));
+        });
+        auto const pressure = [](LoadCase const& c) { return c.curve[c.rated].largest_pressure; };
+        if (i == 0 || pressure(study.cases[i]) < pressure(study.cases[study.shown]))
+        {
+            study.shown = i;
+            shown = std::move(forces);
+        }
+        // stresses are looked for at the largest torque of every case
+        HarmonicField const field = detail::cup_field(*model, i == study.shown ? shown : forces, bench.threads);
+        LoadedState& state = study.cases[i].curve[study.cases[i].rated];
+        StressPeak const peak = stress_peak(model->solid.mesh(), field, angles_of(stress_angles, drive.response.sectors()), bench.threads);
+        state.largest_stress = peak.stress;
+        state.stress_r = peak.at.x();
+        state.stress_z = peak.at.y() - model->middle;
+        state.stress_phi = peak.phi;
+        if (i == study.shown)
+            study.shape = detail::cup_shape(*model, field, shape_angles, bench.threads);
+    }
+    study.solution = owned.middle;
+    study.solution.scene = scene;
+    study.solution.plan = owned.plan;
+    study.harmonics = drive.response.harmonics().back().n;
+    study.sectors = drive.response.sectors();
+    study.contact_gap = bench.request.gap;
+    study.pitch_radius = scene.drive.module * scene.drive.flexspline_teeth / 2;
+    std::vector<StageTime> const times = owned.clock.times();
+    study.solution.timing.insert(study.solution.timing.end(), times.begin(), times.end());
+    return study;
+}
+
+}  // namespace hdconj

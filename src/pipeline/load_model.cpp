@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "load_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <utility>
+
+#include "hdconj/elastic/bearing.hpp"
+#include "hdconj/elastic/influence.hpp"
+#include "hdconj/elastic/wave_generator_contact.hpp"
+#include "hdconj/numeric/error.hpp"
+#include "hdconj/numeric/parallel.hpp"
+#include "elastic_cup.hpp"
+#include "place_teeth.hpp"
+
+namespace hdconj::detail {
+namespace {
+
+constexpr int fewest_angles = 96;    // of the wave generator's contact in one sector
+constexpr int most_angles = 128;
+constexpr int standard_harmonics = 100;
+
+/// Weights of the trapezoid rule, the whole width for one slice.
+std::vector<double> slice_widths(std::vector<double> const& z, double width)
+{
+    if (z.size() == 1)
+        return {width};
+    std::vector<double> result(z.size(), 0);
+    for (std::size_t k = 0; k + 1 < z.size(); ++k)
+    {
+        result[k] += 0.5 * (z[k + 1] - z[k]);
+        result[k + 1] += 0.5 * (z[k + 1] - z[k]);
+    }
+    return result;
+}
+
+/// Half the thickness of the tooth at height y: largest x of its outline there, from a fine polygon.
+double half_thickness(std::vector<Vec2> const& polygon, double y)
+{
+    double widest = 0;
+    for (std::size_t i = 0; i + 1 < polygon.size(); ++i)
+    {
+        Vec2 const& a = polygon[i];
+        Vec2 const& b = polygon[i + 1];
+        if ((a.y() - y) * (b.y() - y) > 0 || a.y() == b.y())
+            continue;
+        widest = std::max(widest, std::abs(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x())));
+    }
+    return widest;
+}
+
+/// Bending and shear of the tooth as a cantilever on the rim (Weber and Banaschek, without the rim's part, which the cup has):
+///
+///   compliance(h) = integral_foot^h 12 (h - y)^2/(E' s^3) + 2.4 (1 + nu)/(E s) dy,  s thickness, E' = E/(1 - nu^2),
+///
+/// of the deflection along x at height h under a line load along x there [mm per N/mm].
+void tooth_table(Profile const& tooth, Elasticity const& material, double chord, ElasticDrive& drive)
+{
+    std::vector<Vec2> const polygon = polygon_of(tooth, chord);
+    double const foot = std::min(polygon.front().y(), polygon.back().y());
+    double const tip = tooth.pitch_line + tooth.addendum;
+    constexpr int rows = 24, parts = 200;
+    double const e = material.youngs_modulus;
+    double const plane = plane_strain_modulus(material);
+    std::vector<double> thickness(parts);
+    double const step = (tip - foot) / parts;
+    for (int i = 0; i < parts; ++i)
+        thickness[static_cast<std::size_t>(i)] = 2 * half_thickness(polygon, foot + (i + 0.5) * step);
+    for (int row = 0; row <= rows; ++row)
+    {
+        double const height = foot + (tip - foot) * row / rows;
+        double sum = 0;
+        for (int i = 0; i < parts; ++i)
+        {
+            double const y = foot + (i + 0.5) * step;
+            double const s = thickness[static_cast<std::size_t>(i)];
+            if (y > height || s <= 0)
+                continue;
+            sum += (12 * (height - y) * (height - y) / (plane * s * s * s) + 2.4 * (1 + material.poissons_ratio) / (e * s)) * step;
+        }
+        drive.tooth_height.push_back(height);
+        drive.tooth_compliance.push_back(sum);
+    }
+}
+
+/// The shape at even angles of one sector.
+std::vector<double> sampled(AnyWaveShape const& shape, int sectors, int samples)
+{
+    std::vector<double> w;
+    for (int i = 0; i < samples; ++i)
+        w.push_back(shape(2 * std::numbers::pi * i / (sectors * samples)).w);
+    return w;
+}
+
+}  // namespace
+
+LoadModel load_model(ContactBench const& bench)
+{
+    Scene const& scene = bench.scene;
+    int const teeth = scene.drive.flexspline_teeth;
+    int const sectors = std::gcd(teeth, scene.wave_generator.waves);
+    int const per_sector = teeth / sectors;
+    int const steps = (fewest_angles + per_sector - 1) / per_sector;
+    int const grid = per_sector * steps;
+    int const highest = std::min(scene.load ? scene.load->harmonics : standard_harmonics, grid * sectors / 2) / sectors * sectors;
+
+    CupSection const section = cup_section(scene, bench.geometry.flexspline_inner_radius);
+    Bearing const bearing = bearing_of(scene);
+    double const middle = bearing.middle;
+    std::vector<double> const circles = bearing_circles(bearing, scene.bearing->circles);
+    SectionMesh const mesh = section_mesh(section, contact_mesh_size(bearing, scene.bearing->circles));
+    FourierSolid const solid(mesh);
+
+    std::vector<double> const& z = bench.maker.z();
+    DriveStations layout{circles.size(), z.size()};
+    std::vector<Station> places;
+    std::vector<RingStation> stations;
+    double const bearing_spread = 2 * std::numbers::pi / sectors / grid;
+    double const tooth_spread = std::numbers::pi / teeth;
+    for (double const circle : circles)
+    {
+        places.push_back(wall_station(mesh, circle, 0, Direction::radial));
+        stations.push_back({RingStation::Parity::cosine, bearing_spread});
+    }
+    double const depth = std::clamp(0.5 - scene.flexspline.neutral_offset / scene.flexspline.wall, 0.0, 1.0);
+    for (Direction const direction : {Direction::radial, Direction::tangential, Direction::axial})
+        for (double const height : z)
+        {
+            places.push_back(wall_station(mesh, middle + height, depth, direction));
+            stations.push_back({direction == Direction::tangential ? RingStation::Parity::sine : RingStation::Parity::cosine, tooth_spread});
+        }
+    for (std::size_t k = 0; k < z.size(); ++k)
+        stations.push_back({RingStation::Parity::sine, tooth_spread});
+    Influence const response = influence(solid, {}, places, harmonics_of(sectors, highest), bench.threads);
+    std::vector<HarmonicResponse> harmonics;
+    for (std::size_t i = 0; i < response.harmonics().size(); ++i)
+        harmonics.push_back({response.harmonics()[i], response.compliance(i)});
+    std::vector<std::size_t> radial, tangential;
+    for (std::size_t k = 0; k < z.size(); ++k)
+    {
+        radial.push_back(layout.radial(k));
+        tangential.push_back(layout.tangential(k));
+    }
+    add_turns(harmonics, radial, tangential, bench.geometry.r_m);
+
+    ElasticDrive drive{layout, PointResponse(std::move(stations), std::move(harmonics), sectors, grid, bench.threads), {}, steps, {}, {},
+                       phase_of(scene, bench.request.wave_generator), teeth, slice_widths(z, bench.width), section.material,
+                       {scene.circular_spline.youngs_modulus, scene.circular_spline.poissons_ratio}, 0, {}, {}};
+    // more angles than the harmonics tell apart would leave the compliance singular
+    int const angles = std::min({grid, most_angles, 2 * (highest / sectors)});
+    for (int i = 0; i < angles; ++i)
+        drive.bearing_steps.push_back(static_cast<int>(static_cast<long>(i) * grid / angles));
+    drive.needed.resize(static_cast<Eigen::Index>(circles.size()), angles);
+    int const samples = 2 * (highest / sectors);
+    CamSeries const cam = cam_series(sampled(bench.shape, sectors, samples), sectors, bench.shape.even());
+    BearingSurface const surface = bearing_surface(bearing, section.inner_radius, cam, circles, bench.threads);
+    for (int i = 0; i < angles; ++i)
+    {
+        double const phi = drive.phase + drive.response.step() * drive.bearing_steps[static_cast<std::size_t>(i)];
+        Eigen::VectorXd out = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(circles.size()));
+        for (Eigen::Index k = 0; k < surface.cosine.cols(); ++k)
+            out += surface.cosine.col(k) * std::cos(static_cast<double>(k) * sectors * phi) + surface.sine.col(k) * std::sin(static_cast<double>(k) * sectors * phi);
+        drive.needed.col(i) = out;
+    }
+    if (surface.compliance)
+    {
+        std::vector<HarmonicResponse> ring;
+        for (std::size_t i = 0; i < surface.compliance->harmonics().size(); ++i)
+            ring.push_back({surface.compliance->harmonics()[i], surface.compliance->compliance(i)});
+        drive.outer_ring.emplace(std::vector<RingStation>(circles.size(), {RingStation::Parity::cosine, bearing_spread}), std::move(ring), sectors, grid, bench.threads);
+    }
+    drive.contact_depth = 0.25 * std::numbers::pi * scene.drive.module;  // half a tooth at the pitch line
+    tooth_table(bench.tooth, section.material, bench.tolerance.length, drive);
+    return {solid, std::move(places), bench.geometry.r_m, middle, std::move(drive)};
+}
+
+HarmonicField cup_field(LoadModel const& model, Eigen::MatrixXd const& forces, int threads)
+{
+    DriveStations const& layout = model.drive.stations;
+    PointResponse::Loads const loads = model.drive.response.loads(forces, model.drive.phase);
+    auto const count = static_cast<Eigen::Index>(model.places.size());
+    Eigen::MatrixXd even = loads.even.topRows(count), odd = loads.odd.topRows(count);
+    std::vector<int> harmonics;
+    for (HarmonicResponse const& h : model.drive.response.harmonics())
+        harmonics.push_back(h.n);
+    // a moment is the forces that do its work: turn = (V + n U)/r
+    for (Eigen::Index k = 0; k < even.cols(); ++k)
+        for (std::size_t slice = 0; slice < layout.slices; ++slice)
+        {
+            auto const turn = static_cast<Eigen::Index>(layout.turn(slice));
+            auto const radial = static_cast<Eigen::Index>(layout.radial(slice)), tangential = static_cast<Eigen::Index>(layout.tangential(slice));
+            double const n = harmonics[static_cast<std::size_t>(k)];
+            even(tangential, k) += loads.even(turn, k) / model.radius;
+            odd(tangential, k) += loads.odd(turn, k) / model.radius;
+            even(radial, k) += n * loads.even(turn, k) / model.radius;
+            odd(radial, k) += n * loads.odd(turn, k) / model.radius;
+        }
+    return harmonic_field(model.solid, {}, model.places, harmonics, even, odd, threads);
+}
+
+CupShape cup_shape(LoadModel const& model, HarmonicField const& field, int angles, int threads)
+{
+    SectionMesh const& mesh = model.solid.mesh();
+    CupShape shape;
+    std::vector<int> number(mesh.nodes.size(), -1);
+    std::vector<SectionPoint> place;
+    constexpr double xi[] = {-1, 1, 1, -1}, eta[] = {-1, -1, 1, 1};
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+    {
+        std::vector<int> cell;
+        for (std::size_t c = 0; c < 4; ++c)
+        {
+            auto const node = static_cast<std::size_t>(mesh.elements[e][c]);
+            if (number[node] < 0)
+            {
+                number[node] = static_cast<int>(shape.r.size());
+                shape.r.push_back(mesh.nodes[node].x());
+                shape.z.push_back(mesh.nodes[node].y() - model.middle);
+                place.push_back({e, xi[c], eta[c]});
+            }
+            cell.push_back(number[node]);
+        }
+        shape.cells.push_back(std::move(cell));
+    }
+    for (int i = 0; i < angles; ++i)
+        shape.phi.push_back(2 * std::numbers::pi * i / angles);
+    std::size_t const points = place.size();
+    for (auto* values : {&shape.u_r, &shape.u_t, &shape.u_z, &shape.stress})
+        values->assign(points * shape.phi.size(), 0);
+    Eigen::MatrixXd const gauss = gauss_stress(mesh, field, shape.phi, threads);
+    std::vector<double> around(points, 0);
+    constexpr std::size_t nearest[] = {0, 1, 3, 2};  // Gauss point beside each corner
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+        for (std::size_t c = 0; c < 4; ++c)
+            around[static_cast<std::size_t>(shape.cells[e][c])] += 1;
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e)
+        for (std::size_t c = 0; c < 4; ++c)
+        {
+            auto const point = static_cast<std::size_t>(shape.cells[e][c]);
+            for (std::size_t a = 0; a < shape.phi.size(); ++a)
+                shape.stress[a * points + point] += gauss(static_cast<Eigen::Index>(4 * e + nearest[c]), static_cast<Eigen::Index>(a)) / around[point];
+        }
+    constexpr std::size_t grain = 8;
+    parallel_for(shape.phi.size(), threads, grain, [&](std::size_t a) {
+        for (std::size_t p = 0; p < points; ++p)
+        {
+            Eigen::Vector3d const u = displacement_at(mesh, field, place[p], shape.phi[a]);
+            shape.u_r[a * points + p] = u[0];
+            shape.u_z[a * points + p] = u[1];
+            shape.u_t[a * points + p] = u[2];
+        }
+    });
+    return shape;
+}
+
+}  // namespace hdconj::detail

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The elastic drive of a scene.
+#pragma once
+
+#include <vector>
+
+#include "contact_bench.hpp"
+#include "hdconj/elastic/harmonic_field.hpp"
+#include "hdconj/load/elastic_drive.hpp"
+#include "hdconj/pipeline/load_study.hpp"
+
+namespace hdconj::detail {
+
+/// An elastic drive with the cup that it is made of.
+struct LoadModel
+{
+    FourierSolid solid;
+    std::vector<Station> places;  ///< of the drive's stations but for the turns
+    double radius;                ///< at which turns are taken [mm]
+    double middle;                ///< of the bearing above the cup's bottom [mm]
+    ElasticDrive drive;
+};
+
+/// Cup, wave generator and teeth of @p bench as `load` needs them.
+/// @throws NumericalError for a cup that cannot be meshed or a drive with too many teeth for the memory that a load takes
+[[nodiscard]] LoadModel load_model(ContactBench const& bench);
+
+/// Displacement of the whole cup under forces on the drive's stations.
+[[nodiscard]] HarmonicField cup_field(LoadModel const& model, Eigen::MatrixXd const& forces, int threads);
+
+/// The cup as it is drawn, stresses at the corners of elements as means of the Gauss points around them.
+[[nodiscard]] CupShape cup_shape(LoadModel const& model, HarmonicField const& field, int angles, int threads);
+
+}  // namespace hdconj::detail

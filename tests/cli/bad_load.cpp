@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Wrong command lines and measured curves of `hdconj load`: place, reason, remedy, exit status, and no file.
+#include <fstream>
+
+#include "support/catch.hpp"
+#include "support/run_program.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace {
+
+using hdconj::test::TemporaryFolder;
+
+std::string const program = "'" HDCONJ_PROGRAM "'";
+std::string const given_spline = HDCONJ_SOURCE_DIR "/data/scenes/circular-spline-given.toml";
+
+/// A command line: what must be said, in what place, and the exit status.
+struct BadCommand
+{
+    std::string arguments;
+    std::string place;
+    std::string reason;
+    std::string remedy;
+    int status = 2;
+};
+
+std::vector<BadCommand> const& commands()
+{
+    static std::vector<BadCommand> const table{
+        {"--torque abc", "--torque", "'abc' is no finite number", "such as --torque 28"},
+        {"--torque ''", "--torque", "'' is no finite number", "such as --torque 28"},
+        {"--torque nan", "--torque", "'nan' is no finite number", "such as --torque 28"},
+        {"--torque 1e400", "--torque", "no finite number", "such as --torque 28"},
+        {"--torque 28Nm", "--torque", "'28Nm' is no finite number", "such as --torque 28"},
+        {"--torque 0", "--torque", "'0' is not above 0", "such as --torque 28"},
+        {"--torque=-28", "--torque", "'-28' is not above 0", "such as --torque 28"},
+        {"--points some", "--points", "some", "--help"},
+        {"--points 0", "--points", "not in range 1 to 1000", "--help"},
+        {"--points 5 --no-curve", "--points = 5", "no curve that could have points", "leave one of them out"},
+        {"--tilt 45", "--tilt = 45", "not tilted by 45 degrees", "0,0.1,0.2"},
+        {"--tilt abc", "--tilt", "'abc' is no angle", "0,0.1,0.2"},
+        {"--surface wrong", "--surface", "unknown word 'wrong'", "known: tilted, ruled, per-slice"},
+        {"--surface perslice", "--surface", "unknown word 'perslice'", "write per-slice"},
+        {"--kind drafted", "--kind", "unknown word 'drafted'", "write draft"},
+        {"--ratio 100", "--ratio = 100", "no measured curve", "write --measured"},
+        {"--torque-constant 0.119 --counts-per-turn 2000 --efficiency 0.9", "--efficiency = 0.9", "no measured curve", "leave it out"},
+        {"--efficiency no", "--efficiency", "'no' is no finite number", "--efficiency 0.8"},
+        {"--measured none.csv", "--measured = none.csv", "cannot be read", "a CSV file that is there"},
+        {"--measured folder", "--measured = folder", "is a folder", "a CSV file"},
+        {"--measured /dev/zero", "--measured = /dev/zero", "no file that ends", "a CSV file"},
+        {"--measured empty.csv", "--measured = empty.csv", "no header and no samples", "angle [arcmin], torque [N m]"},
+        {"--measured bad.csv", "bad.csv line 3: column 2, torque [N m] = abc", "is no finite number", "12.5"},
+        {"--measured motor.csv", "--torque-constant", "is missing: motor.csv has a column of motor current", "--torque-constant 0.119"},
+        {"--measured motor.csv", "--counts-per-turn", "is missing", "--counts-per-turn 2000"},
+        {"--measured motor.csv --torque-constant 0 --counts-per-turn 2000", "--torque-constant = 0", "must be finite and not 0", "0.119"},
+        {"--measured up.csv", "--measured = up.csv", "one sign only", "0, T, 0, -T, 0"},
+        {"--measured up.csv --ratio 100", "--ratio = 100", "no column that needs it", "leave it out"},
+        {"--measured back.csv", "--measured = back.csv", "torque falls while the angle grows", "turn the sign of one column round"},
+        {"--measured loop.csv -o loop.csv", "--output = loop.csv", "this file is read", "another name"},
+        {"-o a.h5 --vtu ./a.h5", "--output = a.h5", "is given to --vtu too", "another name"},
+        {"-o -", "--output = -", "do not go to standard output", "--json"},
+        {"--vtu -", "--vtu = -", "do not go to standard output", "a file name"},
+        {"--picture a.jpg", "--picture", "only .svg and .png are known", "NAME.svg"},
+        {"--stl a.stl", "--stl", "not expected", "--help"},
+        {"-o folder", "folder", "is a folder", "write a file name in it", 1},
+        {"--vtu none/a.vtu", "none/a.vtu", "folder none does not exist", "mkdir -p", 1},
+    };
+    return table;
+}
+
+void write(std::filesystem::path const& file, std::string const& text)
+{
+    std::ofstream(file) << text;
+}
+
+void prepare(TemporaryFolder const& folder)
+{
+    std::filesystem::create_directory(folder / "folder");
+    write(folder / "empty.csv", "# nothing\n");
+    write(folder / "bad.csv", "angle [deg],torque [N m]\n0,0\n1,abc\n");
+    write(folder / "motor.csv", "current [A],position [counts]\n0,0\n1,100\n");
+    write(folder / "up.csv", "angle [deg],torque [N m]\n0,0\n1,1\n2,2\n3,3\n4,4\n3,3\n2,2\n1,1\n0,0\n");
+    write(folder / "loop.csv", "angle [deg],torque [N m]\n0,0\n1,1\n2,2\n1,1\n0,0\n-1,-1\n-2,-2\n-1,-1\n0,0\n");
+    write(folder / "back.csv", "angle [deg],torque [N m]\n0,0\n-1,1\n-2,2\n-1,1\n0,0\n1,-1\n2,-2\n1,-1\n0,0\n");
+}
+
+}  // namespace
+
+TEST_CASE("wrong command lines of load say place reason and remedy and write nothing", "[load]")
+{
+    for (auto const& row : commands()) {
+        SECTION(row.arguments + " " + row.place)
+        {
+            TemporaryFolder const folder;
+            prepare(folder);
+            auto const before = folder.names();
+            auto const refused = hdconj::test::run(program + " load " + row.arguments, folder.path());
+            INFO(refused.err);
+            CHECK(refused.status == row.status);
+            CHECK_THAT(refused.err, ContainsSubstring(row.place) && ContainsSubstring(row.reason) && ContainsSubstring(row.remedy));
+            CHECK(refused.out.empty());
+            CHECK(folder.names() == before);
+        }
+    }
+}
+
+TEST_CASE("load tells all faults of scene options and measured curve at once", "[load]")
+{
+    TemporaryFolder const folder;
+    prepare(folder);
+    auto const refused = hdconj::test::run(program + " load --set flexspline.wall=-1 --ratio 0 --measured bad.csv --no-curve --points 3", folder.path());
+    INFO(refused.err);
+    CHECK(refused.status == 2);
+    CHECK_THAT(refused.err, ContainsSubstring("flexspline.wall = -1") && ContainsSubstring("--points = 3") && ContainsSubstring("--ratio = 0") &&
+                                ContainsSubstring("bad.csv line 3: column 2"));
+}
+
+TEST_CASE("load of a reverse scene is refused", "[load][reverse]")
+{
+    TemporaryFolder const folder;
+    auto const refused = hdconj::test::run(program + " load '" + given_spline + "'", folder.path());
+    CHECK(refused.status == 2);
+    CHECK_THAT(refused.err, ContainsSubstring("circular_spline.profile") && ContainsSubstring("flexspline's tooth"));
+    CHECK(folder.names().empty());
+}
+
+TEST_CASE("load without gnuplot is told before the work", "[load]")
+{
+    TemporaryFolder const folder;
+    auto const failed = hdconj::test::run("PATH=/nowhere && " + program + " load -o a.h5 --picture a.svg", folder.path());
+    CHECK(failed.status == 1);
+    CHECK_THAT(failed.err, ContainsSubstring("gnuplot-nox"));
+    CHECK(folder.names().empty());
+}

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `hdconj load` as a user meets it: files, streams, exit statuses, and the same figures in all of them.
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "support/catch.hpp"
+#include "support/read_hdf5.hpp"
+#include "support/rig_loop.hpp"
+#include "support/run_program.hpp"
+#include "support/temporary_folder.hpp"
+
+using hdconj::test::content;
+using hdconj::test::Outcome;
+using hdconj::test::TemporaryFolder;
+using nlohmann::json;
+namespace sample = hdconj::sample;
+
+namespace {
+
+std::string const program = "'" HDCONJ_PROGRAM "'";
+
+/// Few slices and torques: what is looked at here does not depend on them.
+std::string const coarse = "--set slices.count=3 ";
+std::string const one_torque = coarse + "--no-curve ";
+
+Outcome load(std::string const& arguments, TemporaryFolder const& folder)
+{
+    return hdconj::test::run(program + " load " + arguments, folder.path());
+}
+
+bool is_missing(std::string const& name)
+{
+    return hdconj::test::run("command -v " + name).status != 0;
+}
+
+/// Times and files are left out.
+json without_times(json summary)
+{
+    summary.erase("timing");
+    summary.erase("files");
+    for (auto& each : summary.at("load").at("cases")) {
+        each.erase("time_s");
+    }
+    return summary;
+}
+
+/// A log of the thesis' rig: current of a motor with 119 mN m/A, counts of 2000 per turn, behind 1:100.
+void write_log(std::filesystem::path const& file)
+{
+    sample::Rig rig;
+    rig.per_branch = 60;
+    auto const curve = sample::rig_loop(rig);
+    std::ofstream out(file);
+    out << "# rig\ncurrent [A],position [counts]\n";
+    for (std::size_t i = 0; i < curve.twist.size(); ++i) {
+        out << curve.torque[i] / 1000 / 100 / 0.119 << ',' << std::lround(curve.twist[i] / (2 * std::numbers::pi) * 2000 * 100) << '\n';
+    }
+}
+
+}  // namespace
+
+TEST_CASE("load names its result after the drive and says so", "[load]")
+{
+    TemporaryFolder const folder;
+    auto const done = load(one_torque, folder);
+    INFO(done.err);
+    REQUIRE(done.status == 0);
+    CHECK(done.err.empty());
+    CHECK_THAT(done.out, ContainsSubstring("coning, major axis") && ContainsSubstring("type-50-load.h5"));
+    CHECK(folder.names() == std::vector<std::string>{"type-50-load.h5"});
+}
+
+TEST_CASE("load: --json prints one object and keeps the talk apart and --quiet prints nothing", "[load]")
+{
+    TemporaryFolder const folder;
+    auto const summary = load(one_torque + "--json -o a.h5", folder);
+    REQUIRE(summary.status == 0);
+    CHECK(json::parse(summary.out).at("files").at("hdf5").at("path") == "a.h5");
+    CHECK(summary.err == "wrote a.h5\n");
+    auto const quiet = load(one_torque + "--quiet -o a.h5", folder);
+    CHECK(quiet.status == 0);
+    CHECK(quiet.out + quiet.err == "");
+    CHECK(folder.names() == std::vector<std::string>{"a.h5"});
+}
+
+TEST_CASE("load: the curve is run as asked and JSON and HDF5 say the same", "[load]")
+{
+    TemporaryFolder const folder;
+    constexpr int points = 4;
+    auto const done = load(coarse + "--torque 20 --points 4 --json --quiet -o a.h5", folder);
+    INFO(done.err);
+    REQUIRE(done.status == 0);
+    json const found = json::parse(done.out).at("load");
+    REQUIRE(found.at("cases").size() == 1);
+    json const& only = found.at("cases")[0];
+    json const& curve = only.at("curve");
+    REQUIRE(curve.size() == 3 * points + 1);
+    auto const file = hdconj::test::open_file(folder / "a.h5");
+    auto const doubles = [&](std::string const& name) { return hdconj::test::read(file, name.c_str()).values; };
+    constexpr double arcmin = 60 * 180 / std::numbers::pi;
+    auto const torque = doubles("/load/case_000/curve/torque"), twist = doubles("/load/case_000/curve/twist"), pressure = doubles("/load/case_000/curve/largest_pressure");
+    for (int i = 0; i <= 3 * points; ++i) {
+        INFO(i);
+        auto const k = static_cast<std::size_t>(i);
+        double const wanted = 20.0 * (i <= points ? i : 2 * points - i) / points;
+        CHECK(curve[k].at("torque_Nm").get<double>() == Approx(wanted).margin(1e-9));
+        CHECK(torque[k] == Approx(wanted * 1000).margin(1e-6));
+        CHECK(curve[k].at("twist_arcmin").get<double>() == Approx(twist[k] * arcmin).margin(1e-9));
+        CHECK(curve[k].at("largest_pressure_MPa").get<double>() == Approx(pressure[k]).margin(1e-9));
+    }
+    // more torque, more twist, on both sides
+    for (std::size_t k = 1; k <= points; ++k) {
+        CHECK(twist[k] > twist[k - 1]);
+        CHECK(twist[2 * points + k] < twist[2 * points + k - 1]);
+    }
+    json const& rated = only.at("rated");
+    CHECK(rated.at("torque_Nm").get<double>() == Approx(20));
+    CHECK(rated.at("teeth").get<int>() > 0);
+    CHECK(rated.at("contact_share").get<double>() > 0);
+    CHECK(rated.at("largest_pressure_MPa").get<double>() > 0);
+    CHECK(doubles("/load/backlash")[0] * arcmin == Approx(only.at("backlash_arcmin").get<double>()).margin(1e-9));
+    auto const map = doubles("/load/case_000/map/pressure");
+    CHECK(*std::max_element(map.begin(), map.end()) == Approx(rated.at("largest_pressure_MPa").get<double>()));
+}
+
+TEST_CASE("load writes every file asked for", "[load]")
+{
+    bool const draws = !is_missing("gnuplot");
+    TemporaryFolder const folder;
+    auto const done = load(coarse + "--points 2 -o a.h5 --vtu a.vtu --json" + (draws ? " --picture a.svg" : ""), folder);
+    INFO(done.err);
+    REQUIRE(done.status == 0);
+    std::vector<std::string> named;
+    json const files = json::parse(done.out).at("files");
+    for (auto const& each : files) {
+        named.push_back(each.at("path"));
+    }
+    std::sort(named.begin(), named.end());
+    auto written = folder.names();
+    std::sort(written.begin(), written.end());
+    CHECK(written == named);
+    CHECK(named.size() == (draws ? 6U : 2U));
+    CHECK_THAT(content(folder / "a.vtu"), ContainsSubstring("displacement") && ContainsSubstring("von_mises"));
+    if (draws) {
+        for (std::string const name : {"a-curve.svg", "a-pressure.svg", "a-cup.svg", "a-stress.svg"}) {
+            INFO(name);
+            CHECK_THAT(content(folder / name), ContainsSubstring("</svg>"));
+        }
+    }
+}
+
+TEST_CASE("load lays a measured curve over the simulation", "[load][measured]")
+{
+    TemporaryFolder const folder;
+    write_log(folder / "log.csv");
+    auto const run = one_torque + "-o a.h5 --measured log.csv --torque-constant 0.119 --counts-per-turn 2000 ";
+    auto const done = load(run + "--json", folder);
+    INFO(done.err);
+    REQUIRE(done.status == 0);
+    json const measured = json::parse(done.out).at("load").at("measured");
+    CHECK(measured.at("ratio") == 100);
+    CHECK(measured.at("backlash").at("value_arcmin").get<double>() == Approx(6.2).epsilon(0.03));
+    CHECK(measured.at("first_stage").at("value_Nm_per_deg").get<double>() == Approx(98.7).epsilon(0.02));
+    CHECK(measured.at("second_stage").at("value_Nm_per_deg").get<double>() == Approx(182.8).epsilon(0.02));
+    CHECK(measured.at("angle_step_arcmin").get<double>() == Approx(0.108));
+    CHECK_THAT(load(run, folder).out, ContainsSubstring("measured: log.csv (current [A], position [counts], 0.119 N m/A, 2000 counts per turn, ratio 100)"));
+}
+
+TEST_CASE("load: a failure leaves the result that is there", "[load]")
+{
+    TemporaryFolder const folder;
+    REQUIRE(load(one_torque + "--quiet -o a.h5", folder).status == 0);
+    auto const before = content(folder / "a.h5");
+    auto const refused = load(one_torque + "--torque=-1 -o a.h5", folder);
+    CHECK(refused.status == 2);
+    auto const limited = hdconj::test::run("ulimit -f 8 && " + program + " load " + one_torque + "-o a.h5", folder.path());
+    CHECK(limited.status == 1);
+    CHECK_THAT(limited.err, ContainsSubstring("ulimit -f"));
+    CHECK(content(folder / "a.h5") == before);
+    CHECK(folder.names() == std::vector<std::string>{"a.h5"});
+}
+
+TEST_CASE("load: the number of threads changes no bit of any figure", "[load]")
+{
+    TemporaryFolder const folder;
+    std::string const run = coarse + "--points 2 --quiet --json --set solver.threads=1 -o ";
+    auto const one = load(run + "one.h5 --threads 1", folder);
+    auto const two = load(run + "two.h5 --threads 2", folder);
+    REQUIRE(one.status == 0);
+    REQUIRE(two.status == 0);
+    CHECK(without_times(json::parse(one.out)).dump() == without_times(json::parse(two.out)).dump());
+    auto const a = hdconj::test::open_file(folder / "one.h5"), b = hdconj::test::open_file(folder / "two.h5");
+    for (char const* name : {"/load/case_000/curve/twist", "/load/case_000/map/force", "/load/case_000/map/gap", "/load/shape/u_r", "/load/cup/w_major"}) {
+        INFO(name);
+        CHECK(hdconj::test::read(a, name).values == hdconj::test::read(b, name).values);
+    }
+}

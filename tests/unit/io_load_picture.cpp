@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <sstream>
+
+#include "hdconj/io/atomic_file.hpp"
+#include "hdconj/scene/fault.hpp"
+#include "io/colour_scale.hpp"
+#include "io/load_scripts.hpp"
+#include "support/catch.hpp"
+#include "support/gnuplot.hpp"
+#include "support/rig_loop.hpp"
+#include "support/temporary_folder.hpp"
+
+using namespace hdconj;
+using sample::minute;
+using test::content;
+using test::EmptyPath;
+using test::no_gnuplot;
+using test::TemporaryFolder;
+
+namespace {
+
+using Names = std::vector<std::string>;
+
+Names names(std::vector<WrittenFile> const& written)
+{
+    Names result;
+    for (auto const& each : written) {
+        result.push_back(each.kind + ": " + each.file.filename().string());
+    }
+    return result;
+}
+
+/// Rows of numbers of a data block, empty lines left out.
+std::vector<std::vector<double>> rows(std::string const& script, std::string const& name)
+{
+    std::istringstream lines(script);
+    std::string line;
+    while (std::getline(lines, line) && line != "$" + name + " << END") {
+    }
+    std::vector<std::vector<double>> found;
+    while (std::getline(lines, line) && line != "END") {
+        std::istringstream numbers(line);
+        std::vector<double> row;
+        for (double number = 0; numbers >> number;) {
+            row.push_back(number);
+        }
+        if (!row.empty()) {
+            found.push_back(row);
+        }
+    }
+    return found;
+}
+
+Measurement measurement()
+{
+    Measurement measured;
+    sample::Rig rig;
+    rig.offset = 5 * minute;
+    measured.curve = sample::rig_loop(rig);
+    measured.found = measured_stiffness(measured.curve);
+    return measured;
+}
+
+constexpr double six_digits = 1e-5;
+
+}  // namespace
+
+TEST_CASE("pictures of a load study are drawn as SVG and PNG under names of their own", "[load][picture]")
+{
+    if (no_gnuplot()) {
+        return;
+    }
+    TemporaryFolder const folder;
+    auto study = sample::load_study();
+    study.solution.scene.drive.name = "it's <a> \"drive\" & {co} \\n";
+    auto const measured = measurement();
+    auto const written = write_load_pictures(study, folder / "a.b.svg", &measured);
+    CHECK(names(written) == Names{"picture_curve: a.b-curve.svg", "picture_pressure: a.b-pressure.svg", "picture_cup: a.b-cup.svg", "picture_stress: a.b-stress.svg"});
+    for (auto const& each : written) {
+        auto const svg = content(each.file);
+        INFO(each.file);
+        CHECK(svg.rfind("<?xml", 0) == 0);
+        CHECK_THAT(svg, ContainsSubstring("</svg>") && ContainsSubstring("it's &lt;a"));
+        CHECK_THAT(svg, !ContainsSubstring("$") && !ContainsSubstring(folder.path().string()));
+    }
+    CHECK_THAT(content(written[0].file), ContainsSubstring("backlash 6.2′") && ContainsSubstring("measured, 4 cycles:  backlash 6.20 ± 0.00′") && ContainsSubstring("98.7 and 182.8 N m/°"));
+    CHECK_THAT(content(written[1].file), ContainsSubstring("no force") && ContainsSubstring("1186 MPa") && ContainsSubstring("repeats 2 times"));
+    CHECK_THAT(content(written[2].file), ContainsSubstring("minor axis, 90°") && ContainsSubstring("displaced by 2 times"));
+    CHECK_THAT(content(written[3].file), ContainsSubstring("largest over all angles") && ContainsSubstring("z = -4.65 mm"));
+    for (auto const& each : write_load_pictures(study, folder / "c.PNG", nullptr)) {
+        CHECK(content(each.file).rfind("\x89PNG", 0) == 0);
+    }
+    CHECK(folder.names().size() == 8);
+}
+
+TEST_CASE("only what a load study holds is drawn", "[load][picture]")
+{
+    if (no_gnuplot()) {
+        return;
+    }
+    TemporaryFolder const folder;
+    auto study = sample::load_study(1);
+    for (auto& each : study.cases) {
+        each.curve = {each.curve[each.rated]};
+        each.rated = 0;
+        each.stages = {};
+    }
+    study.shape.stress.clear();
+    CHECK_FALSE(has_curve(study));
+    CHECK(names(write_load_pictures(study, folder / "a.svg")) == Names{"picture_pressure: a-pressure.svg", "picture_cup: a-cup.svg"});
+    auto const measured = measurement();
+    CHECK(names(write_load_pictures(study, folder / "b.svg", &measured)).front() == "picture_curve: b-curve.svg");
+    // No load at all, one angle, one tooth: still a picture.
+    for (auto& pressure : study.cases[study.shown].map.pressure) {
+        pressure = 0;
+    }
+    for (auto& force : study.cases[study.shown].map.force) {
+        force = 0;
+    }
+    std::fill(study.shape.u_r.begin(), study.shape.u_r.end(), 0.0);
+    std::fill(study.shape.u_z.begin(), study.shape.u_z.end(), 0.0);
+    study.shape.stress.assign(study.shape.u_r.size(), 0.0);
+    CHECK(write_load_pictures(study, folder / "c.svg").size() == 3);
+    CHECK(write_load_pictures(LoadStudy{}, folder / "d.svg").empty());
+}
+
+TEST_CASE("load pictures that cannot be drawn are refused before the work", "[load][picture]")
+{
+    TemporaryFolder const folder;
+    CHECK_THROWS_AS(check_load_pictures(folder / "a.pdf"), InputError);
+    EmptyPath const nothing;
+    CHECK_THROWS_WITH(check_load_pictures(folder / "a.svg"), ContainsSubstring("gnuplot-nox"));
+    CHECK_THROWS_AS(write_load_pictures(sample::load_study(3), folder / "a.svg"), FileError);
+    CHECK(folder.names().empty());
+}
+
+TEST_CASE("the drawn curve is level over the play and its two lines are those of the stages", "[load][picture]")
+{
+    auto const study = sample::load_study(3);
+    auto const measured = measurement();
+    auto const script = load_curve_script(study, &measured, PictureFormat::svg);
+    for (std::size_t i = 0; i < study.cases.size(); ++i) {
+        auto const& each = study.cases[i];
+        double level = 0;
+        auto const curve = rows(script, "curve" + std::to_string(i));
+        REQUIRE(curve.size() >= each.curve.size());
+        for (std::size_t k = 0; k + 1 < curve.size(); ++k) {
+            bool const crosses = curve[k][0] * curve[k + 1][0] < 0;
+            if (crosses) {
+                CHECK(curve[k][1] == 0);
+                CHECK(curve[k + 1][1] == 0);
+                level = std::max(level, std::abs(curve[k + 1][0] - curve[k][0]));
+            }
+        }
+        CHECK(level == Approx(each.backlash / minute).epsilon(six_digits));
+        auto const lines = rows(script, "stages" + std::to_string(i));
+        REQUIRE(lines.size() == 4);
+        constexpr double per_degree = 60;  // arcmin
+        CHECK((lines[1][1] - lines[0][1]) / (lines[1][0] - lines[0][0]) * per_degree == Approx(each.stages.first * 1e-3 * sample::degree).epsilon(six_digits));
+        CHECK((lines[3][1] - lines[2][1]) / (lines[3][0] - lines[2][0]) * per_degree == Approx(each.stages.second * 1e-3 * sample::degree).epsilon(six_digits));
+    }
+    // Without torque the drive may also be said to lie in the middle of its play, which is no point to go to.
+    auto middle = study;
+    for (auto& state : middle.cases[0].curve) {
+        state.twist = state.torque == 0 ? 0 : state.twist;
+    }
+    auto const drawn = rows(load_curve_script(middle, nullptr, PictureFormat::svg), "curve0");
+    REQUIRE(drawn.size() >= middle.cases[0].curve.size());
+    for (auto const& point : drawn) {
+        CHECK(std::abs(point[0]) >= middle.cases[0].backlash / 2 / minute * (1 - six_digits));
+    }
+    // The measured play lies about the same middle as the computed one.
+    auto const points = rows(script, "measured");
+    double low = 0, high = 0;
+    for (auto const& point : points) {
+        low = std::min(low, point[0]);
+        high = std::max(high, point[0]);
+    }
+    CHECK(low == Approx(-high).epsilon(six_digits));
+    CHECK(rows(load_curve_script(study, nullptr, PictureFormat::svg), "measured").empty());
+}
+
+TEST_CASE("the pressure's cells cover the sector and the width once", "[load][picture]")
+{
+    for (int const slices : {1, 5}) {
+        auto const study = sample::load_study(slices);
+        auto const& map = study.cases[study.shown].map;
+        auto const script = load_pressure_script(study, PictureFormat::svg);
+        auto const cells = rows(script, "cells");
+        double area = 0, coloured = 0;
+        for (auto const& cell : cells) {
+            REQUIRE(cell.size() == 7);
+            double const here = (cell[3] - cell[2]) * (cell[5] - cell[4]);
+            area += here;
+            coloured += static_cast<int>(cell[6]) != ColourScale(0).colour(0) ? here : 0;
+        }
+        CHECK(area == Approx(180 * 7.0).epsilon(1e-4));
+        // In colour is what carries: slices at the ends stand for half a step.
+        double carries = 0;
+        for (std::size_t s = 0; s < map.angle.size(); ++s) {
+            for (std::size_t k = 0; k < map.z.size(); ++k) {
+                double const width = slices == 1 ? 7 : 7.0 / 4 * (k == 0 || k + 1 == map.z.size() ? 0.5 : 1);
+                carries += map.pressure[map.index(s, GapMap::right, k)] > 0 ? 180.0 / 101 * width : 0;
+            }
+        }
+        CHECK(carries > 0);
+        CHECK(coloured == Approx(carries).epsilon(1e-4));
+        double drawn = 0, carried = 0;
+        for (auto const& row : rows(script, "forces")) {
+            drawn += row[1];
+            CHECK(row[2] == 0);
+        }
+        for (double const force : map.force) {
+            carried += force;
+        }
+        CHECK(drawn == Approx(carried).epsilon(1e-4));
+    }
+    // The other flanks, where they carry as well, hang down.
+    auto study = sample::load_study(3);
+    auto& map = study.cases[study.shown].map;
+    map.force[map.index(4, GapMap::left, 1)] = 2;
+    CHECK(rows(load_pressure_script(study, PictureFormat::svg), "forces")[4][2] == -2);
+}
+
+TEST_CASE("sections of the cup are drawn displaced by a round number of times", "[load][picture]")
+{
+    auto const study = sample::load_study(3);
+    auto const& shape = study.shape;
+    auto const script = load_cup_script(study, PictureFormat::svg);
+    auto const made = rows(script, "made_major"), bent = rows(script, "bent_major");
+    REQUIRE(made.size() == shape.cells.size() * 5);
+    REQUIRE(bent.size() == made.size());
+    for (std::size_t i = 0; i < made.size(); ++i) {
+        auto const& cell = shape.cells[i / 5];
+        auto const p = static_cast<std::size_t>(cell[i % 5 % cell.size()]);
+        CHECK(made[i][0] == Approx(shape.r[p]).epsilon(six_digits));
+        CHECK(bent[i][0] - made[i][0] == Approx(2 * shape.u_r[p]).margin(1e-4));
+        CHECK(bent[i][1] - made[i][1] == Approx(2 * shape.u_z[p]).margin(1e-4));
+    }
+    auto const minor = rows(script, "bent_minor");
+    CHECK(minor.back()[0] < made.back()[0]);
+}
+
+TEST_CASE("colours darken evenly with the value and nothing is a colour of its own", "[load][picture]")
+{
+    ColourScale const scale(1186);
+    CHECK(scale.count() == 12);
+    CHECK(scale.band_of(0) == 0);
+    CHECK(scale.band_of(-1) == 0);
+    CHECK(scale.band_of(1e-9) == 1);
+    CHECK(scale.band_of(99.9) == 1);
+    CHECK(scale.band_of(100) == 2);
+    CHECK(scale.band_of(1186) == 12);
+    CHECK(scale.band_of(1e9) == 12);
+    double last = 256;
+    for (std::size_t band = 1; band <= scale.count(); ++band) {
+        int const colour = scale.colour(band);
+        double const luma = 0.2126 * (colour >> 16) + 0.7152 * (colour >> 8 & 0xff) + 0.0722 * (colour & 0xff);
+        CHECK(luma < last - 5);
+        last = luma;
+    }
+    CHECK(ColourScale(0).count() == 1);
+    CHECK(ColourScale(1e-300).count() >= 1);
+}
