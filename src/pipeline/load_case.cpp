@@ -365,7 +365,6 @@ LoadedState summary_of(Worker const& work, Loaded const& loaded, double torque, 
     auto const side = static_cast<std::size_t>(torque < 0 ? GapMap::left : GapMap::right);
     std::size_t const sectors = static_cast<std::size_t>(work.drive.response.sectors());
     std::size_t carrying = 0, nodes = 0;
-    std::size_t const first = work.search(0, 0).first_space;
     for (std::size_t s = 0; s < work.spaces(); ++s)
     {
         double on_tooth[2] = {0, 0};
@@ -386,7 +385,6 @@ LoadedState summary_of(Worker const& work, Loaded const& loaded, double torque, 
         carrying += on_tooth[0] > 0 || on_tooth[1] > 0 ? 1 : 0;
         state.largest_force = std::max({state.largest_force, on_tooth[0], on_tooth[1]});
     }
-    (void)first;
     state.teeth = static_cast<int>(carrying * sectors);
     state.node_share = static_cast<double>(nodes) / static_cast<double>(work.spaces() * t.slices);
     state.contact_area = pressed_area(work, t, side);
