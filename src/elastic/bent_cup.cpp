@@ -52,6 +52,15 @@ MaterialDisplacement BentCup::displacement(double z, double radius) const
     return result;
 }
 
+MaterialDisplacement BentCup::axial_displacement(double z, double radius) const
+{
+    PointAmplitudes const at = amplitudes_at(solid_.mesh(), field_, place(z, radius));
+    MaterialDisplacement result{cam_.waves, {}};
+    for (Index k = 0; k < at.even.cols(); ++k)
+        result.harmonics.push_back({at.even(1, k), at.odd(1, k), 0, 0});
+    return result;
+}
+
 AxialMove BentCup::axial(double z, double radius, double phi) const
 {
     auto const move = [&](double height, bool slope) {

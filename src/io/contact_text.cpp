@@ -139,6 +139,9 @@ void write_places(Page& page, ContactStudy const& study)
     for (auto const& each : study.cases) {
         write_needs(page, study, each);
     }
+    for (auto const& note : study.solution.notes) {
+        page.line("  note: {}", note);
+    }
 }
 
 /// "12 ... 14", in the unit of @p scale.

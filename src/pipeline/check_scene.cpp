@@ -12,9 +12,11 @@ Faults check_scene(Scene const& scene)
     AnyWaveShape const shape = detail::wave_shape(scene, tooth, faults);
     if (tooth.pieces.empty() || !faults.empty())
         return faults;
-    if (scene.is_elastic())
+    // without it there is no place to judge the bearing at, and that it is missing is said elsewhere
+    bool const placed = scene.coning && scene.coning->bottom_to_middle;
+    if (scene.is_elastic() && placed)
         detail::judge_cup(scene, detail::ring_geometry(scene, tooth).flexspline_inner_radius, faults);
-    else
+    else if (!scene.is_elastic())
         detail::judge_kinematics(scene, shape, faults);
     detail::judge_curvature(scene, shape, detail::ring_geometry(scene, tooth).r_m, faults);
     if (faults.empty())

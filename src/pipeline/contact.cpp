@@ -208,6 +208,8 @@ ContactStudy contact(Scene const& scene, ContactOptions const& options, StageObs
     study.solution = owned.middle;
     study.solution.scene = scene;
     study.solution.plan = owned.plan;
+    if (std::string const note = bench.maker.note_on_sections(); !note.empty())
+        study.solution.notes.push_back(note);
     if (bench.maker.z().size() > 1)
     {
         MatchedOutline const outline = owned.maker->operator()(shown, study.cases[study.shown].clearing_tip, scene.solver.tolerance, 0);

@@ -12,6 +12,7 @@
 #include "hdconj/pipeline/solve.hpp"
 #include "hdconj/profile/builder.hpp"
 #include "hdconj/scene/schema.hpp"
+#include "hdconj/wavegen/length_kept.hpp"
 
 namespace hdconj::detail {
 
@@ -87,7 +88,7 @@ std::shared_ptr<BentCup const> bent_cup(Scene const& scene, double inner_radius,
 
 MaterialDisplacement displacement_at(BentCup const& cup, double z, double r_m)
 {
-    return cup.displacement(cup.bearing().middle + z, r_m);
+    return length_kept(cup.displacement(cup.bearing().middle + z, r_m), r_m);
 }
 
 }  // namespace hdconj::detail

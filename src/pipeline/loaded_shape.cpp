@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "hdconj/contact/gap_field.hpp"
 #include "hdconj/motion/material_motion.hpp"
 #include "hdconj/numeric/parallel.hpp"
+#include "hdconj/wavegen/length_kept.hpp"
 #include "solve_motion.hpp"
 
 namespace hdconj::detail {
@@ -21,36 +23,7 @@ MaterialDisplacement displacement_of(ElasticDrive const& drive, std::vector<doub
     std::size_t const count = drive.response.harmonics().size();
     for (std::size_t k = 0; k < count; ++k)
         result.harmonics.push_back({w[2 * k], w[2 * k + 1], v[2 * k], v[2 * k + 1]});
-    // e has twice the harmonics; an even sum over four times as many points as those has no error
-    std::size_t const points = 8 * count;
-    std::vector<double> e(points);
-    double mean = 0;
-    double const step = 2 * std::numbers::pi / result.waves / static_cast<double>(points);
-    for (std::size_t i = 0; i < points; ++i)
-    {
-        PointDisplacement const at = displacement_at(result, step * static_cast<double>(i));
-        e[i] = (at.w[1] - at.v[0]) * (at.w[1] - at.v[0]) / (2 * r_m);
-        mean += e[i];
-    }
-    mean /= static_cast<double>(points);
-    result.harmonics.front().w_cosine -= mean;
-    for (std::size_t k = 1; k < count; ++k)
-    {
-        double on_cosine = 0, on_sine = 0;
-        for (std::size_t i = 0; i < points; ++i)
-        {
-            double const angle = 2 * std::numbers::pi * static_cast<double>(k * i % points) / static_cast<double>(points);
-            on_cosine += e[i] * std::cos(angle);
-            on_sine += e[i] * std::sin(angle);
-        }
-        on_cosine *= 2 / static_cast<double>(points);
-        on_sine *= 2 / static_cast<double>(points);
-        // v' = -e
-        double const n = static_cast<double>(k) * result.waves;
-        result.harmonics[k].v_sine -= on_cosine / n;
-        result.harmonics[k].v_cosine += on_sine / n;
-    }
-    return result;
+    return length_kept(std::move(result), r_m);
 }
 
 /// Between two poses, and beyond.

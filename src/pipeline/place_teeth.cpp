@@ -118,7 +118,7 @@ ToothPlaces tooth_places(ContactBench const& bench, double phase)
         return 2 * std::numbers::pi * (first + static_cast<int>(tooth)) / scene.drive.flexspline_teeth + phase;
     };
     bool const mapped = scene.coning && scene.coning->axial_shift == "mapped";
-    if (!mapped)
+    if (!mapped || bench.maker.follows_sections())
     {
         for (std::size_t k = 0; k < z.size(); ++k)
             (void)bench.maker.motion(scene.coning ? k : 0);

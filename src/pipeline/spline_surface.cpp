@@ -12,6 +12,7 @@
 #include "hdconj/profile/builder.hpp"
 #include "elastic_cup.hpp"
 #include "job.hpp"
+#include "section_motion.hpp"
 
 namespace hdconj::detail {
 /// One slice on its way to a boundary: a drive of its own without axial effects.
@@ -140,10 +141,31 @@ double SurfaceMaker::factor(double z) const
     return base_->scene.coning ? coning_mode(*base_->scene.coning).factor(z) : 1.0;
 }
 
+bool SurfaceMaker::follows_sections()
+{
+    if (!sections_asked_)
+        sections_ = section_displacements(*base_, shape_, z_, threads_);
+    sections_asked_ = true;
+    return sections_.has_value();
+}
+
+std::string SurfaceMaker::note_on_sections()
+{
+    if (!coned() || base_->scene.coning->axial_shift != "mapped" || follows_sections())
+        return "";
+    bool const first_order = base_->scene.solver.kinematics == Kinematics::first_order;
+    return "outlines are made for the wall's slices as if they stayed in their planes, since "
+           + std::string(first_order ? "first-order kinematics knows no others" : "the wave generator's shape has breaks, and its sections no series")
+           + "; the axial shift is in the gaps only";
+}
+
 SliceMotion const& SurfaceMaker::motion(std::size_t k)
 {
+    bool const section = follows_sections();
     if (!motions_[k])
-        in_slice(z_[k], [&] { motions_[k] = motion_at(z_[k]); });
+        in_slice(z_[k], [&] {
+            motions_[k] = section ? slice_motion(base_->scene, *tooth_, (*sections_)[k], base_->geometry.r_m) : motion_at(z_[k]);
+        });
     return *motions_[k];
 }
 

@@ -46,10 +46,17 @@ class SurfaceMaker
     SurfaceMaker& operator=(SurfaceMaker const&) = delete;
 
     [[nodiscard]] std::vector<double> const& z() const { return z_; }
-    /// Motion of slice @p k.
+    /// Motion of the teeth's sections by the plane of slice @p k: where coning.axial_shift is "mapped", of those parts of the wall that have moved into it.
     [[nodiscard]] SliceMotion const& motion(std::size_t k);
 
-    /// Motion of the slice at any height.
+    /// Whether motion() is that of the sections. Not so without an axial shift, in one plane, and where the sections have no series (section_displacements()):
+    /// then it is that of the undeformed slice at the height of the plane.
+    [[nodiscard]] bool follows_sections();
+
+    /// What to say where the scene asks for the axial shift and follows_sections() is false; empty otherwise.
+    [[nodiscard]] std::string note_on_sections();
+
+    /// Motion of the wall's own slice at any height, wherever it has moved to along the axis.
     [[nodiscard]] SliceMotion motion_at(double z) const;
 
     /// Tip circle of z = 0 [mm] that leaves every slice a tip land and clears every slice's rim, by no less than least_land; the
@@ -85,6 +92,8 @@ class SurfaceMaker
     std::vector<double> z_;
     int threads_;
     Tolerance tolerance_;
+    std::optional<std::vector<MaterialDisplacement>> sections_;
+    bool sections_asked_ = false;
     std::vector<std::optional<SliceMotion>> motions_;
     std::vector<std::unique_ptr<SliceJob>> jobs_;
     std::vector<std::optional<double>> pointed_;

@@ -91,6 +91,8 @@ void spread_over_width(Solution& out, Profile const& tooth, AnyWaveShape const& 
             move_radially(outline, z, tilt);
     });
     take(out, outline, tooth, z);
+    if (std::string const note = maker.note_on_sections(); !note.empty())
+        out.notes.push_back(note);
     take_tip(out, outline, tip, why);
 }
 

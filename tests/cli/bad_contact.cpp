@@ -177,7 +177,8 @@ std::vector<BadCommand> const& commands()
         {"--surface tilted --tilt 20", "tip circle", "the flexspline's tips reach", "smaller tilt", 1},
         {"--tilt 20", "slice at z = -3.5 mm", "the flexspline's tips reach", "smaller tilt", 1},
         {"--set circular_spline.backlash_offset=0.24", "slice at z = -3.5 mm", "the flexspline's tips reach", "side clearance", 1},
-        {"--set coning.apex_height=5.4999", "slice at z = -3.5 mm", "the flexspline's tips reach", "smaller", 1},
+        {"--set coning.apex_height=5.4999", "slice at z = -3.5 mm", "behind the apex", "smaller", 1},
+        {"--set coning.apex_height=5.4999 --set coning.axial_shift=none", "slice at z = -3.5 mm", "the flexspline's tips reach", "smaller", 1},
     };
     return table;
 }

@@ -386,6 +386,27 @@ TEST_CASE("contact law: the flank moved by a side clearance is the flank solved 
     }
 }
 
+TEST_CASE("contact law: slices made for the sections of a cup that shifts along its axis are touched and not entered", "[law][contact]")
+{
+    Keys const cone = with(with(coned("mapped"), sliced(3, "per-slice")), {"contact.flank_points=60"});
+    for (Keys const& drive : {Keys{}, Keys{"solver.kinematics=material"}, Keys{"wave_generator.family=ellipse"}, Keys{"circular_spline.width=5"}})
+    {
+        ContactCase const one = only_case(builtin_scene(with(cone, drive)));
+        CAPTURE(one.backlash_offset, one.state.smallest_gap);
+        for (auto const& slice : one.slices)
+        {
+            CHECK(slice.flank.clearance > -1e-9);
+            CHECK(slice.flank.clearance < 1e-6);
+        }
+        // no side clearance: neither for a full turn nor for the gaps
+        CHECK(one.backlash_offset < 1e-9);
+        CHECK(one.state.smallest_gap > -1e-9);
+    }
+    ConedDrive rollers(builtin_scene(with(coned("mapped"), {"wave_generator.family=four-roller", "wave_generator.roller_angle_deg=25"})), 3);
+    CHECK(rollers.maker->note_on_sections().find("has breaks") != std::string::npos);
+    CHECK(ConedDrive(builtin_scene(coned("mapped")), 3).maker->note_on_sections().empty());
+}
+
 TEST_CASE("contact law: both flanks are alike at no torque", "[law][contact]")
 {
     for (std::string const shift : {"none", "mapped"})

@@ -27,8 +27,7 @@ struct BentCupGrid
 /// Cup, bearing and cam, solved: design 3.6 without load. Heights from the outer face of the cup's bottom.
 ///
 /// The slice of the wall at a height and a radius moves by a Fourier series each for w, v and u_z: material motion takes the first two.
-/// First order in the displacements, like the contact; what is of second order, such as the 2.6 um that a closed curve of given length is
-/// smaller in the mean than its circle, is not there.
+/// First order in the displacements, like the contact; who places teeth completes them by length_kept().
 class BentCup
 {
   public:
@@ -51,6 +50,8 @@ class BentCup
     /// w and v of the wall at height @p z that had the radius @p radius.
     /// @throws NumericalError where there is no wall, or no teeth on it
     [[nodiscard]] MaterialDisplacement displacement(double z, double radius) const;
+    /// u_z of the wall there as a series, in the place of w; v is 0.
+    [[nodiscard]] MaterialDisplacement axial_displacement(double z, double radius) const;
     [[nodiscard]] AxialMove axial(double z, double radius, double phi) const;
     /// Slope du_r/dz of the best line over the tooth ring, inner surface [rad]: the coning angle at @p phi.
     [[nodiscard]] double coning(double phi) const;
