@@ -44,14 +44,6 @@ SceneReading read(CommonOptions const& common)
 
 }  // namespace
 
-std::string number_fault(std::string const& given, std::string const& what, std::string const& remedy)
-{
-    char* end = nullptr;
-    (void)std::strtod(given.c_str(), &end);
-    bool const number = !given.empty() && *end == '\0' && end != given.c_str();
-    return number ? "" : "'" + given + "' is no " + what + " (write " + remedy + ")";
-}
-
 void add_scene_options(CLI::App& verb, CommonOptions& common)
 {
     // An empty name, as from an unset shell variable, must not quietly mean the built-in drive.

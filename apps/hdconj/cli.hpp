@@ -63,9 +63,6 @@ void add_scene_options(CLI::App& verb, CommonOptions& common);
 /// How messages call the scene of @p common: its file name, "standard input" or "the built-in scene".
 [[nodiscard]] std::string scene_name(CommonOptions const& common);
 
-/// What is wrong with @p given, which should be a number: "'abc' is no angle (write ...)"; empty: nothing.
-[[nodiscard]] std::string number_fault(std::string const& given, std::string const& what, std::string const& remedy);
-
 void add_init(CLI::App& program, CommonOptions& common);
 void add_check(CLI::App& program, CommonOptions& common);
 void add_solve(CLI::App& program, CommonOptions& common);

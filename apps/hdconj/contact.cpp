@@ -160,7 +160,7 @@ void add_contact(CLI::App& program, CommonOptions& common)
     auto own = std::make_shared<VerbOptions>();
     verb->add_option("--tilt", own->tilts_deg, "tilt angles in degrees, such as 0,0.1,0.2; with --best the interval searched [the scene's]")
         ->delimiter(',')
-        ->check([](std::string const& given) { return number_fault(given, "angle", "angles in degrees such as 0,0.1,0.2"); })
+        ->check([](std::string const& given) { return angle_fault(given); })
         ->type_name("DEG,...");
     verb->add_option("--surface", own->surfaces, "how the teeth of the circular spline are made: tilted, ruled, per-slice [the scene's, or tilted]")
         ->delimiter(',')

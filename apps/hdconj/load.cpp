@@ -223,7 +223,7 @@ void add_load(CLI::App& program, CommonOptions& common)
         ->check([](std::string const& given) { return positive_fault(given, "write a torque in N m such as --torque 28"); })
         ->type_name("NM");
     verb->add_option("--points", own->points, "torques on the way up [the scene's]")->check(CLI::Range(1, 1000))->type_name("N");
-    verb->add_option("--tilt", own->tilts_deg, "tilt angles in degrees, such as 0,0.1,0.2 [the scene's]")->delimiter(',')->check(angle_fault)->type_name("DEG,...");
+    verb->add_option("--tilt", own->tilts_deg, "tilt angles in degrees, such as 0,0.1,0.2 [the scene's]")->delimiter(',')->check([](std::string const& given) { return angle_fault(given); })->type_name("DEG,...");
     verb->add_option("--surface", own->surfaces, "how the teeth of the circular spline are made: tilted, ruled, per-slice [the scene's, or tilted]")
         ->delimiter(',')
         ->check([](std::string const& word) { return word_fault(word, {"tilted", "ruled", "per-slice"}); })

@@ -179,13 +179,13 @@ void add_wedm(CLI::App& program, CommonOptions& common)
         ->check([](std::string const& given) { return word_fault(given, {"circular-spline", "flexspline"}); })
         ->type_name("WORD");
     verb->add_option("--tilt", own->tilt_deg, "tilt of the circular spline's teeth, key tilt.angle_deg [the scene's, or 0]")
-        ->check([](std::string const& given) { return number_fault(given, "angle", "an angle in degrees such as 0.2"); })
+        ->check([](std::string const& given) { return angle_fault(given, "an angle in degrees such as 0.2"); })
         ->type_name("DEG");
     verb->add_option("-o,--output", own->output, "folder to make [the drive's name and -wedm, in this folder]")->check(not_empty)->type_name("DIR");
     verb->add_option("--from", own->from, "take scene and outline from a result file in place of solving")->check(not_empty)->type_name("FILE.h5");
     verb->add_option("--dialect", own->dialects, "files to write, see below [the scene's, or all that fit]")->delimiter(',')->type_name("NAME,...");
     verb->add_option("--decimals", own->decimals, "of coordinates in mm, key wedm.decimals [the scene's, or 4]")
-        ->check([](std::string const& given) { return number_fault(given, "number of decimals", "a whole number such as 4"); })
+        ->check([](std::string const& given) { return number_fault(given, "write a whole number such as 4"); })
         ->type_name("N");
     verb->add_option("--picture", own->picture, "drawings NAME-tooth, NAME-ring, NAME-residual; needs gnuplot")
         ->check(not_empty)

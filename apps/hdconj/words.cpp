@@ -32,10 +32,15 @@ std::string word_fault(std::string const& given, std::vector<std::string_view> c
     return "unknown word '" + given + "' (" + (meant ? "write " + std::string(*meant) + "; " : "") + "known: " + known + ")";
 }
 
-std::string angle_fault(std::string const& given)
+std::string angle_fault(std::string const& given, std::string const& remedy)
 {
     double value = 0;
-    return is_number(given, value) ? "" : "'" + given + "' is no angle (write angles in degrees such as 0,0.1,0.2)";
+    return is_number(given, value) ? "" : "'" + given + "' is no angle (write " + remedy + ")";
+}
+
+std::string angle_fault(std::string const& given)
+{
+    return angle_fault(given, "angles in degrees such as 0,0.1,0.2");
 }
 
 std::string number_fault(std::string const& given, std::string const& remedy)

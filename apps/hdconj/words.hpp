@@ -12,7 +12,9 @@ namespace hdconj::cli {
 /// @p given should be one of @p words.
 [[nodiscard]] std::string word_fault(std::string const& given, std::vector<std::string_view> const& words);
 
-/// @p given should be an angle in degrees.
+/// @p given should be an angle in degrees. @param remedy  what to write
+[[nodiscard]] std::string angle_fault(std::string const& given, std::string const& remedy);
+/// The same, one of a list.
 [[nodiscard]] std::string angle_fault(std::string const& given);
 
 /// @p given should be a finite number. @param remedy  "write a torque in N m such as 28"

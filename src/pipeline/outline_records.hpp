@@ -3,6 +3,8 @@
 /// Outlines as they are written into results.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -32,6 +34,17 @@ namespace hdconj::detail {
     for (OutlineStretch const& s : outline.stretches)
         records.push_back({name_of(s.kind), s.segment < 0 ? "" : profile.segment_names[static_cast<std::size_t>(s.segment)], s.first, s.last});
     return records;
+}
+
+/// The half angle of the tip land and the depth of the space, of an outline whose right land begins at point @p right_land.
+inline void measure_space(Outline const& outline, std::size_t right_land, double pitch, PairGeometry& geometry)
+{
+    Vec2 const corner = outline.points[right_land];
+    geometry.land_half_angle = pitch / 2 - std::atan2(corner.x(), corner.y());
+    double deepest = 0;
+    for (Vec2 const& p : outline.points)
+        deepest = std::max(deepest, p.norm());
+    geometry.space_depth = deepest - geometry.circular_spline_inner_radius;
 }
 
 }  // namespace hdconj::detail

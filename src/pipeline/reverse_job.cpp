@@ -304,12 +304,7 @@ class ReverseJob
         std::size_t const right_land = outline.stretches.back().kind == OutlineKind::land ? outline.stretches.back().first : outline.points.size() - 1;
         for (std::size_t index : {left_land, bottom->first, middle, bottom->last, right_land})
             cs.landmarks.push_back(static_cast<int>(index));
-        Vec2 const corner = outline.points[right_land];
-        out_.geometry.land_half_angle = pitch_ / 2 - std::atan2(corner.x(), corner.y());
-        double deepest = 0;
-        for (Vec2 const& p : outline.points)
-            deepest = std::max(deepest, p.norm());
-        out_.geometry.space_depth = deepest - out_.geometry.circular_spline_inner_radius;
+        measure_space(outline, right_land, pitch_, out_.geometry);
     }
 
     void tooth_family()

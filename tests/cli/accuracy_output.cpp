@@ -10,6 +10,7 @@
 #include "support/temporary_folder.hpp"
 
 using hdconj::test::content;
+using hdconj::test::is_missing;
 using hdconj::test::Outcome;
 using hdconj::test::TemporaryFolder;
 using nlohmann::json;
@@ -22,11 +23,6 @@ std::string const quick = "--quick --sample 0 --study tolerance,number-type ";
 Outcome accuracy(std::string const& arguments, TemporaryFolder const& folder)
 {
     return hdconj::test::run(program + " accuracy " + arguments, folder.path());
-}
-
-bool has_gnuplot()
-{
-    return hdconj::test::run("command -v gnuplot").status == 0;
 }
 
 }  // namespace
@@ -58,7 +54,7 @@ TEST_CASE("accuracy writes a folder of records and pictures, and prints tables",
         ++rows;
     }
     CHECK(rows == 4 + 4);  // tolerances 1e-3 ... 1e-6; three number types and the program
-    if (has_gnuplot()) {
+    if (!is_missing("gnuplot")) {
         CHECK_THAT(content(folder.path() / "type-50-accuracy/tolerance.svg"), ContainsSubstring("<svg"));
     }
     // once more into the same folder: exchanged; into one that holds something else: refused
@@ -90,7 +86,7 @@ TEST_CASE("accuracy: stored records give the same figures, a page and advice", "
     // every picture that the page shows is there
     for (auto at = page.find("](figures/"); at != std::string::npos; at = page.find("](figures/", at + 1)) {
         auto const name = page.substr(at + 2, page.find(')', at) - at - 2);
-        if (has_gnuplot())
+        if (!is_missing("gnuplot"))
             CHECK(std::filesystem::exists(folder.path() / name));
     }
 }

@@ -106,7 +106,7 @@ std::vector<BadCommand> const& commands()
         {"--part wheel", "--part", "unknown word 'wheel'", "known: circular-spline, flexspline"},
         {"--part flexpline", "--part", "unknown word 'flexpline'", "write flexspline"},
         {"--part flexspline --tilt 0.2", "tilt.angle_deg = 0.2", "parallel to its axis", "--tilt 0"},
-        {"--decimals abc", "--decimals", "'abc' is no number of decimals", "such as 4"},
+        {"--decimals abc", "--decimals", "'abc' is no finite number", "such as 4"},
         {"--decimals 4.5", "wedm.decimals = 4.5", "must be a whole number", "from 2 to 9"},
         {"--decimals 3", "wedm.decimals = 3", "rounding to 3 decimals", "more decimals"},
         {"--dialect dfx", "--dialect = dfx", "no dialect is called so", "write dxf"},

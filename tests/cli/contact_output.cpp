@@ -8,13 +8,16 @@
 #include <sstream>
 
 #include "support/catch.hpp"
+#include "support/json_keys.hpp"
 #include "support/read_hdf5.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
 
 using hdconj::test::content;
+using hdconj::test::is_missing;
 using hdconj::test::Outcome;
 using hdconj::test::TemporaryFolder;
+using hdconj::test::without_times;
 using nlohmann::json;
 
 namespace {
@@ -29,27 +32,11 @@ Outcome contact(std::string const& arguments, TemporaryFolder const& folder)
     return hdconj::test::run(program + " contact " + arguments, folder.path());
 }
 
-bool is_missing(std::string const& name)
-{
-    return hdconj::test::run("command -v " + name).status != 0;
-}
-
 std::string two_places(double value)
 {
     std::ostringstream text;
     text << std::fixed << std::setprecision(2) << value;
     return text.str();
-}
-
-/// Times and files are left out.
-json without_times(json summary)
-{
-    summary.erase("timing");
-    summary.erase("files");
-    for (auto& each : summary.at("contact").at("cases")) {
-        each.erase("time_s");
-    }
-    return summary;
 }
 
 }  // namespace
@@ -174,7 +161,7 @@ TEST_CASE("contact: the number of threads changes no bit of any figure", "[conta
     auto const two = contact(run + "two.h5 --threads 2", folder);
     REQUIRE(one.status == 0);
     REQUIRE(two.status == 0);
-    CHECK(without_times(json::parse(one.out)).dump() == without_times(json::parse(two.out)).dump());
+    CHECK(without_times(json::parse(one.out), "contact").dump() == without_times(json::parse(two.out), "contact").dump());
     auto const a = hdconj::test::open_file(folder / "one.h5"), b = hdconj::test::open_file(folder / "two.h5");
     for (char const* name : {"/contact/map/gap", "/contact/share", "/contact/take_up", "/contact/clearing_offset", "/contact/flank_where",
                                    "/circular_spline/outline", "/circular_spline/z"}) {

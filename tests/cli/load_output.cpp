@@ -7,14 +7,17 @@
 #include <numbers>
 
 #include "support/catch.hpp"
+#include "support/json_keys.hpp"
 #include "support/read_hdf5.hpp"
 #include "support/rig_loop.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
 
 using hdconj::test::content;
+using hdconj::test::is_missing;
 using hdconj::test::Outcome;
 using hdconj::test::TemporaryFolder;
+using hdconj::test::without_times;
 using nlohmann::json;
 namespace sample = hdconj::sample;
 
@@ -29,22 +32,6 @@ std::string const one_torque = coarse + "--no-curve ";
 Outcome load(std::string const& arguments, TemporaryFolder const& folder)
 {
     return hdconj::test::run(program + " load " + arguments, folder.path());
-}
-
-bool is_missing(std::string const& name)
-{
-    return hdconj::test::run("command -v " + name).status != 0;
-}
-
-/// Times and files are left out.
-json without_times(json summary)
-{
-    summary.erase("timing");
-    summary.erase("files");
-    for (auto& each : summary.at("load").at("cases")) {
-        each.erase("time_s");
-    }
-    return summary;
 }
 
 /// A log of the thesis' rig: current of a motor with 119 mN m/A, counts of 2000 per turn, behind 1:100.
@@ -191,7 +178,7 @@ TEST_CASE("load: the number of threads changes no bit of any figure", "[load]")
     auto const two = load(run + "two.h5 --threads 2", folder);
     REQUIRE(one.status == 0);
     REQUIRE(two.status == 0);
-    CHECK(without_times(json::parse(one.out)).dump() == without_times(json::parse(two.out)).dump());
+    CHECK(without_times(json::parse(one.out), "load").dump() == without_times(json::parse(two.out), "load").dump());
     auto const a = hdconj::test::open_file(folder / "one.h5"), b = hdconj::test::open_file(folder / "two.h5");
     for (char const* name : {"/load/case_000/curve/twist", "/load/case_000/map/force", "/load/case_000/map/gap", "/load/shape/u_r", "/load/cup/w_major"}) {
         INFO(name);

@@ -13,13 +13,13 @@ using test::TemporaryFolder;
 
 namespace {
 
-bool is_missing(std::string const& program)
+bool skipped_without(std::string const& program)
 {
-    if (run("command -v " + program).status == 0) {
-        return false;
+    bool const missing = test::is_missing(program);
+    if (missing) {
+        WARN(program << " is not installed: not tried");
     }
-    WARN(program << " is not installed: not tried");
-    return true;
+    return missing;
 }
 
 std::string const reader = std::string("'" HDCONJ_PYTHON "' '") + HDCONJ_SOURCE_DIR + "/tests/cli/read_with_h5py.py' ";
@@ -96,7 +96,7 @@ TEST_CASE("surfaces of tooth and ring are read by other programs and are the sli
 
 TEST_CASE("h5dump reads every dataset")
 {
-    if (is_missing("h5dump")) {
+    if (skipped_without("h5dump")) {
         return;
     }
     TemporaryFolder const folder;
@@ -109,7 +109,7 @@ TEST_CASE("h5dump reads every dataset")
 
 TEST_CASE("SVG pictures are well-formed")
 {
-    if (is_missing("gnuplot") || is_missing("rsvg-convert")) {
+    if (skipped_without("gnuplot") || skipped_without("rsvg-convert")) {
         return;
     }
     TemporaryFolder const folder;

@@ -10,6 +10,7 @@
 #include "support/temporary_folder.hpp"
 
 using hdconj::test::content;
+using hdconj::test::is_missing;
 using hdconj::test::Outcome;
 using hdconj::test::TemporaryFolder;
 
@@ -20,11 +21,6 @@ std::string const program = "'" HDCONJ_PROGRAM "'";
 Outcome solve(std::string const& arguments, TemporaryFolder const& folder)
 {
     return hdconj::test::run(program + " solve " + arguments, folder.path());
-}
-
-bool is_missing(std::string const& name)
-{
-    return hdconj::test::run("command -v " + name).status != 0;
 }
 
 }  // namespace

@@ -31,6 +31,11 @@ inline Read read(hid_t file, char const* name)
     return result;
 }
 
+inline bool has_link(hid_t file, char const* name)
+{
+    return H5Lexists(file, name, H5P_DEFAULT) > 0;
+}
+
 inline hdf5::File open_file(std::filesystem::path const& file)
 {
     return {H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "open"};

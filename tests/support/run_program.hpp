@@ -37,6 +37,12 @@ inline Outcome run(std::string const& command, std::filesystem::path const& fold
     return {status, content(out), content(err)};
 }
 
+/// Whether a program that a test would call is not there.
+inline bool is_missing(std::string const& name)
+{
+    return run("command -v " + name).status != 0;
+}
+
 /// Runs @p action in a child process; its result is the exit status.
 template <class Action>
 int in_child(Action action)

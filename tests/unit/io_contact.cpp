@@ -7,34 +7,19 @@
 #include "hdconj/io/contact_files.hpp"
 #include "io/hdf5_handle.hpp"
 #include "support/catch.hpp"
+#include "support/json_keys.hpp"
 #include "support/read_hdf5.hpp"
 #include "support/sample_contact_study.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace hdconj;
+using test::collect_keys;
+using test::has_link;
 using test::open_file;
 using test::read;
 using test::TemporaryFolder;
 
 namespace {
-
-/// All keys of @p json at any depth.
-void collect_keys(nlohmann::json const& json, std::set<std::string>& keys)
-{
-    for (auto const& [key, value] : json.items()) {
-        if (json.is_object()) {
-            keys.insert(key);
-        }
-        if (value.is_structured()) {
-            collect_keys(value, keys);
-        }
-    }
-}
-
-bool has_link(hid_t file, char const* name)
-{
-    return H5Lexists(file, name, H5P_DEFAULT) > 0;
-}
 
 constexpr double arcmin = std::numbers::pi / 180 / 60;
 

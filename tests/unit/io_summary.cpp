@@ -5,27 +5,12 @@
 
 #include "hdconj/io/result_files.hpp"
 #include "support/catch.hpp"
+#include "support/json_keys.hpp"
 #include "support/sample_solution.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace hdconj;
-
-namespace {
-
-/// All keys of @p json at any depth.
-void collect_keys(nlohmann::json const& json, std::set<std::string>& keys)
-{
-    for (auto const& [key, value] : json.items()) {
-        if (json.is_object()) {
-            keys.insert(key);
-        }
-        if (value.is_structured()) {
-            collect_keys(value, keys);
-        }
-    }
-}
-
-}  // namespace
+using test::collect_keys;
 
 TEST_CASE("the text names what a designer looks for")
 {
