@@ -22,7 +22,7 @@ endif()
 
 # What every test may use: the libraries, the private headers, where things are.
 add_library(hdconj_test_setup INTERFACE)
-target_link_libraries(hdconj_test_setup INTERFACE hdconj::hdconj Catch2::Catch2 HDF5::HDF5 Boost::headers
+target_link_libraries(hdconj_test_setup INTERFACE hdconj::hdconj Catch2::Catch2 hdconj_hdf5 Boost::headers
                       nlohmann_json::nlohmann_json)
 target_include_directories(hdconj_test_setup INTERFACE "${PROJECT_SOURCE_DIR}/tests" "${PROJECT_SOURCE_DIR}/src")
 target_compile_definitions(hdconj_test_setup INTERFACE

@@ -188,6 +188,22 @@ void conclude_contact(Page& page, Ladders const& ladders)
               scientific(slices->rungs.back().error), slices->rungs.back().value, scientific(points->rungs.back().error), points->rungs.back().value);
 }
 
+void conclude_load(Page& page, Ladders const& ladders)
+{
+    std::string found;
+    for (char const* knob : {"harmonics", "slices", "flank points", "circles"}) {
+        auto const* ladder = find(ladders, "load", std::string(knob) + ": twist");
+        if (ladder != nullptr) {
+            auto const& rung = ladder->rungs.back();
+            found += fmt::format("{}{:.0f} {} ({}, {})", found.empty() ? "" : ", ", rung.value, knob, scientific(rung.error), duration(rung.median));
+        }
+    }
+    if (!found.empty()) {
+        page.line("How far the twist at the rated torque is from that of the finest rung, relative to it, and what it takes: {}. This is no distance from a reference in 50 digits, see the notes below.",
+                  found);
+    }
+}
+
 void conclude_threads(Page& page, Ladders const& ladders)
 {
     auto const* threads = find(ladders, "threads", "solve");
@@ -218,6 +234,8 @@ void conclude(Page& page, std::string const& name, Ladders const& ladders)
         conclude_type(page, ladders);
     } else if (name == "contact-area") {
         conclude_contact(page, ladders);
+    } else if (name == "load") {
+        conclude_load(page, ladders);
     } else if (name == "threads") {
         conclude_threads(page, ladders);
     }

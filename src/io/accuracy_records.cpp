@@ -77,7 +77,7 @@ std::string accuracy_bytes(StoredAccuracy const& study)
         }
     });
     root.texts("notes", report.notes);
-    return memory.bytes();
+    return std::string(memory.bytes());
 }
 
 StoredAccuracy read_accuracy(std::filesystem::path const& file)

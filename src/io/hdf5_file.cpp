@@ -209,19 +209,22 @@ void hdf5::write_circular_spline(Writer const& place, CircularSplineOutline cons
 {
     std::size_t const slices = outline.outline.size();
     std::size_t const points = slices == 0 ? 0 : outline.outline.front().size();
-    std::vector<double> flat;
-    flat.reserve(slices * points * 2);
+    std::vector<double> flat;   // one slice is written as it lies
+    flat.reserve(slices > 1 ? slices * points * 2 : 0);
     for (auto const& slice : outline.outline) {
         if (slice.size() != points || outline.z.size() != slices) {
             throw std::logic_error("slices of the circular spline do not match each other or z");
         }
-        for (auto const& point : slice) {
-            flat.push_back(point.x());
-            flat.push_back(point.y());
+        if (slices > 1) {
+            for (auto const& point : slice) {
+                flat.push_back(point.x());
+                flat.push_back(point.y());
+            }
         }
     }
+    double const* const first = slices == 1 && points > 0 ? outline.outline.front().front().data() : flat.data();
     place.numbers("z", outline.z, "mm");
-    place.array("outline", {slices, points, 2}, flat.data(), "mm");
+    place.array("outline", {slices, points, 2}, first, "mm");
     place.integers("landmarks", outline.landmarks);
     write_pieces(place, outline.pieces);
 }

@@ -80,8 +80,8 @@ class MemoryFile
     MemoryFile();
 
     [[nodiscard]] Writer root() const { return {file_, tools_}; }
-    /// The bytes of the file as they belong on the disk.
-    [[nodiscard]] std::string bytes() const;
+    /// The bytes of the file as they belong on the disk; as long as nothing more is written.
+    [[nodiscard]] std::string_view bytes() const;
 
   private:
     Tools tools_;

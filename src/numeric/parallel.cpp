@@ -2,6 +2,7 @@
 #include "hdconj/numeric/parallel.hpp"
 
 #include <algorithm>
+#include <atomic>
 #include <exception>
 #include <vector>
 
@@ -23,23 +24,26 @@ int thread_count(int requested)
 
 namespace {
 
-/// One contiguous share of the loop; stops at its first exception, which is then the lowest of the share.
-struct Share
+/// What one thread does: it takes the next block of the loop until there is none; stops at its first exception. Blocks are taken in order, so all
+/// iterations before the lowest exception have been taken, and run up to exceptions of their own: the lowest of all is among those kept.
+struct Worker
 {
-    std::size_t begin = 0;
-    std::size_t end = 0;
+    std::size_t failed_at = 0;
     std::exception_ptr thrown;
 
-    void run(std::function<void(std::size_t)> const& body) noexcept
+    void run(std::size_t count, std::size_t block, std::atomic<std::size_t>& next, std::function<void(std::size_t)> const& body) noexcept
     {
+        std::size_t i = 0;
         try
         {
-            for (std::size_t i = begin; i < end; ++i)
-                body(i);
+            for (std::size_t begin = next.fetch_add(block); begin < count; begin = next.fetch_add(block))
+                for (i = begin; i < std::min(count, begin + block); ++i)
+                    body(i);
         }
         catch (...)
         {
             thrown = std::current_exception();
+            failed_at = i;
         }
     }
 };
@@ -50,28 +54,30 @@ void parallel_for(std::size_t count, int threads, std::size_t grain, std::functi
 {
     std::size_t const worth = std::max<std::size_t>(1, count / std::max<std::size_t>(1, grain));
     std::size_t const team = std::min(static_cast<std::size_t>(thread_count(threads)), worth);
-    std::vector<Share> shares(team);
-    for (std::size_t k = 0; k < team; ++k)
-    {
-        shares[k].begin = count * k / team;
-        shares[k].end = count * (k + 1) / team;
-    }
+    std::vector<Worker> workers(team);
+    std::atomic<std::size_t> next = 0;
     if (team == 1)
     {
-        shares[0].run(body);
+        workers[0].run(count, count, next, body);
     }
     else
     {
+        // iterations may differ much in work, and other processes may hold a thread up
+        constexpr std::size_t blocks_a_thread = 16;
+        std::size_t const block = std::max<std::size_t>(1, count / (team * blocks_a_thread));
         auto const n = static_cast<int>(team);
 #ifdef _OPENMP
 #pragma omp parallel for num_threads(n) schedule(static, 1)
 #endif
         for (int k = 0; k < n; ++k)
-            shares[static_cast<std::size_t>(k)].run(body);
+            workers[static_cast<std::size_t>(k)].run(count, block, next, body);
     }
-    for (Share const& share : shares)
-        if (share.thrown)
-            std::rethrow_exception(share.thrown);
+    Worker const* first = nullptr;
+    for (Worker const& worker : workers)
+        if (worker.thrown && (first == nullptr || worker.failed_at < first->failed_at))
+            first = &worker;
+    if (first != nullptr)
+        std::rethrow_exception(first->thrown);
 }
 
 }  // namespace hdconj

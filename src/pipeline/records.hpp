@@ -51,8 +51,12 @@ template<RelativeMotion Motion>
     for (ContactArc const& arc : branch.arcs)
     {
         ProfilePiece const& piece = envelope.profile().pieces[static_cast<std::size_t>(arc.piece)];
-        SampledArc const sampled = sample_arc(envelope, arc, arc.u_begin, arc.u_end, chord, 1);
+        SampledArc const sampled = sample_arc(envelope, arc, arc.u_begin, arc.u_end, chord, 1, ChordTest::estimate);
         evaluations += sampled.evaluations;
+        std::size_t const size = record.u.size() + sampled.points.size();
+        for (auto* column : {&record.u, &record.phi, &record.t})
+            column->reserve(size);
+        record.point.reserve(size);
         for (std::size_t k = record.u.empty() ? 0 : 1; k < sampled.points.size(); ++k)
         {
             EnvelopePoint const& e = sampled.points[k];

@@ -36,6 +36,7 @@ std::vector<Study> const& studies()
         {{"roots", "closed form against certified roots against a plain scan"}, study_roots, false},
         {{"number-type", "float, double, long double"}, study_precision, false},
         {{"contact-area", "slices and flank points for the contact area"}, study_contact, false},
+        {{"load", "harmonics, slices, points, circles under torque"}, study_load, false},
         {{"threads", "what more threads give, and that they change no bit"}, study_threads, false}};
     return all;
 }
@@ -51,7 +52,7 @@ Scene plain(Scene const& scene, std::vector<std::string>& notes)
     Scene plain = scene;
     auto const leave_out = [&](bool there, char const* what) {
         if (there)
-            notes.push_back(std::string(what) + " left out: the studies are of one plane, and contact-area brings its own slices");
+            notes.push_back(std::string(what) + " left out: the studies are of one plane, and contact-area and load bring slices of their own");
     };
     leave_out(scene.tilt.has_value(), "[tilt]");
     leave_out(scene.slices.has_value(), "[slices]");

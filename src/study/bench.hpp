@@ -63,6 +63,7 @@ void study_union(StudyBench const& bench);
 void study_roots(StudyBench const& bench);
 void study_precision(StudyBench const& bench);
 void study_contact(StudyBench const& bench);
+void study_load(StudyBench const& bench);
 void study_threads(StudyBench const& bench);
 
 /// 10^-digits.

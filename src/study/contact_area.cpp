@@ -54,8 +54,6 @@ void study_contact(StudyBench const& bench)
     }
     Scene scene = coned(bench);
     scene.solver.threads = bench.threads;
-    constexpr Setting base{9, 200}, base_of_quick{3, 40};
-    Setting const fixed = bench.quick ? base_of_quick : base;
     struct Ladder
     {
         char const* method;
@@ -63,13 +61,15 @@ void study_contact(StudyBench const& bench)
         std::vector<int> values;
         int finest;
         bool slices;
+        int other;   ///< the count that stays: flank points, slices
     };
-    std::vector<Ladder> const ladders = bench.quick ? std::vector<Ladder>{{"slices", "slices.count", {2, 3}, 9, true}, {"flank points", "contact.flank_points", {20, 40}, 160, false}}
-                                                    : std::vector<Ladder>{{"slices", "slices.count", {2, 3, 5, 9, 17}, 65, true},
-                                                                          {"flank points", "contact.flank_points", {25, 50, 100, 200, 400}, 1600, false}};
+    // references as fine as can be asked for: a hundred times the flank points of the finest tested, fifteen times its slices
+    std::vector<Ladder> const ladders = bench.quick ? std::vector<Ladder>{{"slices", "slices.count", {2, 3}, 9, true, 40}, {"flank points", "contact.flank_points", {20, 40}, 160, false, 3}}
+                                                    : std::vector<Ladder>{{"slices", "slices.count", {2, 3, 5, 9, 17}, 257, true, 50},
+                                                                          {"flank points", "contact.flank_points", {12, 25, 50, 100}, 10000, false, 3}};
     for (Ladder const& ladder : ladders)
     {
-        auto const setting = [&](int value) { return ladder.slices ? Setting{value, fixed.points} : Setting{fixed.slices, value}; };
+        auto const setting = [&](int value) { return ladder.slices ? Setting{value, ladder.other} : Setting{ladder.other, value}; };
         ContactState const finest = area(scene, setting(ladder.finest));
         double const truth = finest.contact_area;
         bench.report.notes.push_back("contact-area: no reference in 50 digits; " + std::string(ladder.method) + " are measured against "

@@ -18,10 +18,10 @@ namespace {
 using namespace hdconj;
 using namespace hdconj::test;
 
-/// type-50's own flanks in @p slices equal planes: gaps cost the same wherever the teeth are.
+/// type-50's own flanks in @p slices equal planes, among @p teeth: gaps cost the same wherever the teeth are, so any number may stand around it.
 struct Ring
 {
-    Ring(int slices, int points)
+    Ring(int slices, int points, int teeth = type50_z_f) : z_f(teeth), z_c(teeth + 2)
     {
         Solution const solution = solve(builtin_scene());
         CircularSplineOutline const& spline = solution.circular_spline;
@@ -37,16 +37,17 @@ struct Ring
             grid.point[flank].assign(grid.z.size(), row);
             grid.normal[flank] = grid.point[flank];
         }
-        auto const [first, last] = teeth_needed(type50_z_f, type50_z_c, 0);
+        auto const [first, last] = teeth_needed(z_f, z_c, 0);
         places.first = first;
         places.slices = grid.z.size();
         for (int i = first; i <= last; ++i)
         {
-            Pose const pose = motion.pose(parameter_at(motion, 2 * std::numbers::pi * i / type50_z_f));
+            Pose const pose = motion.pose(parameter_at(motion, 2 * std::numbers::pi * i / z_f));
             places.pose.insert(places.pose.end(), grid.z.size(), pose);
         }
     }
 
+    int z_f, z_c;
     Exact motion = type50_motion();
     Profile tooth = type50_tooth();
     FlankGrid grid;
@@ -68,6 +69,33 @@ void gap_map(benchmark::State& state)
     state.counters["gaps/s"] = benchmark::Counter(static_cast<double>(gaps), benchmark::Counter::kIsIterationInvariantRate);
 }
 
+/// Growth over four decades, one number at a time, on one thread; the last rows are the fitted slope and its root mean square deviation.
+void growth(benchmark::State& state, Ring const& ring)
+{
+    GapField const field(ring.tooth, ring.grid, ring.places, ring.z_f, ring.z_c, 0);
+    for (auto _ : state)
+        benchmark::DoNotOptimize(field.map(0, 1).gap.data());
+    state.SetComplexityN(state.range(0));
+}
+
+void growth_with_slices(benchmark::State& state)
+{
+    growth(state, Ring(static_cast<int>(state.range(0)), 4, 20));
+}
+
+void growth_with_teeth(benchmark::State& state)
+{
+    growth(state, Ring(1, 20, static_cast<int>(state.range(0))));
+}
+
+void growth_with_points(benchmark::State& state)
+{
+    growth(state, Ring(1, static_cast<int>(state.range(0)), 20));
+}
+
 }  // namespace
 
+BENCHMARK(growth_with_slices)->RangeMultiplier(10)->Range(10, 100000)->Complexity(benchmark::oN)->Unit(benchmark::kMillisecond);
+BENCHMARK(growth_with_teeth)->RangeMultiplier(10)->Range(10, 100000)->Complexity(benchmark::oN)->Unit(benchmark::kMillisecond);
+BENCHMARK(growth_with_points)->RangeMultiplier(10)->Range(10, 100000)->Complexity(benchmark::oN)->Unit(benchmark::kMillisecond);
 BENCHMARK(gap_map)->ArgNames({"slices", "points", "threads"})->Args({1, 200, 1})->Args({4, 200, 1})->Args({17, 200, 1})->Args({68, 200, 1})->Args({17, 50, 1})->Args({17, 800, 1})->Args({17, 200, 2})->UseRealTime()->Unit(benchmark::kMillisecond);

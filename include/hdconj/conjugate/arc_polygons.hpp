@@ -48,7 +48,7 @@ template<RelativeMotion Motion>
     {
         if (!arcs[i].bounding)
             continue;
-        SampledArc sampled = sample_arc(envelope, arcs[i], arcs[i].u_begin, arcs[i].u_end, chord, 1);
+        SampledArc sampled = sample_arc(envelope, arcs[i], arcs[i].u_begin, arcs[i].u_end, chord, 1, ChordTest::estimate);
         if (graded)
             detail::crowd_ends(envelope, arcs[i], sampled.points);
         auto const& along = sampled.points;

@@ -35,7 +35,7 @@ template<RelativeMotion Motion>
             ContactArc const& arc = teeth[j].arcs[i];
             if (!arc.bounding)
                 continue;
-            SampledArc sampled = sample_arc(envelope, arc, arc.u_begin, arc.u_end, chord, 1);
+            SampledArc sampled = sample_arc(envelope, arc, arc.u_begin, arc.u_end, chord, 1, ChordTest::estimate);
             if (graded)
                 detail::crowd_ends(envelope, arc, sampled.points);
             auto const& along = sampled.points;

@@ -29,7 +29,7 @@ struct TurnMinimum
 /// The distance changes no faster than the point moves in the tooth's frame; so from a station where it is d, the next one that can
 /// hold less than the best b is (d - b)/speed away, and everything between is skipped without being looked at. Around
 /// stations that cannot be skipped, a change of sign of the derivative d' = -n.v is refined to the minimum.
-/// Accuracy: roundoff of the coordinates at each minimum. Stations are 1/384 of a lobe apart; two minima within one step
+/// Accuracy: some roundings of the coordinates at each minimum, u to half the digits. Stations are 1/384 of a lobe apart; two minima within one step
 /// of which only the higher one is found differ by no more than the square of the step times the distance's curvature.
 /// Keeps pointers to @p tooth and @p motion.
 template<RelativeMotion Motion>
@@ -69,7 +69,7 @@ class LobeMarch
             Station const now = look(p, i, copy, best);
             bool const adjoining = i > 0 && last == i - 1;
             bool const dips = before.slope < 0 && now.slope > 0;
-            if (adjoining && dips && std::min(before.distance, now.distance) - now.speed * step_ < best.distance)
+            if (adjoining && dips && lowest_between(before, now) < best.distance)
                 refine(p, i, copy, before.slope, now.slope, best);
             last = i;
             before = now;
@@ -87,6 +87,14 @@ class LobeMarch
         double slope;
         double speed;  ///< no faster anywhere near
     };
+
+    /// How low a dip between two adjoining stations can be: no lower than the point's speed allows, nor, where it is one dip, than the steeper of its two
+    /// sides; twice that steep, for what the slope does between.
+    [[nodiscard]] double lowest_between(Station const& before, Station const& now) const
+    {
+        double const steepest = std::min(now.speed, 2 * std::max(-before.slope, now.slope));
+        return std::min(before.distance, now.distance) - steepest * step_;
+    }
 
     [[nodiscard]] double parameter(std::size_t i) const { return -motion_->half_lobe() + step_ * static_cast<double>(i); }
 
@@ -107,13 +115,18 @@ class LobeMarch
     void refine(Vec2 const& p, std::size_t i, int copy, double slope_before, double slope_after, TurnMinimum& best) const
     {
         auto const slope = [&](double u) {
-            Vec2 const x = motion_->pose(u).inverse(p);
+            MotionState const state = state_of(*motion_, u);
+            Vec2 const x = state.pose.inverse(p);
             NearestPoint const foot = (*tooth_)(x);
             if (foot.distance < best.distance)
                 best = {foot.distance, u, copy, i};
-            return -foot.normal.dot(motion_->rates(u).twist(x));
+            return -foot.normal.dot(state.rates.twist(x));
         };
-        (void)bracketed_root(slope, parameter(i - 1), parameter(i), slope_before, slope_after);
+        // next to its minimum the distance changes by the square of the step: half its digits in u are all of the distance's
+        double const bend = (slope_after - slope_before) / step_;
+        double const width = 0.25 * std::sqrt(unit_roundoff * p.norm() / bend);
+        constexpr std::uintmax_t budget = 200;
+        (void)detail::shrunk_bracket(slope, parameter(i - 1), parameter(i), slope_before, slope_after, width, budget);
     }
 
     ToothDistance const* tooth_;

@@ -42,7 +42,13 @@ class Envelope
         PieceShape const& shape = profile_->pieces[static_cast<std::size_t>(arc.piece)].shape;
         if (arc.resting)
             return resting_contact(std::get<ArcPiece>(shape), arc, u, offset_);
-        MotionRates const rates = motion_->rates(u);
+        return contact(arc, u, motion_->rates(u));
+    }
+
+    /// The same where the rates at @p u are known.
+    [[nodiscard]] Contact contact(ContactArc const& arc, double u, MotionRates const& rates) const
+    {
+        PieceShape const& shape = profile_->pieces[static_cast<std::size_t>(arc.piece)].shape;
         if (auto const* circle = std::get_if<ArcPiece>(&shape))
             return arc_contact(*circle, rates, arc.candidate, offset_);
         if (auto const* line = std::get_if<LinePiece>(&shape))
@@ -61,12 +67,13 @@ class Envelope
             return end_point(arc, u, arc.t_begin);
         if (u == arc.u_end && is_end(arc.t_end))
             return end_point(arc, u, arc.t_end);
-        Contact const c = contact(arc, u);
+        MotionState const state = state_of(*motion_, u);
+        Contact const c = arc.resting ? contact(arc, u) : contact(arc, u, state.rates);
         double const doubt = roundings * unit_roundoff * c.rounding;
         // a contact that runs fast is uncertain along the profile: rounding must not carry it over the end
         if (!(c.t >= 0 && c.t <= 1) && near_end(arc, c, doubt))
             return end_point(arc, u, c.t > 0.5 ? 1.0 : 0.0);
-        Pose const pose = motion_->pose(u);
+        Pose const& pose = state.pose;
         Vec2 const p = pose(c.x);
         return {u, c.t, p, pose.rotate(c.n), roundings * unit_roundoff * p.norm() + doubt};
     }

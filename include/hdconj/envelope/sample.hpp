@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "hdconj/envelope/chord_bound.hpp"
 #include "hdconj/envelope/envelope.hpp"
 #include "hdconj/numeric/error.hpp"
 #include "hdconj/numeric/parallel.hpp"
@@ -23,47 +24,21 @@ struct SampledArc
     std::size_t evaluations = 0;
 };
 
-namespace detail {
-
-/// Largest distance from its chord of the cubic that has the given ends and end normals: for a circular arc length
-/// times turn over 8; right to the next order for any smooth curve, inflexions included. Rounded up by 2 per cent for that.
-[[nodiscard]] inline double chord_error(EnvelopePoint const& a, EnvelopePoint const& b)
+/// What is asked of the chords of a sampled arc.
+enum class ChordTest
 {
-    Vec2 const chord = b.p - a.p;
-    double const length = chord.norm();
-    double const across_a = cross(chord, a.n);
-    double const across_b = cross(chord, b.n);
-    if (length == 0)
-        return 0;
-    // normals along the chord: no cubic over the chord has these ends
-    if (!(across_a * across_b > 0))
-        return length;
-    double const m0 = chord.dot(a.n) / across_a;  // slopes against the chord
-    double const m1 = chord.dot(b.n) / across_b;
-    // y = length (m0 (x - 2 x^2 + x^3) + m1 (x^3 - x^2)); y' = 0 is a quadratic in x
-    double const p = 3 * (m0 + m1);
-    double const q = -2 * (2 * m0 + m1);
-    double const root = std::sqrt(std::max(0.0, q * q - 4 * p * m0));
-    double const w = -0.5 * (q + std::copysign(root, q));
-    double worst = 0;
-    for (double const x : {p != 0 ? w / p : 0.0, w != 0 ? m0 / w : 0.0})
-        if (x > 0 && x < 1)
-            worst = std::max(worst, std::abs(m0 * x * (1 - x) * (1 - x) - m1 * x * x * (1 - x)));
-    // the next order of the expansion, so that the estimate is a bound
-    constexpr double next_order = 1.02;
-    return next_order * length * worst;
-}
-
-}  // namespace detail
+    estimate,  ///< from the ends of each chord alone, some per cent low where few chords make an arc: for polygons that nothing is promised of
+    bound      ///< wherever curvature changes from chord to chord the arc is looked at between the ends: `chord` is not below the true error
+};
 
 /// Points equidistributed in sqrt(turn * length): for a smooth curve each chord then has the same error, which is the fewest
 /// points possible up to higher order. Places that a coarse look misjudges are cut again until every chord passes.
 ///
 /// @param from, to  interval of u inside the arc; from > to gives the points in reverse order
-/// Accuracy: every point is an exact contact (not interpolated); `chord` is within a few per cent of the true chord error.
+/// Accuracy: every point is an exact contact (not interpolated); `chord` is within a few per cent of the true chord error, and by default not below it.
 template<RelativeMotion Motion>
 [[nodiscard]] SampledArc sample_arc(Envelope<Motion> const& envelope, ContactArc const& arc, double from, double to, double chord,
-                                    int threads)
+                                    int threads, ChordTest test = ChordTest::bound)
 {
     SampledArc result;
     // the share of the smooth parameter that [from, to] covers is not needed: a parameter that is smooth at both of its own
@@ -120,7 +95,7 @@ template<RelativeMotion Motion>
     for (std::size_t i = 1; i < coarse.size(); ++i)
         chords[i] = chords[i - 1] + std::sqrt(detail::chord_error(coarse[i - 1].e, coarse[i].e) / chord);
     constexpr double margin = 1.02;
-    auto const count = static_cast<std::size_t>(std::max(1.0, std::ceil(margin * chords.back())));
+    auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(margin * chords.back())));
     // density of chords at the coarse stations, so that inside a cell it can vary linearly
     std::vector<double> density(coarse.size());
     for (std::size_t i = 0; i < coarse.size(); ++i)
@@ -129,55 +104,88 @@ template<RelativeMotion Motion>
         std::size_t const high = std::min(i + 1, coarse.size() - 1);
         density[i] = (chords[high] - chords[low]) / (coarse[high].s - coarse[low].s);
     }
-    std::vector<double> stations(count + 1);
-    std::size_t cell = 1;
-    for (std::size_t k = 0; k <= count; ++k)
+    std::vector<double> stations;
+    std::vector<EnvelopePoint> points;
+    auto const place = [&] {
+        stations.resize(count + 1);
+        std::size_t cell = 1;
+        for (std::size_t k = 0; k <= count; ++k)
+        {
+            double const wanted = chords.back() * static_cast<double>(k) / static_cast<double>(count);
+            while (cell + 1 < chords.size() && chords[cell] < wanted)
+                ++cell;
+            double const width = chords[cell] - chords[cell - 1];
+            double const filled = width > 0 ? std::clamp((wanted - chords[cell - 1]) / width, 0.0, 1.0) : 0.0;
+            double const r0 = density[cell - 1];
+            double const r1 = density[cell];
+            double const half_full = filled * 0.5 * (r0 + r1);
+            double const below = r0 + std::sqrt(std::max(0.0, r0 * r0 + 2 * (r1 - r0) * half_full));
+            double const share = below > 0 ? std::clamp(2 * half_full / below, 0.0, 1.0) : filled;
+            stations[k] = coarse[cell - 1].s + share * (coarse[cell].s - coarse[cell - 1].s);
+        }
+        stations.front() = 0;
+        stations.back() = 1;
+        points.resize(stations.size());
+        constexpr std::size_t grain = 8192;
+        parallel_for(points.size(), threads, grain, [&](std::size_t i) { points[i] = at(stations[i]); });
+        result.evaluations += points.size();
+    };
+    std::vector<double> errors;
+    constexpr int attempts = 4;
+    for (int attempt = 1;; ++attempt)
     {
-        double const wanted = chords.back() * static_cast<double>(k) / static_cast<double>(count);
-        while (cell + 1 < chords.size() && chords[cell] < wanted)
-            ++cell;
-        double const width = chords[cell] - chords[cell - 1];
-        double const filled = width > 0 ? std::clamp((wanted - chords[cell - 1]) / width, 0.0, 1.0) : 0.0;
-        double const r0 = density[cell - 1];
-        double const r1 = density[cell];
-        double const half_full = filled * 0.5 * (r0 + r1);
-        double const below = r0 + std::sqrt(std::max(0.0, r0 * r0 + 2 * (r1 - r0) * half_full));
-        double const share = below > 0 ? std::clamp(2 * half_full / below, 0.0, 1.0) : filled;
-        stations[k] = coarse[cell - 1].s + share * (coarse[cell].s - coarse[cell - 1].s);
+        place();
+        if (test == ChordTest::estimate)
+            break;
+        errors = detail::chord_bounds(at, stations, points, result.evaluations);
+        // where many chords are a little too coarse, a few more over the whole arc are fewer than a cut in each
+        double const worst = *std::max_element(errors.begin(), errors.end());
+        auto const failing = static_cast<std::size_t>(std::count_if(errors.begin(), errors.end(), [&](double error) { return error > chord; }));
+        double const grown = std::max(static_cast<double>(count + 1), std::ceil(static_cast<double>(count) * std::sqrt(worst / chord)));
+        if (failing == 0 || attempt == attempts || !(grown < static_cast<double>(count + failing)))
+            break;
+        count = static_cast<std::size_t>(grown);
     }
-    stations.front() = 0;
-    stations.back() = 1;
-    std::vector<EnvelopePoint> points(stations.size());
-    constexpr std::size_t grain = 8192;
-    parallel_for(points.size(), threads, grain, [&](std::size_t i) { points[i] = at(stations[i]); });
-    result.evaluations += points.size();
 
     // cut again what is still too coarse
+    result.points.reserve(points.size());
     result.points.push_back(points.front());
     struct Open
     {
         double s0, s1;
         EnvelopePoint a, b;
         int depth;
+        double error;
     };
+    auto const error_of = [&](double s0, EnvelopePoint const& a, double s1, EnvelopePoint const& b) {
+        constexpr double first_doubt = 1;
+        return test == ChordTest::estimate ? detail::chord_error(a, b) : detail::chord_bound(at, s0, a, s1, b, first_doubt, result.evaluations);
+    };
+    std::vector<Open> stack;
     for (std::size_t i = 0; i + 1 < points.size(); ++i)
     {
-        std::vector<Open> stack{{stations[i], stations[i + 1], points[i], points[i + 1], 0}};
+        double const first = test == ChordTest::estimate ? detail::chord_error(points[i], points[i + 1]) : errors[i];
+        if (first <= chord)
+        {
+            result.chord = std::max(result.chord, first);
+            result.points.push_back(points[i + 1]);
+            continue;
+        }
+        stack.push_back({stations[i], stations[i + 1], points[i], points[i + 1], 0, first});
         while (!stack.empty())
         {
             Open const now = stack.back();
             stack.pop_back();
-            double const error = detail::chord_error(now.a, now.b);
-            if (error > chord && now.depth < deepest && now.s1 > now.s0)
+            if (now.error > chord && now.depth < deepest && now.s1 > now.s0)
             {
                 double const s = 0.5 * (now.s0 + now.s1);
                 EnvelopePoint const middle = at(s);
                 ++result.evaluations;
-                stack.push_back({s, now.s1, middle, now.b, now.depth + 1});
-                stack.push_back({now.s0, s, now.a, middle, now.depth + 1});
+                stack.push_back({s, now.s1, middle, now.b, now.depth + 1, error_of(s, middle, now.s1, now.b)});
+                stack.push_back({now.s0, s, now.a, middle, now.depth + 1, error_of(now.s0, now.a, s, middle)});
                 continue;
             }
-            result.chord = std::max(result.chord, error);
+            result.chord = std::max(result.chord, now.error);
             result.points.push_back(now.b);
         }
     }

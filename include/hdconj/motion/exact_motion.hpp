@@ -32,22 +32,32 @@ class ExactMotion
     [[nodiscard]] std::span<double const> breaks() const { return curve_.shape().breaks(); }
     [[nodiscard]] bool symmetric() const { return curve_.shape().even(); }
 
-    [[nodiscard]] Pose pose(double u) const
+    [[nodiscard]] Pose pose(double u) const { return pose(u, curve_.shape()(u)); }
+    [[nodiscard]] MotionRates rates(double u) const { return rates(curve_.shape()(u)); }
+    /// Both, from one look at the wave.
+    [[nodiscard]] MotionState state(double u) const
     {
         RadialDisplacement const d = curve_.shape()(u);
+        return {pose(u, d), rates(d)};
+    }
+
+    [[nodiscard]] ToothAngles angles(double u) const { return {u, curve_.phi(u)}; }
+
+  private:
+    [[nodiscard]] Pose pose(double u, RadialDisplacement const& d) const
+    {
         double const rho = curve_.r_0() + d.w;
         double const gamma = u - k_ * curve_.phi(u, d);
         double const s = std::sin(gamma);
         double const c = std::cos(gamma);
-        double const length = std::hypot(rho, d.w1);
+        double const length = std::sqrt(rho * rho + d.w1 * d.w1);
         double const cos_tilt = rho / length;
         double const sin_tilt = d.w1 / length;
         return {c * cos_tilt + s * sin_tilt, s * cos_tilt - c * sin_tilt, {rho * s, rho * c}};
     }
 
-    [[nodiscard]] MotionRates rates(double u) const
+    [[nodiscard]] MotionRates rates(RadialDisplacement const& d) const
     {
-        RadialDisplacement const d = curve_.shape()(u);
         double const rho = curve_.r_0() + d.w;
         double const k = k_ / curve_.r_m();
         double const s2 = rho * rho + d.w1 * d.w1;
@@ -65,9 +75,6 @@ class ExactMotion
                 std::abs(s1) + 2 * k * rho * w1 + k * (d.w1 * d.w1 + rho * std::abs(d.w2))};
     }
 
-    [[nodiscard]] ToothAngles angles(double u) const { return {u, curve_.phi(u)}; }
-
-  private:
     NeutralCurve<Shape> curve_;
     double k_;  ///< z_f / z_c
 };

@@ -28,6 +28,13 @@ struct MotionRates
     [[nodiscard]] double velocity_change_size(Vec2 const& x) const { return omega_change_size * x.norm() + q_change_size; }
 };
 
+/// Where the tooth is and how it moves.
+struct MotionState
+{
+    Pose pose;
+    MotionRates rates;
+};
+
 /// The tooth's polar angle u and undeformed angle phi [rad].
 struct ToothAngles
 {
@@ -48,5 +55,15 @@ concept RelativeMotion = requires(M const& m, double u) {
     { m.breaks() } -> std::convertible_to<std::span<double const>>;
     { m.symmetric() } -> std::convertible_to<bool>;
 };
+
+/// pose() and rates() of @p motion at once, with the same bits; at the price of little more than one where the motion has a state() of its own.
+template<RelativeMotion Motion>
+[[nodiscard]] MotionState state_of(Motion const& motion, double u)
+{
+    if constexpr (requires { { motion.state(u) } -> std::same_as<MotionState>; })
+        return motion.state(u);
+    else
+        return {motion.pose(u), motion.rates(u)};
+}
 
 }  // namespace hdconj

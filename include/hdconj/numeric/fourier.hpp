@@ -48,6 +48,17 @@ class FourierSeries
     /// Integral from 0 to @p u, given the sine and cosine of w u (often at hand already).
     [[nodiscard]] double integral(double u, double sine, double cosine) const
     {
+        if (even_)
+        {
+            double s1 = 0, s2 = 0;
+            for (std::size_t k = a_.size() - 1; k >= 1; --k)
+            {
+                double const s0 = ai_[k] + 2 * cosine * s1 - s2;
+                s2 = s1;
+                s1 = s0;
+            }
+            return a_[0] * u + s1 * sine;
+        }
         // Clenshaw for sum (a_k sin(k x) + b_k (1 - cos(k x))) / (k w), evaluated as two series in one pass
         double s1 = 0, s2 = 0, c1 = 0, c2 = 0;
         for (std::size_t k = a_.size() - 1; k >= 1; --k)
@@ -122,7 +133,8 @@ class FourierSeries
         std::size_t used = a_.size();
         // an even function has no sines; what the sums leave of them is rounding and would spoil exact symmetry
         double const odd = *std::max_element(b_.begin(), b_.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
-        if (std::abs(odd) <= 8 * unit_roundoff * size_)
+        even_ = std::abs(odd) <= 8 * unit_roundoff * size_;
+        if (even_)
             std::fill(b_.begin(), b_.end(), 0.0);
         while (used > 1 && std::hypot(a_[used - 1], b_[used - 1]) <= negligible * size_)
             --used;
@@ -146,6 +158,7 @@ class FourierSeries
     double size_ = 0;  ///< largest coefficient
     double relative_error_ = 1;
     bool resolved_ = false;
+    bool even_ = false;   ///< no sines
 };
 
 }  // namespace hdconj

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// How far an envelope arc runs from a chord between two of its points: estimated from the chord's ends, or looked at between them.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "hdconj/envelope/envelope.hpp"
+
+namespace hdconj::detail {
+
+/// Largest distance from its chord of the cubic that has the given ends and end normals: for a circular arc length
+/// times turn over 8; right to the next order for any smooth curve, inflexions included. Rounded up by 2 per cent for that.
+[[nodiscard]] inline double chord_error(EnvelopePoint const& a, EnvelopePoint const& b)
+{
+    Vec2 const chord = b.p - a.p;
+    double const length = chord.norm();
+    double const across_a = cross(chord, a.n);
+    double const across_b = cross(chord, b.n);
+    if (length == 0)
+        return 0;
+    // normals along the chord: no cubic over the chord has these ends
+    if (!(across_a * across_b > 0))
+        return length;
+    double const m0 = chord.dot(a.n) / across_a;  // slopes against the chord
+    double const m1 = chord.dot(b.n) / across_b;
+    // y = length (m0 (x - 2 x^2 + x^3) + m1 (x^3 - x^2)); y' = 0 is a quadratic in x
+    double const p = 3 * (m0 + m1);
+    double const q = -2 * (2 * m0 + m1);
+    double const root = std::sqrt(std::max(0.0, q * q - 4 * p * m0));
+    double const w = -0.5 * (q + std::copysign(root, q));
+    double worst = 0;
+    for (double const x : {p != 0 ? w / p : 0.0, w != 0 ? m0 / w : 0.0})
+        if (x > 0 && x < 1)
+            worst = std::max(worst, std::abs(m0 * x * (1 - x) * (1 - x) - m1 * x * x * (1 - x)));
+    // the next order of the expansion, so that the estimate is a bound
+    constexpr double next_order = 1.02;
+    return next_order * length * worst;
+}
+
+/// Largest distance from the chord first ... last of the curve that is a cubic with their normals between any two neighbours of @p points.
+/// The chord's length where that is no graph over the chord.
+[[nodiscard]] inline double distance_from_chord(std::span<EnvelopePoint const> points)
+{
+    Vec2 const origin = points.front().p;
+    Vec2 const chord = points.back().p - origin;
+    double const length = chord.norm();
+    double worst = 0;
+    if (length == 0)
+    {
+        for (EnvelopePoint const& e : points)
+            worst = std::max(worst, (e.p - origin).norm());
+        return worst;
+    }
+    Vec2 const along = chord / length;
+    double const side = cross(along, points.front().n);
+    double x0 = 0, y0 = 0, m0 = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        Vec2 const from_origin = points[i].p - origin;
+        double const x = along.dot(from_origin);
+        double const y = cross(along, from_origin);
+        double const up = cross(along, points[i].n);
+        if (!(up * side > 0) || (i > 0 && !(x > x0)))
+            return length;
+        double const m = -along.dot(points[i].n) / up;
+        if (i > 0)
+        {
+            // y0 + c1 s + c2 s^2 + c3 s^3 over s in [0, 1]
+            double const width = x - x0;
+            double const c1 = width * m0;
+            double const c2 = 3 * (y - y0) - width * (2 * m0 + m);
+            double const c3 = width * (m0 + m) - 2 * (y - y0);
+            double const root = std::sqrt(std::max(0.0, c2 * c2 - 3 * c3 * c1));
+            double const w = -(c2 + std::copysign(root, c2));
+            for (double const s : {c3 != 0 ? w / (3 * c3) : 0.0, w != 0 ? c1 / w : 0.0})
+                if (s > 0 && s < 1)
+                    worst = std::max(worst, std::abs(y0 + s * (c1 + s * (c2 + s * c3))));
+        }
+        worst = std::max(worst, std::abs(y));
+        x0 = x;
+        y0 = y;
+        m0 = m;
+    }
+    return worst;
+}
+
+/// Upper bound of the distance of the arc s -> @p at(s) from its chord over [s0, s1], whose ends are @p a and @p b.
+///
+/// Cubics through 2, 4, ... 16 parts. Their error is of fourth order: with each halving it falls to a sixteenth, so what is left is below the last
+/// change and a sixteenth of what was left before, whichever is more (a change may be small by chance); that is added. Done when it is a per cent.
+/// @param first_doubt  relative error of the cubic over the whole chord, at most
+template<class At>
+[[nodiscard]] double chord_bound(At const& at, double s0, EnvelopePoint const& a, double s1, EnvelopePoint const& b, double first_doubt,
+                                 std::size_t& evaluations)
+{
+    constexpr std::size_t most = 16;
+    std::array<EnvelopePoint, most + 1> points;
+    points.front() = a;
+    points[most] = b;
+    std::array<EnvelopePoint, most + 1> used;
+    used[0] = a;
+    used[1] = b;
+    double fine = distance_from_chord(std::span(used).first(2));
+    double doubt = first_doubt * fine;
+    for (std::size_t parts = 2;; parts *= 2)
+    {
+        std::size_t const step = most / parts;
+        for (std::size_t i = step; i < most; i += 2 * step)
+        {
+            points[i] = at(s0 + (s1 - s0) * (static_cast<double>(i) / most));
+            ++evaluations;
+        }
+        for (std::size_t i = 0; i <= parts; ++i)
+            used[i] = points[i * step];
+        double const coarse = fine;
+        fine = distance_from_chord(std::span(used).first(parts + 1));
+        constexpr double order = 16;
+        doubt = std::max(std::abs(fine - coarse), doubt / order);
+        constexpr double settled = 0.01;
+        if (doubt <= settled * fine || parts == most)
+            return fine + doubt;
+    }
+}
+
+/// For each chord between neighbouring @p points, at @p stations: its error estimated from its ends where its neighbours bend as it does, else its bound.
+///
+/// Where curvature changes by a tenth from chord to chord, what the cubic over one leaves out, L^4 y''''/384 of L^2 y''/8, is below half a per
+/// cent, a quarter of what chord_error() adds.
+template<class At>
+[[nodiscard]] std::vector<double> chord_bounds(At const& at, std::vector<double> const& stations, std::vector<EnvelopePoint> const& points,
+                                               std::size_t& evaluations)
+{
+    std::size_t const count = points.size() - 1;
+    constexpr double alike = 1.1;
+    std::vector<double> bend(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        double const length = (points[i + 1].p - points[i].p).norm();
+        bool const turns_little = points[i].n.dot(points[i + 1].n) > 0;
+        bend[i] = length > 0 && turns_little ? cross(points[i].n, points[i + 1].n) / length : 0;
+    }
+    auto const agree = [&](std::size_t i, std::size_t j) {
+        double const a = bend[i], b = bend[j];
+        return a * b > 0 && std::abs(a) <= alike * std::abs(b) && std::abs(b) <= alike * std::abs(a);
+    };
+    constexpr std::size_t many = 16;
+    double const first_doubt = count < many ? 1 : 0.1;
+    std::vector<double> errors(count);
+    for (std::size_t i = 0; i < count; ++i)
+    {
+        bool const known = i > 0 && i + 1 < count && agree(i, i - 1) && agree(i, i + 1);
+        errors[i] = known ? chord_error(points[i], points[i + 1])
+                          : chord_bound(at, stations[i], points[i], stations[i + 1], points[i + 1], first_doubt, evaluations);
+    }
+    return errors;
+}
+
+}  // namespace hdconj::detail

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Harmonics, slices, flank points and circles of the bearing for the drive under torque.
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+#include <string>
+#include <vector>
+
+#include "bench.hpp"
+#include "hdconj/numeric/error.hpp"
+#include "hdconj/pipeline/load.hpp"
+
+namespace hdconj::detail {
+namespace {
+
+/// The counts that a load is computed with.
+struct Counts
+{
+    int harmonics, slices, points, circles;
+};
+
+LoadedState at_rated_torque(Scene const& loaded, Counts const& counts)
+{
+    Scene scene = loaded;
+    scene.load->harmonics = counts.harmonics;
+    scene.slices->count = counts.slices;
+    scene.contact->flank_points = counts.points;
+    scene.bearing->circles = counts.circles;
+    LoadOptions options;
+    options.curve = false;
+    LoadCase const drive = load(scene, options).cases.front();
+    return drive.curve[drive.rated];
+}
+
+struct Ladder
+{
+    char const* method;
+    char const* knob;
+    int Counts::*count;
+    std::vector<int> values;
+    int finest;
+};
+
+std::string number_text(double value)
+{
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    return text;
+}
+
+void run_ladders(StudyBench const& bench, Scene const& scene)
+{
+    Counts const fixed = bench.quick ? Counts{24, 3, 24, 1} : Counts{100, 5, 100, 2};
+    std::vector<Ladder> const ladders = bench.quick
+        ? std::vector<Ladder>{{"harmonics", "load.harmonics", &Counts::harmonics, {24, 32}, 64}}
+        : std::vector<Ladder>{{"harmonics", "load.harmonics", &Counts::harmonics, {25, 50, 100, 200}, 400},
+                              {"slices", "slices.count", &Counts::slices, {3, 5, 9}, 17},
+                              {"flank points", "contact.flank_points", &Counts::points, {25, 50, 100, 200}, 400},
+                              {"circles", "bearing.circles", &Counts::circles, {1, 2, 4}, 8}};
+    for (Ladder const& ladder : ladders)
+    {
+        auto const counts = [&](int value) {
+            Counts all = fixed;
+            all.*ladder.count = value;
+            return all;
+        };
+        LoadedState const finest = at_rated_torque(scene, counts(ladder.finest));
+        if (finest.twist == 0 || finest.largest_force == 0)
+        {
+            bench.report.notes.push_back("load: left out, at this torque nothing turns or no tooth carries");
+            return;
+        }
+        bench.report.notes.push_back("load: no reference in 50 digits; " + std::string(ladder.method) + " are measured against " + std::to_string(ladder.finest)
+                                     + " of them, twist " + number_text(finest.twist) + " rad and largest force " + number_text(finest.largest_force)
+                                     + " N; gaps of the loaded shape are met to " + number_text(finest.residual) + " mm, the floor of all of them");
+        for (int const value : ladder.values)
+        {
+            LoadedState const state = at_rated_torque(scene, counts(value));
+            StudyRecord record;
+            record.study = "load";
+            record.method = std::string(ladder.method) + ": twist";
+            record.knob = ladder.knob;
+            record.value = value;
+            record.unit = "1";   // both against the finest rung's own, so that they share a diagram
+            record.points = static_cast<double>(counts(value).slices) * counts(value).points;
+            record.threads = bench.threads;
+            record.error = std::abs(state.twist / finest.twist - 1);
+            std::size_t const before = bench.report.records.size();
+            StudyBench few = bench;
+            few.repeats = 1;
+            few.measure(record, [&] { (void)at_rated_torque(scene, counts(value)); });
+            // one run gives both numbers
+            StudyRecord force = bench.report.records[before];
+            force.method = std::string(ladder.method) + ": largest force";
+            force.error = std::abs(state.largest_force / finest.largest_force - 1);
+            bench.report.records.push_back(force);
+        }
+    }
+}
+
+}  // namespace
+
+void study_load(StudyBench const& bench)
+{
+    auto const& given = bench.drive.scene;
+    auto const leave = [&](char const* why) { bench.report.notes.push_back(std::string("load: left out, ") + why); };
+    if (!given.flexspline.cup || !given.bearing)
+        return leave("the scene gives no flexspline.cup or no bearing");
+    if (!given.load || !given.load->torque)
+        return leave("the scene gives no load.torque");
+    if (!given.circular_spline.width)
+        return leave("the scene gives no circular_spline.width");
+    Scene scene = given;
+    scene.solver.threads = bench.threads;
+    scene.coning.reset();
+    scene = loaded_scene(scene);
+    scene.slices->surface = "per-slice";
+    if (!scene.contact)
+    {
+        scene.contact.emplace();
+        scene.contact->gap = 0x1p-10;
+    }
+    try
+    {
+        run_ladders(bench, scene);
+    }
+    catch (InputError const& error)
+    {
+        leave(error.what());
+    }
+    catch (NumericalError const& error)
+    {
+        leave(error.what());
+    }
+}
+
+}  // namespace hdconj::detail
