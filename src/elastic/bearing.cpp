@@ -103,7 +103,7 @@ BearingSurface bearing_surface(Bearing const& bearing, double inner_radius, CamS
     Eigen::VectorXd cosine = Eigen::Map<Eigen::VectorXd const>(cam.cosine.data(), terms);
     Eigen::VectorXd const sine = Eigen::Map<Eigen::VectorXd const>(cam.sine.data(), terms);
     cosine[0] += bearing.cam_oversize;
-    BearingSurface surface{z, std::nullopt, Eigen::MatrixXd::Ones(circles, 1) * cosine.transpose(), Eigen::MatrixXd::Ones(circles, 1) * sine.transpose(), {}, {}, {}};
+    BearingSurface surface{z, std::nullopt, Eigen::MatrixXd::Ones(circles, 1) * cosine.transpose(), Eigen::MatrixXd::Ones(circles, 1) * sine.transpose(), {}, {}, {}, {}};
     if (bearing.ring)
     {
         BearingRing const& ring = *bearing.ring;
@@ -139,7 +139,7 @@ BearingSurface bearing_surface(Bearing const& bearing, double inner_radius, CamS
         });
         std::vector<Eigen::MatrixXd> compliance;
         std::vector<int> harmonics;
-        surface.reaction_cosine = surface.reaction_sine = Eigen::VectorXd::Zero(terms);
+        surface.reaction_cosine = surface.reaction_sine = surface.reaction_to_lift = Eigen::VectorXd::Zero(terms);
         surface.reaction_to_load = Eigen::MatrixXd::Zero(terms, circles);
         for (Eigen::Index k = 0; k < terms; ++k)
         {
@@ -150,6 +150,7 @@ BearingSurface bearing_surface(Bearing const& bearing, double inner_radius, CamS
             surface.sine.col(k) = h.lifted * sine[k];
             surface.reaction_cosine[k] = h.reaction * cosine[k];
             surface.reaction_sine[k] = h.reaction * sine[k];
+            surface.reaction_to_lift[k] = h.reaction;
             surface.reaction_to_load.row(k) = h.to_load;
         }
         surface.compliance.emplace(std::vector<Direction>(z.size(), Direction::radial), std::move(harmonics), std::move(compliance));

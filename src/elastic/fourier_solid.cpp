@@ -78,12 +78,15 @@ StrainMatrices strain_matrices(SectionMesh const& mesh, SectionPoint const& poin
 FourierSolid::FourierSolid(SectionMesh mesh, Quadrature quadrature) : mesh_(std::move(mesh))
 {
     // with four points a single element can be bent into an hourglass for nothing; two elements that share a side cannot
-    auto const points = gauss(mesh_.elements.size() == 1 ? Quadrature::full : quadrature);
-    StressMatrix const d = stress_matrix(mesh_.material);
+    auto const of_wall = gauss(mesh_.elements.size() == 1 ? Quadrature::full : quadrature);
+    // nor does a layer of teeth, which lacks two of the six stresses, do without all points
+    auto const of_layer = gauss(Quadrature::full);
     std::array<std::vector<Eigen::Triplet<double>>, 3> entries;
     for (std::size_t e = 0; e < mesh_.elements.size(); ++e)
     {
+        StressMatrix const d = mesh_.stress(e);
         std::array<Element, 3> k{Element::Zero(), Element::Zero(), Element::Zero()};
+        auto const& points = e < mesh_.wall_elements() ? of_wall : of_layer;
         for (GaussPoint const& x : points)
         {
             for (GaussPoint const& y : points)

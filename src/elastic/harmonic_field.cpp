@@ -81,7 +81,7 @@ struct StressAmplitudes
 StressAmplitudes stress_amplitudes(SectionMesh const& mesh, HarmonicField const& field, SectionPoint const& place)
 {
     StrainMatrices const b = strain_matrices(mesh, place);
-    StressMatrix const d = stress_matrix(mesh.material);
+    StressMatrix const d = mesh.stress(place.element);
     QuadraticElement const& element = mesh.elements[place.element];
     auto const terms = field.even.cols();
     StressAmplitudes at{Eigen::Matrix<double, 6, Eigen::Dynamic>(6, terms), Eigen::Matrix<double, 6, Eigen::Dynamic>(6, terms)};

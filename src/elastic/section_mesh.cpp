@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "hdconj/numeric/error.hpp"
 
@@ -110,8 +111,31 @@ void require_sound(MeshSize const& size)
     require(size.along > 0 && size.across > 0, "mesh", "element sizes must be positive");
 }
 
+/// How long a change of the wall is: a ramp, or an arc of radius @p fillet.
+double change_length(double ramp, double fillet, double thin, double thick)
+{
+    return fillet > 0 ? std::sqrt(std::max(0.0, (thick - thin) * (2 * fillet - thick + thin))) : ramp;
+}
+
+double rear_length(CupSection const& cup)
+{
+    return change_length(cup.rear_ramp, cup.rear_fillet, cup.wall, cup.ring_wall);
+}
+
+double front_length(CupSection const& cup)
+{
+    return change_length(cup.front_ramp, cup.front_fillet, cup.wall, cup.ring_wall);
+}
+
 void require_sound(CupSection const& cup)
 {
+    for (double const fillet : {cup.rear_fillet, cup.front_fillet})
+    {
+        require(fillet >= 0, "fillet at the tooth ring", "its radius must not be negative");
+        require(fillet == 0 || cup.ring_wall >= cup.wall, "fillet at the tooth ring", "the ring is thinner than the wall beside it: there is nothing to round");
+        require(fillet == 0 || fillet >= cup.ring_wall - cup.wall, "fillet at the tooth ring",
+                "its radius " + mm(fillet) + " is less than the wall grows by, " + mm(cup.ring_wall - cup.wall));
+    }
     require(cup.wall > 0 && cup.ring_wall > 0 && cup.bottom > 0, "walls", "must be thicker than 0");
     require(cup.clamp_radius > 0, "flange", "must have a radius above 0");
     require(cup.rear_ramp >= 0 && cup.front_ramp >= 0, "ramps", "must not be negative");
@@ -120,15 +144,17 @@ void require_sound(CupSection const& cup)
     double const fillet = cup.inner_radius + cup.wall - cup.corner_radius;
     require(cup.clamp_radius < fillet, "flange",
             "its radius " + mm(cup.clamp_radius) + " reaches the corner fillet, which begins at " + mm(fillet));
-    require(cup.ring_begin - cup.rear_ramp > cup.corner_radius, "tooth ring",
-            "its rear ramp begins at " + mm(cup.ring_begin - cup.rear_ramp) + ", inside the corner fillet of " + mm(cup.corner_radius));
+    require(cup.ring_begin - rear_length(cup) > cup.corner_radius, "tooth ring",
+            "its rear ramp begins at " + mm(cup.ring_begin - rear_length(cup)) + ", inside the corner fillet of " + mm(cup.corner_radius));
+    require(cup.tooth_layer >= 0 && std::isfinite(cup.tooth_layer), "layer of teeth", "must not be of negative height");
+    require(cup.tooth_share > 0 && cup.tooth_share <= 1, "layer of teeth", "its share of steel must be above 0 and at most 1");
     require(cup.ring_end > cup.ring_begin, "tooth ring", "must end in front of where it begins");
     require(cup.length >= cup.ring_end, "tooth ring", "ends at " + mm(cup.ring_end) + ", beyond the cup's length of " + mm(cup.length));
     bool const has_step = cup.wall != cup.ring_wall;
-    require(!has_step || cup.rear_ramp > 0, "rear ramp", "must be longer than 0 where the wall changes");
-    require(!has_step || cup.length == cup.ring_end || cup.front_ramp > 0, "front ramp", "must be longer than 0 where the wall changes");
-    require(cup.length == cup.ring_end || cup.length >= cup.ring_end + cup.front_ramp, "front ramp",
-            "ends at " + mm(cup.ring_end + cup.front_ramp) + ", beyond the cup's length of " + mm(cup.length));
+    require(!has_step || rear_length(cup) > 0, "rear ramp", "must be longer than 0 where the wall changes");
+    require(!has_step || cup.length == cup.ring_end || front_length(cup) > 0, "front ramp", "must be longer than 0 where the wall changes");
+    require(cup.length == cup.ring_end || cup.length >= cup.ring_end + front_length(cup), "front ramp",
+            "ends at " + mm(cup.ring_end + front_length(cup)) + ", beyond the cup's length of " + mm(cup.length));
 }
 
 }  // namespace
@@ -159,21 +185,84 @@ SectionMesh section_mesh(CupSection const& cup, MeshSize const& size)
             return Across{{r, z}, {r + wall_from + (wall_to - wall_from) * s, z}};
         });
     };
-    part(cup.corner_radius, cup.ring_begin - cup.rear_ramp, cup.wall, cup.wall);
-    part(cup.ring_begin - cup.rear_ramp, cup.ring_begin, cup.wall, cup.ring_wall);
+    // from the foot of an arc upward, or towards it from above
+    auto const rounded = [&](double foot, double radius, bool upward) {
+        constexpr double arc_rows = 3;  // at least: bending of a wall whose thickness curves
+        double const angle = std::acos(std::max(0.0, 1 - (cup.ring_wall - cup.wall) / radius));
+        rows.add(angle * radius, std::min(size.along, angle * radius / arc_rows), [&, foot, radius, upward, angle](double s) {
+            double const a = angle * (upward ? s : 1 - s);
+            double const z = foot + (upward ? 1 : -1) * radius * std::sin(a);
+            return Across{{r, z}, {r + cup.wall + radius * (1 - std::cos(a)), z}};
+        });
+    };
+    double const rear = cup.ring_begin - rear_length(cup), front = cup.ring_end + front_length(cup);
+    part(cup.corner_radius, rear, cup.wall, cup.wall);
+    if (cup.rear_fillet > 0)
+        rounded(rear, cup.rear_fillet, true);
+    else
+        part(rear, cup.ring_begin, cup.wall, cup.ring_wall);
     rows.add(cup.ring_end - cup.ring_begin, size.along, [&](double s) {
         double const z = cup.ring_begin + (cup.ring_end - cup.ring_begin) * s;
         return Across{{r, z}, {r + cup.ring_wall, z}};
     });
     if (cup.length > cup.ring_end)
     {
-        part(cup.ring_end, cup.ring_end + cup.front_ramp, cup.ring_wall, cup.wall);
-        part(cup.ring_end + cup.front_ramp, cup.length, cup.wall, cup.wall);
+        if (cup.front_fillet > 0)
+            rounded(front, cup.front_fillet, false);
+        else
+            part(cup.ring_end, front, cup.ring_wall, cup.wall);
+        part(front, cup.length, cup.wall, cup.wall);
     }
     SectionMesh mesh = rows.mesh(cup.material, size.across);
     for (int i = 0; i < Rows::first_line(mesh); ++i)
         mesh.clamped.push_back(i);
+    if (cup.tooth_layer > 0)
+        add_outer_layer(mesh, cup.ring_begin, cup.ring_end, cup.tooth_layer, size.across, tooth_stress_matrix(cup.material, cup.tooth_share));
     return mesh;
+}
+
+void add_outer_layer(SectionMesh& mesh, double low, double high, double height, double thickest, StressMatrix const& stress)
+{
+    constexpr double rounding = 1e-9;  // of heights that were divided and added up again
+    require(height > 0 && std::isfinite(height), "layer of teeth", "its height must be above 0");
+    auto const layers = static_cast<std::size_t>(mesh.layers);
+    std::size_t const rows = mesh.elements.size() / layers;
+    auto const at = [&](int node) { return mesh.nodes[static_cast<std::size_t>(node)]; };
+    // nodes on which the next elements stand, line by line of the rows: below, in the middle of and above each
+    std::vector<int> base;
+    for (auto row = static_cast<std::size_t>(mesh.straight); row < rows; ++row)
+    {
+        QuadraticElement const& q = mesh.elements[row * layers + layers - 1];
+        if (at(q[1]).y() < low - rounding || at(q[2]).y() > high + rounding)
+            continue;
+        if (base.empty())
+            base.push_back(q[1]);
+        base.push_back(q[5]);
+        base.push_back(q[2]);
+    }
+    require(!base.empty(), "layer of teeth", "no wall between " + mm(low) + " and " + mm(high) + " to stand on");
+    mesh.outer = OuterLayer{mesh.elements.size(), stress};
+    int const steps = std::max(1, static_cast<int>(std::ceil(height / thickest - rounding)));
+    for (int step = 0; step < steps; ++step)
+    {
+        std::vector<int> top;
+        std::vector<int> between;  // of lines between elements only
+        for (std::size_t i = 0; i < base.size(); ++i)
+        {
+            Vec2 const foot = at(base[i]);
+            Vec2 const out(height / steps, 0);
+            if (i % 2 == 0)
+            {
+                between.push_back(static_cast<int>(mesh.nodes.size()));
+                mesh.nodes.push_back(foot + out / 2);
+            }
+            top.push_back(static_cast<int>(mesh.nodes.size()));
+            mesh.nodes.push_back(foot + out);
+        }
+        for (std::size_t i = 0; i + 2 < base.size(); i += 2)
+            mesh.elements.push_back({base[i], top[i], top[i + 2], base[i + 2], between[i / 2], top[i + 1], between[i / 2 + 1], base[i + 1]});
+        base = std::move(top);
+    }
 }
 
 SectionMesh ring_mesh(Vec2 const& lower, Vec2 const& upper, Elasticity const& material, MeshSize const& size)
@@ -218,7 +307,7 @@ SectionPoint wall_point(SectionMesh const& mesh, double z, double depth)
 {
     require(depth >= 0 && depth <= 1, "place in the wall", "its depth must be from 0 (inner surface) to 1 (outer surface)");
     auto const layers = static_cast<std::size_t>(mesh.layers);
-    std::size_t const rows = mesh.elements.size() / layers;
+    std::size_t const rows = mesh.wall_elements() / layers;
     auto const height = [&](std::size_t row, int corner) {
         return mesh.nodes[static_cast<std::size_t>(mesh.elements[row * layers][static_cast<std::size_t>(corner)])].y();
     };

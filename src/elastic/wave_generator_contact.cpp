@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
+#include "hdconj/elastic/ball_line.hpp"
 #include "hdconj/numeric/error.hpp"
 
 namespace hdconj {
@@ -117,7 +119,28 @@ WaveGeneratorContact solve_wave_generator(FourierSolid const& cup, double inner_
         }
         contact.approach.segment(i * circles, circles) = surface.cosine * cosine + surface.sine * sine;
     }
-    auto solved = solve_complementarity(contact);
+    ComplementaritySolution solved;
+    if (surface.compliance)
+    {
+        BearingContacts places;
+        for (InfluencePoint const& point : points)
+        {
+            places.phi.push_back(point.phi);
+            places.z.push_back(static_cast<Index>(point.station));
+        }
+        BallLine const line = ball_line(surface, waves, places, 2 * half, mirrored);
+        BallContact balls = solve_on_balls(contact, 0, line);
+        // a force on a mirror plane stands for two at the same point
+        if (mirrored)
+            for (Index const m : {Index(0), balls.force.size() - 1})
+                balls.force[m] *= 2;
+        out.ball_phi = line.phi;
+        out.ball_force.assign(balls.force.begin(), balls.force.end());
+        out.ball_gap.assign(balls.gap.begin(), balls.gap.end());
+        solved = std::move(balls.contacts);
+    }
+    else
+        solved = solve_complementarity(contact);
     out.iterations = solved.iterations;
     out.residual = solved.residual;
     out.method = solved.method;
@@ -126,25 +149,11 @@ WaveGeneratorContact solve_wave_generator(FourierSolid const& cup, double inner_
     out.total_force = waves * (mirrored ? 2 : 1) * out.force.sum();
     set_loads(out, harmonics, waves, mirrored);
     out.displacement = displaced(out, wall, waves);
-    // a force on a mirror plane stands for two at the same point
     if (mirrored)
     {
         out.force.row(0) *= 2;
         out.force.row(angles - 1) *= 2;
     }
-    if (surface.compliance)
-        for (double const phi : out.phi)
-        {
-            double sum = 0;
-            for (Index k = 0; k < surface.reaction_cosine.size(); ++k)
-            {
-                double const angle = static_cast<double>(k) * waves * phi;
-                // the cup presses the ring inward
-                sum += (surface.reaction_cosine[k] - surface.reaction_to_load.row(k).dot(out.load_cosine.col(k))) * std::cos(angle) +
-                       (surface.reaction_sine[k] - surface.reaction_to_load.row(k).dot(out.load_sine.col(k))) * std::sin(angle);
-            }
-            out.reaction.push_back(sum);
-        }
     return out;
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "hdconj/elastic/complementarity.hpp"
 #include "hdconj/numeric/error.hpp"
@@ -167,9 +168,17 @@ Equilibrium equilibrium(ElasticDrive const& drive, LinearGaps const& gaps, std::
         problem.border = lever;
         problem.total = *torque / sectors;
     }
-    ComplementaritySolution const solved = solve_complementarity(problem, options);
-
     Equilibrium result;
+    ComplementaritySolution solved;
+    if (drive.balls)
+    {
+        BallContact balls = solve_on_balls(problem, static_cast<Index>(flanks), *drive.balls, options);
+        result.balls.assign(balls.force.begin(), balls.force.end());
+        solved = std::move(balls.contacts);
+    }
+    else
+        solved = solve_complementarity(problem, options);
+
     result.turn = torque ? solved.scalar : gaps.turn;
     result.steps = solved.iterations;
     result.complementarity = solved.residual;

@@ -29,6 +29,13 @@ CupSection cup_section(Scene const& scene, double inner_radius)
     section.ring_begin = section.ring_end - cup.tooth_width;
     section.rear_ramp = cup.rear_ramp.value_or(step);
     section.front_ramp = cup.front_ramp.value_or(step);
+    section.rear_fillet = cup.rear_fillet.value_or(0);
+    section.front_fillet = cup.front_fillet.value_or(0);
+    if (cup.tooth_layer)
+    {
+        section.tooth_layer = *cup.tooth_layer;
+        section.tooth_share = cup.tooth_share;
+    }
     section.bottom = cup.bottom;
     section.corner_radius = cup.corner_radius;
     section.clamp_radius = cup.flange_radius;
@@ -81,6 +88,10 @@ void judge_cup(Scene const& scene, double inner_radius, Faults& faults)
 std::shared_ptr<BentCup const> bent_cup(Scene const& scene, double inner_radius, AnyWaveShape const& shape, int threads)
 {
     auto cup = std::make_shared<BentCup const>(cup_section(scene, inner_radius), bearing_of(scene), shape, BentCupGrid{scene.bearing->angles, scene.bearing->circles}, threads);
+    auto const& balls = cup->contact().ball_force;
+    bool const loose = !balls.empty() && *std::max_element(balls.begin(), balls.end()) <= 0;
+    if (loose)
+        throw NumericalError("elastic cup", "bearing", "the cam reaches no ball, and the cup stays round; write a larger bearing.cam_oversize");
     if (!(cup->contact().total_force > 0))
         throw NumericalError("elastic cup", "bearing", "it never touches the cup, which stays round; write a larger bearing.fit");
     return cup;
@@ -113,12 +124,8 @@ std::string describe(BentCup const& cup)
     WaveGeneratorContact const& contact = cup.contact();
     std::string text = "elastic cup: cones by " + short_number(cup.coning(0) / rad_per_deg) + " degrees at the major axis; bearing and cup press each other with "
                        + short_number(contact.total_force) + " N";
-    if (!contact.reaction.empty())
-    {
-        double const least = *std::min_element(contact.reaction.begin(), contact.reaction.end());
-        if (least < 0)
-            text += "; the balls would have to pull (" + short_number(least) + " N/rad): the fit is too loose for this model, write a larger bearing.cam_oversize";
-    }
+    if (auto const widest = std::max_element(contact.ball_gap.begin(), contact.ball_gap.end()); widest != contact.ball_gap.end() && *widest > 0)
+        text += "; the ring stands off the balls by up to " + short_number(1000 * *widest) + " um";
     return text;
 }
 

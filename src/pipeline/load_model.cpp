@@ -7,6 +7,7 @@
 #include <numeric>
 #include <utility>
 
+#include "hdconj/elastic/ball_line.hpp"
 #include "hdconj/elastic/bearing.hpp"
 #include "hdconj/elastic/influence.hpp"
 #include "hdconj/elastic/wave_generator_contact.hpp"
@@ -145,7 +146,7 @@ LoadModel load_model(ContactBench const& bench)
     }
     add_turns(harmonics, radial, tangential, bench.geometry.r_m);
 
-    ElasticDrive drive{layout, PointResponse(std::move(stations), std::move(harmonics), sectors, grid, bench.threads), {}, steps, {}, {},
+    ElasticDrive drive{layout, PointResponse(std::move(stations), std::move(harmonics), sectors, grid, bench.threads), {}, {}, steps, {}, {},
                        phase_of(scene, bench.request.wave_generator), teeth, slice_widths(z, bench.width), section.material,
                        {scene.circular_spline.youngs_modulus, scene.circular_spline.poissons_ratio}, 0, {}, {}};
     // more angles than the harmonics tell apart would leave the compliance singular
@@ -169,6 +170,14 @@ LoadModel load_model(ContactBench const& bench)
         std::vector<HarmonicResponse> ring;
         for (std::size_t i = 0; i < surface.compliance->harmonics().size(); ++i)
             ring.push_back({surface.compliance->harmonics()[i], surface.compliance->compliance(i)});
+        BearingContacts contacts{{}, {}, bearing_spread};
+        for (int const at : drive.bearing_steps)
+            for (std::size_t j = 0; j < circles.size(); ++j)
+            {
+                contacts.phi.push_back(drive.phase + drive.response.step() * at);
+                contacts.z.push_back(static_cast<Eigen::Index>(j));
+            }
+        drive.balls = ball_line(surface, sectors, contacts, std::min(samples, most_angles), false);
         drive.outer_ring.emplace(std::vector<RingStation>(circles.size(), {RingStation::Parity::cosine, bearing_spread}), std::move(ring), sectors, grid, bench.threads);
     }
     drive.contact_depth = 0.25 * std::numbers::pi * scene.drive.module;  // half a tooth at the pitch line

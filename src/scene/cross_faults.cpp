@@ -170,6 +170,21 @@ void check_reverse(SceneReading const& reading, Faults& faults)
     }
 }
 
+/// Keys of the cup that say the same thing twice, or belong to one that is not there.
+void check_cup(SceneReading const& reading, Faults& faults)
+{
+    auto const& given = reading.scene.given;
+    for (std::string const side : {"rear", "front"}) {
+        std::string const key = "flexspline.cup." + side;
+        if (given.contains(key + "_ramp") && given.contains(key + "_fillet")) {
+            faults.push_back(fault_at(key + "_fillet", "", "an arc takes the place of the ramp, and is as long as its radius says", "remove one of " + side + "_ramp and " + side + "_fillet"));
+        }
+    }
+    if (given.contains("flexspline.cup.tooth_share") && !given.contains("flexspline.cup.tooth_layer")) {
+        faults.push_back(fault_at("flexspline.cup.tooth_share", "", "there is no layer of teeth", "write tooth_layer = 0.53, the height of the teeth in mm, or remove the key"));
+    }
+}
+
 /// What the elastic cup cannot do without, and what is not for it. What the dimensions say to each other: pipeline/check_scene.cpp.
 void check_elastic(SceneReading const& reading, Faults& faults)
 {
@@ -400,6 +415,7 @@ Faults cross_faults(SceneReading const& reading)
     check_reverse(reading, faults);
     check_coning(reading, faults);
     check_bearing(reading, faults);
+    check_cup(reading, faults);
     check_tilt(reading, faults);
     check_slices(reading, faults);
     check_axial_reverse(reading, faults);

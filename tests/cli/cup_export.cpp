@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // hdconj export: a deck that CalculiX agrees with, and a cup that other readers read.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -48,8 +49,11 @@ std::map<int, std::vector<double>> displacements(std::string const& file, char s
 
 TEST_CASE("CalculiX comes to the same displacements of the exported cup", "[export]")
 {
+    // bare, and with the teeth as a layer
+    std::string const options = GENERATE(as<std::string>(), " --steps 24", " --steps 12 --set flexspline.cup.tooth_layer=0.53");
+    CAPTURE(options);
     TemporaryFolder const folder;
-    auto const written = hdconj_run("export " + scene + "--calculix deck --steps 24", folder.path());
+    auto const written = hdconj_run("export " + scene + "--calculix deck" + options, folder.path());
     INFO(written.err);
     REQUIRE(written.status == 0);
     CHECK(written.out.find("cones by 1.2") != std::string::npos);
@@ -75,6 +79,105 @@ TEST_CASE("CalculiX comes to the same displacements of the exported cup", "[expo
     CHECK(apart < 0.01 * largest);
 }
 
+namespace {
+
+/// Slope of u_r over z of the nodes on the inner surface of the plane at @p phi_deg, from expected.csv and from what CalculiX printed [mm/mm].
+double slope(std::string const& expected, std::map<int, std::vector<double>> const& u, double phi_deg)
+{
+    std::ifstream in(expected);
+    std::string line;
+    std::vector<std::array<double, 3>> rows;  // r, z, u_r
+    std::getline(in, line);
+    while (std::getline(in, line)) {
+        std::replace(line.begin(), line.end(), ',', ' ');
+        std::istringstream numbers(line);
+        int node = 0;
+        double r = 0, z = 0, phi = 0;
+        numbers >> node >> r >> z >> phi;
+        if (std::abs(phi - phi_deg) < 0.01 && u.contains(node)) {
+            rows.push_back({r, z, u.at(node).front()});
+        }
+    }
+    double inner = 1e9, mean = 0, top = 0, bottom = 0, count = 0;
+    for (auto const& row : rows) {
+        inner = std::min(inner, row[0]);
+    }
+    std::erase_if(rows, [&](auto const& row) { return row[0] > inner + 0.01; });
+    REQUIRE(rows.size() > 5);
+    for (auto const& row : rows) {
+        mean += row[1], ++count;
+    }
+    for (auto const& row : rows) {
+        top += (row[1] - mean / count) * row[2];
+        bottom += (row[1] - mean / count) * (row[1] - mean / count);
+    }
+    return top / bottom;
+}
+
+/// First two numbers of the line behind that which says so.
+std::array<double, 2> surface_force(std::string const& file)
+{
+    std::ifstream in(file);
+    std::string line;
+    while (std::getline(in, line)) {
+        if (line.find("total surface force") != std::string::npos) {
+            std::array<double, 2> force{};
+            in >> force[0] >> force[1];
+            return force;
+        }
+    }
+    return {};
+}
+
+/// Second column of a table of names and numbers.
+std::vector<double> values(std::string const& file)
+{
+    std::ifstream in(file);
+    std::string line;
+    std::vector<double> found;
+    std::getline(in, line);
+    while (std::getline(in, line)) {
+        found.push_back(std::stod(line.substr(line.find(',') + 1)));
+    }
+    return found;
+}
+
+}  // namespace
+
+TEST_CASE("CalculiX finds the same contact of cup and bearing", "[export]")
+{
+    struct Row
+    {
+        char const* what;
+        std::string options;
+    };
+    Row const row = GENERATE(Row{"rigid", " --set bearing.type=rigid --set '!bearing.ring_thickness' --set '!bearing.axially'"}, Row{"elastic ring", ""});
+    CAPTURE(row.what);
+    TemporaryFolder const folder;
+    auto const written = hdconj_run("export " + scene + "--calculix deck --contact --steps 12" + row.options, folder.path());
+    INFO(written.err);
+    REQUIRE(written.status == 0);
+    auto const deck = folder.path() / "deck";
+    auto const force = values((deck / "expected_contact.csv").string());
+    REQUIRE(force.size() == 2);
+    if (run("command -v ccx").status != 0) {
+        WARN("no ccx here: the deck was written and not computed");
+        return;
+    }
+    REQUIRE(run("OMP_NUM_THREADS=2 ccx contact", deck).status == 0);
+    auto const found = surface_force((deck / "contact.dat").string());
+    constexpr double close = 0.03;  // grids of contact points that differ, and a penalty
+    CHECK(-found[0] == Approx(force[0]).epsilon(close));
+    CHECK(-found[1] == Approx(force[1]).epsilon(close));
+    auto const expected = displacements((deck / "expected.csv").string(), ','), computed = displacements((deck / "contact.dat").string(), ' ');
+    for (double const phi_deg : {0.0, 90.0}) {
+        double const coning = slope((deck / "expected.csv").string(), computed, phi_deg);
+        CAPTURE(phi_deg, coning);
+        CHECK(std::abs(coning) > 0.01);
+        CHECK(coning == Approx(slope((deck / "expected.csv").string(), expected, phi_deg)).epsilon(close));
+    }
+}
+
 TEST_CASE("the exported cup is read by meshio", "[export]")
 {
     if (std::string(HDCONJ_PYTHON).empty() || run("'" HDCONJ_PYTHON "' -c 'import meshio'").status != 0) {
@@ -97,5 +200,34 @@ TEST_CASE("an export of nothing or of no elastic cup is refused", "[export]")
     auto const stiff = hdconj_run("export --vtu cup.vtu", folder.path());
     CHECK(stiff.status == 2);
     CHECK(stiff.err.find("no elastic cup") != std::string::npos);
+    CHECK(hdconj_run("export " + scene + "--vtu cup.vtu --contact", folder.path()).err.find("--calculix") != std::string::npos);
+    auto const springs = hdconj_run("export " + scene + "--calculix deck --contact --set bearing.radial_stiffness=1000", folder.path());
+    CHECK(springs.status == 2);
+    CHECK(springs.err.find("balls are rigid") != std::string::npos);
     CHECK(folder.names().empty());
+}
+
+TEST_CASE("the contact deck leaves a ring free where it stands off its balls", "[export]")
+{
+    TemporaryFolder const folder;
+    auto const loose = hdconj_run("export " + scene + "--calculix loose --contact --steps 8 --set bearing.cam_oversize=-0.01", folder.path());
+    INFO(loose.err);
+    REQUIRE(loose.status == 0);
+    CHECK(loose.out.find("stands off the balls") != std::string::npos);
+    REQUIRE(hdconj_run("export " + scene + "--calculix tight --contact --steps 8", folder.path()).status == 0);
+    auto const moved = [&](char const* name) {
+        std::ifstream in(folder.path() / name / "contact.inp");
+        std::string line;
+        int count = 0;
+        bool inside = false;
+        while (std::getline(in, line)) {
+            inside = line.starts_with("*") ? line == "*NSET, NSET=NCAM" : inside;
+            count += inside && !line.starts_with("*") ? static_cast<int>(std::count(line.begin(), line.end(), ',')) : 0;
+        }
+        return count;
+    };
+    // eight elements have seventeen nodes on their side
+    CHECK(moved("tight") == 17);
+    CHECK(moved("loose") < 17);
+    CHECK(moved("loose") > 3);
 }

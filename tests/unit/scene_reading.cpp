@@ -187,6 +187,13 @@ TEST_CASE("every effect that can be asked for is computed", "[scene]")
     REQUIRE(scene.flexspline.cup);
     CHECK(scene.flexspline.cup->youngs_modulus == 206000);
     CHECK(scene.flexspline.cup->rear_ramp == 0.4);
+    CHECK_FALSE(scene.flexspline.cup->rear_fillet);
+    CHECK_FALSE(scene.flexspline.cup->tooth_layer);
+    std::vector<std::string> const keys{"!flexspline.cup.rear_ramp", "flexspline.cup.rear_fillet=0.5", "flexspline.cup.tooth_layer=0.53"};
+    Scene const detailed = parse_scene(with(elastic), "scene", {}, keys);
+    CHECK(detailed.flexspline.cup->rear_fillet == 0.5);
+    CHECK(detailed.flexspline.cup->tooth_layer == 0.53);
+    CHECK(detailed.flexspline.cup->tooth_share == 0.5);
 }
 
 TEST_CASE("an elastic cup with keys that say nothing together is refused with the reason", "[scene]")
@@ -215,6 +222,10 @@ TEST_CASE("an elastic cup with keys that say nothing together is refused with th
     refused({"flexspline.cup.corner_radius=0.3"}, "flexspline.cup", "corner at the bottom");
     refused({"flexspline.cup.flange_radius=30"}, "flexspline.cup", "flange");
     refused({"flexspline.cup.tooth_width=14"}, "flexspline.cup", "rear ramp begins");
+    refused({"flexspline.cup.rear_fillet=0.5"}, "flexspline.cup.rear_fillet", "takes the place of the ramp");
+    refused({"!flexspline.cup.rear_ramp", "flexspline.cup.rear_fillet=0.1"}, "flexspline.cup", "less than the wall grows by");
+    refused({"flexspline.cup.tooth_share=0.3"}, "flexspline.cup.tooth_share", "no layer of teeth");
+    refused({"flexspline.cup.tooth_layer=0.5", "flexspline.cup.tooth_share=0"}, "flexspline.cup.tooth_share", "at least");
     refused({"flexspline.cup.poissons_ratio=0.5"}, "flexspline.cup.poissons_ratio", "at most 0.499");
     refused({"bearing.friction=0.08"}, "bearing.friction", "unknown key");
     refused({"circular_spline.width=9", "slices.count=3"}, "circular_spline.width", "beyond the flexspline's teeth");

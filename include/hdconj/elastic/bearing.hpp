@@ -72,6 +72,7 @@ struct BearingSurface
     /// Reaction of the line of balls [N/rad]: what the unloaded ring needs to take the cam's shape, and for unit loads [N/rad] on each z (columns).
     Eigen::VectorXd reaction_cosine;
     Eigen::VectorXd reaction_sine;
+    Eigen::VectorXd reaction_to_lift;    ///< the same for 1 mm of the cam
     Eigen::MatrixXd reaction_to_load;    ///< rows: harmonics
 };
 

@@ -19,7 +19,7 @@ namespace hdconj {
 ///     z = 0   =======      bottom, clamped at `clamp_radius`
 ///
 /// The inner surface of barrel, ring and land is one cylinder of `inner_radius`. A fillet of radius R between the walls t and T
-/// fits into a ramp of sqrt((T - t)(2 R - T + t)).
+/// spans sqrt((T - t)(2 R - T + t)); with `rear_fillet` or `front_fillet` it is there as an arc, tangent to the thinner wall, in place of the ramp.
 /// Domain: section_mesh() says what it cannot mesh. Defaults: the case that docs/elastic.md checks against CalculiX.
 struct CupSection
 {
@@ -31,6 +31,10 @@ struct CupSection
     double ring_end = 13;
     double rear_ramp = 0.4;
     double front_ramp = 0.4;
+    double rear_fillet = 0;   ///< radius of the arc behind the ring; 0: a straight ramp
+    double front_fillet = 0;
+    double tooth_layer = 0;   ///< height of the teeth as a layer on the ring (tooth_stress_matrix()); 0: none
+    double tooth_share = 0.5; ///< of it that is steel
     double bottom = 0.5;
     double corner_radius = 2;
     double clamp_radius = 13;

@@ -33,4 +33,21 @@ using StressMatrix = Eigen::Matrix<double, 6, 6>;
     return d;
 }
 
+/// Teeth as a layer, @p share of which is steel: prisms along z that stand on the ring, side by side and free of each other. They carry stress along z and r
+/// (plane stress), bend with the ring's surface, and neither hoop stress nor shear in that surface goes from one to the next.
+///
+///   s_rr = share E/(1 - nu^2) (e_rr + nu e_zz), s_zz likewise, t_rz = share G g_rz, t_rt = share G g_rt, s_tt = t_zt = 0.
+[[nodiscard]] inline StressMatrix tooth_stress_matrix(Elasticity const& material, double share)
+{
+    double const nu = material.poissons_ratio;
+    double const plane = share * material.youngs_modulus / (1 - nu * nu);
+    double const shear = share * material.youngs_modulus / (2 * (1 + nu));
+    constexpr Eigen::Index rr = 0, zz = 1, rz = 3, rt = 4;
+    StressMatrix d = StressMatrix::Zero();
+    d(rr, rr) = d(zz, zz) = plane;
+    d(rr, zz) = d(zz, rr) = nu * plane;
+    d(rz, rz) = d(rt, rt) = shear;
+    return d;
+}
+
 }  // namespace hdconj

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "hdconj/elastic/cup_section.hpp"
@@ -14,6 +15,13 @@ namespace hdconj {
 
 /// Corners anticlockwise in (xi, eta) from (-1, -1), then the middles of the sides from that between corners 0 and 1 on.
 using QuadraticElement = std::array<int, 8>;
+
+/// Elements of another material on the outside of the wall, behind those of the wall in the list.
+struct OuterLayer
+{
+    std::size_t first = 0;  ///< of them
+    StressMatrix stress;    ///< stress from strain
+};
 
 /// Eight-node elements, `layers` across the wall (xi, from the inner to the outer surface) and any number along the meridian (eta).
 /// Element of row i, layer j: number i layers + j.
@@ -25,6 +33,11 @@ struct SectionMesh
     int straight = 0;          ///< rows from this one on lie between planes z = constant
     std::vector<int> clamped;  ///< nodes that do not move
     Elasticity material;
+    std::optional<OuterLayer> outer;
+
+    [[nodiscard]] std::size_t wall_elements() const { return outer ? outer->first : elements.size(); }
+    /// Stress from strain in an element.
+    [[nodiscard]] StressMatrix stress(std::size_t element) const { return element < wall_elements() ? stress_matrix(material) : outer->stress; }
 };
 
 /// How fine. Lengths in mm.
@@ -41,6 +54,10 @@ struct MeshSize
 /// Mesh of a ring with rectangular section, free everywhere.
 /// @throws NumericalError for an empty section or one that reaches the axis
 [[nodiscard]] SectionMesh ring_mesh(Vec2 const& lower, Vec2 const& upper, Elasticity const& material, MeshSize const& size = {});
+
+/// Puts a layer of @p height on the outside of the straight wall between @p low and @p high: elements as long as those of the wall, no thicker than @p thickest.
+/// Domain: a mesh without a layer. @throws NumericalError where no element of the wall lies between these heights, or the height is not above 0
+void add_outer_layer(SectionMesh& mesh, double low, double high, double height, double thickest, StressMatrix const& stress);
 
 /// Place in a mesh: the point (xi, eta) of an element.
 struct SectionPoint

@@ -35,9 +35,10 @@ struct WaveGeneratorContact
     Eigen::MatrixXd load_sine;
     DisplacementSeries displacement;  ///< of the stations asked for
     double total_force = 0;           ///< sum of all forces between bearing and cup, all round [N]
-    /// Reaction of the line of balls at `phi` [N/rad], positive outward; empty for a rigid bearing. A negative one pulls, which balls do
-    /// not: then the fit is too loose for the model.
-    std::vector<double> reaction;
+    /// Line of balls between cam and outer ring; empty for a rigid bearing. Balls push only: where they do not, the ring stands off the cam.
+    std::vector<double> ball_phi;    ///< [rad], in the same part of the ring as `phi`
+    std::vector<double> ball_force;  ///< of the part of the line that a point stands for [N]
+    std::vector<double> ball_gap;    ///< [mm]
     int iterations = 0;
     double residual = 0;
     ContactMethod method = ContactMethod::active_set;

@@ -20,9 +20,16 @@ void write_vtu(BentCup const& cup, std::filesystem::path const& file, int steps 
 ///   expected.csv  node, r, z, phi_deg, u_r, u_t, u_z of some nodes whose displacements the deck prints
 ///   files.txt     what is there
 ///
-/// Of a cup that is its own mirror image half a lobe, otherwise the whole turn.
+/// and with @p contact
+///
+///   contact.inp           the cup, and the bearing as a second body that touches it or does not, moved by the cam (rigid, or on the line of balls of an
+///                         elastic ring): another way to the same displacements, to what grids of contacts and a penalty leave of it
+///   expected_contact.csv  resultant of the forces between them, on the part of the cup that is there
+///
+/// Of a cup that is its own mirror image half a lobe, otherwise the whole turn. Where the ring stands off its balls the deck leaves it free.
+/// Domain of the contact: balls without radial stiffness, a bearing with a width.
 /// @param steps  elements round that
 /// @throws FileError where the folder cannot be made or holds other files
-void write_calculix(BentCup const& cup, std::filesystem::path const& folder, int steps = 48);
+void write_calculix(BentCup const& cup, std::filesystem::path const& folder, int steps = 48, bool contact = false);
 
 }  // namespace hdconj

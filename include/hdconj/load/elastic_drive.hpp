@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "hdconj/elastic/ball_line.hpp"
 #include "hdconj/load/flank_contacts.hpp"
 #include "hdconj/load/hertz.hpp"
 #include "hdconj/load/ring_response.hpp"
@@ -33,6 +34,7 @@ struct ElasticDrive
     DriveStations stations;
     PointResponse response;                   ///< of the cup
     std::optional<PointResponse> outer_ring;  ///< of the bearing's outer ring, `bearing` radial stations, outward; absent: a rigid cam
+    std::optional<BallLine> balls;            ///< between cam and outer ring, for the contacts in the order of `bearing_steps`, heights within them; with `outer_ring`
     int steps_per_tooth = 1;
     std::vector<int> bearing_steps;           ///< grid angles at which the wave generator may press
     Eigen::MatrixXd needed;                   ///< (bearing, bearing_steps) how far the unloaded wave generator stands out [mm]
@@ -53,6 +55,7 @@ struct Equilibrium
 {
     std::vector<double> flank;     ///< force of each contact [N]
     Eigen::MatrixXd bearing;       ///< (bearing, bearing_steps) [N]
+    std::vector<double> balls;     ///< force of each point of the line of balls [N]
     double turn = 0;               ///< of the flexspline against the circular spline [rad]
     double stiffness = 0;          ///< dT/dturn with the closed contacts, whole ring [N mm/rad]; 0 without torque
     int steps = 0;                 ///< of the active set
@@ -71,7 +74,7 @@ struct LinearGaps
 /// Forces that leave no gap negative and press only where there is none:
 ///
 ///   flank:   g = gap + c.u - c.u(f) - lever (turn - turn_0) + compliance f >= 0,  f >= 0,  f g = 0
-///   bearing: g = u_cup(f) + u_ring(f) - needed >= 0, likewise,
+///   bearing: g = u_cup(f) + u_ring(f) - needed >= 0, likewise, and balls push or the ring stands off them,
 ///   torque:  sectors sum(lever f) = torque.
 ///
 /// @param torque  on the whole ring [N mm]; absent: teeth do not press at all, and the turn stays

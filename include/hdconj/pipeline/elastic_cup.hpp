@@ -14,7 +14,7 @@ namespace hdconj {
 /// @throws InputError with every fault of the scene, that it has no elastic cup among them; NumericalError
 [[nodiscard]] std::shared_ptr<BentCup const> elastic_cup(Scene const& scene);
 
-/// What a reader has to know of it, in a line: coning, forces, and whether balls would have to pull.
+/// What a reader has to know of it, in a line: coning, forces, and whether the ring leaves its balls.
 [[nodiscard]] std::string describe(BentCup const& cup);
 
 }  // namespace hdconj

@@ -28,16 +28,20 @@ struct Drive
 /// Effect: the cup below the toothed ring, for what needs an elastic body. Heights along the axis, lengths in mm.
 struct Cup
 {
-    double length = 0;               ///< from the outer face of the bottom to the open end
-    double barrel_wall = 0;          ///< of the barrel and of the land in front of the teeth
-    double bottom = 0;               ///< thickness of the bottom
-    double corner_radius = 0;        ///< outer fillet between bottom and barrel
-    double flange_radius = 0;        ///< inside it the bottom is clamped
-    double tooth_width = 0;          ///< of the toothed ring
-    double front_land = 0;           ///< from the teeth to the open end
-    std::optional<double> rear_ramp;   ///< over which the wall grows to that of the ring; default as long as it grows
-    std::optional<double> front_ramp;  ///< the same in front
-    double youngs_modulus = 0;       ///< [MPa]
+    double length = 0;                   ///< from the outer face of the bottom to the open end
+    double barrel_wall = 0;              ///< of the barrel and of the land in front of the teeth
+    double bottom = 0;                   ///< thickness of the bottom
+    double corner_radius = 0;            ///< outer fillet between bottom and barrel
+    double flange_radius = 0;            ///< inside it the bottom is clamped
+    double tooth_width = 0;              ///< of the toothed ring
+    double front_land = 0;               ///< from the teeth to the open end
+    std::optional<double> rear_ramp;     ///< over which the wall grows to that of the ring; default as long as it grows
+    std::optional<double> front_ramp;    ///< the same in front
+    std::optional<double> rear_fillet;   ///< radius of an arc in place of the ramp
+    std::optional<double> front_fillet;
+    std::optional<double> tooth_layer;   ///< effect: height of the teeth as a layer on the ring; absent: teeth do not stiffen it
+    double tooth_share = 0;              ///< of that layer that is steel
+    double youngs_modulus = 0;           ///< [MPa]
     double poissons_ratio = 0;
     int line = 0;
 };

@@ -80,6 +80,7 @@ inline constexpr double largest_tilt_deg = 45;    ///< excluded
 inline constexpr double least_modulus = 1;        ///< of elasticity [MPa]
 inline constexpr double largest_modulus = 1e7;    ///< [MPa]
 inline constexpr double largest_poissons_ratio = 0.499;
+inline constexpr double least_tooth_share = 1e-6; ///< of steel in the layer of teeth
 inline constexpr double least_stiffness = 1;      ///< of the line of balls [N/mm^2]
 inline constexpr double largest_stiffness = 1e9;  ///< [N/mm^2]
 inline constexpr int fewest_angles = 8;           ///< where bearing and cup may touch, in a lobe

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/elastic/ball_line.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <set>
+#include <string>
+
+#include "hdconj/elastic/bearing.hpp"
+#include "hdconj/numeric/error.hpp"
+
+namespace hdconj {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+[[noreturn]] void refuse(std::string const& cause)
+{
+    throw NumericalError("bearing", "line of balls", cause);
+}
+
+std::vector<int> released(std::vector<bool> const& off)
+{
+    std::vector<int> points;
+    for (std::size_t m = 0; m < off.size(); ++m)
+        if (off[m])
+            points.push_back(static_cast<int>(m));
+    return points;
+}
+
+}  // namespace
+
+BallLine ball_line(BearingSurface const& surface, int waves, BearingContacts const& contacts, int points, bool mirrored)
+{
+    if (!surface.compliance)
+        refuse("a rigid bearing has no balls");
+    if (points < 2 || points % 2 != 0 || points / 2 >= static_cast<int>(surface.cosine.cols()))
+        refuse("its points must be an even number, and no more than the harmonics of the ring can tell apart");
+    int const terms = points / 2 + 1;
+    auto const count = static_cast<Index>(mirrored ? terms : points), rows = static_cast<Index>(contacts.phi.size());
+    double const arc = 2 * std::numbers::pi / (waves * points);
+    BallLine line;
+    for (Index m = 0; m < count; ++m)
+        line.phi.push_back(arc * static_cast<double>(m));
+    line.held = VectorXd::Zero(count);
+    line.stiffness = MatrixXd::Zero(count, count);
+    line.lift = MatrixXd::Zero(rows, count);
+    // values at the points <-> coefficients; a mirrored point stands for two, one on a mirror plane for itself
+    VectorXd share = VectorXd::Ones(count);
+    if (mirrored)
+        share[0] = share[count - 1] = 0.5;
+    for (int k = 0; k < terms; ++k)
+    {
+        auto const column = static_cast<Index>(k);
+        bool const alternating = 2 * k == points;
+        double const n = static_cast<double>(k) * waves;
+        double const coefficient = (mirrored ? 2.0 : 1.0) * (k == 0 || alternating ? 1.0 : 2.0) / points;
+        // of an amplitude at a point: the work of +-1 at the points is twice that of the cosine through them
+        double const felt = alternating ? 0.5 : 1.0;
+        VectorXd cosine(count), sine(count);
+        for (Index m = 0; m < count; ++m)
+        {
+            double const angle = n * line.phi[static_cast<std::size_t>(m)];
+            cosine[m] = std::cos(angle);
+            sine[m] = mirrored || alternating ? 0 : std::sin(angle);
+        }
+        cosine = cosine.cwiseProduct(share);
+        sine = sine.cwiseProduct(share);
+        line.held += arc * felt * (surface.reaction_cosine[column] * cosine + surface.reaction_sine[column] * sine);
+        line.stiffness += arc * felt * coefficient * surface.reaction_to_lift[column] * (cosine * cosine.transpose() + sine * sine.transpose());
+        double const half = n * contacts.spread / 2;
+        double const mean = coefficient * (half == 0 ? 1 : std::sin(half) / half);
+        for (Index i = 0; i < rows; ++i)
+        {
+            double const angle = n * contacts.phi[static_cast<std::size_t>(i)];
+            // Betti: the surface rises by as much as a force on it unloads the balls
+            double const rise = -mean * surface.reaction_to_load(column, contacts.z[static_cast<std::size_t>(i)]);
+            line.lift.row(i) += rise * (std::cos(angle) * cosine + std::sin(angle) * sine).transpose();
+        }
+    }
+    return line;
+}
+
+BallContact solve_on_balls(Complementarity& problem, Index first, BallLine const& line, ComplementarityOptions options)
+{
+    constexpr double rounding = 1e-12;  // of forces and gaps, against the largest
+    Index const rows = line.lift.rows(), count = line.held.size();
+    int const patience = 50 + 4 * static_cast<int>(count);
+    BallContact found;
+    std::vector<bool> off(static_cast<std::size_t>(count), false);
+    std::set<std::vector<bool>> seen;
+    std::vector<bool> before = off;
+    bool one_by_one = false;
+    MatrixXd compliance;
+    VectorXd approach;
+    while (found.rounds < patience)
+    {
+        ++found.rounds;
+        one_by_one = one_by_one || !seen.insert(off).second;
+        std::vector<int> const free = released(off);
+        Eigen::LLT<MatrixXd> ring;
+        if (compliance.size() > 0)
+        {
+            problem.compliance.block(first, first, rows, rows) = compliance;
+            problem.approach.segment(first, rows) = approach;
+        }
+        if (!free.empty())
+        {
+            if (compliance.size() == 0)
+            {
+                compliance = problem.compliance.block(first, first, rows, rows);
+                approach = problem.approach.segment(first, rows);
+            }
+            ring.compute(line.stiffness(free, free));
+            // a ring that no ball holds has a harmonic without stiffness, to rounding
+            if (ring.info() != Eigen::Success || !(ring.rcond() > rounding))
+            {
+                if (one_by_one)
+                    refuse("no ball holds the ring, which may move as a whole; the bearing is too loose");
+                one_by_one = true;
+                off = before;
+                continue;
+            }
+            MatrixXd const lift = line.lift(Eigen::all, free);
+            MatrixXd const eased = ring.matrixL().solve(lift.transpose());
+            problem.compliance.block(first, first, rows, rows) += eased.transpose() * eased;
+            problem.approach.segment(first, rows) -= lift * ring.solve(VectorXd(line.held(free)));
+        }
+        found.contacts = solve_complementarity(problem, options);
+        options.start = found.contacts.contacts;
+        options.scalar = found.contacts.scalar;
+        VectorXd const bare = line.held + line.lift.transpose() * found.contacts.force.segment(first, rows);
+        found.gap = VectorXd::Zero(count);
+        if (!free.empty())
+            found.gap(free) = -ring.solve(VectorXd(bare(free)));
+        found.force = bare + line.stiffness * found.gap;
+        double const push = rounding * found.force.cwiseAbs().maxCoeff(), width = rounding * found.gap.cwiseAbs().maxCoeff();
+        before = off;
+        bool settled = true;
+        for (Index m = count; m-- > 0;)
+        {
+            auto const point = static_cast<std::size_t>(m);
+            bool const wrong = off[point] ? found.gap[m] < -width : found.force[m] < -push;
+            if (!wrong || (one_by_one && !settled))
+                continue;
+            settled = false;
+            off[point] = !off[point];
+        }
+        if (settled)
+        {
+            found.force(free).setZero();
+            found.force = found.force.cwiseMax(0.0);
+            found.gap = found.gap.cwiseMax(0.0);
+            return found;
+        }
+    }
+    refuse("in " + std::to_string(patience) + " rounds no set of touching balls was found in which all push");
+}
+
+}  // namespace hdconj

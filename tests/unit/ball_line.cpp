@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/elastic/ball_line.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "hdconj/elastic/wave_generator_contact.hpp"
+#include "hdconj/numeric/error.hpp"
+#include "support/catch.hpp"
+
+using namespace hdconj;
+
+namespace {
+
+using Eigen::Index;
+
+constexpr double pi = std::numbers::pi;
+constexpr double inner_radius = 24;
+constexpr int across = 7;
+
+Bearing ring(double oversize, double thickness = 1.2)
+{
+    Bearing bearing{9, 6, 0, oversize, BearingRing{}};
+    bearing.ring->thickness = thickness;
+    return bearing;
+}
+
+CamSeries cosine_cam(int angles, bool even = true, double turned = 0, int waves = 2)
+{
+    std::vector<double> samples;
+    for (int j = 0; j < angles; ++j)
+        samples.push_back(0.25 * std::cos(2 * pi * j / angles - waves * turned));
+    return cam_series(samples, waves, even);
+}
+
+WaveGeneratorContact solved(Bearing const& bearing, CamSeries const& cam)
+{
+    FourierSolid const cup(section_mesh({}, contact_mesh_size(bearing, across)));
+    return solve_wave_generator(cup, inner_radius, bearing, cam, across, {wall_station(cup.mesh(), 9, 0, Direction::radial)});
+}
+
+double least(std::vector<double> const& values)
+{
+    return *std::min_element(values.begin(), values.end());
+}
+
+double largest(std::vector<double> const& values)
+{
+    return *std::max_element(values.begin(), values.end());
+}
+
+}  // namespace
+
+TEST_CASE("balls push or the ring stands off them", "[balls]")
+{
+    for (double const oversize : {0.01, 0.0, -0.01, -0.03, -0.1})
+    {
+        CAPTURE(oversize);
+        auto const contact = solved(ring(oversize), cosine_cam(32));
+        REQUIRE(contact.ball_force.size() == contact.ball_phi.size());
+        CHECK(least(contact.ball_force) >= 0);
+        CHECK(least(contact.ball_gap) >= 0);
+        CHECK(contact.residual <= contact_tolerance);
+        for (std::size_t m = 0; m < contact.ball_force.size(); ++m)
+            CHECK(std::min(contact.ball_force[m], contact.ball_gap[m]) == 0);
+        CHECK((largest(contact.ball_gap) > 0) == (oversize < 0));
+    }
+}
+
+TEST_CASE("a loose ring is that of balls as contacts of a free ring", "[balls]")
+{
+    // the second path: forces of the balls are unknowns of the same kind as those of the wall, and the ring lies on nothing else
+    constexpr int angles = 24;
+    for (double const oversize : {0.005, -0.02, -0.08})
+    {
+        CAPTURE(oversize);
+        Bearing const bearing = ring(oversize);
+        auto const contact = solved(bearing, cosine_cam(angles));
+        double const r = inner_radius - bearing.ring->thickness, apart = bearing.width / (across - 1);
+        FourierSolid const body(ring_mesh({r, 6}, {inner_radius, 12}, bearing.ring->material, {std::min(MeshSize{}.along, 1.5 * apart), 1.0}));
+        FourierSolid const cup(section_mesh({}, contact_mesh_size(bearing, across)));
+        int node = -1;
+        for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i)
+            if ((body.mesh().nodes[i] - Vec2(r, 9)).norm() < 1e-9)
+                node = static_cast<int>(i);
+        REQUIRE(node >= 0);
+        std::vector<Station> on_ring, on_cup;
+        for (double const z : contact.z)
+        {
+            on_ring.push_back(wall_station(body.mesh(), z, 1, Direction::radial));
+            on_cup.push_back(wall_station(cup.mesh(), z, 0, Direction::radial));
+        }
+        on_ring.push_back(wall_station(body.mesh(), 9, 0, Direction::radial));
+        std::vector<InfluencePoint> wall, balls;
+        for (double const phi : contact.phi)
+        {
+            for (std::size_t j = 0; j < contact.z.size(); ++j)
+                wall.push_back({j, phi});
+            balls.push_back({contact.z.size(), phi});
+        }
+        auto const harmonics = harmonics_of(2, angles);
+        Influence const ring_gives = influence(body, {{node, Direction::axial}, {node, Direction::tangential, -1, 0}}, on_ring, harmonics);
+        Repetition const repetition{2, true};
+        auto const rows = static_cast<Index>(wall.size()), points = static_cast<Index>(balls.size());
+        Complementarity both;
+        both.compliance.resize(rows + points, rows + points);
+        both.compliance << influence(cup, {}, on_cup, harmonics).matrix(wall, repetition) + ring_gives.matrix(wall, repetition), -ring_gives.matrix(wall, balls, repetition),
+            -ring_gives.matrix(balls, wall, repetition), ring_gives.matrix(balls, repetition);
+        both.approach = Eigen::VectorXd::Zero(rows + points);
+        for (Index m = 0; m < points; ++m)
+            both.approach[rows + m] = 0.25 * std::cos(2 * contact.phi[static_cast<std::size_t>(m)]) + oversize;
+        auto const expected = solve_complementarity(both);
+        double const scale = expected.force.maxCoeff();
+        // 4 quarters
+        CHECK(contact.total_force == Approx(4 * expected.force.head(rows).sum()).epsilon(1e-7));
+        for (Index m = 0; m < points; ++m)
+        {
+            double const twice = m == 0 || m == points - 1 ? 2 : 1;
+            CHECK(contact.ball_force[static_cast<std::size_t>(m)] == Approx(twice * expected.force[rows + m]).margin(1e-7 * scale));
+            CHECK(contact.ball_gap[static_cast<std::size_t>(m)] == Approx(expected.gap[rows + m]).margin(1e-9));
+        }
+    }
+}
+
+TEST_CASE("a turned loose bearing turns the answer", "[balls]")
+{
+    double const turn = 3 * pi / 24;
+    auto const straight = solved(ring(-0.02), cosine_cam(24));
+    auto const turned = solved(ring(-0.02), cosine_cam(24, false, turn));
+    CHECK(largest(straight.ball_gap) > 0);
+    CHECK(turned.total_force == Approx(straight.total_force).epsilon(1e-8));
+    for (std::size_t m = 0; m < straight.ball_gap.size(); ++m)
+    {
+        CHECK(turned.ball_gap[m + 3] == Approx(straight.ball_gap[m]).margin(1e-9));
+        CHECK(turned.ball_force[m + 3] == Approx(straight.ball_force[m]).margin(1e-7 * largest(straight.ball_force)));
+    }
+    for (double const phi : {0.0, 0.3, 1.0, 2.0})
+        CHECK(turned.displacement.at(0, phi + turn) == Approx(straight.displacement.at(0, phi)).margin(1e-9));
+}
+
+TEST_CASE("balls and springs of any looseness: a result, or a ring that nothing holds", "[balls]")
+{
+    SECTION("so loose that no ball reaches the ring, in step with looseness")
+    {
+        double last = 1e9;
+        for (double const oversize : {0.02, 0.0, -0.02, -0.05, -0.15, -0.3})
+        {
+            auto const contact = solved(ring(oversize), cosine_cam(24));
+            CHECK(contact.total_force <= last);
+            last = contact.total_force;
+        }
+        constexpr double rounding = 1e-6;  // [N]: the cup lies on the ring with no force
+        CHECK(last < rounding);
+        auto const none = solved(ring(-0.3), cosine_cam(24));
+        CHECK(largest(none.ball_force) == 0);
+        CHECK(least(none.ball_gap) == Approx(0.05).epsilon(1e-9));
+    }
+    SECTION("fits, stiffnesses and rings")
+    {
+        int loose = 0;
+        for (double const thickness : {0.3, 1.2, 3.0})
+            for (double const fit : {-0.02, 0.0, 0.03})
+                for (double const stiffness : {100.0, 3000.0, 1e9})
+                {
+                    Bearing bearing = ring(-0.01, thickness);
+                    bearing.fit = fit;
+                    bearing.ring->radial_stiffness = stiffness;
+                    auto const contact = solved(bearing, cosine_cam(16));
+                    CAPTURE(thickness, fit, stiffness);
+                    CHECK(least(contact.ball_force) >= 0);
+                    CHECK(contact.residual <= contact_tolerance);
+                    loose += largest(contact.ball_gap) > 0;
+                }
+        CHECK(loose > 9);
+    }
+    SECTION("one lobe: the ring may shift as a whole and the cup holds it, unless it is loose all round")
+    {
+        auto const held = solved(ring(-0.02), cosine_cam(24, true, 0, 1));
+        CHECK(least(held.ball_force) >= 0);
+        CHECK(held.total_force > 0);
+        CHECK_THROWS_WITH(solved(ring(-0.5), cosine_cam(24, true, 0, 1)), ContainsSubstring("too loose"));
+    }
+}
+
+TEST_CASE("points that the ring's harmonics cannot tell apart are refused", "[balls]")
+{
+    auto const cam = cosine_cam(16);
+    BearingSurface const surface = bearing_surface(ring(0), inner_radius, cam, {6, 9, 12});
+    BearingContacts const contacts{{0.0, 0.1}, {0, 2}, 0};
+    CHECK(ball_line(surface, 2, contacts, 16, false).phi.size() == 16);
+    CHECK(ball_line(surface, 2, contacts, 16, true).phi.size() == 9);
+    CHECK_THROWS_AS(ball_line(surface, 2, contacts, 18, false), NumericalError);
+    CHECK_THROWS_AS(ball_line(surface, 2, contacts, 15, false), NumericalError);
+    CHECK_THROWS_AS(ball_line({}, 2, contacts, 16, false), NumericalError);
+    BallLine const line = ball_line(surface, 2, contacts, 16, false);
+    CHECK((line.stiffness - line.stiffness.transpose()).norm() == 0);
+}
