@@ -172,7 +172,7 @@ int run_load(CommonOptions const& common, VerbOptions const& own)
     check_outputs(outputs, common.scene, own.measured.empty() ? std::vector<std::string>{} : std::vector<std::string>{own.measured});
     hdconj::cli::Progress const progress(!common.quiet);
     LoadStudy const study = load(start.scene, start.options, [&](Stage stage) { progress.say(to_string(stage)); },
-                                 [&](std::string const& what, double share) { progress.say(what, share); });
+                                 [&](std::string const& what, double share) { progress.say(what, share); }, [&](std::string const& line) { progress.keep(line); });
     Measurement const* const measured = start.measured ? &*start.measured : nullptr;
     std::vector<WrittenFile> written;
     for (auto const& job : jobs) {

@@ -105,6 +105,13 @@ void Progress::say(std::string const& what, double share) const
     say("[" + std::string(static_cast<std::size_t>(done), '#') + std::string(static_cast<std::size_t>(width - done), '.') + "] " + what);
 }
 
+void Progress::keep(std::string const& line) const
+{
+    if (shown_) {
+        std::cerr << erase_line << line << '\n' << std::flush;
+    }
+}
+
 void Progress::clear() const
 {
     if (shown_) {

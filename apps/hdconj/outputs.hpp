@@ -46,6 +46,8 @@ class Progress
     void say(std::string const& what) const;
     /// The same with a bar; @p share 0 ... 1.
     void say(std::string const& what, double share) const;
+    /// A line that stays on the screen.
+    void keep(std::string const& line) const;
     void clear() const;
 
   private:

@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tables of docs/contact.md, from the program's own JSON: docs/tables/contact.py build/release/bin/hdconj [TABLE ...]
 
-TABLE is any of: surfaces, tilt, best, thesis, clearances, liu; all of them without one.
+TABLE is any of: surfaces, slices, tilt, best, thesis, clearances, liu; all of them without one.
 """
 import json
 import os
@@ -62,6 +62,14 @@ def surfaces(program):
                 "%.1g" % (100 * case["state"]["share_error"]))
 
 
+def slices(program):
+    head("slices", 'axial_shift "none"', '"mapped"')
+    for count in (3, 5, 9, 17, 33, 65):
+        found = [contact(program, "type-50-coned", "--surface", "per-slice", slices__count=count, coning__axial_shift=shift)["cases"][0]["state"]
+                 for shift in ("none", "mapped")]
+        row(count, *["%.3g +- %.1g" % (100 * each["share"], 100 * each["share_error"]) for each in found])
+
+
 def tilt(program):
     for surface, kind in (("tilted", "radial"), ("tilted", "draft"), ("ruled", "radial"), ("per-slice", "radial")):
         print(f"\n**{surface}, {kind}**\n")
@@ -113,7 +121,7 @@ def thesis(program):
 def clearances(program):
     head("tilt [deg]", "z = -3.5, program [um]", "design", "z = +3.5, program [um]", "design")
     expected = {0: (-78, -81), 0.2: (-88, -72), 0.77: (-117, -48), 1.67: (-157, -3)}
-    for angle, case in cases(program, "type-50-coned", expected, "--surface", "tilted", "--kind", "radial"):
+    for angle, case in cases(program, "type-50-coned", expected, "--surface", "tilted", "--kind", "radial", coning__axial_shift="none"):
         ends = [case["slices"][0], case["slices"][-1]]
         row(angle, "%.2f" % ends[0]["flank"]["clearance_um"], expected[angle][0],
             "%.2f (root %.2f)" % (ends[1]["flank"]["clearance_um"], ends[1]["root"]["clearance_um"]), expected[angle][1])
@@ -129,7 +137,7 @@ def liu(program):
                 share(case["state"]))
 
 
-TABLES = {"surfaces": surfaces, "tilt": tilt, "best": best, "thesis": thesis, "clearances": clearances, "liu": liu}
+TABLES = {"surfaces": surfaces, "slices": slices, "tilt": tilt, "best": best, "thesis": thesis, "clearances": clearances, "liu": liu}
 
 
 def main():

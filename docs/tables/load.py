@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tables of docs/load.md and docs/thesis.md, from the program's own JSON: docs/tables/load.py build/release/bin/hdconj [TABLE ...]
 
-TABLE is any of: thesis, surfaces, bearing, cost; all of them without one.
+TABLE is any of: thesis, surfaces, bearing, cost, settle, curves; all of them without one.
 """
 import json
 import os
+import random
 import subprocess
 import sys
 import tempfile
@@ -84,7 +85,50 @@ def cost(program):
         row(name, "%.2f" % (time.perf_counter() - begin), "%.3f" % state["twist_arcmin"], "%.0f" % state["largest_pressure_MPa"])
 
 
-TABLES = {"thesis": thesis, "surfaces": surfaces, "bearing": bearing, "cost": cost}
+def random_drive(wish):
+    """Keys and options of a random drive on the base of type-50."""
+    surface = wish.choice(["tilted", "tilted", "tilted", "ruled", "per-slice"])
+    tilt = wish.choice([0, 0, 0.1, 0.2, 0.3])
+    kind = wish.choice(["radial", "draft"]) if surface == "tilted" else "radial"
+    keys = {"wave_generator__radial_deformation": wish.uniform(0.25, 0.275), "flexspline__wall": wish.uniform(0.45, 0.9),
+            "circular_spline__backlash_offset": wish.choice([0.0, 0.02, 0.04, 0.065, 0.09]), "contact__wave_generator_angle_deg": wish.uniform(0, 1.8),
+            "slices__count": wish.choice([3, 5, 9])}
+    return keys, ["--surface", surface] + ([f"--tilt={tilt}", "--kind", kind] if tilt else [])
+
+
+def told_states(program, runs, options, keys_and_torques):
+    refused, states, rounds, worst, apart = [], 0, 0, 0.0, 0
+    for keys, arguments, torque in keys_and_torques:
+        result = load(program, *options, *arguments, "--torque", "%.6g" % torque, **keys)
+        if isinstance(result, str):
+            refused.append(result)
+            continue
+        curve = result["cases"][0]["curve"]
+        states += len(curve)
+        rounds += sum(state["rounds"] for state in curve)
+        worst = max([worst] + [state["residual_um"] for state in curve])
+        points = len(curve) // 3
+        if points > 1:
+            # up and down again
+            apart += max(abs(a["twist_arcmin"] - b["twist_arcmin"]) for a, b in zip(curve[:points + 1], curve[2 * points:points - 1:-1])) > 0.005
+    row(runs, states, len(refused), "%.2f" % (1000 * worst), "%.1f" % (rounds / max(1, states)), apart)
+    for reason in refused:
+        print(reason, file=sys.stderr)
+
+
+def settle(program):
+    wish = random.Random(20261122)
+    head("drives", "states", "refused", "largest residual [nm]", "rounds a state", "curves with two ways")
+    told_states(program, 200, ["--no-curve"], [(*random_drive(wish), 10 ** wish.uniform(-2, 2.477)) for _ in range(200)])
+
+
+def curves(program):
+    wish = random.Random(7)
+    head("drives", "states", "refused", "largest residual [nm]", "rounds a state", "curves with two ways")
+    told_states(program, 30, ["--points", "6"], [(*random_drive(wish), 10 ** wish.uniform(0.3, 2)) for _ in range(30)])
+
+
+TABLES = {"settle": settle, "curves": curves, "thesis": thesis, "surfaces": surfaces, "bearing": bearing, "cost": cost}
 
 if __name__ == "__main__":
     for table in sys.argv[2:] or TABLES:

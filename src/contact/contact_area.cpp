@@ -1,55 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/contact/contact_area.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
+
+#include "area_cell.hpp"
 
 namespace hdconj {
 namespace {
-
-/// A corner of a cell: place and gap less the limit.
-struct Corner
-{
-    Eigen::Vector3d place;
-    double excess;
-};
-
-/// Part of a triangle with linear @p a, @p b, @p c on which the value is <= 0.
-double share_below(double a, double b, double c)
-{
-    if (a > b)
-        std::swap(a, b);
-    if (b > c)
-        std::swap(b, c);
-    if (a > b)
-        std::swap(a, b);
-    if (a > 0)
-        return 0;
-    if (c <= 0)
-        return 1;
-    if (b <= 0)
-        return 1 - c / (c - a) * (c / (c - b));
-    return a == 0 ? 0 : a / (a - b) * (a / (a - c));
-}
-
-void add_cell(std::array<Corner, 4> const& corner, double& contact, double& whole)
-{
-    Corner middle{Eigen::Vector3d::Zero(), 0};
-    for (Corner const& c : corner)
-    {
-        middle.place += c.place / 4;
-        middle.excess += c.excess / 4;
-    }
-    for (std::size_t i = 0; i < corner.size(); ++i)
-    {
-        Corner const& a = corner[i];
-        Corner const& b = corner[(i + 1) % corner.size()];
-        double const area = 0.5 * (a.place - middle.place).cross(b.place - middle.place).norm();
-        whole += area;
-        contact += area * share_below(a.excess, b.excess, middle.excess);
-    }
-}
 
 /// 0, stride, 2 stride, ... and the last index.
 std::vector<std::size_t> every(std::size_t stride, std::size_t count)
@@ -84,11 +41,11 @@ ContactArea contact_area(GapMap const& map, FlankGrid const& grid, int flank, do
             double const z_high = strip ? width / 2 : grid.z[high];
             auto const corner = [&](std::size_t slice, double z, std::size_t point) {
                 Vec2 const& p = line[slice][point];
-                return Corner{{p.x(), p.y(), z}, map.at(space, flank, slice, point) - limit};
+                return detail::AreaCorner{{p.x(), p.y(), z}, map.at(space, flank, slice, point) - limit};
             };
             for (std::size_t j = 0; j + 1 < points.size(); ++j)
-                add_cell({corner(low, z_low, points[j]), corner(low, z_low, points[j + 1]), corner(high, z_high, points[j + 1]), corner(high, z_high, points[j])},
-                         contact, whole);
+                detail::add_cell({corner(low, z_low, points[j]), corner(low, z_low, points[j + 1]), corner(high, z_high, points[j + 1]), corner(high, z_high, points[j])},
+                                 contact, whole);
         }
         result.contact += contact;
         result.whole += whole;

@@ -2,10 +2,46 @@
 #include "hdconj/contact/flank_grid.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "hdconj/contact/gap_map.hpp"
 
 namespace hdconj {
+
+double FlankGrid::place(int flank, std::size_t j) const
+{
+    auto const& chosen = index[static_cast<std::size_t>(flank)];
+    return static_cast<double>(chosen.empty() ? j : chosen[j]);
+}
+
+Vec2 FlankGrid::between(int flank, std::size_t slice, double s, double offset) const
+{
+    auto const f = static_cast<std::size_t>(flank);
+    auto const& points = line[f].empty() ? point[f][slice] : line[f][slice];
+    auto const& normals = line[f].empty() ? normal[f][slice] : line_normal[f][slice];
+    auto const first = std::min(static_cast<std::size_t>(s), points.size() - 2);
+    double const t = s - static_cast<double>(first);
+    Vec2 const a = points[first] + offset * normals[first];
+    Vec2 const b = points[first + 1] + offset * normals[first + 1];
+    Vec2 const chord = b - a;
+    double const length = chord.norm();
+    if (t == 0 || length == 0)
+        return a;
+    // the path of circles' centres turns where they leave the flank, and knows no tangents there
+    if (!radius[f].empty())
+        return a + t * chord;
+    // the tangents at both ends against the chord, as slopes; on a smooth curve they are about opposite
+    auto const slope_at = [&](Vec2 const& n) { return n.dot(chord) / cross(n, chord); };
+    double begin = slope_at(normals[first]);
+    double end = slope_at(normals[first + 1]);
+    constexpr double corner = 4;
+    if (!(std::abs(begin) <= corner * std::abs(end)))
+        begin = -end;
+    else if (!(std::abs(end) <= corner * std::abs(begin)))
+        end = -begin;
+    double const bulge = t * (1 - t) * ((1 - t) * begin - t * end);
+    return a + t * chord + (std::isfinite(bulge) ? bulge : 0) * left_of(chord);
+}
 
 FlankGrid flank_grid(MatchedOutline const& outline, std::vector<double> const& z, int count)
 {
@@ -49,8 +85,26 @@ FlankGrid flank_grid(MatchedOutline const& outline, std::vector<double> const& z
         auto& normal = grid.normal[static_cast<std::size_t>(flank)];
         point.resize(z.size());
         normal.resize(z.size());
+        auto& line_point = grid.line[static_cast<std::size_t>(flank)];
+        auto& line_normal = grid.line_normal[static_cast<std::size_t>(flank)];
+        line_point.resize(z.size());
+        line_normal.resize(z.size());
+        std::size_t const land = flank == GapMap::right ? right_land : left_land;
+        std::size_t const last = flank == GapMap::right ? right_end : left_end;
+        for (std::size_t j = 0; j < points; ++j)
+        {
+            std::size_t const i = j + 1 == points ? index.back() : index[j];
+            grid.index[static_cast<std::size_t>(flank)].push_back(i > land ? i - land : land - i);
+        }
         for (std::size_t k = 0; k < z.size(); ++k)
         {
+            for (std::size_t i = land;; last > land ? ++i : --i)
+            {
+                line_point[k].push_back(outline.points[k][i]);
+                line_normal[k].push_back(outline.normals[k][i]);
+                if (i == last)
+                    break;
+            }
             for (std::size_t j = 0; j < points; ++j)
             {
                 std::size_t const i = j + 1 == points ? index.back() : index[j];
@@ -66,8 +120,12 @@ FlankGrid moved_into_material(FlankGrid grid, double offset)
 {
     for (std::size_t flank = 0; flank < 2; ++flank)
         for (std::size_t k = 0; k < grid.slices(); ++k)
+        {
             for (std::size_t i = 0; i < grid.points(); ++i)
                 grid.point[flank][k][i] += offset * grid.normal[flank][k][i];
+            for (std::size_t i = 0; !grid.line[flank].empty() && i < grid.line[flank][k].size(); ++i)
+                grid.line[flank][k][i] += offset * grid.line_normal[flank][k][i];
+        }
     return grid;
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hdconj/geometry/rigid_motion.hpp"
+#include "hdconj/numeric/bracketed_minimum.hpp"
 #include "hdconj/numeric/parallel.hpp"
 
 namespace hdconj {
@@ -49,8 +50,12 @@ GapField::GapField(Profile const& tooth, FlankGrid const& grid, ToothPlaces cons
     }
     for (auto const& flank : grid.point)
         for (auto const& slice : flank)
-            for (Vec2 const& p : slice)
-                reach_ = std::max(reach_, p.norm());
+            for (std::size_t i = 0; i < slice.size(); ++i)
+            {
+                reach_ = std::max(reach_, slice[i].norm());
+                if (i > 0)
+                    spacing_ = std::max(spacing_, (slice[i] - slice[i - 1]).norm());
+            }
 }
 
 int GapField::candidate(std::size_t space, int c) const
@@ -87,24 +92,54 @@ double GapField::nearest(Candidates const& teeth, Vec2 const& q) const
     return best;
 }
 
+double GapField::radius(int flank, std::size_t slice) const
+{
+    auto const& radius = grid_->radius[static_cast<std::size_t>(flank)];
+    return radius.empty() ? 0 : radius[slice];
+}
+
 double GapField::gap(Index const& i, double turn) const
 {
-    return nearest(candidates_of(i.space, i.slice, turn), grid_->point[static_cast<std::size_t>(i.flank)][i.slice][i.point]);
+    return nearest(candidates_of(i.space, i.slice, turn), grid_->point[static_cast<std::size_t>(i.flank)][i.slice][i.point]) - radius(i.flank, i.slice);
+}
+
+double GapField::gap_between(std::size_t space, int flank, std::size_t slice, double s, double turn) const
+{
+    return nearest(candidates_of(space, slice, turn), grid_->between(flank, slice, s)) - radius(flank, slice);
+}
+
+double GapField::lowest_about(Index const& i, double gap, double turn, double enough) const
+{
+    Candidates const teeth = candidates_of(i.space, i.slice, turn);
+    double const less = radius(i.flank, i.slice);
+    auto const gap_at = [&](double s) { return nearest(teeth, grid_->between(i.flank, i.slice, s)) - less; };
+    double const here = grid_->place(i.flank, i.point);
+    double lowest = gap;
+    if (i.point > 0)
+        lowest = std::min(lowest, minimum_beside(gap_at, here, grid_->place(i.flank, i.point - 1), gap, enough).value);
+    if (i.point + 1 < grid_->points())
+        lowest = std::min(lowest, minimum_beside(gap_at, here, grid_->place(i.flank, i.point + 1), gap, enough).value);
+    return lowest;
 }
 
 void GapField::along(std::size_t space, int flank, std::size_t slice, double turn, std::vector<double>& out) const
 {
     Candidates const teeth = candidates_of(space, slice, turn);
     auto const& line = grid_->point[static_cast<std::size_t>(flank)][slice];
+    double const less = radius(flank, slice);
     out.resize(line.size());
     for (std::size_t i = 0; i < line.size(); ++i)
-        out[i] = nearest(teeth, line[i]);
+        out[i] = nearest(teeth, line[i]) - less;
 }
 
 GapField::Touch GapField::touch(Index const& i, double turn) const
 {
-    Candidates const teeth = candidates_of(i.space, i.slice, turn);
-    Vec2 const& q = grid_->point[static_cast<std::size_t>(i.flank)][i.slice][i.point];
+    return touch(i.space, i.slice, grid_->point[static_cast<std::size_t>(i.flank)][i.slice][i.point], turn);
+}
+
+GapField::Touch GapField::touch(std::size_t space, std::size_t slice, Vec2 const& q, double turn) const
+{
+    Candidates const teeth = candidates_of(space, slice, turn);
     Touch best;
     best.nearest.distance = std::numeric_limits<double>::infinity();
     for (int c = 0; c < candidates; ++c)
@@ -115,7 +150,7 @@ GapField::Touch GapField::touch(Index const& i, double turn) const
             continue;
         NearestPoint const found = distance_(x);
         if (found.distance < best.nearest.distance)
-            best = {candidate(i.space, c), found, tooth.rotate_back(found.normal)};
+            best = {candidate(space, c), found, tooth.rotate_back(found.normal)};
     }
     return best;
 }
@@ -137,8 +172,9 @@ GapMap GapField::map(double turn, int threads) const
             {
                 double* const row = result.gap.data() + result.index(space, flank, k, 0);
                 auto const& line = grid_->point[static_cast<std::size_t>(flank)][k];
+                double const less = radius(flank, k);
                 for (std::size_t i = 0; i < points; ++i)
-                    row[i] = nearest(teeth, line[i]);
+                    row[i] = nearest(teeth, line[i]) - less;
             }
         }
     });

@@ -32,17 +32,53 @@ struct Rivals
     }
 };
 
-double smallest(std::vector<double> const& gaps)
+/// What is found at one turn.
+struct Look
 {
-    return gaps.empty() ? std::numeric_limits<double>::infinity() : *std::min_element(gaps.begin(), gaps.end());
+    SmallestGap least;
+    std::vector<double> low;   ///< of each rival, or the minimum beside it
+};
+
+/// The smallest gap at and between the rivals. Minima between points are followed where they may lie below @p margin.
+Look look(GapField const& field, Rivals const& rivals, double turn, double margin, int threads)
+{
+    Look result{{std::numeric_limits<double>::infinity(), {}}, rivals.gaps(field, turn, threads)};
+    std::vector<double>& low = result.low;
+    if (low.empty())
+        return result;
+    double const on_points = *std::min_element(low.begin(), low.end());
+    auto const beside = [&](std::size_t r, std::size_t q) {
+        GapField::Index const& a = rivals.index[r];
+        GapField::Index const& b = rivals.index[q];
+        return a.space == b.space && a.slice == b.slice && a.point + 1 == b.point;
+    };
+    std::vector<std::size_t> deeper;
+    for (std::size_t r = 0; r < low.size(); ++r)
+    {
+        // who is no rival is no smaller
+        bool const falls = (r > 0 && low[r - 1] < low[r] && beside(r - 1, r)) || (r + 1 < low.size() && low[r + 1] < low[r] && beside(r, r + 1));
+        if (!falls && low[r] - 0.5 * field.spacing() <= std::max(on_points, margin))
+            deeper.push_back(r);
+    }
+    std::vector<double> found(deeper.size());
+    constexpr std::size_t grain = 8;
+    parallel_for(deeper.size(), threads, grain, [&](std::size_t i) {
+        found[i] = field.lowest_about(rivals.index[deeper[i]], low[deeper[i]], turn, smallest_gap_accuracy(field));
+    });
+    for (std::size_t i = 0; i < deeper.size(); ++i)
+        low[deeper[i]] = found[i];
+    auto const least = std::min_element(low.begin(), low.end());
+    result.least = {*least, rivals.index[static_cast<std::size_t>(least - low.begin())]};
+    return result;
 }
 
 }  // namespace
 
-TakeUp take_up(GapField const& field, GapMap const& at_rest, int flank, double limit, int threads)
+TakeUp take_up(GapField const& field, GapMap const& at_rest, int flank, double limit, int threads, double touches)
 {
     double const sense = flank == GapMap::right ? 1 : -1;
     double const reach = field.reach();
+    double const between = 0.5 * field.spacing();   // how much less a gap may be beside a point
     std::size_t const slices = at_rest.z.size();
     std::size_t const points = at_rest.station.size();
     auto const rivals_within = [&](double turn) {
@@ -50,15 +86,14 @@ TakeUp take_up(GapField const& field, GapMap const& at_rest, int flank, double l
         for (std::size_t space = 0; space < at_rest.angle.size(); ++space)
             for (std::size_t k = 0; k < slices; ++k)
                 for (std::size_t i = 0; i < points; ++i)
-                    if (at_rest.at(space, flank, k, i) <= reach * turn)
+                    if (at_rest.at(space, flank, k, i) <= reach * turn + between)
                         rivals.index.push_back({space, flank, k, i});
         return rivals;
     };
-    double first = std::numeric_limits<double>::infinity();
-    for (std::size_t space = 0; space < at_rest.angle.size(); ++space)
-        for (std::size_t k = 0; k < slices; ++k)
-            for (std::size_t i = 0; i < points; ++i)
-                first = std::min(first, at_rest.at(space, flank, k, i));
+    SmallestGap const resting = smallest_gap(field, at_rest, 0, flank, threads);
+    double const first = resting.gap;
+    if (std::abs(first) <= touches)
+        return {0, resting.where, first, resting};
 
     // turn on while there is a gap, back while there is none
     double const way = first > 0 ? 1 : -1;
@@ -76,7 +111,7 @@ TakeUp take_up(GapField const& field, GapMap const& at_rest, int flank, double l
             throw NumericalError("contact", "take-up", "no flank touches within a turn of " + std::to_string(limit) + " rad");
         step = std::min(growth * step, limit);
         rivals = rivals_within(step);
-        double const gap = smallest(rivals.gaps(field, sense * way * step, threads));
+        double const gap = look(field, rivals, sense * way * step, 0, threads).least.gap;
         (gap > 0 ? low : high) = way * step;
         (gap > 0 ? at_low : at_high) = gap;
         done = gap == 0;
@@ -92,16 +127,16 @@ TakeUp take_up(GapField const& field, GapMap const& at_rest, int flank, double l
         turn = low + share * (high - low);
         if (!(turn > std::min(low, high) && turn < std::max(low, high)))
             turn = 0.5 * (low + high);
-        std::vector<double> const gaps = rivals.gaps(field, sense * turn, threads);
-        double const gap = smallest(gaps);
+        double const width = std::max(std::abs(high - turn), std::abs(turn - low));
+        Look const now = look(field, rivals, sense * turn, reach * width, threads);
+        double const gap = now.least.gap;
         done = std::abs(gap) <= enough || std::abs(high - low) <= 4 * unit_roundoff * std::max(std::abs(low), std::abs(high));
         if (done)
             break;
         // who is further from zero here than the bracket can take it is out
-        double const width = std::max(std::abs(high - turn), std::abs(turn - low));
         Rivals left;
-        for (std::size_t r = 0; r < gaps.size(); ++r)
-            if (gaps[r] <= reach * width)
+        for (std::size_t r = 0; r < now.low.size(); ++r)
+            if (now.low[r] <= reach * width)
                 left.index.push_back(rivals.index[r]);
         rivals = std::move(left);
         if (gap > 0)
@@ -121,15 +156,10 @@ TakeUp take_up(GapField const& field, GapMap const& at_rest, int flank, double l
     }
     if (!done)
         throw NumericalError("contact", "take-up", "the turn to first contact did not converge");
-    std::vector<double> const gaps = rivals.gaps(field, sense * turn, threads);
-    auto const touching = std::min_element(gaps.begin(), gaps.end());
-    TakeUp result{turn, {}, 0};
-    if (touching != gaps.end())
-    {
-        result.where = rivals.index[static_cast<std::size_t>(touching - gaps.begin())];
-        result.gap = *touching;
-    }
-    return result;
+    if (rivals.index.empty())
+        return {turn, {}, 0, resting};
+    SmallestGap const touching = look(field, rivals, sense * turn, 0, threads).least;
+    return {turn, touching.where, touching.gap, resting};
 }
 
 }  // namespace hdconj

@@ -114,6 +114,7 @@ void write_hdf5(ContactStudy const& study, std::filesystem::path const& file)
         hdf5::write_solution(root, study.solution);
         root.group("circular_spline", [&](Writer const& place) {
             hdf5::write_circular_spline(place, study.solution.circular_spline);
+            place.attribute("side_clearance_mm", study.side_clearance);
             if (has_surface(study.solution)) {
                 place.group("surface",
                             [&](Writer const& mesh) { hdf5::write_surface(mesh, tooth_surface(study.solution)); });

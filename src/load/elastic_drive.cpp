@@ -75,26 +75,52 @@ double stiffness_of(MatrixXd const& compliance, VectorXd const& border, std::vec
 
 }  // namespace
 
-double ElasticDrive::tooth_bending(FlankContact const& c) const
-{
-    if (tooth_height.empty())
-        return 0;
-    auto const above = std::upper_bound(tooth_height.begin(), tooth_height.end(), c.tooth_y);
-    double value = tooth_compliance.back();
-    if (above == tooth_height.begin())
-        value = tooth_compliance.front();
-    else if (above != tooth_height.end())
-    {
-        auto const i = static_cast<std::size_t>(above - tooth_height.begin());
-        double const t = (c.tooth_y - tooth_height[i - 1]) / (tooth_height[i] - tooth_height[i - 1]);
-        value = tooth_compliance[i - 1] + t * (tooth_compliance[i] - tooth_compliance[i - 1]);
-    }
-    return value * (1 - c.inclination * c.inclination);
-}
-
 LineContact ElasticDrive::line_contact(FlankContact const& c) const
 {
     return {flexspline, circular_spline, c.curvature, contact_depth};
+}
+
+std::vector<double> LocalCompliance::operator()(std::vector<double> const& force) const
+{
+    std::vector<double> way(force.size());
+    for (std::size_t i = 0; i < force.size(); ++i)
+        way[i] = own[i] * force[i];
+    for (Coupling const& c : couplings)
+    {
+        way[c.first] += c.compliance * force[c.second];
+        way[c.second] += c.compliance * force[c.first];
+    }
+    return way;
+}
+
+LocalCompliance local_compliance(ElasticDrive const& drive, std::vector<FlankContact> const& contacts, std::vector<double> const& force)
+{
+    constexpr double start_load = 1;  // [N/mm] at which a contact without force is linearised
+    LocalCompliance result;
+    auto const width = [&](FlankContact const& c) { return drive.slice_width[c.slice]; };
+    auto const load = [&](std::size_t i) { return force[i] > 0 ? force[i] / width(contacts[i]) : start_load; };
+    // of a line load along the normal, the part along x bends
+    auto const bending = [&](FlankContact const& a, FlankContact const& b) {
+        return drive.bending(a.tooth_y, b.tooth_y) * std::sqrt((1 - a.inclination * a.inclination) * (1 - b.inclination * b.inclination));
+    };
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+    {
+        FlankContact const& c = contacts[i];
+        result.own.push_back((approach(drive.line_contact(c), load(i)) / load(i) + bending(c, c)) / width(c));
+        for (std::size_t j = i; j-- > 0;)
+        {
+            FlankContact const& other = contacts[j];
+            if (other.space != c.space || other.flank != c.flank || other.slice != c.slice)
+                break;
+            if (other.tooth != c.tooth)
+                continue;
+            // the wider strip decides from where on they are one
+            LineContact const a = drive.line_contact(c), b = drive.line_contact(other);
+            double const half = std::max(half_width(a, load(i)), half_width(b, load(j)));
+            result.couplings.push_back({j, i, (approach_beside(a, std::abs(c.way - other.way), half) + bending(c, other)) / width(c)});
+        }
+    }
+    return result;
 }
 
 Equilibrium equilibrium(ElasticDrive const& drive, LinearGaps const& gaps, std::optional<double> torque, Equilibrium const* guess, int threads)
@@ -136,8 +162,11 @@ Equilibrium equilibrium(ElasticDrive const& drive, LinearGaps const& gaps, std::
             }
         }
         if (col < flanks)
-            a(j, j) += gaps.compliance[col];
+            a(j, j) += gaps.compliance.own[col];
     });
+    if (flanks > 0)
+        for (LocalCompliance::Coupling const& c : gaps.compliance.couplings)
+            a(static_cast<Index>(c.second), static_cast<Index>(c.first)) += c.compliance;
     a.triangularView<Eigen::StrictlyUpper>() = a.transpose();
     for (std::size_t i = 0; i < flanks; ++i)
     {

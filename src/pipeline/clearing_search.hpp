@@ -3,10 +3,20 @@
 /// How far something must be moved until nothing enters it.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "hdconj/numeric/tolerance.hpp"
+
 namespace hdconj::detail {
+
+/// What clears to this clears [mm]: between its points a flank is known to much less than the scene's tolerance, but not to rounding.
+[[nodiscard]] inline double clearing_accuracy(Tolerance const& tolerance)
+{
+    constexpr double part = 0x1p-6;
+    return std::max(part * tolerance.length, tolerance.coincidence());
+}
 
 /// The distance at which @p clearance(distance) is zero to @p enough, from the guess @p distance.
 ///

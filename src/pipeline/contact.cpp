@@ -21,6 +21,7 @@ namespace {
 using detail::ContactBench;
 using detail::or_else;
 using detail::SurfaceChoice;
+using detail::SurfaceMaker;
 
 constexpr double searches_worth = 20;      // cases, for the progress bar
 
@@ -156,6 +157,41 @@ Scene with_options(Scene scene, ContactOptions const& options)
     return scene;
 }
 
+/// The part that a case describes: its surface in all slices with this side clearance, as `solve` makes it.
+void write_part(CircularSplineOutline& spline, detail::OwnedBench& owned, SurfaceChoice const& choice, double tip, double side_clearance)
+{
+    std::vector<double> const& z = owned.maker->z();
+    double const chord = owned.scene.solver.tolerance;
+    MatchedOutline outline;
+    if (side_clearance == 0)
+    {
+        if (z.size() == 1)
+            return;
+        outline = (*owned.maker)(choice, tip, chord, 0);
+    }
+    else
+    {
+        Scene scene = detail::middle_scene(owned.scene);
+        scene.circular_spline.backlash_offset = side_clearance;
+        scene.circular_spline.inner_radius = tip;
+        Solution base = solve(scene);
+        if (z.size() == 1)
+        {
+            spline = base.circular_spline;
+            return;
+        }
+        base.scene.coning = owned.scene.coning;
+        SurfaceMaker maker(base, owned.tooth, owned.shape, z, owned.threads);
+        outline = maker(choice, tip, chord, 0);
+    }
+    spline.z = z;
+    spline.outline = outline.points;
+    spline.landmarks.assign(outline.landmarks.begin(), outline.landmarks.end());
+    Outline common;
+    common.stretches = outline.stretches;
+    spline.pieces = detail::piece_records(common, owned.tooth);
+}
+
 }  // namespace
 
 ContactStudy contact(Scene const& scene, ContactOptions const& options, StageObserver const& on_stage, Progress const& progress)
@@ -210,16 +246,18 @@ ContactStudy contact(Scene const& scene, ContactOptions const& options, StageObs
     study.solution.plan = owned.plan;
     if (std::string const note = bench.maker.note_on_sections(); !note.empty())
         study.solution.notes.push_back(note);
-    if (bench.maker.z().size() > 1)
+    ContactCase const& made = study.cases[study.shown];
+    try
     {
-        MatchedOutline const outline = owned.maker->operator()(shown, study.cases[study.shown].clearing_tip, scene.solver.tolerance, 0);
-        CircularSplineOutline& spline = study.solution.circular_spline;
-        spline.z = bench.maker.z();
-        spline.outline = outline.points;
-        spline.landmarks.assign(outline.landmarks.begin(), outline.landmarks.end());
-        Outline common;
-        common.stretches = outline.stretches;
-        spline.pieces = detail::piece_records(common, owned.tooth);
+        write_part(study.solution.circular_spline, owned, shown, made.clearing_tip, made.backlash_offset);
+        study.side_clearance = made.backlash_offset;
+    }
+    catch (NumericalError const& error)
+    {
+        if (made.backlash_offset == 0)
+            throw;
+        write_part(study.solution.circular_spline, owned, shown, made.clearing_tip, 0);
+        study.solution.notes.push_back("the written outline is without the side clearance of " + short_number(made.backlash_offset) + " mm, with which it cannot be made: " + error.what());
     }
     std::vector<StageTime> const times = owned.clock.times();
     study.solution.timing.insert(study.solution.timing.end(), times.begin(), times.end());

@@ -4,13 +4,18 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <utility>
 
 #include "clearing_search.hpp"
+#include "hdconj/axial/slice_places.hpp"
 #include "hdconj/contact/contact_area.hpp"
 #include "hdconj/contact/gap_field.hpp"
+#include "hdconj/contact/resolved_area.hpp"
+#include "hdconj/contact/smallest_gap.hpp"
 #include "hdconj/contact/take_up.hpp"
 #include "hdconj/numeric/parallel.hpp"
 #include "place_teeth.hpp"
@@ -51,64 +56,218 @@ double deviation(ContactBench const& bench, FlankGrid const& grid, double tip)
     return *std::max_element(worst.begin(), worst.end());
 }
 
-}  // namespace
-
-ContactState contact_state(ContactBench const& bench, FlankGrid const& grid, double phase, GapMap* map)
+/// The surface with enough points for a map over its flanks, in the slices of @p maker.
+MatchedOutline surface_of(ContactBench const& bench, SurfaceMaker& maker, SurfaceChoice const& choice, double tip)
 {
-    Scene const& scene = bench.scene;
-    auto const places = bench.places(bench, phase);
-    GapField const field(bench.tooth, grid, *places, scene.drive.flexspline_teeth, scene.drive.circular_spline_teeth, phase);
+    MatchedOutline outline;
+    bool const draft = choice.kind == "draft" && choice.tilt != 0;
+    SurfaceChoice const flat{choice.surface, "radial", 0};
+    bench.clock.run(Stage::surface, [&] { outline = maker(draft ? choice : flat, tip, bench.tolerance.length, bench.request.flank_points); });
+    if (!draft && choice.tilt != 0)
+        bench.clock.run(Stage::tilt, [&] { move_radially(outline, maker.z(), choice.tilt); });
+    return outline;
+}
+
+MatchedOutline surface_of(ContactBench const& bench, SurfaceChoice const& choice, double tip)
+{
+    return surface_of(bench, bench.maker, choice, tip);
+}
+
+/// A cleared surface between its slices: for an area integral that slices of a scene's number are too few for.
+class FinerSurface
+{
+  public:
+    /// @param grid  with the side clearance @p offset; both outlive this
+    FinerSurface(ContactBench const& bench, SurfaceChoice const& choice, FlankGrid const& grid, double tip, double offset)
+        : bench_(bench), choice_(choice), grid_(grid), tip_(tip), offset_(offset)
+    {
+    }
+
+    /// How many intervals to make of one between slices where @p spaces of all are looked at: as many as keep the work below that of a map.
+    [[nodiscard]] int parts(std::size_t spaces) const
+    {
+        bool const alike = !bench_.scene.coning && choice_.tilt == 0;
+        if (grid_.slices() < 2 || alike)
+            return 1;
+        // a plane between two needs a conjugate outline, or many sections of the elastic cup; three planes would say nothing about their own error
+        if (solved_anew() || bench_.cup != nullptr)
+            return grid_.slices() == 2 ? 4 : 2;
+        constexpr int most = 16;
+        constexpr std::size_t most_planes = 256;
+        auto const all = static_cast<std::size_t>(bench_.scene.drive.circular_spline_teeth);
+        int parts = 2;
+        while (parts < most && static_cast<std::size_t>(parts) * spaces <= all && 2 * static_cast<std::size_t>(parts) * grid_.slices() <= most_planes)
+            parts *= 2;
+        return parts;
+    }
+
+    /// The flanks in planes between the slices too, @p parts to each interval.
+    [[nodiscard]] FlankGrid const& operator()(int parts)
+    {
+        if (parts == 1)
+            return grid_;
+        auto const known = known_.find(parts);
+        return known != known_.end() ? known->second : known_.emplace(parts, made(parts)).first->second;
+    }
+
+  private:
+    [[nodiscard]] bool solved_anew() const { return choice_.surface == "per-slice" && bench_.scene.coning; }
+
+    [[nodiscard]] FlankGrid made(int parts) const
+    {
+        if (solved_anew())
+        {
+            SurfaceMaker& maker = parts == 2 ? bench_.maker.refined() : bench_.maker.refined().refined();
+            return moved_into_material(flank_grid(surface_of(bench_, maker, choice_, tip_), maker.z(), bench_.request.flank_points), offset_);
+        }
+        // straight between slices: one outline moved along its radii or its normals, or the lines that a ruled surface is made of
+        FlankGrid finer = grid_;
+        int const slices = static_cast<int>(grid_.slices());
+        finer.z = slice_places((slices - 1) * parts + 1, bench_.width);
+        auto const fill = [&](std::vector<std::vector<Vec2>> const& given, std::vector<std::vector<Vec2>>& filled, bool unit) {
+            filled.clear();
+            for (std::size_t k = 0; k < finer.z.size() && !given.empty(); ++k)
+            {
+                std::size_t const low = std::min(k / static_cast<std::size_t>(parts), given.size() - 2);
+                double const share = static_cast<double>(k - low * static_cast<std::size_t>(parts)) / parts;
+                filled.push_back(share == 0 ? given[low] : given[low + 1]);
+                for (std::size_t i = 0; i < given[low].size() && share != 0 && share != 1; ++i)
+                {
+                    Vec2 const p = (1 - share) * given[low][i] + share * given[low + 1][i];
+                    filled.back()[i] = unit ? p.normalized() : p;
+                }
+            }
+        };
+        for (std::size_t flank = 0; flank < 2; ++flank)
+        {
+            fill(grid_.point[flank], finer.point[flank], false);
+            fill(grid_.normal[flank], finer.normal[flank], true);
+            fill(grid_.line[flank], finer.line[flank], false);
+            fill(grid_.line_normal[flank], finer.line_normal[flank], true);
+        }
+        return finer;
+    }
+
+    ContactBench const& bench_;
+    SurfaceChoice choice_;
+    FlankGrid const& grid_;
+    double tip_;
+    double offset_;
+    std::map<int, FlankGrid> known_;
+};
+
+/// Spaces in which the gap of @p flank may be within @p limit between the points and slices of @p map: where it is twice that, and one space on.
+std::vector<std::size_t> spaces_near(GapMap const& map, int flank, double limit)
+{
+    constexpr double few = 2;
+    constexpr std::size_t on = 1;
+    std::size_t const spaces = map.angle.size();
+    std::vector<std::uint8_t> wanted(spaces, 0);
+    for (std::size_t s = 0; s < spaces; ++s)
+    {
+        auto const first = map.gap.begin() + static_cast<std::ptrdiff_t>(map.index(s, flank, 0, 0));
+        if (*std::min_element(first, first + static_cast<std::ptrdiff_t>(map.z.size() * map.station.size())) > few * limit)
+            continue;
+        for (std::size_t i = 0; i <= 2 * on; ++i)
+            wanted[(s + spaces + i - on) % spaces] = 1;
+    }
+    std::vector<std::size_t> found;
+    for (std::size_t s = 0; s < spaces; ++s)
+        if (wanted[s] != 0)
+            found.push_back(s);
+    return found;
+}
+
+/// The flexspline turned both ways until it touches.
+struct Turned
+{
+    SmallestGap smallest;   ///< before
+    double take_up = 0, take_up_back = 0;
+};
+
+Turned turned(ContactBench const& bench, GapField const& field)
+{
     GapMap rest;
     bench.clock.run(Stage::gap_map, [&] { rest = field.map(0, bench.threads); });
+    double const pitch = 2 * std::numbers::pi / bench.scene.drive.circular_spline_teeth;
+    Turned result;
+    bench.clock.run(Stage::contact, [&] {
+        double const touches = clearing_accuracy(bench.tolerance);
+        TakeUp const right = take_up(field, rest, GapMap::right, pitch, bench.threads, touches);
+        TakeUp const left = take_up(field, rest, GapMap::left, pitch, bench.threads, touches);
+        result = {left.at_rest.gap < right.at_rest.gap ? left.at_rest : right.at_rest, right.turn, left.turn};
+    });
+    return result;
+}
+
+/// Play with the flanks @p grid at one phase.
+double play(ContactBench const& bench, FlankGrid const& grid, double phase)
+{
+    auto const places = bench.places(bench, phase);
+    GapField const field(bench.tooth, grid, *places, bench.scene.drive.flexspline_teeth, bench.scene.drive.circular_spline_teeth, phase);
+    Turned const result = turned(bench, field);
+    return result.take_up + result.take_up_back;
+}
+
+/// Contact of @p grid at one phase; @p finer is the same surface. @p map, where given, gets the gaps after take-up.
+ContactState contact_state(ContactBench const& bench, FlankGrid const& grid, FinerSurface& finer, double phase, GapMap* map)
+{
+    Scene const& scene = bench.scene;
+    int const z_f = scene.drive.flexspline_teeth, z_c = scene.drive.circular_spline_teeth;
+    auto const places = bench.places(bench, phase);
+    GapField const field(bench.tooth, grid, *places, z_f, z_c, phase);
+    Turned const free = turned(bench, field);
     ContactState state;
     state.wave_generator = phase == 0 ? 0.0 : -phase * tooth_ratio(scene);
-    auto const smallest = std::min_element(rest.gap.begin(), rest.gap.end());
-    auto const flat = static_cast<std::size_t>(smallest - rest.gap.begin());
-    state.smallest_gap = *smallest;
-    state.smallest_z = grid.z[flat / grid.points() % grid.slices()];
-    state.smallest_space = static_cast<int>(flat / (2 * grid.slices() * grid.points())) - (scene.drive.circular_spline_teeth - 1) / 2;
-    double const pitch = 2 * std::numbers::pi / scene.drive.circular_spline_teeth;
+    state.take_up = free.take_up;
+    state.take_up_back = free.take_up_back;
+    state.smallest_gap = free.smallest.gap;
+    state.smallest_z = grid.z[free.smallest.where.slice];
+    state.smallest_space = static_cast<int>(free.smallest.where.space) - (z_c - 1) / 2;
     bench.clock.run(Stage::contact, [&] {
-        state.take_up = take_up(field, rest, GapMap::right, pitch, bench.threads).turn;
-        state.take_up_back = take_up(field, rest, GapMap::left, pitch, bench.threads).turn;
         GapMap touching = field.map(state.take_up, bench.threads);
         double const limit = bench.request.gap;
-        ContactArea const fine = contact_area(touching, grid, GapMap::right, limit, bench.width);
-        ContactArea const coarse = contact_area(touching, grid, GapMap::right, limit, bench.width, 2);
-        state.contact_area = fine.contact;
-        state.flank_area = fine.whole;
-        state.share = fine.share();
-        state.share_error = std::abs(fine.share() - coarse.share());
-        state.teeth = fine.spaces;
+        std::vector<std::size_t> const near_by = spaces_near(touching, GapMap::right, limit + 0.5 * field.spacing());
+        int const parts = finer.parts(near_by.size());
+        FlankGrid const& fine = finer(parts);
+        auto const fine_places = parts == 1 ? places : bench.places(bench, phase, fine.z);
+        GapField const fine_field(bench.tooth, fine, *fine_places, z_f, z_c, phase);
+        ResolvedArea const found = resolved_area(fine_field, near_by, state.take_up, GapMap::right, limit, bench.width, bench.threads);
+        state.contact_area = found.area.contact;
+        state.flank_area = found.area.whole;
+        state.share = found.area.share();
+        state.teeth = found.area.spaces;
+        // a clearance that is wrong by this much lifts or lowers all gaps by it; between the slices teeth may enter by as much as was met there
+        double const off = clearing_accuracy(bench.tolerance) + std::max(0.0, -found.lowest);
+        double const more = contact_area(touching, grid, GapMap::right, limit + off, bench.width).share();
+        double const less = contact_area(touching, grid, GapMap::right, limit - off, bench.width).share();
+        state.share_error = found.along + found.across + (more - less);
         if (map != nullptr)
             *map = std::move(touching);
     });
     return state;
 }
 
-namespace {
-
 /// Offset that leaves no gap below zero where the map is looked at: beside the full turn, with the wall's axial shift. At least @p offset.
 double raised_for_map(ContactBench const& bench, FlankGrid const& grid, double offset, std::vector<double> const& phases)
 {
     if (!bench.scene.coning || bench.scene.coning->axial_shift != "mapped")
         return offset;
-    auto const smallest_gap = [&](double distance) {
+    auto const smallest_at = [&](double distance) {
         FlankGrid const moved = moved_into_material(grid, distance);
         double smallest = std::numeric_limits<double>::infinity();
         for (double const phase : phases)
         {
             auto const places = bench.places(bench, phase);
             GapField const field(bench.tooth, moved, *places, bench.scene.drive.flexspline_teeth, bench.scene.drive.circular_spline_teeth, phase);
-            GapMap const map = field.map(0, bench.threads);
-            smallest = std::min(smallest, *std::min_element(map.gap.begin(), map.gap.end()));
+            smallest = std::min(smallest, smallest_gap(field, field.map(0, bench.threads), 0, -1, bench.threads).gap);
         }
         return smallest;
     };
-    double const enough = bench.tolerance.coincidence();
-    if (smallest_gap(offset) >= -enough)
+    double const enough = clearing_accuracy(bench.tolerance);
+    if (smallest_at(offset) >= -enough)
         return offset;
-    auto const raised = clearing_search(smallest_gap, offset, enough);
+    auto const raised = clearing_search(smallest_at, offset, enough);
     if (!raised)
         throw NumericalError("contact", "side clearance", "did not converge with the wall's axial shift; write axial_shift = \"none\" in [coning], or a larger "
                                                           "circular_spline.backlash_offset");
@@ -123,18 +282,6 @@ struct Cleared
     double offset = 0;
     double tip = 0;
 };
-
-/// The surface with enough points for a map over its flanks.
-MatchedOutline surface_of(ContactBench const& bench, SurfaceChoice const& choice, double tip)
-{
-    MatchedOutline outline;
-    bool const draft = choice.kind == "draft" && choice.tilt != 0;
-    SurfaceChoice const flat{choice.surface, "radial", 0};
-    bench.clock.run(Stage::surface, [&] { outline = bench.maker(draft ? choice : flat, tip, bench.tolerance.length, bench.request.flank_points); });
-    if (!draft && choice.tilt != 0)
-        bench.clock.run(Stage::tilt, [&] { move_radially(outline, bench.maker.z(), choice.tilt); });
-    return outline;
-}
 
 /// Side clearance moves the flanks of neighbouring spaces towards each other, so the tip circle may have to follow until a land is left; what then
 /// is no flank any more needs no clearing. A larger tip circle never asks for more clearance: the loop ends.
@@ -179,8 +326,7 @@ FlankSurface flank_surface(ContactBench const& bench, SurfaceChoice const& choic
         FlankGrid moved = moved_into_material(std::move(cleared.grid), offset);
         return {std::move(cleared.outline), std::move(moved), offset, cleared.tip};
     }
-    bool const follows = choice.surface != "tilted" || choice.kind == "draft";
-    double const tip = follows ? bench.maker.needed_tip(choice) : bench.geometry.circular_spline_inner_radius;
+    double const tip = bench.maker.own_tip(choice);
     MatchedOutline outline = surface_of(bench, choice, tip);
     FlankGrid grid = moved_into_material(flank_grid(outline, bench.maker.z(), bench.request.flank_points), spline.backlash_offset);
     return {std::move(outline), std::move(grid), spline.backlash_offset, tip};
@@ -214,8 +360,7 @@ ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice,
     SliceTurns const turns(bench);
     Cleared const cleared = clear_flanks(bench, turns, choice, given);
     // clearances are those of the drive as the scene gives it, as far as its tip circle lets the surface exist
-    bool const follows = choice.surface != "tilted" || choice.kind == "draft";
-    double const own_tip = follows ? bench.maker.needed_tip(choice) : bench.geometry.circular_spline_inner_radius;
+    double const own_tip = bench.maker.own_tip(choice);
     MatchedOutline const outline = own_tip == cleared.tip ? cleared.outline : surface_of(bench, choice, own_tip);
     FlankGrid const own_grid = own_tip == cleared.tip ? cleared.grid : flank_grid(outline, bench.maker.z(), bench.request.flank_points);
     ClearanceSet const flanks = flank_set(own_grid, !is_symmetric(bench));
@@ -228,11 +373,8 @@ ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice,
     });
     for (std::size_t k = 0; k < own_grid.slices(); ++k)
     {
-        std::vector<Vec2> moved = flanks.point[k];
-        for (std::size_t i = 0; i < moved.size(); ++i)
-            moved[i] += given * flanks.way[k][i];
         double const amplitude = bench.maker.motion(scene.coning ? k : 0).amplitude;
-        result.slices.push_back({own_grid.z[k], amplitude, closest(at_given[k], moved, turns.motion(k)), closest(at_root[k], root.point[k], turns.motion(k))});
+        result.slices.push_back({own_grid.z[k], amplitude, closest(turns, flanks, k, given, at_given[k]), closest(turns, root, k, 0, at_root[k])});
     }
     FlankGrid const& grid = cleared.grid;
     result.clearing_offset = cleared.offset;
@@ -248,16 +390,17 @@ ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice,
     if (phases.empty())
         phases.push_back(own);
     // teeth that enter the flanks cannot be turned to first contact: what is missing of the clearing offset is added, and the case says so
-    bool const clears = given >= result.clearing_offset - bench.tolerance.coincidence();
+    bool const clears = given >= result.clearing_offset - clearing_accuracy(bench.tolerance);
     result.backlash_offset = clears ? given : result.clearing_offset;
     result.backlash_offset = raised_for_map(bench, grid, result.backlash_offset, phases);
     result.raised = !spline.automatic_backlash && result.backlash_offset > given;
     FlankGrid const used = moved_into_material(grid, result.backlash_offset);
+    FinerSurface finer(bench, choice, used, cleared.tip, result.backlash_offset);
     std::size_t least = 0;
     for (double const phase : phases)
     {
         GapMap gaps;
-        ContactState const state = contact_state(bench, used, phase, map != nullptr ? &gaps : nullptr);
+        ContactState const state = contact_state(bench, used, finer, phase, map != nullptr ? &gaps : nullptr);
         result.revolution.push_back(state);
         if (state.share < result.revolution[least].share)
             least = result.revolution.size() - 1;
@@ -270,7 +413,7 @@ ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice,
     if (result.clearing_offset == result.backlash_offset)
         result.backlash_of_clearing = result.state.backlash();
     else
-        result.backlash_of_clearing = contact_state(bench, moved_into_material(grid, result.clearing_offset), own, nullptr).backlash();
+        result.backlash_of_clearing = play(bench, moved_into_material(grid, result.clearing_offset), own);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return result;
 }

@@ -9,9 +9,6 @@
 
 namespace hdconj::detail {
 
-/// Contact of @p grid at one phase; @p map, where given, gets the gaps after take-up.
-[[nodiscard]] ContactState contact_state(ContactBench const& bench, FlankGrid const& grid, double phase, GapMap* map);
-
 /// Everything about one surface. @p revolution angles beside the scene's own. @p map gets the gaps after take-up.
 [[nodiscard]] ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice, int revolution, GapMap* map);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
 #include "hdconj/profile/builder.hpp"
@@ -19,6 +20,11 @@ namespace {
 
 using detail::ContactBench;
 using detail::SurfaceChoice;
+
+double degrees(double angle)
+{
+    return angle * 180 / std::numbers::pi;
+}
 
 constexpr int load_slices = 9;
 constexpr int standard_points = 10;
@@ -132,7 +138,7 @@ Scene loaded_scene(Scene asked, LoadOptions const& options)
     return asked;
 }
 
-LoadStudy load(Scene const& scene, LoadOptions const& options, StageObserver const& on_stage, Progress const& progress)
+LoadStudy load(Scene const& scene, LoadOptions const& options, StageObserver const& on_stage, Progress const& progress, std::function<void(std::string const&)> const& talk)
 {
     Faults faults = check_load(scene, options);
     Scene const asked = loaded_scene(scene, options);
@@ -153,7 +159,10 @@ LoadStudy load(Scene const& scene, LoadOptions const& options, StageObserver con
         start = detail::assembly(bench, drive);
         study.cup = assembled(bench, *model, start);
     });
-    LoadRequest const request = scene.load.value_or(LoadRequest{{}, standard_points, 0, 0});
+    if (talk)
+        talk(fmt::format("assembled: wave generator {:.0f} N, coning {:.3f} and {:.3f} deg at the major and minor axis, cup {:.0f} MPa", study.cup.wave_generator_force,
+                         degrees(std::atan(study.cup.coning_major)), degrees(std::atan(study.cup.coning_minor)), study.cup.largest_stress));
+    LoadRequest const request = scene.load.value_or(LoadRequest{{}, standard_points, 0, {}, 0});
     study.rated_torque = options.torque ? *options.torque : *request.torque;
     std::vector<double> const torques = path(study.rated_torque, options.points.value_or(request.points), options.curve);
     std::vector<SurfaceChoice> const wanted = detail::surface_choices(asked, contact_options(options));
@@ -164,7 +173,11 @@ LoadStudy load(Scene const& scene, LoadOptions const& options, StageObserver con
     {
         Eigen::MatrixXd forces;
         owned.clock.run(Stage::load, [&] {
-            study.cases.push_back(detail::load_case(bench, drive, start, wanted[i], torques, [&] {
+            study.cases.push_back(detail::load_case(bench, drive, start, wanted[i], torques, [&](LoadCase const& known) {
+                if (talk)
+                    talk(fmt::format("{}{}: side clearance {:.1f} um, play {:.2f} arcmin", known.surface, known.tilt != 0 ? fmt::format(" {:.2f} deg", degrees(known.tilt)) : "",
+                                     1e3 * known.backlash_offset, 60 * degrees(known.backlash)));
+            }, [&] {
                 done += 1;
                 if (progress)
                     progress("load", done / total);

@@ -23,9 +23,10 @@ struct Assembly
 
 /// Everything about one surface.
 /// @param torques   in the order of loading [N mm]
+/// @param on_play   told when the play is known, before any torque
 /// @param on_state  told after each torque
 /// @param rated     gets the forces on the cup at the largest torque
 [[nodiscard]] LoadCase load_case(ContactBench const& bench, ElasticDrive const& drive, Assembly const& start, SurfaceChoice const& choice,
-                                 std::vector<double> const& torques, std::function<void()> const& on_state, Eigen::MatrixXd& rated);
+                                 std::vector<double> const& torques, std::function<void(LoadCase const&)> const& on_play, std::function<void()> const& on_state, Eigen::MatrixXd& rated);
 
 }  // namespace hdconj::detail

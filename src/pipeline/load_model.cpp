@@ -37,55 +37,6 @@ std::vector<double> slice_widths(std::vector<double> const& z, double width)
     return result;
 }
 
-/// Half the thickness of the tooth at height y: largest x of its outline there, from a fine polygon.
-double half_thickness(std::vector<Vec2> const& polygon, double y)
-{
-    double widest = 0;
-    for (std::size_t i = 0; i + 1 < polygon.size(); ++i)
-    {
-        Vec2 const& a = polygon[i];
-        Vec2 const& b = polygon[i + 1];
-        if ((a.y() - y) * (b.y() - y) > 0 || a.y() == b.y())
-            continue;
-        widest = std::max(widest, std::abs(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x())));
-    }
-    return widest;
-}
-
-/// Bending and shear of the tooth as a cantilever on the rim (Weber and Banaschek, without the rim's part, which the cup has):
-///
-///   compliance(h) = integral_foot^h 12 (h - y)^2/(E' s^3) + 2.4 (1 + nu)/(E s) dy,  s thickness, E' = E/(1 - nu^2),
-///
-/// of the deflection along x at height h under a line load along x there [mm per N/mm].
-void tooth_table(Profile const& tooth, Elasticity const& material, double chord, ElasticDrive& drive)
-{
-    std::vector<Vec2> const polygon = polygon_of(tooth, chord);
-    double const foot = std::min(polygon.front().y(), polygon.back().y());
-    double const tip = tooth.pitch_line + tooth.addendum;
-    constexpr int rows = 24, parts = 200;
-    double const e = material.youngs_modulus;
-    double const plane = plane_strain_modulus(material);
-    std::vector<double> thickness(parts);
-    double const step = (tip - foot) / parts;
-    for (int i = 0; i < parts; ++i)
-        thickness[static_cast<std::size_t>(i)] = 2 * half_thickness(polygon, foot + (i + 0.5) * step);
-    for (int row = 0; row <= rows; ++row)
-    {
-        double const height = foot + (tip - foot) * row / rows;
-        double sum = 0;
-        for (int i = 0; i < parts; ++i)
-        {
-            double const y = foot + (i + 0.5) * step;
-            double const s = thickness[static_cast<std::size_t>(i)];
-            if (y > height || s <= 0)
-                continue;
-            sum += (12 * (height - y) * (height - y) / (plane * s * s * s) + 2.4 * (1 + material.poissons_ratio) / (e * s)) * step;
-        }
-        drive.tooth_height.push_back(height);
-        drive.tooth_compliance.push_back(sum);
-    }
-}
-
 /// The shape at even angles of one sector.
 std::vector<double> sampled(AnyWaveShape const& shape, int sectors, int samples)
 {
@@ -148,7 +99,7 @@ LoadModel load_model(ContactBench const& bench)
 
     ElasticDrive drive{layout, PointResponse(std::move(stations), std::move(harmonics), sectors, grid, bench.threads), {}, {}, steps, {}, {},
                        phase_of(scene, bench.request.wave_generator), teeth, slice_widths(z, bench.width), section.material,
-                       {scene.circular_spline.youngs_modulus, scene.circular_spline.poissons_ratio}, 0, {}, {}};
+                       {scene.circular_spline.youngs_modulus, scene.circular_spline.poissons_ratio}, 0, {}};
     // more angles than the harmonics tell apart would leave the compliance singular
     int const angles = std::min({grid, most_angles, 2 * (highest / sectors)});
     for (int i = 0; i < angles; ++i)
@@ -181,7 +132,7 @@ LoadModel load_model(ContactBench const& bench)
         drive.outer_ring.emplace(std::vector<RingStation>(circles.size(), {RingStation::Parity::cosine, bearing_spread}), std::move(ring), sectors, grid, bench.threads);
     }
     drive.contact_depth = 0.25 * std::numbers::pi * scene.drive.module;  // half a tooth at the pitch line
-    tooth_table(bench.tooth, section.material, bench.tolerance.length, drive);
+    drive.bending = ToothBending(bench.tooth, section.material, bench.tolerance.length);
     return {solid, std::move(places), bench.geometry.r_m, middle, std::move(drive)};
 }
 

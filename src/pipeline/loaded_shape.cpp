@@ -26,16 +26,48 @@ MaterialDisplacement displacement_of(ElasticDrive const& drive, std::vector<doub
     return length_kept(std::move(result), r_m);
 }
 
-/// Between two poses, and beyond.
-Pose between(Pose const& a, Pose const& b, double t)
+/// A slice of a tooth and where it has moved to along the axis.
+struct MovedSlice
 {
-    Pose p;
-    p.origin = a.origin + t * (b.origin - a.origin);
-    double const c = a.cosine + t * (b.cosine - a.cosine), s = a.sine + t * (b.sine - a.sine);
-    double const length = std::hypot(c, s);
-    p.cosine = c / length;
-    p.sine = s / length;
-    return p;
+    Pose pose;
+    double place = 0;   ///< [mm]
+    double slope = 0;   ///< d place/dphi [mm/rad]
+};
+
+/// The section of the tooth by the plane at @p z: by the cubic through the four slices about it (fewer where there are fewer), and beyond. Its direction is normal to
+/// the section curve, which turns against the slices' own as SectionPoses says: what u_z changes along phi, the lean of the wall lifts.
+Pose section(std::vector<MovedSlice> const& tooth, double z, double r_m)
+{
+    std::size_t const slices = tooth.size();
+    std::size_t const window = std::min<std::size_t>(4, slices);
+    std::size_t above = 0;
+    while (above + 1 < slices && tooth[above].place <= z)
+        ++above;
+    std::size_t const first = std::min(above > window / 2 ? above - window / 2 : 0, slices - window);
+    Pose p{0, 0, Vec2::Zero()};
+    Vec2 lean = Vec2::Zero();   // d origin/dz
+    double slope = 0;
+    for (std::size_t j = first; j < first + window; ++j)
+    {
+        double weight = 1, change = 0;
+        for (std::size_t i = first; i < first + window; ++i)
+        {
+            if (i == j)
+                continue;
+            double const width = tooth[j].place - tooth[i].place;
+            change = (change * (z - tooth[i].place) + weight) / width;
+            weight *= (z - tooth[i].place) / width;
+        }
+        p.origin += weight * tooth[j].pose.origin;
+        p.cosine += weight * tooth[j].pose.cosine;
+        p.sine += weight * tooth[j].pose.sine;
+        lean += change * tooth[j].pose.origin;
+        slope += weight * tooth[j].slope;
+    }
+    Vec2 const tangent = r_m * p.rotate({1, 0});
+    Vec2 const turned = tangent - slope * lean;
+    double const angle = std::atan2(p.sine, p.cosine) - std::atan2(cross(tangent, turned), tangent.dot(turned));
+    return {std::cos(angle), std::sin(angle), p.origin};
 }
 
 }  // namespace
@@ -56,24 +88,14 @@ LoadedShape loaded_shape(ContactBench const& bench, ElasticDrive const& drive, E
     constexpr std::size_t grain = 32;
     parallel_for(teeth, bench.threads, grain, [&](std::size_t i) {
         double const phi = 2 * std::numbers::pi * (needed[0] + static_cast<int>(i)) / bench.scene.drive.flexspline_teeth + drive.phase;
-        std::vector<Pose> pose(slices);
-        std::vector<double> moved(slices);
+        std::vector<MovedSlice> tooth(slices);
         for (std::size_t k = 0; k < slices; ++k)
         {
-            pose[k] = motions[k].pose(phi);
-            moved[k] = z[k] + series_at(drive, shape.series[drive.stations.axial(k)], phi).value;
+            auto const along = series_at(drive, shape.series[drive.stations.axial(k)], phi);
+            tooth[k] = {motions[k].pose(phi), z[k] + along.value, along.slope};
         }
         for (std::size_t k = 0; k < slices; ++k)
-        {
-            Pose& at = shape.places.pose[i * slices + k];
-            at = pose[k];
-            if (slices < 2)
-                continue;
-            std::size_t j = 0;
-            while (j + 2 < slices && moved[j + 1] <= z[k])
-                ++j;
-            at = between(pose[j], pose[j + 1], (z[k] - moved[j]) / (moved[j + 1] - moved[j]));
-        }
+            shape.places.pose[i * slices + k] = slices < 2 ? tooth[k].pose : section(tooth, z[k], r_m);
     });
     return shape;
 }

@@ -22,10 +22,9 @@ constexpr int cup_nodes = 16;
 
 /// Poses in the planes of the slices where the amplitude follows the linear cone.
 template<class PhiOf>
-void place_on_cone(ContactBench const& bench, PhiOf const& phi_of, ToothPlaces& places)
+void place_on_cone(ContactBench const& bench, std::vector<double> const& z, PhiOf const& phi_of, ToothPlaces& places)
 {
     Scene const& scene = bench.scene;
-    std::vector<double> const& z = bench.maker.z();
     std::size_t const teeth = places.pose.size() / z.size();
     ConingMode const mode = coning_mode(*scene.coning);
     AxialShift<AnyWaveShape> const shift(bench.shape, bench.geometry.r_m, mode);
@@ -51,11 +50,10 @@ void place_on_cone(ContactBench const& bench, PhiOf const& phi_of, ToothPlaces& 
 /// The same on the elastic cup, where the height of the wall itself says how far it moves: through the plane at z passes the part that was at
 /// h with h + u_z(phi, h) = z.
 template<class PhiOf>
-void place_on_cup(ContactBench const& bench, PhiOf const& phi_of, ToothPlaces& places)
+void place_on_cup(ContactBench const& bench, std::vector<double> const& z, PhiOf const& phi_of, ToothPlaces& places)
 {
     Scene const& scene = bench.scene;
     BentCup const& cup = *bench.cup;
-    std::vector<double> const& z = bench.maker.z();
     std::size_t const teeth = places.pose.size() / z.size();
     double const r_m = bench.geometry.r_m, middle = cup.bearing().middle;
     struct Height
@@ -108,10 +106,14 @@ double phase_of(Scene const& scene, double wave_generator)
 
 ToothPlaces tooth_places(ContactBench const& bench, double phase)
 {
+    return tooth_places(bench, phase, bench.maker.z());
+}
+
+ToothPlaces tooth_places(ContactBench const& bench, double phase, std::vector<double> const& z)
+{
     Scene const& scene = bench.scene;
     auto const needed = teeth_needed(scene.drive.flexspline_teeth, scene.drive.circular_spline_teeth, phase);
     int const first = needed[0], last = needed[1];  // no structured binding: a lambda of clang 14 cannot capture one
-    std::vector<double> const& z = bench.maker.z();
     auto const teeth = static_cast<std::size_t>(last - first + 1);
     ToothPlaces places{first, z.size(), std::vector<Pose>(teeth * z.size())};
     auto const phi_of = [&](std::size_t tooth) {
@@ -120,14 +122,13 @@ ToothPlaces tooth_places(ContactBench const& bench, double phase)
     bool const mapped = scene.coning && scene.coning->axial_shift == "mapped";
     if (!mapped || bench.maker.follows_sections())
     {
-        for (std::size_t k = 0; k < z.size(); ++k)
-            (void)bench.maker.motion(scene.coning ? k : 0);
+        std::vector<SliceMotion> const motions = scene.coning ? bench.maker.motions_at(z) : std::vector<SliceMotion>{bench.maker.motion(0)};
         constexpr std::size_t grain = 64;
         parallel_for(teeth, bench.threads, grain, [&](std::size_t i) {
             for (std::size_t k = 0; k < z.size(); ++k)
             {
                 bool const repeated = k > 0 && !scene.coning;
-                ErasedMotion const& motion = bench.maker.motion(scene.coning ? k : 0).motion;
+                ErasedMotion const& motion = motions[scene.coning ? k : 0].motion;
                 Pose& pose = places.pose[i * z.size() + k];
                 pose = repeated ? places.pose[i * z.size()] : motion.pose(parameter_at(motion, phi_of(i)));
             }
@@ -135,21 +136,28 @@ ToothPlaces tooth_places(ContactBench const& bench, double phase)
         return places;
     }
     if (bench.cup != nullptr)
-        place_on_cup(bench, phi_of, places);
+        place_on_cup(bench, z, phi_of, places);
     else
-        place_on_cone(bench, phi_of, places);
+        place_on_cone(bench, z, phi_of, places);
     return places;
 }
 
 std::shared_ptr<ToothPlaces const> PlaceCache::operator()(ContactBench const& bench, double phase)
 {
-    auto const known = known_.find(phase);
+    return (*this)(bench, phase, bench.maker.z());
+}
+
+std::shared_ptr<ToothPlaces const> PlaceCache::operator()(ContactBench const& bench, double phase, std::vector<double> const& z)
+{
+    // places between end planes are even: their number tells which they are
+    std::pair<double, std::size_t> const key{phase, z.size()};
+    auto const known = known_.find(key);
     if (known != known_.end())
         return known->second;
-    auto made = std::make_shared<ToothPlaces const>(tooth_places(bench, phase));
+    auto made = std::make_shared<ToothPlaces const>(tooth_places(bench, phase, z));
     constexpr std::size_t most = 64;
     if (known_.size() < most)
-        known_.emplace(phase, made);
+        known_.emplace(key, made);
     return made;
 }
 

@@ -5,6 +5,8 @@
 
 #include <map>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "contact_bench.hpp"
 #include "hdconj/contact/tooth_places.hpp"
@@ -20,12 +22,16 @@ class PlaceCache
   public:
     /// The same as tooth_places(); kept for the next who asks, up to as many angles as cost little memory.
     [[nodiscard]] std::shared_ptr<ToothPlaces const> operator()(ContactBench const& bench, double phase);
+    /// In the planes @p z, evenly spaced over the width.
+    [[nodiscard]] std::shared_ptr<ToothPlaces const> operator()(ContactBench const& bench, double phase, std::vector<double> const& z);
 
   private:
-    std::map<double, std::shared_ptr<ToothPlaces const>> known_;
+    std::map<std::pair<double, std::size_t>, std::shared_ptr<ToothPlaces const>> known_;
 };
 
 /// All teeth of the drive in the planes of the slices; where the wall has moved along the axis, the parts of them that are in the plane.
 [[nodiscard]] ToothPlaces tooth_places(ContactBench const& bench, double phase);
+/// The same in other planes.
+[[nodiscard]] ToothPlaces tooth_places(ContactBench const& bench, double phase, std::vector<double> const& z);
 
 }  // namespace hdconj::detail

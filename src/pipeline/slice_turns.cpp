@@ -7,23 +7,11 @@
 
 #include "clearing_search.hpp"
 #include "drive.hpp"
+#include "hdconj/numeric/bracketed_minimum.hpp"
 #include "hdconj/numeric/error.hpp"
 #include "hdconj/numeric/parallel.hpp"
 
 namespace hdconj::detail {
-namespace {
-
-double worst_of(TurnMinima const& minima)
-{
-    double worst = std::numeric_limits<double>::infinity();
-    for (auto const& slice : minima)
-        for (TurnMinimum const& m : slice)
-            worst = std::min(worst, m.distance);
-    return worst;
-}
-
-}  // namespace
-
 SliceTurns::SliceTurns(ContactBench const& bench) : bench_(bench), pitch_(2 * std::numbers::pi / bench.scene.drive.circular_spline_teeth)
 {
     std::size_t const slices = bench.maker.z().size();
@@ -54,11 +42,63 @@ TurnMinima SliceTurns::operator()(ClearanceSet const& set, double distance, std:
     return minima;
 }
 
+Deepest SliceTurns::deepest(ClearanceSet const& set, std::size_t k, double distance, std::vector<TurnMinimum> const& minima, double below) const
+{
+    Deepest best;
+    auto const place = [&](std::size_t i) { return Vec2(set.point[k][i] + distance * set.way[k][i]); };
+    for (std::size_t i = 0; i < minima.size(); ++i)
+        if (minima[i].distance < best.turn.distance)
+            best = {minima[i], place(i)};
+    if (set.flank == nullptr)
+        return best;
+    FullTurnClearance<ErasedMotion> const& turn = *turns_[of(k)];
+    FlankGrid const& grid = *set.flank;
+    double const enough = 4 * unit_roundoff * bench_.tolerance.scale;
+    for (std::size_t i = 0; i < minima.size(); ++i)
+    {
+        std::size_t const j = i % grid.points();
+        int const side = i < grid.points() ? GapMap::right : GapMap::left;
+        bool const first = j == 0, last = j + 1 == grid.points();
+        double const here = minima[i].distance;
+        if (!std::isfinite(here) || (!first && minima[i - 1].distance < here) || (!last && minima[i + 1].distance < here))
+            continue;
+        for (int const step : {-1, 1})
+        {
+            if (step < 0 ? first : last)
+                continue;
+            std::size_t const q = step < 0 ? i - 1 : i + 1;
+            // the distance falls no faster than the flank goes on
+            if (!(here - 0.5 * (place(i) - place(q)).norm() < std::min(below, best.turn.distance)))
+                continue;
+            auto const at = [&](double s) {
+                Vec2 const p = grid.between(side, k, s, distance);
+                TurnMinimum const found = turn(p, &minima[i]);
+                if (found.distance < best.turn.distance)
+                    best = {found, p};
+                return found.distance;
+            };
+            (void)minimum_beside(at, grid.place(side, j), grid.place(side, step < 0 ? j - 1 : j + 1), here, enough);
+        }
+    }
+    return best;
+}
+
+double SliceTurns::worst(ClearanceSet const& set, double distance, TurnMinima const& minima) const
+{
+    double on_points = std::numeric_limits<double>::infinity();
+    for (auto const& slice : minima)
+        for (TurnMinimum const& m : slice)
+            on_points = std::min(on_points, m.distance);
+    std::vector<double> deep(minima.size());
+    parallel_for(minima.size(), bench_.threads, 1, [&](std::size_t k) { deep[k] = deepest(set, k, distance, minima[k], on_points).turn.distance; });
+    return *std::min_element(deep.begin(), deep.end());
+}
+
 /// The clearance grows with the distance about as fast as it; false position on points that may decide, then all are asked.
 double least_clearing(SliceTurns const& turns, ClearanceSet const& set, TurnMinima const& at_zero, Tolerance const& tolerance)
 {
-    double const worst = worst_of(at_zero);
-    double const enough = tolerance.coincidence();
+    double const worst = turns.worst(set, 0, at_zero);
+    double const enough = clearing_accuracy(tolerance);
     if (!(worst < -enough))
         return 0;
     std::vector<std::vector<std::uint8_t>> wanted(set.point.size());
@@ -67,7 +107,7 @@ double least_clearing(SliceTurns const& turns, ClearanceSet const& set, TurnMini
             wanted[k].push_back(m.distance <= worst / 2 ? 1 : 0);
     // on the points that may decide, then on all, where others may have come in
     auto const clearance_of = [&](std::vector<std::vector<std::uint8_t>> const* only) {
-        return [&turns, &set, only](double distance) { return worst_of(turns(set, distance, only)); };
+        return [&turns, &set, only](double distance) { return turns.worst(set, distance, turns(set, distance, only)); };
     };
     auto const guess = clearing_search(clearance_of(&wanted), -worst, enough);
     auto const distance = guess ? clearing_search(clearance_of(nullptr), *guess, enough) : guess;
@@ -76,16 +116,16 @@ double least_clearing(SliceTurns const& turns, ClearanceSet const& set, TurnMini
     return *distance;
 }
 
-Closest closest(std::vector<TurnMinimum> const& minima, std::vector<Vec2> const& points, ErasedMotion const& motion)
+Closest closest(SliceTurns const& turns, ClearanceSet const& set, std::size_t k, double distance, std::vector<TurnMinimum> const& minima)
 {
-    auto const worst = std::min_element(minima.begin(), minima.end(), [](TurnMinimum const& a, TurnMinimum const& b) { return a.distance < b.distance; });
-    return {worst->distance, points[static_cast<std::size_t>(worst - minima.begin())], motion.angles(worst->u).phi};
+    Deepest const found = turns.deepest(set, k, distance, minima, std::numeric_limits<double>::infinity());
+    return {found.turn.distance, found.where, turns.motion(k).angles(found.turn.u).phi};
 }
 
 /// One or both flanks as one list per slice: of a symmetric pair the right one stands for both.
 ClearanceSet flank_set(FlankGrid const& grid, bool both)
 {
-    ClearanceSet set{grid.point[GapMap::right], grid.normal[GapMap::right]};
+    ClearanceSet set{grid.point[GapMap::right], grid.normal[GapMap::right], &grid};
     if (both)
     {
         for (std::size_t k = 0; k < grid.slices(); ++k)

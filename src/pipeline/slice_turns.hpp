@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -20,13 +21,21 @@ struct ClearanceSet
 {
     std::vector<std::vector<Vec2>> point;   ///< (k,p) [mm]
     std::vector<std::vector<Vec2>> way;     ///< (k,p)
+    FlankGrid const* flank = nullptr;       ///< flanks that these are the points of, right and then left: what lies between them counts too; null: the points alone
 };
 
-/// One or both flanks as one list per slice: of a symmetric pair the right one stands for both.
+/// One or both flanks as one list per slice: of a symmetric pair the right one stands for both. Keeps a pointer to @p grid.
 [[nodiscard]] ClearanceSet flank_set(FlankGrid const& grid, bool both);
 
 /// The bottom of the space, moved along the centre line; at most some tens of points.
 [[nodiscard]] ClearanceSet root_set(MatchedOutline const& outline);
+
+/// The deepest place of one slice.
+struct Deepest
+{
+    TurnMinimum turn;
+    Vec2 where = Vec2::Zero();
+};
 
 /// (k,p)
 using TurnMinima = std::vector<std::vector<TurnMinimum>>;
@@ -42,6 +51,13 @@ class SliceTurns
     /// Minimum of every point moved by @p distance; only those that @p wanted names, the others are left out (infinite).
     [[nodiscard]] TurnMinima operator()(ClearanceSet const& set, double distance, std::vector<std::vector<std::uint8_t>> const* wanted = nullptr) const;
 
+    /// The deepest place of slice @p k, whose points' own minima are @p minima, between the points too: about those that are deeper than their neighbours
+    /// the distance is followed to its minimum, as smallest_gap() does, where it may fall below @p below.
+    [[nodiscard]] Deepest deepest(ClearanceSet const& set, std::size_t k, double distance, std::vector<TurnMinimum> const& minima, double below) const;
+
+    /// The smallest distance of all slices, between the points too.
+    [[nodiscard]] double worst(ClearanceSet const& set, double distance, TurnMinima const& minima) const;
+
   private:
     [[nodiscard]] std::size_t of(std::size_t k) const { return std::min(k, turns_.size() - 1); }
 
@@ -50,11 +66,11 @@ class SliceTurns
     std::vector<std::unique_ptr<FullTurnClearance<ErasedMotion>>> turns_;
 };
 
-/// Least distance by which @p set must be moved so that no tooth enters it. @p at_zero: minima without.
+/// Least distance by which @p set must be moved so that no tooth enters it, to clearing_accuracy(). @p at_zero: minima without.
 /// @throws NumericalError where moving it does not clear
 [[nodiscard]] double least_clearing(SliceTurns const& turns, ClearanceSet const& set, TurnMinima const& at_zero, Tolerance const& tolerance);
 
-/// The smallest of one slice's minima.
-[[nodiscard]] Closest closest(std::vector<TurnMinimum> const& minima, std::vector<Vec2> const& points, ErasedMotion const& motion);
+/// The deepest place of slice @p k as a result.
+[[nodiscard]] Closest closest(SliceTurns const& turns, ClearanceSet const& set, std::size_t k, double distance, std::vector<TurnMinimum> const& minima);
 
 }  // namespace hdconj::detail

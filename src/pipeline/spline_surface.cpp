@@ -9,6 +9,7 @@
 
 #include "hdconj/axial/cone.hpp"
 #include "hdconj/axial/coning.hpp"
+#include "hdconj/axial/slice_places.hpp"
 #include "hdconj/profile/builder.hpp"
 #include "elastic_cup.hpp"
 #include "job.hpp"
@@ -90,6 +91,8 @@ void deepen_all(MatchedOutline& outline, double clearance)
         outline.landmarks[i] += i == 2 ? 1 : 2;
 }
 
+constexpr char const* drafted_meet = "leaves a tip land between the drafted flanks";
+
 }  // namespace
 
 void move_radially(MatchedOutline& outline, std::vector<double> const& z, double tilt)
@@ -149,6 +152,18 @@ bool SurfaceMaker::follows_sections()
     return sections_.has_value();
 }
 
+std::vector<SliceMotion> SurfaceMaker::motions_at(std::vector<double> const& planes)
+{
+    bool const own = planes == z_;
+    auto const sections = own || !follows_sections() ? std::nullopt : section_displacements(*base_, shape_, planes, threads_);
+    std::vector<SliceMotion> motions;
+    for (std::size_t k = 0; k < planes.size(); ++k)
+        in_slice(planes[k], [&] {
+            motions.push_back(own ? motion(k) : sections ? slice_motion(base_->scene, *tooth_, (*sections)[k], base_->geometry.r_m) : motion_at(planes[k]));
+        });
+    return motions;
+}
+
 std::string SurfaceMaker::note_on_sections()
 {
     if (!coned() || base_->scene.coning->axial_shift != "mapped" || follows_sections())
@@ -194,6 +209,13 @@ void SurfaceMaker::prepare(std::vector<std::size_t> const& wanted)
     });
 }
 
+SurfaceMaker& SurfaceMaker::refined()
+{
+    if (!refined_)
+        refined_ = std::make_unique<SurfaceMaker>(*base_, *tooth_, shape_, slice_places(static_cast<int>(2 * z_.size() - 1), 2 * z_.back()), threads_);
+    return *refined_;
+}
+
 std::vector<std::size_t> SurfaceMaker::own_slices(SurfaceChoice const& choice) const
 {
     if (choice.surface == "ruled")
@@ -212,15 +234,12 @@ double SurfaceMaker::needed_tip(SurfaceChoice const& choice)
     if (!coned() && choice.tilt == 0)
         return tip;
     double const least = least_land * base_->scene.drive.module;
-    double const pitch = 2 * std::numbers::pi / base_->scene.drive.circular_spline_teeth;
     // every slice is entered by its own teeth, whatever the surface was made from
     std::vector<std::size_t> const all = own_slices({"per-slice", choice.kind, 0});
     if (coned())
         prepare(all);
     else
         prepare({0});
-    if (choice.tilt != 0 && choice.kind == "draft" && !base_flank_)
-        base_flank_ = matched_outline({&middle(tip)}, tolerance_.length, 0, threads_);
     auto const ask = [&](double radius, double z, std::string const& cause) {
         if (radius > tip)
         {
@@ -236,14 +255,38 @@ double SurfaceMaker::needed_tip(SurfaceChoice const& choice)
         bool const moved_outward = shift > 0 && coned() && choice.surface != "tilted";
         ask(*pointed_[own] + least - (moved_outward ? 0 : shift), z_[k], "leaves the circular spline a tip land");
         ask(g.r_m + motions_[own]->amplitude + g.pitch_line - g.dedendum + least - shift, z_[k], "clears the flexspline's rim");
-        if (base_flank_ && choice.kind == "draft")
+        if (choice.kind == "draft")
+            ask(meeting_tip(z_[k], choice.tilt), z_[k], drafted_meet);
+    }
+    return tip;
+}
+
+double SurfaceMaker::own_tip(SurfaceChoice const& choice)
+{
+    if (coned() && choice.surface != "tilted")
+        return needed_tip(choice);
+    double tip = base_->geometry.circular_spline_inner_radius;
+    why_.clear();
+    for (std::size_t k = 0; choice.tilt != 0 && choice.kind == "draft" && k < z_.size(); ++k)
+    {
+        double const meeting = meeting_tip(z_[k], choice.tilt);
+        if (meeting > tip)
         {
-            double const meeting = meeting_radius(*base_flank_, 0, shift, pitch);
-            if (meeting > 0)
-                ask(meeting + least - shift, z_[k], "leaves a tip land between the drafted flanks");
+            tip = meeting;
+            why_ = "no smaller one " + std::string(drafted_meet) + " in the slice z = " + short_number(z_[k]) + " mm";
         }
     }
     return tip;
+}
+
+/// The tip circle of z = 0 that leaves a land at @p z where a draft makes the flanks meet; 0 where they do not.
+double SurfaceMaker::meeting_tip(double z, double tilt)
+{
+    if (!base_flank_)
+        base_flank_ = matched_outline({&middle(base_->geometry.circular_spline_inner_radius)}, tolerance_.length, 0, threads_);
+    double const shift = z * std::tan(tilt);
+    double const meeting = meeting_radius(*base_flank_, 0, shift, 2 * std::numbers::pi / base_->scene.drive.circular_spline_teeth);
+    return meeting > 0 ? meeting + least_land * base_->scene.drive.module - shift : 0;
 }
 
 SpaceCurve const& SurfaceMaker::middle(double tip)

@@ -49,6 +49,9 @@ class SurfaceMaker
     /// Motion of the teeth's sections by the plane of slice @p k: where coning.axial_shift is "mapped", of those parts of the wall that have moved into it.
     [[nodiscard]] SliceMotion const& motion(std::size_t k);
 
+    /// The same for any other planes [mm].
+    [[nodiscard]] std::vector<SliceMotion> motions_at(std::vector<double> const& planes);
+
     /// Whether motion() is that of the sections. Not so without an axial shift, in one plane, and where the sections have no series (section_displacements()):
     /// then it is that of the undeformed slice at the height of the plane.
     [[nodiscard]] bool follows_sections();
@@ -63,10 +66,18 @@ class SurfaceMaker
     /// drive's own where that does. With fewer slices than all where the surface is made from its end planes.
     [[nodiscard]] double needed_tip(SurfaceChoice const& choice);
 
+    /// Tip circle of z = 0 [mm] that the surface is made with where nothing is asked to clear: the drive's own, widened only as far as the surface cannot be
+    /// made without. One outline for all slices keeps it, however it is tilted, so that tilts of either kind begin at the same part; a draft widens it
+    /// where the drafted flanks meet. Slices with outlines of their own need what needed_tip() says.
+    [[nodiscard]] double own_tip(SurfaceChoice const& choice);
+
     /// Matched outlines of all slices, root clearance included (design 3.4).
     /// @param tip              radius of the tip circle at z = 0 [mm]
     /// @param flank_intervals  see matched_outline()
     [[nodiscard]] MatchedOutline operator()(SurfaceChoice const& choice, double tip, double chord, int flank_intervals);
+
+    /// The same drive with twice as many intervals between its slices; kept.
+    [[nodiscard]] SurfaceMaker& refined();
 
     /// Which slice asked for the widened tip circle and why, in words; empty where the drive's own is left.
     [[nodiscard]] std::string const& why_widened() const { return why_; }
@@ -76,6 +87,7 @@ class SurfaceMaker
 
     [[nodiscard]] double factor(double z) const;
     [[nodiscard]] SliceJob& job(std::size_t k);
+    [[nodiscard]] double meeting_tip(double z, double tilt);
     [[nodiscard]] double pointed_radius(std::size_t k);
     void prepare(std::vector<std::size_t> const& wanted);
     [[nodiscard]] SpaceCurve const& middle(double tip);
@@ -100,6 +112,7 @@ class SurfaceMaker
     std::unique_ptr<SliceJob> middle_job_;
     std::unique_ptr<SpaceCurve> middle_;
     std::optional<MatchedOutline> base_flank_;
+    std::unique_ptr<SurfaceMaker> refined_;
     std::string why_;
 };
 

@@ -78,7 +78,7 @@ void spread_over_width(Solution& out, Profile const& tooth, AnyWaveShape const& 
     MatchedOutline outline;
     SurfaceChoice const flat{scene.slices->surface, "radial", 0};
     SurfaceChoice const choice{scene.slices->surface, draft ? "draft" : "radial", tilt};
-    double const tip = maker.needed_tip(choice);
+    double const tip = maker.own_tip(choice);
     std::string const why = maker.why_widened();
     clock.run(Stage::surface, [&] {
         if (!draft)

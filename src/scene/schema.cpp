@@ -390,7 +390,9 @@ TableSpec load()
              {optional("points", Q::count, "torques from 0 to the rated one", 1, bounds::most_torques), "10", 10.0,
               [](Scene& s, Parameter const& p) { s.load->points = count(p); }},
              {optional("harmonics", Q::count, "highest harmonic around the circumference", bounds::fewest_harmonics, bounds::most_harmonics), "100", 100.0,
-              [](Scene& s, Parameter const& p) { s.load->harmonics = count(p); }}},
+              [](Scene& s, Parameter const& p) { s.load->harmonics = count(p); }},
+             {optional("edge_radius", Q::positive_length, "of the edges where teeth touch under load; absent: 1/25 of the module", bounds::least_length), "0.01", {},
+              [](Scene& s, Parameter const& p) { s.load->edge_radius = number(p); }}},
             [](Scene& s, int line) { s.load.emplace().line = line; }};
 }
 

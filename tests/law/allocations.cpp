@@ -6,6 +6,7 @@
 #include <new>
 
 #include "hdconj/io/scene_toml.hpp"
+#include "hdconj/pipeline/contact.hpp"
 #include "hdconj/pipeline/solve.hpp"
 #include "support/catch.hpp"
 
@@ -57,13 +58,46 @@ namespace {
 
 using namespace hdconj;
 
-/// Allocations of one solve on one thread, after a first one that fills what is made once.
+/// Allocations of one call, after a first one that fills what is made once.
+template<class Call>
+std::size_t allocations_in(Call const& call)
+{
+    (void)call();
+    std::size_t const before = allocations;
+    (void)call();
+    return allocations - before;
+}
+
+/// Of one solve, without the words of its plan.
 std::size_t allocations_of(Scene const& scene)
 {
-    (void)solve(scene);
-    std::size_t const before = allocations;
-    (void)solve(scene);
-    return allocations - before;
+    return allocations_in([&] { return solve(scene); }) - allocations_in([&] { return make_plan(scene); });
+}
+
+/// Of one contact study.
+std::size_t allocations_of_contact(Scene const& scene)
+{
+    return allocations_in([&] { return contact(scene); });
+}
+
+/// One effect that a verb makes nothing of.
+struct Effect
+{
+    char const* name;
+    void (*add)(Scene&);
+};
+
+void add_coning(Scene& scene)
+{
+    scene.coning.emplace();
+    scene.coning->model = "linear";
+    scene.coning->bottom_to_middle = 9;
+}
+
+void add_cup(Scene& scene)
+{
+    scene.flexspline.cup.emplace();
+    scene.bearing.emplace();
 }
 
 }  // namespace
@@ -75,12 +109,63 @@ TEST_CASE("effects that solve has no use for cost it no allocation", "[effects]"
     std::size_t const plain = allocations_of(base);
     REQUIRE(plain > 100);
     CHECK(allocations_of(base) == plain);
-    // asked of the verb contact, not of solve
-    Scene contact = base;
-    contact.contact.emplace();
-    CHECK(allocations_of(contact) == plain);
+    // asked of other verbs, or without slices that they could act on
+    for (Effect const& effect : {Effect{"contact", [](Scene& s) { s.contact.emplace(); }}, Effect{"load", [](Scene& s) { s.load.emplace(); }},
+                                 Effect{"wedm", [](Scene& s) { s.wedm.emplace(); }}, Effect{"coning", add_coning},
+                                 Effect{"tilt", [](Scene& s) { s.tilt = Tilt{0.01, "radial", 0}; }}, Effect{"cup and bearing", add_cup},
+                                 Effect{"backlash", [](Scene& s) { s.circular_spline.backlash_offset = 0; }}})
+    {
+        INFO(effect.name);
+        Scene with = base;
+        effect.add(with);
+        CHECK(allocations_of(with) == plain);
+    }
     // an effect whose stage runs allocates: the count can tell
     Scene slices = base;
     slices.slices = Slices{3, "tilted", 0};
-    CHECK(allocations_of(slices) > plain);
+    std::size_t const sliced = allocations_of(slices);
+    CHECK(sliced > plain);
+    Scene backlash = base;
+    backlash.circular_spline.backlash_offset = 0.01;
+    CHECK(allocations_of(backlash) != plain);
+    // with slices: one outline for all of them makes nothing of a cone, slices of their own do
+    Scene cone = slices;
+    add_coning(cone);
+    CHECK(allocations_of(cone) == sliced);
+    cone.slices->surface = "per-slice";
+    CHECK(allocations_of(cone) > sliced);
+    // a tilt moves what is there, a draft makes outlines
+    Scene draft = slices;
+    draft.tilt = Tilt{0.003, "draft", 0};
+    CHECK(allocations_of(draft) > sliced);
+}
+
+TEST_CASE("effects that contact has no use for cost it no allocation", "[effects]")
+{
+    Scene base = builtin_scene();
+    base.solver.threads = 1;
+    base.contact = ContactRequest{1e-3, 30, 0, 0};
+    std::size_t const plain = allocations_of_contact(base);
+    REQUIRE(plain > allocations_of(base));
+    for (Effect const& effect : {Effect{"load", [](Scene& s) { s.load.emplace(); }}, Effect{"wedm", [](Scene& s) { s.wedm.emplace(); }}, Effect{"cup and bearing", add_cup}})
+    {
+        INFO(effect.name);
+        Scene with = base;
+        effect.add(with);
+        CHECK(allocations_of_contact(with) == plain);
+    }
+    // what it has a use for
+    Scene slices = base;
+    slices.slices = Slices{3, "tilted", 0};
+    std::size_t const sliced = allocations_of_contact(slices);
+    CHECK(sliced > plain);
+    Scene cone = slices;
+    add_coning(cone);
+    CHECK(allocations_of_contact(cone) > sliced);
+    Scene tilt = slices;
+    tilt.tilt = Tilt{0.003, "radial", 0};
+    CHECK(allocations_of_contact(tilt) > sliced);
+    Scene automatic = base;
+    automatic.circular_spline.automatic_backlash = true;
+    CHECK(allocations_of_contact(automatic) == plain);
 }

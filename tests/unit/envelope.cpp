@@ -188,9 +188,6 @@ TEST_CASE("the general curve path agrees with the closed form on an arc", "[enve
         Profile const curved = single(bezier_arc(arc));
         BranchSet const a = find_branches(Envelope<Exact>(round, motion, 0), 1);
         BranchSet const b = find_branches(Envelope<Exact>(curved, motion, 0), 1);
-        std::size_t arcs_a = 0;
-        for (Branch const& branch : a.branches)
-            arcs_a += branch.arcs.size();
         for (Branch const& x : a.branches)
             for (Branch const& y : b.branches)
             {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "hdconj/numeric/bracketed_minimum.hpp"
 #include "hdconj/numeric/bracketed_root.hpp"
 #include "hdconj/numeric/chebyshev.hpp"
 #include "hdconj/numeric/fourier.hpp"
@@ -25,6 +26,34 @@ TEST_CASE("a bracketed root is found to the last bits in few evaluations", "[num
     REQUIRE(root.found);
     CHECK(root.x == Approx(0.7390851332151607).epsilon(1e-15));
     CHECK(calls <= 14);
+}
+
+TEST_CASE("a minimum beside a place is found where the function falls from there", "[numeric]")
+{
+    for (double const sense : {1.0, -1.0})
+    {
+        // smooth: the value to rounding, the place to its square root
+        auto const smooth = [&](double x) { return (sense * x - 0.3) * (sense * x - 0.3) - 1; };
+        BracketedMinimum const round = minimum_beside(smooth, 0.0, sense, smooth(0), 1e-15);
+        CHECK(round.value == Approx(-1).epsilon(1e-14));
+        CHECK(round.x == Approx(0.3 * sense).margin(1e-6));
+        // pointed: slopes that differ, as where a corner passes
+        auto const pointed = [&](double x) { return std::max(0.5 - 2 * sense * x, 0.1 * (sense * x - 0.2)); };
+        BracketedMinimum const sharp = minimum_beside(pointed, 0.0, sense, pointed(0), 1e-15);
+        CHECK(sharp.value == Approx(0.52 * 0.1 / 2.1 - 0.02).margin(1e-14));
+        CHECK(pointed(sharp.x) == sharp.value);
+        // falling all the way: the other end
+        auto const falling = [&](double x) { return -sense * x; };
+        CHECK(minimum_beside(falling, 0.0, sense, 0.0, 1e-15).value == Approx(-1).epsilon(1e-14));
+        // rising: the place itself, after one look
+        int looks = 0;
+        auto const rising = [&](double x) {
+            ++looks;
+            return sense * x;
+        };
+        CHECK(minimum_beside(rising, 0.0, sense, 0.0, 1e-15).x == 0);
+        CHECK(looks == 1);
+    }
 }
 
 TEST_CASE("no sign change, no root, a zero at an end is the root", "[numeric]")

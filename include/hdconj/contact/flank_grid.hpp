@@ -20,6 +20,24 @@ struct FlankGrid
     std::array<std::vector<std::vector<Vec2>>, 2> point;
     std::array<std::vector<std::vector<Vec2>>, 2> normal;  ///< unit, into the material
 
+    /// [flank][slice]: all points of the outline between the same two ends, in the same order, and their normals. Empty: the points above are all there are.
+    std::array<std::vector<std::vector<Vec2>>, 2> line;
+    std::array<std::vector<std::vector<Vec2>>, 2> line_normal;
+    std::array<std::vector<std::size_t>, 2> index;         ///< place of point j among them
+
+    /// Place of point @p j along the line, as between() counts.
+    [[nodiscard]] double place(int flank, std::size_t j) const;
+
+    /// A point of the flank between its points: @p s counts the points of the line from the land corner on.
+    ///
+    /// The cubic that has their places and tangents (Hermite): it differs from the true flank by the square of the outline's chord error over a radius of curvature
+    /// and less. Beside a corner, where only one piece's tangent is known, the other end's stands for it. Between centres of circles: the chord.
+    /// @param offset  side clearance: every point moved along its normal by as much [mm]
+    [[nodiscard]] Vec2 between(int flank, std::size_t slice, double s, double offset = 0) const;
+
+    /// [flank][slice] where not empty: the points are centres of circles of this radius within the material, and gaps are those of the circles [mm]
+    std::array<std::vector<double>, 2> radius;
+
     [[nodiscard]] std::size_t slices() const { return z.size(); }
     [[nodiscard]] std::size_t points() const { return station.size(); }
 };

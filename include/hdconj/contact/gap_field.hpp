@@ -41,6 +41,13 @@ class GapField
 
     [[nodiscard]] double gap(Index const& i, double turn) const;
 
+    /// Gap of the flank between its points, at @p s as FlankGrid::between() counts.
+    [[nodiscard]] double gap_between(std::size_t space, int flank, std::size_t slice, double s, double turn) const;
+
+    /// The smallest gap between a point and its two neighbours on the flank, from @p gap at the point; no smaller one beside it: @p gap.
+    /// Found where it falls from the point (minimum_beside()), to @p enough.
+    [[nodiscard]] double lowest_about(Index const& i, double gap, double turn, double enough) const;
+
     /// Gaps of all points of one flank and slice at @p turn, into @p out, which is resized.
     void along(std::size_t space, int flank, std::size_t slice, double turn, std::vector<double>& out) const;
 
@@ -53,11 +60,17 @@ class GapField
     };
     [[nodiscard]] Touch touch(Index const& i, double turn) const;
 
+    /// The same of any point of the frame of @p space, in the plane of @p slice.
+    [[nodiscard]] Touch touch(std::size_t space, std::size_t slice, Vec2 const& q, double turn) const;
+
     /// All gaps at @p turn. Same bits for any number of threads.
     [[nodiscard]] GapMap map(double turn, int threads) const;
 
     /// Largest distance of a flank point from the axis: no gap changes faster than this with the turn [mm/rad].
     [[nodiscard]] double reach() const { return reach_; }
+
+    /// Largest distance between neighbouring points of a flank: none between them has a gap that is less by more than half of it [mm].
+    [[nodiscard]] double spacing() const { return spacing_; }
 
   private:
     /// x = R q - shift takes a point of a space into the frame of a tooth.
@@ -72,6 +85,7 @@ class GapField
     using Candidates = std::array<Placement, candidates>;
     [[nodiscard]] Candidates candidates_of(std::size_t space, std::size_t slice, double turn) const;
     [[nodiscard]] double nearest(Candidates const& teeth, Vec2 const& q) const;
+    [[nodiscard]] double radius(int flank, std::size_t slice) const;
     [[nodiscard]] int candidate(std::size_t space, int c) const;
 
     ToothDistance distance_;
@@ -82,6 +96,7 @@ class GapField
     std::vector<int> nearest_tooth_;
     double pitch_;
     double reach_ = 0;
+    double spacing_ = 0;
 };
 
 /// Range of teeth that a GapField needs: first and last number.

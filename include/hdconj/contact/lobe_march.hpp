@@ -114,19 +114,27 @@ class LobeMarch
 
     void refine(Vec2 const& p, std::size_t i, int copy, double slope_before, double slope_after, TurnMinimum& best) const
     {
+        // of the ends of the bracket: it only ever shrinks
+        double falling = slope_before, rising = slope_after;
         auto const slope = [&](double u) {
             MotionState const state = state_of(*motion_, u);
             Vec2 const x = state.pose.inverse(p);
             NearestPoint const foot = (*tooth_)(x);
             if (foot.distance < best.distance)
                 best = {foot.distance, u, copy, i};
-            return -foot.normal.dot(state.rates.twist(x));
+            double const value = -foot.normal.dot(state.rates.twist(x));
+            (value < 0 ? falling : rising) = value;
+            return value;
         };
         // next to its minimum the distance changes by the square of the step: half its digits in u are all of the distance's
         double const bend = (slope_after - slope_before) / step_;
         double const width = 0.25 * std::sqrt(unit_roundoff * p.norm() / bend);
         constexpr std::uintmax_t budget = 200;
-        (void)detail::shrunk_bracket(slope, parameter(i - 1), parameter(i), slope_before, slope_after, width, budget);
+        double const first = parameter(i - 1);
+        detail::ShrunkBracket const left = detail::shrunk_bracket(slope, first, parameter(i), slope_before, slope_after, width, budget);
+        // not so where the foot changes to another piece: there the slope jumps, and the distance has a point that is as deep as the bracket is wide
+        if (std::min(-falling, rising) * (left.high - left.low) > unit_roundoff * p.norm())
+            (void)detail::shrunk_bracket(slope, first + left.low, first + left.high, falling, rising, 0, budget);
     }
 
     ToothDistance const* tooth_;

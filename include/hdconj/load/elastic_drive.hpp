@@ -12,6 +12,7 @@
 #include "hdconj/load/flank_contacts.hpp"
 #include "hdconj/load/hertz.hpp"
 #include "hdconj/load/ring_response.hpp"
+#include "hdconj/load/tooth_bending.hpp"
 
 namespace hdconj {
 
@@ -43,12 +44,29 @@ struct ElasticDrive
     std::vector<double> slice_width;          ///< (slices) face width that a slice stands for [mm]
     Elasticity flexspline, circular_spline;
     double contact_depth = 0;                 ///< of the Hertz approach: half a tooth [mm]
-    std::vector<double> tooth_height, tooth_compliance;  ///< table of the tooth's own compliance [mm per N/mm] for a force along x at that height
+    ToothBending bending;
 
-    /// Own compliance of a tooth under a line load along the normal of @p c [mm per N/mm].
-    [[nodiscard]] double tooth_bending(FlankContact const& c) const;
     [[nodiscard]] LineContact line_contact(FlankContact const& c) const;
 };
+
+/// What flank contacts give way by in themselves, beside the cup: Hertz and bending of the tooth, as secants at given forces.
+struct LocalCompliance
+{
+    std::vector<double> own;  ///< of each contact [mm/N]
+    /// Contacts of one flank and slice give way under each other: as strips on one half-plane, and by bending of the tooth that they stand on.
+    struct Coupling
+    {
+        std::size_t first, second;
+        double compliance;  ///< [mm/N]
+    };
+    std::vector<Coupling> couplings;
+
+    /// What each contact gives way by under @p force [mm].
+    [[nodiscard]] std::vector<double> operator()(std::vector<double> const& force) const;
+};
+
+/// @param force  of each contact, at which the secants are taken; where there is none, that of a line load of 1 N/mm
+[[nodiscard]] LocalCompliance local_compliance(ElasticDrive const& drive, std::vector<FlankContact> const& contacts, std::vector<double> const& force);
 
 /// Forces in equilibrium at one torque, for gaps that are linear in them.
 struct Equilibrium
@@ -67,13 +85,13 @@ struct LinearGaps
 {
     std::vector<FlankContact> contacts;
     std::vector<double> displacement;  ///< of the tooth along the normal in that shape, as the model has it [mm]
-    std::vector<double> compliance;    ///< Hertz and tooth, secant [mm/N]
+    LocalCompliance compliance;
     double turn = 0;                   ///< of the flexspline in that shape [rad]
 };
 
 /// Forces that leave no gap negative and press only where there is none:
 ///
-///   flank:   g = gap + c.u - c.u(f) - lever (turn - turn_0) + compliance f >= 0,  f >= 0,  f g = 0
+///   flank:   g = gap + c.u - c.u(f) - lever (turn - turn_0) + compliance(f) >= 0,  f >= 0,  f g = 0
 ///   bearing: g = u_cup(f) + u_ring(f) - needed >= 0, likewise, and balls push or the ring stands off them,
 ///   torque:  sectors sum(lever f) = torque.
 ///

@@ -21,8 +21,7 @@ struct FlankContact
     std::size_t slice = 0;
     int tooth = 0;            ///< number as in ToothPlaces
     double station = 0;       ///< place along the flank, 0 at the land corner ... 1 at the flank end
-    std::size_t point = 0, next = 0;  ///< of the flank's points, between which it lies
-    double share = 0;                 ///< of the way from one to the other
+    double way = 0;           ///< the same [mm], of the line of circles' centres where edges are round
     double gap = 0;           ///< [mm]
     double c_r = 0, c_t = 0;  ///< normal in the undeformed ring's directions at the tooth, circular-spline material ahead
     double c_turn = 0;        ///< [mm]
@@ -42,18 +41,17 @@ struct FlankSearch
     double phase = 0;             ///< undeformed angle of tooth 0 [rad]
     int flexspline_teeth = 0;
     int circular_spline_teeth = 0;
-    double least_curvature = 0, largest_curvature = 0;  ///< that `curvature` is kept between [1/mm]
+    double strip_depth = 0;       ///< how much more gap belongs to one contact: that of the edges of a typical strip under pressure [mm]
 };
 
-/// The least gap of each (space, flank, slice), and a second least one where the gap has another minimum away from it (both arcs of a tooth
-/// may touch). In order of space, flank, slice, station. Flanks that are farther than the limit are told by a few points: no gap changes faster than the way along the flank.
-/// Accuracy: the gap is exact at the flank's points and parabolic between them; curvature from second differences over a twentieth of the flank.
+/// Every strip along a flank, in every (space, flank, slice), where the gap is less than beside it. In order of space, flank, slice, station. Flanks that are
+/// farther than the limit are told by a few points: no gap changes faster than the way along the flank.
+///
+/// Flanks are smooth curves through the grid's points, third order in their spacing between them. Least gaps are at roots of the gap's derivative, ends and edges. The strip of
+/// one is where the gap is no more than strip_depth larger, 2 b wide: the contact is in its middle, its curvature is 2 strip_depth/b^2, round edges included, and lesser
+/// minima within it belong to it. A Hertz strip under the line load q has the depth a^2 kappa/2 = 2 q/(pi E*): so the curvature is that which the pressure sees, and places and curvatures
+/// change little by little with the shape where flanks fit each other so well that the least gap jumps along them.
+/// Accuracy: a strip ends at a tenth of the flank on either side. Domain: gaps above -radius (with_round_edges()).
 [[nodiscard]] std::vector<FlankContact> flank_contacts(GapField const& field, FlankSearch const& search, int threads);
-
-/// The same contacts at the same places of the flanks, whether their gaps are least there or not; curvatures stay.
-[[nodiscard]] std::vector<FlankContact> at_same_places(GapField const& field, FlankSearch const& search, std::vector<FlankContact> const& contacts, int threads);
-
-/// Part of a flank's length by which two contacts of it lie apart.
-inline constexpr double contacts_apart = 0.15;
 
 }  // namespace hdconj

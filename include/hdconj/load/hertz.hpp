@@ -60,4 +60,22 @@ struct LineContact
     return of(c.first) + of(c.second);
 }
 
+/// What one N/mm lets a point of the surfaces approach at the distance @p x beside its line [mm per N/mm]: 1/(pi E') (ln((x^2 + d^2)/x^2) - d^2/((1 - nu) (x^2 + d^2))) of each body,
+/// the surface of a half-plane under a line load against the depth d below the point (Flamant; Johnson 2.19 ff).
+///
+/// Nearer than a/(2 sqrt(e)) to a strip of the half width @p a it is approach()/q of that strip: two strips that meet become one without a jump. Not below 0.
+[[nodiscard]] inline double approach_beside(LineContact const& c, double x, double a)
+{
+    double const strip = std::min(a, 0.5 * c.depth);
+    x = std::max(x, 0.5 / std::sqrt(std::numbers::e) * strip);
+    double const d2 = c.depth * c.depth, both = x * x + d2;
+    auto const of = [&](Elasticity const& body) {
+        double const nu = body.poissons_ratio;
+        double const beside = std::log(both / (x * x)) - d2 / ((1 - nu) * both);
+        double const under = 2 * std::log(2 * c.depth / strip) - nu / (1 - nu);
+        return std::clamp(beside, 0.0, under) / (std::numbers::pi * plane_strain_modulus(body));
+    };
+    return of(c.first) + of(c.second);
+}
+
 }  // namespace hdconj

@@ -38,7 +38,7 @@ struct ContactState
     double take_up_back = 0;     ///< the same for the other flanks, counter-clockwise [rad]
     double contact_area = 0;     ///< [mm^2] of the flanks on the driving side with gap <= contact_gap
     double share = 0;            ///< of the area of all flanks on that side, 0 ... 1
-    double share_error = 0;      ///< estimated from half as many points and slices
+    double share_error = 0;      ///< estimated: what half as many points, half as many planes and the clearance's own error change, added up
     double flank_area = 0;       ///< [mm^2] of all flanks on the driving side
     int teeth = 0;               ///< tooth spaces with any contact on the driving side
     double smallest_gap = 0;     ///< before turning, either side [mm]
@@ -91,6 +91,7 @@ struct ContactStudy
     std::vector<ContactCase> cases;  ///< in the order asked for
     std::vector<BestTilt> best;      ///< with --best
     std::size_t shown = 0;           ///< case that map and solution are of
+    double side_clearance = 0;       ///< that its outline includes: that of the case, or 0 where solution.notes say that it cannot be made with it [mm]
     GapMap map;                      ///< of that case at its state, after take-up
     double contact_gap = 0;          ///< [mm]
     double pitch_radius = 0;         ///< m z_f/2, at which play is given as a length [mm]

@@ -3,6 +3,7 @@
 /// `load`: the elastic cup on its wave generator, teeth under torque.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,8 +35,10 @@ struct LoadOptions
 /// Elastic cup (Fourier harmonics), unilateral contact with the wave generator, unilateral flank contacts with the gaps of the loaded shape; gaps
 /// and normals are taken again in the loaded shape until the linear model and the geometry agree. Small displacements of the cup about its
 /// undeformed shape; no friction. Same bits for any number of threads.
+/// @param talk  told the first figures in words as soon as they are known: force and coning of the assembled cup, then play of each surface
 /// @throws InputError for a scene or options that cannot be computed; NumericalError with stage, place and cause
-[[nodiscard]] LoadStudy load(Scene const& scene, LoadOptions const& options = {}, StageObserver const& on_stage = {}, Progress const& progress = {});
+[[nodiscard]] LoadStudy load(Scene const& scene, LoadOptions const& options = {}, StageObserver const& on_stage = {}, Progress const& progress = {},
+                             std::function<void(std::string const&)> const& talk = {});
 
 /// Two straight lines through (twist, torque) by least squares, the bend where they fit best. Points in order of growing torque, all of one sign.
 /// Fewer than six points, or no bend that chance would not make of a straight line with noise (1 %): `found` is false and both slopes are those of

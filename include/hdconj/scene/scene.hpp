@@ -168,6 +168,7 @@ struct LoadRequest
     std::optional<double> torque;  ///< rated, on the circular spline [N mm]
     int points = 0;                ///< torques from 0 to the rated one
     int harmonics = 0;             ///< highest one around the circumference
+    std::optional<double> edge_radius;  ///< of the lands' edges under load [mm]; default 1/25 of the module
     int line = 0;
 };
 

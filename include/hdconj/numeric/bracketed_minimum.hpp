@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The smallest value of a function beside a place where it falls.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "hdconj/numeric/tolerance.hpp"
+
+namespace hdconj {
+
+/// A minimum and where it is.
+struct BracketedMinimum
+{
+    double x = 0;
+    double value = 0;
+};
+
+/// Smallest value of @p f from @p a towards @p b, f(a) = @p fa given; (a, fa) itself where the function does not fall from there.
+///
+/// Golden section (Kiefer 1953), which needs no derivative: a smooth minimum and the point of a V are found alike. Ends where neither end of the
+/// bracket lies more than @p enough above the smallest value, or at the last bits of the place: a function that is convex there is then right to
+/// 3 @p enough. One that has several minima gives one of them.
+template<class F>
+[[nodiscard]] BracketedMinimum minimum_beside(F&& f, double a, double b, double fa, double enough)
+{
+    // so near that what falls at all falls there
+    constexpr double step = 0x1p-10;
+    constexpr double golden = 0.38196601125010515;   // (3 - sqrt 5)/2
+    double x = a + step * (b - a);
+    double at_x = f(x);
+    if (!(at_x < fa))
+        return {a, fa};
+    double const size = std::max(std::abs(a), std::abs(b));
+    double at_a = fa, at_b = f(b);
+    constexpr int budget = 120;
+    for (int i = 0; i < budget; ++i)
+    {
+        if (std::abs(b - a) <= 4 * unit_roundoff * size || std::max(at_a, at_b) - at_x <= enough)
+            break;
+        bool const beyond = std::abs(b - x) > std::abs(x - a);
+        double const y = beyond ? x + golden * (b - x) : x - golden * (x - a);
+        double const at_y = f(y);
+        if (at_y < at_x)
+        {
+            (beyond ? a : b) = x;
+            (beyond ? at_a : at_b) = at_x;
+            x = y;
+            at_x = at_y;
+        }
+        else
+        {
+            (beyond ? b : a) = y;
+            (beyond ? at_b : at_a) = at_y;
+        }
+    }
+    return at_b < at_x ? BracketedMinimum{b, at_b} : BracketedMinimum{x, at_x};
+}
+
+}  // namespace hdconj

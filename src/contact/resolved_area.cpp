@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/contact/resolved_area.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <utility>
+
+#include "area_cell.hpp"
+#include "hdconj/contact/smallest_gap.hpp"
+#include "hdconj/numeric/parallel.hpp"
+
+namespace hdconj {
+namespace {
+
+constexpr std::size_t steps = 16;   // between two points of the map, where the edge of the contact may be
+
+/// Contact of one space, or of all, by all steps and by every second one.
+struct Sums
+{
+    double fine = 0, half = 0;
+
+    Sums& operator+=(Sums const& other)
+    {
+        fine += other.fine;
+        half += other.half;
+        return *this;
+    }
+};
+
+/// The flank of one space.
+class SpaceArea
+{
+  public:
+    SpaceArea(GapField const& field, double turn, std::size_t space, int flank, double limit)
+        : field_(&field), turn_(turn), space_(space), flank_(flank), limit_(limit), points_(field.grid().points()), looked_(field.grid().slices() * points_)
+    {
+        gaps_.resize(field.grid().slices());
+        for (std::size_t k = 0; k < gaps_.size(); ++k)
+            field.along(space, flank, k, turn, gaps_[k]);
+    }
+
+    /// The smallest gap, between the points too where it is below @p below.
+    [[nodiscard]] double lowest(double below) const
+    {
+        double least = std::numeric_limits<double>::infinity();
+        for (std::size_t k = 0; k < gaps_.size(); ++k)
+            least = std::min(least, smallest_on_line(*field_, {space_, flank_, k, 0}, gaps_[k].data(), turn_, below).gap);
+        return least;
+    }
+
+    /// The strip between the slices @p low and @p high, laid at the heights @p z_low and @p z_high.
+    [[nodiscard]] Sums strip(std::size_t low, std::size_t high, double z_low, double z_high)
+    {
+        Sums sums;
+        FlankGrid const& grid = field_->grid();
+        auto const& line = grid.point[static_cast<std::size_t>(flank_)];
+        for (std::size_t j = 0; j + 1 < points_; ++j)
+        {
+            if (!near_limit(low, j) && !near_limit(high, j) && inside(low, j) == inside(high, j))
+            {
+                std::array<detail::AreaCorner, 4> const corner{at(line[low][j], z_low, gap(low, j)), at(line[low][j + 1], z_low, gap(low, j + 1)),
+                                                               at(line[high][j + 1], z_high, gap(high, j + 1)), at(line[high][j], z_high, gap(high, j))};
+                double contact = 0, whole = 0;
+                if (inside(low, j))
+                    detail::add_cell(corner, contact, whole);
+                sums.fine += contact;
+                sums.half += contact;
+                continue;
+            }
+            Steps const& a = between(low, j);
+            Steps const& b = between(high, j);
+            for (std::size_t const stride : {std::size_t{1}, std::size_t{2}})
+            {
+                double contact = 0, whole = 0;
+                for (std::size_t i = 0; i < steps; i += stride)
+                    detail::add_cell({at(a.point[i], z_low, a.gap[i]), at(a.point[i + stride], z_low, a.gap[i + stride]),
+                                      at(b.point[i + stride], z_high, b.gap[i + stride]), at(b.point[i], z_high, b.gap[i])},
+                                     contact, whole);
+                (stride == 1 ? sums.fine : sums.half) += contact;
+            }
+        }
+        return sums;
+    }
+
+  private:
+    struct Steps
+    {
+        std::array<Vec2, steps + 1> point;
+        std::array<double, steps + 1> gap;
+    };
+
+    [[nodiscard]] double gap(std::size_t slice, std::size_t j) const { return gaps_[slice][j]; }
+    [[nodiscard]] detail::AreaCorner at(Vec2 const& p, double z, double g) const { return {{p.x(), p.y(), z}, g - limit_}; }
+    [[nodiscard]] bool inside(std::size_t slice, std::size_t j) const { return gap(slice, j) <= limit_; }
+
+    /// Whether the gap may reach the limit between the points j and j + 1, going on as steeply as anywhere beside.
+    [[nodiscard]] bool near_limit(std::size_t slice, std::size_t j) const
+    {
+        double change = 0;
+        for (std::size_t i = j > 0 ? j - 1 : j; i <= j + 1 && i + 1 < points_; ++i)
+            change = std::max(change, std::abs(gap(slice, i + 1) - gap(slice, i)));
+        double const low = std::min(gap(slice, j), gap(slice, j + 1)), high = std::max(gap(slice, j), gap(slice, j + 1));
+        return low - change <= limit_ && limit_ <= high + change;
+    }
+
+    [[nodiscard]] Steps const& between(std::size_t slice, std::size_t j)
+    {
+        std::size_t& slot = looked_[slice * points_ + j];
+        if (slot == 0)
+        {
+            FlankGrid const& grid = field_->grid();
+            Steps made;
+            double const from = grid.place(flank_, j), to = grid.place(flank_, j + 1);
+            for (std::size_t i = 0; i <= steps; ++i)
+            {
+                bool const end = i == steps;
+                double const s = from + (to - from) * static_cast<double>(i) / steps;
+                made.point[i] = end || i == 0 ? grid.point[static_cast<std::size_t>(flank_)][slice][end ? j + 1 : j] : grid.between(flank_, slice, s);
+                made.gap[i] = end || i == 0 ? gap(slice, end ? j + 1 : j) : field_->gap_between(space_, flank_, slice, s, turn_);
+            }
+            kept_.push_back(made);
+            slot = kept_.size();
+        }
+        return kept_[slot - 1];
+    }
+
+    GapField const* field_;
+    double turn_;
+    std::size_t space_;
+    int flank_;
+    double limit_;
+    std::size_t points_;
+    std::vector<std::vector<double>> gaps_;
+    std::vector<std::size_t> looked_;   // place in kept_ from 1 on; 0: not looked at
+    std::deque<Steps> kept_;
+};
+
+/// Area of one flank of one space. Where side clearance moves a bend by more than its radius its points run backwards for as far as their neighbours overrun
+/// the crossing that a real flank ends at: such stretches count as less than nothing, so that the area does not depend on how finely the bend is drawn.
+double flank_area(FlankGrid const& grid, int flank, double width)
+{
+    auto const f = static_cast<std::size_t>(flank);
+    auto const& line = grid.line[f].empty() ? grid.point[f] : grid.line[f];
+    auto const& normal = grid.line[f].empty() ? grid.normal[f] : grid.line_normal[f];
+    bool const strip = grid.slices() == 1;
+    double area = 0;
+    for (std::size_t k = 0; k + 1 < (strip ? 2 : grid.slices()); ++k)
+    {
+        std::size_t const high = strip ? k : k + 1;
+        double const z_low = strip ? -width / 2 : grid.z[k], z_high = strip ? width / 2 : grid.z[high];
+        auto const corner = [&](std::size_t slice, double z, std::size_t j) { return detail::AreaCorner{{line[slice][j].x(), line[slice][j].y(), z}, 1}; };
+        for (std::size_t j = 0; j + 1 < line[k].size(); ++j)
+        {
+            double contact = 0, whole = 0;
+            detail::add_cell({corner(k, z_low, j), corner(k, z_low, j + 1), corner(high, z_high, j + 1), corner(high, z_high, j)}, contact, whole);
+            // from the land corner outward, with the material on the right of the right flank
+            Vec2 const n = normal[k][j] + normal[k][j + 1];
+            Vec2 const onward = flank == GapMap::right ? left_of(n) : right_of(n);
+            area += (line[k][j + 1] - line[k][j]).dot(onward) < 0 ? -whole : whole;
+        }
+    }
+    return area;
+}
+
+}  // namespace
+
+ResolvedArea resolved_area(GapField const& field, std::vector<std::size_t> const& spaces, double turn, int flank, double limit, double width, int threads)
+{
+    FlankGrid const& grid = field.grid();
+    std::size_t const last = grid.slices() - 1;
+    struct Space
+    {
+        Sums all, second, fourth;
+        double lowest = std::numeric_limits<double>::infinity();
+    };
+    std::vector<Space> found(spaces.size());
+    constexpr std::size_t grain = 2;
+    parallel_for(spaces.size(), threads, grain, [&](std::size_t s) {
+        SpaceArea area(field, turn, spaces[s], flank, limit);
+        Space& space = found[s];
+        space.lowest = area.lowest(limit);
+        if (last == 0)
+        {
+            // one slice is a strip between two copies of itself
+            space.all = area.strip(0, 0, -width / 2, width / 2);
+            space.second = space.fourth = space.all;
+            return;
+        }
+        for (std::size_t k = 0; k < last; ++k)
+            space.all += area.strip(k, k + 1, grid.z[k], grid.z[k + 1]);
+        for (auto const& [stride, sums] : {std::pair{std::size_t{2}, &space.second}, std::pair{std::size_t{4}, &space.fourth}})
+            for (std::size_t k = 0; k < last; k += stride)
+                *sums += area.strip(k, std::min(k + stride, last), grid.z[k], grid.z[std::min(k + stride, last)]);
+    });
+    ResolvedArea result;
+    Sums all, second, fourth;
+    result.lowest = std::numeric_limits<double>::infinity();
+    for (Space const& space : found)
+    {
+        all += space.all;
+        second += space.second;
+        fourth += space.fourth;
+        result.lowest = std::min(result.lowest, space.lowest);
+        result.area.spaces += space.all.fine > 0 ? 1 : 0;
+    }
+    // all spaces have the same flanks
+    result.area.contact = all.fine;
+    result.area.whole = std::max(flank_area(grid, flank, width) * static_cast<double>(field.spaces()), all.fine);
+    if (!(result.area.whole > 0))
+        return result;
+    result.along = std::abs(all.fine - all.half) / result.area.whole;
+    auto const share = [&](Sums const& sums) { return sums.fine / result.area.whole; };
+    double const by_two = std::abs(share(all) - share(second));
+    double const by_four = std::abs(share(second) - share(fourth));
+    constexpr double best = 0.25, worst = 2.0 / 3, safety = 2;
+    double const falls = by_four > 0 ? std::clamp(by_two / by_four, best, worst) : worst;
+    result.across = safety * by_two * falls / (1 - falls);
+    return result;
+}
+
+}  // namespace hdconj

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/contact/smallest_gap.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+#include "hdconj/numeric/parallel.hpp"
+#include "hdconj/numeric/tolerance.hpp"
+
+namespace hdconj {
+namespace {
+
+constexpr std::size_t grain = 4;   // flanks of one space worth a thread
+
+}  // namespace
+
+SmallestGap smallest_on_line(GapField const& field, GapField::Index const& line, double const* gap, double turn, double below)
+{
+    std::size_t const points = field.grid().points();
+    GapField::Index at = line;
+    SmallestGap best{std::numeric_limits<double>::infinity(), at};
+    for (std::size_t i = 0; i < points; ++i)
+    {
+        at.point = i;
+        if (gap[i] < best.gap)
+            best = {gap[i], at};
+        if (!(gap[i] - 0.5 * field.spacing() < std::min(below, best.gap)) || (i > 0 && gap[i - 1] < gap[i]) || (i + 1 < points && gap[i + 1] < gap[i]))
+            continue;
+        double const lowest = field.lowest_about(at, gap[i], turn, smallest_gap_accuracy(field));
+        if (lowest < best.gap)
+            best = {lowest, at};
+    }
+    return best;
+}
+
+double smallest_gap_accuracy(GapField const& field)
+{
+    return 4 * unit_roundoff * field.reach();
+}
+
+SmallestGap smallest_gap(GapField const& field, GapMap const& map, double turn, int flank, int threads)
+{
+    std::size_t const spaces = map.angle.size();
+    std::size_t const row = map.z.size() * map.station.size();
+    auto const asked = [&](int side) { return flank < 0 || side == flank; };
+    double on_points = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < 2 * spaces; ++i)
+        if (asked(static_cast<int>(i % 2)))
+            on_points = std::min(on_points, *std::min_element(map.gap.begin() + static_cast<std::ptrdiff_t>(i * row), map.gap.begin() + static_cast<std::ptrdiff_t>((i + 1) * row)));
+    std::vector<SmallestGap> found(spaces);
+    parallel_for(spaces, threads, grain, [&](std::size_t space) {
+        found[space].gap = std::numeric_limits<double>::infinity();
+        for (int const side : {static_cast<int>(GapMap::left), static_cast<int>(GapMap::right)})
+            for (std::size_t k = 0; asked(side) && k < map.z.size(); ++k)
+            {
+                SmallestGap const line = smallest_on_line(field, {space, side, k, 0}, map.gap.data() + map.index(space, side, k, 0), turn, std::min(on_points, found[space].gap));
+                if (line.gap < found[space].gap)
+                    found[space] = line;
+            }
+    });
+    return *std::min_element(found.begin(), found.end(), [](SmallestGap const& a, SmallestGap const& b) { return a.gap < b.gap; });
+}
+
+}  // namespace hdconj

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// A curve through the points of a flank.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "hdconj/geometry/vec2.hpp"
+
+namespace hdconj {
+
+/// Cubic Hermite stretches between neighbouring points; the tangent at a point is that of the parabola through it and its neighbours. (Normals of a grid do not serve: on ruled and
+/// tilted surfaces they belong to the surface that was tilted.) Where chords turn by more than a flank does between two points there is an edge, and stretches end along their
+/// chords. Points that coincide make a stretch of no length. The parameter is the way along the chords.
+class FlankCurve
+{
+  public:
+    struct Place
+    {
+        std::size_t stretch;
+        double share;  ///< 0 ... 1
+    };
+
+    explicit FlankCurve(std::vector<Vec2> const& point) : point_(point)
+    {
+        constexpr double aligned = 0.995;  // cosine of 6 degrees
+        way_.push_back(0);
+        for (std::size_t i = 0; i + 1 < point.size(); ++i)
+        {
+            double const length = (point[i + 1] - point[i]).norm();
+            way_.push_back(way_.back() + length);
+            longest_ = std::max(longest_, length);
+        }
+        auto const direction = [&](std::size_t stretch) { return Vec2((point[stretch + 1] - point[stretch]) / length(stretch)); };
+        // unit tangent at the end of a stretch where a neighbour goes on from it
+        auto const tangent = [&](std::size_t stretch, std::size_t neighbour) {
+            Vec2 const own = direction(stretch);
+            if (neighbour >= way_.size() - 1 || !(length(neighbour) > 0))
+                return own;
+            Vec2 const other = direction(neighbour);
+            if (own.dot(other) < aligned)
+                return own;
+            return Vec2((length(neighbour) * own + length(stretch) * other).normalized());
+        };
+        for (std::size_t i = 0; i + 1 < way_.size(); ++i)
+        {
+            bool const real = length(i) > 0;
+            begin_.push_back(real ? Vec2(length(i) * tangent(i, i - 1)) : Vec2(Vec2::Zero()));  // i - 1 beyond the first is no neighbour either
+            end_.push_back(real ? Vec2(length(i) * tangent(i, i + 1)) : Vec2(Vec2::Zero()));
+        }
+        while (first_ + 1 < begin_.size() && !(length(first_) > 0))
+            ++first_;
+        last_ = begin_.size() - 1;
+        while (last_ > first_ && !(length(last_) > 0))
+            --last_;
+    }
+
+    [[nodiscard]] std::vector<Vec2> const& points() const { return point_; }
+    [[nodiscard]] std::vector<double> const& way() const { return way_; }
+    [[nodiscard]] double length(std::size_t stretch) const { return way_[stretch + 1] - way_[stretch]; }
+    [[nodiscard]] double longest() const { return longest_; }
+    [[nodiscard]] std::size_t first() const { return first_; }  ///< stretch with a length
+    [[nodiscard]] std::size_t last() const { return last_; }
+    [[nodiscard]] double way_at(Place const& at) const { return way_[at.stretch] + at.share * length(at.stretch); }
+
+    [[nodiscard]] Place place(double way) const
+    {
+        auto const above = std::upper_bound(way_.begin(), way_.end(), way);
+        auto const i = std::clamp(static_cast<std::size_t>(std::max<std::ptrdiff_t>(above - way_.begin(), 1)) - 1, first_, last_);
+        return {i, length(i) > 0 ? std::clamp((way - way_[i]) / length(i), 0.0, 1.0) : 0.0};
+    }
+
+    [[nodiscard]] Vec2 point(Place const& at) const
+    {
+        double const t = at.share, s = 1 - t;
+        // Bernstein form: the end points come out exactly
+        Vec2 const& a = point_[at.stretch];
+        Vec2 const& b = point_[at.stretch + 1];
+        return s * s * (s + 3 * t) * a + t * t * (t + 3 * s) * b + s * s * t * begin_[at.stretch] - t * t * s * end_[at.stretch];
+    }
+
+    /// Unit.
+    [[nodiscard]] Vec2 tangent(Place const& at) const
+    {
+        double const t = at.share, s = 1 - t;
+        Vec2 const chord = point_[at.stretch + 1] - point_[at.stretch];
+        return (6 * s * t * chord + s * (s - 2 * t) * begin_[at.stretch] + t * (t - 2 * s) * end_[at.stretch]).normalized();
+    }
+
+  private:
+    std::vector<Vec2> point_;
+    std::vector<Vec2> begin_, end_;  ///< derivatives by the share
+    std::vector<double> way_;
+    double longest_ = 0;
+    std::size_t first_ = 0, last_ = 0;
+};
+
+}  // namespace hdconj

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Hard cases of a load. Every line is one of the table in docs/stability.md.
+#include <algorithm>
+#include <cmath>
+
+#include "hdconj/numeric/error.hpp"
+#include "hdconj/pipeline/load.hpp"
+#include "row.hpp"
+
+using namespace hdconj;
+using namespace hdconj::test;
+
+namespace {
+
+/// Few slices and points, so that a torque takes a fraction of a second.
+LoadCase loaded(Overrides const& keys, double torque_nm, LoadStudy* whole = nullptr)
+{
+    LoadOptions options;
+    options.torque = torque_nm * 1e3;
+    options.curve = false;
+    LoadStudy study = load(builtin_scene(Overrides{"slices.count=3", "contact.flank_points=60", "bearing.circles=5"} + keys), options);
+    LoadCase result = study.cases.front();
+    if (whole != nullptr)
+        *whole = std::move(study);
+    return result;
+}
+
+/// What holds for every state in balance.
+void check_laws(LoadCase const& c)
+{
+    LoadedState const& state = c.curve.front();
+    CHECK(std::isfinite(state.twist));
+    CHECK(state.complementarity <= 1e-10);  // force, gap and torque row
+    CHECK(state.residual <= 1e-6);          // gaps of the loaded shape
+    CHECK(*std::min_element(c.map.force.begin(), c.map.force.end()) >= 0);
+    double sum = 0;
+    for (double const f : c.map.force)
+        sum += f;
+    // no flank has a longer lever than the teeth's radius
+    CHECK(2 * sum * 25.6 >= std::abs(state.torque));
+}
+
+std::string told(LoadCase const& c)
+{
+    LoadedState const& s = c.curve.front();
+    return "twist " + number(s.twist * 180 * 60 / 3.14159265358979) + "', " + std::to_string(s.teeth) + " teeth, residual " + number(s.residual * 1e6) + " nm, " + std::to_string(s.rounds)
+           + " rounds, complementarity " + number(s.complementarity);
+}
+
+}  // namespace
+
+HARD_ROW("no contact at all", "no torque within the play", "no force, twist 0")
+{
+    LoadCase const c = loaded({"circular_spline.backlash_offset=0.09"}, 0);
+    check_laws(c);
+    CHECK(c.curve.front().twist == 0);
+    CHECK(*std::max_element(c.map.force.begin(), c.map.force.end()) == 0);
+    say(told(c));
+}
+
+HARD_ROW("a torque of 1e-9 N m", "forces of 1e-8 N", "balance")
+{
+    LoadCase const c = loaded({"circular_spline.backlash_offset=0.09"}, 1e-9);
+    check_laws(c);
+    CHECK(c.curve.front().twist == Approx(c.backlash / 2).epsilon(1e-3));
+    say(told(c));
+}
+
+HARD_ROW("every tooth that is near", "a torque of 1000 N m", "balance")
+{
+    LoadCase const c = loaded({"circular_spline.backlash_offset=0.09"}, 1000);
+    check_laws(c);
+    CHECK(c.curve.front().teeth > 80);
+    say(told(c));
+}
+
+HARD_ROW("more than the teeth can carry", "a torque of 1e7 N m", "an error that names the torque")
+{
+    try
+    {
+        (void)loaded({"circular_spline.backlash_offset=0.09"}, 1e7);
+        FAIL("a torque of 1e7 N m was carried");
+    }
+    catch (NumericalError const& error)
+    {
+        CHECK(std::string(error.what()).starts_with("load: torque of 10000000.000000 N m: "));
+        say(error.what());
+    }
+}
+
+HARD_ROW("no side clearance", "teeth press without torque", "balance")
+{
+    LoadCase const c = loaded({"circular_spline.backlash_offset=0.0"}, 5);
+    check_laws(c);
+    say(told(c));
+}
+
+HARD_ROW("a side clearance of 1e-12 mm", "gaps of roundings", "as with none")
+{
+    LoadCase const c = loaded({"circular_spline.backlash_offset=1e-12"}, 5);
+    check_laws(c);
+    CHECK(c.curve.front().twist == Approx(loaded({"circular_spline.backlash_offset=0.0"}, 5).curve.front().twist).epsilon(1e-6));
+    say(told(c));
+}
+
+HARD_ROW("one slice", "no neighbour along the axis", "balance")
+{
+    LoadCase const c = loaded({"slices.count=1", "circular_spline.backlash_offset=0.065"}, 20);
+    check_laws(c);
+    say(told(c));
+}
+
+HARD_ROW("two circles of the bearing", "as few as there may be", "balance")
+{
+    LoadCase const c = loaded({"bearing.circles=2", "circular_spline.backlash_offset=0.065"}, 20);
+    check_laws(c);
+    say(told(c));
+}
+
+HARD_ROW("a wall of 5 mm", "it leaves no room for the circular spline's land", "an error with place and remedy")
+{
+    try
+    {
+        (void)loaded({"flexspline.wall=5.0", "circular_spline.backlash_offset=0.065"}, 20);
+        FAIL("a circular spline without a land was loaded");
+    }
+    catch (NumericalError const& error)
+    {
+        CHECK(std::string(error.what()).find("write a circular_spline.inner_radius above") != std::string::npos);
+        say(error.what());
+    }
+}
+
+HARD_ROW("a wall of 0.05 mm", "the ring under the teeth is thinner than the barrel", "balance")
+{
+    LoadCase const c = loaded({"flexspline.wall=0.05", "circular_spline.backlash_offset=0.065"}, 1);
+    check_laws(c);
+    say(told(c));
+}
+
+HARD_ROW("teeth in each other's way when assembled", "one outline in a cup that cones, no side clearance given", "the least clearance is added and said")
+{
+    LoadCase const c = loaded({"circular_spline.backlash_offset=0.0"}, 0.01);
+    check_laws(c);
+    CHECK(c.raised);
+    CHECK(c.backlash_offset > 0);
+    say(told(c));
+}
+
+HARD_ROW("an edge of 1 nm", "as sharp as a number can say", "balance or an error that names the torque")
+{
+    try
+    {
+        LoadCase const c = loaded({"load.edge_radius=1e-6", "circular_spline.backlash_offset=0.065"}, 5);
+        check_laws(c);
+        say(told(c));
+    }
+    catch (NumericalError const& error)
+    {
+        CHECK(std::string(error.what()).find("N m") != std::string::npos);
+        say(error.what());
+    }
+}
