@@ -21,7 +21,7 @@ PLAIN, CONED = "type-50", "type-50-coned"
 def state(program, scene, surface, slices, points, keys=()):
     with tempfile.TemporaryDirectory() as folder:
         command = [program, "contact", os.path.join(ROOT, "data/scenes", scene + ".toml"), "--json", "--quiet", "--surface", surface,
-                   "-o", os.path.join(folder, "result.h5"), "--set", f"slices.count={slices}", "--set", f"contact.flank_points={points}"]
+                   "-o", os.path.join(folder, "result.h5"), "--set", f"slices.count={slices}", "--set", "slices.surface=" + surface, "--set", f"contact.flank_points={points}"]
         for key in keys:
             command += ["--set", key]
         done = subprocess.run(command, capture_output=True, text=True)

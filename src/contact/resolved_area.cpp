@@ -215,7 +215,7 @@ ResolvedArea resolved_area(GapField const& field, std::vector<std::size_t> const
     auto const share = [&](Sums const& sums) { return sums.fine / result.area.whole; };
     double const by_two = std::abs(share(all) - share(second));
     double const by_four = std::abs(share(second) - share(fourth));
-    constexpr double best = 0.25, worst = 2.0 / 3, safety = 2;
+    constexpr double best = 0.5, worst = 2.0 / 3, safety = 2;
     double const falls = by_four > 0 ? std::clamp(by_two / by_four, best, worst) : worst;
     result.across = safety * by_two * falls / (1 - falls);
     return result;

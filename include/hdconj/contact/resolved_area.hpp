@@ -25,7 +25,7 @@ struct ResolvedArea
 /// and to the exact teeth; cells between slices as in contact_area(). So the error along the flank is that of 16 times as many points, at the cost of the
 /// edge of the contact alone. How far a gap may dip between two points is told by what it changes beside them. 
 /// `across`: D is what every second slice in place of all changes and D' what every fourth in place of every second does. Where the differences go on falling by
-/// q = D/D', all that are left add up to D q/(1 - q); q is taken no better than second order and no worse than 2/3, and twice the sum is given. Slices are
+/// q = D/D', all that are left add up to D q/(1 - q); q is taken no better than 1/2 (first order: a difference may be small by chance) and no worse than 2/3, and twice the sum is given. Slices are
 /// odd in number.
 /// Same bits for any number of threads.
 [[nodiscard]] ResolvedArea resolved_area(GapField const& field, std::vector<std::size_t> const& spaces, double turn, int flank, double limit, double width, int threads);
