@@ -148,17 +148,9 @@ HARD_ROW("teeth in each other's way when assembled", "one outline in a cup that 
     say(told(c));
 }
 
-HARD_ROW("an edge of 1 nm", "as sharp as a number can say", "balance or an error that names the torque")
+HARD_ROW("an edge of 1 nm", "as sharp as a number can say", "balance")
 {
-    try
-    {
-        LoadCase const c = loaded({"load.edge_radius=1e-6", "circular_spline.backlash_offset=0.065"}, 5);
-        check_laws(c);
-        say(told(c));
-    }
-    catch (NumericalError const& error)
-    {
-        CHECK(std::string(error.what()).find("N m") != std::string::npos);
-        say(error.what());
-    }
+    LoadCase const c = loaded({"load.edge_radius=1e-6", "circular_spline.backlash_offset=0.065"}, 5);
+    check_laws(c);
+    say(told(c));
 }

@@ -37,7 +37,7 @@ inline constexpr int standard_slices = 17;
 /// Clearances, clearing offsets, play and contact areas of every combination of surface, kind and tilt (design 3.4, 3.5).
 ///
 /// Gaps are distances in the planes of the slices, from exact points of the circular spline to exact teeth. With [coning] and
-/// axial_shift = "mapped" the teeth in a plane are those parts of the cup that have moved into it; clearances over a full turn are those of each slice with itself.
+/// axial_shift = "mapped" the teeth in a plane are those parts of the cup that have moved into it, for gaps and for full turns (SurfaceMaker::follows_sections() says where not).
 /// Same bits for any number of threads.
 /// @throws InputError for a scene or options that cannot be computed; NumericalError with stage, place and cause
 [[nodiscard]] ContactStudy contact(Scene const& scene, ContactOptions const& options = {}, StageObserver const& on_stage = {}, Progress const& progress = {});
