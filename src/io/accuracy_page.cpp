@@ -102,7 +102,7 @@ void conclude_model(Page& page, Ladders const& ladders)
     if (material != nullptr) {
         text += fmt::format(", material at {}", um_text(floor(material)));
     }
-    page.line("{}: floors of the model, not of the arithmetic. At equal tolerance they take {:.2g} and {:.2g} times the time of exact motion, so there is no time to be gained by them.", text,
+    page.line("{}: floors of the model, not of the arithmetic. At equal tolerance they take {:.2g} and {:.2g} times the time of exact motion.", text,
               first->rungs.back().median / exact->rungs.back().median,
               material == nullptr ? not_measured : material->rungs.back().median / exact->rungs.back().median);
 }

@@ -85,52 +85,34 @@ struct Sampled
     double entry = 0;
 };
 
-/// The first @p count designs about @p scene that make a drive.
-std::vector<std::unique_ptr<Sampled>> sample_of(Scene const& scene, AccuracyOptions const& options, int count, int threads, AccuracyReport& report,
-                                                std::function<void(double)> const& progress)
+/// Those of designs @p first ... @p first + @p count - 1 about @p scene that make a drive.
+std::vector<std::unique_ptr<Sampled>> designs_of(Scene const& scene, std::uint64_t seed, int first, int count, int threads)
 {
-    std::vector<std::unique_ptr<Sampled>> sample;
-    int drawn = 0;
-    constexpr int most_drawn = 4;   // times as many as wanted
-    while (static_cast<int>(sample.size()) < count && drawn < most_drawn * count)
-    {
-        int const missing = count - static_cast<int>(sample.size());
-        int const batch = std::min(missing, 4 * threads);
-        std::vector<std::unique_ptr<Sampled>> made(static_cast<std::size_t>(batch));
-        parallel_for(made.size(), threads, 1, [&](std::size_t i) {
-            try
-            {
-                Scene design = design_near(scene, options.seed, drawn + static_cast<int>(i));
-                design.solver.threads = 1;
-                if (!check_scene(design).empty())
-                    return;
-                StudyDrive drive = study_drive(design);
-                ReferenceCurve reference = reference_of(drive);
-                constexpr int points = 24, positions = 600;
-                double const entry = entry_of(drive, reference, points, positions);
-                made[i] = std::make_unique<Sampled>(Sampled{std::move(drive), std::move(reference), entry});
-            }
-            catch (NumericalError const&)
-            {
-                made[i].reset();   // no drive: counted as refused
-            }
-            catch (InputError const&)
-            {
-                made[i].reset();
-            }
-        });
-        drawn += batch;
-        for (auto& one : made)
+    std::vector<std::unique_ptr<Sampled>> made(static_cast<std::size_t>(count));
+    parallel_for(made.size(), threads, 1, [&](std::size_t i) {
+        try
         {
-            if (one)
-                sample.push_back(std::move(one));
-            else
-                ++report.sample_refused;
+            Scene design = design_near(scene, seed, first + static_cast<int>(i));
+            design.solver.threads = 1;
+            if (!check_scene(design).empty())
+                return;
+            StudyDrive drive = study_drive(design);
+            ReferenceCurve reference = reference_of(drive);
+            constexpr int points = 24, positions = 600;
+            double const entry = entry_of(drive, reference, points, positions);
+            made[i] = std::make_unique<Sampled>(Sampled{std::move(drive), std::move(reference), entry});
         }
-        progress(static_cast<double>(sample.size()) / count);
-    }
-    report.sample = static_cast<int>(sample.size());
-    return sample;
+        catch (NumericalError const&)
+        {
+            made[i].reset();   // no drive: counted as refused
+        }
+        catch (InputError const&)
+        {
+            made[i].reset();
+        }
+    });
+    std::erase(made, nullptr);
+    return made;
 }
 
 }  // namespace
@@ -165,10 +147,10 @@ Faults check_accuracy(Scene const& scene, AccuracyOptions const& options)
     if (scene.is_reverse())
         faults.push_back({"circular_spline.profile", 0, "", "the reference in 50 digits is of the circular spline, and here the flexspline's tooth is solved for",
                           "give the flexspline's profile"});
-    if (scene.wave_generator.shape.family != "cosine")
+    if (!given_shape(scene))
         faults.push_back({"wave_generator.family", scene.wave_generator.shape.line, scene.wave_generator.shape.family,
-                          "the reference in 50 digits knows the cosine wave generator only",
-                          "write \"cosine\" with the same radial_deformation: what accuracy costs hardly depends on the family"});
+                          "the reference in 50 digits is of series, which do not follow the jumps in this wave generator's third derivative",
+                          "write \"cosine\", \"ellipse\" or \"ring-on-cosine-cam\": what accuracy costs hardly depends on the family"});
     if (scene.solver.kinematics != Kinematics::exact)
         faults.push_back({"solver.kinematics", 0, std::string(to_string(scene.solver.kinematics)),
                           "errors are measured against exact motion, and the study motion-model compares the others with it", "write \"exact\", or leave the key out"});
@@ -200,44 +182,47 @@ AccuracyReport measure_accuracy(Scene const& scene, AccuracyOptions const& optio
     report.reference_entry = entry_of(drive, reference, points, positions);
 
     bool const any_sampled = std::any_of(studies().begin(), studies().end(), [&](Study const& s) { return s.sampled && wanted(options, s); });
-    std::vector<std::unique_ptr<Sampled>> sample;
-    constexpr double sample_share = 0.15, scene_share = 0.45;
-    if (options.sample > 0 && any_sampled)
-        sample = sample_of(flat, options, options.sample, report.threads, report, [&](double share) { say("references of the sample", sample_share * share); });
-    for (auto const& one : sample)
-    {
-        report.reference_error = std::max(report.reference_error, one->reference.error());
-        report.reference_entry = std::max(report.reference_entry, one->entry);
-    }
-
+    double const scene_share = any_sampled && options.sample > 0 ? 0.5 : 1.0;
     std::size_t done = 0;
     for (Study const& study : studies())
     {
         ++done;
         if (!wanted(options, study))
             continue;
-        say(std::string(study.kind.name), sample_share + scene_share * static_cast<double>(done - 1) / static_cast<double>(studies().size()));
+        say(std::string(study.kind.name), scene_share * static_cast<double>(done - 1) / static_cast<double>(studies().size()));
         bool const own_axis = study.run == study_contact;
         StudyDrive with_axis = drive;
         with_axis.scene.coning = report.scene.coning;
         study.run({report, own_axis ? with_axis : drive, reference, report.scene.drive.name, options.quick ? 1 : options.repeats, options.quick, false, report.threads});
     }
-    for (std::size_t i = 0; i < sample.size(); ++i)
+    // a few designs at a time: their references take more memory than what is measured
+    constexpr int most_drawn = 4;   // times as many as wanted
+    for (int drawn = 0; any_sampled && report.sample < options.sample && drawn < most_drawn * options.sample;)
     {
-        std::string const name = "design-" + std::string(i < 10 ? "0" : "") + std::to_string(i);
-        say(name, sample_share + scene_share + (1 - sample_share - scene_share) * static_cast<double>(i) / static_cast<double>(sample.size()));
-        for (Study const& study : studies())
+        int const batch = std::min(options.sample - report.sample, report.threads);
+        std::vector<std::unique_ptr<Sampled>> const designs = designs_of(flat, options.seed, drawn, batch, report.threads);
+        drawn += batch;
+        report.sample_refused += batch - static_cast<int>(designs.size());
+        for (auto const& one : designs)
         {
-            if (!study.sampled || !wanted(options, study))
-                continue;
-            try
+            report.reference_error = std::max(report.reference_error, one->reference.error());
+            report.reference_entry = std::max(report.reference_entry, one->entry);
+            std::string const name = "design-" + std::string(report.sample < 10 ? "0" : "") + std::to_string(report.sample);
+            say(name, scene_share + (1 - scene_share) * report.sample / options.sample);
+            ++report.sample;
+            for (Study const& study : studies())
             {
-                study.run({report, sample[i]->drive, sample[i]->reference, name, 1, options.quick, true, 1});
-            }
-            catch (NumericalError const& error)
-            {
-                // such as another motion model with which the teeth have no land: what was measured before stays
-                report.notes.push_back(std::string(study.kind.name) + ": " + name + " not finished: " + error.what());
+                if (!study.sampled || !wanted(options, study))
+                    continue;
+                try
+                {
+                    study.run({report, one->drive, one->reference, name, 1, options.quick, true, 1});
+                }
+                catch (NumericalError const& error)
+                {
+                    // such as another motion model with which the teeth have no land: what was measured before stays
+                    report.notes.push_back(std::string(study.kind.name) + ": " + name + " not finished: " + error.what());
+                }
             }
         }
     }

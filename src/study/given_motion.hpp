@@ -8,51 +8,10 @@
 #include <limits>
 #include <vector>
 
+#include "given_curve.hpp"
 #include "hdconj/numeric/error.hpp"
 
 namespace hdconj::detail {
-
-/// A point or a vector in a number type of any width.
-template<class T>
-struct Pair
-{
-    T x{};
-    T y{};
-
-    friend Pair operator+(Pair const& a, Pair const& b) { return {a.x + b.x, a.y + b.y}; }
-    friend Pair operator-(Pair const& a, Pair const& b) { return {a.x - b.x, a.y - b.y}; }
-    friend Pair operator*(T const& s, Pair const& a) { return {s * a.x, s * a.y}; }
-};
-
-template<class T>
-T inner(Pair<T> const& a, Pair<T> const& b)
-{
-    return a.x * b.x + a.y * b.y;
-}
-
-template<class T>
-T length(Pair<T> const& a)
-{
-    using std::sqrt;
-    return sqrt(a.x * a.x + a.y * a.y);
-}
-
-/// +90 degrees.
-template<class T>
-Pair<T> to_left(Pair<T> const& a)
-{
-    return {-a.y, a.x};
-}
-
-/// The numbers that a motion is given by, as the program rounds them: what comes of them is computed anew.
-struct GivenNumbers
-{
-    double w0 = 0;
-    int waves = 2;
-    double r_m = 0;
-    int z_f = 0;
-    int z_c = 0;
-};
 
 /// Where the tooth frame is in the circular-spline frame, and how fast it moves, per radian of u.
 template<class T>
@@ -66,31 +25,22 @@ struct Place
     Pair<T> turned(Pair<T> const& n) const { return n.x * along + n.y * outward; }
 };
 
-/// Inextensible neutral curve rho = r_0 + w0 cos(n u).
+/// Tooth frame on a neutral curve, in the circular spline's frame.
 ///
-/// Not the program's path: the frame is built of P'/|P'| and P'', no angle of it is ever taken; r_0 by the trapezoidal rule and the
-/// secant rule, the undeformed angle by the integrated cosine sums of the speed at equal steps. The program uses angles, a formula for theta' and q in
-/// which arc length cancels, and Newton's method on another series.
+/// Not the program's path: the frame is built of P'/|P'| and P'', no angle of it is ever taken; the undeformed angle is the integrated cosine sums of the
+/// speed at equal steps. The program uses angles, a formula for theta' and q in which arc length cancels, and Newton's method on another series.
 /// Accuracy: some roundings of T; the trapezoidal rule converges geometrically, and its points are doubled until it has.
 template<class T>
 class GivenMotion
 {
   public:
     explicit GivenMotion(GivenNumbers const& given)
-        : waves_(given.waves), w0_(T(given.w0)), r_m_(T(given.r_m)), ratio_(T(given.z_f) / T(given.z_c)), pitch_(T(2) * pi() / T(given.z_c))
+        : curve_(given), waves_(given.waves), r_m_(T(given.r_m)), ratio_(T(given.z_f) / T(given.z_c)), pitch_(T(2) * half_turn<T>() / T(given.z_c))
     {
-        close();
         expand();
     }
 
-    [[nodiscard]] static T pi()
-    {
-        using std::acos;
-        static T const value = acos(T(-1));
-        return value;
-    }
     [[nodiscard]] T pitch() const { return pitch_; }
-    [[nodiscard]] T r_0() const { return r_0_; }
 
     /// Undeformed angle at u.
     [[nodiscard]] T phi(T const& u) const
@@ -113,76 +63,48 @@ class GivenMotion
     {
         using std::cos;
         using std::sin;
-        T const n = T(waves_);
-        T const cn = cos(n * u), sn = sin(n * u), c = cos(u), s = sin(u);
-        T const rho = r_0_ + w0_ * cn, rho1 = -n * w0_ * sn, rho2 = -n * n * w0_ * cn;
-        Pair<T> const out{s, c}, on{c, -s};
-        Pair<T> const p = rho * out;
-        Pair<T> const p1 = rho1 * out + rho * on;
-        Pair<T> const p2 = (rho2 - rho) * out + (T(2) * rho1) * on;
-        T const speed = length(p1);
-        Pair<T> const tangent = (T(1) / speed) * p1;
-        Pair<T> const bend = (T(1) / speed) * (p2 - inner(tangent, p2) * tangent);
+        CurveJet<T> const c = curve_.at(u);
+        T const speed = length(c.p1);
+        Pair<T> const tangent = (T(1) / speed) * c.p1;
+        Pair<T> const bend = (T(1) / speed) * (c.p2 - inner(tangent, c.p2) * tangent);
         // into the circular spline's frame, which has turned clockwise by ratio phi
         T const angle = -ratio_ * phi(u), rate = -ratio_ * speed / r_m_;
         T const ca = cos(angle), sa = sin(angle);
         auto const turn = [&](Pair<T> const& a) -> Pair<T> { return {a.x * ca + a.y * sa, a.y * ca - a.x * sa}; };
         auto const turning = [&](Pair<T> const& turned) -> Pair<T> { return {rate * turned.y, -rate * turned.x}; };
         Place<T> place;
-        place.origin = turn(p);
+        place.origin = turn(c.p);
         place.along = turn(tangent);
         place.outward = to_left(place.along);
-        place.origin_rate = turn(p1) + turning(place.origin);
+        place.origin_rate = turn(c.p1) + turning(place.origin);
         place.along_rate = turn(bend) + turning(place.along);
         place.outward_rate = to_left(place.along_rate);
         return place;
     }
 
   private:
-    [[nodiscard]] T speed(T const& r_0, T const& u) const
-    {
-        using std::cos;
-        using std::sin;
-        using std::sqrt;
-        T const n = T(waves_);
-        T const rho = r_0 + w0_ * cos(n * u), slope = n * w0_ * sin(n * u);
-        return sqrt(rho * rho + slope * slope);
-    }
-
-    [[nodiscard]] T mean_speed(T const& r_0, int points) const
-    {
-        T sum(0);
-        for (int i = 0; i < points; ++i)
-            sum += speed(r_0, T(2) * pi() * T(i) / (T(waves_) * T(points)));
-        return sum / T(points);
-    }
-
-    void close()
+    /// Speeds |P'| at equal steps over a wave, as many as their mean needs.
+    [[nodiscard]] std::vector<T> speeds() const
     {
         using std::abs;
         T const eps = std::numeric_limits<T>::epsilon();
-        points_ = 16;
-        constexpr int most = 1 << 12;
-        for (T before(0);; points_ *= 2)
+        constexpr std::size_t most = std::size_t{1} << 12;
+        T before(0);
+        for (std::size_t n = 16;; n *= 2)
         {
-            T const now = mean_speed(r_m_, points_);
-            if (abs(now - before) <= T(16) * eps * r_m_)
-                break;
-            if (points_ >= most)
-                throw NumericalError("reference", "neutral curve", "its length is not resolved");
-            before = now;
-        }
-        T a = r_m_, fa = mean_speed(a, points_) - r_m_;
-        r_0_ = r_m_ - fa;
-        constexpr int budget = 60;
-        for (int i = 0; i < budget; ++i)
-        {
-            T const b = r_0_, fb = mean_speed(b, points_) - r_m_;
-            if (fb == fa || abs(b - a) <= eps * r_m_)
-                break;
-            r_0_ = b - fb * (b - a) / (fb - fa);
-            a = b;
-            fa = fb;
+            std::vector<T> values(n);
+            T sum(0);
+            for (std::size_t i = 0; i < n; ++i)
+            {
+                values[i] = length(curve_.at(T(2) * half_turn<T>() * T(static_cast<int>(i)) / T(waves_ * static_cast<int>(n))).p1);
+                sum += values[i];
+            }
+            T const mean = sum / T(static_cast<int>(n));
+            if (abs(mean - before) <= T(16) * eps * r_m_)
+                return values;
+            if (n >= most)
+                throw NumericalError("reference", "neutral curve", "its speed is not resolved");
+            before = mean;
         }
     }
 
@@ -190,33 +112,32 @@ class GivenMotion
     {
         using std::abs;
         using std::cos;
-        auto const n = static_cast<std::size_t>(points_);
-        std::vector<T> values(n), cosines(n);
+        std::vector<T> const values = speeds();
+        std::size_t const n = values.size();
+        T const points = T(static_cast<int>(n));
+        std::vector<T> cosines(n);
         drift_ = T(0);
         for (std::size_t i = 0; i < n; ++i)
         {
-            T const angle = T(2) * pi() * T(static_cast<int>(i)) / T(points_);
-            values[i] = speed(r_0_, angle / T(waves_));
-            cosines[i] = cos(angle);
+            cosines[i] = cos(T(2) * half_turn<T>() * T(static_cast<int>(i)) / points);
             drift_ += values[i];
         }
-        drift_ = drift_ / (T(points_) * r_m_);
+        drift_ = drift_ / (points * r_m_);
         for (std::size_t k = 1; k < n / 2; ++k)
         {
             T sum(0);
             for (std::size_t i = 0; i < n; ++i)
                 sum += values[i] * cosines[(k * i) % n];
-            sines_.push_back(T(2) * sum / (T(points_) * r_m_ * T(static_cast<int>(k)) * T(waves_)));
+            sines_.push_back(T(2) * sum / (points * r_m_ * T(static_cast<int>(k)) * T(waves_)));
         }
         while (!sines_.empty() && abs(sines_.back()) < std::numeric_limits<T>::epsilon() / T(16))
             sines_.pop_back();
     }
 
+    GivenCurve<T> curve_;
     int waves_;
-    T w0_, r_m_, ratio_, pitch_;
-    T r_0_{};
+    T r_m_, ratio_, pitch_;
     T drift_{};
-    int points_ = 0;
     std::vector<T> sines_;
 };
 

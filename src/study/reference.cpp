@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The only source with a number type of 50 digits.
 #include <algorithm>
-#include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <functional>
 #include <optional>
 #include <string>
 
+#include "fifty.hpp"
 #include "given_contact.hpp"
 #include "hdconj/numeric/parallel.hpp"
 #include "study_drive.hpp"
@@ -14,7 +13,6 @@
 namespace hdconj::detail {
 namespace {
 
-using Fifty = boost::multiprecision::number<boost::multiprecision::cpp_bin_float<50>, boost::multiprecision::et_off>;
 using Point = Pair<Fifty>;
 
 /// Contact arcs in 50 digits.
@@ -79,7 +77,7 @@ class Fitter
         for (int i = 0; i < nodes; ++i)
         {
             auto const k = static_cast<std::size_t>(i);
-            angle[k] = GivenMotion<Fifty>::pi() * (Fifty(i) + Fifty(0.5)) / nodes;
+            angle[k] = half_turn<Fifty>() * (Fifty(i) + Fifty(0.5)) / nodes;
             value[k] = curve(middle + half * cosine(i));
         }
         ReferencePatch patch;
@@ -133,7 +131,7 @@ class Fitter
         static std::vector<Fifty> const table = [] {
             std::vector<Fifty> all;
             for (int k = 0; k < 4 * nodes; ++k)
-                all.push_back(cos(GivenMotion<Fifty>::pi() * k / (2 * nodes)));
+                all.push_back(cos(half_turn<Fifty>() * k / (2 * nodes)));
             return all;
         }();
         return table[static_cast<std::size_t>(m % (4 * nodes))];

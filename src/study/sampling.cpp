@@ -280,8 +280,8 @@ void study_fit(StudyBench const& bench)
     longer.end += more;
     ReferenceCurve const truth = reference_of(drive, longer);
     fit_ladders(bench, truth, *piece, drive.motion, piece->begin, piece->end, "exact motion");
-    FirstOrderMotion<CosineCam> const first(CosineCam{drive.geometry.w0, drive.scene.wave_generator.waves}, drive.geometry.r_m,
-                                            static_cast<double>(drive.scene.drive.flexspline_teeth) / drive.scene.drive.circular_spline_teeth);
+    FirstOrderMotion<AnyWaveShape> const first(drive.motion.curve().shape(), drive.geometry.r_m,
+                                               static_cast<double>(drive.scene.drive.flexspline_teeth) / drive.scene.drive.circular_spline_teeth);
     auto const phi = [&](double u) { return drive.motion.angles(u).phi; };
     fit_ladders(bench, truth, *piece, first, phi(piece->begin), phi(piece->end), "first order");
 }

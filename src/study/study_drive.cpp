@@ -31,9 +31,22 @@ Profile tooth_of(Scene const& scene)
 
 }  // namespace
 
+std::optional<GivenShape> given_shape(Scene const& scene)
+{
+    std::string const& family = scene.wave_generator.shape.family;
+    if (family == "cosine")
+        return GivenShape::cosine;
+    if (family == "ellipse")
+        return GivenShape::ellipse;
+    if (family == "ring-on-cosine-cam")
+        return GivenShape::ring_on_cosine_cam;
+    return std::nullopt;
+}
+
 GivenNumbers StudyDrive::numbers() const
 {
-    return {geometry.w0, scene.wave_generator.waves, geometry.r_m, scene.drive.flexspline_teeth, scene.drive.circular_spline_teeth};
+    return {given_shape(scene).value(), geometry.w0,       scene.wave_generator.waves, geometry.r_m, scene.wave_generator.shape.number_or("ring_thickness", 0),
+            scene.drive.flexspline_teeth, scene.drive.circular_spline_teeth};
 }
 
 bool StudyDrive::is_flank(BoundaryPiece const& piece) const
@@ -51,7 +64,11 @@ StudyDrive study_drive(Scene const& scene)
     Solution const solution = solve(coarse);
     Profile tooth = tooth_of(scene);
     double const ratio = static_cast<double>(scene.drive.flexspline_teeth) / scene.drive.circular_spline_teeth;
-    StudyMotion motion(NeutralCurve<CosineCam>(CosineCam{solution.geometry.w0, scene.wave_generator.waves}, solution.geometry.r_m), ratio);
+    Faults faults;
+    AnyWaveShape const shape = build_wave_shape(scene.wave_generator.shape, {solution.geometry.r_m, scene.wave_generator.waves, scene.folder.string()}, faults);
+    if (!faults.empty())
+        throw InputError(faults);
+    StudyMotion motion(NeutralCurve<AnyWaveShape>(shape, solution.geometry.r_m), ratio);
     tooth = clear_of_rest(tooth, motion);
     StudyDrive drive{scene, solution.geometry, std::move(tooth), std::move(motion), {}, {}, 2 * std::numbers::pi / scene.drive.circular_spline_teeth,
                      scene.circular_spline.backlash_offset};

@@ -3,6 +3,7 @@
 /// A drive taken apart, for methods that are parts of `solve` or stand in for one; private to src/study.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "hdconj/conjugate/tooth_space.hpp"
@@ -11,12 +12,12 @@
 #include "hdconj/pipeline/solution.hpp"
 #include "hdconj/profile/profile.hpp"
 #include "hdconj/study/reference_curve.hpp"
-#include "hdconj/wavegen/cosine_cam.hpp"
+#include "hdconj/wavegen/registry.hpp"
 #include "given_motion.hpp"
 
 namespace hdconj::detail {
 
-using StudyMotion = ExactMotion<CosineCam>;
+using StudyMotion = ExactMotion<AnyWaveShape>;
 
 /// Tooth, motion, contact arcs and the pieces of one pitch of the boundary, each with exact ends.
 struct StudyDrive
@@ -39,6 +40,9 @@ struct StudyDrive
     /// Whether a piece is traced by the flank (not a corner, not the tip).
     [[nodiscard]] bool is_flank(BoundaryPiece const& piece) const;
 };
+
+/// The wave generator of @p scene, where it has a reference in 50 digits.
+[[nodiscard]] std::optional<GivenShape> given_shape(Scene const& scene);
 
 /// @throws NumericalError as `solve` does
 [[nodiscard]] StudyDrive study_drive(Scene const& scene);
