@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "summary_figures.hpp"
 
+#include <algorithm>
+
 namespace hdconj {
 
 std::vector<Figure> geometry_figures(Solution const& solution)
@@ -41,7 +43,13 @@ std::vector<Figure> error_figures(Solution const& solution)
     return {{"error_chord_mm", error.chord},
             {"error_point_mm", error.point},
             {"error_largest_mm", error.largest()},
-            {"error_arc_length_relative", error.arc_length}};
+            {"error_arc_length_relative", error.arc_length},
+            {"error_r_0_mm", error.r_0},
+            {"error_space_depth_mm", error.space_depth},
+            {"error_land_width_mm", error.land},
+            {"error_clearance_mm", error.clearance},
+            {"error_zone_phi_deg", largest(solution.zones, &ConjugateZone::phi_error) * degree_per_radian},
+            {"error_zone_t", largest(solution.zones, &ConjugateZone::t_error)}};
 }
 
 std::vector<Figure> figures(Solution const& solution)
@@ -70,6 +78,15 @@ double total_seconds(Solution const& solution)
 double land_width(PairGeometry const& geometry)
 {
     return 2 * geometry.land_half_angle * geometry.circular_spline_inner_radius;
+}
+
+double largest(std::vector<ConjugateZone> const& zones, double ConjugateZone::*error)
+{
+    double worst = 0;
+    for (auto const& zone : zones) {
+        worst = std::max(worst, zone.*error);
+    }
+    return worst;
 }
 
 std::size_t outline_points(Solution const& solution)

@@ -42,6 +42,9 @@ inline constexpr double um_per_mm = 1000;
 /// Land of the circular spline between two tooth spaces, along the tip circle [mm].
 [[nodiscard]] double land_width(PairGeometry const& geometry);
 
+/// Largest of an error of the zones' ends; 0 without zones.
+[[nodiscard]] double largest(std::vector<ConjugateZone> const& zones, double ConjugateZone::*error);
+
 /// Points of the outline of one slice.
 [[nodiscard]] std::size_t outline_points(Solution const& solution);
 

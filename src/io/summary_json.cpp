@@ -59,6 +59,8 @@ Json zone(ConjugateZone const& zone)
             {"phi_end_deg", number(zone.phi_end * degree_per_radian)},
             {"t_begin", number(zone.t_begin)},
             {"t_end", number(zone.t_end)},
+            {"phi_error_deg", number(zone.phi_error * degree_per_radian)},
+            {"t_error", number(zone.t_error)},
             {"outer", zone.outer},
             {"on_boundary", zone.on_boundary}};
 }

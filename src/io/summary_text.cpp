@@ -22,6 +22,7 @@ double degrees(double angle)
 void write_geometry(Page& page, Solution const& solution)
 {
     auto const& geometry = solution.geometry;
+    auto const& error = solution.error;
     write_drive(page, solution);
     if (solution.scene.is_reverse()) {
         page.line("given: the circular spline's tooth; solved for: the flexspline's");
@@ -29,13 +30,13 @@ void write_geometry(Page& page, Solution const& solution)
     page.line("\ngeometry");
     page.figure("neutral radius r_m", mm(geometry.r_m), "undeformed");
     page.figure("mean radius r_0", mm(geometry.r_0),
-                fmt::format("deformed; r_0 - r_m = {:+.3f} um", (geometry.r_0 - geometry.r_m) * um_per_mm));
+                fmt::format("deformed; r_0 - r_m = {:+.3f} um +- {:.1e}", (geometry.r_0 - geometry.r_m) * um_per_mm, error.r_0 * um_per_mm));
     page.figure("radial deformation w0", mm(geometry.w0));
     page.figure("pitch line", mm(geometry.pitch_line), "above the neutral curve");
     page.figure("flexspline inner radius", mm(geometry.flexspline_inner_radius));
     page.figure("tip radius", mm(geometry.circular_spline_inner_radius), "circular spline");
-    page.figure("depth of tooth space", mm(geometry.space_depth), "from the tip circle");
-    page.figure("land between spaces", mm(land_width(geometry)), "along the tip circle");
+    page.figure("depth of tooth space", mm(geometry.space_depth), "from the tip circle, +- " + um(error.space_depth));
+    page.figure("land between spaces", mm(land_width(geometry)), "along the tip circle, +- " + um(error.land));
 }
 
 void write_zones(Page& page, Solution const& solution)
@@ -60,6 +61,8 @@ void write_zones(Page& page, Solution const& solution)
                   degrees(zone.phi_begin), degrees(zone.phi_end), zone.t_begin, zone.t_end,
                   zone.outer ? "outer" : "inner", zone.on_boundary ? "yes" : "-");
     }
+    page.line("  by rounding the ends of zones are off by at most {:.1e} deg and {:.1e} of t", degrees(largest(solution.zones, &ConjugateZone::phi_error)),
+              largest(solution.zones, &ConjugateZone::t_error));
 }
 
 /// What the smallest clearance means within the asked-for tolerance.
@@ -84,7 +87,7 @@ void write_outline(Page& page, Solution const& solution)
     if (solution.check) {
         auto const& check = *solution.check;
         page.figure("smallest clearance", um(check.smallest_clearance),
-                    fmt::format("{}: at ({:.4f}, {:.4f}) mm{}, tooth at phi {:.3f} deg",
+                    fmt::format("+- {}, {}: at ({:.4f}, {:.4f}) mm{}, tooth at phi {:.3f} deg", um(solution.error.clearance),
                                 verdict(check.smallest_clearance, solution.scene.solver.tolerance), check.where.x(),
                                 check.where.y(), reverse ? " of the flexspline tooth" : "", degrees(check.at_phi)));
         page.line("  {:<{}}{} points x {} positions over a full turn", "", Page::label_width, check.points, check.positions);

@@ -32,6 +32,8 @@ void write_wire(Page& page, WireProgram const& program, WireFigures const& figur
     page.figure("face shift", mm(figures.face_shift),
                 fmt::format("largest |U - L| of the contour, least {:.6f} mm; T tan(tilt) of a radial tilt", figures.least_shift));
     page.figure("guide offset", mm(figures.guide_shift), fmt::format("largest, H tan(tilt); wire leans {:.6f} deg", figures.tilt * degree_per_radian));
+    page.figure("error of the contours", um(program.contour_error, "<= "),
+                figures.face_shift > 0 ? "of the radii; of the face shift twice that, and of the guide offset twice that times H/T" : "of the radii");
     if (figures.ellipse > negligible) {
         page.line("  WARNING: a wire that leans so much cuts an ellipse, {} wider in the plane of a face than is reckoned with", um(figures.ellipse));
     }
@@ -70,6 +72,12 @@ void write_set_up(Page& page, WireProgram const& program)
                 fmt::format("overlap beyond the middle of the tip land behind space {}; begins in that before space {}", last, program.set_up.first));
 }
 
+/// The path is as far off the exact parallel as it cuts the faces wrong.
+double residual_error(WireProgram const& program)
+{
+    return std::max(program.tolerance, measured(program).face_error) + program.contour_error;
+}
+
 void write_residuals(Page& page, WireSetUps const& programs)
 {
     std::size_t places = 0, meshing = 0;
@@ -87,7 +95,7 @@ void write_residuals(Page& page, WireSetUps const& programs)
     }
     page.line("  residual material at {} places, {} of them in a zone that meshes", places, meshing);
     page.figure("highest", um(highest->height),
-                fmt::format("pass {}, tooth space {}, {} face ({:.4f}, {:.4f}) mm{}", highest->pass, highest->tooth, highest->upper ? "upper" : "lower",
+                fmt::format("+- {}, pass {}, tooth space {}, {} face ({:.4f}, {:.4f}) mm{}", um(residual_error(programs.front())), highest->pass, highest->tooth, highest->upper ? "upper" : "lower",
                             highest->where.x(), highest->where.y(), highest->meshing ? ", in the meshing zone" : ""));
 }
 

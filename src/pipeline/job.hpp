@@ -180,9 +180,10 @@ class SolveJob
         std::size_t const right_land = outline.stretches.back().first;
         for (std::size_t index : {left_land, bottom.first, outline_.middle, bottom.last, right_land})
             cs.landmarks.push_back(static_cast<int>(index));
-        measure_space(outline, right_land, pitch_, out_.geometry);
+        measure_space(outline, right_land, pitch_, out_.geometry, out_.error);
         out_.error.chord = outline.chord;
         out_.error.point = outline.error;
+        out_.error.clearance = out_.error.point + tolerance_.roundoff();
         for (std::size_t i = 0; i < branches_.size(); ++i)
         {
             std::size_t const before = out_.zones.size();

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hdconj/conjugate/outline.hpp"
+#include "hdconj/numeric/tolerance.hpp"
 #include "hdconj/pipeline/solution.hpp"
 
 namespace hdconj::detail {
@@ -36,8 +37,10 @@ namespace hdconj::detail {
     return records;
 }
 
-/// The half angle of the tip land and the depth of the space, of an outline whose right land begins at point @p right_land.
-inline void measure_space(Outline const& outline, std::size_t right_land, double pitch, PairGeometry& geometry)
+/// The half angle of the tip land and the depth of the space, of an outline whose right land begins at point @p right_land, with their errors:
+/// the deepest point lies within the chord error beyond the deepest vertex, and the land's corner is as far off along the tip circle as
+/// the flank is across it, over the sine of the angle at which they cross.
+inline void measure_space(Outline const& outline, std::size_t right_land, double pitch, PairGeometry& geometry, ErrorEstimate& error)
 {
     Vec2 const corner = outline.points[right_land];
     geometry.land_half_angle = pitch / 2 - std::atan2(corner.x(), corner.y());
@@ -45,6 +48,11 @@ inline void measure_space(Outline const& outline, std::size_t right_land, double
     for (Vec2 const& p : outline.points)
         deepest = std::max(deepest, p.norm());
     geometry.space_depth = deepest - geometry.circular_spline_inner_radius;
+    double const point = std::max(outline.error, 4 * unit_roundoff * deepest);
+    error.space_depth = outline.chord + point;
+    Vec2 const along = right_land > 0 ? Vec2(corner - outline.points[right_land - 1]) : corner;
+    double const sine = std::abs(along.dot(corner)) / (along.norm() * corner.norm());
+    error.land = 2 * std::min(point / sine, pitch * deepest);
 }
 
 }  // namespace hdconj::detail

@@ -10,6 +10,7 @@
 #include "hdconj/envelope/find_branches.hpp"
 #include "hdconj/envelope/sample.hpp"
 #include "hdconj/pipeline/solution.hpp"
+#include "zone_error.hpp"
 
 namespace hdconj::detail {
 
@@ -80,6 +81,18 @@ void append_zones(Envelope<Motion> const& envelope, Branch const& branch, std::s
         double const t = u == arc.u_begin ? arc.t_begin : u == arc.u_end ? arc.t_end : envelope.contact(arc, u).t;
         return piece.t_begin + t * (piece.t_end - piece.t_begin);
     };
+    struct EndError
+    {
+        double phi = 0, t = 0;
+    };
+    auto const end_error = [&](ContactArc const& arc, double u, ZoneEnd end) {
+        double const doubt = zone_angle_error(envelope, arc, u, end);
+        double const h = 0.5 * (arc.u_end - arc.u_begin);
+        double const rate = std::abs(envelope.motion().angles(u + h).phi - envelope.motion().angles(u - h).phi) / (2 * h);
+        ProfilePiece const& piece = envelope.profile().pieces[static_cast<std::size_t>(arc.piece)];
+        return EndError{std::max(1.0, rate) * doubt, zone_t_error(envelope, arc, u, doubt) * std::abs(piece.t_end - piece.t_begin)};
+    };
+    EndError begins;
     bool open = false;
     for (ContactArc const& arc : branch.arcs)
     {
@@ -103,12 +116,16 @@ void append_zones(Envelope<Motion> const& envelope, Branch const& branch, std::s
                 zone.phi_begin = angles.phi;
                 zone.t_begin = segment_t(arc, cuts[i]);
                 zones.push_back(zone);
+                begins = end_error(arc, cuts[i], i == 0 ? zone_end(arc.begins) : ZoneEnd::reversal);
             }
             ConjugateZone& zone = zones.back();
             ToothAngles const angles = envelope.motion().angles(cuts[i + 1]);
             zone.u_end = angles.u;
             zone.phi_end = angles.phi;
             zone.t_end = segment_t(arc, cuts[i + 1]);
+            EndError const ends = end_error(arc, cuts[i + 1], i + 2 == cuts.size() ? zone_end(arc.ends) : ZoneEnd::reversal);
+            zone.phi_error = std::max(begins.phi, ends.phi);
+            zone.t_error = std::max(begins.t, ends.t);
             zone.on_boundary = zone.on_boundary || bounds_somewhere(arc, cuts[i], cuts[i + 1], boundary_arcs, pieces);
             open = true;
         }

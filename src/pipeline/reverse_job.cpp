@@ -276,6 +276,7 @@ class ReverseJob
         publish_spline(spline.outline, spline.middle);
         out_.error.chord = std::max(tooth_.chord, spline.outline.chord);
         out_.error.point = std::max(tooth_.error, spline.outline.error) + body_.gap;
+        out_.error.clearance = out_.error.point + tolerance_.roundoff();
         std::size_t index = 0;
         for (std::size_t j = 0; j < traced_.size(); ++j)
         {
@@ -304,7 +305,7 @@ class ReverseJob
         std::size_t const right_land = outline.stretches.back().kind == OutlineKind::land ? outline.stretches.back().first : outline.points.size() - 1;
         for (std::size_t index : {left_land, bottom->first, middle, bottom->last, right_land})
             cs.landmarks.push_back(static_cast<int>(index));
-        measure_space(outline, right_land, pitch_, out_.geometry);
+        measure_space(outline, right_land, pitch_, out_.geometry, out_.error);
     }
 
     void tooth_family()

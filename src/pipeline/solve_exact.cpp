@@ -16,6 +16,8 @@ void solve_exact(AnyWaveShape const& shape, Solution& out, Profile const& tooth,
         curve.emplace(shape, out.geometry.r_m);
         out.geometry.r_0 = curve->r_0();
         out.error.arc_length = curve->relative_error();
+        constexpr double roundings = 8;   // of the search for it
+        out.error.r_0 = (curve->relative_error() + roundings * unit_roundoff) * out.geometry.r_m;
         out.neutral_curve = sampled_neutral_curve(shape, curve->r_0());
     });
     std::optional<ExactMotion<AnyWaveShape>> motion;

@@ -222,6 +222,7 @@ WireProgram program_of(Scene const& scene, WireFaces const& faces)
     program.external = faces.external;
     bool const differ = faces.pitch.lower != faces.pitch.upper;
     program.surface = !differ ? "" : scene.slices ? scene.slices->surface : "tilted";
+    program.contour_error = scene.solver.tolerance;
     program.tilt_kind = differ && tilt_of(scene) != 0 ? scene.tilt->kind : "";
     program.nominal = whole_contour(faces, thinned(faces.pitch, share_of_moves * wedm.tolerance, faces.marks));
     program.figures.constant_taper_error = constant_taper_error(faces);

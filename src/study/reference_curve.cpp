@@ -4,7 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
+
+#include "hdconj/numeric/error.hpp"
 
 namespace hdconj {
 namespace {
@@ -147,6 +150,44 @@ double ReferenceCurve::length(int stretch) const
         if (patches_[std::min(i / steps, patches_.size() - 1)].stretch == stretch)
             sum += (points_[i + 1] - points_[i]).norm();
     return sum;
+}
+
+double ReferenceCurve::largest_radius() const
+{
+    long double largest = 0;
+    for (std::size_t patch = 0; patch < patches_.size(); ++patch)
+    {
+        auto const radius = [&](long double s) {
+            Point const p = at(patches_[patch], s);
+            return std::hypot(p.x, p.y);
+        };
+        std::size_t best = 0;
+        long double const step = 2.0L / steps;
+        for (std::size_t k = 1; k <= steps; ++k)
+            if (radius(-1 + step * static_cast<long double>(k)) > radius(-1 + step * static_cast<long double>(best)))
+                best = k;
+        long double const middle = -1 + step * static_cast<long double>(best);
+        long double a = std::max(-1.0L, middle - step), b = std::min(1.0L, middle + step);
+        constexpr int thirds = 100;
+        for (int i = 0; i < thirds; ++i)
+        {
+            long double const c = a + (b - a) / 3, d = b - (b - a) / 3;
+            if (radius(c) > radius(d))
+                b = d;
+            else
+                a = c;
+        }
+        largest = std::max({largest, radius(a), radius(middle)});
+    }
+    return static_cast<double>(largest);
+}
+
+Vec2 ReferenceCurve::start_of(int stretch) const
+{
+    auto const first = std::find_if(patches_.begin(), patches_.end(), [&](ReferencePatch const& patch) { return patch.stretch == stretch; });
+    if (first == patches_.end())
+        throw NumericalError("reference", "stretch " + std::to_string(stretch), "there is no such stretch of boundary");
+    return points_[static_cast<std::size_t>(first - patches_.begin()) * steps];
 }
 
 double ReferenceCurve::largest_distance(std::vector<Vec2> const& points) const

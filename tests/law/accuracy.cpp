@@ -5,6 +5,8 @@
 #include <iostream>
 #include <vector>
 
+#include "hdconj/io/scene_toml.hpp"
+#include "hdconj/numeric/error.hpp"
 #include "hdconj/numeric/parallel.hpp"
 #include "hdconj/study/accuracy.hpp"
 #include "hdconj/study/ladder.hpp"
@@ -62,6 +64,25 @@ TEST_CASE("accuracy: the reference in 50 digits is touched by the oracle's tooth
     }
     CHECK(flank > 30);
     CHECK(worst < 1e-11);
+}
+
+TEST_CASE("accuracy: smooth wave generators are traced by another path in 50 digits", "[accuracy]")
+{
+    // an ellipse by its eccentric angle, and a ring about a cam as vectors: no formula of the program's
+    for (std::string const family : {"ellipse", "ring-on-cosine-cam"}) {
+        INFO(family);
+        Scene scene = read_scene(std::string(HDCONJ_SOURCE_DIR) + "/data/scenes/" + family + ".toml");
+        scene.solver.tolerance = 1e-9;
+        REQUIRE(check_accuracy(scene, {}).empty());
+        ReferenceCurve const truth = reference_outline(scene);
+        CHECK(truth.error() < 1e-15);
+        Solution const solution = solve(scene);
+        CurveDifference const difference = truth.compare(solution.circular_spline.outline.front(), 1e-6);
+        CHECK(difference.points < 1e-12);
+        CHECK(difference.hausdorff <= solution.error.chord + solution.error.point);
+        CHECK(difference.hausdorff > 0.5 * scene.solver.tolerance);
+        CHECK(difference.missed == 0);
+    }
 }
 
 TEST_CASE("accuracy: order, monotone error, work and branches of the ladders", "[accuracy]")
@@ -171,6 +192,8 @@ TEST_CASE("accuracy: the estimate bounds the true error on random designs and is
         double error = 0, estimate = 0;
         bool solved = false;
         std::string refused{};
+        std::vector<ZoneEndCheck> ends{};
+        ErrorEstimate stated{}, off{};   ///< of the single figures
     };
     std::vector<Outcome> outcomes(wanted);
     parallel_for(wanted, 0, 1, [&](std::size_t i) {
@@ -178,12 +201,19 @@ TEST_CASE("accuracy: the estimate bounds the true error on random designs and is
             Solution const solution = solve(scenes[i]);
             ReferenceCurve const truth = reference_outline(scenes[i]);
             outcomes[i] = {truth.compare(solution.circular_spline.outline.front(), 1).hausdorff, solution.error.chord + solution.error.point, true};
+            ReferenceFigures const figures = reference_figures(scenes[i], truth);
+            PairGeometry const& g = solution.geometry;
+            outcomes[i].stated = solution.error;
+            outcomes[i].off.r_0 = std::abs(g.r_0 - figures.r_0);
+            outcomes[i].off.space_depth = std::abs(g.space_depth - figures.space_depth);
+            outcomes[i].off.land = std::abs(2 * g.land_half_angle * g.circular_spline_inner_radius - figures.land);
+            outcomes[i].ends = check_zone_ends(solution);
         } catch (std::exception const& error) {
             outcomes[i].refused = error.what();
         }
     });
     std::vector<double> over;
-    std::size_t solved = 0;
+    std::size_t solved = 0, ends = 0;
     for (std::size_t i = 0; i < wanted; ++i) {
         if (!outcomes[i].solved) {
             std::cout << "estimate: design " << i << ": " << outcomes[i].refused << '\n';
@@ -195,10 +225,55 @@ TEST_CASE("accuracy: the estimate bounds the true error on random designs and is
         // the tolerance is for chords; what vertices are off by, 1e-12 mm, comes on top
         CHECK(outcomes[i].error <= scenes[i].solver.tolerance + 1e-11);
         over.push_back(outcomes[i].estimate / outcomes[i].error);
+        // the single figures that are printed
+        CHECK(outcomes[i].off.r_0 <= outcomes[i].stated.r_0);
+        CHECK(outcomes[i].off.space_depth <= outcomes[i].stated.space_depth);
+        CHECK(outcomes[i].off.land <= outcomes[i].stated.land);
+        CHECK(outcomes[i].stated.land < scenes[i].drive.module * 1e-6);
+        for (ZoneEndCheck const& end : outcomes[i].ends) {
+            INFO(end.segment_name);
+            CHECK(end.off <= end.stated);
+        }
+        ends += outcomes[i].ends.size();
     }
+    CHECK(ends > 8 * solved);
     CHECK(solved >= wanted * 9 / 10);
     std::sort(over.begin(), over.end());
     std::cout << "estimate over true error on " << solved << " random designs: least " << over.front() << ", median " << over[over.size() / 2] << ", largest " << over.back()
               << '\n';
     CHECK(over[over.size() / 2] <= 10);
+}
+
+TEST_CASE("accuracy: zones end at the same angles in another unit of length, within their errors", "[accuracy]")
+{
+    // every rounding is another one, so cusps and reversals, which the reference does not follow, are tried too
+    designs::RandomDesigns draw(71);
+    std::size_t ends = 0;
+    constexpr int wanted = 12;
+    for (int i = 0; i < wanted; ++i) {
+        Scene scene = draw.next();
+        scene.solver.tolerance = scene.drive.module * 1e-4;
+        Scene const other = designs::scaled(scene, 1.37);
+        Solution a, b;
+        try {
+            a = solve(scene);
+            b = solve(other);
+        } catch (NumericalError const&) {
+            continue;
+        }
+        REQUIRE(a.zones.size() == b.zones.size());
+        for (std::size_t k = 0; k < a.zones.size(); ++k) {
+            ConjugateZone const& p = a.zones[k];
+            ConjugateZone const& q = b.zones[k];
+            INFO("design " << i << ", zone " << k << " of " << p.segment_name << "\n" << designs::toml_of(scene));
+            for (auto const end : {&ConjugateZone::phi_begin, &ConjugateZone::phi_end})
+                CHECK(std::abs(p.*end - q.*end) <= p.phi_error + q.phi_error);
+            for (auto const end : {&ConjugateZone::t_begin, &ConjugateZone::t_end})
+                CHECK(std::abs(p.*end - q.*end) <= p.t_error + q.t_error);
+            // and are no empty claim
+            CHECK(p.phi_error < 1e-6);
+            ends += 2;
+        }
+    }
+    CHECK(ends > 200);
 }

@@ -59,6 +59,8 @@ struct ConjugateZone
     double u_begin = 0, u_end = 0;
     double phi_begin = 0, phi_end = 0;
     double t_begin = 0, t_end = 0;
+    double phi_error = 0;     ///< of phi_begin and phi_end, the larger, by rounding
+    double t_error = 0;       ///< of t_begin and t_end likewise; 0 at the segment's ends
     bool outer = false;       ///< locally the given tooth touches from outside the solved member
     bool on_boundary = false; ///< some of it bounds the member that is solved for
 };
@@ -97,6 +99,10 @@ struct ErrorEstimate
     double chord = 0;          ///< outline polygon against the true curve [mm]
     double point = 0;          ///< written points against the true curve [mm]
     double arc_length = 0;     ///< closed length of the neutral curve, relative
+    double r_0 = 0;            ///< mean radius of the deformed neutral curve [mm]
+    double space_depth = 0;    ///< of PairGeometry::space_depth [mm]
+    double land = 0;           ///< of the land's length along the tip circle [mm]
+    double clearance = 0;      ///< of PairCheck::smallest_clearance as the least of the points and positions looked at [mm]
     [[nodiscard]] double largest() const { return chord > point ? chord : point; }
 };
 

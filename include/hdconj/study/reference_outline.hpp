@@ -3,6 +3,10 @@
 /// The true outline of a drive, to measure others by.
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include "hdconj/pipeline/solution.hpp"
 #include "hdconj/scene/scene.hpp"
 #include "hdconj/study/reference_curve.hpp"
 
@@ -10,9 +14,33 @@ namespace hdconj {
 
 /// One pitch of the circular spline of @p scene under exact motion, mid-land to mid-land, in 50 digits by a path of its own.
 ///
-/// Domain: forward problem, cosine wave generator, a side clearance that is a number; root clearance and effects along the axis are not looked at.
+/// Domain: forward problem, a wave generator without breaks (cosine, ellipse, ring-on-cosine-cam), a side clearance that is a number; root clearance and effects along the axis are not looked at.
 /// Accuracy: ReferenceCurve::error(), some 1e-16 mm.
 /// @throws InputError outside that domain; NumericalError as `solve` does, and where an arc's centre is at rest
 [[nodiscard]] ReferenceCurve reference_outline(Scene const& scene);
+
+/// Figures of a drive by the same path.
+struct ReferenceFigures
+{
+    double r_0 = 0;          ///< mean radius of the deformed neutral curve [mm]
+    double space_depth = 0;  ///< from the tip circle [mm]
+    double land = 0;         ///< along the tip circle [mm]
+};
+
+/// @param truth  reference_outline(@p scene)
+/// Domain and errors as there. Accuracy: that of double coordinates, and of the land over the sine of the angle at which flank and tip circle cross.
+[[nodiscard]] ReferenceFigures reference_figures(Scene const& scene, ReferenceCurve const& truth);
+
+/// Where a contact crosses an end of its segment in 50 digits, near @p phi_begin or @p phi_end of the zones of @p solution that end there:
+/// per such end the distance from the angle stated [rad], and the error that is stated for it.
+struct ZoneEndCheck
+{
+    std::string segment_name;
+    double off = 0;
+    double stated = 0;
+};
+
+/// All zones of regular branches that end with their segment. Domain and errors as of reference_outline().
+[[nodiscard]] std::vector<ZoneEndCheck> check_zone_ends(Solution const& solution);
 
 }  // namespace hdconj

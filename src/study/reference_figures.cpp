@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "fifty.hpp"
+#include "given_contact.hpp"
+#include "hdconj/study/accuracy.hpp"
+#include "hdconj/study/reference_outline.hpp"
+#include "study_drive.hpp"
+
+namespace hdconj {
+namespace {
+
+using namespace detail;
+
+/// n.v of the end @p t, 0 or 1, of a piece at @p u.
+Fifty normal_speed(PieceShape const& shape, int t, Place<Fifty> const& place)
+{
+    PieceEnd const end = t == 0 ? start_of(shape) : end_of(shape);
+    Pair<Fifty> const x = pair_of<Fifty>(end.point), n = pair_of<Fifty>(end.normal);
+    return inner(place.turned(n), place.velocity(x));
+}
+
+/// The root of it next to @p u, by the secant rule.
+Fifty crossing(PieceShape const& shape, int t, GivenMotion<Fifty> const& motion, double u)
+{
+    Fifty a(u), b = a + Fifty(0x1p-30);
+    Fifty fa = normal_speed(shape, t, motion.at(a));
+    Fifty const enough("1e-30");
+    constexpr int budget = 60;
+    for (int i = 0; i < budget; ++i)
+    {
+        Fifty const fb = normal_speed(shape, t, motion.at(b));
+        if (fb == fa)
+            return b;
+        Fifty const next = b - fb * (b - a) / (fb - fa);
+        a = b;
+        fa = fb;
+        b = next;
+        if (abs(b - a) < enough)
+            return b;
+    }
+    throw NumericalError("reference", "zone that ends at u = " + std::to_string(u), "its end did not converge in 50 digits");
+}
+
+}  // namespace
+
+ReferenceFigures reference_figures(Scene const& scene, ReferenceCurve const& truth)
+{
+    StudyDrive const drive = study_drive(scene);
+    double const tip = drive.geometry.circular_spline_inner_radius;
+    // mirror images are not assumed: the right land's corner, as the program takes it
+    Vec2 const corner = truth.start_of(truth.patches().back().stretch);
+    double const half_land = std::numbers::pi / scene.drive.circular_spline_teeth - std::atan2(corner.x(), corner.y());
+    return {static_cast<double>(GivenCurve<Fifty>(drive.numbers()).mean_radius()), truth.largest_radius() - tip, 2 * half_land * tip};
+}
+
+std::vector<ZoneEndCheck> check_zone_ends(Solution const& solution)
+{
+    Faults const faults = check_accuracy(solution.scene, {});
+    if (!faults.empty())
+        throw InputError(faults);
+    StudyDrive const drive = study_drive(solution.scene);
+    GivenMotion<Fifty> const motion(drive.numbers());
+    std::vector<ZoneEndCheck> checks;
+    for (ConjugateZone const& zone : solution.zones)
+    {
+        if (zone.kind != "regular")
+            continue;
+        for (bool const begin : {true, false})
+        {
+            double const t = begin ? zone.t_begin : zone.t_end, u = begin ? zone.u_begin : zone.u_end;
+            double const lobe_end = drive.motion.half_lobe();
+            if ((t != 0 && t != 1) || std::abs(std::abs(u) - lobe_end) <= 2 * zone.phi_error)
+                continue;
+            auto const piece = std::find_if(drive.tooth.pieces.begin(), drive.tooth.pieces.end(), [&](ProfilePiece const& p) {
+                return !p.corner && p.segment == zone.segment && (t == 0 ? p.t_begin : p.t_end) == t;
+            });
+            if (piece == drive.tooth.pieces.end())
+                continue;
+            Fifty const root = crossing(piece->shape, static_cast<int>(t), motion, u);
+            checks.push_back({zone.segment_name, static_cast<double>(abs(root - Fifty(u))), zone.phi_error});
+        }
+    }
+    return checks;
+}
+
+}  // namespace hdconj
