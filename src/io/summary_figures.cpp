@@ -30,6 +30,7 @@ std::vector<Figure> clearance_figures(Solution const& solution)
     }
     auto const& check = *solution.check;
     return {{"smallest_clearance_mm", check.smallest_clearance},
+            {"clearance_error_mm", solution.error.clearance},
             {"clearance_x_mm", check.where.x()},
             {"clearance_y_mm", check.where.y()},
             {"clearance_phi_deg", check.at_phi * degree_per_radian},
@@ -47,7 +48,6 @@ std::vector<Figure> error_figures(Solution const& solution)
             {"error_r_0_mm", error.r_0},
             {"error_space_depth_mm", error.space_depth},
             {"error_land_width_mm", error.land},
-            {"error_clearance_mm", error.clearance},
             {"error_zone_phi_deg", largest(solution.zones, &ConjugateZone::phi_error) * degree_per_radian},
             {"error_zone_t", largest(solution.zones, &ConjugateZone::t_error)}};
 }

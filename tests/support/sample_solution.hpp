@@ -199,7 +199,7 @@ inline Solution solution()
     for (std::size_t i = 0; i < result.branches.size(); ++i) {
         auto const& branch = result.branches[i];
         result.zones.push_back({branch.segment, branch.segment_name, branch.kind, i, branch.u.front(), branch.u.back(),
-                                branch.phi.front(), branch.phi.back(), branch.t.front(), branch.t.back(),
+                                branch.phi.front(), branch.phi.back(), branch.t.front(), branch.t.back(), 3e-13, 5e-14,
                                 branch.on_boundary, branch.on_boundary});
     }
     result.certificate.undecided = {{"convex arc right", 0.25, 0.5, 3e-7, 2e-17, "a contact touches the end of a profile piece"}};
@@ -213,7 +213,7 @@ inline Solution solution()
                                {"land", "", boundary.size() - 2, boundary.size() - 1}}};
     result.tooth_family = tooth_family(40);
     result.check = PairCheck{-3e-8, boundary[30], 0.1, boundary.size(), 2000};
-    result.error = {3.1e-7, 2e-15, 1e-15};
+    result.error = {3.1e-7, 2e-15, 1e-15, 2.4e-14, 3.2e-7, 4e-12, 1.3e-12};
     result.work = {12345, 67, 890};
     result.threads = 2;
     result.timing = {{"profile", 1e-5}, {"neutral_curve", 2e-4}, {"envelope", 1.5e-3}, {"region", 12e-3}};

@@ -17,7 +17,7 @@ TEST_CASE("the text names what a designer looks for")
     auto const text = summary_text(sample::solution(), {{"hdf5", "out/type-50.h5", 0.0021}});
     for (auto const* part :
          {"type-50", "200/202", "ratio -100", "24.347000 mm", "-2.567 um", "convex arc right", "outer  yes", "inner  -",
-          "the teeth touch", "error", "total", "out/type-50.h5", "2.100 ms"}) {
+          "the teeth touch", "+- 0.00032 um", "+- 4e-09 um", "off by at most 1.7e-11 deg and 5.0e-14 of t", "error", "total", "out/type-50.h5", "2.100 ms"}) {
         CHECK_THAT(text, ContainsSubstring(part));
     }
 }
@@ -26,7 +26,7 @@ TEST_CASE("the text says when the pair was not checked, and when it interferes")
 {
     auto solution = sample::solution();
     solution.check->smallest_clearance = -0.0781;
-    CHECK_THAT(summary_text(solution), ContainsSubstring("-78.1 um   the teeth interfere"));
+    CHECK_THAT(summary_text(solution), ContainsSubstring("-78.1 um   +- 1.3e-09 um, the teeth interfere"));
     solution.check.reset();
     CHECK_THAT(summary_text(solution), ContainsSubstring("not computed"));
     CHECK_FALSE(summary_text(Solution{}).empty());
