@@ -101,7 +101,7 @@ TEST_CASE("accuracy: bad input is answered with what to write", "[accuracy]")
     };
     for (Row const& row : {Row{"--study tolerence", "write tolerance"}, Row{"--budget 10", "write a number with s, ms or us"}, Row{"--error nought", "write a number above 0"},
                            Row{"--error 0", "write a number above 0"}, Row{"--set solver.kinematics=first-order", "leave the key out"},
-                           Row{"--set wave_generator.family=four-roller", "jumps in this wave generator's third derivative"}, Row{"--sample -1", "--sample"},
+                           Row{"--set wave_generator.family=four-roller --set wave_generator.roller_angle_deg=25", "jumps in this wave generator's third derivative"}, Row{"--sample -1", "--sample"},
                            Row{"--from a.h5 --study tolerance", "leave one of them out"}, Row{"--from a.h5 --set drive.module=1", "leave SCENE and --set out"}}) {
         INFO(row.arguments);
         auto const refused = accuracy(row.arguments, folder);
