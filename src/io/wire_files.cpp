@@ -101,7 +101,7 @@ std::string said_of(WireFile const& file)
 void check_wire_files(std::filesystem::path const& folder, std::vector<std::string> const& dialects, std::string const& place)
 {
     check_names(dialects, place);
-    WireFolder::check(folder);
+    WireFolder::check(folder, WireFolder::wire_program);
 }
 
 std::vector<WireFile> write_wire_files(WireSetUps const& programs, std::filesystem::path const& folder, std::vector<std::string> const& dialects)
@@ -114,7 +114,7 @@ std::vector<WireFile> write_wire_files(WireSetUps const& programs, std::filesyst
         check_program(program);
     }
     std::string const stem = stem_of(programs.front().name);
-    WireFolder target(folder);
+    WireFolder target(folder, WireFolder::wire_program);
     std::vector<WireFile> files;
     for (auto const& program : programs) {
         std::string const name = program.closed() ? stem : fmt::format("{}_setup{}", stem, program.set_up.number);

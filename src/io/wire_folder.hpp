@@ -16,12 +16,13 @@ class WireFolder
   public:
     /// First lines of the list of files: only a folder with the same one is exchanged.
     static constexpr char const* wire_program = "hdconj wire program: the files of this folder";
+    static constexpr char const* calculix_deck = "hdconj CalculiX deck: the files of this folder";
     static constexpr char const* accuracy_study = "hdconj accuracy study: the files of this folder";
 
     /// What can be known before: @throws FileError where the folder cannot be made or holds other files
-    static void check(std::filesystem::path const& target, char const* first_line = wire_program);
+    static void check(std::filesystem::path const& target, char const* first_line);
 
-    explicit WireFolder(std::filesystem::path const& target, char const* first_line = wire_program);
+    explicit WireFolder(std::filesystem::path const& target, char const* first_line);
     ~WireFolder();
     WireFolder(WireFolder const&) = delete;
     WireFolder& operator=(WireFolder const&) = delete;
