@@ -17,11 +17,13 @@ using hdf5::Shape;
 using hdf5::write_columns;
 using hdf5::Writer;
 
-void write_states(Writer const& place, std::vector<LoadedState> const& states)
+void write_states(Writer const& place, std::vector<LoadedState> const& states, char const* ball_units)
 {
     write_columns(place, loaded_state_figures(), states);
+    place.numbers("ball_force", column(states, [](auto const& state) { return state.ball_force; }), ball_units);
     place.integers("teeth", column(states, [](auto const& state) { return state.teeth; }));
     place.integers("pressure_space", column(states, [](auto const& state) { return state.pressure_space; }));
+    place.integers("balls", column(states, [](auto const& state) { return state.balls; }));
     place.integers("rounds", column(states, [](auto const& state) { return state.rounds; }));
     place.integers("steps", column(states, [](auto const& state) { return state.steps; }));
 }
@@ -53,15 +55,43 @@ void write_map(Writer const& place, LoadMap const& map)
     write_checked(place, "height", shape, map.height, "1");
 }
 
-void write_case(Writer const& place, LoadCase const& each)
+void write_bearing(Writer const& place, BearingMap const& bearing, char const* ball_units)
 {
-    place.group("curve", [&](Writer const& curve) { write_states(curve, each.curve); });
+    place.numbers("angle", bearing.angle, "rad");
+    place.numbers("z", bearing.z, "mm");
+    write_checked(place, "force", {bearing.angle.size(), bearing.z.size()}, bearing.force, "N");
+    if (!bearing.ball_angle.empty()) {
+        place.numbers("ball_angle", bearing.ball_angle, "rad");
+        write_checked(place, "ball_force", {bearing.ball_angle.size()}, bearing.ball_force, ball_units);
+    }
+}
+
+void write_case(Writer const& place, LoadCase const& each, char const* ball_units)
+{
+    place.group("curve", [&](Writer const& curve) { write_states(curve, each.curve, ball_units); });
+    if (!each.bearing.angle.empty()) {
+        place.group("bearing", [&](Writer const& bearing) { write_bearing(bearing, each.bearing, ball_units); });
+    }
     if (!each.map.angle.empty()) {
         place.group("map", [&](Writer const& map) { write_map(map, each.map); });
     }
 }
 
-void write_cases(Writer const& place, std::vector<LoadCase> const& cases)
+/// Estimates, worth something where `estimated` is 1.
+void write_errors(Writer const& place, std::vector<LoadCase> const& cases, char const* ball_units)
+{
+    std::vector<LoadedState> errors;
+    for (auto const& each : cases) {
+        errors.push_back(each.error);
+    }
+    place.integers("estimated", column(cases, [](auto const& each) { return each.estimated ? 1 : 0; }));
+    place.integers("pressure_at_edge", column(cases, [](auto const& each) { return each.pressure_at_edge ? 1 : 0; }));
+    place.numbers("backlash", column(cases, [](auto const& each) { return each.backlash_error; }), "rad");
+    write_columns(place, loaded_error_figures(), errors);
+    place.numbers("ball_force", column(errors, [](auto const& error) { return error.ball_force; }), ball_units);
+}
+
+void write_cases(Writer const& place, std::vector<LoadCase> const& cases, char const* ball_units)
 {
     std::vector<LoadedState> rated;
     for (auto const& each : cases) {
@@ -76,9 +106,10 @@ void write_cases(Writer const& place, std::vector<LoadCase> const& cases)
     write_columns(place, load_case_figures(), cases);
     place.integers("raised", column(cases, [](auto const& each) { return each.raised ? 1 : 0; }));
     place.integers("stages_found", column(cases, [](auto const& each) { return each.stages.found ? 1 : 0; }));
-    write_states(place, rated);
+    write_states(place, rated, ball_units);
+    place.group("error", [&](Writer const& group) { write_errors(group, cases, ball_units); });
     for (std::size_t i = 0; i < cases.size(); ++i) {
-        place.group(fmt::format("case_{:03}", i), [&](Writer const& group) { write_case(group, cases[i]); });
+        place.group(fmt::format("case_{:03}", i), [&](Writer const& group) { write_case(group, cases[i], ball_units); });
     }
 }
 
@@ -87,6 +118,12 @@ void write_cup(Writer const& place, AssembledCup const& cup)
     for (auto const& figure : assembled_cup_figures()) {
         place.attribute(figure.column, figure.value(cup));
     }
+    place.attribute("ball_force", cup.ball_force);
+    place.attribute("estimated", cup.estimated ? 1 : 0);
+    place.attribute("coning_major_error_rad", cup.coning_major_error);
+    place.attribute("coning_minor_error_rad", cup.coning_minor_error);
+    place.attribute("wave_generator_force_error_N", cup.wave_generator_force_error);
+    place.attribute("largest_stress_error_MPa", cup.largest_stress_error);
     place.attribute("contacts", cup.contacts);
     place.numbers("z", cup.z, "mm");
     write_checked(place, "w_major", {cup.z.size()}, cup.w_major, "mm");
@@ -167,7 +204,9 @@ void write_hdf5(LoadStudy const& study, std::filesystem::path const& file, Measu
             load.attribute("harmonics", study.harmonics);
             load.attribute("sectors", study.sectors);
             load.attribute("shown", static_cast<int>(study.shown));
-            write_cases(load, study.cases);
+            load.attribute("edge_radius_mm", study.edge_radius);
+            load.attribute("balls", study.balls);
+            write_cases(load, study.cases, ball_units(study));
             load.group("cup", [&](Writer const& cup) { write_cup(cup, study.cup); });
             if (!study.shape.r.empty()) {
                 load.group("shape", [&](Writer const& shape) { write_shape(shape, study.shape); });

@@ -31,12 +31,39 @@ std::span<LoadFigure<LoadedState> const> loaded_state_figures()
         Row{"largest_force", "N", "largest_force_N", as_stored, [](State s) { return s.largest_force; }},
         Row{"wave_generator_force", "N", "wave_generator_force_N", as_stored, [](State s) { return s.wave_generator_force; }},
         Row{"wave_generator_torque", "N mm", "wave_generator_torque_Nm", nm_per_nmm, [](State s) { return s.wave_generator_torque; }},
+        Row{"lobe_force", "N", "lobe_force_N", as_stored, [](State s) { return s.lobe_force; }},
+        Row{"lobe_force_across", "N", "lobe_force_across_N", as_stored, [](State s) { return s.lobe_force_across; }},
+        Row{"lobe_z", "mm", "lobe_z_mm", as_stored, [](State s) { return s.lobe_z; }},
+        Row{"ball_phi", "rad", "ball_phi_deg", degree_per_radian, [](State s) { return s.ball_phi; }},
         Row{"largest_stress", "MPa", "largest_stress_MPa", as_stored, [](State s) { return s.largest_stress; }},
         Row{"stress_z", "mm", "stress_z_mm", as_stored, [](State s) { return s.stress_z; }},
         Row{"stress_r", "mm", "stress_r_mm", as_stored, [](State s) { return s.stress_r; }},
         Row{"stress_phi", "rad", "stress_phi_deg", degree_per_radian, [](State s) { return s.stress_phi; }},
         Row{"residual", "mm", "residual_um", um_per_mm, [](State s) { return s.residual; }},
         Row{"complementarity", "1", "complementarity", as_stored, [](State s) { return s.complementarity; }}};
+    return figures;
+}
+
+std::span<LoadFigure<LoadedState> const> loaded_error_figures()
+{
+    using Row = LoadFigure<LoadedState>;
+    using State = LoadedState const&;
+    static constexpr std::array figures = {
+        Row{"twist", "rad", "twist_arcmin", arcmin_per_radian, [](State s) { return s.twist; }},
+        Row{"stiffness", "N mm/rad", "stiffness_Nm_per_rad", nm_per_nmm, [](State s) { return s.stiffness; }},
+        Row{json_only, "", "stiffness_Nm_per_deg", nm_per_deg, [](State s) { return s.stiffness; }},
+        Row{"contact_area", "mm^2", "contact_area_mm2", as_stored, [](State s) { return s.contact_area; }},
+        Row{"contact_share", "1", "contact_share", as_stored, [](State s) { return s.contact_share; }},
+        Row{"near_share", "1", "near_share", as_stored, [](State s) { return s.near_share; }},
+        Row{"node_share", "1", "node_share", as_stored, [](State s) { return s.node_share; }},
+        Row{"largest_pressure", "MPa", "largest_pressure_MPa", as_stored, [](State s) { return s.largest_pressure; }},
+        Row{"largest_force", "N", "largest_force_N", as_stored, [](State s) { return s.largest_force; }},
+        Row{"wave_generator_force", "N", "wave_generator_force_N", as_stored, [](State s) { return s.wave_generator_force; }},
+        Row{"wave_generator_torque", "N mm", "wave_generator_torque_Nm", nm_per_nmm, [](State s) { return s.wave_generator_torque; }},
+        Row{"lobe_force", "N", "lobe_force_N", as_stored, [](State s) { return s.lobe_force; }},
+        Row{"lobe_force_across", "N", "lobe_force_across_N", as_stored, [](State s) { return s.lobe_force_across; }},
+        Row{"lobe_z", "mm", "lobe_z_mm", as_stored, [](State s) { return s.lobe_z; }},
+        Row{"largest_stress", "MPa", "largest_stress_MPa", as_stored, [](State s) { return s.largest_stress; }}};
     return figures;
 }
 

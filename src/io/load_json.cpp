@@ -17,10 +17,12 @@ void add_figures(Json& object, std::span<LoadFigure<Record> const> figures, Reco
     }
 }
 
-Json state_object(LoadedState const& state)
+Json state_object(LoadedState const& state, LoadStudy const& study)
 {
     Json object = Json::object();
     add_figures(object, loaded_state_figures(), state);
+    object[ball_key(study)] = number(state.ball_force);
+    object["balls"] = state.balls;
     object["teeth"] = state.teeth;
     object["pressure_space"] = state.pressure_space;
     object["rounds"] = state.rounds;
@@ -28,25 +30,74 @@ Json state_object(LoadedState const& state)
     return object;
 }
 
-Json case_object(LoadCase const& each)
+Json error_object(LoadCase const& each, LoadStudy const& study)
+{
+    if (!each.estimated) {
+        return nullptr;
+    }
+    Json object = Json::object();
+    add_figures(object, loaded_error_figures(), each.error);
+    object[ball_key(study)] = number(each.error.ball_force);
+    object["teeth"] = each.error.teeth;
+    return object;
+}
+
+Json bearing_object(BearingMap const& bearing, LoadStudy const& study)
+{
+    Json object = {{"angle_deg", Json::array()}, {"z_mm", Json::array()}, {"force_N", Json::array()}, {"ball_angle_deg", Json::array()}, {ball_key(study), Json::array()}};
+    for (double const angle : bearing.angle) {
+        object["angle_deg"].push_back(number(angle * degree_per_radian));
+    }
+    for (double const z : bearing.z) {
+        object["z_mm"].push_back(number(z));
+    }
+    for (std::size_t i = 0; i < bearing.angle.size(); ++i) {
+        double sum = 0;
+        for (std::size_t j = 0; j < bearing.z.size(); ++j) {
+            sum += bearing.force.at(i * bearing.z.size() + j);
+        }
+        object["force_N"].push_back(number(sum));
+    }
+    for (std::size_t b = 0; b < bearing.ball_angle.size(); ++b) {
+        object["ball_angle_deg"].push_back(number(bearing.ball_angle[b] * degree_per_radian));
+        object[ball_key(study)].push_back(number(bearing.ball_force.at(b)));
+    }
+    return object;
+}
+
+Json case_object(LoadCase const& each, LoadStudy const& study)
 {
     Json object = {{"surface", each.surface}, {"kind", each.kind}};
     add_figures(object, load_case_figures(), each);
     object["raised"] = each.raised;
     object["stages_found"] = each.stages.found;
     auto const* rated = rated_state(each);
-    object["rated"] = rated != nullptr ? state_object(*rated) : Json(nullptr);
+    object["rated"] = rated != nullptr ? state_object(*rated, study) : Json(nullptr);
+    object["rated_error"] = error_object(each, study);
+    object["backlash_error_arcmin"] = each.estimated ? number(each.backlash_error * arcmin_per_radian) : Json(nullptr);
+    object["pressure_at_edge"] = each.pressure_at_edge;
+    object["bearing"] = bearing_object(each.bearing, study);
     object["curve"] = Json::array();
     for (auto const& state : each.curve) {
-        object["curve"].push_back(state_object(state));
+        object["curve"].push_back(state_object(state, study));
     }
     return object;
 }
 
-Json cup_object(AssembledCup const& cup)
+Json cup_object(AssembledCup const& cup, LoadStudy const& study)
 {
     Json object = Json::object();
     add_figures(object, assembled_cup_figures(), cup);
+    object[ball_key(study)] = number(cup.ball_force);
+    object["balls"] = cup.balls;
+    object["error"] = nullptr;
+    if (cup.estimated) {
+        object["error"] = {{"coning_major_deg", number(cup.coning_major_error * degree_per_radian)},
+                           {"coning_minor_deg", number(cup.coning_minor_error * degree_per_radian)},
+                           {"wave_generator_force_N", number(cup.wave_generator_force_error)},
+                           {"largest_stress_MPa", number(cup.largest_stress_error)},
+                           {ball_key(study), number(cup.ball_force_error)}};
+    }
     object["contacts"] = cup.contacts;
     object["slices"] = Json::array();
     for (std::size_t k = 0; k < cup.z.size(); ++k) {
@@ -94,10 +145,13 @@ std::string summary_json(LoadStudy const& study, std::vector<WrittenFile> const&
                  {"harmonics", study.harmonics},
                  {"sectors", study.sectors},
                  {"shown", study.shown},
-                 {"cup", cup_object(study.cup)}};
+                 {"edge_radius_um", number(study.edge_radius * um_per_mm)},
+                 {"balls", study.balls},
+                 {"sharp_steps", study.sharp_steps},
+                 {"cup", cup_object(study.cup, study)}};
     load["cases"] = Json::array();
     for (auto const& each : study.cases) {
-        load["cases"].push_back(case_object(each));
+        load["cases"].push_back(case_object(each, study));
     }
     if (measured != nullptr) {
         load["measured"] = measured_object(*measured);

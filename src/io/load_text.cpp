@@ -30,16 +30,26 @@ void write_setting(Page& page, LoadStudy const& study)
 {
     auto const& cup = study.cup;
     page.line("\ncup on the wave generator, without torque");
-    page.figure("coning, major axis", fixed(cup.coning_major * degree_per_radian, 4) + " deg", "slope of the radial displacement over the toothed width");
-    page.figure("coning, minor axis", fixed(cup.coning_minor * degree_per_radian, 4) + " deg");
+    auto const worth = [&](double error, char const* units) { return cup.estimated ? fmt::format("+- {:.2g} {}", error, units) : std::string(); };
+    auto const and_worth = [&](std::string const& words, double error, char const* units) { return cup.estimated ? worth(error, units) + "; " + words : words; };
+    page.figure("coning, major axis", fixed(cup.coning_major * degree_per_radian, 4) + " deg",
+                and_worth("slope of the radial displacement over the toothed width", cup.coning_major_error * degree_per_radian, "deg"));
+    page.figure("coning, minor axis", fixed(cup.coning_minor * degree_per_radian, 4) + " deg", worth(cup.coning_minor_error * degree_per_radian, "deg"));
     if (!cup.z.empty()) {
         auto const [first, last] = std::minmax_element(cup.z.begin(), cup.z.end());
         page.figure("slices", std::to_string(cup.z.size()), fmt::format("z {:g} ... {:g} mm", *first, *last));
     }
-    page.figure("wave generator force", fmt::format("{:.1f} N", cup.wave_generator_force), fmt::format("without direction, over {} places", cup.contacts));
-    if (cup.largest_stress > 0) {
-        page.figure("largest stress", fmt::format("{:.1f} MPa", cup.largest_stress), "von Mises");
+    page.figure("wave generator force", fmt::format("{:.1f} N", cup.wave_generator_force), and_worth(fmt::format("without direction, over {} places", cup.contacts), cup.wave_generator_force_error, "N"));
+    if (cup.ball_force > 0) {
+        page.figure(study.balls > 0 ? "largest force of a ball" : "largest force of the balls", fmt::format("{:.1f} {}", cup.ball_force, ball_units(study)),
+                    and_worth(study.balls > 0 ? fmt::format("at {} deg; {} of {} balls carry", fixed(cup.ball_phi * degree_per_radian, 1), cup.balls, study.balls)
+                                              : fmt::format("of their line, at {} deg", fixed(cup.ball_phi * degree_per_radian, 1)),
+                              cup.ball_force_error, ball_units(study)));
     }
+    if (cup.largest_stress > 0) {
+        page.figure("largest stress", fmt::format("{:.1f} MPa", cup.largest_stress), and_worth("von Mises, inside the elements", cup.largest_stress_error, "MPa"));
+    }
+    page.figure("edges of the teeth", fmt::format("{:.4g} um", study.edge_radius * um_per_mm), "radius under load");
     page.figure("harmonics", fmt::format("up to {}", study.harmonics), study.sectors > 1 ? fmt::format("the solved sector repeats {} times", study.sectors) : "");
 }
 
@@ -66,6 +76,19 @@ void write_row(Page& page, LoadCase const& each)
         row += "   not computed";
     }
     page.line("{}", row);
+    if (!each.estimated) {
+        page.line("    +-     no estimate: it takes three slices, and a balance on a grid half as fine");
+        return;
+    }
+    auto const& error = each.error;
+    auto const* state = rated_state(each);
+    auto const of = [](double value) { return fmt::format("{:.2g}", value); };
+    double const relative = state != nullptr && state->stiffness > 0 ? error.stiffness / state->stiffness : 0;
+    std::string const first_error = stages.first == 0 ? "-" : of((stages.first_error + relative * stages.first) * nm_per_deg);
+    std::string const second_error = stages.found ? of((stages.second_error + relative * stages.second) * nm_per_deg) : "";
+    page.line("{:<25}{:>8}{:>10}{:>9}{:>9}{:>8}{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", "    +-", "", of(each.backlash_error * arcmin_per_radian), first_error, second_error,
+              stages.found ? of(stages.knee_error * nm_per_nmm) : "", of(error.twist * arcmin_per_radian), error.teeth, of(error.contact_share * percent), of(error.near_share * percent),
+              each.pressure_at_edge ? "edge" : short_number(error.largest_pressure), of(error.largest_force), error.largest_stress > 0 ? short_number(error.largest_stress) : "-");
 }
 
 void write_table(Page& page, LoadStudy const& study)
@@ -80,6 +103,13 @@ void write_table(Page& page, LoadStudy const& study)
         write_row(page, each);
     }
     page.line("  contact: flank under pressure; near: gap no larger than {:g} um; of the area of all flanks of the loaded side", study.contact_gap * um_per_mm);
+    page.line("  +-: distance from a grid half as fine in slices, flank points, circles and harmonics, of stages with the standard error of their fit");
+    if (std::any_of(study.cases.begin(), study.cases.end(), [](auto const& each) { return each.pressure_at_edge; })) {
+        page.line("  edge: the largest pressure is at an end of the face width, where it does not converge; what it adds up to does");
+    }
+    if (study.sharp_steps) {
+        page.line("  stress: the wall steps from barrel to ring in sharp corners, where it grows with the mesh; rear_fillet and front_fillet round them");
+    }
     if (std::any_of(study.cases.begin(), study.cases.end(), [](auto const& each) { return each.raised; })) {
         page.line("  *: more side clearance than the scene gives, because with that the assembled teeth press on both flanks");
     }
@@ -108,6 +138,32 @@ void write_places(Page& page, LoadStudy const& study)
                                 fixed(state->stress_phi * degree_per_radian, 1));
         }
         page.line("{}", text);
+    }
+    page.line("\nbearing, at {:g} N m", study.rated_torque * nm_per_nmm);
+    for (auto const& each : study.cases) {
+        auto const* state = rated_state(each);
+        if (state == nullptr) {
+            continue;
+        }
+        auto const worth = [&](double error) { return each.estimated ? fmt::format(" +- {:.2g}", error) : std::string(); };
+        std::string text = fmt::format("  {}: lobe at the major axis {}{} N along it, {}{} N across it, at z = {}{} mm; wave generator {:.4g}{} N m", case_name(each),
+                                       short_number(state->lobe_force), worth(each.error.lobe_force), short_number(state->lobe_force_across), worth(each.error.lobe_force_across),
+                                       fixed(state->lobe_z, 2), worth(each.error.lobe_z), state->wave_generator_torque * nm_per_nmm, worth(each.error.wave_generator_torque * nm_per_nmm));
+        if (state->ball_force > 0) {
+            text += fmt::format("; balls up to {}{} {} at {} deg", short_number(state->ball_force), worth(each.error.ball_force), ball_units(study),
+                                fixed(state->ball_phi * degree_per_radian, 1));
+            text += study.balls > 0 ? fmt::format(", {} of {} carry", state->balls, study.balls) : "";
+        }
+        page.line("{}", text);
+    }
+    if (study.balls > 0) {
+        for (auto const& each : study.cases) {
+            std::string text;
+            for (std::size_t b = 0; b < each.bearing.ball_angle.size(); ++b) {
+                text += fmt::format("{}{:.1f} at {:.1f}", b > 0 ? ", " : "", each.bearing.ball_force[b], each.bearing.ball_angle[b] * degree_per_radian);
+            }
+            page.line("  {}: balls of {}, N at deg: {}", case_name(each), study.sectors > 1 ? fmt::format("1/{} of the ring", study.sectors) : "the ring", text);
+        }
     }
     LoadedState worst;
     int rounds = 0;

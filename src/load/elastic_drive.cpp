@@ -159,6 +159,8 @@ Equilibrium equilibrium(ElasticDrive const& drive, LinearGaps const& gaps, std::
                 value = drive.response(p.height, q.height, p.at - q.at);
                 if (drive.outer_ring)
                     value += (*drive.outer_ring)(p.height, q.height, p.at - q.at);
+                if (drive.between_balls)
+                    value += (*drive.between_balls)(static_cast<Index>(row - flanks), static_cast<Index>(col - flanks));
             }
         }
         if (col < flanks)

@@ -9,7 +9,10 @@
 #include "hdconj/profile/builder.hpp"
 #include "hdconj/scene/effects.hpp"
 #include "load_case.hpp"
+#include "load_coarse.hpp"
 #include "load_model.hpp"
+#include "load_settle.hpp"
+#include "load_tables.hpp"
 #include "loaded_shape.hpp"
 #include "outline_records.hpp"
 #include "owned_bench.hpp"
@@ -70,7 +73,7 @@ double slope_of(std::vector<double> const& x, std::vector<double> const& y)
 AssembledCup assembled(ContactBench const& bench, detail::LoadModel const& model, detail::Assembly const& start)
 {
     AssembledCup cup;
-    cup.z = bench.maker.z();
+    cup.z = model.drive.slice_z;
     auto const series = displacements(model.drive, start.forces);
     double const minor = std::numbers::pi / bench.scene.wave_generator.waves;
     for (std::size_t k = 0; k < cup.z.size(); ++k)
@@ -82,9 +85,42 @@ AssembledCup assembled(ContactBench const& bench, detail::LoadModel const& model
     cup.coning_minor = slope_of(cup.z, cup.w_minor);
     cup.wave_generator_force = start.state.bearing.sum() * model.drive.response.sectors();
     cup.contacts = static_cast<int>((start.state.bearing.array() > 0).count()) * model.drive.response.sectors();
+    detail::BallPeak const ball = detail::ball_peak(model.drive, start.state);
+    cup.ball_force = ball.force;
+    cup.ball_phi = ball.phi;
+    cup.balls = ball.carrying;
     HarmonicField const field = detail::cup_field(model, start.forces, bench.threads);
-    cup.largest_stress = stress_peak(model.solid.mesh(), field, angles_of(stress_angles, model.drive.response.sectors()), bench.threads).stress;
+    StressPeak const peak = stress_peak(model.solid.mesh(), field, angles_of(stress_angles, model.drive.response.sectors()), bench.threads);
+    cup.largest_stress = peak.stress;
+    cup.largest_stress_error = detail::stress_at_corners(model, field, peak);
     return cup;
+}
+
+/// Errors of @p cup: its distance from what the coarse grid says.
+void estimate(AssembledCup& cup, AssembledCup const& coarse)
+{
+    cup.coning_major_error = std::abs(cup.coning_major - coarse.coning_major);
+    cup.coning_minor_error = std::abs(cup.coning_minor - coarse.coning_minor);
+    cup.wave_generator_force_error = std::abs(cup.wave_generator_force - coarse.wave_generator_force);
+    cup.ball_force_error = std::abs(cup.ball_force - coarse.ball_force);
+    cup.largest_stress_error += std::abs(cup.largest_stress - coarse.largest_stress);
+    cup.estimated = true;
+}
+
+/// Largest stress of the cup at the rated torque, and its error.
+void add_stress(ContactBench const& bench, detail::LoadModel const& model, HarmonicField const& field, detail::CoarseDrive const* coarse, detail::CaseReport const& report, LoadCase& result)
+{
+    std::vector<double> const phi = angles_of(stress_angles, model.drive.response.sectors());
+    LoadedState& state = result.curve[result.rated];
+    StressPeak const peak = stress_peak(model.solid.mesh(), field, phi, bench.threads);
+    state.largest_stress = peak.stress;
+    state.stress_r = peak.at.x();
+    state.stress_z = peak.at.y() - model.middle;
+    state.stress_phi = peak.phi;
+    if (!result.estimated)
+        return;
+    HarmonicField const other = detail::cup_field(coarse->model, report.coarse, bench.threads);
+    result.error.largest_stress = std::abs(peak.stress - stress_peak(coarse->model.solid.mesh(), other, phi, bench.threads).stress) + detail::stress_at_corners(model, field, peak);
 }
 
 /// Up to the torque, down again, and to the opposite one.
@@ -117,6 +153,9 @@ Faults check_load(Scene const& scene, LoadOptions const& options)
                           "write torque = 28.0, in N m, in [load], or --torque 28"});
     if (options.torque && !std::isfinite(*options.torque))
         faults.push_back({"--torque", 0, short_number(*options.torque), "not a finite number", "write a torque in N m such as 28"});
+    if (scene.load && scene.given.contains("load.harmonics") && scene.load->harmonics > detail::highest_harmonic(scene))
+        faults.push_back({"load.harmonics", scene.load->line, std::to_string(scene.load->harmonics), "more than the angles of the teeth tell apart",
+                          "write at most " + std::to_string(detail::highest_harmonic(scene))});
     if (options.points && *options.points < 1)
         faults.push_back({"--points", 0, std::to_string(*options.points), "a curve has at least one torque", "write a whole number such as 10"});
     return faults;
@@ -152,9 +191,10 @@ LoadStudy load(Scene const& scene, LoadOptions const& options, StageObserver con
     ContactBench const& bench = *owned.bench;
     LoadStudy study;
     std::optional<detail::LoadModel> model;
-    owned.clock.run(Stage::influence, [&] { model = detail::load_model(bench); });
+    owned.clock.run(Stage::influence, [&] { model = detail::load_model(bench, detail::load_grid(bench)); });
     ElasticDrive const& drive = model->drive;
     detail::Assembly start;
+    std::optional<detail::CoarseDrive> coarse;
     owned.clock.run(Stage::assembly, [&] {
         start = detail::assembly(bench, drive);
         study.cup = assembled(bench, *model, start);
@@ -166,37 +206,36 @@ LoadStudy load(Scene const& scene, LoadOptions const& options, StageObserver con
     study.rated_torque = options.torque ? *options.torque : *request.torque;
     std::vector<double> const torques = path(study.rated_torque, options.points.value_or(request.points), options.curve);
     std::vector<SurfaceChoice> const wanted = detail::surface_choices(asked, contact_options(options));
-    Eigen::MatrixXd shown;
     double const total = static_cast<double>(wanted.size() * torques.size());
     double done = 0;
     for (std::size_t i = 0; i < wanted.size(); ++i)
     {
-        Eigen::MatrixXd forces;
+        detail::CaseReport report;
+        report.on_play = [&](LoadCase const& known) {
+            if (talk)
+                talk(fmt::format("{}{}: side clearance {:.1f} um, play {:.2f} arcmin", known.surface, known.tilt != 0 ? fmt::format(" {:.2f} deg", degrees(known.tilt)) : "",
+                                 1e3 * known.backlash_offset, 60 * degrees(known.backlash)));
+        };
+        report.on_state = [&] {
+            done += 1;
+            if (progress)
+                progress("load", done / total);
+        };
         owned.clock.run(Stage::load, [&] {
-            study.cases.push_back(detail::load_case(bench, drive, start, wanted[i], torques, [&](LoadCase const& known) {
-                if (talk)
-                    talk(fmt::format("{}{}: side clearance {:.1f} um, play {:.2f} arcmin", known.surface, known.tilt != 0 ? fmt::format(" {:.2f} deg", degrees(known.tilt)) : "",
-                                     1e3 * known.backlash_offset, 60 * degrees(known.backlash)));
-            }, [&] {
-                done += 1;
-                if (progress)
-                    progress("load", done / total);
-            }, forces));
+            if (i == 0)
+            {
+                coarse = detail::coarse_drive(bench);
+                if (coarse)
+                    estimate(study.cup, assembled(bench, coarse->model, coarse->start));
+            }
+            study.cases.push_back(detail::load_case(bench, drive, start, coarse ? &*coarse : nullptr, wanted[i], torques, report));
         });
         auto const pressure = [](LoadCase const& c) { return c.curve[c.rated].largest_pressure; };
         if (i == 0 || pressure(study.cases[i]) < pressure(study.cases[study.shown]))
-        {
             study.shown = i;
-            shown = std::move(forces);
-        }
         // stresses are looked for at the largest torque of every case
-        HarmonicField const field = detail::cup_field(*model, i == study.shown ? shown : forces, bench.threads);
-        LoadedState& state = study.cases[i].curve[study.cases[i].rated];
-        StressPeak const peak = stress_peak(model->solid.mesh(), field, angles_of(stress_angles, drive.response.sectors()), bench.threads);
-        state.largest_stress = peak.stress;
-        state.stress_r = peak.at.x();
-        state.stress_z = peak.at.y() - model->middle;
-        state.stress_phi = peak.phi;
+        HarmonicField const field = detail::cup_field(*model, report.rated, bench.threads);
+        add_stress(bench, *model, field, coarse ? &*coarse : nullptr, report, study.cases[i]);
         if (i == study.shown)
             study.shape = detail::cup_shape(*model, field, shape_angles, bench.threads);
     }
@@ -207,6 +246,10 @@ LoadStudy load(Scene const& scene, LoadOptions const& options, StageObserver con
     study.sectors = drive.response.sectors();
     study.contact_gap = bench.request.gap;
     study.pitch_radius = scene.drive.module * scene.drive.flexspline_teeth / 2;
+    study.edge_radius = detail::edge_radius(scene);
+    study.balls = scene.bearing->balls.value_or(0);
+    Cup const& cup = *scene.flexspline.cup;
+    study.sharp_steps = scene.flexspline.wall != cup.barrel_wall && !(cup.rear_fillet && cup.front_fillet);
     std::vector<StageTime> const times = owned.clock.times();
     study.solution.timing.insert(study.solution.timing.end(), times.begin(), times.end());
     return study;

@@ -12,6 +12,7 @@
 #include "hdconj/load/flank_contacts.hpp"
 #include "hdconj/numeric/error.hpp"
 #include "hdconj/pipeline/load.hpp"
+#include "load_coarse.hpp"
 #include "load_settle.hpp"
 #include "load_tables.hpp"
 
@@ -71,6 +72,50 @@ std::optional<Play> play_of(LoadWork const& work, LoadedShape const& shape)
     }
 }
 
+/// The assembled cup among teeth that it does not touch.
+Loaded untouched(ContactBench const& bench, ElasticDrive const& drive, Assembly const& start)
+{
+    Loaded free;
+    free.state = start.state;
+    free.forces = start.forces;
+    free.shape = loaded_shape(bench, drive, free.forces);
+    return free;
+}
+
+/// Errors of play and largest torque: their distance from those of the coarse grid.
+void estimate(ContactBench const& bench, CoarseDrive const& coarse, FlankGrid const& fine, LoadCase& result, CaseReport& report)
+{
+    FlankGrid const grid = thinned(fine, coarse.grid.slices);
+    LoadWork const work{bench, coarse.model.drive, grid};
+    LoadedState const& rated = result.curve[result.rated];
+    try
+    {
+        Loaded loaded = untouched(bench, coarse.model.drive, coarse.start);
+        std::optional<Play> const play = play_of(work, loaded.shape);
+        if (!play)
+            return;
+        double middle = 0.5 * (play->right - play->left);
+        double const backlash = play->right + play->left;
+        loaded.state.turn = backlash < 0 || rated.torque == 0 ? middle : rated.torque > 0 ? play->right : -play->left;
+        if (backlash < 0)
+        {
+            loaded = settled_at(work, 0, loaded);
+            middle = loaded.state.turn;
+        }
+        if (rated.torque != 0)
+            loaded = settled_at(work, rated.torque, loaded);
+        result.error = distance(rated, summary_of(work, loaded, rated.torque, middle));
+        result.error.twist += rated.residual / bench.geometry.r_m;
+        result.backlash_error = std::abs(result.backlash - backlash);
+        result.estimated = true;
+        report.coarse = std::move(loaded.forces);
+    }
+    catch (NumericalError const&)
+    {
+        // no balance on the coarse grid: nothing to compare with
+    }
+}
+
 }  // namespace
 
 Assembly assembly(ContactBench const&, ElasticDrive const& drive)
@@ -81,8 +126,8 @@ Assembly assembly(ContactBench const&, ElasticDrive const& drive)
     return result;
 }
 
-LoadCase load_case(ContactBench const& bench, ElasticDrive const& drive, Assembly const& start, SurfaceChoice const& choice, std::vector<double> const& torques,
-                   std::function<void(LoadCase const&)> const& on_play, std::function<void()> const& on_state, Eigen::MatrixXd& rated)
+LoadCase load_case(ContactBench const& bench, ElasticDrive const& drive, Assembly const& start, CoarseDrive const* coarse, SurfaceChoice const& choice, std::vector<double> const& torques,
+                   CaseReport& report)
 {
     auto const begin = std::chrono::steady_clock::now();
     LoadCase result;
@@ -90,10 +135,7 @@ LoadCase load_case(ContactBench const& bench, ElasticDrive const& drive, Assembl
     result.kind = choice.tilt != 0 || bench.scene.tilt ? choice.kind : "";
     result.tilt = choice.tilt;
 
-    Loaded free;
-    free.state = start.state;
-    free.forces = start.forces;
-    free.shape = loaded_shape(bench, drive, free.forces);
+    Loaded const free = untouched(bench, drive, start);
     FlankSurface surface = flank_surface(bench, choice);
     std::optional<Play> play = play_of({bench, drive, surface.grid}, free.shape);
     bool const clear = play && play->right + play->left >= 0;
@@ -111,8 +153,8 @@ LoadCase load_case(ContactBench const& bench, ElasticDrive const& drive, Assembl
                                                      + std::to_string(surface.offset * 1e3) + " um: widen circular_spline.inner_radius, or write surface = \"per-slice\" in [slices]");
     result.backlash = play->right + play->left;
     double middle = 0.5 * (play->right - play->left);
-    if (on_play)
-        on_play(result);
+    if (report.on_play)
+        report.on_play(result);
     bool const pressed = result.backlash < 0;
     Loaded loaded = free;
     if (pressed)
@@ -147,11 +189,17 @@ LoadCase load_case(ContactBench const& bench, ElasticDrive const& drive, Assembl
             largest = std::abs(torque);
             result.rated = result.curve.size() - 1;
             result.map = map_of(work, loaded, torque);
-            rated = loaded.forces;
+            result.bearing = bearing_map(drive, loaded.state);
+            report.rated = loaded.forces;
         }
-        if (on_state)
-            on_state();
+        if (report.on_state)
+            report.on_state();
     }
+    LoadedState const& rated = result.curve[result.rated];
+    std::vector<double> const& z = result.map.z;
+    result.pressure_at_edge = z.size() > 1 && rated.largest_pressure > 0 && (rated.pressure_z <= z.front() || rated.pressure_z >= z.back());
+    if (coarse != nullptr)
+        estimate(bench, *coarse, surface.grid, result, report);
     std::vector<double> twist, torque;
     for (std::size_t i = 0; i <= result.rated && i < result.curve.size(); ++i)
         if (result.curve[i].torque > 0)

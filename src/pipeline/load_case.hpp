@@ -21,12 +21,21 @@ struct Assembly
 };
 [[nodiscard]] Assembly assembly(ContactBench const& bench, ElasticDrive const& drive);
 
+struct CoarseDrive;
+
+/// What is told, and forces on the cup's stations at the largest torque.
+struct CaseReport
+{
+    std::function<void(LoadCase const&)> on_play;  ///< when the play is known, before any torque
+    std::function<void()> on_state;                ///< after each torque
+    Eigen::MatrixXd rated;
+    Eigen::MatrixXd coarse;                        ///< on the coarse grid; empty: there is none
+};
+
 /// Everything about one surface.
-/// @param torques   in the order of loading [N mm]
-/// @param on_play   told when the play is known, before any torque
-/// @param on_state  told after each torque
-/// @param rated     gets the forces on the cup at the largest torque
-[[nodiscard]] LoadCase load_case(ContactBench const& bench, ElasticDrive const& drive, Assembly const& start, SurfaceChoice const& choice,
-                                 std::vector<double> const& torques, std::function<void(LoadCase const&)> const& on_play, std::function<void()> const& on_state, Eigen::MatrixXd& rated);
+/// @param coarse   what errors are estimated with; null: they are not
+/// @param torques  in the order of loading [N mm]
+[[nodiscard]] LoadCase load_case(ContactBench const& bench, ElasticDrive const& drive, Assembly const& start, CoarseDrive const* coarse, SurfaceChoice const& choice,
+                                 std::vector<double> const& torques, CaseReport& report);
 
 }  // namespace hdconj::detail

@@ -9,6 +9,7 @@
 
 #include "hdconj/elastic/ball_line.hpp"
 #include "hdconj/elastic/bearing.hpp"
+#include "hdconj/elastic/discrete_balls.hpp"
 #include "hdconj/elastic/influence.hpp"
 #include "hdconj/elastic/wave_generator_contact.hpp"
 #include "hdconj/numeric/error.hpp"
@@ -37,6 +38,26 @@ std::vector<double> slice_widths(std::vector<double> const& z, double width)
     return result;
 }
 
+/// Even angles around the ring: those of the teeth, and more where they are few.
+struct RingGrid
+{
+    int lobes;       ///< how often teeth and lobes repeat around the ring
+    int sectors;     ///< and single balls with them
+    int per_sector;  ///< teeth
+    int steps;       ///< from tooth to tooth
+
+    [[nodiscard]] int angles() const { return per_sector * steps; }
+};
+
+RingGrid ring_grid(Scene const& scene)
+{
+    int const teeth = scene.drive.flexspline_teeth;
+    int const lobes = std::gcd(teeth, scene.wave_generator.waves);
+    int const sectors = scene.bearing && scene.bearing->balls ? std::gcd(lobes, *scene.bearing->balls) : lobes;
+    int const per_sector = teeth / sectors;
+    return {lobes, sectors, per_sector, (fewest_angles + per_sector - 1) / per_sector};
+}
+
 /// The shape at even angles of one sector.
 std::vector<double> sampled(AnyWaveShape const& shape, int sectors, int samples)
 {
@@ -48,24 +69,45 @@ std::vector<double> sampled(AnyWaveShape const& shape, int sectors, int samples)
 
 }  // namespace
 
-LoadModel load_model(ContactBench const& bench)
+LoadGrid load_grid(ContactBench const& bench)
+{
+    LoadGrid result{std::vector<std::size_t>(bench.maker.z().size()), bench.scene.bearing->circles, bench.scene.load ? bench.scene.load->harmonics : standard_harmonics};
+    std::iota(result.slices.begin(), result.slices.end(), std::size_t{0});
+    return result;
+}
+
+int highest_harmonic(Scene const& scene)
+{
+    RingGrid const grid = ring_grid(scene);
+    return grid.angles() * grid.sectors / 2;
+}
+
+LoadModel load_model(ContactBench const& bench, LoadGrid const& resolution)
 {
     Scene const& scene = bench.scene;
     int const teeth = scene.drive.flexspline_teeth;
-    int const sectors = std::gcd(teeth, scene.wave_generator.waves);
-    int const per_sector = teeth / sectors;
-    int const steps = (fewest_angles + per_sector - 1) / per_sector;
-    int const grid = per_sector * steps;
-    int const highest = std::min(scene.load ? scene.load->harmonics : standard_harmonics, grid * sectors / 2) / sectors * sectors;
+    RingGrid const around = ring_grid(scene);
+    int const lobes = around.lobes, sectors = around.sectors, steps = around.steps;
+    int const grid = around.angles();
+    int const highest = std::min(resolution.harmonics, grid * sectors / 2) / sectors * sectors;
 
     CupSection const section = cup_section(scene, bench.geometry.flexspline_inner_radius);
-    Bearing const bearing = bearing_of(scene);
+    Bearing bearing = bearing_of(scene);
+    std::optional<double> ball_stiffness;
+    if (scene.bearing->balls)
+    {
+        // of a line, the part that is a ball's
+        if (auto const line = std::exchange(bearing.ring->radial_stiffness, std::nullopt))
+            ball_stiffness = *line * 2 * std::numbers::pi * (bench.geometry.flexspline_inner_radius - bearing.ring->thickness) / *scene.bearing->balls;
+    }
     double const middle = bearing.middle;
-    std::vector<double> const circles = bearing_circles(bearing, scene.bearing->circles);
+    std::vector<double> const circles = bearing_circles(bearing, resolution.circles);
     SectionMesh const mesh = section_mesh(section, contact_mesh_size(bearing, scene.bearing->circles));
     FourierSolid const solid(mesh);
 
-    std::vector<double> const& z = bench.maker.z();
+    std::vector<double> z;
+    for (std::size_t const k : resolution.slices)
+        z.push_back(bench.maker.z()[k]);
     DriveStations layout{circles.size(), z.size()};
     std::vector<Station> places;
     std::vector<RingStation> stations;
@@ -100,8 +142,11 @@ LoadModel load_model(ContactBench const& bench)
     ElasticDrive drive{layout, PointResponse(std::move(stations), std::move(harmonics), sectors, grid, bench.threads), {}, {}, steps, {}, {},
                        phase_of(scene, bench.request.wave_generator), teeth, slice_widths(z, bench.width), section.material,
                        {scene.circular_spline.youngs_modulus, scene.circular_spline.poissons_ratio}, 0, {}};
+    drive.slice_z = z;
+    for (double const circle : circles)
+        drive.bearing_z.push_back(circle - middle);
     // more angles than the harmonics tell apart would leave the compliance singular
-    int const angles = std::min({grid, most_angles, 2 * (highest / sectors)});
+    int const angles = std::min({grid, most_angles * (lobes / sectors), 2 * (highest / sectors)});
     for (int i = 0; i < angles; ++i)
         drive.bearing_steps.push_back(static_cast<int>(static_cast<long>(i) * grid / angles));
     drive.needed.resize(static_cast<Eigen::Index>(circles.size()), angles);
@@ -128,7 +173,18 @@ LoadModel load_model(ContactBench const& bench)
                 contacts.phi.push_back(drive.phase + drive.response.step() * at);
                 contacts.z.push_back(static_cast<Eigen::Index>(j));
             }
-        drive.balls = ball_line(surface, sectors, contacts, std::min(samples, most_angles), false);
+        if (scene.bearing->balls)
+        {
+            DiscreteBalls single = discrete_balls(surface, sectors, contacts, ball_angles(*scene.bearing->balls, sectors, scene.bearing->ball_phase), ball_stiffness);
+            drive.needed -= Eigen::Map<Eigen::MatrixXd>(single.sag.data(), drive.needed.rows(), drive.needed.cols());
+            drive.balls = std::move(single.balls);
+            drive.between_balls = std::move(single.between);
+        }
+        else
+        {
+            drive.balls = ball_line(surface, sectors, contacts, std::min(samples, most_angles), false);
+            drive.ball_arc = 2 * std::numbers::pi * (section.inner_radius - bearing.ring->thickness) / (sectors * static_cast<double>(drive.balls->phi.size()));
+        }
         drive.outer_ring.emplace(std::vector<RingStation>(circles.size(), {RingStation::Parity::cosine, bearing_spread}), std::move(ring), sectors, grid, bench.threads);
     }
     drive.contact_depth = 0.25 * std::numbers::pi * scene.drive.module;  // half a tooth at the pitch line

@@ -22,9 +22,23 @@ struct LoadModel
     ElasticDrive drive;
 };
 
+/// How fine a drive is resolved.
+struct LoadGrid
+{
+    std::vector<std::size_t> slices;  ///< of the bench, increasing
+    int circles = 0;                  ///< over the bearing's width
+    int harmonics = 0;                ///< highest
+};
+
+/// As the scene asks.
+[[nodiscard]] LoadGrid load_grid(ContactBench const& bench);
+
+/// The highest harmonic that a drive's grid of angles can tell apart.
+[[nodiscard]] int highest_harmonic(Scene const& scene);
+
 /// Cup, wave generator and teeth of @p bench as `load` needs them.
 /// @throws NumericalError for a cup that cannot be meshed or a drive with too many teeth for the memory that a load takes
-[[nodiscard]] LoadModel load_model(ContactBench const& bench);
+[[nodiscard]] LoadModel load_model(ContactBench const& bench, LoadGrid const& resolution);
 
 /// Displacement of the whole cup under forces on the drive's stations.
 [[nodiscard]] HarmonicField cup_field(LoadModel const& model, Eigen::MatrixXd const& forces, int threads);

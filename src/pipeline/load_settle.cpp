@@ -31,12 +31,6 @@ auto flank_of(FlankContact const& c)
     return std::tuple(c.space, c.flank, c.slice);
 }
 
-double edge_radius(Scene const& scene)
-{
-    constexpr double standard = 0.04;  // of the module
-    return scene.load && scene.load->edge_radius ? *scene.load->edge_radius : standard * scene.drive.module;
-}
-
 /// Forces of @p before, handed to the contacts of @p now that are nearest on the same flank.
 std::vector<double> handed_on(std::vector<FlankContact> const& before, std::vector<double> const& force, std::vector<FlankContact> const& now)
 {
@@ -184,6 +178,12 @@ Outcome settle(LoadWork const& work, double torque, double depth, Loaded& now)
 }
 
 }  // namespace
+
+double edge_radius(Scene const& scene)
+{
+    constexpr double standard = 0.04;  // of the module
+    return scene.load && scene.load->edge_radius ? *scene.load->edge_radius : standard * scene.drive.module;
+}
 
 LoadWork::LoadWork(ContactBench const& bench_, ElasticDrive const& drive_, FlankGrid const& flanks_)
     : bench(bench_), drive(drive_), flanks(flanks_),

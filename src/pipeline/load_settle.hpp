@@ -15,6 +15,9 @@
 
 namespace hdconj::detail {
 
+/// Of the edges where teeth touch, given or 1/25 of the module [mm].
+[[nodiscard]] double edge_radius(Scene const& scene);
+
 /// One torque of a surface: what the rounds hand on.
 struct Loaded
 {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "hdconj/contact/contact_area.hpp"
@@ -140,6 +141,67 @@ double near_share(LoadWork const& work, Loaded const& loaded, int flank)
 
 }  // namespace
 
+BallPeak ball_peak(ElasticDrive const& drive, Equilibrium const& state)
+{
+    BallPeak peak;
+    for (std::size_t b = 0; b < state.balls.size(); ++b)
+    {
+        double const force = drive.ball_arc > 0 ? state.balls[b] / drive.ball_arc : state.balls[b];
+        if (drive.ball_arc <= 0 && force > 0)
+            peak.carrying += drive.response.sectors();
+        if (force > peak.force)
+        {
+            peak.force = force;
+            peak.phi = drive.balls->phi[b];
+        }
+    }
+    return peak;
+}
+
+BearingMap bearing_map(ElasticDrive const& drive, Equilibrium const& state)
+{
+    BearingMap map;
+    map.z = drive.bearing_z;
+    for (std::size_t w = 0; w < drive.bearing_steps.size(); ++w)
+    {
+        map.angle.push_back(drive.phase + drive.response.step() * drive.bearing_steps[w]);
+        for (Eigen::Index j = 0; j < state.bearing.rows(); ++j)
+            map.force.push_back(state.bearing(j, static_cast<Eigen::Index>(w)));
+    }
+    if (drive.balls)
+        map.ball_angle = drive.balls->phi;
+    for (double const force : state.balls)
+        map.ball_force.push_back(drive.ball_arc > 0 ? force / drive.ball_arc : force);
+    return map;
+}
+
+LobeReaction lobe_reaction(BearingMap const& bearing, int sectors, int waves)
+{
+    constexpr double rounding = 1e-9;  // of an angle that may be the border between two lobes
+    LobeReaction lobe;
+    double const part = 2 * std::numbers::pi / sectors, half = std::numbers::pi / waves;
+    double moment = 0;
+    // a sector may hold several lobes, and its angles begin anywhere
+    for (std::size_t i = 0; i < bearing.angle.size(); ++i)
+    {
+        double const phi = std::remainder(bearing.angle[i], part);
+        if (std::abs(phi) > half + rounding)
+            continue;
+        // half of a force on the border is this lobe's; where lobes repeat with the sectors, the other half is so at its other end
+        bool const border = std::abs(std::abs(phi) - half) <= rounding, both_ends = border && part <= 2 * half + rounding;
+        double const ends = border && !both_ends ? 0.5 : 1;
+        for (std::size_t j = 0; j < bearing.z.size(); ++j)
+        {
+            double const f = ends * bearing.force[i * bearing.z.size() + j];
+            lobe.along += f * std::cos(phi);
+            lobe.across += both_ends ? 0 : f * std::sin(phi);
+            moment += f * std::cos(phi) * bearing.z[j];
+        }
+    }
+    lobe.z = lobe.along > 0 ? moment / lobe.along : 0;
+    return lobe;
+}
+
 LoadedState summary_of(LoadWork const& work, Loaded const& loaded, double torque, double middle)
 {
     LoadedState state;
@@ -190,6 +252,14 @@ LoadedState summary_of(LoadWork const& work, Loaded const& loaded, double torque
     }
     state.wave_generator_force *= static_cast<double>(sectors);
     state.wave_generator_torque *= static_cast<double>(sectors);
+    LobeReaction const lobe = lobe_reaction(bearing_map(work.drive, loaded.state), work.drive.response.sectors(), work.scene().wave_generator.waves);
+    state.lobe_force = lobe.along;
+    state.lobe_force_across = lobe.across;
+    state.lobe_z = lobe.z;
+    BallPeak const ball = ball_peak(work.drive, loaded.state);
+    state.ball_force = ball.force;
+    state.ball_phi = ball.phi;
+    state.balls = ball.carrying;
     return state;
 }
 

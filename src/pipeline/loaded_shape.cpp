@@ -84,7 +84,7 @@ LoadedShape loaded_shape(ContactBench const& bench, ElasticDrive const& drive, E
     std::array<int, 2> const needed = teeth_needed(bench.scene.drive.flexspline_teeth, bench.scene.drive.circular_spline_teeth, drive.phase);
     auto const teeth = static_cast<std::size_t>(needed[1] - needed[0] + 1);
     shape.places = ToothPlaces{needed[0], slices, std::vector<Pose>(teeth * slices)};
-    std::vector<double> const& z = bench.maker.z();
+    std::vector<double> const& z = drive.slice_z;
     constexpr std::size_t grain = 32;
     parallel_for(teeth, bench.threads, grain, [&](std::size_t i) {
         double const phi = 2 * std::numbers::pi * (needed[0] + static_cast<int>(i)) / bench.scene.drive.flexspline_teeth + drive.phase;

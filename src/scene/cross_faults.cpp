@@ -223,10 +223,16 @@ void check_bearing(SceneReading const& reading, Faults& faults)
     if (bearing.elastic && knows(reading, {"bearing.width"}) && bearing.width <= 0) {
         refuse("width", "an outer ring that bends has a width above 0", "write width = 6.0, or type = \"rigid\"");
     }
-    for (std::string const key : {"ring_thickness", "radial_stiffness", "axially"}) {
+    for (std::string const key : {"ring_thickness", "radial_stiffness", "axially", "balls", "ball_phase_deg"}) {
         if (!bearing.elastic && scene.given.contains("bearing." + key)) {
             refuse(key, "type \"rigid\" has no outer ring and no balls", "remove the key, or write type = \"elastic\"");
         }
+    }
+    if (bearing.balls && *bearing.balls < 2) {
+        refuse("balls", "one ball leaves the ring free to move across it", "write as many as the bearing has, such as 23, or leave the key out for a line of balls");
+    }
+    if (!bearing.balls && scene.given.contains("bearing.ball_phase_deg")) {
+        refuse("ball_phase_deg", "a line of balls looks the same from every angle", "write balls = 23 too, or remove the key");
     }
     if (knows(reading, {"bearing.angles"}) && bearing.angles % 2 != 0) {
         refuse("angles", "is odd", "write an even number such as 48");

@@ -45,6 +45,10 @@ struct ElasticDrive
     Elasticity flexspline, circular_spline;
     double contact_depth = 0;                 ///< of the Hertz approach: half a tooth [mm]
     ToothBending bending;
+    std::optional<Eigen::MatrixXd> between_balls = std::nullopt;  ///< with single balls: what the ring gives way by between them, contacts as of `balls` [mm/N]
+    double ball_arc = 0;                      ///< of the ring's inner circle that a point of a line of balls stands for [mm]; 0: single balls, or none
+    std::vector<double> bearing_z = {};       ///< (bearing) above the middle of the bearing [mm]
+    std::vector<double> slice_z = {};         ///< (slices) above the middle of the bearing [mm]
 
     [[nodiscard]] LineContact line_contact(FlankContact const& c) const;
 };

@@ -31,6 +31,12 @@ struct LoadedState
     double largest_force = 0;       ///< on one tooth [N]
     double wave_generator_force = 0;///< sum of the forces between wave generator and cup, without direction [N]
     double wave_generator_torque = 0; ///< that the wave generator feels [N mm]
+    double lobe_force = 0;          ///< resultant of the bearing's forces on the cup over the lobe at the major axis, along that axis [N]
+    double lobe_force_across = 0;   ///< and across it, clockwise positive [N]
+    double lobe_z = 0;              ///< where on the axis lobe_force acts, above the middle of the bearing [mm]
+    double ball_force = 0;          ///< largest of a ball [N], of a line of balls [N/mm]; 0: a rigid bearing, which has none
+    double ball_phi = 0;            ///< where, from the major axis [rad]
+    int balls = 0;                  ///< single balls that carry
     double largest_stress = 0;      ///< von Mises in the cup [MPa]; 0: not computed
     double stress_z = 0, stress_r = 0, stress_phi = 0;  ///< where: above the middle of the bearing, radius [mm], angle from the major axis [rad]
     int rounds = 0;                 ///< of the geometry: gaps taken again in the loaded shape
@@ -55,6 +61,16 @@ struct LoadMap
     {
         return (space * 2 + static_cast<std::size_t>(flank)) * z.size() + slice;
     }
+};
+
+/// What the bearing does at one torque, over one sector of the ring.
+struct BearingMap
+{
+    std::vector<double> angle;      ///< (i) from the major axis [rad]
+    std::vector<double> z;          ///< (j) above the middle of the bearing [mm]
+    std::vector<double> force;      ///< (i,j) on the cup, outward [N]
+    std::vector<double> ball_angle; ///< (b) [rad]; empty: a rigid bearing
+    std::vector<double> ball_force; ///< (b) of single balls [N], of a line [N/mm]
 };
 
 /// Two straight lines through the loaded branch of a torque-twist curve, and their bend (thesis 5-2: C = dT/dphi in two stages).
@@ -82,6 +98,13 @@ struct LoadCase
     std::vector<LoadedState> curve;  ///< in the order of loading: 0 to T, back to 0, to -T
     std::size_t rated = 0;        ///< index of the largest torque in curve
     LoadMap map;                  ///< at that torque
+    BearingMap bearing;           ///< at that torque
+    /// How far the figures of curve[rated] and the play are from those of a fine grid: their distance from a grid half as fine in slices, flank points, circles of the bearing and
+    /// harmonics. Not a bound where a figure does not converge: pressure_at_edge, sharp_steps of LoadStudy.
+    LoadedState error;
+    double backlash_error = 0;    ///< [rad]
+    bool estimated = false;       ///< false: fewer than three slices, or no balance on the coarse grid; the errors are 0 and say nothing
+    bool pressure_at_edge = false;  ///< the largest pressure is at an end of the face width, where it grows with the number of slices
     StiffnessStages stages;       ///< of the branch 0 to T
     double seconds = 0;
 };
@@ -106,6 +129,14 @@ struct AssembledCup
     double wave_generator_force = 0;  ///< [N]
     int contacts = 0;          ///< nodes of the bearing that carry force
     double largest_stress = 0; ///< von Mises [MPa]; 0: not computed
+    double ball_force = 0;     ///< largest of a ball [N], of a line [N/mm]; 0: a rigid bearing
+    double ball_phi = 0;       ///< where [rad]
+    int balls = 0;             ///< single balls that carry
+    bool estimated = false;    ///< whether there are error estimates, as of LoadCase
+    double coning_major_error = 0, coning_minor_error = 0;  ///< [rad]
+    double wave_generator_force_error = 0;  ///< [N]
+    double largest_stress_error = 0;        ///< [MPa]
+    double ball_force_error = 0;            ///< [N], [N/mm]
 };
 
 struct LoadStudy
@@ -120,6 +151,9 @@ struct LoadStudy
     double contact_gap = 0;       ///< of near_share [mm]
     double rated_torque = 0;      ///< [N mm]
     double pitch_radius = 0;      ///< m z_f/2 [mm]
+    double edge_radius = 0;       ///< of the edges where teeth touch, given or standard [mm]
+    int balls = 0;                ///< of the bearing; 0: a line, or a rigid bearing
+    bool sharp_steps = false;     ///< the wall grows to that of the tooth ring in ramps, whose corners have no largest stress
 };
 
 }  // namespace hdconj

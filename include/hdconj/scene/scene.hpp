@@ -125,6 +125,8 @@ struct BearingChoice
     double cam_oversize = 0;                 ///< preload of the balls, of radii
     std::optional<double> radial_stiffness;  ///< of the line of balls [N/mm per mm of arc]; default rigid
     bool axially_held = true;                ///< whether the groove keeps the line of balls from moving along the axis
+    std::optional<int> balls;                ///< how many, each a force of its own under load; absent: a line
+    double ball_phase = 0;                   ///< angle of one of them from the major axis, clockwise [rad]
     int angles = 0;                          ///< points of contact in a lobe
     int circles = 0;                         ///< and over the width
     int line = 0;

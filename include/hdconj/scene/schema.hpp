@@ -83,6 +83,7 @@ inline constexpr double largest_poissons_ratio = 0.499;
 inline constexpr double least_tooth_share = 1e-6; ///< of steel in the layer of teeth
 inline constexpr double least_stiffness = 1;      ///< of the line of balls [N/mm^2]
 inline constexpr double largest_stiffness = 1e9;  ///< [N/mm^2]
+inline constexpr int most_balls = 400;            ///< of the wave generator's bearing
 inline constexpr int fewest_angles = 8;           ///< where bearing and cup may touch, in a lobe
 inline constexpr int most_angles = 512;
 inline constexpr int fewest_circles = 2;

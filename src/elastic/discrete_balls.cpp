@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/elastic/discrete_balls.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <string>
+
+#include "hdconj/numeric/error.hpp"
+
+namespace hdconj {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+[[noreturn]] void refuse(std::string const& cause)
+{
+    throw NumericalError("bearing", "balls", cause);
+}
+
+/// cos and sin of all harmonics at an angle, in the order cos 0, cos n, sin n, cos 2n, ...
+VectorXd functions(Index terms, int sectors, double phi)
+{
+    VectorXd value(2 * terms - 1);
+    value[0] = 1;
+    for (Index k = 1; k < terms; ++k)
+    {
+        double const angle = static_cast<double>(k) * sectors * phi;
+        value[2 * k - 1] = std::cos(angle);
+        value[2 * k] = std::sin(angle);
+    }
+    return value;
+}
+
+/// Two balls hold a ring that may shift unless they face each other: least eigenvalue of the sum of e e' over the directions e of the balls.
+bool holds_a_shift(std::vector<double> const& phi)
+{
+    constexpr double rounding = 1e-9;
+    double cc = 0, cs = 0, ss = 0;
+    for (double const angle : phi)
+    {
+        cc += std::cos(angle) * std::cos(angle);
+        cs += std::cos(angle) * std::sin(angle);
+        ss += std::sin(angle) * std::sin(angle);
+    }
+    return cc * ss - cs * cs > rounding * (cc + ss) * (cc + ss);
+}
+
+}  // namespace
+
+std::vector<double> ball_angles(int count, int sectors, double phase)
+{
+    std::vector<double> phi;
+    for (int i = 0; i < count / sectors; ++i)
+        phi.push_back(phase + 2 * std::numbers::pi * i / count);
+    return phi;
+}
+
+DiscreteBalls discrete_balls(BearingSurface const& surface, int sectors, BearingContacts const& contacts, std::vector<double> const& phi, std::optional<double> stiffness)
+{
+    if (!surface.compliance)
+        refuse("a rigid bearing has none");
+    Index const terms = surface.cosine.cols(), size = 2 * terms - 1;
+    auto const count = static_cast<Index>(phi.size()), rows = static_cast<Index>(contacts.phi.size());
+    if (count == 0)
+        refuse("none touches the ring");
+    if (!stiffness && count > size)
+        refuse(std::to_string(count * sectors) + " are more than the harmonics of the ring tell apart, " + std::to_string(size * sectors) + ": leave the number out for a line of balls");
+    if (sectors == 1 && !holds_a_shift(phi))
+        refuse("the ring may move as a whole: one ball does not hold it, nor do two that face each other; write three or more");
+    double const part = 2 * std::numbers::pi / sectors;
+
+    // work per coefficient: the mean square of cos and sin is a half
+    VectorXd ring(size), held(size);
+    MatrixXd rise = MatrixXd::Zero(rows, size);
+    std::vector<double> mean(static_cast<std::size_t>(terms));
+    for (Index k = 0; k < terms; ++k)
+    {
+        double const weight = k == 0 ? part : part / 2;
+        double const half = static_cast<double>(k) * sectors * contacts.spread / 2;
+        mean[static_cast<std::size_t>(k)] = half == 0 ? 1 : std::sin(half) / half;
+        // a ring that shifts bends nothing; what is left of its stiffness is rounding
+        double const bends = k == 1 && sectors == 1 ? 0 : weight * surface.reaction_to_lift[k];
+        Index const cosine = k == 0 ? 0 : 2 * k - 1;
+        ring[cosine] = bends;
+        held[cosine] = weight * surface.reaction_cosine[k];
+        if (k > 0)
+        {
+            ring[2 * k] = bends;
+            held[2 * k] = weight * surface.reaction_sine[k];
+        }
+    }
+    for (Index i = 0; i < rows; ++i)
+    {
+        VectorXd const at = functions(terms, sectors, contacts.phi[static_cast<std::size_t>(i)]);
+        for (Index k = 0; k < terms; ++k)
+        {
+            // Betti: the surface rises by as much as a force on it unloads the balls
+            double const lifts = -mean[static_cast<std::size_t>(k)] * surface.reaction_to_load(k, contacts.z[static_cast<std::size_t>(i)]);
+            if (k > 0)
+                rise(i, 2 * k - 1) = lifts * at[2 * k - 1];
+            rise(i, k == 0 ? 0 : 2 * k) = lifts * at[k == 0 ? 0 : 2 * k];
+        }
+    }
+
+    // unknowns in scales in which all stiffnesses are about 1
+    double least = ring[0];
+    for (Index i = 0; i < size; ++i)
+        least = ring[i] > 0 ? std::min(least, ring[i]) : least;
+    VectorXd const scale = ring.cwiseMax(least).cwiseSqrt().cwiseInverse();
+    MatrixXd system = MatrixXd::Zero(size + count, size + count);
+    VectorXd force_scale(count);
+    for (Index i = 0; i < size; ++i)
+        system(i, i) = ring[i] * scale[i] * scale[i];
+    for (Index b = 0; b < count; ++b)
+    {
+        VectorXd const at = functions(terms, sectors, phi[static_cast<std::size_t>(b)]).cwiseProduct(scale);
+        force_scale[b] = 1 / at.norm();
+        system.block(0, size + b, size, 1) = -force_scale[b] * at;
+        system.block(size + b, 0, 1, size) = -force_scale[b] * at.transpose();
+        system(size + b, size + b) = stiffness ? -force_scale[b] * force_scale[b] / *stiffness : 0;
+    }
+    Eigen::PartialPivLU<MatrixXd> const factors(system);
+    constexpr double rounding = 1e-13;
+    if (!(factors.rcond() > rounding))
+        refuse("they stand too close to each other for the harmonics of the ring");
+    VectorXd all(size + count);
+    all << scale, force_scale;
+    MatrixXd inverse = all.asDiagonal() * factors.inverse() * all.asDiagonal();
+    inverse = (inverse + inverse.transpose()).eval() / 2;
+    auto const shape = inverse.topLeftCorner(size, size);
+    auto const mixed = inverse.topRightCorner(size, count);
+
+    DiscreteBalls result;
+    result.balls.phi = phi;
+    result.balls.held = -mixed.transpose() * held;
+    result.balls.stiffness = -inverse.bottomRightCorner(count, count);
+    result.balls.lift = -rise * mixed;
+    MatrixXd const eased = rise * shape;
+    result.between = eased * rise.transpose();
+    result.between = (result.between + result.between.transpose()).eval() / 2;
+    result.sag = eased * held;
+    return result;
+}
+
+}  // namespace hdconj

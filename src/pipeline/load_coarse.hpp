@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The same drive on a grid half as fine: what figures are worth.
+#pragma once
+
+#include <optional>
+
+#include "hdconj/contact/flank_grid.hpp"
+#include "load_case.hpp"
+#include "load_model.hpp"
+
+namespace hdconj::detail {
+
+/// Model and assembly with every second slice, flank point, circle of the bearing and half of the harmonics.
+struct CoarseDrive
+{
+    LoadGrid grid;
+    LoadModel model;
+    Assembly start;
+};
+
+/// None for fewer than three slices, whose influence no coarser grid shows, and where the coarse grid has no solution.
+[[nodiscard]] std::optional<CoarseDrive> coarse_drive(ContactBench const& bench);
+
+/// Some slices of a grid, and every second of its points and the last.
+[[nodiscard]] FlankGrid thinned(FlankGrid const& grid, std::vector<std::size_t> const& slices);
+
+/// Distance of each figure that is a number, and zero elsewhere.
+[[nodiscard]] LoadedState distance(LoadedState const& a, LoadedState const& b);
+
+/// By how much the equivalent stress at the corners of the element at the peak differs from the peak, which is that of a Gauss point inside [MPa].
+[[nodiscard]] double stress_at_corners(LoadModel const& model, HarmonicField const& field, StressPeak const& peak);
+
+}  // namespace hdconj::detail
