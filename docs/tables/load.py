@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tables of docs/load.md and docs/thesis.md, from the program's own JSON: docs/tables/load.py build/release/bin/hdconj [TABLE ...]
 
-TABLE is any of: thesis, surfaces, bearing, cost, settle, curves; all of them without one.
+TABLE is any of: thesis, surfaces, bearing, fixed, balls, worth, cost, settle, curves; all of them without one.
 """
 import json
 import os
@@ -72,10 +72,66 @@ def bearing(program):
         told(result, name, "" if isinstance(result, str) else "%.3f" % result["cup"]["coning_major_deg"])
 
 
+def fixed(program):
+    """The bearing's part alone: an outline of the linear cone, which does not follow the bearing."""
+    head("bearing", "coning [deg]", *COLUMNS)
+    for name, keys in [("ring 1.2 mm, rigid balls", {}), ("ring 0.8 mm", {"bearing__ring_thickness": 0.8}), ("ring 1.6 mm", {"bearing__ring_thickness": 1.6}),
+                       ("balls 3000 N/mm^2", {"bearing__radial_stiffness": 3000}), ("balls 1000 N/mm^2", {"bearing__radial_stiffness": 1000}),
+                       ("balls free along the axis", {"bearing__axially": "free"}), ("fit +5 um", {"bearing__fit": 0.005}), ("fit -5 um", {"bearing__fit": -0.005}),
+                       ("cam_oversize -5 um", {"bearing__cam_oversize": -0.005}), ("23 balls", {"bearing__balls": 23})]:
+        keys = {"circular_spline__backlash_offset": 0.09, "coning__model": "linear", "coning__bottom_to_middle": 9.0, **keys}
+        result = load(program, "--points", "6", **keys)
+        told(result, name, "" if isinstance(result, str) else "%.3f" % result["cup"]["coning_major_deg"])
+
+
+def balls(program):
+    head("balls", "force on the cup [N]", "coning [deg]", "largest ball, assembled", "at 28 N m", "carry", "twist [arcmin]", "pressed flank [%]")
+    for count in (None, 200, 100, 50, 22, 23, 2):
+        keys = {"circular_spline__backlash_offset": 0.065, **({"bearing__balls": count} if count else {})}
+        result = load(program, "--no-curve", **keys)
+        if isinstance(result, str):
+            row(count, result)
+            continue
+        unit, state = "ball_force_N" + ("" if count else "_per_mm"), result["cases"][0]["rated"]
+        row(count or "line", "%.0f" % result["cup"]["wave_generator_force_N"], "%.4f" % result["cup"]["coning_major_deg"], "%.4g" % result["cup"][unit], "%.4g" % state[unit],
+            state["balls"], "%.2f" % state["twist_arcmin"], "%.4f" % (100 * state["contact_share"]))
+
+
+def worth(program):
+    """True distance to a grid twice as fine over the estimate, of random drives: the largest of each figure."""
+    wish = random.Random(41)
+    keys_of = ["twist_arcmin", "stiffness_Nm_per_deg", "contact_share", "near_share", "largest_pressure_MPa", "largest_force_N", "wave_generator_force_N", "lobe_force_N"]
+    found = {key: [] for key in keys_of}
+    for _ in range(8):
+        keys, arguments = random_drive(wish)
+        keys["slices__count"] = 9
+        torque = "%.6g" % 10 ** wish.uniform(0.5, 1.8)
+        here = load(program, "--no-curve", "--torque", torque, *arguments, **keys)
+        fine = load(program, "--no-curve", "--torque", torque, *arguments, **{**keys, "slices__count": 17, "contact__flank_points": 400, "bearing__circles": 25})
+        if isinstance(here, str) or isinstance(fine, str):
+            print(here if isinstance(here, str) else fine, file=sys.stderr)
+            continue
+        a, b = here["cases"][0], fine["cases"][0]
+        for key in keys_of:
+            if a["rated_error"]:
+                found[key].append(abs(a["rated"][key] - b["rated"][key]) / max(1e-300, a["rated_error"][key]))
+        print(keys, arguments, torque, {key: "%.2f" % found[key][-1] for key in keys_of if found[key]}, file=sys.stderr, flush=True)
+    head("figure", "drives", "within the estimate", "largest true error over estimate", "median")
+    for key, ratios in found.items():
+        row(key, len(ratios), sum(r <= 1 for r in ratios), "%.2f" % max(ratios), "%.2f" % sorted(ratios)[len(ratios) // 2])
+
+
+# type-50 with half as many teeth again: all of a tooth two thirds as large
+TEETH = {"drive__module": 0.25 / 1.5, "drive__flexspline_teeth": 300, "drive__circular_spline_teeth": 302, "flexspline__profile__addendum": 0.15, "flexspline__profile__dedendum": 0.202,
+         "flexspline__profile__convex_radius": 0.2701 / 1.5, "flexspline__profile__convex_offset": 0.0982 / 1.5, "flexspline__profile__concave_radius": 0.5145 / 1.5,
+         "flexspline__profile__concave_rise": 0.0671 / 1.5, "flexspline__profile__tip_line_from": 0.19 / 1.5, "wave_generator__radial_deformation": 0.25 / 1.5}
+
+
 def cost(program):
     head("change", "load stage [s]", "twist at 28 N m [arcmin]", "pressure [MPa]")
     for name, keys in [("as it is", {}), ("5 slices", {"slices__count": 5}), ("17 slices", {"slices__count": 17}), ("50 harmonics", {"load__harmonics": 50}),
-                       ("400 flank points", {"contact__flank_points": 400}), ("100 flank points", {"contact__flank_points": 100}), ("25 circles", {"bearing__circles": 25})]:
+                       ("400 flank points", {"contact__flank_points": 400}), ("100 flank points", {"contact__flank_points": 100}), ("25 circles", {"bearing__circles": 25}),
+                       ("300 and 302 teeth, module 0.1667", TEETH)]:
         begin = time.perf_counter()
         result = load(program, "--no-curve", circular_spline__backlash_offset=0.065, **keys)
         if isinstance(result, str):
@@ -128,7 +184,7 @@ def curves(program):
     told_states(program, 30, ["--points", "6"], [(*random_drive(wish), 10 ** wish.uniform(0.3, 2)) for _ in range(30)])
 
 
-TABLES = {"settle": settle, "curves": curves, "thesis": thesis, "surfaces": surfaces, "bearing": bearing, "cost": cost}
+TABLES = {"fixed": fixed, "balls": balls, "worth": worth, "settle": settle, "curves": curves, "thesis": thesis, "surfaces": surfaces, "bearing": bearing, "cost": cost}
 
 if __name__ == "__main__":
     for table in sys.argv[2:] or TABLES:

@@ -101,6 +101,10 @@ BallContact solve_on_balls(Complementarity& problem, Index first, BallLine const
     while (found.rounds < patience)
     {
         ++found.rounds;
+        // Sets that return hand over to the rule of Murty (1974): of all wrong points only the first in a fixed order changes. With h >= 0 alone, f its answer, P is the slope of a convex
+        // function of h, so (h - k) . (P(h) - P(k)) > 0 for h and k that are answers with different sets. Then the last point in the order changes at most once: between, the others are answers
+        // of the same problem with one point less; if it is released since it would pull, it is the one product that can be above 0, and stands off. By induction no set returns, and there
+        // are finitely many.
         one_by_one = one_by_one || !seen.insert(off).second;
         std::vector<int> const free = released(off);
         Eigen::LLT<MatrixXd> ring;
@@ -121,7 +125,7 @@ BallContact solve_on_balls(Complementarity& problem, Index first, BallLine const
             if (ring.info() != Eigen::Success || !(ring.rcond() > rounding))
             {
                 if (one_by_one)
-                    refuse("no ball holds the ring, which may move as a whole; the bearing is too loose");
+                    refuse("no ball holds the ring, which may move as a whole; the bearing is too loose, or has too few balls where the cam pushes");
                 one_by_one = true;
                 off = before;
                 continue;

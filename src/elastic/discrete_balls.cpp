@@ -38,7 +38,7 @@ VectorXd functions(Index terms, int sectors, double phi)
 /// Two balls hold a ring that may shift unless they face each other: least eigenvalue of the sum of e e' over the directions e of the balls.
 bool holds_a_shift(std::vector<double> const& phi)
 {
-    constexpr double rounding = 1e-9;
+    constexpr double rounding = 1e-9;  // of the squares of sines and cosines, against one
     double cc = 0, cs = 0, ss = 0;
     for (double const angle : phi)
     {
@@ -124,7 +124,7 @@ DiscreteBalls discrete_balls(BearingSurface const& surface, int sectors, Bearing
         system(size + b, size + b) = stiffness ? -force_scale[b] * force_scale[b] / *stiffness : 0;
     }
     Eigen::PartialPivLU<MatrixXd> const factors(system);
-    constexpr double rounding = 1e-13;
+    constexpr double rounding = 1e-13;  // condition at which no digit of a force would be left
     if (!(factors.rcond() > rounding))
         refuse("they stand too close to each other for the harmonics of the ring");
     VectorXd all(size + count);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/elastic/influence.hpp"
 
+#include <Eigen/SparseCore>
+
 #include <cmath>
 #include <numbers>
 #include <optional>
@@ -140,9 +142,11 @@ Influence influence(FourierSolid const& solid, Supports const& supports, std::ve
     for (Station const& station : stations)
         directions.push_back(station.direction);
     Eigen::MatrixXd const shares = station_shares(solid, stations);
+    // a station is felt at the nodes of one element
+    Eigen::SparseMatrix<double, Eigen::RowMajor> const felt = shares.transpose().sparseView();
     std::vector<Eigen::MatrixXd> compliance(harmonics.size());
     parallel_for(harmonics.size(), threads, 1, [&](std::size_t i) {
-        Eigen::MatrixXd const s = shares.transpose() * HarmonicSolver(solid, supports, harmonics[i])(shares);
+        Eigen::MatrixXd const s = felt * HarmonicSolver(solid, supports, harmonics[i])(shares);
         compliance[i] = (s + s.transpose()) / 2;
     });
     return {std::move(directions), harmonics, std::move(compliance)};

@@ -96,14 +96,14 @@ AssembledCup assembled(ContactBench const& bench, detail::LoadModel const& model
     return cup;
 }
 
-/// Errors of @p cup: its distance from what the coarse grid says.
+/// Errors of @p cup, from what the coarse grid says.
 void estimate(AssembledCup& cup, AssembledCup const& coarse)
 {
-    cup.coning_major_error = std::abs(cup.coning_major - coarse.coning_major);
-    cup.coning_minor_error = std::abs(cup.coning_minor - coarse.coning_minor);
-    cup.wave_generator_force_error = std::abs(cup.wave_generator_force - coarse.wave_generator_force);
-    cup.ball_force_error = std::abs(cup.ball_force - coarse.ball_force);
-    cup.largest_stress_error += std::abs(cup.largest_stress - coarse.largest_stress);
+    cup.coning_major_error = detail::grid_safety * std::abs(cup.coning_major - coarse.coning_major);
+    cup.coning_minor_error = detail::grid_safety * std::abs(cup.coning_minor - coarse.coning_minor);
+    cup.wave_generator_force_error = detail::grid_safety * std::abs(cup.wave_generator_force - coarse.wave_generator_force);
+    cup.ball_force_error = detail::grid_safety * std::abs(cup.ball_force - coarse.ball_force);
+    cup.largest_stress_error += detail::grid_safety * std::abs(cup.largest_stress - coarse.largest_stress);
     cup.estimated = true;
 }
 
@@ -120,7 +120,7 @@ void add_stress(ContactBench const& bench, detail::LoadModel const& model, Harmo
     if (!result.estimated)
         return;
     HarmonicField const other = detail::cup_field(coarse->model, report.coarse, bench.threads);
-    result.error.largest_stress = std::abs(peak.stress - stress_peak(coarse->model.solid.mesh(), other, phi, bench.threads).stress) + detail::stress_at_corners(model, field, peak);
+    result.error.largest_stress = detail::grid_safety * std::abs(peak.stress - stress_peak(coarse->model.solid.mesh(), other, phi, bench.threads).stress) + detail::stress_at_corners(model, field, peak);
 }
 
 /// Up to the torque, down again, and to the opposite one.

@@ -82,7 +82,7 @@ Loaded untouched(ContactBench const& bench, ElasticDrive const& drive, Assembly 
     return free;
 }
 
-/// Errors of play and largest torque: their distance from those of the coarse grid.
+/// Errors of play and largest torque, from those of the coarse grid.
 void estimate(ContactBench const& bench, CoarseDrive const& coarse, FlankGrid const& fine, LoadCase& result, CaseReport& report)
 {
     FlankGrid const grid = thinned(fine, coarse.grid.slices);
@@ -104,9 +104,9 @@ void estimate(ContactBench const& bench, CoarseDrive const& coarse, FlankGrid co
         }
         if (rated.torque != 0)
             loaded = settled_at(work, rated.torque, loaded);
-        result.error = distance(rated, summary_of(work, loaded, rated.torque, middle));
+        result.error = error_between(rated, summary_of(work, loaded, rated.torque, middle));
         result.error.twist += rated.residual / bench.geometry.r_m;
-        result.backlash_error = std::abs(result.backlash - backlash);
+        result.backlash_error = grid_safety * std::abs(result.backlash - backlash);
         result.estimated = true;
         report.coarse = std::move(loaded.forces);
     }

@@ -248,8 +248,12 @@ LoadedState summary_of(LoadWork const& work, Loaded const& loaded, double torque
         state.wave_generator_force += force;
         // the surface pressed on rises by its slope per radian that it turns: forces along its normal do that work
         double const phi = work.drive.phase + work.drive.response.step() * work.drive.bearing_steps[w];
-        state.wave_generator_torque -= force * work.bench.shape(phi).w1;
+        if (!work.drive.balls)
+            state.wave_generator_torque -= force * work.bench.shape(phi).w1;
     }
+    // under balls it is the cam that turns, and lifts them
+    for (std::size_t b = 0; b < loaded.state.balls.size(); ++b)
+        state.wave_generator_torque -= loaded.state.balls[b] * work.bench.shape(work.drive.balls->phi[b]).w1;
     state.wave_generator_force *= static_cast<double>(sectors);
     state.wave_generator_torque *= static_cast<double>(sectors);
     LobeReaction const lobe = lobe_reaction(bearing_map(work.drive, loaded.state), work.drive.response.sectors(), work.scene().wave_generator.waves);

@@ -118,6 +118,54 @@ HARD_ROW("two circles of the bearing", "as few as there may be", "balance")
     say(told(c));
 }
 
+HARD_ROW("one ball", "the ring may move across it", "an error with reason and remedy")
+{
+    try
+    {
+        (void)loaded({"bearing.balls=1", "circular_spline.backlash_offset=0.065"}, 20);
+        FAIL("a ring on one ball was loaded");
+    }
+    catch (InputError const& error)
+    {
+        CHECK(std::string(error.what()).find("bearing.balls") != std::string::npos);
+        CHECK(std::string(error.what()).find("line of balls") != std::string::npos);
+        say(error.what());
+    }
+}
+
+HARD_ROW("two balls", "on the major axis, the ring hangs between them", "balance, or an error with place")
+{
+    try
+    {
+        LoadStudy study;
+        LoadCase const c = loaded({"bearing.balls=2", "circular_spline.backlash_offset=0.065"}, 5, &study);
+        check_laws(c);
+        REQUIRE(c.bearing.ball_force.size() == 1);
+        CHECK(c.bearing.ball_force.front() > 100);
+        say(told(c) + ", ball " + number(c.bearing.ball_force.front()) + " N");
+    }
+    catch (NumericalError const& error)
+    {
+        CHECK(std::string(error.what()).find("load: ") == 0);
+        say(error.what());
+    }
+}
+
+HARD_ROW("two balls beside the major axis", "the cam leaves the ring there", "balance, or an error with place")
+{
+    try
+    {
+        LoadCase const c = loaded({"bearing.balls=2", "bearing.ball_phase_deg=90", "circular_spline.backlash_offset=0.065"}, 5);
+        check_laws(c);
+        say(told(c));
+    }
+    catch (NumericalError const& error)
+    {
+        CHECK(std::string(error.what()).find(": ") != std::string::npos);
+        say(error.what());
+    }
+}
+
 HARD_ROW("a wall of 5 mm", "it leaves no room for the circular spline's land", "an error with place and remedy")
 {
     try

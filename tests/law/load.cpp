@@ -148,3 +148,113 @@ TEST_CASE("more than the teeth can carry is said", "[load]")
         CHECK(std::string(error.what()).find("N m") != std::string::npos);
     }
 }
+
+TEST_CASE("many balls are a line of balls", "[load][balls]")
+{
+    LoadStudy const line = load(quick(), at_torque(20 * newton_metre));
+    double last = 1e9;
+    double total = 0;
+    for (int balls : {20, 60, 200})
+    {
+        LoadStudy const single = load(quick({"bearing.balls=" + std::to_string(balls)}), at_torque(20 * newton_metre));
+        CAPTURE(balls);
+        double const apart = std::abs(only(single).wave_generator_force / only(line).wave_generator_force - 1);
+        CHECK(apart < 0.8 * last);
+        last = apart;
+        BearingMap const& map = single.cases.front().bearing;
+        CHECK(map.ball_force.size() == static_cast<std::size_t>(balls / 2));
+        CHECK(*std::min_element(map.ball_force.begin(), map.ball_force.end()) >= 0);
+        total = 0;
+        for (double const force : map.ball_force)
+            total += force;
+        CHECK(only(single).balls <= balls);
+        CHECK(only(single).ball_force == *std::max_element(map.ball_force.begin(), map.ball_force.end()));
+    }
+    // as many as the harmonics tell apart
+    CHECK(last < 1e-6);
+    double reaction = 0;
+    BearingMap const& map = line.cases.front().bearing;
+    for (double const load : map.ball_force)
+        reaction += load * 22.8 * std::numbers::pi / static_cast<double>(map.ball_force.size());
+    double const inner = 24.0 - 0.003;  // of type-50's cup, mm
+    CHECK(total == Approx(reaction * (inner - 1.2) / 22.8).epsilon(1e-3));
+}
+
+TEST_CASE("an odd number of balls is a ring without symmetry that differs little from an even one", "[load][balls]")
+{
+    LoadStudy const even = load(quick({"bearing.balls=22", "bearing.ball_phase_deg=0"}), at_torque(20 * newton_metre));
+    LoadStudy const odd = load(quick({"bearing.balls=23"}), at_torque(20 * newton_metre));
+    CHECK(even.sectors == 2);
+    CHECK(odd.sectors == 1);
+    CHECK(odd.cases.front().bearing.ball_force.size() == 23);
+    CHECK(only(odd).twist == Approx(only(even).twist).epsilon(0.05));
+    CHECK(only(odd).wave_generator_force == Approx(only(even).wave_generator_force).epsilon(0.02));
+    CHECK(only(odd).residual < 1e-6);
+    // the whole ring in balance: the same forces on both lobes would be none across; here what is left is small
+    CHECK(only(odd).complementarity < 1e-10);
+}
+
+TEST_CASE("balls with play stand off the ring under load too", "[load][balls]")
+{
+    for (Keys const& more : {Keys{}, Keys{"bearing.balls=24"}})
+    {
+        Keys keys = more;
+        keys.push_back("bearing.cam_oversize=-0.01");
+        LoadStudy const study = load(quick(keys), at_torque(20 * newton_metre));
+        std::vector<double> const& force = study.cases.front().bearing.ball_force;
+        CHECK(*std::min_element(force.begin(), force.end()) == 0);
+        CHECK(*std::max_element(force.begin(), force.end()) > 0);
+        CHECK(only(study).residual < 1e-6);
+        CHECK(only(study).complementarity < 1e-10);
+        CHECK(only(study).wave_generator_force < only(load(quick(more), at_torque(20 * newton_metre))).wave_generator_force);
+    }
+}
+
+TEST_CASE("estimates bound the distance to a fine grid", "[load][errors]")
+{
+    // seeded: amplitude, wall, side clearance, angle of the wave generator, torque
+    struct Drawn
+    {
+        double w0, wall, clearance, angle, torque;
+    };
+    for (Drawn const& d : {Drawn{0.254, 0.66, 0.09, 0.4, 22}, Drawn{0.262, 0.55, 0.065, 1.1, 9}, Drawn{0.258, 0.8, 0.08, 0.2, 40}})
+    {
+        Keys const keys{"wave_generator.radial_deformation=" + std::to_string(d.w0), "flexspline.wall=" + std::to_string(d.wall),
+                        "circular_spline.backlash_offset=" + std::to_string(d.clearance), "contact.wave_generator_angle_deg=" + std::to_string(d.angle)};
+        Keys fine = keys, coarse = keys;
+        for (std::string const more : {"slices.count=5", "contact.flank_points=80", "bearing.circles=5"})
+            coarse.push_back(more);
+        for (std::string const more : {"slices.count=9", "contact.flank_points=160", "bearing.circles=9"})
+            fine.push_back(more);
+        LoadStudy const a = load(builtin_scene(coarse), at_torque(d.torque * newton_metre));
+        LoadStudy const b = load(builtin_scene(fine), at_torque(d.torque * newton_metre));
+        LoadCase const& c = a.cases.front();
+        CAPTURE(d.w0, d.wall, d.clearance, d.torque);
+        REQUIRE(c.estimated);
+        for (double LoadedState::* const figure : {&LoadedState::twist, &LoadedState::stiffness, &LoadedState::contact_share, &LoadedState::near_share, &LoadedState::largest_force,
+                                                   &LoadedState::wave_generator_force, &LoadedState::lobe_force})
+        {
+            CAPTURE(only(a).*figure, only(b).*figure);
+            CHECK(c.error.*figure > 0);
+            CHECK(std::abs(only(a).*figure - only(b).*figure) <= c.error.*figure);
+        }
+        CHECK(std::abs(c.backlash - b.cases.front().backlash) <= c.backlash_error);
+        CHECK(std::abs(a.cup.coning_major - b.cup.coning_major) <= a.cup.coning_major_error);
+        CHECK(c.error.largest_stress > 0);
+    }
+    LoadStudy const two = load(quick({"slices.count=2"}), at_torque(20 * newton_metre));
+    CHECK_FALSE(two.cases.front().estimated);
+}
+
+TEST_CASE("more harmonics than the teeth tell apart are refused", "[load]")
+{
+    try
+    {
+        (void)load(quick({"load.torque=28", "load.harmonics=300"}));
+        FAIL("300 harmonics of 200 teeth were taken");
+    }
+    catch (InputError const& error)
+    {
+        CHECK(std::string(error.what()).find("write at most 100") != std::string::npos);
+    }
+}

@@ -174,7 +174,7 @@ TEST_CASE("balls of any number in a whole ring", "[balls]")
 {
     // one sector: odd harmonics too, and a ring that may shift
     Drive const drive(1, -0.002);
-    for (int const count : {3, 5, 8, 23})
+    for (int const count : {5, 8, 23})
     {
         CAPTURE(count);
         for (double const phase : {0.0, 0.2})
@@ -202,6 +202,8 @@ TEST_CASE("balls of any number in a whole ring", "[balls]")
             CHECK(std::hypot(x, y) <= 1e-6 * most);
         }
     }
+    // of three balls the cam reaches one only, and the ring may move across it
+    CHECK_THROWS_WITH(drive.on(discrete_balls(drive.surface, 1, drive.contacts, ball_angles(3, 1, 0))), ContainsSubstring("too few balls"));
 }
 
 TEST_CASE("a ring that its balls do not hold is refused", "[balls]")

@@ -238,6 +238,64 @@ TEST_CASE("JSON of a load study has the figures of the solution and of each case
     CHECK_FALSE(load.contains("measured"));
 }
 
+TEST_CASE("estimates and balls stand in text and JSON and HDF5 alike", "[load][errors]")
+{
+    auto study = sample::load_study();
+    study.balls = 4;
+    study.sectors = 2;
+    study.edge_radius = 0.01;
+    study.sharp_steps = true;
+    study.cup.estimated = true;
+    study.cup.coning_major_error = 0.0125 * sample::degree;
+    study.cup.ball_force = 77;
+    study.cup.balls = 4;
+    LoadCase& each = study.cases[1];
+    each.estimated = true;
+    each.pressure_at_edge = true;
+    each.backlash_error = 0.25 * minute;
+    each.error.twist = 0.5 * minute;
+    each.error.largest_force = 1.5;
+    each.error.teeth = 6;
+    each.error.lobe_force = 11;
+    each.curve[each.rated].lobe_force = 1640;
+    each.curve[each.rated].ball_force = 313;
+    each.curve[each.rated].balls = 3;
+    each.bearing = {{0.0, 1.0}, {-3.0, 3.0}, {10, 20, 30, 40}, {0.0, 0.5}, {313, 12.5}};
+    auto const text = summary_text(study);
+    for (auto const* part : {"1.2440 deg   +- 0.012 deg; slope", "    +-                             0.25", "       0.5      6", "      edge     1.5", "lobe at the major axis 1640 +- 11 N",
+                             "balls up to 313", "3 of 4 carry", "313.0 at 0.0, 12.5 at 28.6", "10 um   radius under load", "edge: the largest pressure", "sharp corners", "77.0 N"}) {
+        INFO(part << "\n" << text);
+        CHECK_THAT(text, ContainsSubstring(part));
+    }
+    CHECK_THAT(text, ContainsSubstring("no estimate"));  // of the other cases
+    auto const load = nlohmann::json::parse(summary_json(study)).at("load");
+    auto const& second = load.at("cases").at(1);
+    CHECK(load.at("cases").at(0).at("rated_error").is_null());
+    CHECK(load.at("cases").at(0).at("backlash_error_arcmin").is_null());
+    CHECK(load.at("edge_radius_um").get<double>() == Approx(10));
+    CHECK(load.at("cup").at("error").at("coning_major_deg").get<double>() == Approx(0.0125));
+    CHECK(second.at("rated_error").at("twist_arcmin").get<double>() == Approx(0.5));
+    CHECK(second.at("backlash_error_arcmin").get<double>() == Approx(0.25));
+    CHECK(second.at("pressure_at_edge").get<bool>());
+    CHECK(second.at("rated").at("ball_force_N").get<double>() == 313);
+    CHECK(second.at("bearing").at("force_N").get<std::vector<double>>() == std::vector<double>{30, 70});
+    CHECK(second.at("bearing").at("ball_force_N").get<std::vector<double>>() == std::vector<double>{313, 12.5});
+    TemporaryFolder const folder;
+    write_hdf5(study, folder / "a.h5");
+    {
+        auto const file = open_file(folder / "a.h5");
+        CHECK(read(file, "/load/error/twist").values == std::vector<double>{0, 0.5 * minute, 0});
+        CHECK(read(file, "/load/error/estimated").values == std::vector<double>{0, 1, 0});
+        CHECK(read(file, "/load/case_001/bearing/force").shape == std::vector<hsize_t>{2, 2});
+        CHECK(read(file, "/load/case_001/bearing/ball_force").values == each.bearing.ball_force);
+        CHECK_FALSE(has_link(file, "/load/case_000/bearing"));
+    }
+    study.cases[1].bearing.force.pop_back();
+    CHECK_THROWS_AS(write_hdf5(study, folder / "b.h5"), std::logic_error);
+    study.balls = 0;
+    CHECK_THAT(summary_text(study), ContainsSubstring("77.0 N/mm"));
+}
+
 TEST_CASE("JSON of a load study has null where there is no number", "[load]")
 {
     auto study = sample::load_study(3);
