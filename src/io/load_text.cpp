@@ -83,7 +83,9 @@ void write_row(Page& page, LoadCase const& each)
     auto const& error = each.error;
     auto const* state = rated_state(each);
     auto const of = [](double value) { return fmt::format("{:.2g}", value); };
-    double const relative = state != nullptr && state->stiffness > 0 ? error.stiffness / state->stiffness : 0;
+    // a line through the branch is as uncertain as what it rises over
+    double const elastic = state != nullptr ? std::abs(state->twist) - each.backlash / 2 : 0;
+    double const relative = elastic > 0 ? (error.twist + each.backlash_error / 2) / elastic : 0;
     std::string const first_error = stages.first == 0 ? "-" : of((stages.first_error + relative * stages.first) * nm_per_deg);
     std::string const second_error = stages.found ? of((stages.second_error + relative * stages.second) * nm_per_deg) : "";
     page.line("{:<25}{:>8}{:>10}{:>9}{:>9}{:>8}{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", "    +-", "", of(each.backlash_error * arcmin_per_radian), first_error, second_error,
