@@ -146,6 +146,7 @@ std::string summary_json(LoadStudy const& study, std::vector<WrittenFile> const&
                  {"sectors", study.sectors},
                  {"shown", study.shown},
                  {"edge_radius_um", number(study.edge_radius * um_per_mm)},
+                 {"tip_widened_um", number(study.tip_widened * um_per_mm)},
                  {"balls", study.balls},
                  {"sharp_steps", study.sharp_steps},
                  {"cup", cup_object(study.cup, study)}};

@@ -50,6 +50,10 @@ void write_setting(Page& page, LoadStudy const& study)
         page.figure("largest stress", fmt::format("{:.1f} MPa", cup.largest_stress), and_worth("von Mises, inside the elements", cup.largest_stress_error, "MPa"));
     }
     page.figure("edges of the teeth", fmt::format("{:.4g} um", study.edge_radius * um_per_mm), "radius under load");
+    if (study.tip_widened > 0) {
+        page.figure("tip circle", fmt::format("{:.4f} mm", study.solution.geometry.circular_spline_inner_radius),
+                    fmt::format("circular spline; {:.1f} um wider than the standard one, which leaves no land between spaces", study.tip_widened * um_per_mm));
+    }
     page.figure("harmonics", fmt::format("up to {}", study.harmonics), study.sectors > 1 ? fmt::format("the solved sector repeats {} times", study.sectors) : "");
 }
 

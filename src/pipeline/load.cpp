@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 #include <numbers>
 
+#include "hdconj/numeric/error.hpp"
 #include "hdconj/profile/builder.hpp"
 #include "hdconj/scene/effects.hpp"
+#include "drive.hpp"
 #include "load_case.hpp"
 #include "load_coarse.hpp"
 #include "load_model.hpp"
@@ -123,6 +125,38 @@ void add_stress(ContactBench const& bench, detail::LoadModel const& model, Harmo
     result.error.largest_stress = detail::grid_safety * std::abs(peak.stress - stress_peak(coarse->model.solid.mesh(), other, phi, bench.threads).stress) + detail::stress_at_corners(model, field, peak);
 }
 
+/// The tip circle that a scene leaves to the program [mm].
+double standard_tip(Scene const& scene)
+{
+    Faults faults;
+    Profile const tooth = detail::given_tooth(scene, faults);
+    return detail::pair_geometry(scene, tooth, detail::wave_shape(scene, tooth, faults).amplitude()).circular_spline_inner_radius;
+}
+
+/// The bench of a scene. Where the scene gives no tip circle and the standard one, made for a ring that does not cone, leaves no land, it is widened in small steps.
+/// @return by how much [mm]
+double make_bench(std::optional<detail::OwnedBench>& owned, Scene asked, StageObserver const& on_stage)
+{
+    constexpr double step = 0.04;  // of the module
+    constexpr int most = 10;
+    bool const given = asked.circular_spline.inner_radius.has_value() || asked.is_reverse();
+    for (int widened = 0;; ++widened)
+    {
+        try
+        {
+            if (widened > 0)
+                asked.circular_spline.inner_radius = standard_tip(asked) + step * asked.drive.module;
+            owned.emplace(asked, asked.slices->count, make_plan(asked, Verb::load), on_stage);
+            return widened * step * asked.drive.module;
+        }
+        catch (NumericalError const& error)
+        {
+            if (given || widened == most || !std::string(error.what()).starts_with("region: tip circle: "))
+                throw;
+        }
+    }
+}
+
 /// Up to the torque, down again, and to the opposite one.
 std::vector<double> path(double torque, int points, bool curve)
 {
@@ -187,9 +221,11 @@ LoadStudy load(Scene const& scene, LoadOptions const& options, StageObserver con
         faults.push_back(more);
     if (!faults.empty())
         throw InputError(faults);
-    detail::OwnedBench owned(asked, asked.slices->count, make_plan(asked, Verb::load), on_stage);
-    ContactBench const& bench = *owned.bench;
+    std::optional<detail::OwnedBench> made;
     LoadStudy study;
+    study.tip_widened = make_bench(made, asked, on_stage);
+    detail::OwnedBench& owned = *made;
+    ContactBench const& bench = *owned.bench;
     std::optional<detail::LoadModel> model;
     owned.clock.run(Stage::influence, [&] { model = detail::load_model(bench, detail::load_grid(bench)); });
     ElasticDrive const& drive = model->drive;

@@ -172,12 +172,12 @@ TEST_CASE("many balls are a line of balls", "[load][balls]")
     }
     // as many as the harmonics tell apart
     CHECK(last < 1e-6);
+    constexpr double radius = 25 - 0.303 - 0.7 - 1.2;  // of the ring's inner circle on type-50 [mm]
     double reaction = 0;
     BearingMap const& map = line.cases.front().bearing;
     for (double const load : map.ball_force)
-        reaction += load * 22.8 * std::numbers::pi / static_cast<double>(map.ball_force.size());
-    double const inner = 24.0 - 0.003;  // of type-50's cup, mm
-    CHECK(total == Approx(reaction * (inner - 1.2) / 22.8).epsilon(1e-3));
+        reaction += load * radius * std::numbers::pi / static_cast<double>(map.ball_force.size());
+    CHECK(total == Approx(reaction).epsilon(1e-6));
 }
 
 TEST_CASE("an odd number of balls is a ring without symmetry that differs little from an even one", "[load][balls]")
@@ -190,7 +190,6 @@ TEST_CASE("an odd number of balls is a ring without symmetry that differs little
     CHECK(only(odd).twist == Approx(only(even).twist).epsilon(0.05));
     CHECK(only(odd).wave_generator_force == Approx(only(even).wave_generator_force).epsilon(0.02));
     CHECK(only(odd).residual < 1e-6);
-    // the whole ring in balance: the same forces on both lobes would be none across; here what is left is small
     CHECK(only(odd).complementarity < 1e-10);
 }
 
@@ -258,4 +257,21 @@ TEST_CASE("more harmonics than the teeth tell apart are refused", "[load]")
     {
         CHECK(std::string(error.what()).find("write at most 100") != std::string::npos);
     }
+}
+
+TEST_CASE("a tip circle that nobody gave does not make a load fail", "[load]")
+{
+    // four fifths of type-50's tooth: the cup cones away from a land at the standard tip circle
+    Keys const keys{"drive.module=0.2", "drive.flexspline_teeth=300", "drive.circular_spline_teeth=302", "wave_generator.radial_deformation=0.19", "flexspline.profile.addendum=0.18",
+                    "flexspline.profile.dedendum=0.2424", "flexspline.profile.convex_radius=0.21608", "flexspline.profile.convex_offset=0.07856", "flexspline.profile.concave_radius=0.4116",
+                    "flexspline.profile.concave_rise=0.05368", "flexspline.profile.tip_line_from=0.152", "contact.flank_points=40", "slices.count=2"};
+    Keys standard = keys, narrow = keys;
+    standard.push_back("!circular_spline.inner_radius");
+    narrow.push_back("circular_spline.inner_radius=30.01");
+    LoadStudy const study = load(quick(standard), at_torque(10 * newton_metre));
+    CHECK(study.tip_widened > 0);
+    CHECK(study.solution.geometry.circular_spline_inner_radius == Approx(30.01 + study.tip_widened).epsilon(1e-12));
+    CHECK(only(study).residual < 1e-6);
+    CHECK_THROWS_WITH(load(quick(narrow), at_torque(10 * newton_metre)), ContainsSubstring("inner_radius above 30.02"));
+    CHECK(load(quick(), at_torque(newton_metre)).tip_widened == 0);
 }

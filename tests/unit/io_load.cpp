@@ -262,7 +262,7 @@ TEST_CASE("estimates and balls stand in text and JSON and HDF5 alike", "[load][e
     each.curve[each.rated].balls = 3;
     each.bearing = {{0.0, 1.0}, {-3.0, 3.0}, {10, 20, 30, 40}, {0.0, 0.5}, {313, 12.5}};
     auto const text = summary_text(study);
-    for (auto const* part : {"1.2440 deg   +- 0.012 deg; slope", "    +-                             0.25", "       0.5      6", "      edge     1.5", "lobe at the major axis 1640 +- 11 N",
+    for (auto const* part : {"1.2440 deg   +- 0.013 deg; slope", "    +-                                 0.25", "       0.5      6", "      edge     1.5", "lobe at the major axis 1640 +- 11 N",
                              "balls up to 313", "3 of 4 carry", "313.0 at 0.0, 12.5 at 28.6", "10 um   radius under load", "edge: the largest pressure", "sharp corners", "77.0 N"}) {
         INFO(part << "\n" << text);
         CHECK_THAT(text, ContainsSubstring(part));

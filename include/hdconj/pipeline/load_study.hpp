@@ -152,6 +152,7 @@ struct LoadStudy
     double rated_torque = 0;      ///< [N mm]
     double pitch_radius = 0;      ///< m z_f/2 [mm]
     double edge_radius = 0;       ///< of the edges where teeth touch, given or standard [mm]
+    double tip_widened = 0;       ///< by how much the tip circle is wider than the standard one, which leaves no land [mm]; 0 where the scene gives it
     int balls = 0;                ///< of the bearing; 0: a line, or a rigid bearing
     bool sharp_steps = false;     ///< the wall grows to that of the tooth ring in ramps, whose corners have no largest stress
 };
