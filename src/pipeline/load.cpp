@@ -101,11 +101,12 @@ AssembledCup assembled(ContactBench const& bench, detail::LoadModel const& model
 /// Errors of @p cup, from what the coarse grid says.
 void estimate(AssembledCup& cup, AssembledCup const& coarse)
 {
-    cup.coning_major_error = detail::grid_safety * std::abs(cup.coning_major - coarse.coning_major);
-    cup.coning_minor_error = detail::grid_safety * std::abs(cup.coning_minor - coarse.coning_minor);
-    cup.wave_generator_force_error = detail::grid_safety * std::abs(cup.wave_generator_force - coarse.wave_generator_force);
-    cup.ball_force_error = detail::grid_safety * std::abs(cup.ball_force - coarse.ball_force);
-    cup.largest_stress_error += detail::grid_safety * std::abs(cup.largest_stress - coarse.largest_stress);
+    double const safety = detail::grid_safety(cup.z.size());
+    cup.coning_major_error = safety * std::abs(cup.coning_major - coarse.coning_major);
+    cup.coning_minor_error = safety * std::abs(cup.coning_minor - coarse.coning_minor);
+    cup.wave_generator_force_error = safety * std::abs(cup.wave_generator_force - coarse.wave_generator_force);
+    cup.ball_force_error = safety * std::abs(cup.ball_force - coarse.ball_force);
+    cup.largest_stress_error += safety * std::abs(cup.largest_stress - coarse.largest_stress);
     cup.estimated = true;
 }
 
@@ -122,7 +123,7 @@ void add_stress(ContactBench const& bench, detail::LoadModel const& model, Harmo
     if (!result.estimated)
         return;
     HarmonicField const other = detail::cup_field(coarse->model, report.coarse, bench.threads);
-    result.error.largest_stress = detail::grid_safety * std::abs(peak.stress - stress_peak(coarse->model.solid.mesh(), other, phi, bench.threads).stress) + detail::stress_at_corners(model, field, peak);
+    result.error.largest_stress = detail::grid_safety(model.drive.slice_z.size()) * std::abs(peak.stress - stress_peak(coarse->model.solid.mesh(), other, phi, bench.threads).stress) + detail::stress_at_corners(model, field, peak);
 }
 
 /// The tip circle that a scene leaves to the program [mm].

@@ -82,8 +82,16 @@ Loaded untouched(ContactBench const& bench, ElasticDrive const& drive, Assembly 
     return free;
 }
 
+/// The play about a turn that is known to lie within it, to a coarse grid's difference.
+Play play_about(LoadWork const& work, LoadedShape const& shape, double middle)
+{
+    GapField const field = work.field(shape, work.edges);
+    return {first_touch(work, field, middle, 1), -first_touch(work, field, middle, -1)};
+}
+
 /// Errors of play and largest torque, from those of the coarse grid.
-void estimate(ContactBench const& bench, CoarseDrive const& coarse, FlankGrid const& fine, LoadCase& result, CaseReport& report)
+/// @param fine_middle  of the play on the fine grid [rad]
+void estimate(ContactBench const& bench, CoarseDrive const& coarse, FlankGrid const& fine, double fine_middle, LoadCase& result, CaseReport& report)
 {
     FlankGrid const grid = thinned(fine, coarse.grid.slices);
     LoadWork const work{bench, coarse.model.drive, grid};
@@ -91,7 +99,7 @@ void estimate(ContactBench const& bench, CoarseDrive const& coarse, FlankGrid co
     try
     {
         Loaded loaded = untouched(bench, coarse.model.drive, coarse.start);
-        std::optional<Play> const play = play_of(work, loaded.shape);
+        std::optional<Play> const play = result.backlash < 0 ? play_of(work, loaded.shape) : play_about(work, loaded.shape, fine_middle);
         if (!play)
             return;
         double middle = 0.5 * (play->right - play->left);
@@ -104,9 +112,10 @@ void estimate(ContactBench const& bench, CoarseDrive const& coarse, FlankGrid co
         }
         if (rated.torque != 0)
             loaded = settled_at(work, rated.torque, loaded);
-        result.error = error_between(rated, summary_of(work, loaded, rated.torque, middle));
+        double const safety = grid_safety(fine.slices());
+        result.error = error_between(rated, summary_of(work, loaded, rated.torque, middle), safety);
         result.error.twist += rated.residual / bench.geometry.r_m;
-        result.backlash_error = grid_safety * std::abs(result.backlash - backlash);
+        result.backlash_error = safety * std::abs(result.backlash - backlash);
         result.estimated = true;
         report.coarse = std::move(loaded.forces);
     }
@@ -199,7 +208,7 @@ LoadCase load_case(ContactBench const& bench, ElasticDrive const& drive, Assembl
     std::vector<double> const& z = result.map.z;
     result.pressure_at_edge = z.size() > 1 && rated.largest_pressure > 0 && (rated.pressure_z <= z.front() || rated.pressure_z >= z.back());
     if (coarse != nullptr)
-        estimate(bench, *coarse, surface.grid, result, report);
+        estimate(bench, *coarse, surface.grid, middle, result, report);
     std::vector<double> twist, torque;
     for (std::size_t i = 0; i <= result.rated && i < result.curve.size(); ++i)
         if (result.curve[i].torque > 0)

@@ -76,14 +76,14 @@ FlankGrid thinned(FlankGrid const& grid, std::vector<std::size_t> const& slices)
     return result;
 }
 
-LoadedState error_between(LoadedState const& a, LoadedState const& b)
+LoadedState error_between(LoadedState const& a, LoadedState const& b, double safety)
 {
     LoadedState d;
     for (double LoadedState::* const figure :
          {&LoadedState::twist, &LoadedState::stiffness, &LoadedState::contact_area, &LoadedState::contact_share, &LoadedState::near_share, &LoadedState::node_share,
           &LoadedState::largest_pressure, &LoadedState::largest_force, &LoadedState::wave_generator_force, &LoadedState::wave_generator_torque, &LoadedState::lobe_force,
           &LoadedState::lobe_force_across, &LoadedState::lobe_z, &LoadedState::ball_force})
-        d.*figure = grid_safety * std::abs(a.*figure - b.*figure);
+        d.*figure = safety * std::abs(a.*figure - b.*figure);
     // what depends on which contacts are closed may agree by chance on two grids: none of it is known much better than the rest
     constexpr double LoadedState::* contacts[] = {&LoadedState::stiffness, &LoadedState::contact_share, &LoadedState::near_share, &LoadedState::largest_force, &LoadedState::largest_pressure};
     std::vector<double> relative;

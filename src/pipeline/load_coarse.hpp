@@ -3,6 +3,7 @@
 /// The same drive on a grid half as fine: what figures are worth.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "hdconj/contact/flank_grid.hpp"
@@ -26,11 +27,17 @@ struct CoarseDrive
 [[nodiscard]] FlankGrid thinned(FlankGrid const& grid, std::vector<std::size_t> const& slices);
 
 /// Estimated error over the distance from a grid half as fine: two grids, first order, safety of Roache's index (J. Fluids Eng. 116, 1994).
-inline constexpr double grid_safety = 3;
+/// Below nine slices the coarse grid has fewer than five and is no longer in step with the fine one: three times as much.
+[[nodiscard]] inline double grid_safety(std::size_t slices)
+{
+    constexpr double two_grids = 3;
+    constexpr std::size_t in_step = 9;
+    return slices < in_step ? two_grids * 3 : two_grids;
+}
 
-/// grid_safety times the distance of each figure that is a number, the distance of those that count, and zero elsewhere. Stiffness, shares, largest force and pressure hang together by the
+/// @p safety times the distance of each figure that is a number, the distance of those that count, and zero elsewhere. Stiffness, shares, largest force and pressure hang together by the
 /// contacts that are closed: relative to their size, none gets less than the median of them.
-[[nodiscard]] LoadedState error_between(LoadedState const& a, LoadedState const& b);
+[[nodiscard]] LoadedState error_between(LoadedState const& a, LoadedState const& b, double safety);
 
 /// By how much the equivalent stress at the corners of the element at the peak differs from the peak, which is that of a Gauss point inside [MPa].
 [[nodiscard]] double stress_at_corners(LoadModel const& model, HarmonicField const& field, StressPeak const& peak);
