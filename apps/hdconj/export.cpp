@@ -28,6 +28,9 @@ void refuse_contact(BearingChoice const& bearing)
     if (bearing.radial_stiffness) {
         throw InputError(Fault{"bearing.radial_stiffness", bearing.line, "", "in the contact deck the balls are rigid", "remove the key, or leave --contact out"});
     }
+    if (bearing.balls) {
+        throw InputError(Fault{"bearing.balls", bearing.line, "", "in the contact deck the balls are a line", "remove the key, or leave --contact out"});
+    }
     if (bearing.width <= 0) {
         throw InputError(Fault{"bearing.width", bearing.line, "", "in the contact deck the bearing is a body, and has a width", "write width = 6.0, or leave --contact out"});
     }

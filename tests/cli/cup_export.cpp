@@ -204,6 +204,9 @@ TEST_CASE("an export of nothing or of no elastic cup is refused", "[export]")
     auto const springs = hdconj_run("export " + scene + "--calculix deck --contact --set bearing.radial_stiffness=1000", folder.path());
     CHECK(springs.status == 2);
     CHECK(springs.err.find("balls are rigid") != std::string::npos);
+    auto const single = hdconj_run("export " + scene + "--calculix deck --contact --set bearing.balls=22", folder.path());
+    CHECK(single.status == 2);
+    CHECK(single.err.find("balls are a line") != std::string::npos);
     CHECK(folder.names().empty());
 }
 
