@@ -268,7 +268,8 @@ namespace detail {
 
 ClearingNeed clearing_need(Scene const& scene)
 {
-    OwnedBench owned(scene, scene.slices ? scene.slices->count : 1, make_plan(scene, Verb::contact), {});
+    StageObserver const nobody;   // the bench keeps a reference
+    OwnedBench owned(scene, scene.slices ? scene.slices->count : 1, make_plan(scene, Verb::contact), nobody);
     SurfaceChoice const choice = surface_choices(scene, {}).front();
     ContactCase const found = clearing_case(*owned.bench, choice);
     return {found.clearing_offset, found.clearing_tip, owned.middle.geometry.circular_spline_inner_radius};
