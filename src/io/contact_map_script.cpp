@@ -108,6 +108,13 @@ std::string shown_state(ContactStudy const& study)
     return fmt::format("{}, wave generator at {:g}°", turned, angle == 0 ? 0.0 : angle);
 }
 
+/// Where a label at this angle [deg] lies of its place, so that it stays within the picture.
+char const* side_of(double angle)
+{
+    constexpr double near_edge = 150;
+    return angle > near_edge ? "right" : angle < -near_edge ? "left" : "center";
+}
+
 }  // namespace
 
 std::string shown_case(ContactStudy const& study)
@@ -147,10 +154,11 @@ std::string map_script(ContactStudy const& study, PictureFormat format)
             flank == GapMap::left ? "'tooth space, degrees clockwise from the major axis'" : "''", label_of_panel, gnuplot_quoted(name));
         if (flank == fullest.flank) {
             script += fmt::format(
-                "set label {} '{}' at first {:.6g}, graph 1.09 center noenhanced\n"
+                "set label {} '{}' at first {:.6g}, graph 1.09 {} noenhanced\n"
                 "set arrow {} from first {:.6g}, graph 1.055 to first {:.6g}, graph 1.0 head filled size screen 0.006,25 "
                 "linewidth 1.2 linecolor rgb '#303030'\n",
-                label_of_fullest, fullest.in_contact ? "most contact" : "smallest gap", map.angle[fullest.space] * degree_per_radian, arrow_to_fullest,
+                label_of_fullest, fullest.in_contact ? "most contact" : "smallest gap", map.angle[fullest.space] * degree_per_radian,
+                side_of(map.angle[fullest.space] * degree_per_radian), arrow_to_fullest,
                 map.angle[fullest.space] * degree_per_radian, map.angle[fullest.space] * degree_per_radian);
         } else {
             script += fmt::format("unset label {}\nunset arrow {}\n", label_of_fullest, arrow_to_fullest);

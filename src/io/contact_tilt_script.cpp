@@ -209,8 +209,10 @@ std::string tilt_script(ContactStudy const& study, PictureFormat format)
         fmt::format("contact area (gap up to {:g} µm), and the side clearance that clears the flanks, against tilt",
                     study.contact_gap * um_per_mm),
         "", ""};
+    // numbers of small shares are long, and the axis' name lies beside them
+    constexpr double small_shares = 0.01, for_long_tics = 35;
     std::string script = picture::terminal(format, height) + picture::title(height, words) + legend(curves, height) +
-                         picture::axes({.left = left_axis, .right = picture::width - right_axis, .top = top, .bottom = top + panel_height}, height);
+                         picture::axes({.left = ranges.area < small_shares ? left_axis + for_long_tics : left_axis, .right = picture::width - right_axis, .top = top, .bottom = top + panel_height}, height);
     script += fmt::format(
         "set border 11\nset xrange [{:.8g}:{:.8g}]\nset yrange [0:{:.8g}]\nset y2range [0:{:.8g}]\n"
         "set xtics {:g}\nset ytics {:g}\nset y2tics {:g}\n"
