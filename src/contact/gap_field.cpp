@@ -116,9 +116,9 @@ double GapField::lowest_about(Index const& i, double gap, double turn, double en
     double const here = grid_->place(i.flank, i.point);
     double lowest = gap;
     if (i.point > 0)
-        lowest = std::min(lowest, minimum_beside(gap_at, here, grid_->place(i.flank, i.point - 1), gap, enough).value);
+        lowest = std::min(lowest, minimum_of_steps(gap_at, here, grid_->place(i.flank, i.point - 1), gap, enough).value);
     if (i.point + 1 < grid_->points())
-        lowest = std::min(lowest, minimum_beside(gap_at, here, grid_->place(i.flank, i.point + 1), gap, enough).value);
+        lowest = std::min(lowest, minimum_of_steps(gap_at, here, grid_->place(i.flank, i.point + 1), gap, enough).value);
     return lowest;
 }
 

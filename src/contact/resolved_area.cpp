@@ -17,15 +17,16 @@ namespace {
 
 constexpr std::size_t steps = 16;   // between two points of the map, where the edge of the contact may be
 
-/// Contact of one space, or of all, by all steps and by every second one.
+/// Contact of one space, or of all, by all steps, by every second one and by every fourth.
 struct Sums
 {
-    double fine = 0, half = 0;
+    double fine = 0, half = 0, quarter = 0;
 
     Sums& operator+=(Sums const& other)
     {
         fine += other.fine;
         half += other.half;
+        quarter += other.quarter;
         return *this;
     }
 };
@@ -68,18 +69,19 @@ class SpaceArea
                     detail::add_cell(corner, contact, whole);
                 sums.fine += contact;
                 sums.half += contact;
+                sums.quarter += contact;
                 continue;
             }
             Steps const& a = between(low, j);
             Steps const& b = between(high, j);
-            for (std::size_t const stride : {std::size_t{1}, std::size_t{2}})
+            for (std::size_t const stride : {std::size_t{1}, std::size_t{2}, std::size_t{4}})
             {
                 double contact = 0, whole = 0;
                 for (std::size_t i = 0; i < steps; i += stride)
                     detail::add_cell({at(a.point[i], z_low, a.gap[i]), at(a.point[i + stride], z_low, a.gap[i + stride]),
                                       at(b.point[i + stride], z_high, b.gap[i + stride]), at(b.point[i], z_high, b.gap[i])},
                                      contact, whole);
-                (stride == 1 ? sums.fine : sums.half) += contact;
+                (stride == 1 ? sums.fine : stride == 2 ? sums.half : sums.quarter) += contact;
             }
         }
         return sums;
@@ -165,6 +167,16 @@ double flank_area(FlankGrid const& grid, int flank, double width)
     return area;
 }
 
+/// What is left of a value by @p all places, half and a quarter of them: see ResolvedArea.
+double left_open(double all, double half, double quarter)
+{
+    constexpr double best = 0.5, worst = 2.0 / 3, safety = 2;
+    double const by_two = std::abs(all - half), by_four = std::abs(half - quarter);
+    double const falls = by_four > 0 ? std::clamp(by_two / by_four, best, worst) : worst;
+    // a difference may be small by chance, two hardly are: no less than what second order leaves of the coarser one
+    return std::max(safety * by_two * falls / (1 - falls), by_four / 2);
+}
+
 }  // namespace
 
 ResolvedArea resolved_area(GapField const& field, std::vector<std::size_t> const& spaces, double turn, int flank, double limit, double width, int threads)
@@ -211,13 +223,8 @@ ResolvedArea resolved_area(GapField const& field, std::vector<std::size_t> const
     result.area.whole = std::max(flank_area(grid, flank, width) * static_cast<double>(field.spaces()), all.fine);
     if (!(result.area.whole > 0))
         return result;
-    result.along = std::abs(all.fine - all.half) / result.area.whole;
-    auto const share = [&](Sums const& sums) { return sums.fine / result.area.whole; };
-    double const by_two = std::abs(share(all) - share(second));
-    double const by_four = std::abs(share(second) - share(fourth));
-    constexpr double best = 0.5, worst = 2.0 / 3, safety = 2;
-    double const falls = by_four > 0 ? std::clamp(by_two / by_four, best, worst) : worst;
-    result.across = safety * by_two * falls / (1 - falls);
+    result.along = left_open(all.fine, all.half, all.quarter) / result.area.whole;
+    result.across = left_open(all.fine, second.fine, fourth.fine) / result.area.whole;
     return result;
 }
 

@@ -23,7 +23,10 @@ Json state_object(ContactState const& state, ContactStudy const& study)
     Json object = Json::object();
     add_figures(object, state_figures(), state);
     object["backlash_um"] = number(at_pitch_circle(state.backlash(), study) * um_per_mm);
+    object["backlash_error_um"] = number(at_pitch_circle(state.backlash_error(), study) * um_per_mm);
     object["teeth"] = state.teeth;
+    object["teeth_least"] = state.teeth_least;
+    object["teeth_most"] = state.teeth_most;
     object["smallest_space"] = state.smallest_space;
     return object;
 }
@@ -49,6 +52,7 @@ Json case_object(ContactCase const& each, ContactStudy const& study)
     Json object = {{"surface", each.surface}, {"kind", each.kind}};
     add_figures(object, case_figures(), each);
     object["backlash_of_clearing_um"] = number(at_pitch_circle(each.backlash_of_clearing, study) * um_per_mm);
+    object["backlash_of_clearing_error_um"] = number(at_pitch_circle(each.backlash_of_clearing_error, study) * um_per_mm);
     object["raised"] = each.raised;
     object["closest_flank"] = nullptr;
     if (!each.slices.empty()) {
@@ -75,6 +79,7 @@ Json best_object(BestTilt const& best)
             {"tilt_deg", number(best.tilt * degree_per_radian)},
             {"tolerance_deg", number(best.tolerance * degree_per_radian)},
             {area ? "share" : "clearing_offset_um", number(area ? best.value : best.value * um_per_mm)},
+            {area ? "share_error" : "clearing_offset_error_um", number(area ? best.value_error : best.value_error * um_per_mm)},
             {"on_bound", best.on_bound},
             {"refused", best.refused},
             {"from_deg", number(best.from * degree_per_radian)},

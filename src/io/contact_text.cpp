@@ -49,6 +49,12 @@ std::string begin_row(ContactCase const& each)
                        tilted || each.surface == "tilted" ? fmt::format("{:.3g}", degrees(each.tilt)) : "-");
 }
 
+/// An error: as little of it as says how large it is.
+std::string error_text(double error)
+{
+    return fmt::format("+- {:.1g}", error);
+}
+
 void write_row(Page& page, ContactStudy const& study, ContactCase const& each)
 {
     auto const& state = each.state;
@@ -59,6 +65,13 @@ void write_row(Page& page, ContactStudy const& study, ContactCase const& each)
               fixed(state.backlash() * arcmin_per_radian, 2),
               fixed(at_pitch_circle(state.backlash(), study) * um_per_mm, 2), state.teeth, state.share * percent,
               state.share_error * percent);
+    std::string teeth;
+    if (state.teeth_least != state.teeth || state.teeth_most != state.teeth) {
+        teeth = fmt::format("{}-{}", state.teeth_least, state.teeth_most);
+    }
+    page.line("{:<25}{:>11}{:>10}{:>10}{:>10} {:>9}{:>9}{:>7}", "", error_text(each.clearance_error * um_per_mm),
+              error_text(each.clearing_offset_error * um_per_mm), error_text(each.backlash_of_clearing_error * arcmin_per_radian), "",
+              error_text(state.backlash_error() * arcmin_per_radian), error_text(at_pitch_circle(state.backlash_error(), study) * um_per_mm), teeth);
 }
 
 void write_table(Page& page, ContactStudy const& study)
@@ -92,11 +105,11 @@ char const* verdict(double clearance, double tolerance)
 }
 
 void write_closest(Page& page, std::string const& begin, char const* what, Closest const& closest, double z,
-                   double tolerance)
+                   double tolerance, double error)
 {
-    page.line("{:<25}   {:<7}{:>10}{:>10}{:>10}{:>9}{:>10}   {}", begin, what, fixed(closest.clearance * um_per_mm, 2),
+    page.line("{:<25}   {:<7}{:>10}{:>10}{:>10}{:>9}{:>10}   {} {} um", begin, what, fixed(closest.clearance * um_per_mm, 2),
               fixed(closest.where.x(), 4), fixed(closest.where.y(), 4), fixed(z, 3), fixed(degrees(closest.phi), 3),
-              verdict(closest.clearance, tolerance));
+              verdict(closest.clearance, tolerance), error_text(error * um_per_mm));
 }
 
 /// One line, where the case needs something or deviates.
@@ -105,13 +118,13 @@ void write_needs(Page& page, ContactStudy const& study, ContactCase const& each)
     double const tip = study.solution.geometry.circular_spline_inner_radius;
     std::vector<std::string> needs;
     if (each.clearing_tip > tip + study.solution.scene.solver.tolerance) {
-        needs.push_back(fmt::format("needs the tip circle {:.4f} mm instead of {:.4f} mm", each.clearing_tip, tip));
+        needs.push_back(fmt::format("needs the tip circle {:.4f} {} mm instead of {:.4f} mm", each.clearing_tip, error_text(each.clearing_tip_error), tip));
     }
     if (each.clearing_root > 0) {
-        needs.push_back(fmt::format("needs {} more root clearance", um(each.clearing_root)));
+        needs.push_back(fmt::format("needs {:.3g} {} um more root clearance", each.clearing_root * um_per_mm, error_text(each.clearing_root_error * um_per_mm)));
     }
     if (each.surface == "ruled") {
-        needs.push_back(fmt::format("up to {} from the slices' own conjugate outlines", um(each.ruled_deviation)));
+        needs.push_back(fmt::format("up to {:.3g} {} um from the slices' own conjugate outlines", each.ruled_deviation * um_per_mm, error_text(each.ruled_deviation_error * um_per_mm)));
     }
     if (!needs.empty()) {
         page.line("  {}: {}", case_name(each), fmt::join(needs, ", "));
@@ -133,8 +146,8 @@ void write_places(Page& page, ContactStudy const& study)
         auto const root = std::min_element(each.slices.begin(), each.slices.end(), [](auto const& a, auto const& b) {
             return a.root.clearance < b.root.clearance;
         });
-        write_closest(page, begin_row(each), "flanks", each.closest_flank(), each.closest_slice().z, tolerance);
-        write_closest(page, "", "root", root->root, root->z, tolerance);
+        write_closest(page, begin_row(each), "flanks", each.closest_flank(), each.closest_slice().z, tolerance, each.clearance_error);
+        write_closest(page, "", "root", root->root, root->z, tolerance, each.root_clearance_error);
     }
     for (auto const& each : study.cases) {
         write_needs(page, study, each);
@@ -156,6 +169,16 @@ std::string range(std::vector<ContactState> const& states, double scale, Take ta
     return fmt::format("{:.4g} ... {:.4g}", low * scale, high * scale);
 }
 
+template <class Take>
+double largest(std::vector<ContactState> const& states, Take take)
+{
+    double high = 0;
+    for (auto const& state : states) {
+        high = std::max<double>(high, take(state));
+    }
+    return high;
+}
+
 void write_revolutions(Page& page, std::vector<ContactCase> const& cases)
 {
     constexpr double whole = 1;
@@ -165,10 +188,12 @@ void write_revolutions(Page& page, std::vector<ContactCase> const& cases)
             continue;
         }
         page.line("\nover a revolution, {} angles: {}", states.size(), case_name(each));
-        page.line("  contact area {} %, teeth {}, backlash {} arcmin",
+        page.line("  contact area {} % {}, teeth {}, backlash {} arcmin {}",
                   range(states, percent, [](auto const& state) { return state.share; }),
+                  error_text(percent * largest(states, [](auto const& state) { return state.share_error; })),
                   range(states, whole, [](auto const& state) { return state.teeth; }),
-                  range(states, arcmin_per_radian, [](auto const& state) { return state.backlash(); }));
+                  range(states, arcmin_per_radian, [](auto const& state) { return state.backlash(); }),
+                  error_text(arcmin_per_radian * largest(states, [](auto const& state) { return state.backlash_error(); })));
     }
 }
 
@@ -179,8 +204,9 @@ void write_best(Page& page, std::vector<BestTilt> const& best)
     }
     page.line("\nbest tilt");
     for (auto const& each : best) {
-        std::string const value = each.what == "area" ? fmt::format("contact area {:.4g} %", each.value * percent)
-                                                      : "clearing offset " + um(each.value);
+        std::string const value = each.what == "area"
+                                      ? fmt::format("contact area {:.4g} % {}", each.value * percent, error_text(each.value_error * percent))
+                                      : fmt::format("clearing offset {} {}", um(each.value), error_text(each.value_error * um_per_mm));
         page.figure(each.kind + ", by " + each.what, fmt::format("{:.4f} deg", degrees(each.tilt)),
                     fmt::format("+- {:.1g} deg, {}; searched {:g} ... {:g} deg{}", degrees(each.tolerance), value,
                                 degrees(each.from), degrees(each.to),

@@ -21,6 +21,8 @@ void write_states(Writer const& place, std::vector<ContactState> const& states)
 {
     write_columns(place, state_figures(), states);
     place.integers("teeth", column(states, [](auto const& state) { return state.teeth; }));
+    place.integers("teeth_least", column(states, [](auto const& state) { return state.teeth_least; }));
+    place.integers("teeth_most", column(states, [](auto const& state) { return state.teeth_most; }));
     place.integers("smallest_space", column(states, [](auto const& state) { return state.smallest_space; }));
 }
 
@@ -76,6 +78,7 @@ void write_best(Writer const& place, std::vector<BestTilt> const& best)
     place.numbers("tilt", column(best, [](auto const& each) { return each.tilt; }), "rad");
     place.numbers("tolerance", column(best, [](auto const& each) { return each.tolerance; }), "rad");
     place.numbers("value", column(best, [](auto const& each) { return each.value; }), "1");
+    place.numbers("value_error", column(best, [](auto const& each) { return each.value_error; }), "1");
     place.texts("value_units", column(best, [](auto const& each) { return unit_of(each); }));
     place.integers("on_bound", column(best, [](auto const& each) { return each.on_bound ? 1 : 0; }));
     std::vector<double> interval;

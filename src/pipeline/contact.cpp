@@ -40,7 +40,7 @@ BestTilt best_tilt(std::string const& what, std::string const& kind, ContactOpti
     constexpr double none = std::numeric_limits<double>::infinity();
     double const tolerance = tolerance_deg * rad_per_deg;
     double const span = options.best_to - options.best_from;
-    BestTilt result{what, kind, 0, tolerance, 0, false, options.best_from, options.best_to, 0, {}};
+    BestTilt result{what, kind, 0, tolerance, 0, 0, false, options.best_from, options.best_to, 0, {}};
     std::optional<NumericalError> last;
     auto const cost = [&](double tilt) {
         try
@@ -239,6 +239,12 @@ ContactStudy contact(Scene const& scene, ContactOptions const& options, StageObs
         };
         study.best.push_back(best_tilt("area", kind, options, true, area));
         study.best.push_back(best_tilt("clearing offset", kind, options, false, offset));
+        for (BestTilt& best : study.best)
+            if (best.kind == kind)
+            {
+                ContactCase const found = detail::contact_case(bench, {"tilted", kind, best.tilt}, 0, nullptr);
+                best.value_error = best.what == "area" ? found.state.share_error : found.clearing_offset_error;
+            }
     }
     SurfaceChoice const& shown = wanted[study.shown];
     study.solution = owned.middle;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "slice_turns.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -12,16 +13,17 @@
 #include "hdconj/numeric/parallel.hpp"
 
 namespace hdconj::detail {
-SliceTurns::SliceTurns(ContactBench const& bench) : bench_(bench), pitch_(2 * std::numbers::pi / bench.scene.drive.circular_spline_teeth)
+
+SliceTurns::SliceTurns(ContactBench const& bench, SurfaceMaker& maker) : bench_(bench), maker_(maker), pitch_(2 * std::numbers::pi / bench.scene.drive.circular_spline_teeth)
 {
-    std::size_t const slices = bench.maker.z().size();
+    std::size_t const slices = maker.z().size();
     // slices that do not cone have one motion
     std::size_t const different = bench.scene.coning ? slices : 1;
     for (std::size_t k = 0; k < different; ++k)
-        (void)bench.maker.motion(k);
+        (void)maker.motion(k);
     turns_.resize(different);
     parallel_for(different, bench.threads, 4, [&](std::size_t k) {
-        turns_[k] = std::make_unique<FullTurnClearance<ErasedMotion>>(bench_.tooth, bench_.maker.motion(k).motion, pitch_, pitches_per_lobe(bench_.scene));
+        turns_[k] = std::make_unique<FullTurnClearance<ErasedMotion>>(bench_.tooth, maker_.motion(k).motion, pitch_, pitches_per_lobe(bench_.scene));
     });
 }
 
@@ -77,7 +79,7 @@ Deepest SliceTurns::deepest(ClearanceSet const& set, std::size_t k, double dista
                     best = {found, p};
                 return found.distance;
             };
-            (void)minimum_beside(at, grid.place(side, j), grid.place(side, step < 0 ? j - 1 : j + 1), here, enough);
+            (void)minimum_of_steps(at, grid.place(side, j), grid.place(side, step < 0 ? j - 1 : j + 1), here, enough);
         }
     }
     return best;
@@ -94,17 +96,31 @@ double SliceTurns::worst(ClearanceSet const& set, double distance, TurnMinima co
     return *std::min_element(deep.begin(), deep.end());
 }
 
+std::vector<double> SliceTurns::lowest(ClearanceSet const& set, double distance, TurnMinima const& minima) const
+{
+    std::vector<double> low(minima.size());
+    parallel_for(minima.size(), bench_.threads, 1,
+                 [&](std::size_t k) { low[k] = deepest(set, k, distance, minima[k], std::numeric_limits<double>::infinity()).turn.distance; });
+    return low;
+}
+
 /// The clearance grows with the distance about as fast as it; false position on points that may decide, then all are asked.
 double least_clearing(SliceTurns const& turns, ClearanceSet const& set, TurnMinima const& at_zero, Tolerance const& tolerance)
 {
     double const worst = turns.worst(set, 0, at_zero);
-    double const enough = clearing_accuracy(tolerance);
+    double const enough = std::max(clearing_accuracy(tolerance), set.known);
     if (!(worst < -enough))
         return 0;
+    // a place between two points may be less than either by half their distance
+    double between = 0;
+    for (std::size_t k = 0; set.flank != nullptr && k < set.point.size(); ++k)
+        for (std::size_t i = 1; i < set.point[k].size(); ++i)
+            if (i % set.flank->points() != 0)
+                between = std::max(between, 0.5 * (set.point[k][i] - set.point[k][i - 1]).norm());
     std::vector<std::vector<std::uint8_t>> wanted(set.point.size());
     for (std::size_t k = 0; k < set.point.size(); ++k)
         for (TurnMinimum const& m : at_zero[k])
-            wanted[k].push_back(m.distance <= worst / 2 ? 1 : 0);
+            wanted[k].push_back(m.distance - between <= worst / 2 ? 1 : 0);
     // on the points that may decide, then on all, where others may have come in
     auto const clearance_of = [&](std::vector<std::vector<std::uint8_t>> const* only) {
         return [&turns, &set, only](double distance) { return turns.worst(set, distance, turns(set, distance, only)); };
@@ -125,7 +141,7 @@ Closest closest(SliceTurns const& turns, ClearanceSet const& set, std::size_t k,
 /// One or both flanks as one list per slice: of a symmetric pair the right one stands for both.
 ClearanceSet flank_set(FlankGrid const& grid, bool both)
 {
-    ClearanceSet set{grid.point[GapMap::right], grid.normal[GapMap::right], &grid};
+    ClearanceSet set{grid.point[GapMap::right], grid.normal[GapMap::right], 0, &grid};
     if (both)
     {
         for (std::size_t k = 0; k < grid.slices(); ++k)
@@ -139,19 +155,33 @@ ClearanceSet flank_set(FlankGrid const& grid, bool both)
     return set;
 }
 
-/// The bottom of the space, moved along the centre line; at most some tens of points.
-ClearanceSet root_set(MatchedOutline const& outline)
+/// Flat stretches of an outline have no points between their ends, so the bottom is divided anew.
+ClearanceSet root_set(MatchedOutline const& outline, Tolerance const& tolerance)
 {
-    constexpr std::size_t enough = 64;
+    constexpr std::size_t intervals = 96;
     std::size_t const first = outline.landmarks[1];
     std::size_t const last = outline.landmarks[3];
-    std::size_t const stride = std::max<std::size_t>(1, (last - first) / enough);
     ClearanceSet set;
+    set.known = 2 * tolerance.length;   // that of the outline, and that of the one that it was made to clear
     for (auto const& points : outline.points)
     {
+        std::vector<double> length{0};
+        for (std::size_t i = first; i < last; ++i)
+            length.push_back(length.back() + (points[i + 1] - points[i]).norm());
         set.point.emplace_back();
-        for (std::size_t i = first; i <= last; i += stride)
-            set.point.back().push_back(points[i]);
+        std::size_t at = 0;
+        for (std::size_t j = 0; j <= intervals; ++j)
+        {
+            double const wanted = length.back() * static_cast<double>(j) / intervals;
+            while (at + 2 < length.size() && length[at + 1] < wanted)
+                ++at;
+            double const step = length[at + 1] - length[at];
+            double t = step > 0 ? std::clamp((wanted - length[at]) / step, 0.0, 1.0) : 0.0;
+            // a curve is what its points are, and a flat what is between them
+            if (step < length.back() / intervals)
+                t = t < 0.5 ? 0 : 1;
+            set.point.back().push_back((1 - t) * points[first + at] + t * points[first + at + 1]);
+        }
         // the middle of the bottom is where the tip goes deepest
         set.point.back().push_back(points[outline.landmarks[2]]);
         set.way.emplace_back(set.point.back().size(), Vec2{0, 1});

@@ -21,14 +21,15 @@ struct ClearanceSet
 {
     std::vector<std::vector<Vec2>> point;   ///< (k,p) [mm]
     std::vector<std::vector<Vec2>> way;     ///< (k,p)
+    double known = 0;                       ///< how far a point may be from the true outline [mm]
     FlankGrid const* flank = nullptr;       ///< flanks that these are the points of, right and then left: what lies between them counts too; null: the points alone
 };
 
 /// One or both flanks as one list per slice: of a symmetric pair the right one stands for both. Keeps a pointer to @p grid.
 [[nodiscard]] ClearanceSet flank_set(FlankGrid const& grid, bool both);
 
-/// The bottom of the space, moved along the centre line; at most some tens of points.
-[[nodiscard]] ClearanceSet root_set(MatchedOutline const& outline);
+/// The bottom of the space, moved along the centre line: points evenly spaced from one flank end to the other, and the middle of the bottom as the last.
+[[nodiscard]] ClearanceSet root_set(MatchedOutline const& outline, Tolerance const& tolerance);
 
 /// The deepest place of one slice.
 struct Deepest
@@ -44,9 +45,11 @@ using TurnMinima = std::vector<std::vector<TurnMinimum>>;
 class SliceTurns
 {
   public:
-    explicit SliceTurns(ContactBench const& bench);
+    explicit SliceTurns(ContactBench const& bench) : SliceTurns(bench, bench.maker) {}
+    /// In the planes of @p maker, which outlives this.
+    SliceTurns(ContactBench const& bench, SurfaceMaker& maker);
 
-    [[nodiscard]] ErasedMotion const& motion(std::size_t k) const { return bench_.maker.motion(of(k)).motion; }
+    [[nodiscard]] ErasedMotion const& motion(std::size_t k) const { return maker_.motion(of(k)).motion; }
 
     /// Minimum of every point moved by @p distance; only those that @p wanted names, the others are left out (infinite).
     [[nodiscard]] TurnMinima operator()(ClearanceSet const& set, double distance, std::vector<std::vector<std::uint8_t>> const* wanted = nullptr) const;
@@ -58,15 +61,19 @@ class SliceTurns
     /// The smallest distance of all slices, between the points too.
     [[nodiscard]] double worst(ClearanceSet const& set, double distance, TurnMinima const& minima) const;
 
+    /// The smallest distance of each slice, between the points too.
+    [[nodiscard]] std::vector<double> lowest(ClearanceSet const& set, double distance, TurnMinima const& minima) const;
+
   private:
     [[nodiscard]] std::size_t of(std::size_t k) const { return std::min(k, turns_.size() - 1); }
 
     ContactBench const& bench_;
+    SurfaceMaker& maker_;
     double pitch_;
     std::vector<std::unique_ptr<FullTurnClearance<ErasedMotion>>> turns_;
 };
 
-/// Least distance by which @p set must be moved so that no tooth enters it, to clearing_accuracy(). @p at_zero: minima without.
+/// Least distance by which @p set must be moved so that no tooth enters it, to clearing_accuracy() or what its points are known to. @p at_zero: minima without.
 /// @throws NumericalError where moving it does not clear
 [[nodiscard]] double least_clearing(SliceTurns const& turns, ClearanceSet const& set, TurnMinima const& at_zero, Tolerance const& tolerance);
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <random>
 
 #include "hdconj/pipeline/contact.hpp"
 #include "support/catch.hpp"
@@ -74,6 +75,88 @@ TEST_CASE("contact law: the stated error of a share bounds its distance to that 
     CHECK(five.share == Approx(one.share).epsilon(1e-12));
     CHECK(five.share_error == Approx(one.share_error).epsilon(1e-6));
     CHECK(one.share_error < 1e-3 * one.share);
+}
+
+TEST_CASE("contact law: the stated error of every figure bounds its distance to a run many times finer", "[law][contact]")
+{
+    struct Design
+    {
+        std::string surface;
+        Keys keys;
+    };
+    std::mt19937 random(20261122);
+    auto const between = [&](double low, double high) { return low + (high - low) * std::generate_canonical<double, 53>(random); };
+    auto const text = [](double value) { return std::to_string(value); };
+    std::vector<Design> designs;
+    for (std::string const surface : {"tilted", "ruled", "per-slice"})
+    {
+        Keys keys = coned(designs.size() % 2 == 0 ? "mapped" : "none", between(8, 30));
+        keys = with(keys, {"wave_generator.radial_deformation=" + text(between(0.242, 0.258)), "contact.wave_generator_angle_deg=" + text(between(-1.5, 1.5)),
+                           "flexspline.profile.convex_radius=" + text(between(0.266, 0.274))});
+        if (designs.size() != 2)
+            keys = with(keys, {"tilt.kind=radial", "tilt.angle_deg=" + text(between(-0.3, 0.3))});
+        if (designs.size() > 1)
+            keys = with(keys, {"circular_spline.backlash_offset=" + text(between(0.002, 0.02))});
+        designs.push_back({surface, keys});
+    }
+    for (Design const& design : designs)
+    {
+        std::string told = design.surface;
+        for (std::string const& key : design.keys)
+            told += ' ' + key;
+        ContactCase const coarse = only_case(with(design.keys, resolution(3, 50, design.surface)));
+        ContactCase const fine = only_case(with(design.keys, resolution(13, 100, design.surface)));
+        auto const smallest_root = [](ContactCase const& each) {
+            double smallest = each.slices.front().root.clearance;
+            for (SliceClearance const& slice : each.slices)
+                smallest = std::min(smallest, slice.root.clearance);
+            return smallest;
+        };
+        auto const check = [&](char const* what, double value, double error, double true_value, double its_error) {
+            INFO(told << ": " << what << " " << value << " +- " << error << ", finer " << true_value << " +- " << its_error);
+            CHECK(error >= 0);
+            CHECK(std::abs(value - true_value) <= error + its_error);
+            // an error that is as large as anything would say nothing
+            CHECK(error < 0.1 * std::max(std::abs(value), um));
+        };
+        check("clearance", coarse.closest_flank().clearance, coarse.clearance_error, fine.closest_flank().clearance, fine.clearance_error);
+        check("root clearance", smallest_root(coarse), coarse.root_clearance_error, smallest_root(fine), fine.root_clearance_error);
+        check("clearing offset", coarse.clearing_offset, coarse.clearing_offset_error, fine.clearing_offset, fine.clearing_offset_error);
+        check("clearing tip", coarse.clearing_tip, coarse.clearing_tip_error, fine.clearing_tip, fine.clearing_tip_error);
+        check("clearing root", coarse.clearing_root, coarse.clearing_root_error, fine.clearing_root, fine.clearing_root_error);
+        check("play of clearing", coarse.backlash_of_clearing, coarse.backlash_of_clearing_error, fine.backlash_of_clearing, fine.backlash_of_clearing_error);
+        check("take-up", coarse.state.take_up, coarse.state.take_up_error, fine.state.take_up, fine.state.take_up_error);
+        check("take-up back", coarse.state.take_up_back, coarse.state.take_up_back_error, fine.state.take_up_back, fine.state.take_up_back_error);
+        check("play", coarse.state.backlash(), coarse.state.backlash_error(), fine.state.backlash(), fine.state.backlash_error());
+        check("smallest gap", coarse.state.smallest_gap, coarse.state.smallest_gap_error, fine.state.smallest_gap, fine.state.smallest_gap_error);
+        if (design.surface == "ruled")
+        {
+            INFO(told << ": deviation " << coarse.ruled_deviation << " +- " << coarse.ruled_deviation_error << ", finer " << fine.ruled_deviation << " +- " << fine.ruled_deviation_error);
+            CHECK(std::abs(coarse.ruled_deviation - fine.ruled_deviation) <= coarse.ruled_deviation_error + fine.ruled_deviation_error);
+            CHECK(coarse.ruled_deviation_error < coarse.ruled_deviation);
+        }
+        INFO(told << ": teeth " << coarse.state.teeth_least << " ... " << coarse.state.teeth_most << ", finer " << fine.state.teeth);
+        CHECK(coarse.state.teeth_least <= coarse.state.teeth);
+        CHECK(coarse.state.teeth <= coarse.state.teeth_most);
+        CHECK(coarse.state.teeth_least <= fine.state.teeth);
+        CHECK(fine.state.teeth <= coarse.state.teeth_most);
+        INFO(told << ": share " << coarse.state.share << " +- " << coarse.state.share_error << ", finer " << fine.state.share << " +- " << fine.state.share_error);
+        CHECK(std::abs(coarse.state.share - fine.state.share) <= coarse.state.share_error + fine.state.share_error);
+    }
+}
+
+TEST_CASE("contact law: a tooth that touches between two planes is told by the error of the planes", "[law][contact]")
+{
+    // a negative tilt over-corrects the cone: with a cone of its own the deepest place lies within the width
+    Keys const drive = with(coned("none", 60), {"tilt.kind=radial", "tilt.angle_deg=0.25"});
+    ContactCase const fine = only_case(with(drive, resolution(17, 50, "tilted")));
+    for (int const slices : {2, 3, 4})
+    {
+        ContactCase const coarse = only_case(with(drive, resolution(slices, 50, "tilted")));
+        INFO(slices << ": " << coarse.clearing_offset / um << " +- " << coarse.clearing_offset_error / um << ", finer " << fine.clearing_offset / um);
+        CHECK(std::abs(coarse.clearing_offset - fine.clearing_offset) <= coarse.clearing_offset_error + fine.clearing_offset_error);
+        CHECK(std::abs(coarse.closest_flank().clearance - fine.closest_flank().clearance) <= coarse.clearance_error + fine.clearance_error);
+    }
 }
 
 TEST_CASE("contact law: a flank between its points is the flank that many more points are on", "[law][contact]")

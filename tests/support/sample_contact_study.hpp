@@ -95,7 +95,12 @@ inline ContactState contact_state(double share, double play)
     state.share_error = 4e-4;
     state.contact_area = share * 915.5;
     state.teeth = static_cast<int>(300 * share);
+    state.teeth_least = state.teeth - 1;
+    state.teeth_most = state.teeth + 2;
+    state.take_up_error = 1e-7;
+    state.take_up_back_error = 2e-7;
     state.smallest_gap = 2.5e-4;
+    state.smallest_gap_error = 3e-6;
     state.smallest_space = 7;
     state.smallest_z = -half_width;
     return state;
@@ -127,6 +132,13 @@ inline ContactCase contact_case(std::string const& surface, std::string const& k
     result.state = contact_state(share, result.backlash_of_clearing);
     result.state.flank_area = 915.5;
     result.ruled_deviation = surface == "ruled" ? 0.0034 : 0;
+    result.clearance_error = 2e-5;
+    result.root_clearance_error = 3e-5;
+    result.clearing_offset_error = 1.2e-5;
+    result.clearing_tip_error = 1e-6;
+    result.clearing_root_error = 4e-6;
+    result.backlash_of_clearing_error = 5e-7;
+    result.ruled_deviation_error = surface == "ruled" ? 1e-5 : 0;
     result.seconds = 0.11;
     return result;
 }
@@ -152,9 +164,9 @@ inline ContactStudy contact_study(int slice_count = 9)
     for (int i = 0; i < 5; ++i) {
         study.cases[3].revolution.push_back(contact_state(0.19 + 0.01 * i, 0.002));
     }
-    study.best = {{"area", "radial", 0.77 * degree, 1e-4 * degree, 0.22, false, 0, 2 * degree},
-                  {"clearing offset", "radial", 0.77 * degree, 1e-4 * degree, 0.009, false, 0, 2 * degree},
-                  {"area", "draft", 0.21 * degree, 1e-4 * degree, 0.22, true, 0, 2 * degree}};
+    study.best = {{"area", "radial", 0.77 * degree, 1e-4 * degree, 0.22, 0.004, false, 0, 2 * degree},
+                  {"clearing offset", "radial", 0.77 * degree, 1e-4 * degree, 0.009, 1e-5, false, 0, 2 * degree},
+                  {"area", "draft", 0.21 * degree, 1e-4 * degree, 0.22, 0.004, true, 0, 2 * degree}};
     study.contact_gap = contact_gap;
     study.pitch_radius = 25;
     study.map = gap_map(z, static_cast<int>(circular_spline_teeth), 41);

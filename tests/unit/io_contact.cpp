@@ -60,6 +60,19 @@ TEST_CASE("contact numbers come back from HDF5 bit for bit, one row per case")
              {"share_error", [](auto const& c) { return c.state.share_error; }},
              {"smallest_gap", [](auto const& c) { return c.state.smallest_gap; }},
              {"smallest_z", [](auto const& c) { return c.state.smallest_z; }},
+             {"smallest_gap_error", [](auto const& c) { return c.state.smallest_gap_error; }},
+             {"take_up_error", [](auto const& c) { return c.state.take_up_error; }},
+             {"take_up_back_error", [](auto const& c) { return c.state.take_up_back_error; }},
+             {"backlash_error", [](auto const& c) { return c.state.take_up_error + c.state.take_up_back_error; }},
+             {"teeth_least", [](auto const& c) { return static_cast<double>(c.state.teeth_least); }},
+             {"teeth_most", [](auto const& c) { return static_cast<double>(c.state.teeth_most); }},
+             {"flank_clearance_error", [](auto const& c) { return c.clearance_error; }},
+             {"root_clearance_error", [](auto const& c) { return c.root_clearance_error; }},
+             {"clearing_offset_error", [](auto const& c) { return c.clearing_offset_error; }},
+             {"clearing_tip_error", [](auto const& c) { return c.clearing_tip_error; }},
+             {"clearing_root_error", [](auto const& c) { return c.clearing_root_error; }},
+             {"backlash_of_clearing_error", [](auto const& c) { return c.backlash_of_clearing_error; }},
+             {"ruled_deviation_error", [](auto const& c) { return c.ruled_deviation_error; }},
              {"teeth", [](auto const& c) { return static_cast<double>(c.state.teeth); }},
              {"smallest_space", [](auto const& c) { return static_cast<double>(c.state.smallest_space); }}}) {
         INFO(name);
@@ -91,6 +104,7 @@ TEST_CASE("the gap map lies in HDF5 as it is indexed")
     CHECK(gap.values[((5 * 2 + GapMap::right) * 3 + 2) * 41 + 7] == study.map.at(5, GapMap::right, 2, 7));
     CHECK(read(file, "/contact/map/angle").values == study.map.angle);
     CHECK(read(file, "/contact/best/interval").shape == std::vector<hsize_t>{3, 2});
+    CHECK(read(file, "/contact/best/value_error").values == std::vector<double>{0.004, 1e-5, 0.004});
     CHECK(read(file, "/contact/best/on_bound").values == std::vector<double>{0, 0, 1});
 }
 
@@ -133,7 +147,7 @@ TEST_CASE("the contact text has a row for each case and the places of interferen
     for (auto const* part : {"type-50", "gap is 1 um or less", "z -3.5 ... 3.5 mm", "tilted    radial", "tilted    draft", "per-slice -", "where the teeth come closest",
                              "flanks     -43.65   -0.2100   25.3100   -3.500    12.892   interfere", "touch", "wedged", "best tilt",
                              "0.7700 deg", "contact area 22 %", "clearing offset 9 um", "on the bound", "over a revolution, 5 angles",
-                             "ruled: up to 3.4 um from",  "as written: tilted, radial 0.6 deg", "out/contact.h5"}) {
+                             "ruled: up to 3.4 +- 0.01 um from",  "as written: tilted, radial 0.6 deg", "out/contact.h5"}) {
         CHECK_THAT(text, ContainsSubstring(part));
     }
     std::size_t rows = 0;
@@ -162,19 +176,28 @@ TEST_CASE("a row of the contact table is in the units of its heading")
     each.state.teeth = 17;
     each.state.share = 0.12343;
     each.state.share_error = 0.0003;
+    each.clearance_error = 2e-5;
+    each.clearing_offset_error = 0.3e-3;
+    each.backlash_of_clearing_error = 0.4 * arcmin;
+    each.state.take_up_error = 0.06 * arcmin;
+    each.state.take_up_back_error = 0.04 * arcmin;
+    each.state.teeth_least = 16;
+    each.state.teeth_most = 18;
     study.cases = {each};
     // 11 arcmin at 25 mm are 79.99 um
     CHECK_THAT(summary_text(study), ContainsSubstring("tilted    draft    0.25     -78.12     81.23     12.34     90.00     11.00"
-                                                      "    79.99     17     12.34 +- 0.03\n"));
+                                                      "    79.99     17     12.34 +- 0.03\n"
+                                                      "                             +- 0.02    +- 0.3    +- 0.4              +- 0.1   +- 0.7  16-18\n"));
     study.cases[0].state.take_up = study.cases[0].clearing_offset = -1e-12;
     study.cases[0].state.take_up_back = 0;
     CHECK_THAT(summary_text(study), ContainsSubstring("     0.00     12.34     90.00      0.00     0.00     17"));
     study.cases[0].state.take_up = 11 * arcmin;
     study.cases[0].raised = true;
     study.cases[0].clearing_tip = 25.1;
+    study.cases[0].clearing_tip_error = 1e-6;
     study.solution.geometry.circular_spline_inner_radius = 25;
     CHECK_THAT(summary_text(study), ContainsSubstring("12.34     90.00*    11.00") && ContainsSubstring("more than the scene gives") &&
-                                        ContainsSubstring("draft 0.25 deg: needs the tip circle 25.1000 mm instead of 25.0000 mm"));
+                                        ContainsSubstring("draft 0.25 deg: needs the tip circle 25.1000 +- 1e-06 mm instead of 25.0000 mm"));
 }
 
 TEST_CASE("JSON of a contact study has the figures of the solution and of each case")
@@ -197,10 +220,16 @@ TEST_CASE("JSON of a contact study has the figures of the solution and of each c
     CHECK(third.at("state").at("share") == given.state.share);
     CHECK(third.at("state").at("backlash_arcmin").get<double>() == Approx(given.state.backlash() / arcmin));
     CHECK(third.at("state").at("backlash_um").get<double>() == Approx(given.state.backlash() * 25000));
+    CHECK(third.at("clearing_offset_error_um").get<double>() == Approx(given.clearing_offset_error * 1000));
+    CHECK(third.at("state").at("backlash_error_arcmin").get<double>() == Approx(given.state.backlash_error() / arcmin));
+    CHECK(third.at("state").at("backlash_error_um").get<double>() == Approx(given.state.backlash_error() * 25000));
+    CHECK(third.at("state").at("teeth_most") == given.state.teeth_most);
     CHECK(third.at("slices").size() == 9);
     CHECK(third.at("revolution").size() == 5);
     CHECK(contact.at("best").at(0).at("share") == 0.22);
     CHECK(contact.at("best").at(1).at("clearing_offset_um").get<double>() == Approx(9));
+    CHECK(contact.at("best").at(0).at("share_error") == 0.004);
+    CHECK(contact.at("best").at(1).at("clearing_offset_error_um").get<double>() == Approx(0.01));
     CHECK(contact.at("best").at(2).at("on_bound") == true);
     CHECK_FALSE(nlohmann::json::parse(summary_json(study.solution)).contains("contact"));
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <atomic>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
 
 #include "hdconj/numeric/bracketed_minimum.hpp"
+#include "hdconj/numeric/least_between.hpp"
 #include "hdconj/numeric/bracketed_root.hpp"
 #include "hdconj/numeric/chebyshev.hpp"
 #include "hdconj/numeric/fourier.hpp"
@@ -54,6 +56,76 @@ TEST_CASE("a minimum beside a place is found where the function falls from there
         CHECK(minimum_beside(rising, 0.0, sense, 0.0, 1e-15).x == 0);
         CHECK(looks == 1);
     }
+}
+
+TEST_CASE("the smallest of several minima is found over whole numbers", "[numeric]")
+{
+    // minima near 1.2, 4.6 (the deepest) and 7.9
+    auto const waves = [](double x) { return std::min({std::abs(x - 1.2), 2 * std::abs(x - 4.6) - 0.3, (x - 7.9) * (x - 7.9) + 0.1}); };
+    for (double const from : {0.0, 9.0})
+    {
+        BracketedMinimum const found = minimum_of_steps(waves, from, 9 - from, waves(from), 1e-15);
+        CHECK(found.value == Approx(-0.3).margin(1e-14));
+        CHECK(found.x == Approx(4.6).margin(1e-14));
+    }
+    CHECK(minimum_of_steps(waves, 2.0, 2.0, waves(2), 1e-15).x == 2);
+    CHECK(minimum_of_steps(waves, 6.0, 5.0, waves(6), 1e-15).x == Approx(5));
+}
+
+TEST_CASE("what a smooth function may do between even places is no higher than what it does", "[numeric]")
+{
+    // sampled so that its minima lie anywhere between the places
+    for (double const phase : {0.0, 0.13, 0.31, 0.5, 0.77})
+    {
+        auto const wave = [&](double x) { return std::cos(0.9 * (x + phase)) + 0.1 * x; };
+        std::vector<double> value;
+        for (int i = 0; i < 12; ++i)
+            value.push_back(wave(i));
+        std::vector<BetweenPlaces> const between = between_places(value);
+        REQUIRE(between.size() == 11);
+        double least = value.back();
+        for (std::size_t i = 0; i < between.size(); ++i)
+        {
+            for (int k = 0; k <= 50; ++k)
+            {
+                double const here = wave(static_cast<double>(i) + k / 50.0);
+                CHECK(between[i].least <= here);
+                least = std::min(least, here);
+            }
+            // and not much lower: the whole curvature doubled, at the most
+            CHECK(between[i].least >= std::min(value[i], value[i + 1]) - 0.9 * 0.9 * 2 / 8);
+        }
+        CHECK(least_between(value) <= least);
+    }
+}
+
+TEST_CASE("between places that lie on a line there is nothing lower and a parabola is met with twice its curvature", "[numeric]")
+{
+    std::vector<double> const line{3, 2.5, 2, 1.5, 1};
+    for (BetweenPlaces const& each : between_places(line))
+        CHECK(each.curvature == Approx(0).margin(1e-15));
+    CHECK(least_between(line) == Approx(1));
+    // (x - 1.5)^2 at 0 ... 3: second difference 2, doubled; in the middle interval the ends are level at 0.25, the parabola 4/8 lower
+    std::vector<double> const parabola{2.25, 0.25, 0.25, 2.25};
+    std::vector<BetweenPlaces> const between = between_places(parabola);
+    CHECK(between[1].curvature == Approx(4));
+    CHECK(between[1].least == Approx(-0.25));
+    // f(t) = 2.25 - 2 t - 2 t (1 - t): level at the lower end, |D| = c/2
+    CHECK(between[0].least == Approx(0.25));
+    // a V with its point anywhere between two places
+    for (double const at : {1.05, 1.3, 1.5, 1.9})
+    {
+        std::vector<double> pointed;
+        for (int i = 0; i < 4; ++i)
+            pointed.push_back(std::abs(i - at));
+        CHECK(between_places(pointed, pointed_function)[1].least <= 1e-15);
+        CHECK(between_places(pointed, pointed_function)[1].least > -0.6);
+    }
+    // one place and two places show no curvature
+    CHECK(least_between({2.0}) == 2);
+    CHECK(between_places({2.0}).empty());
+    CHECK(least_between({2.0, 1.0}) == 1);
+    CHECK(least_between({}) == std::numeric_limits<double>::infinity());
 }
 
 TEST_CASE("no sign change, no root, a zero at an end is the root", "[numeric]")

@@ -45,7 +45,7 @@ class GapField
     [[nodiscard]] double gap_between(std::size_t space, int flank, std::size_t slice, double s, double turn) const;
 
     /// The smallest gap between a point and its two neighbours on the flank, from @p gap at the point; no smaller one beside it: @p gap.
-    /// Found where it falls from the point (minimum_beside()), to @p enough.
+    /// Looked for at all points of the outline between them, and followed from there (minimum_of_steps()), to @p enough.
     [[nodiscard]] double lowest_about(Index const& i, double gap, double turn, double enough) const;
 
     /// Gaps of all points of one flank and slice at @p turn, into @p out, which is resized.

@@ -14,7 +14,7 @@ namespace hdconj {
 struct ResolvedArea
 {
     ContactArea area;
-    double along = 0;    ///< what half as many points along the flank change, as a share
+    double along = 0;    ///< estimated error of so many points along the flank, as a share
     double across = 0;   ///< estimated error of so many slices, as a share
     double lowest = 0;   ///< smallest gap that was met, between the points too [mm]
 };
@@ -25,8 +25,8 @@ struct ResolvedArea
 /// and to the exact teeth; cells between slices as in contact_area(). So the error along the flank is that of 16 times as many points, at the cost of the
 /// edge of the contact alone. How far a gap may dip between two points is told by what it changes beside them. 
 /// `across`: D is what every second slice in place of all changes and D' what every fourth in place of every second does. Where the differences go on falling by
-/// q = D/D', all that are left add up to D q/(1 - q); q is taken no better than 1/2 (first order: a difference may be small by chance) and no worse than 2/3, and twice the sum is given. Slices are
-/// odd in number.
+/// q = D/D', all that are left add up to D q/(1 - q); q is taken no better than 1/2 and no worse than 2/3, and twice the sum is given, no less than D'/2, which is the same where D is a quarter of
+/// D' (second order): one difference may be small by chance. `along`: the same of the steps between points, 16, 8 and 4. Slices are odd in number.
 /// Same bits for any number of threads.
 [[nodiscard]] ResolvedArea resolved_area(GapField const& field, std::vector<std::size_t> const& spaces, double turn, int flank, double limit, double width, int threads);
 

@@ -58,4 +58,37 @@ template<class F>
     return at_b < at_x ? BracketedMinimum{b, at_b} : BracketedMinimum{x, at_x};
 }
 
+/// Smallest value of @p f from @p a to @p b, whole numbers, f(a) = @p fa given, where the function may have several minima: looked at at all whole numbers
+/// between, and followed from those that are smaller than their neighbours (minimum_beside()).
+template<class F>
+[[nodiscard]] BracketedMinimum minimum_of_steps(F&& f, double a, double b, double fa, double enough)
+{
+    auto const steps = static_cast<int>(std::lround(std::abs(b - a)));
+    double const step = b < a ? -1 : 1;
+    BracketedMinimum best{a, fa};
+    auto const follow = [&](double from, double to, double value) {
+        BracketedMinimum const found = minimum_beside(f, from, to, value, enough);
+        if (found.value < best.value)
+            best = found;
+    };
+    double before = fa, here = fa;   // of the step before, and of this one
+    for (int i = 0; i <= steps; ++i)
+    {
+        double const x = a + step * i;
+        double const after = i < steps ? f(x + step) : here;
+        if (here < best.value)
+            best = {x, here};
+        if (here <= before && here <= after)
+        {
+            if (i > 0)
+                follow(x, x - step, here);
+            if (i < steps)
+                follow(x, x + step, here);
+        }
+        before = here;
+        here = after;
+    }
+    return best;
+}
+
 }  // namespace hdconj

@@ -36,16 +36,21 @@ struct ContactState
     double wave_generator = 0;   ///< angle of the wave generator from a tooth space, in the frame of the circular spline [rad]
     double take_up = 0;          ///< turn of the flexspline to first contact, clockwise [rad]; negative: it had to be turned back
     double take_up_back = 0;     ///< the same for the other flanks, counter-clockwise [rad]
+    double take_up_error = 0;    ///< estimated: what may enter between slices, and of a side clearance that was looked for its own error [rad]
+    double take_up_back_error = 0;
     double contact_area = 0;     ///< [mm^2] of the flanks on the driving side with gap <= contact_gap
     double share = 0;            ///< of the area of all flanks on that side, 0 ... 1
-    double share_error = 0;      ///< estimated: what half as many points, half as many planes and the clearance's own error change, added up
+    double share_error = 0;      ///< estimated: what half as many points, fewer planes and the clearance's own error change, and patches that no plane meets, added up
     double flank_area = 0;       ///< [mm^2] of all flanks on the driving side
     int teeth = 0;               ///< tooth spaces with any contact on the driving side
+    int teeth_least = 0, teeth_most = 0;  ///< with those errors: spaces that are in contact in any case, and those that may be
     double smallest_gap = 0;     ///< before turning, either side [mm]
+    double smallest_gap_error = 0;  ///< estimated, as for take_up_error [mm]
     int smallest_space = 0;      ///< tooth space where it is
     double smallest_z = 0;       ///< and slice [mm]
     /// Play in which the flexspline can be turned; negative: it is wedged.
     [[nodiscard]] double backlash() const { return take_up + take_up_back; }
+    [[nodiscard]] double backlash_error() const { return take_up_error + take_up_back_error; }
 };
 
 /// One surface of the circular spline: a row of the table.
@@ -64,6 +69,14 @@ struct ContactCase
     ContactState state;                   ///< at the scene's angle of the wave generator; of a revolution the one with the least share
     std::vector<ContactState> revolution; ///< one per angle asked for; empty without --revolution
     double ruled_deviation = 0;           ///< "ruled": largest distance from the slices' own conjugate outlines [mm]
+    /// Estimated errors, of the slices as those of the whole width (docs/theory.md).
+    double clearance_error = 0;             ///< of closest_flank() [mm]
+    double root_clearance_error = 0;        ///< of the smallest root clearance of all slices [mm]
+    double clearing_offset_error = 0;       ///< [mm]
+    double clearing_tip_error = 0;          ///< [mm]
+    double clearing_root_error = 0;         ///< [mm]
+    double backlash_of_clearing_error = 0;  ///< [rad]
+    double ruled_deviation_error = 0;       ///< [mm]
     double seconds = 0;
 
     /// Deepest interference of any slice's flanks; clearance where there is none.
@@ -79,6 +92,7 @@ struct BestTilt
     double tilt = 0;         ///< [rad]
     double tolerance = 0;    ///< of the tilt [rad]
     double value = 0;        ///< share, or offset [mm]
+    double value_error = 0;  ///< estimated error of the value at that tilt
     bool on_bound = false;   ///< the best lies at an end of the interval that was searched
     double from = 0, to = 0; ///< that interval [rad]
     int refused = 0;         ///< tilts tried there at which no surface can be made
