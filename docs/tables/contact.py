@@ -56,10 +56,12 @@ def surfaces(program):
     for shift in ("none", "mapped"):
         for surface in ("tilted", "ruled", "per-slice"):
             case = contact(program, "type-50-coned", "--surface", surface, coning__axial_shift=shift)["cases"][0]
-            row(surface, shift, "%.2f" % case["closest_flank"]["clearance_um"], "%.2f" % case["clearing_offset_um"],
-                "%.4f" % case["clearing_tip_mm"], "%.2f" % case["clearing_root_um"], "%.2f" % case["backlash_offset_um"],
-                "%.2f" % case["state"]["backlash_arcmin"], case["state"]["teeth"], share(case["state"]),
-                "%.1g" % (100 * case["state"]["share_error"]))
+            state = case["state"]
+            row(surface, shift, "%.2f +- %.1g" % (case["closest_flank"]["clearance_um"], case["clearance_error_um"]),
+                "%.2f +- %.1g" % (case["clearing_offset_um"], case["clearing_offset_error_um"]), "%.4f" % case["clearing_tip_mm"],
+                "%.2f +- %.1g" % (case["clearing_root_um"], case["clearing_root_error_um"]), "%.2f" % case["backlash_offset_um"],
+                "%.2f +- %.1g" % (state["backlash_arcmin"], state["backlash_error_arcmin"]), "%d (%d ... %d)" % (state["teeth"], state["teeth_least"], state["teeth_most"]),
+                share(state), "%.1g" % (100 * state["share_error"]))
 
 
 def slices(program):
@@ -92,7 +94,7 @@ def best(program):
     for kind in ("radial", "draft"):
         for shift in ("none", "mapped"):
             for gap in (1, 20):
-                found = contact(program, "type-50-coned", "--surface", "tilted", "--kind", kind, "--best", "--tilt=-1,2" if kind == "radial" else "--tilt=-1,1.9",
+                found = contact(program, "type-50-coned", "--surface", "tilted", "--kind", kind, "--best", "--tilt=-1,2" if kind == "radial" else "--tilt=-1,1.2",
                                 coning__axial_shift=shift, contact__contact_gap=gap / 1000)
                 if isinstance(found, str):
                     row(kind, shift, gap, found, "", "", "")
@@ -100,8 +102,8 @@ def best(program):
                 where = {each["what"]: each for each in found["best"]}
                 area, offset = where["area"], where["clearing offset"]
                 bound = {True: " (at the bound)", False: ""}
-                row(kind, shift, gap, "%.3f%s" % (area["tilt_deg"], bound[area["on_bound"]]), share(area),
-                    "%.3f%s" % (offset["tilt_deg"], bound[offset["on_bound"]]), "%.2f" % offset["clearing_offset_um"])
+                row(kind, shift, gap, "%.3f%s" % (area["tilt_deg"], bound[area["on_bound"]]), "%s +- %.1g" % (share(area), 100 * area["share_error"]),
+                    "%.3f%s" % (offset["tilt_deg"], bound[offset["on_bound"]]), "%.2f +- %.1g" % (offset["clearing_offset_um"], offset["clearing_offset_error_um"]))
 
 
 def thesis(program):

@@ -5,7 +5,7 @@
 An estimate for docs/contact.md, not part of the program. The gap map of `hdconj contact` is moved back to a side clearance that the
 thesis' prototypes may have had (0.0225 mm by the play of 6.2 arcmin), which lets the teeth enter each other, and the flexspline is turned until the overlap, taken as the pressure of a bed of springs, makes a given
 moment; what overlaps on the driving side is in contact. Needs h5py and numpy. Simplifications: gaps change by the clearance itself and by
-lever times turn; normals are those of the slice in the middle; the tip circle is the one that clears.
+lever times turn; normals are those of the slice in the middle; the tip circle is the one that clears. Tilts at which no surface can be made have no share.
 """
 import json
 import os
@@ -17,6 +17,7 @@ import h5py
 import numpy as np
 
 SCENE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "data/scenes/type-50-coned.toml")
+PLANE = os.path.join(os.path.dirname(SCENE), "type-50.toml")
 TILTS = (-0.4, -0.2, 0, 0.1, 0.2, 0.3, 0.4, 0.6, 0.8, 1, 1.5)
 MOMENTS = (5, 10, 20, 40, 80)  # mm^4: times the bed's stiffness in N/mm^3 a torque
 
@@ -30,10 +31,17 @@ class Bed:
             command = [program, "contact", SCENE, "--surface", "tilted", "--kind", kind, f"--tilt={tilt}", "--json", "--quiet", "-o", result]
             for key in (f"circular_spline.backlash_offset={clearance}", "coning.axial_shift=" + shift, "contact.flank_points=120"):
                 command += ["--set", key]
-            case = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)["contact"]["cases"][0]
+            done = subprocess.run(command, capture_output=True, text=True)
+            self.made = done.returncode == 0
+            if not self.made:
+                return
+            case = json.loads(done.stdout)["contact"]["cases"][0]
             with h5py.File(result) as file:
                 gap, station, z = (file["/contact/map/" + name][...] for name in ("gap", "station", "z"))
-                outline = file["/circular_spline/outline"][len(z) // 2]
+            # the map's stations count along the flank without side clearance, at z = 0 the same for all tilts
+            subprocess.run([program, "solve", PLANE, "--quiet", "-o", result, "--set", f"circular_spline.inner_radius={case['clearing_tip_mm']}"], check=True)
+            with h5py.File(result) as file:
+                outline = file["/circular_spline/outline"][0]
                 first, last = file["/circular_spline/landmarks"][3:5]
         flank = outline[first:last + 1][::-1]
         length = np.concatenate([[0], np.cumsum(np.hypot(*np.diff(flank, axis=0).T))])
@@ -72,8 +80,8 @@ def main():
         for shift in ("none", "mapped"):
             beds = [Bed(sys.argv[1], clearance, tilt, kind, shift) for tilt in TILTS]
             for moment in MOMENTS:
-                shares = [bed.share(moment) for bed in beds]
-                print(f"| {kind} | {shift} | {moment} | " + " | ".join("%.2f" % (100 * s) for s in shares) + f" | {TILTS[int(np.argmax(shares))]} |")
+                shares = [bed.share(moment) if bed.made else -1 for bed in beds]
+                print(f"| {kind} | {shift} | {moment} | " + " | ".join("%.2f" % (100 * s) if s >= 0 else "-" for s in shares) + f" | {TILTS[int(np.argmax(shares))]} |")
                 sys.stdout.flush()
 
 
