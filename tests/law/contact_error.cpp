@@ -243,3 +243,13 @@ TEST_CASE("contact law: the written outline is that of the part whose contact is
     }
     CHECK(contact(builtin_scene({"contact.flank_points=40"})).side_clearance == 0);
 }
+
+TEST_CASE("contact law: a side clearance that solve looks for by itself is the one that contact says clears", "[law][contact]")
+{
+    Keys const drive = with(with(coned(), resolution(3, 60, "tilted")), {"circular_spline.backlash_offset=\"auto\""});
+    Solution const solved = solve(builtin_scene(drive));
+    ContactCase const told = only_case(drive);
+    CHECK(told.clearing_offset > 60 * um);
+    CHECK(told.backlash_offset == told.clearing_offset);
+    CHECK(solved.geometry.circular_spline_inner_radius == Approx(told.clearing_tip).margin(1e-6));
+}
