@@ -4,6 +4,8 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
+#include <span>
 #include <vector>
 
 #include "hdconj/conjugate/tooth_space.hpp"
@@ -49,23 +51,36 @@ template<RelativeMotion Motion>
     record.segment_name = origin_name(envelope.profile(), branch);
     record.begins = to_string(branch.arcs.front().begins);
     record.ends = to_string(branch.arcs.back().ends);
+    std::optional<BatchMotion> const batch = batch_motion(envelope.motion());
     for (ContactArc const& arc : branch.arcs)
     {
         ProfilePiece const& piece = envelope.profile().pieces[static_cast<std::size_t>(arc.piece)];
         SampledArc const sampled = sample_arc(envelope, arc, arc.u_begin, arc.u_end, chord, 1, ChordTest::estimate);
         evaluations += sampled.evaluations;
-        std::size_t const size = record.u.size() + sampled.points.size();
+        std::size_t const skipped = record.u.empty() ? 0 : 1;
+        std::size_t const first = record.u.size();
+        std::size_t const count = sampled.points.size() - skipped;
         for (auto* column : {&record.u, &record.phi, &record.t})
-            column->reserve(size);
-        record.point.reserve(size);
-        for (std::size_t k = record.u.empty() ? 0 : 1; k < sampled.points.size(); ++k)
+            column->resize(first + count);
+        record.point.resize(first + count);
+        for (std::size_t k = 0; k < count; ++k)
         {
-            EnvelopePoint const& e = sampled.points[k];
-            ToothAngles const angles = envelope.motion().angles(e.u);
-            record.u.push_back(angles.u);
-            record.phi.push_back(angles.phi);
-            record.t.push_back(std::clamp(piece.t_begin + e.t * (piece.t_end - piece.t_begin), piece.t_begin, piece.t_end));
-            record.point.push_back(e.p);
+            EnvelopePoint const& e = sampled.points[skipped + k];
+            record.u[first + k] = e.u;
+            record.t[first + k] = std::clamp(piece.t_begin + e.t * (piece.t_end - piece.t_begin), piece.t_begin, piece.t_end);
+            record.point[first + k] = e.p;
+        }
+        if (batch)
+        {
+            // the parameter of this motion is u
+            undeformed_angles(*batch, std::span(record.u).subspan(first), std::span(record.phi).subspan(first));
+            continue;
+        }
+        for (std::size_t k = first; k < first + count; ++k)
+        {
+            ToothAngles const angles = envelope.motion().angles(record.u[k]);
+            record.u[k] = angles.u;
+            record.phi[k] = angles.phi;
         }
     }
     return record;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hdconj/envelope/arc_batch.hpp"
+#include "hdconj/envelope/contact_batch.hpp"
 #include "hdconj/envelope/find_branches.hpp"
 #include "hdconj/io/contact_files.hpp"
 #include "hdconj/io/result_files.hpp"
@@ -132,6 +133,22 @@ void arc_batch(benchmark::State& state)
     state.counters["per_point"] = benchmark::Counter(static_cast<double>(many), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(arc_batch)->Unit(benchmark::kMicrosecond);
+
+/// Many at once, with normal, parameter and error estimate: what `solve` samples with.
+void contact_batch_points(benchmark::State& state)
+{
+    Sweep<ArcPiece, Exact> const sweep(type50_tooth(), type50_motion(), 0);
+    auto const batch = contact_batch(sweep.envelope, sweep.arc);
+    std::vector<EnvelopePoint> points(many);
+    for (auto _ : state)
+    {
+        point_batch(sweep.envelope, sweep.arc, *batch, sweep.u, points);
+        benchmark::DoNotOptimize(points.data());
+        benchmark::ClobberMemory();
+    }
+    state.counters["per_point"] = benchmark::Counter(static_cast<double>(many), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK(contact_batch_points)->Unit(benchmark::kMicrosecond);
 
 /// What it costs to read u and write x and y, from and to main memory.
 void memory_traffic_alone(benchmark::State& state)

@@ -11,8 +11,12 @@
 #include <vector>
 
 #include "hdconj/envelope/envelope.hpp"
+#include "hdconj/numeric/parallel.hpp"
 
 namespace hdconj::detail {
+
+/// The next order of the expansion, so that chord_error() is a bound.
+inline constexpr double next_order = 1.02;
 
 /// Largest distance from its chord of the cubic that has the given ends and end normals: for a circular arc length
 /// times turn over 8; right to the next order for any smooth curve, inflexions included. Rounded up by 2 per cent for that.
@@ -38,8 +42,6 @@ namespace hdconj::detail {
     for (double const x : {p != 0 ? w / p : 0.0, w != 0 ? m0 / w : 0.0})
         if (x > 0 && x < 1)
             worst = std::max(worst, std::abs(m0 * x * (1 - x) * (1 - x) - m1 * x * x * (1 - x)));
-    // the next order of the expansion, so that the estimate is a bound
-    constexpr double next_order = 1.02;
     return next_order * length * worst;
 }
 
@@ -128,37 +130,53 @@ template<class At>
     }
 }
 
-/// For each chord between neighbouring @p points, at @p stations: its error estimated from its ends where its neighbours bend as it does, else its bound.
+/// chord_error() of every chord between neighbouring @p points, bit for bit, many at once; and its bend [1/mm], the turn of the normal over the length, 0 where that
+/// is more than a quarter turn or there is no length. Both outputs have one place less than @p points.
+void chord_errors(std::span<EnvelopePoint const> points, std::span<double> errors, std::span<double> bends);
+
+/// Errors and bends of chords; blocks of fixed size, whatever the number of threads.
+struct ChordLook
+{
+    std::vector<double> errors;
+    std::vector<double> bends;
+
+    void operator()(std::vector<EnvelopePoint> const& points, int threads)
+    {
+        constexpr std::size_t block = 1024;
+        constexpr std::size_t blocks_worth_a_thread = 32;
+        std::size_t const count = points.size() - 1;
+        errors.resize(count);
+        bends.resize(count);
+        parallel_for((count + block - 1) / block, threads, blocks_worth_a_thread, [&](std::size_t b) {
+            std::size_t const first = b * block;
+            std::size_t const size = std::min(block, count - first);
+            chord_errors({points.data() + first, size + 1}, {errors.data() + first, size}, {bends.data() + first, size});
+        });
+    }
+};
+
+/// For each chord between neighbouring @p points, at @p stations: its error estimated from its ends, as @p look has it, where its neighbours bend as it does; else its
+/// bound, which is put in its place.
 ///
 /// Where curvature changes by a tenth from chord to chord, what the cubic over one leaves out, L^4 y''''/384 of L^2 y''/8, is below half a per
 /// cent, a quarter of what chord_error() adds.
 template<class At>
-[[nodiscard]] std::vector<double> chord_bounds(At const& at, std::vector<double> const& stations, std::vector<EnvelopePoint> const& points,
-                                               std::size_t& evaluations)
+void bound_chords(At const& at, std::vector<double> const& stations, std::vector<EnvelopePoint> const& points, ChordLook& look, std::size_t& evaluations)
 {
     std::size_t const count = points.size() - 1;
     constexpr double alike = 1.1;
-    std::vector<double> bend(count);
-    for (std::size_t i = 0; i < count; ++i)
-    {
-        double const length = (points[i + 1].p - points[i].p).norm();
-        bool const turns_little = points[i].n.dot(points[i + 1].n) > 0;
-        bend[i] = length > 0 && turns_little ? cross(points[i].n, points[i + 1].n) / length : 0;
-    }
     auto const agree = [&](std::size_t i, std::size_t j) {
-        double const a = bend[i], b = bend[j];
+        double const a = look.bends[i], b = look.bends[j];
         return a * b > 0 && std::abs(a) <= alike * std::abs(b) && std::abs(b) <= alike * std::abs(a);
     };
     constexpr std::size_t many = 16;
     double const first_doubt = count < many ? 1 : 0.1;
-    std::vector<double> errors(count);
     for (std::size_t i = 0; i < count; ++i)
     {
         bool const known = i > 0 && i + 1 < count && agree(i, i - 1) && agree(i, i + 1);
-        errors[i] = known ? chord_error(points[i], points[i + 1])
-                          : chord_bound(at, stations[i], points[i], stations[i + 1], points[i + 1], first_doubt, evaluations);
+        if (!known)
+            look.errors[i] = chord_bound(at, stations[i], points[i], stations[i + 1], points[i + 1], first_doubt, evaluations);
     }
-    return errors;
 }
 
 }  // namespace hdconj::detail

@@ -4,11 +4,16 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
+#include <optional>
+#include <span>
+#include <utility>
 #include <vector>
 
 #include "hdconj/envelope/chord_bound.hpp"
+#include "hdconj/envelope/contact_batch.hpp"
 #include "hdconj/envelope/envelope.hpp"
 #include "hdconj/numeric/error.hpp"
 #include "hdconj/numeric/parallel.hpp"
@@ -30,6 +35,62 @@ enum class ChordTest
     estimate,  ///< from the ends of each chord alone, some per cent low where few chords make an arc: for polygons that nothing is promised of
     bound      ///< wherever curvature changes from chord to chord the arc is looked at between the ends: `chord` is not below the true error
 };
+
+namespace detail {
+
+/// Points of the chords of @p points that are short enough, and of the others cut in halves until they are, into @p result.
+/// @param at      s -> EnvelopePoint
+/// @param errors  of the chords between @p stations
+template<class At>
+void cut_coarse_chords(At const& at, std::vector<double> const& stations, std::vector<EnvelopePoint> const& points, std::vector<double> const& errors, double chord,
+                       ChordTest test, SampledArc& result)
+{
+    constexpr int deepest = 40;
+    constexpr std::size_t few = 16;
+    result.points.reserve(points.size() + points.size() / few);
+    result.points.push_back(points.front());
+    struct Open
+    {
+        double s0, s1;
+        EnvelopePoint a, b;
+        int depth;
+        double error;
+    };
+    auto const error_of = [&](double s0, EnvelopePoint const& a, double s1, EnvelopePoint const& b) {
+        constexpr double first_doubt = 1;
+        return test == ChordTest::estimate ? chord_error(a, b) : chord_bound(at, s0, a, s1, b, first_doubt, result.evaluations);
+    };
+    std::vector<Open> stack;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    {
+        double const first = errors[i];
+        if (first <= chord)
+        {
+            result.chord = std::max(result.chord, first);
+            result.points.push_back(points[i + 1]);
+            continue;
+        }
+        stack.push_back({stations[i], stations[i + 1], points[i], points[i + 1], 0, first});
+        while (!stack.empty())
+        {
+            Open const now = stack.back();
+            stack.pop_back();
+            if (now.error > chord && now.depth < deepest && now.s1 > now.s0)
+            {
+                double const s = 0.5 * (now.s0 + now.s1);
+                EnvelopePoint const middle = at(s);
+                ++result.evaluations;
+                stack.push_back({s, now.s1, middle, now.b, now.depth + 1, error_of(s, middle, now.s1, now.b)});
+                stack.push_back({now.s0, s, now.a, middle, now.depth + 1, error_of(now.s0, now.a, s, middle)});
+                continue;
+            }
+            result.chord = std::max(result.chord, now.error);
+            result.points.push_back(now.b);
+        }
+    }
+}
+
+}  // namespace detail
 
 /// Points equidistributed in sqrt(turn * length): for a smooth curve each chord then has the same error, which is the fewest
 /// points possible up to higher order. Places that a coarse look misjudges are cut again until every chord passes.
@@ -106,6 +167,7 @@ template<RelativeMotion Motion>
     }
     std::vector<double> stations;
     std::vector<EnvelopePoint> points;
+    std::optional<ContactBatch> const batch = contact_batch(envelope, arc);
     auto const place = [&] {
         stations.resize(count + 1);
         std::size_t cell = 1;
@@ -126,18 +188,35 @@ template<RelativeMotion Motion>
         stations.front() = 0;
         stations.back() = 1;
         points.resize(stations.size());
-        constexpr std::size_t grain = 8192;
-        parallel_for(points.size(), threads, grain, [&](std::size_t i) { points[i] = at(stations[i]); });
+        // blocks of fixed size; with a batch no point depends on its block
+        constexpr std::size_t block = 256;
+        std::size_t const blocks_worth_a_thread = batch ? 128 : 32;
+        parallel_for((points.size() + block - 1) / block, threads, blocks_worth_a_thread, [&](std::size_t b) {
+            std::size_t const first = b * block;
+            std::size_t const end = std::min(points.size(), first + block);
+            if (!batch)
+            {
+                for (std::size_t i = first; i < end; ++i)
+                    points[i] = at(stations[i]);
+                return;
+            }
+            std::array<double, block> u;
+            for (std::size_t i = first; i < end; ++i)
+                u[i - first] = arc_parameter_to_u(window, stations[i]);
+            point_batch(envelope, arc, *batch, std::span(u).first(end - first), std::span(points).subspan(first, end - first));
+        });
         result.evaluations += points.size();
     };
-    std::vector<double> errors;
+    detail::ChordLook look;
+    std::vector<double> const& errors = look.errors;
     constexpr int attempts = 4;
     for (int attempt = 1;; ++attempt)
     {
         place();
+        look(points, threads);
         if (test == ChordTest::estimate)
             break;
-        errors = detail::chord_bounds(at, stations, points, result.evaluations);
+        detail::bound_chords(at, stations, points, look, result.evaluations);
         // where many chords are a little too coarse, a few more over the whole arc are fewer than a cut in each
         double const worst = *std::max_element(errors.begin(), errors.end());
         auto const failing = static_cast<std::size_t>(std::count_if(errors.begin(), errors.end(), [&](double error) { return error > chord; }));
@@ -147,47 +226,15 @@ template<RelativeMotion Motion>
         count = static_cast<std::size_t>(grown);
     }
 
-    // cut again what is still too coarse
-    result.points.reserve(points.size());
-    result.points.push_back(points.front());
-    struct Open
+    double const worst = *std::max_element(errors.begin(), errors.end());
+    if (worst <= chord)
     {
-        double s0, s1;
-        EnvelopePoint a, b;
-        int depth;
-        double error;
-    };
-    auto const error_of = [&](double s0, EnvelopePoint const& a, double s1, EnvelopePoint const& b) {
-        constexpr double first_doubt = 1;
-        return test == ChordTest::estimate ? detail::chord_error(a, b) : detail::chord_bound(at, s0, a, s1, b, first_doubt, result.evaluations);
-    };
-    std::vector<Open> stack;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+        result.chord = worst;
+        result.points = std::move(points);
+    }
+    else
     {
-        double const first = test == ChordTest::estimate ? detail::chord_error(points[i], points[i + 1]) : errors[i];
-        if (first <= chord)
-        {
-            result.chord = std::max(result.chord, first);
-            result.points.push_back(points[i + 1]);
-            continue;
-        }
-        stack.push_back({stations[i], stations[i + 1], points[i], points[i + 1], 0, first});
-        while (!stack.empty())
-        {
-            Open const now = stack.back();
-            stack.pop_back();
-            if (now.error > chord && now.depth < deepest && now.s1 > now.s0)
-            {
-                double const s = 0.5 * (now.s0 + now.s1);
-                EnvelopePoint const middle = at(s);
-                ++result.evaluations;
-                stack.push_back({s, now.s1, middle, now.b, now.depth + 1, error_of(s, middle, now.s1, now.b)});
-                stack.push_back({now.s0, s, now.a, middle, now.depth + 1, error_of(now.s0, now.a, s, middle)});
-                continue;
-            }
-            result.chord = std::max(result.chord, now.error);
-            result.points.push_back(now.b);
-        }
+        detail::cut_coarse_chords(at, stations, points, errors, chord, test, result);
     }
     for (EnvelopePoint const& e : result.points)
         result.error = std::max(result.error, e.error);

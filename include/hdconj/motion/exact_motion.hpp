@@ -28,6 +28,7 @@ class ExactMotion
     ExactMotion(NeutralCurve<Shape> curve, double tooth_ratio) : curve_(std::move(curve)), k_(tooth_ratio) {}
 
     [[nodiscard]] NeutralCurve<Shape> const& curve() const { return curve_; }
+    [[nodiscard]] double tooth_ratio() const { return k_; }
     [[nodiscard]] double half_lobe() const { return std::numbers::pi / curve_.shape().waves(); }
     [[nodiscard]] std::span<double const> breaks() const { return curve_.shape().breaks(); }
     [[nodiscard]] bool symmetric() const { return curve_.shape().even(); }

@@ -30,6 +30,9 @@ class PeriodicIntegral
     [[nodiscard]] bool resolved() const { return smooth_ ? smooth_->resolved() : panels_->resolved(); }
     [[nodiscard]] double relative_error() const { return smooth_ ? smooth_->relative_error() : panels_->relative_error(); }
 
+    /// The series, where there are no breaks.
+    [[nodiscard]] FourierSeries const* series() const { return smooth_ ? &*smooth_ : nullptr; }
+
     /// Integral from 0 to @p u; @p sine and @p cosine of 2 pi u/period are used where there are no breaks.
     [[nodiscard]] double operator()(double u, double sine, double cosine) const
     {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cmath>
+#include <optional>
 
 #include "hdconj/wavegen/build.hpp"
 #include "hdconj/wavegen/radial_displacement.hpp"
@@ -21,6 +22,9 @@ struct CosineCam
     [[nodiscard]] double amplitude() const { return w0; }
     [[nodiscard]] bool even() const { return true; }
     [[nodiscard]] std::span<double const> breaks() const { return {}; }
+
+    /// For AnyWaveShape, which may be another.
+    [[nodiscard]] std::optional<CosineCam> as_cosine() const;
 
     [[nodiscard]] RadialDisplacement operator()(double u) const
     {
@@ -41,5 +45,10 @@ struct CosineCam
         return {choice.number_or(radial_deformation, 0), place.waves};
     }
 };
+
+inline std::optional<CosineCam> CosineCam::as_cosine() const
+{
+    return *this;
+}
 
 }  // namespace hdconj

@@ -34,6 +34,8 @@ class NeutralCurve
     [[nodiscard]] double r_m() const { return r_m_; }
     [[nodiscard]] double r_0() const { return r_0_; }
     [[nodiscard]] double relative_error() const { return line_.relative_error(); }
+    /// Integral of the line element from 0: r_m phi.
+    [[nodiscard]] PeriodicIntegral const& length() const { return line_; }
 
     /// Undeformed angle phi of the point at polar angle @p u, phi(0) = 0. @p d is shape()(u).
     [[nodiscard]] double phi(double u, RadialDisplacement const& d) const

@@ -3,6 +3,7 @@
 /// The wave generator families by name.
 #pragma once
 
+#include <optional>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -55,6 +56,15 @@ class AnyWaveShape
         if (auto const* cosine = std::get_if<CosineCam>(&shape_))
             return times_factor((*cosine)(u));
         return std::visit([this, u](auto const& s) { return times_factor(s(u)); }, shape_);
+    }
+
+    /// The shape as a cosine cam, where it is one.
+    [[nodiscard]] std::optional<CosineCam> as_cosine() const
+    {
+        auto const* cosine = std::get_if<CosineCam>(&shape_);
+        if (cosine == nullptr)
+            return std::nullopt;
+        return CosineCam{cosine->w0 * factor_, cosine->n};
     }
 
     /// The same shape with every displacement multiplied by @p factor > 0: what a slice of a coned cup has.
