@@ -17,8 +17,9 @@ struct ToothDistance::Nearest
     Vec2 point = Vec2::Zero();
     Vec2 normal = Vec2::Zero();
     bool open_end = false;
+    bool vertex = false;   ///< the foot is one
 
-    void offer(Vec2 const& p, Vec2 const& foot, Vec2 const& n, bool at_open_end = false)
+    void offer(Vec2 const& p, Vec2 const& foot, Vec2 const& n, bool at_vertex = false, bool at_open_end = false)
     {
         double const d = (p - foot).squaredNorm();
         if (d < squared)
@@ -27,6 +28,7 @@ struct ToothDistance::Nearest
             point = foot;
             normal = n;
             open_end = at_open_end;
+            vertex = at_vertex;
         }
     }
 };
@@ -161,7 +163,7 @@ void ToothDistance::look_at(Run const& run, Vec2 const& p, Nearest& nearest) con
 {
     // patch i lies between vertices i and i + 1
     for (std::size_t i = run.first; i <= run.last; ++i)
-        nearest.offer(p, vertices_[i].point, vertices_[i].normal, vertices_[i].open_end);
+        nearest.offer(p, vertices_[i].point, vertices_[i].normal, true, vertices_[i].open_end);
     for (std::size_t i = run.first; i < run.last; ++i)
     {
         Patch const& patch = patches_[i];
@@ -186,10 +188,10 @@ NearestPoint ToothDistance::operator()(Vec2 const& p) const
     double const along = away.dot(nearest.normal);
     bool const outside = nearest.open_end || along >= 0;
     NearestPoint result{outside ? distance : -distance, nearest.point, nearest.normal};
-    // at a corner the gradient points from the corner to p; on a smooth foot this is the normal itself, but the
+    // at a corner the gradient points from the corner to p; on a smooth foot, or at a smooth joint, this is the normal itself, but the
     // difference of two close points loses digits, so the exact normal is kept there
     constexpr double aligned = 1 - 0x1p-20;
-    if (distance > 0 && std::abs(along) < aligned * distance)
+    if (nearest.vertex && distance > 0 && std::abs(along) < aligned * distance)
         result.normal = (outside ? 1.0 : -1.0) / distance * away;
     return result;
 }

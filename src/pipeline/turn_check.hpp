@@ -4,7 +4,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "hdconj/conjugate/outline.hpp"
@@ -41,9 +43,12 @@ template<class Clearance, RelativeMotion Motion>
     constexpr std::size_t block = 64;
     constexpr std::size_t blocks_worth_a_thread = 4;
     parallel_for((chosen.size() + block - 1) / block, threads, blocks_worth_a_thread, [&](std::size_t b) {
-        std::size_t const end = std::min(chosen.size(), (b + 1) * block);
-        for (std::size_t i = b * block; i < end; ++i)
-            minima[i] = clearance(points[chosen[i]], i > b * block ? &minima[i - 1] : nullptr);
+        std::size_t const first = b * block;
+        std::size_t const count = std::min(block, chosen.size() - first);
+        std::array<Vec2, block> at;
+        for (std::size_t i = 0; i < count; ++i)
+            at[i] = points[chosen[first + i]];
+        clearance(std::span(at).first(count), nullptr, std::span(minima).subspan(first, count));
     });
     PairCheck result;
     auto const worst = std::min_element(minima.begin(), minima.end(), [](TurnMinimum const& a, TurnMinimum const& b) { return a.distance < b.distance; });

@@ -3,8 +3,12 @@
 /// The smallest distance between a point of one member and any tooth of the other over a full turn.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstddef>
 #include <deque>
+#include <optional>
+#include <span>
 
 #include "hdconj/contact/lobe_march.hpp"
 #include "hdconj/motion/inverse_motion.hpp"
@@ -23,7 +27,7 @@ class FullTurnClearance
   public:
     /// @param lobe_pitches  pitches that the tooth moves along the circular spline in one lobe, (z_c - z_f)/n
     FullTurnClearance(Profile const& profile, Motion const& motion, double pitch, int lobe_pitches, int positions = turn_positions)
-        : tooth_(profile), march_(tooth_, motion, positions), pitch_(pitch), reach_((lobe_pitches + 1) / 2 + 1)
+        : tooth_(profile), lanes_(tooth_lanes(profile)), march_(tooth_, motion, positions), pitch_(pitch), reach_((lobe_pitches + 1) / 2 + 1)
     {
     }
     FullTurnClearance(FullTurnClearance const&) = delete;
@@ -44,8 +48,60 @@ class FullTurnClearance
         return best;
     }
 
+    /// The minimum at each of neighbouring @p points, into @p minima; on a tooth of arcs and lines several points at once.
+    /// @param hint  result at a point next to the first
+    void operator()(std::span<Vec2 const> points, TurnMinimum const* hint, std::span<TurnMinimum> minima) const
+    {
+        TurnMinimum around;
+        if (hint == nullptr && !points.empty())
+        {
+            // a first bound: marching without one looks at every station on the way to it
+            constexpr std::size_t apart = 8;
+            for (std::size_t station = 0; station < march_.positions(); station += apart)
+                march_.look_at(points[0], station, 0, around);
+            hint = &around;
+        }
+        std::size_t i = 0;
+        for (; lanes_ && i < points.size(); i += lanes)
+        {
+            std::size_t const count = std::min(lanes, points.size() - i);
+            std::array<TurnMinimum, lanes> const best = together(points.subspan(i, count), *hint);
+            std::copy_n(best.begin(), count, minima.begin() + static_cast<std::ptrdiff_t>(i));
+            hint = &minima[i + count - 1];
+        }
+        for (; i < points.size(); ++i)
+        {
+            minima[i] = (*this)(points[i], hint);
+            hint = &minima[i];
+        }
+    }
+
   private:
+    /// At most as many points as there are lanes; the last one fills the rest.
+    [[nodiscard]] std::array<TurnMinimum, lanes> together(std::span<Vec2 const> points, TurnMinimum const& hint) const
+    {
+        std::array<Vec2, lanes> at;
+        std::array<TurnMinimum, lanes> best;
+        auto const place = [&](int copy) {
+            for (std::size_t l = 0; l < lanes; ++l)
+            {
+                Vec2 const& p = points[std::min(l, points.size() - 1)];
+                at[l] = copy == 0 ? p : turned_clockwise(p, -copy * pitch_);
+            }
+        };
+        place(hint.copy);
+        for (std::size_t l = 0; l < lanes; ++l)
+            march_.look_at(at[l], hint.station, hint.copy, best[l]);
+        for (int copy = -reach_; copy <= reach_; ++copy)
+        {
+            place(copy);
+            march_(*lanes_, at, copy, best);
+        }
+        return best;
+    }
+
     ToothDistance tooth_;
+    std::optional<ToothLanes> lanes_;
     LobeMarch<Motion> march_;
     double pitch_;
     int reach_;  ///< neighbours on either side: half the lobe's pitches, and one for the tooth's own width
@@ -91,6 +147,16 @@ class ReverseFullTurnClearance
         for (std::size_t i = 0; i < marches_.size(); ++i)
             marches_[i](p, first_ + static_cast<int>(i), best);
         return best;
+    }
+
+    /// The minimum at each of neighbouring @p points, into @p minima.
+    void operator()(std::span<Vec2 const> points, TurnMinimum const* hint, std::span<TurnMinimum> minima) const
+    {
+        for (std::size_t i = 0; i < points.size(); ++i)
+        {
+            minima[i] = (*this)(points[i], hint);
+            hint = &minima[i];
+        }
     }
 
   private:

@@ -4,14 +4,16 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>
 
+#include "hdconj/contact/lowest_point.hpp"
 #include "hdconj/contact/tooth_distance.hpp"
+#include "hdconj/contact/tooth_lanes.hpp"
 #include "hdconj/motion/relative_motion.hpp"
-#include "hdconj/numeric/bracketed_root.hpp"
 
 namespace hdconj {
 
@@ -70,13 +72,56 @@ class LobeMarch
             bool const adjoining = i > 0 && last == i - 1;
             bool const dips = before.slope < 0 && now.slope > 0;
             if (adjoining && dips && lowest_between(before, now) < best.distance)
-                refine(p, i, copy, before.slope, now.slope, best);
+                refine(p, i, copy, before, now, best);
             last = i;
             before = now;
-            double const safe = (now.distance - best.distance) / (now.speed * step_);
-            // landing one station short keeps the two sides of a dip adjoining
-            std::size_t const skip = safe > 2 ? static_cast<std::size_t>(std::min(safe - 1, static_cast<double>(poses_.size()))) : 1;
-            i += skip;
+            i += skipped((now.distance - best.distance) / (now.speed * step_));
+        }
+    }
+
+    /// Looks for less than each of @p best over the whole lobe for neighbouring points at once: what is looked at is what any of them needs, and what it says is looked
+    /// at again one by one where it matters.
+    void operator()(ToothLanes const& tooth, std::array<Vec2, lanes> const& p, int copy, std::array<TurnMinimum, lanes>& best) const
+    {
+        Lanes x, y, distance, slope;
+        double spread = 0;
+        for (std::size_t l = 0; l < lanes; ++l)
+        {
+            x[l] = p[l].x();
+            y[l] = p[l].y();
+            spread = std::max(spread, (p[l] - p[0]).norm());
+        }
+        std::array<Station, lanes> before{};
+        std::size_t last = poses_.size();   // none yet
+        for (std::size_t i = 0; i < poses_.size();)
+        {
+            Vec2 const at = poses_[i].inverse(p[0]);
+            double const speed = fastest_shift_ + fastest_turn_ * (at.norm() + spread);
+            double const bound = tooth_->lower_bound(at) - spread;
+            double highest = best[0].distance;
+            for (TurnMinimum const& minimum : best)
+                highest = std::max(highest, minimum.distance);
+            if (bound > highest + speed * step_)
+            {
+                last = poses_.size();
+                i += skipped((bound - highest) / (speed * step_));
+                continue;
+            }
+            tooth(poses_[i], twists_[i], x, y, distance, slope);
+            double nearest = std::numeric_limits<double>::infinity();
+            for (std::size_t l = 0; l < lanes; ++l)
+            {
+                Station const now{distance[l], slope[l], speed};
+                if (now.distance < best[l].distance)
+                    (void)look(p[l], i, copy, best[l]);
+                bool const dips = i > 0 && last == i - 1 && before[l].slope < 0 && now.slope > 0;
+                if (dips && lowest_between(before[l], now) < best[l].distance)
+                    refine(p[l], i, copy, before[l], now, best[l]);
+                nearest = std::min(nearest, now.distance - best[l].distance);
+                before[l] = now;
+            }
+            last = i;
+            i += skipped(nearest / (speed * step_));
         }
     }
 
@@ -96,6 +141,12 @@ class LobeMarch
         return std::min(before.distance, now.distance) - steepest * step_;
     }
 
+    /// Stations to go on where @p safe steps hold nothing: landing one station short keeps the two sides of a dip adjoining.
+    [[nodiscard]] std::size_t skipped(double safe) const
+    {
+        return safe > 2 ? static_cast<std::size_t>(std::min(safe - 1, static_cast<double>(poses_.size()))) : 1;
+    }
+
     [[nodiscard]] double parameter(std::size_t i) const { return -motion_->half_lobe() + step_ * static_cast<double>(i); }
 
     /// Distance at station @p i; where it is far, a lower bound with no slope.
@@ -112,29 +163,17 @@ class LobeMarch
         return {foot.distance, -foot.normal.dot(twists_[i](x)), speed};
     }
 
-    void refine(Vec2 const& p, std::size_t i, int copy, double slope_before, double slope_after, TurnMinimum& best) const
+    void refine(Vec2 const& p, std::size_t i, int copy, Station const& before, Station const& now, TurnMinimum& best) const
     {
-        // of the ends of the bracket: it only ever shrinks
-        double falling = slope_before, rising = slope_after;
-        auto const slope = [&](double u) {
+        auto const look = [&](double u) {
             MotionState const state = state_of(*motion_, u);
             Vec2 const x = state.pose.inverse(p);
             NearestPoint const foot = (*tooth_)(x);
             if (foot.distance < best.distance)
                 best = {foot.distance, u, copy, i};
-            double const value = -foot.normal.dot(state.rates.twist(x));
-            (value < 0 ? falling : rising) = value;
-            return value;
+            return DipSide{u, foot.distance, -foot.normal.dot(state.rates.twist(x))};
         };
-        // next to its minimum the distance changes by the square of the step: half its digits in u are all of the distance's
-        double const bend = (slope_after - slope_before) / step_;
-        double const width = 0.25 * std::sqrt(unit_roundoff * p.norm() / bend);
-        constexpr std::uintmax_t budget = 200;
-        double const first = parameter(i - 1);
-        detail::ShrunkBracket const left = detail::shrunk_bracket(slope, first, parameter(i), slope_before, slope_after, width, budget);
-        // not so where the foot changes to another piece: there the slope jumps, and the distance has a point that is as deep as the bracket is wide
-        if (std::min(-falling, rising) * (left.high - left.low) > unit_roundoff * p.norm())
-            (void)detail::shrunk_bracket(slope, first + left.low, first + left.high, falling, rising, 0, budget);
+        detail::follow_dip(look, {parameter(i - 1), before.distance, before.slope}, {parameter(i), now.distance, now.slope}, unit_roundoff * p.norm());
     }
 
     ToothDistance const* tooth_;
