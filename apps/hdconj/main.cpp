@@ -11,6 +11,7 @@
 #include "cli.hpp"
 #include "hdconj/io/version.hpp"
 #include "hdconj/scene/suggest.hpp"
+#include "heap.hpp"
 
 namespace hdconj::cli {
 namespace {
@@ -49,6 +50,7 @@ int fail(std::string const& cause)
 /// Runs the chosen verb; the one place where exceptions become exit statuses.
 int run_action(CommonOptions const& common)
 {
+    prepare_heap();
     try {
         return common.action();
     } catch (InputError const& error) {

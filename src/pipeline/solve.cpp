@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/pipeline/solve.hpp"
 
+#include <cmath>
+#include <vector>
+
 #include "drive.hpp"
 #include "elastic_cup.hpp"
 #include "hdconj/numeric/parallel.hpp"
@@ -10,6 +13,30 @@
 #include "solve_motion.hpp"
 
 namespace hdconj {
+
+namespace {
+
+/// polygon_of() piece by piece, the same bits.
+std::vector<Vec2> polygon_of(Profile const& profile, double chord, int threads)
+{
+    std::vector<std::vector<Vec2>> parts(profile.pieces.size());
+    // the longest pieces have about this many chords
+    double const chords = std::sqrt((profile.addendum + profile.dedendum) / chord);
+    constexpr double chords_worth_a_thread = 32768;
+    parallel_for(parts.size(), threads, static_cast<std::size_t>(std::ceil(chords_worth_a_thread / chords)), [&](std::size_t i) {
+        if (profile.pieces[i].corner)
+            return;
+        Profile part;
+        part.pieces = {profile.pieces[i]};
+        parts[i] = hdconj::polygon_of(part, chord);
+    });
+    std::vector<Vec2> points;
+    for (std::vector<Vec2> const& part : parts)
+        points.insert(points.end(), part.begin() + (points.empty() || part.empty() ? 0 : 1), part.end());
+    return points;
+}
+
+}  // namespace
 
 Solution solve(Scene const& scene, StageObserver const& on_stage)
 {
@@ -33,7 +60,7 @@ Solution solve(Scene const& scene, StageObserver const& on_stage)
         shape = detail::wave_shape(scene, tooth, faults);
         out.segment_names = tooth.segment_names;
         if (!scene.is_reverse())
-            out.flexspline_outline = polygon_of(tooth, scene.solver.tolerance);
+            out.flexspline_outline = polygon_of(tooth, scene.solver.tolerance, out.threads);
         for (Vec2& p : out.flexspline_outline)
             p.y() -= tooth.pitch_line;
         out.geometry = detail::pair_geometry(scene, tooth, shape.amplitude());

@@ -116,7 +116,12 @@ Profile moved_up(Profile profile, double rise)
 
 std::vector<Vec2> polygon_of(Profile const& profile, double chord)
 {
-    std::vector<Vec2> points{start_of(profile.pieces.front().shape).point};
+    std::size_t count = 1;
+    for (ProfilePiece const& piece : profile.pieces)
+        count += piece.corner ? 0 : static_cast<std::size_t>(steps_of(piece.shape, chord));
+    std::vector<Vec2> points;
+    points.reserve(count);
+    points.push_back(start_of(profile.pieces.front().shape).point);
     for (ProfilePiece const& piece : profile.pieces)
     {
         if (piece.corner)

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// How the process takes its memory from the system.
+#pragma once
+
+namespace hdconj::cli {
+
+/// Asks for large pages for the heap, and that what is given back to it stays: at a fine tolerance a fifth of the time would go into handing out pages of 4 kB. Where the
+/// system or the C library knows no such thing nothing happens. To be called before the first thread starts.
+void prepare_heap();
+
+}  // namespace hdconj::cli
