@@ -22,6 +22,7 @@ RUNS = {
     "solve 1e-3": ["solve", "--quiet", "--threads", "1", "--set", "solver.tolerance=1e-3", "-o", "a.h5"],
     "solve 1e-6": ["solve", "--quiet", "--threads", "1", "-o", "a.h5"],
     "solve 1e-8": ["solve", "--quiet", "--threads", "1", "--set", "solver.tolerance=1e-8", "-o", "a.h5"],
+    "solve 1e-10": ["solve", "--quiet", "--threads", "1", "--set", "solver.tolerance=1e-10", "-o", "a.h5"],
 }
 
 
