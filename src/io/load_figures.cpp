@@ -74,6 +74,8 @@ std::span<LoadFigure<LoadCase> const> load_case_figures()
     static constexpr std::array figures = {
         Row{"tilt", "rad", "tilt_deg", degree_per_radian, [](Case c) { return c.tilt; }},
         Row{"backlash_offset", "mm", "backlash_offset_um", um_per_mm, [](Case c) { return c.backlash_offset; }},
+        Row{"tip_radius", "mm", "tip_radius_mm", as_stored, [](Case c) { return c.tip; }},
+        Row{"tip_change", "mm", "tip_change_um", um_per_mm, [](Case c) { return c.tip_change; }},
         Row{"backlash", "rad", "backlash_arcmin", arcmin_per_radian, [](Case c) { return c.backlash; }},
         Row{"first_stage", "N mm/rad", "first_stage_Nm_per_rad", nm_per_nmm, [](Case c) { return c.stages.first; }},
         Row{json_only, "", "first_stage_Nm_per_deg", nm_per_deg, [](Case c) { return c.stages.first; }},

@@ -71,7 +71,7 @@ void write_row(Page& page, LoadCase const& each)
     std::string const first = stages.first == 0 ? "-" : short_number(stages.first * nm_per_deg);
     std::string const second = stages.found ? short_number(stages.second * nm_per_deg) : stages.first == 0 ? "-" : "=";
     std::string const knee = stages.found ? short_number(stages.knee * nm_per_nmm) : "-";
-    std::string row = fmt::format("{}{:>8}{}{:>9}{:>9}{:>9}{:>8}", begin_row(each), fixed(each.backlash_offset * um_per_mm, 2), each.raised ? '*' : ' ', fixed(each.backlash * arcmin_per_radian, 2), first, second, knee);
+    std::string row = fmt::format("{}{:>8}{}{:>9}{:>9}{:>9}{:>8}", begin_row(each), fixed(each.backlash_offset * um_per_mm, 2), each.raised || each.tip_change > 0 ? '*' : ' ', fixed(each.backlash * arcmin_per_radian, 2), first, second, knee);
     if (auto const* state = rated_state(each)) {
         row += fmt::format("{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", fixed(state->twist * arcmin_per_radian, 2), state->teeth, fmt::format("{:.3g}", state->contact_share * percent),
                            fmt::format("{:.3g}", state->near_share * percent), short_number(state->largest_pressure), short_number(state->largest_force),
@@ -116,8 +116,15 @@ void write_table(Page& page, LoadStudy const& study)
     if (study.sharp_steps) {
         page.line("  stress: the wall steps from barrel to ring in sharp corners, where it grows with the mesh; rear_fillet and front_fillet round them");
     }
-    if (std::any_of(study.cases.begin(), study.cases.end(), [](auto const& each) { return each.raised; })) {
-        page.line("  *: more side clearance than the scene gives, because with that the assembled teeth press on both flanks");
+    bool const any_moved = std::any_of(study.cases.begin(), study.cases.end(), [](auto const& each) { return each.raised || each.tip_change > 0; });
+    if (any_moved) {
+        page.line("  *: with what the scene gives the assembled teeth press on both flanks; this surface has what clears over a full turn:");
+        for (auto const& each : study.cases) {
+            if (each.raised || each.tip_change > 0) {
+                page.line("    {}{:>9} um side clearance, tip circle {:.6f} mm, {:.2f} um wider than its own", begin_row(each), fixed(each.backlash_offset * um_per_mm, 2), each.tip,
+                          each.tip_change * um_per_mm);
+            }
+        }
     }
     bool const one_line = std::any_of(study.cases.begin(), study.cases.end(), [](auto const& each) { return !each.stages.found && each.stages.first != 0; });
     if (one_line) {

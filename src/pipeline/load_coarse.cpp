@@ -86,14 +86,22 @@ LoadedState error_between(LoadedState const& a, LoadedState const& b, double saf
         d.*figure = safety * std::abs(a.*figure - b.*figure);
     // what depends on which contacts are closed may agree by chance on two grids: none of it is known much better than the rest
     constexpr double LoadedState::* contacts[] = {&LoadedState::stiffness, &LoadedState::contact_share, &LoadedState::near_share, &LoadedState::largest_force, &LoadedState::largest_pressure};
+    auto const relative_to_size = [&](double LoadedState::* figure) { return a.*figure != 0 ? d.*figure / std::abs(a.*figure) : 0; };
     std::vector<double> relative;
     for (auto const figure : contacts)
-        relative.push_back(a.*figure != 0 ? d.*figure / std::abs(a.*figure) : 0);
+        relative.push_back(relative_to_size(figure));
     std::sort(relative.begin(), relative.end());
     double const middle = relative[relative.size() / 2];
     for (auto const figure : contacts)
         d.*figure = std::max(d.*figure, middle * std::abs(a.*figure));
     d.contact_area = std::max(d.contact_area, middle * a.contact_area);
+    // so do the forces of the bearing, of which two may agree where the third does not
+    constexpr double LoadedState::* bearing[] = {&LoadedState::wave_generator_force, &LoadedState::lobe_force, &LoadedState::ball_force};
+    double worst = 0;
+    for (auto const figure : bearing)
+        worst = std::max(worst, relative_to_size(figure));
+    for (auto const figure : bearing)
+        d.*figure = std::max(d.*figure, worst * std::abs(a.*figure));
     d.teeth = std::abs(a.teeth - b.teeth);
     d.balls = std::abs(a.balls - b.balls);
     return d;

@@ -36,7 +36,8 @@ struct CoarseDrive
 }
 
 /// @p safety times the distance of each figure that is a number, the distance of those that count, and zero elsewhere. Stiffness, shares, largest force and pressure hang together by the
-/// contacts that are closed: relative to their size, none gets less than the median of them.
+/// contacts that are closed: relative to their size, none gets less than the median of them. Of the forces of the bearing none
+/// gets less than the worst of them.
 [[nodiscard]] LoadedState error_between(LoadedState const& a, LoadedState const& b, double safety);
 
 /// By how much the equivalent stress at the corners of the element at the peak differs from the peak, which is that of a Gauss point inside [MPa].
