@@ -109,7 +109,10 @@ def test_names(root):
     faults = []
     for path, name in files(root):
         if path.suffix == ".cpp" and name.startswith("tests/"):
-            for title in re.findall(r'TEST_CASE\(\s*"([^"]*)"', path.read_text()):
+            text = path.read_text()
+            titles = re.findall(r'TEST_CASE\(\s*"([^"]*)"', text)
+            titles += [" | ".join(row) for row in re.findall(r'HARD_ROW\(\s*"([^"]*)",\s*"([^"]*)",\s*"([^"]*)"', text)]
+            for title in titles:
                 if title.startswith("-") or ";" in title:
                     faults.append(f'{name}: ctest cannot run a test case named "{title}"')
     return faults
@@ -135,6 +138,7 @@ def control():
         (tolerances, {"src/a/x.cpp": spdx + "int i;\nconstexpr double h = 1e-9;\n"}),
         (tolerances, {"src/a/x.cpp": spdx + "// why\nif (a < 1e-9)\n"}),
         (test_names, {"tests/CMakeLists.txt": good["src/CMakeLists.txt"], "tests/a/x.cpp": spdx + 'TEST_CASE("--set")\n'}),
+        (test_names, {"tests/CMakeLists.txt": good["src/CMakeLists.txt"], "tests/a/x.cpp": spdx + 'HARD_ROW("a", "b", "right; exact")\n'}),
         (tolerances, {"tests/house/small_numbers.txt": "src/a/x.cpp 1e-9 not there\n"}),
     ]
     failures = []
