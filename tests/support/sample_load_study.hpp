@@ -165,6 +165,9 @@ inline LoadStudy load_study(int slice_count = 9)
     study.cases = {load_case("tilted", "", 0, {7.8 * minute, 55.6 * nm_per_degree, 131.5 * nm_per_degree, 13 * nm}, z),
                    load_case("tilted", "radial", 0.2 * degree, {}, z), load_case("tilted", "draft", 0.2 * degree, {5.1 * minute, 120 * nm_per_degree, 240 * nm_per_degree, 11 * nm}, z)};
     study.cases[0].raised = true;
+    study.cases[0].tip = 25.107695;
+    study.cases[2].tip = 25.03;
+    study.cases[2].tip_change = 0.0827;
     study.shown = 1;
     study.shape = cup_shape();
     auto& cup = study.cup;
