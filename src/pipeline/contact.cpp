@@ -231,7 +231,7 @@ ContactStudy contact(Scene const& scene, ContactOptions const& options, StageObs
     {
         auto const area = [&](double tilt) {
             say("best tilt", 0.5);
-            return detail::contact_case(bench, {"tilted", kind, tilt}, 0, nullptr).state.share;
+            return detail::share_of(bench, {"tilted", kind, tilt});
         };
         auto const offset = [&](double tilt) {
             say("best tilt", 0.5);

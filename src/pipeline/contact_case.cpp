@@ -224,6 +224,7 @@ struct PhaseWork
     double off;    ///< how far the side clearance may be from the least that clears [mm]
     double clear;  ///< no gap of a full turn is smaller with these flanks [mm]
     double lever;  ///< no gap changes faster with the turn [mm/rad]
+    bool errors = true;   ///< estimated too
 
     /// No gap at @p turn is smaller [mm].
     [[nodiscard]] double floor(double turn) const { return clear - lever * std::abs(turn); }
@@ -333,6 +334,8 @@ ContactState contact_state(PhaseWork const& work, FlankGrid const& grid, GapMap*
         state.flank_area = found.area.whole;
         state.share = found.area.share();
         state.teeth = found.area.spaces;
+        if (!work.errors)
+            return;
 
         // what the planes leave open of all that was found in them
         double const off = clearing_accuracy(bench.tolerance) + work.off;
@@ -543,6 +546,19 @@ ContactCase clearing_case(ContactBench const& bench, SurfaceChoice const& choice
     result.clearing_offset = cleared.offset;
     result.clearing_tip = cleared.tip;
     return result;
+}
+
+double share_of(ContactBench const& bench, SurfaceChoice const& choice)
+{
+    CircularSpline const& spline = bench.scene.circular_spline;
+    double const given = spline.automatic_backlash ? 0 : spline.backlash_offset;
+    Cleared const cleared = clear_flanks(bench, SliceTurns(bench), choice, given);
+    double const phase = phase_of(bench.scene, bench.request.wave_generator);
+    bool const clears = given >= cleared.offset - clearing_accuracy(bench.tolerance);
+    double const offset = raised_for_map(bench, cleared.grid, clears ? given : cleared.offset, {phase});
+    FlankGrid const used = moved_into_material(cleared.grid, offset);
+    FinerSurface finer(bench, choice, cleared.grid, used, cleared.tip, offset);
+    return contact_state({bench, finer, phase, 0, 0, 0, false}, used, nullptr).share;
 }
 
 ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice, int revolution, GapMap* map)

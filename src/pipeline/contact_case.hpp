@@ -35,6 +35,9 @@ struct ClearingNeed
 };
 [[nodiscard]] ClearingNeed clearing_need(Scene const& scene);
 
+/// The share of this surface alone, without errors, for searches: ContactCase::state's, the same bits.
+[[nodiscard]] double share_of(ContactBench const& bench, SurfaceChoice const& choice);
+
 /// The least side clearance of this surface alone, for searches.
 [[nodiscard]] double clearing_offset_of(ContactBench const& bench, SurfaceChoice const& choice);
 
