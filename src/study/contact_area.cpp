@@ -73,7 +73,8 @@ void study_contact(StudyBench const& bench)
         ContactState const finest = area(scene, setting(ladder.finest));
         double const truth = finest.contact_area;
         bench.report.notes.push_back("contact-area: no reference in 50 digits; " + std::string(ladder.method) + " are measured against "
-                                     + std::to_string(ladder.finest) + " of them, whose own estimated error is "
+                                     + std::to_string(ladder.finest) + " of them, whose own estimated error, that of " + std::to_string(ladder.other)
+                                     + (ladder.slices ? " flank points" : " slices") + " included, is "
                                      + std::to_string(finest.share_error * finest.flank_area) + " mm^2");
         for (int const value : ladder.values)
         {
