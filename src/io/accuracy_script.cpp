@@ -21,7 +21,7 @@ constexpr double panel_height = 430;
 constexpr double left_axis = 112;
 constexpr double below_axis = 66;
 constexpr double legend_row = 26;
-constexpr std::array colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00", "#56b4e9"};
+constexpr std::array colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00", "#56b4e9", "#8c6d46"};
 
 struct Curve
 {
