@@ -217,7 +217,7 @@ std::string load_stress_script(LoadStudy const& study, PictureFormat format)
     double const from = degrees_of(shape, 0), to = shape.phi.size() > 1 ? degrees_of(shape, shape.phi.size() - 1) : from + 1;
     constexpr double whole_turn = 300, in_a_turn = 60;  // tics that fit a turn [deg]
     script += fmt::format("set xrange [{:.6g}:{:.6g}]\nset yrange [0:{:.6g}]\nset xtics {:g}\nset ytics {:g}\nset xlabel 'degrees clockwise from the major axis' noenhanced\n"
-                          "set ylabel 'stress [MPa]' noenhanced\nset label 1001 'at r = {:.2f} mm, z = {:.2f} mm (the circle)' at graph 0,1.03 left noenhanced\n$around << END\n{}END\n"
+                          "unset ylabel\nset label 1001 'stress [MPa] at r = {:.2f} mm, z = {:.2f} mm (the circle)' at graph 0,1.03 left noenhanced\n$around << END\n{}END\n"
                           "plot $around using 1:2 with lines linecolor rgb '#0072b2' linewidth 2 notitle\nunset multiplot\n",
                           from, to, worst[place] > 0 ? air * worst[place] : 1, to - from > whole_turn ? in_a_turn : picture::tic_step(to - from), picture::tic_step(worst[place] > 0 ? worst[place] : 1), shape.r[place], shape.z[place], around);
     return script;
