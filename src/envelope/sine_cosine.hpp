@@ -7,12 +7,7 @@
 #include <cstdint>
 #include <numbers>
 
-// A choice at load time needs a resolver that runs before a sanitizer is awake.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) && !defined(HDCONJ_ONE_TARGET)
-#define HDCONJ_TARGETS __attribute__((target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")))
-#else
-#define HDCONJ_TARGETS
-#endif
+#include "numeric/loop_targets.hpp"
 
 namespace hdconj {
 
