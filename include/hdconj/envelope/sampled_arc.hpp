@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Points along an envelope arc, and what was asked of the chords between them.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+#include "hdconj/envelope/chord_bound.hpp"
+#include "hdconj/envelope/envelope.hpp"
+
+namespace hdconj {
+
+/// Points along an arc from u_from to u_to (in either direction), both included, and the chord error reached.
+struct SampledArc
+{
+    std::vector<EnvelopePoint> points;
+    double chord = 0;              ///< estimated largest distance of the polygon from the curve [mm]
+    double error = 0;              ///< estimated largest rounding error of a point [mm]
+    std::size_t evaluations = 0;
+};
+
+/// What is asked of the chords of a sampled arc.
+enum class ChordTest
+{
+    estimate,  ///< from the ends of each chord alone, some per cent low where few chords make an arc: for polygons that nothing is promised of
+    bound      ///< wherever curvature changes from chord to chord the arc is looked at between the ends: `chord` is not below the true error
+};
+
+namespace detail {
+
+/// Points of the chords of @p points that are short enough, and of the others cut in halves until they are, into @p result.
+/// @param at      s -> EnvelopePoint
+/// @param errors  of the chords between @p stations
+template<class At>
+void cut_coarse_chords(At const& at, std::vector<double> const& stations, std::vector<EnvelopePoint> const& points, std::vector<double> const& errors, double chord,
+                       ChordTest test, SampledArc& result)
+{
+    constexpr int deepest = 40;
+    constexpr std::size_t few = 16;
+    result.points.reserve(points.size() + points.size() / few);
+    result.points.push_back(points.front());
+    struct Open
+    {
+        double s0, s1;
+        EnvelopePoint a, b;
+        int depth;
+        double error;
+    };
+    auto const error_of = [&](double s0, EnvelopePoint const& a, double s1, EnvelopePoint const& b) {
+        constexpr double first_doubt = 1;
+        return test == ChordTest::estimate ? chord_error(a, b) : chord_bound(at, s0, a, s1, b, first_doubt, result.evaluations);
+    };
+    std::vector<Open> stack;
+    for (std::size_t i = 0; i + 1 < points.size(); ++i)
+    {
+        double const first = errors[i];
+        if (first <= chord)
+        {
+            result.chord = std::max(result.chord, first);
+            result.points.push_back(points[i + 1]);
+            continue;
+        }
+        stack.push_back({stations[i], stations[i + 1], points[i], points[i + 1], 0, first});
+        while (!stack.empty())
+        {
+            Open const now = stack.back();
+            stack.pop_back();
+            if (now.error > chord && now.depth < deepest && now.s1 > now.s0)
+            {
+                double const s = 0.5 * (now.s0 + now.s1);
+                EnvelopePoint const middle = at(s);
+                ++result.evaluations;
+                stack.push_back({s, now.s1, middle, now.b, now.depth + 1, error_of(s, middle, now.s1, now.b)});
+                stack.push_back({now.s0, s, now.a, middle, now.depth + 1, error_of(now.s0, now.a, s, middle)});
+                continue;
+            }
+            result.chord = std::max(result.chord, now.error);
+            result.points.push_back(now.b);
+        }
+    }
+}
+
+}  // namespace detail
+}  // namespace hdconj
