@@ -36,10 +36,12 @@ target_link_libraries(hdconj_test_main PRIVATE hdconj_test_setup)
 target_precompile_headers(hdconj_test_main PRIVATE support/catch.hpp)
 set_source_files_properties(support/catch_main.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
 
+# Tests run side by side: a thread that waits for its next loop must not keep the processor from another test (apps/hdconj/threads.cpp).
+set(hdconj_test_spin "GOMP_SPINCOUNT=3000")
+set(HDCONJ_TEST_ENVIRONMENT "${hdconj_test_spin}")
 # libomp tells the thread sanitizer what it synchronises, but its own locks look like races.
-set(HDCONJ_TEST_ENVIRONMENT "")
 if(HDCONJ_SANITIZE STREQUAL "thread")
-  set(HDCONJ_TEST_ENVIRONMENT "TSAN_OPTIONS=ignore_noninstrumented_modules=1")
+  list(APPEND HDCONJ_TEST_ENVIRONMENT "TSAN_OPTIONS=ignore_noninstrumented_modules=1")
 endif()
 
 # What `ctest -L parallel` needs, without the rest: for a build that runs nothing else.
@@ -73,5 +75,5 @@ function(hdconj_tests folder)
                                                               ENVIRONMENT "${HDCONJ_TEST_ENVIRONMENT}")
   endif()
   catch_discover_tests(${program} TEST_SPEC "${which}" TEST_PREFIX "${folder}." EXTRA_ARGS ${strict}
-                       PROPERTIES LABELS ${folder} TIMEOUT ${timeout})
+                       PROPERTIES LABELS ${folder} TIMEOUT ${timeout} ENVIRONMENT ${hdconj_test_spin})
 endfunction()
