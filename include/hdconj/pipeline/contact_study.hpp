@@ -41,6 +41,7 @@ struct ContactState
     double contact_area = 0;     ///< [mm^2] of the flanks on the driving side with gap <= contact_gap
     double share = 0;            ///< of the area of all flanks on that side, 0 ... 1
     double share_error = 0;      ///< estimated: what half as many points, fewer planes and the clearance's own error change, and patches that no plane meets, added up
+    double share_error_along = 0;  ///< the part of it that the number of points along the flanks leaves open
     double flank_area = 0;       ///< [mm^2] of all flanks on the driving side
     int teeth = 0;               ///< tooth spaces with any contact on the driving side
     int teeth_least = 0, teeth_most = 0;  ///< with those errors: spaces that are in contact in any case, and those that may be

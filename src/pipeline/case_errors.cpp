@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "case_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "contact_error.hpp"
+#include "finer_surface.hpp"
+#include "hdconj/numeric/least_between.hpp"
+#include "hdconj/numeric/parallel.hpp"
+
+namespace hdconj::detail {
+namespace {
+
+double distance_to(std::vector<Vec2> const& line, Vec2 const& p)
+{
+    double best = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < line.size(); ++i)
+    {
+        Vec2 const along = line[i + 1] - line[i];
+        double const length2 = along.squaredNorm();
+        double const t = length2 > 0 ? std::clamp((p - line[i]).dot(along) / length2, 0.0, 1.0) : 0.0;
+        best = std::min(best, (p - line[i] - t * along).squaredNorm());
+    }
+    return std::sqrt(best);
+}
+
+/// Largest distance of the ruled flanks from the conjugate outlines of the planes of @p maker, one by one.
+std::vector<double> deviations(ContactBench const& bench, SurfaceMaker& maker, FlankGrid const& grid, double tip)
+{
+    MatchedOutline const own = maker({"per-slice", "radial", 0}, tip, bench.tolerance.length, 0);
+    std::vector<double> worst(grid.slices(), 0);
+    parallel_for(grid.slices(), bench.threads, 1, [&](std::size_t k) {
+        for (auto const& flank : grid.point)
+            for (Vec2 const& p : flank[k])
+                worst[k] = std::max(worst[k], distance_to(own.points[k], p));
+    });
+    return worst;
+}
+
+}  // namespace
+
+void write_errors(ContactBench const& bench, SurfaceChoice const& choice, SliceTurns const& turns, Surfaces const& made, ContactCase& result)
+{
+    auto const closest_root = std::min_element(result.slices.begin(), result.slices.end(), [](SliceClearance const& a, SliceClearance const& b) { return a.root.clearance < b.root.clearance; });
+    bool const both = !is_symmetric(bench);
+    auto const write = [&](TurnWork const& as_made, SurfaceMaker& maker, FlankGrid const& cleared) {
+        ClearanceErrors const errors = clearance_errors(bench, as_made, made.given, result.closest_flank(), closest_root->root);
+        // planes between slices that are solved anew have their own chords, and were made to clear a tooth by points
+        double const chords = choice.surface == "per-slice" && bench.scene.coning && made.grid.slices() > 1 ? 2 * bench.tolerance.length : 0;
+        result.clearance_error = errors.flank + chords;
+        result.root_clearance_error = errors.root;
+        result.clearing_offset_error = clearing_error(bench, as_made.turns, flank_set(cleared, both), result.clearing_offset, false) + chords;
+        result.clearing_root_error = clearing_error(bench, as_made.turns, root_set(as_made.outline, bench.tolerance), result.clearing_root, true);
+        if (choice.surface != "ruled" || !bench.scene.coning || made.grid.slices() < 2)
+            return;
+        // told in the slices of the scene, of which these are all or every so many
+        std::vector<double> low = deviations(bench, maker, cleared, made.cleared.tip);
+        for (std::size_t k = 0; k < low.size(); k += (low.size() - 1) / (made.grid.slices() - 1))
+            result.ruled_deviation = std::max(result.ruled_deviation, low[k]);
+        for (double& each : low)
+            each = -each;
+        // the distance is pointed where it is largest; an outline is known to its chords
+        result.ruled_deviation_error = -least_between(low, pointed_function) - result.ruled_deviation + bench.tolerance.length;
+    };
+    std::size_t const slices = made.grid.slices();
+    bool const alike = slices == 1 || (!bench.scene.coning && choice.tilt == 0);
+    std::size_t const fewest = choice.surface == "ruled" ? fewest_planes : fewest_turn_planes;
+    if (alike || slices >= fewest)
+    {
+        write({turns, made.outline, made.grid, &made.flank, &made.root}, bench.maker, made.cleared.grid);
+    }
+    else
+    {
+        SurfaceMaker* maker = &bench.maker;
+        while (maker->z().size() < fewest)
+            maker = &maker->refined();
+        SliceTurns const finer_turns(bench, *maker);
+        auto const surface = [&](double tip) { return surface_of(bench, *maker, choice, tip); };
+        MatchedOutline const outline = surface(made.tip);
+        FlankGrid const grid = flank_grid(outline, maker->z(), bench.request.flank_points);
+        FlankGrid const cleared = made.cleared.tip == made.tip ? grid : flank_grid(surface(made.cleared.tip), maker->z(), bench.request.flank_points);
+        write({finer_turns, outline, grid}, *maker, cleared);
+    }
+    // where flanks that are moved meet decides the tip circle, it follows
+    double const pitch = 2 * std::numbers::pi / bench.scene.drive.circular_spline_teeth;
+    double const offset = std::max(result.clearing_offset, made.given) + result.clearing_offset_error;
+    result.clearing_tip_error = bench.tolerance.length;
+    for (std::size_t k = 0; k < slices; ++k)
+        if (double const meeting = meeting_radius(made.cleared.outline, k, offset, pitch); meeting > 0)
+            result.clearing_tip_error = std::max(result.clearing_tip_error,
+                                                 meeting + least_land * bench.scene.drive.module - bench.maker.z()[k] * std::tan(choice.tilt) - made.cleared.tip);
+}
+
+}  // namespace hdconj::detail

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Estimated errors of what a case tells of full turns.
+#pragma once
+
+#include "clear_flanks.hpp"
+#include "hdconj/pipeline/contact_study.hpp"
+
+namespace hdconj::detail {
+
+/// The surface as made and cleared, of which errors are asked.
+struct Surfaces
+{
+    Cleared const& cleared;
+    MatchedOutline const& outline;   ///< as made
+    FlankGrid const& grid;
+    double tip;     ///< as made
+    double given;   ///< side clearance of the scene
+    TurnMinima const& flank;   ///< of the flanks as made and that side clearance
+    TurnMinima const& root;    ///< around the bottom
+};
+
+/// Errors of all that is told of full turns, and how far a ruled surface deviates, into @p result, which holds the rest.
+void write_errors(ContactBench const& bench, SurfaceChoice const& choice, SliceTurns const& turns, Surfaces const& made, ContactCase& result);
+
+}  // namespace hdconj::detail

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Side clearance and tip circle with which the flanks of a surface clear.
+#pragma once
+
+#include <vector>
+
+#include "hdconj/contact/flank_grid.hpp"
+#include "slice_turns.hpp"
+
+namespace hdconj::detail {
+
+/// A surface whose flanks clear: what side clearance and tip circle it takes.
+struct Cleared
+{
+    MatchedOutline outline;   ///< with that tip circle, without the side clearance
+    FlankGrid grid;
+    double offset = 0;
+    double tip = 0;
+};
+
+/// Side clearance and tip circle of @p choice, whose land is left with a side clearance of @p at_least too [mm].
+///
+/// Side clearance moves the flanks of neighbouring spaces towards each other, so the tip circle may have to follow until a land is left; what then
+/// is no flank any more needs no clearing. A larger tip circle never asks for more clearance: the loop ends.
+/// @throws NumericalError where they do not settle
+[[nodiscard]] Cleared clear_flanks(ContactBench const& bench, SliceTurns const& turns, SurfaceChoice const& choice, double at_least);
+
+/// Offset that leaves no gap below zero where the map is looked at: beside the full turn, with the wall's axial shift. At least @p offset.
+[[nodiscard]] double raised_for_map(ContactBench const& bench, FlankGrid const& grid, double offset, std::vector<double> const& phases);
+
+}  // namespace hdconj::detail

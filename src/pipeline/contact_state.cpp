@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact_state.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "clearing_search.hpp"
+#include "hdconj/contact/contact_area.hpp"
+#include "hdconj/contact/gap_field.hpp"
+#include "hdconj/contact/resolved_area.hpp"
+#include "hdconj/contact/smallest_gap.hpp"
+#include "hdconj/contact/take_up.hpp"
+#include "open_spaces.hpp"
+#include "place_teeth.hpp"
+#include "solve_motion.hpp"
+
+namespace hdconj::detail {
+namespace {
+
+/// Spaces in which the gap of @p flank may be within @p limit between the points and slices of @p map: where it is twice that, and one space on.
+std::vector<std::size_t> spaces_near(GapMap const& map, int flank, double limit)
+{
+    constexpr double few = 2;
+    constexpr std::size_t on = 1;
+    std::size_t const spaces = map.angle.size();
+    std::vector<std::uint8_t> wanted(spaces, 0);
+    for (std::size_t s = 0; s < spaces; ++s)
+    {
+        auto const first = map.gap.begin() + static_cast<std::ptrdiff_t>(map.index(s, flank, 0, 0));
+        if (*std::min_element(first, first + static_cast<std::ptrdiff_t>(map.z.size() * map.station.size())) > few * limit)
+            continue;
+        for (std::size_t i = 0; i <= 2 * on; ++i)
+            wanted[(s + spaces + i - on) % spaces] = 1;
+    }
+    std::vector<std::size_t> found;
+    for (std::size_t s = 0; s < spaces; ++s)
+        if (wanted[s] != 0)
+            found.push_back(s);
+    return found;
+}
+
+/// The flexspline turned both ways until it touches.
+struct Turned
+{
+    GapMap rest;            ///< before
+    SmallestGap smallest;   ///< before
+    double take_up = 0, take_up_back = 0;
+};
+
+Turned turned(ContactBench const& bench, GapField const& field)
+{
+    Turned result;
+    bench.clock.run(Stage::gap_map, [&] { result.rest = field.map(0, bench.threads); });
+    double const pitch = 2 * std::numbers::pi / bench.scene.drive.circular_spline_teeth;
+    bench.clock.run(Stage::contact, [&] {
+        double const touches = clearing_accuracy(bench.tolerance);
+        TakeUp const right = take_up(field, result.rest, GapMap::right, pitch, bench.threads, touches);
+        TakeUp const left = take_up(field, result.rest, GapMap::left, pitch, bench.threads, touches);
+        result.smallest = left.at_rest.gap < right.at_rest.gap ? left.at_rest : right.at_rest;
+        result.take_up = right.turn;
+        result.take_up_back = left.turn;
+    });
+    return result;
+}
+
+}  // namespace
+
+Play play(PhaseWork const& work, FlankGrid const& grid)
+{
+    ContactBench const& bench = work.bench;
+    int const z_f = bench.scene.drive.flexspline_teeth, z_c = bench.scene.drive.circular_spline_teeth;
+    auto const places = bench.places(bench, work.phase);
+    GapField const field(bench.tooth, grid, *places, z_f, z_c, work.phase);
+    Turned const free = turned(bench, field);
+    Play result{free.take_up + free.take_up_back, 0};
+    bench.clock.run(Stage::contact, [&] {
+        double const limit = bench.request.gap, off = clearing_accuracy(bench.tolerance) + work.off;
+        for (int const flank : {static_cast<int>(GapMap::right), static_cast<int>(GapMap::left)})
+        {
+            double const turn = flank == GapMap::right ? free.take_up : -free.take_up_back;
+            std::vector<std::size_t> const near_by = spaces_near(field.map(turn, bench.threads), flank, limit + 0.5 * field.spacing());
+            int const parts = work.finer.parts(near_by.size());
+            FlankGrid const& fine = work.finer(parts);
+            auto const fine_places = parts == 1 ? places : bench.places(bench, work.phase, fine.z);
+            GapField const fine_field(bench.tooth, fine, *fine_places, z_f, z_c, work.phase);
+            result.error += OpenGaps(open_gaps(fine_field, near_by, flank, turn, limit, bench.threads), work.finer.solved_anew(), limit, work.floor(turn)).turn_error(off);
+        }
+    });
+    return result;
+}
+
+ContactState contact_state(PhaseWork const& work, FlankGrid const& grid, GapMap* map)
+{
+    ContactBench const& bench = work.bench;
+    double const phase = work.phase;
+    Scene const& scene = bench.scene;
+    int const z_f = scene.drive.flexspline_teeth, z_c = scene.drive.circular_spline_teeth;
+    auto const places = bench.places(bench, phase);
+    GapField const field(bench.tooth, grid, *places, z_f, z_c, phase);
+    Turned const free = turned(bench, field);
+    ContactState state;
+    state.wave_generator = phase == 0 ? 0.0 : -phase * tooth_ratio(scene);
+    state.take_up = free.take_up;
+    state.take_up_back = free.take_up_back;
+    state.smallest_gap = free.smallest.gap;
+    state.smallest_z = grid.z[free.smallest.where.slice];
+    state.smallest_space = static_cast<int>(free.smallest.where.space) - (z_c - 1) / 2;
+    bench.clock.run(Stage::contact, [&] {
+        GapMap touching = state.take_up == 0 ? free.rest : field.map(state.take_up, bench.threads);
+        double const limit = bench.request.gap;
+        double const few = limit + 0.5 * field.spacing();
+        std::vector<std::size_t> const near_by = spaces_near(touching, GapMap::right, few);
+        int const parts = work.finer.parts(near_by.size());
+        FlankGrid const& fine = work.finer(parts);
+        auto const fine_places = parts == 1 ? places : bench.places(bench, phase, fine.z);
+        GapField const fine_field(bench.tooth, fine, *fine_places, z_f, z_c, phase);
+        ResolvedArea const found = resolved_area(fine_field, near_by, state.take_up, GapMap::right, limit, bench.width, bench.threads);
+        state.contact_area = found.area.contact;
+        state.flank_area = found.area.whole;
+        state.share = found.area.share();
+        state.teeth = found.area.spaces;
+        if (!work.errors)
+            return;
+
+        // what the planes leave open of all that was found in them
+        double const off = clearing_accuracy(bench.tolerance) + work.off;
+        auto const look = [&](int flank, double turn, std::vector<std::size_t> const& spaces, double level) {
+            return OpenGaps(open_gaps(fine_field, spaces, flank, turn, limit, bench.threads), work.finer.solved_anew(), level + limit, work.floor(turn));
+        };
+        GapMap const other = state.take_up_back == 0 ? GapMap{} : field.map(-state.take_up_back, bench.threads);
+        OpenGaps const right = look(GapMap::right, state.take_up, near_by, 0);
+        OpenGaps const left = look(GapMap::left, -state.take_up_back, spaces_near(state.take_up_back == 0 ? free.rest : other, GapMap::left, few), 0);
+        state.take_up_error = right.turn_error(off);
+        state.take_up_back_error = left.turn_error(off);
+        double least = std::numeric_limits<double>::infinity();
+        for (int const flank : {static_cast<int>(GapMap::right), static_cast<int>(GapMap::left)})
+        {
+            bool const known = (flank == GapMap::right ? state.take_up : state.take_up_back) == 0;
+            double const level = std::max(0.0, state.smallest_gap);
+            least = std::min(least, known ? (flank == GapMap::right ? right : left).least() : look(flank, 0, spaces_near(free.rest, flank, few + level), level).least());
+        }
+        state.smallest_gap_error = std::max(0.0, state.smallest_gap - least) + off;
+
+        // a flexspline that is turned too far, or a clearance that is wrong, lifts or lowers all gaps by no more than this
+        double const lift = off + right.enters();
+        double const more = contact_area(touching, grid, GapMap::right, limit + lift, bench.width).share();
+        double const less = contact_area(touching, grid, GapMap::right, limit - lift, bench.width).share();
+        for (OpenGap const& each : right.spaces())
+        {
+            state.teeth_least += each.lowest <= limit - lift ? 1 : 0;
+            state.teeth_most += std::min(each.least, each.lowest) <= limit + lift ? 1 : 0;
+        }
+        // where gaps bend, a patch may also be between two points and two planes
+        double const cell = work.finer.solved_anew() && fine.slices() > 1 ? field.spacing() * (fine.z[1] - fine.z[0]) : 0;
+        state.share_error_along = found.along;
+        state.share_error = found.along + found.across + (more - less) + (state.flank_area > 0 ? (right.missed() + cell) / state.flank_area : 0);
+        if (map != nullptr)
+            *map = std::move(touching);
+    });
+    return state;
+}
+
+}  // namespace hdconj::detail
