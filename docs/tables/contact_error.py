@@ -72,6 +72,9 @@ class Ladder:
             self.true.append(true / fine[0])
 
     def row(self):
+        if not self.ratios or not self.true:
+            print(f"| {self.name} | {self.runs} | - | - | - | - |")
+            return
         within = sum(ratio >= 1 for ratio in self.ratios)
         print(f"| {self.name} | {self.runs} | {100 * statistics.median(self.true):.2g} ... {100 * max(self.true):.2g} | "
               f"{within} of {len(self.ratios)} | {min(self.ratios):.2g} | {statistics.median(self.ratios):.2g} |")
@@ -79,6 +82,8 @@ class Ladder:
 
     def figure_row(self):
         within = sum(ratio >= 1 for ratio in self.ratios)
+        if not self.stated:
+            return
         print(f"| {self.name} | {self.runs} | {statistics.median(self.stated):.1g} ... {max(self.stated):.1g} | {self.runs - len(self.ratios) + within} of {self.runs} | "
               f"{min(self.ratios, default=float('inf')):.2g} |")
         sys.stdout.flush()
@@ -101,7 +106,7 @@ def design(seed):
 def random_designs(program, designs):
     ladder = Ladder("3 and 5 slices, 50 points against 33 and 500, random coned designs")
     others = [Ladder(name, figure) for name, figure in FIGURES.items()]
-    outside = runs = 0
+    outside = runs = elsewhere = 0
     for seed in range(designs):
         surface, keys = design(seed)
         fine = state(program, CONED, surface, 33, 500, keys)
@@ -114,12 +119,26 @@ def random_designs(program, designs):
             for other in others:
                 other.add(what, coarse, fine)
             runs += 1
-            outside += not coarse["state"]["teeth_least"] <= fine["state"]["teeth"] <= coarse["state"]["teeth_most"]
+            if not coarse["state"]["teeth_least"] <= fine["state"]["teeth"] <= coarse["state"]["teeth_most"]:
+                outside += 1
+                teeth = [[case["state"][key] for key in ("teeth_least", "teeth", "teeth_most")] for case in (coarse, fine)]
+                print(f"<!-- OUTSIDE teeth, {what}: {teeth} -->")
+            for where, place, case in ((coarse["state"], "smallest_z", fine["state"]), (coarse, "closest_z", None)):
+                z = (case if case else fine["closest_flank"])["smallest_z_mm" if case else "z_mm"]
+                low, high = ((fine["state"] if case else fine)[place + end] for end in ("_from_mm", "_to_mm"))
+                # the ranges of both share a plane, and the finer place is within the coarser range or its own reaches into it
+                if max(low, where[place + "_from_mm"]) > min(high, where[place + "_to_mm"]):
+                    elsewhere += 1
+                    print(f"<!-- ELSEWHERE {place}, {what}: {where[place + '_from_mm']} ... {where[place + '_to_mm']}, {z} in {low} ... {high} -->")
+    if runs == 0:
+        return
     ladder.row()
     print("\n| figure | runs | stated error, median ... largest | stated >= true | least ratio |\n|---|---|---|---|---|")
     for other in others:
         other.figure_row()
     print(f"| teeth | {runs} | | {runs - outside} of {runs} within least and most | |")
+    print(f"| places along z | {2 * runs} | | {2 * runs - elsewhere} of {2 * runs} within their range | |")
+    Ladder.bad += outside + elsewhere
 
 
 def main():

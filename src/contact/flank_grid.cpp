@@ -3,8 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "hdconj/contact/gap_map.hpp"
+#include "hdconj/contact/parallel_trim.hpp"
 
 namespace hdconj {
 
@@ -14,15 +16,15 @@ double FlankGrid::place(int flank, std::size_t j) const
     return static_cast<double>(chosen.empty() ? j : chosen[j]);
 }
 
-Vec2 FlankGrid::between(int flank, std::size_t slice, double s, double offset) const
+Vec2 FlankGrid::between(int flank, std::size_t slice, double s) const
 {
     auto const f = static_cast<std::size_t>(flank);
     auto const& points = line[f].empty() ? point[f][slice] : line[f][slice];
     auto const& normals = line[f].empty() ? normal[f][slice] : line_normal[f][slice];
     auto const first = std::min(static_cast<std::size_t>(s), points.size() - 2);
     double const t = s - static_cast<double>(first);
-    Vec2 const a = points[first] + offset * normals[first];
-    Vec2 const b = points[first + 1] + offset * normals[first + 1];
+    Vec2 const& a = points[first];
+    Vec2 const& b = points[first + 1];
     Vec2 const chord = b - a;
     double const length = chord.norm();
     if (t == 0 || length == 0)
@@ -118,15 +120,49 @@ FlankGrid flank_grid(MatchedOutline const& outline, std::vector<double> const& z
 
 FlankGrid moved_into_material(FlankGrid grid, double offset)
 {
-    for (std::size_t flank = 0; flank < 2; ++flank)
+    auto const moved = [offset](std::vector<Vec2> points, std::vector<Vec2> const& normals) {
+        for (std::size_t i = 0; i < points.size(); ++i)
+            points[i] += offset * normals[i];
+        return points;
+    };
+    for (std::size_t f = 0; f < 2; ++f)
         for (std::size_t k = 0; k < grid.slices(); ++k)
         {
-            for (std::size_t i = 0; i < grid.points(); ++i)
-                grid.point[flank][k][i] += offset * grid.normal[flank][k][i];
-            for (std::size_t i = 0; !grid.line[flank].empty() && i < grid.line[flank][k].size(); ++i)
-                grid.line[flank][k][i] += offset * grid.line_normal[flank][k][i];
+            bool const whole = !grid.line[f].empty();
+            std::vector<Vec2>& line = whole ? grid.line[f][k] : grid.point[f][k];
+            std::vector<Vec2>& normal = whole ? grid.line_normal[f][k] : grid.normal[f][k];
+            if (whole)
+                grid.point[f][k] = moved(std::move(grid.point[f][k]), grid.normal[f][k]);
+            std::vector<Vec2> const bare = std::exchange(line, moved(line, normal));
+            bool const curve = offset != 0 && grid.radius[f].empty();
+            if (!curve || !trim_overlaps(bare, line, normal) || !whole)
+                continue;
+            for (std::size_t j = 0; j < grid.points(); ++j)
+            {
+                grid.point[f][k][j] = line[grid.index[f][j]];
+                grid.normal[f][k][j] = normal[grid.index[f][j]];
+            }
         }
     return grid;
+}
+
+FlankGrid slice_of(FlankGrid const& grid, std::size_t k)
+{
+    FlankGrid one;
+    one.z = {grid.z[k]};
+    one.station = grid.station;
+    one.index = grid.index;
+    auto const take = [k](auto const& all, auto& one_of_them) {
+        for (std::size_t f = 0; f < 2; ++f)
+            if (!all[f].empty())
+                one_of_them[f] = {all[f][k]};
+    };
+    take(grid.point, one.point);
+    take(grid.normal, one.normal);
+    take(grid.line, one.line);
+    take(grid.line_normal, one.line_normal);
+    take(grid.radius, one.radius);
+    return one;
 }
 
 }  // namespace hdconj

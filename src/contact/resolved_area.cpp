@@ -140,8 +140,8 @@ class SpaceArea
     std::deque<Steps> kept_;
 };
 
-/// Area of one flank of one space. Where side clearance moves a bend by more than its radius its points run backwards for as far as their neighbours overrun
-/// the crossing that a real flank ends at: such stretches count as less than nothing, so that the area does not depend on how finely the bend is drawn.
+/// Area of one flank of one space. An overlap that side clearance leaves beyond an end of the flank (trim_overlaps()) runs backwards for as far as its neighbours overrun
+/// their crossing: such stretches count as less than nothing, so that the area does not depend on how finely the bend is drawn.
 double flank_area(FlankGrid const& grid, int flank, double width)
 {
     auto const f = static_cast<std::size_t>(flank);

@@ -183,9 +183,16 @@ void conclude_contact(Page& page, Ladders const& ladders)
     if (slices == nullptr || points == nullptr) {
         return;
     }
+    std::string reference;
+    if (auto const* own = find(ladders, "contact-area", "reference: lengths in planes"); own != nullptr) {
+        auto const& rung = own->rungs.back();
+        reference = fmt::format(" Slices are measured against lengths of contact in {:.0f} exact planes, another path whose own error is {} mm^2, 1/{:.0f} of that of the most slices tested; "
+                                "a table of a reference has its own error in place of a distance from it.",
+                                rung.value, scientific(rung.error), std::floor(slices->rungs.back().error / rung.error));
+    }
     page.line("The contact area is right to {} mm^2 with {:.0f} slices and to {} mm^2 with {:.0f} flank points; slices are the knob that counts. "
-              "This is no distance from a reference in 50 digits, see the notes below.",
-              scientific(slices->rungs.back().error), slices->rungs.back().value, scientific(points->rungs.back().error), points->rungs.back().value);
+              "This is no distance from a reference in 50 digits, see the notes below.{}",
+              scientific(slices->rungs.back().error), slices->rungs.back().value, scientific(points->rungs.back().error), points->rungs.back().value, reference);
 }
 
 void conclude_load(Page& page, Ladders const& ladders)

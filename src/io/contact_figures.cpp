@@ -42,7 +42,11 @@ std::span<ContactFigure<ContactState> const> state_figures()
         ContactFigure<ContactState>{"smallest_gap_error", "mm", "smallest_gap_error_um", um_per_mm,
                                     [](State state) { return state.smallest_gap_error; }},
         ContactFigure<ContactState>{"smallest_z", "mm", "smallest_z_mm", as_stored,
-                                    [](State state) { return state.smallest_z; }}};
+                                    [](State state) { return state.smallest_z; }},
+        ContactFigure<ContactState>{"smallest_z_from", "mm", "smallest_z_from_mm", as_stored,
+                                    [](State state) { return state.smallest_z_from; }},
+        ContactFigure<ContactState>{"smallest_z_to", "mm", "smallest_z_to_mm", as_stored,
+                                    [](State state) { return state.smallest_z_to; }}};
     return figures;
 }
 
@@ -79,6 +83,10 @@ std::span<ContactFigure<ContactCase> const> case_figures()
                                    [](Case each) { return each.clearance_error; }},
         ContactFigure<ContactCase>{"root_clearance_error", "mm", "root_clearance_error_um", um_per_mm,
                                    [](Case each) { return each.root_clearance_error; }},
+        ContactFigure<ContactCase>{"flank_z_from", "mm", "closest_z_from_mm", as_stored,
+                                   [](Case each) { return each.closest_z_from; }},
+        ContactFigure<ContactCase>{"flank_z_to", "mm", "closest_z_to_mm", as_stored,
+                                   [](Case each) { return each.closest_z_to; }},
         ContactFigure<ContactCase>{"seconds", "s", "time_s", as_stored, [](Case each) { return each.seconds; }}};
     return figures;
 }

@@ -28,6 +28,7 @@ Json state_object(ContactState const& state, ContactStudy const& study)
     object["teeth_least"] = state.teeth_least;
     object["teeth_most"] = state.teeth_most;
     object["smallest_space"] = state.smallest_space;
+    object["smallest_spaces"] = state.smallest_spaces;
     return object;
 }
 
@@ -82,6 +83,8 @@ Json best_object(BestTilt const& best)
             {area ? "share_error" : "clearing_offset_error_um", number(area ? best.value_error : best.value_error * um_per_mm)},
             {"on_bound", best.on_bound},
             {"refused", best.refused},
+            {"possible_from_deg", number(best.possible_from * degree_per_radian)},
+            {"possible_to_deg", number(best.possible_to * degree_per_radian)},
             {"from_deg", number(best.from * degree_per_radian)},
             {"to_deg", number(best.to * degree_per_radian)}};
 }

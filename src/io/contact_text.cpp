@@ -126,6 +126,10 @@ void write_needs(Page& page, ContactStudy const& study, ContactCase const& each)
     if (each.surface == "ruled") {
         needs.push_back(fmt::format("up to {:.3g} {} um from the slices' own conjugate outlines", each.ruled_deviation * um_per_mm, error_text(each.ruled_deviation_error * um_per_mm)));
     }
+    // a place that one plane decides lies between its neighbours
+    if (each.slices.size() > 3 && each.closest_z_to - each.closest_z_from > 2.5 * (each.slices[1].z - each.slices[0].z)) {
+        needs.push_back(fmt::format("the flanks come as close, within that error, anywhere from z = {} to {} mm", fixed(each.closest_z_from, 3), fixed(each.closest_z_to, 3)));
+    }
     if (!needs.empty()) {
         page.line("  {}: {}", case_name(each), fmt::join(needs, ", "));
     }
@@ -212,7 +216,7 @@ void write_best(Page& page, std::vector<BestTilt> const& best)
                                 degrees(each.from), degrees(each.to),
                                 each.on_bound ? ", and on the bound: it may lie beyond" : ""));
         if (each.refused > 0) {
-            page.line("    {} of the tilts tried make no surface: {}", each.refused, each.refusal);
+            page.line("    {} of the tilts tried make no surface, those from {:g} to {:g} deg do: {}", each.refused, degrees(each.possible_from), degrees(each.possible_to), each.refusal);
         }
     }
 }

@@ -24,6 +24,7 @@ void write_states(Writer const& place, std::vector<ContactState> const& states)
     place.integers("teeth_least", column(states, [](auto const& state) { return state.teeth_least; }));
     place.integers("teeth_most", column(states, [](auto const& state) { return state.teeth_most; }));
     place.integers("smallest_space", column(states, [](auto const& state) { return state.smallest_space; }));
+    place.integers("smallest_spaces", column(states, [](auto const& state) { return state.smallest_spaces; }));
 }
 
 /// Three datasets of a name each: clearance, where, phi.

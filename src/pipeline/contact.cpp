@@ -40,12 +40,22 @@ BestTilt best_tilt(std::string const& what, std::string const& kind, ContactOpti
     constexpr double none = std::numeric_limits<double>::infinity();
     double const tolerance = tolerance_deg * rad_per_deg;
     double const span = options.best_to - options.best_from;
-    BestTilt result{what, kind, 0, tolerance, 0, 0, false, options.best_from, options.best_to, 0, {}};
+    BestTilt result;
+    result.what = what;
+    result.kind = kind;
+    result.tolerance = tolerance;
+    result.from = options.best_from;
+    result.to = options.best_to;
+    result.possible_from = none;
+    result.possible_to = -none;
     std::optional<NumericalError> last;
     auto const cost = [&](double tilt) {
         try
         {
-            return largest ? -value(tilt) : value(tilt);
+            double const found = largest ? -value(tilt) : value(tilt);
+            result.possible_from = std::min(result.possible_from, tilt);
+            result.possible_to = std::max(result.possible_to, tilt);
+            return found;
         }
         catch (NumericalError const& error)
         {
@@ -216,15 +226,32 @@ ContactStudy contact(Scene const& scene, ContactOptions const& options, StageObs
     ContactStudy study;
     study.contact_gap = bench.request.gap;
     study.pitch_radius = scene.drive.module * scene.drive.flexspline_teeth / 2;
+    std::vector<SurfaceChoice> made;
+    std::vector<std::string> left_out;
+    auto const add = [&](SurfaceChoice const& choice) {
+        GapMap map;
+        ContactCase found = detail::contact_case(bench, choice, options.revolution, &map);
+        if (study.cases.empty() || found.state.share > study.cases[study.shown].state.share)
+        {
+            study.shown = study.cases.size();
+            study.map = std::move(map);
+        }
+        study.cases.push_back(std::move(found));
+        made.push_back(choice);
+    };
     for (std::size_t i = 0; i < wanted.size(); ++i)
     {
         say("surface " + std::to_string(i + 1) + " of " + std::to_string(wanted.size()), 1);
-        GapMap map;
-        study.cases.push_back(detail::contact_case(bench, wanted[i], options.revolution, &map));
-        if (i == 0 || study.cases[i].state.share > study.cases[study.shown].state.share)
+        try
         {
-            study.shown = i;
-            study.map = std::move(map);
+            add(wanted[i]);
+        }
+        catch (NumericalError const& error)
+        {
+            // an end of the interval that is searched need not make a surface
+            if (!options.best)
+                throw;
+            left_out.push_back("no row for a tilt of " + short_number(wanted[i].tilt / rad_per_deg) + " deg, " + wanted[i].kind + ": " + error.what());
         }
     }
     for (std::string const& kind : kinds)
@@ -246,24 +273,28 @@ ContactStudy contact(Scene const& scene, ContactOptions const& options, StageObs
                 best.value_error = best.what == "area" ? found.state.share_error : found.clearing_offset_error;
             }
     }
-    SurfaceChoice const& shown = wanted[study.shown];
+    // none of the tilts that were listed: the row of the best
+    if (study.cases.empty())
+        add({"tilted", study.best.front().kind, study.best.front().tilt});
+    SurfaceChoice const& shown = made[study.shown];
     study.solution = owned.middle;
     study.solution.scene = scene;
     study.solution.plan = owned.plan;
     if (std::string const note = bench.maker.note_on_sections(); !note.empty())
         study.solution.notes.push_back(note);
-    ContactCase const& made = study.cases[study.shown];
+    study.solution.notes.insert(study.solution.notes.end(), left_out.begin(), left_out.end());
+    ContactCase const& best_share = study.cases[study.shown];
     try
     {
-        write_part(study.solution.circular_spline, owned, shown, made.clearing_tip, made.backlash_offset);
-        study.side_clearance = made.backlash_offset;
+        write_part(study.solution.circular_spline, owned, shown, best_share.clearing_tip, best_share.backlash_offset);
+        study.side_clearance = best_share.backlash_offset;
     }
     catch (NumericalError const& error)
     {
-        if (made.backlash_offset == 0)
+        if (best_share.backlash_offset == 0)
             throw;
-        write_part(study.solution.circular_spline, owned, shown, made.clearing_tip, 0);
-        study.solution.notes.push_back("the written outline is without the side clearance of " + short_number(made.backlash_offset) + " mm, with which it cannot be made: " + error.what());
+        write_part(study.solution.circular_spline, owned, shown, best_share.clearing_tip, 0);
+        study.solution.notes.push_back("the written outline is without the side clearance of " + short_number(best_share.backlash_offset) + " mm, with which it cannot be made: " + error.what());
     }
     std::vector<StageTime> const times = owned.clock.times();
     study.solution.timing.insert(study.solution.timing.end(), times.begin(), times.end());

@@ -14,6 +14,7 @@
 #include "clearing_search.hpp"
 #include "contact_state.hpp"
 #include "finer_surface.hpp"
+#include "place_range.hpp"
 #include "place_teeth.hpp"
 #include "slice_turns.hpp"
 
@@ -29,6 +30,22 @@ double largest_lever(FlankGrid const& grid)
             for (std::size_t i = 0; i < grid.points(); ++i)
                 largest = std::max(largest, std::abs(cross(grid.point[flank][k][i], grid.normal[flank][k][i])));
     return largest;
+}
+
+/// The planes that closest_flank() may lie in.
+void write_place(ContactCase& result)
+{
+    auto const& slices = result.slices;
+    double const least = result.closest_flank().clearance;
+    std::vector<double> z, excess;
+    for (SliceClearance const& slice : slices)
+    {
+        z.push_back(slice.z);
+        excess.push_back(slice.flank.clearance - least);
+    }
+    PlaceRange const range = place_range(z, excess, result.clearance_error);
+    result.closest_z_from = range.from;
+    result.closest_z_to = range.to;
 }
 
 }  // namespace
@@ -81,6 +98,7 @@ ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice,
     result.clearing_tip = cleared.tip;
     bench.clock.run(Stage::clearance, [&] { write_errors(bench, choice, turns, {cleared, outline, own_grid, own_tip, given, at_given, at_root}, result); });
 
+    write_place(result);
     std::vector<double> phases;
     double const pitch = 2 * std::numbers::pi / scene.drive.flexspline_teeth;
     double const own = phase_of(scene, bench.request.wave_generator);

@@ -14,7 +14,9 @@
 #include "hdconj/contact/resolved_area.hpp"
 #include "hdconj/contact/smallest_gap.hpp"
 #include "hdconj/contact/take_up.hpp"
+#include "hdconj/numeric/parallel.hpp"
 #include "open_spaces.hpp"
+#include "place_range.hpp"
 #include "place_teeth.hpp"
 #include "solve_motion.hpp"
 
@@ -65,6 +67,36 @@ Turned turned(ContactBench const& bench, GapField const& field)
         result.take_up_back = left.turn;
     });
     return result;
+}
+
+/// Where the smallest gap at rest may lie: planes and spaces whose own is as small within its error.
+void write_place(GapField const& field, GapMap const& rest, int threads, ContactState& state)
+{
+    std::size_t const slices = rest.z.size(), points = rest.station.size();
+    double const level = state.smallest_gap + state.smallest_gap_error;
+    std::vector<std::vector<double>> low(rest.angle.size(), std::vector<double>(slices, std::numeric_limits<double>::infinity()));
+    constexpr std::size_t grain = 4;
+    parallel_for(low.size(), threads, grain, [&](std::size_t space) {
+        for (int const flank : {static_cast<int>(GapMap::left), static_cast<int>(GapMap::right)})
+            for (std::size_t k = 0; k < slices; ++k)
+            {
+                double const* const gap = rest.gap.data() + rest.index(space, flank, k, 0);
+                double const on_points = *std::min_element(gap, gap + points);
+                bool const follow = on_points > level && on_points - 0.5 * field.spacing() <= level;
+                low[space][k] = std::min({low[space][k], on_points, follow ? smallest_on_line(field, {space, flank, k, 0}, gap, 0, level + smallest_gap_accuracy(field)).gap : on_points});
+            }
+    });
+    std::vector<double> excess(slices, std::numeric_limits<double>::infinity());
+    state.smallest_spaces = 0;
+    for (auto const& space : low)
+    {
+        for (std::size_t k = 0; k < slices; ++k)
+            excess[k] = std::min(excess[k], space[k] - state.smallest_gap);
+        state.smallest_spaces += *std::min_element(space.begin(), space.end()) <= level ? 1 : 0;
+    }
+    PlaceRange const range = place_range(rest.z, excess, state.smallest_gap_error);
+    state.smallest_z_from = range.from;
+    state.smallest_z_to = range.to;
 }
 
 }  // namespace
@@ -144,6 +176,8 @@ ContactState contact_state(PhaseWork const& work, FlankGrid const& grid, GapMap*
             least = std::min(least, known ? (flank == GapMap::right ? right : left).least() : look(flank, 0, spaces_near(free.rest, flank, few + level), level).least());
         }
         state.smallest_gap_error = std::max(0.0, state.smallest_gap - least) + off;
+
+        write_place(field, free.rest, bench.threads, state);
 
         // a flexspline that is turned too far, or a clearance that is wrong, lifts or lowers all gaps by no more than this
         double const lift = off + right.enters();

@@ -14,6 +14,22 @@
 
 namespace hdconj::detail {
 
+MovedSlice moved_slice(ClearanceSet const& set, std::size_t k, double distance)
+{
+    MovedSlice result;
+    if (set.flank == nullptr)
+    {
+        for (std::size_t i = 0; i < set.point[k].size(); ++i)
+            result.point.emplace_back(set.point[k][i] + distance * set.way[k][i]);
+        return result;
+    }
+    result.flank = moved_into_material(slice_of(*set.flank, k), distance);
+    result.point = result.flank.point[GapMap::right].front();
+    if (set.point[k].size() > result.point.size())
+        result.point.insert(result.point.end(), result.flank.point[GapMap::left].front().begin(), result.flank.point[GapMap::left].front().end());
+    return result;
+}
+
 SliceTurns::SliceTurns(ContactBench const& bench, SurfaceMaker& maker) : bench_(bench), maker_(maker), pitch_(2 * std::numbers::pi / bench.scene.drive.circular_spline_teeth)
 {
     std::size_t const slices = maker.z().size();
@@ -32,12 +48,13 @@ TurnMinima SliceTurns::operator()(ClearanceSet const& set, double distance, std:
     std::vector<std::vector<TurnMinimum>> minima(set.point.size());
     parallel_for(set.point.size(), bench_.threads, 1, [&](std::size_t k) {
         minima[k].resize(set.point[k].size());
+        std::vector<Vec2> const place = moved_slice(set, k, distance).point;
         TurnMinimum const* hint = nullptr;
         for (std::size_t i = 0; i < set.point[k].size(); ++i)
         {
             if (wanted != nullptr && (*wanted)[k][i] == 0)
                 continue;
-            minima[k][i] = (*turns_[of(k)])(set.point[k][i] + distance * set.way[k][i], hint);
+            minima[k][i] = (*turns_[of(k)])(place[i], hint);
             hint = &minima[k][i];
         }
     });
@@ -47,14 +64,15 @@ TurnMinima SliceTurns::operator()(ClearanceSet const& set, double distance, std:
 Deepest SliceTurns::deepest(ClearanceSet const& set, std::size_t k, double distance, std::vector<TurnMinimum> const& minima, double below) const
 {
     Deepest best;
-    auto const place = [&](std::size_t i) { return Vec2(set.point[k][i] + distance * set.way[k][i]); };
+    MovedSlice const moved = moved_slice(set, k, distance);
+    std::vector<Vec2> const& place = moved.point;
     for (std::size_t i = 0; i < minima.size(); ++i)
         if (minima[i].distance < best.turn.distance)
-            best = {minima[i], place(i)};
+            best = {minima[i], place[i]};
     if (set.flank == nullptr)
         return best;
     FullTurnClearance<ErasedMotion> const& turn = *turns_[of(k)];
-    FlankGrid const& grid = *set.flank;
+    FlankGrid const& grid = moved.flank;
     double const enough = 4 * unit_roundoff * bench_.tolerance.scale;
     for (std::size_t i = 0; i < minima.size(); ++i)
     {
@@ -70,10 +88,10 @@ Deepest SliceTurns::deepest(ClearanceSet const& set, std::size_t k, double dista
                 continue;
             std::size_t const q = step < 0 ? i - 1 : i + 1;
             // the distance falls no faster than the flank goes on
-            if (!(here - 0.5 * (place(i) - place(q)).norm() < std::min(below, best.turn.distance)))
+            if (!(here - 0.5 * (place[i] - place[q]).norm() < std::min(below, best.turn.distance)))
                 continue;
             auto const at = [&](double s) {
-                Vec2 const p = grid.between(side, k, s, distance);
+                Vec2 const p = grid.between(side, 0, s);
                 TurnMinimum const found = turn(p, &minima[i]);
                 if (found.distance < best.turn.distance)
                     best = {found, p};

@@ -25,6 +25,14 @@ struct ClearanceSet
     FlankGrid const* flank = nullptr;       ///< flanks that these are the points of, right and then left: what lies between them counts too; null: the points alone
 };
 
+/// Slice k of a set, moved.
+struct MovedSlice
+{
+    std::vector<Vec2> point;
+    FlankGrid flank;   ///< of this slice, where the set has flanks: see moved_into_material()
+};
+[[nodiscard]] MovedSlice moved_slice(ClearanceSet const& set, std::size_t k, double distance);
+
 /// One or both flanks as one list per slice: of a symmetric pair the right one stands for both. Keeps a pointer to @p grid.
 [[nodiscard]] ClearanceSet flank_set(FlankGrid const& grid, bool both);
 

@@ -150,7 +150,7 @@ void study_contact(StudyBench const& bench)
     if (bench.quick)
     {
         measure(bench, scene, {"slices", "slices.count", {2, 3}, true, 40, by_planes(scene, planes_of_quick, points_of_quick)});
-        measure(bench, scene, {"flank points", "contact.flank_points", {20, 40}, false, 3, by_points(scene, 3, 4000)});
+        measure(bench, scene, {"flank points", "contact.flank_points", {10, 20}, false, 3, by_points(scene, 3, 2000)});
         return;
     }
     measure(bench, scene, {"slices", "slices.count", {2, 3, 5, 9, 17}, true, 50, by_planes(scene, planes, points)});

@@ -32,8 +32,7 @@ struct FlankGrid
     ///
     /// The cubic that has their places and tangents (Hermite): it differs from the true flank by the square of the outline's chord error over a radius of curvature
     /// and less. Beside a corner, where only one piece's tangent is known, the other end's stands for it. Between centres of circles: the chord.
-    /// @param offset  side clearance: every point moved along its normal by as much [mm]
-    [[nodiscard]] Vec2 between(int flank, std::size_t slice, double s, double offset = 0) const;
+    [[nodiscard]] Vec2 between(int flank, std::size_t slice, double s) const;
 
     /// [flank][slice] where not empty: the points are centres of circles of this radius within the material, and gaps are those of the circles [mm]
     std::array<std::vector<double>, 2> radius;
@@ -46,7 +45,11 @@ struct FlankGrid
 /// origin in all slices. Fewer where the outline has fewer.
 [[nodiscard]] FlankGrid flank_grid(MatchedOutline const& outline, std::vector<double> const& z, int count);
 
-/// The grid moved along its normals into the material by the side clearance @p offset [mm].
+/// The grid moved along its normals into the material by the side clearance @p offset [mm], as a part that is made has it: where moved branches overlap at a corner or a tight bend
+/// they end at their crossing, in which the points of the overlap come together (trim_overlaps()). Centres of circles are moved alone.
 [[nodiscard]] FlankGrid moved_into_material(FlankGrid grid, double offset);
+
+/// Slice @p k alone.
+[[nodiscard]] FlankGrid slice_of(FlankGrid const& grid, std::size_t k);
 
 }  // namespace hdconj

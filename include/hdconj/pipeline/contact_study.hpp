@@ -49,6 +49,9 @@ struct ContactState
     double smallest_gap_error = 0;  ///< estimated, as for take_up_error [mm]
     int smallest_space = 0;      ///< tooth space where it is
     double smallest_z = 0;       ///< and slice [mm]
+    /// Where it may lie as well: from the first to the last plane with a gap as small within its error, and on to the planes beside them [mm].
+    double smallest_z_from = 0, smallest_z_to = 0;
+    int smallest_spaces = 0;     ///< tooth spaces with such a gap
     /// Play in which the flexspline can be turned; negative: it is wedged.
     [[nodiscard]] double backlash() const { return take_up + take_up_back; }
     [[nodiscard]] double backlash_error() const { return take_up_error + take_up_back_error; }
@@ -78,6 +81,8 @@ struct ContactCase
     double clearing_root_error = 0;         ///< [mm]
     double backlash_of_clearing_error = 0;  ///< [rad]
     double ruled_deviation_error = 0;       ///< [mm]
+    /// Where closest_flank() may lie as well: as ContactState::smallest_z_from [mm].
+    double closest_z_from = 0, closest_z_to = 0;
     double seconds = 0;
 
     /// Deepest interference of any slice's flanks; clearance where there is none.
@@ -96,6 +101,7 @@ struct BestTilt
     double value_error = 0;  ///< estimated error of the value at that tilt
     bool on_bound = false;   ///< the best lies at an end of the interval that was searched
     double from = 0, to = 0; ///< that interval [rad]
+    double possible_from = 0, possible_to = 0;  ///< least and largest tilt tried there at which a surface can be made [rad]
     int refused = 0;         ///< tilts tried there at which no surface can be made
     std::string refusal{};   ///< why not the last of them; empty where none was refused
 };

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// A flank moved along its normals, without what such a move makes of corners and tight bends.
+#pragma once
+
+#include <vector>
+
+#include "hdconj/geometry/vec2.hpp"
+
+namespace hdconj {
+
+/// Cuts the overlaps of a curve that was moved along its normals: the points of each come to lie where its two branches cross.
+///
+/// Where two branches of a flank meet at a corner of the material that turns by theta, each moved branch overruns the other by d tan(theta/2), and its points there are nearer to the
+/// tooth than the parallel is, by up to d (1 - cos theta); where a bend is tighter than the radius d its points run backwards. Of a part that is made neither is left: the parallel ends at
+/// the crossing. Between two neighbouring points whose tangents meet between them, a before the second and b after the first, moving leaves a - d tan(theta/2) and b - d tan(theta/2);
+/// where either is below zero there is an overlap. Its crossing is looked for on the moved points, each branch carried on along its last tangent as far as where the bare tangents meet.
+/// A corner that turns the other way opens, and is left to the chord. An overlap that ends beyond an end of the flank has no crossing and is left as it is.
+/// @param bare    the curve before [mm]
+/// @param moved   its points moved by one distance along @p normal; changed
+/// @param normal  unit; changed between points that come together: those of the branch that they belong to
+/// @returns whether anything was cut
+bool trim_overlaps(std::vector<Vec2> const& bare, std::vector<Vec2>& moved, std::vector<Vec2>& normal);
+
+}  // namespace hdconj
