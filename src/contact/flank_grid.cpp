@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hdconj/contact/gap_map.hpp"
+#include "hdconj/contact/hermite_between.hpp"
 #include "hdconj/contact/parallel_trim.hpp"
 
 namespace hdconj {
@@ -32,17 +33,7 @@ Vec2 FlankGrid::between(int flank, std::size_t slice, double s) const
     // the path of circles' centres turns where they leave the flank, and knows no tangents there
     if (!radius[f].empty())
         return a + t * chord;
-    // the tangents at both ends against the chord, as slopes; on a smooth curve they are about opposite
-    auto const slope_at = [&](Vec2 const& n) { return n.dot(chord) / cross(n, chord); };
-    double begin = slope_at(normals[first]);
-    double end = slope_at(normals[first + 1]);
-    constexpr double corner = 4;
-    if (!(std::abs(begin) <= corner * std::abs(end)))
-        begin = -end;
-    else if (!(std::abs(end) <= corner * std::abs(begin)))
-        end = -begin;
-    double const bulge = t * (1 - t) * ((1 - t) * begin - t * end);
-    return a + t * chord + (std::isfinite(bulge) ? bulge : 0) * left_of(chord);
+    return hermite_between(a, normals[first], b, normals[first + 1], t);
 }
 
 FlankGrid flank_grid(MatchedOutline const& outline, std::vector<double> const& z, int count)

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <optional>
 
+#include "hdconj/contact/hermite_between.hpp"
+
 namespace hdconj {
 namespace {
 
@@ -34,23 +36,28 @@ Vec2 tangent(Vec2 const& normal, bool normals_left)
     return normals_left ? right_of(normal) : left_of(normal);
 }
 
-/// Steps that moving has turned round, those that touch each other together.
+/// Steps that moving has turned round, and corners whose branches it has laid over each other; those that touch each other together.
 std::vector<Overlap> overlaps(std::vector<Vec2> const& bare, std::vector<Vec2> const& moved, std::vector<Vec2> const& normal, bool normals_left)
 {
-    constexpr double near_by = 1;   // chords by which the bare tangents may meet beside the step: normals of a ruled surface are off its sections'
+    constexpr double corner = 4;     // times as much as beside it a step turns there
+    constexpr double beside = 0.1;   // steps by which the bare tangents may meet beside it: a branch that bends the other way
+    auto const turn_of = [&](std::size_t i) { return i + 1 < normal.size() ? std::abs(cross(normal[i], normal[i + 1])) : 0.0; };
     std::vector<Overlap> found;
     for (std::size_t i = 0; i + 1 < bare.size(); ++i)
     {
         Vec2 const a = tangent(normal[i], normals_left), b = tangent(normal[i + 1], normals_left);
         double const turn = cross(a, b);
-        Vec2 const chord = bare[i + 1] - bare[i];
-        double const reach = near_by * chord.norm();
-        if (turn == 0 || reach == 0)
+        Vec2 const chord = bare[i + 1] - bare[i], now = moved[i + 1] - moved[i];
+        double const length = chord.norm();
+        if (turn == 0 || length == 0)
             continue;
-        TangentLengths const was = lengths(chord, a, b, turn), is = lengths(moved[i + 1] - moved[i], a, b, turn);
-        if (!(std::min(was.first, was.second) >= -reach && std::max(was.first, was.second) <= 2 * reach) || !(is.first < std::min(0.0, was.first) || is.second < std::min(0.0, was.second)))
+        TangentLengths const was = lengths(chord, a, b, turn), is = lengths(now, a, b, turn);
+        bool const between = std::min(was.first, was.second) >= -beside * length && std::max(was.first, was.second) <= (1 + beside) * length;
+        bool const sharp = between && std::abs(turn) > corner * std::max(i > 0 ? turn_of(i - 1) : 0.0, turn_of(i + 1));
+        bool const laid_over = sharp && (is.first < std::min(0.0, was.first) || is.second < std::min(0.0, was.second));
+        if (!laid_over && now.dot(a + b) >= 0)
             continue;
-        double const before = std::max(0.0, was.first), after = std::max(0.0, was.second);
+        double const before = std::clamp(was.first, 0.0, length), after = std::clamp(was.second, 0.0, length);
         if (!found.empty() && found.back().last + 1 == i)
         {
             found.back().last = i;
@@ -82,7 +89,38 @@ struct Crossing
     Vec2 where;
 };
 
-std::optional<Crossing> crossing_of(std::vector<Vec2> const& moved, std::vector<Vec2> const& normal, bool normals_left, Overlap const& overlap)
+/// Points of a branch from the overlap outward, with their normals.
+struct Branch
+{
+    std::vector<Vec2> point, normal;
+
+    [[nodiscard]] Vec2 between(std::size_t i, double t) const { return hermite_between(point[i], normal[i], point[i + 1], normal[i + 1], t); }
+};
+
+/// Where the steps @p i and @p j of the two branches cross as curves: their chords, moved by as much as the curves bulge from them there.
+Vec2 as_curves(Branch const& before, std::size_t i, Branch const& after, std::size_t j, Vec2 where)
+{
+    constexpr int rounds = 8;   // the bulge of a step hardly changes along it
+    Vec2 const a = before.point[i], u = before.point[i + 1] - a, c = after.point[j], v = after.point[j + 1] - c;
+    double s = (where - a).dot(u) / u.squaredNorm(), t = (where - c).dot(v) / v.squaredNorm();
+    for (int round = 0; round < rounds; ++round)
+    {
+        Vec2 const from = before.between(i, s) - s * u, to = after.between(j, t) - t * v;
+        double const denominator = cross(u, v);
+        s = cross(to - from, v) / denominator;
+        t = cross(to - from, u) / denominator;
+    }
+    Vec2 const found = before.between(i, s);
+    return found.allFinite() && (found - where).norm() <= u.norm() + v.norm() ? found : where;
+}
+
+/// The tangent's normal at the other end of a smooth step along @p chord that has the normal @p n at one.
+Vec2 mirrored(Vec2 const& n, Vec2 const& chord)
+{
+    return n - 2 * n.dot(chord) / chord.squaredNorm() * chord;
+}
+
+std::optional<Crossing> crossing_of(std::vector<Vec2> const& bare, std::vector<Vec2> const& moved, std::vector<Vec2> const& normal, bool normals_left, double distance, Overlap const& overlap)
 {
     std::size_t const end = overlap.first, begin = overlap.last + 1;
     // the branch before, from the overlap outward, and the branch after
@@ -90,23 +128,30 @@ std::optional<Crossing> crossing_of(std::vector<Vec2> const& moved, std::vector<
     for (std::size_t i = end; i < begin; ++i)
         size += (moved[i + 1] - moved[i]).norm();
     constexpr double far = 8;   // an overlap that turns by up to 150 degrees ends nearer than this by its own length
-    auto const branch = [&](std::size_t from, int step, Vec2 const& further) {
-        std::vector<Vec2> points{further};
+    auto const branch = [&](std::size_t from, int step, Vec2 const& further, Vec2 const& normal_there) {
+        Branch result{{further}, {normal_there}};
         for (auto i = static_cast<std::ptrdiff_t>(from); i >= 0 && i < static_cast<std::ptrdiff_t>(moved.size()); i += step)
         {
-            points.push_back(moved[static_cast<std::size_t>(i)]);
-            if (points.size() > 2 && (points.back() - moved[from]).norm() > far * size)
+            result.point.push_back(moved[static_cast<std::size_t>(i)]);
+            result.normal.push_back(normal[static_cast<std::size_t>(i)]);
+            if (result.point.size() > 2 && (result.point.back() - moved[from]).norm() > far * size)
                 break;
         }
-        return points;
+        return result;
     };
-    std::vector<Vec2> const before = branch(end, -1, moved[end] + overlap.before * tangent(normal[end], normals_left));
-    std::vector<Vec2> const after = branch(begin, 1, moved[begin] - overlap.after * tangent(normal[begin], normals_left));
-    for (std::size_t sum = 0; sum + 3 < before.size() + after.size(); ++sum)
+    // the corner of a step is one of its points, and that of both branches: the one whose normal it does not have goes on to it as smoothly as it comes; a bend is carried on straight
+    constexpr double corner = 4;
+    Vec2 const first = bare[end + 1] - bare[end], last = bare[begin] - bare[begin - 1];
+    bool const corner_after = overlap.before > corner * overlap.after, corner_before = overlap.after > corner * overlap.before;
+    bool const one = end + 1 == begin;
+    Vec2 const ends = one && corner_after ? mirrored(normal[end], first) : normal[end], begins = one && corner_before ? mirrored(normal[begin], last) : normal[begin];
+    Branch const before = branch(end, -1, one && corner_after ? Vec2(bare[end + 1] + distance * ends) : Vec2(moved[end] + overlap.before * tangent(normal[end], normals_left)), ends);
+    Branch const after = branch(begin, 1, one && corner_before ? Vec2(bare[begin - 1] + distance * begins) : Vec2(moved[begin] - overlap.after * tangent(normal[begin], normals_left)), begins);
+    for (std::size_t sum = 0; sum + 3 < before.point.size() + after.point.size(); ++sum)
         for (std::size_t i = 0; i <= sum; ++i)
-            if (std::size_t const j = sum - i; i + 1 < before.size() && j + 1 < after.size())
-                if (auto const where = crossing(before[i], before[i + 1], after[j], after[j + 1]))
-                    return Crossing{i, j, *where};
+            if (std::size_t const j = sum - i; i + 1 < before.point.size() && j + 1 < after.point.size())
+                if (auto const where = crossing(before.point[i], before.point[i + 1], after.point[j], after.point[j + 1]))
+                    return Crossing{i, j, as_curves(before, i, after, j, *where)};
     return std::nullopt;
 }
 
@@ -122,9 +167,10 @@ bool trim_overlaps(std::vector<Vec2> const& bare, std::vector<Vec2>& moved, std:
     for (std::size_t i = 0; i + 1 < bare.size(); ++i)
         side += cross(bare[i + 1] - bare[i], normal[i]);
     bool const normals_left = side > 0;
+    double const distance = (moved.front() - bare.front()).dot(normal.front());
     for (Overlap const& overlap : overlaps(bare, moved, normal, normals_left))
     {
-        auto const found = crossing_of(moved, normal, normals_left, overlap);
+        auto const found = crossing_of(bare, moved, normal, normals_left, distance, overlap);
         if (!found)
             continue;
         std::size_t const first = overlap.first + 1 - found->before, last = overlap.last + found->after;   // points that come together

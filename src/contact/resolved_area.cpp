@@ -216,7 +216,8 @@ ResolvedArea resolved_area(GapField const& field, std::vector<std::size_t> const
         second += space.second;
         fourth += space.fourth;
         result.lowest = std::min(result.lowest, space.lowest);
-        result.area.spaces += space.all.fine > 0 ? 1 : 0;
+        // a touch may be narrower than what the area is summed over
+        result.area.spaces += space.all.fine > 0 || space.lowest <= limit ? 1 : 0;
     }
     // all spaces have the same flanks
     result.area.contact = all.fine;

@@ -13,8 +13,8 @@ namespace hdconj {
 ///
 /// Where two branches of a flank meet at a corner of the material that turns by theta, each moved branch overruns the other by d tan(theta/2), and its points there are nearer to the
 /// tooth than the parallel is, by up to d (1 - cos theta); where a bend is tighter than the radius d its points run backwards. Of a part that is made neither is left: the parallel ends at
-/// the crossing. Between two neighbouring points whose tangents meet between them, a before the second and b after the first, moving leaves a - d tan(theta/2) and b - d tan(theta/2);
-/// where either is below zero there is an overlap. Its crossing is looked for on the moved points, each branch carried on along its last tangent as far as where the bare tangents meet.
+/// the crossing. Between two neighbouring points whose tangents meet at a after the first and at b before the second, moving leaves a - d tan(theta/2) and b - d tan(theta/2);
+/// where either is below zero at a corner (a step that turns four times as much as those beside it), or a step of a bend has turned round, there is an overlap. Its crossing is looked for on the moved points, each branch carried on to the corner, or along its last tangent as far as where the bare tangents meet, and as curves, not chords (hermite_between()).
 /// A corner that turns the other way opens, and is left to the chord. An overlap that ends beyond an end of the flank has no crossing and is left as it is.
 /// @param bare    the curve before [mm]
 /// @param moved   its points moved by one distance along @p normal; changed
