@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The search for the best tilt where not every tilt makes a surface.
+#include <numbers>
+
+#include "hdconj/pipeline/contact.hpp"
+#include "support/catch.hpp"
+#include "support/coned_drive.hpp"
+
+using namespace hdconj;
+using namespace hdconj::test;
+
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+ContactStudy best_draft(double from, double to)
+{
+    ContactOptions options;
+    options.surfaces = {"tilted"};
+    options.kinds = {"draft"};
+    options.tilts = {from * degree, to * degree};
+    options.best = true;
+    options.best_from = from * degree;
+    options.best_to = to * degree;
+    return contact(builtin_scene(with(coned("none"), {"slices.count=2", "contact.flank_points=20"})), options);
+}
+
+}  // namespace
+
+TEST_CASE("best tilt: ends that make no surface are left out and named", "[law][contact]")
+{
+    ContactStudy const study = best_draft(1.2, 2.4);
+    REQUIRE(study.cases.size() == 1);
+    CHECK(study.cases.front().tilt == Approx(1.2 * degree));
+    REQUIRE(study.best.size() == 2);
+    for (BestTilt const& best : study.best)
+    {
+        CHECK(best.refused > 0);
+        CHECK(!best.refusal.empty());
+        CHECK(best.possible_from == Approx(1.2 * degree));
+        CHECK(best.possible_to < 2.4 * degree);
+        CHECK(best.tilt >= best.possible_from);
+        CHECK(best.tilt <= best.possible_to);
+    }
+    REQUIRE(!study.solution.notes.empty());
+    CHECK_THAT(study.solution.notes.front(), ContainsSubstring("no row for a tilt of 2.4 deg"));
+}
+
+TEST_CASE("best tilt: it fails only where no tilt makes a surface", "[law][contact]")
+{
+    CHECK_THROWS_AS(best_draft(2.6, 2.8), NumericalError);
+    // listed without a search, every tilt is asked for by itself
+    ContactOptions options;
+    options.surfaces = {"tilted"};
+    options.kinds = {"draft"};
+    options.tilts = {2.6 * degree};
+    CHECK_THROWS_AS(contact(builtin_scene(with(coned("none"), {"slices.count=2", "contact.flank_points=20"})), options), NumericalError);
+}
