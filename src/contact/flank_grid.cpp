@@ -126,7 +126,7 @@ FlankGrid moved_into_material(FlankGrid grid, double offset)
                 grid.point[f][k] = moved(std::move(grid.point[f][k]), grid.normal[f][k]);
             std::vector<Vec2> const bare = std::exchange(line, moved(line, normal));
             bool const curve = offset != 0 && grid.radius[f].empty();
-            if (!curve || !trim_overlaps(bare, line, normal) || !whole)
+            if (!curve || !(trim_overlaps(bare, line, normal) > 0) || !whole)
                 continue;
             for (std::size_t j = 0; j < grid.points(); ++j)
             {

@@ -157,11 +157,11 @@ std::optional<Crossing> crossing_of(std::vector<Vec2> const& bare, std::vector<V
 
 }  // namespace
 
-bool trim_overlaps(std::vector<Vec2> const& bare, std::vector<Vec2>& moved, std::vector<Vec2>& normal)
+double trim_overlaps(std::vector<Vec2> const& bare, std::vector<Vec2>& moved, std::vector<Vec2>& normal)
 {
-    bool cut = false;
+    double sharpest = 0;
     if (bare.size() < 2)
-        return cut;
+        return sharpest;
     // the side of the normals does not change along a flank
     double side = 0;
     for (std::size_t i = 0; i + 1 < bare.size(); ++i)
@@ -179,10 +179,34 @@ bool trim_overlaps(std::vector<Vec2> const& bare, std::vector<Vec2>& moved, std:
         {
             moved[i] = found->where;
             normal[i] = i <= overlap.first ? before : after;
-            cut = true;
         }
+        if (last >= first)
+            sharpest = std::max(sharpest, std::atan2(std::abs(cross(before, after)), before.dot(after)));
     }
-    return cut;
+    return sharpest;
+}
+
+double overlap_at_ends(FlankGrid const& bare, double distance)
+{
+    double left = 0;
+    for (std::size_t f = 0; f < 2 && distance != 0; ++f)
+    {
+        double sharpest = 0;
+        std::size_t with = 0;
+        for (std::size_t k = 0; k < bare.slices(); ++k)
+        {
+            auto const& line = bare.line[f].empty() ? bare.point[f][k] : bare.line[f][k];
+            std::vector<Vec2> moved = line, normal = bare.line[f].empty() ? bare.normal[f][k] : bare.line_normal[f][k];
+            for (std::size_t i = 0; i < moved.size(); ++i)
+                moved[i] += distance * normal[i];
+            double const turn = trim_overlaps(line, moved, normal);
+            sharpest = std::max(sharpest, turn);
+            with += turn > 0 ? 1 : 0;
+        }
+        if (with < bare.slices())
+            left = std::max(left, std::abs(distance) * (1 - std::cos(sharpest)));
+    }
+    return left;
 }
 
 }  // namespace hdconj

@@ -9,6 +9,7 @@
 
 #include "contact_error.hpp"
 #include "finer_surface.hpp"
+#include "hdconj/contact/parallel_trim.hpp"
 #include "hdconj/numeric/least_between.hpp"
 #include "hdconj/numeric/parallel.hpp"
 
@@ -51,9 +52,9 @@ void write_errors(ContactBench const& bench, SurfaceChoice const& choice, SliceT
         ClearanceErrors const errors = clearance_errors(bench, as_made, made.given, result.closest_flank(), closest_root->root);
         // planes between slices that are solved anew have their own chords, and were made to clear a tooth by points
         double const chords = choice.surface == "per-slice" && bench.scene.coning && made.grid.slices() > 1 ? 2 * bench.tolerance.length : 0;
-        result.clearance_error = errors.flank + chords;
+        result.clearance_error = errors.flank + chords + overlap_at_ends(made.grid, made.given);
         result.root_clearance_error = errors.root;
-        result.clearing_offset_error = clearing_error(bench, as_made.turns, flank_set(cleared, both), result.clearing_offset, false) + chords;
+        result.clearing_offset_error = clearing_error(bench, as_made.turns, flank_set(cleared, both), result.clearing_offset, false) + chords + overlap_at_ends(made.cleared.grid, result.clearing_offset);
         result.clearing_root_error = clearing_error(bench, as_made.turns, root_set(as_made.outline, bench.tolerance), result.clearing_root, true);
         if (choice.surface != "ruled" || !bench.scene.coning || made.grid.slices() < 2)
             return;

@@ -14,6 +14,7 @@
 #include "clearing_search.hpp"
 #include "contact_state.hpp"
 #include "finer_surface.hpp"
+#include "hdconj/contact/parallel_trim.hpp"
 #include "place_range.hpp"
 #include "place_teeth.hpp"
 #include "slice_turns.hpp"
@@ -116,7 +117,7 @@ ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice,
     // a side clearance that is given is what it is
     bool const as_given = result.backlash_offset == given && !spline.automatic_backlash;
     double const chords = finer.solved_anew() && grid.slices() > 1 ? 2 * bench.tolerance.length : 0;
-    double const off = as_given ? chords : result.clearing_offset_error;
+    double const off = as_given ? chords + overlap_at_ends(grid, given) : result.clearing_offset_error;
     // full turns are those of the sections only where these have a series
     bool const turns_tell = !scene.coning || scene.coning->axial_shift != "mapped" || grid.slices() == 1 || bench.maker.follows_sections();
     constexpr double unknown = -std::numeric_limits<double>::infinity();

@@ -287,15 +287,27 @@ TEST_CASE("a grid moved into the material by nothing keeps its bits and else mov
     CHECK(same.point == grid.point);
     FlankGrid const moved = moved_into_material(grid, 0.013);
     Field const f(drive, grid, 0), g(drive, moved, 0);
+    int further = 0;
     for (std::size_t flank = 0; flank < 2; ++flank)
         for (std::size_t i = 0; i < grid.points(); ++i)
         {
-            CHECK((moved.point[flank][0][i] - grid.point[flank][0][i]).norm() == Approx(0.013).epsilon(1e-12));
+            // where two branches overlap their crossing is further off than either was moved: 1/cos of half a corner of 9 degrees
+            double const way = (moved.point[flank][0][i] - grid.point[flank][0][i]).norm();
+            CHECK(way >= 0.013 * (1 - 1e-12));
+            CHECK(way <= 0.013 * 1.004);
+            further += way > 0.013 * (1 + 1e-12) ? 1 : 0;
             CHECK(grid.normal[flank][0][i].norm() == Approx(1).epsilon(1e-14));
             // into the material is away from the teeth: on the right flank to the right
             CHECK((flank == 1 ? 1 : -1) * grid.normal[flank][0][i].x() > 0);
         }
     GapMap const a = f.field.map(0, 1), b = g.field.map(0, 1);
-    for (std::size_t i = 0; i < a.gap.size(); ++i)
-        CHECK(b.gap[i] <= a.gap[i] + 0.013 + 1e-12);
+    CHECK(further <= 4);
+    for (std::size_t space = 0; space < a.angle.size(); ++space)
+        for (int const flank : {static_cast<int>(GapMap::left), static_cast<int>(GapMap::right)})
+            for (std::size_t i = 0; i < grid.points(); ++i)
+            {
+                auto const side = static_cast<std::size_t>(flank);
+                double const way = (moved.point[side][0][i] - grid.point[side][0][i]).norm();
+                CHECK(b.at(space, flank, 0, i) <= a.at(space, flank, 0, i) + way + 1e-12);
+            }
 }

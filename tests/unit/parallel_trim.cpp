@@ -26,7 +26,7 @@ struct Curve
         Curve result = *this;
         for (std::size_t i = 0; i < point.size(); ++i)
             result.point[i] += distance * normal[i];
-        cut = trim_overlaps(point, result.point, result.normal);
+        cut = trim_overlaps(point, result.point, result.normal) > 0;
         return result;
     }
 };
@@ -177,6 +177,16 @@ TEST_CASE("trimmed parallel: a flank moved into the material has its crossing in
             CHECK(one.point[f][0][j] == moved.point[f][1][j]);
         }
     CHECK(one.z == std::vector<double>{0});
+    // a corner in every slice leaves nothing open; one that has left in one of them does
+    CHECK(overlap_at_ends(grid, 0.012) == 0);
+    FlankGrid some = grid;
+    for (std::size_t i = 0; i < curve.point.size(); ++i)
+    {
+        some.line[1][2][i] = {0.0013 * static_cast<double>(i), 0};
+        some.line_normal[1][2][i] = {0, 1};
+    }
+    CHECK(overlap_at_ends(some, 0.012) == Approx(0.012 * (1 - std::cos(0.146))).epsilon(1e-9));
+    CHECK(overlap_at_ends(some, 0) == 0);
     // nowhere nearer to the bare flank than it was moved, between the points too
     for (double s = 0; s < static_cast<double>(curve.point.size() - 1); s += 0.25)
         CHECK(nearest_branch(moved.between(GapMap::right, 0, s), 0.146, {0, 0}) >= 0.012 - 1e-9);

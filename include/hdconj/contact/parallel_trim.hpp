@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "hdconj/contact/flank_grid.hpp"
 #include "hdconj/geometry/vec2.hpp"
 
 namespace hdconj {
@@ -19,7 +20,14 @@ namespace hdconj {
 /// @param bare    the curve before [mm]
 /// @param moved   its points moved by one distance along @p normal; changed
 /// @param normal  unit; changed between points that come together: those of the branch that they belong to
-/// @returns whether anything was cut
-bool trim_overlaps(std::vector<Vec2> const& bare, std::vector<Vec2>& moved, std::vector<Vec2>& normal);
+/// @returns by how much the branches of the sharpest overlap that was cut turn [rad]; 0 where nothing was
+double trim_overlaps(std::vector<Vec2> const& bare, std::vector<Vec2>& moved, std::vector<Vec2>& normal);
+
+/// How much nearer to the teeth than the parallel a moved flank may be because an overlap ends beyond its end [mm].
+///
+/// A corner that has left through an end of the flank between two slices, as corners of conjugate outlines do that move along them from plane to plane, still has its overlap on the flank as long as
+/// it is nearer to the end than d tan(theta/2); its other branch is not there to be cut at. What it then takes is d (1 - cos theta) at most, theta that of the sharpest corner of any slice.
+/// 0 where all slices have overlaps, or none has.
+[[nodiscard]] double overlap_at_ends(FlankGrid const& bare, double distance);
 
 }  // namespace hdconj
