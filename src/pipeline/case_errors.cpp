@@ -50,11 +50,12 @@ void write_errors(ContactBench const& bench, SurfaceChoice const& choice, SliceT
     bool const both = !is_symmetric(bench);
     auto const write = [&](TurnWork const& as_made, SurfaceMaker& maker, FlankGrid const& cleared) {
         ClearanceErrors const errors = clearance_errors(bench, as_made, made.given, result.closest_flank(), closest_root->root);
-        // planes between slices that are solved anew have their own chords, and were made to clear a tooth by points
-        double const chords = choice.surface == "per-slice" && bench.scene.coning && made.grid.slices() > 1 ? 2 * bench.tolerance.length : 0;
-        result.clearance_error = errors.flank + chords + overlap_at_ends(made.grid, made.given);
+        // planes between slices that are solved anew have their own chords, were made to clear a tooth by points, and have corners that move along the flank
+        bool const anew = choice.surface == "per-slice" && bench.scene.coning && made.grid.slices() > 1;
+        double const chords = anew ? 2 * bench.tolerance.length : 0;
+        result.clearance_error = errors.flank + chords + (anew ? overlap_at_ends(made.grid, made.given) : 0);
         result.root_clearance_error = errors.root;
-        result.clearing_offset_error = clearing_error(bench, as_made.turns, flank_set(cleared, both), result.clearing_offset, false) + chords + overlap_at_ends(made.cleared.grid, result.clearing_offset);
+        result.clearing_offset_error = clearing_error(bench, as_made.turns, flank_set(cleared, both), result.clearing_offset, false) + chords + (anew ? overlap_at_ends(made.cleared.grid, result.clearing_offset) : 0);
         result.clearing_root_error = clearing_error(bench, as_made.turns, root_set(as_made.outline, bench.tolerance), result.clearing_root, true);
         if (choice.surface != "ruled" || !bench.scene.coning || made.grid.slices() < 2)
             return;

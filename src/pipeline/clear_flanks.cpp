@@ -71,6 +71,13 @@ Cleared clear_flanks(ContactBench const& bench, SliceTurns const& turns, Surface
                                                            + " mm: the teeth become too short for this tilt");
 }
 
+void check_as_made(ContactBench const& bench, SurfaceChoice const& choice, Cleared const& cleared)
+{
+    double const own_tip = bench.maker.own_tip(choice);
+    if (own_tip != cleared.tip)
+        (void)surface_of(bench, choice, own_tip);
+}
+
 FlankSurface flank_surface(ContactBench const& bench, SurfaceChoice const& choice, bool clearing)
 {
     CircularSpline const& spline = bench.scene.circular_spline;
@@ -88,9 +95,12 @@ FlankSurface flank_surface(ContactBench const& bench, SurfaceChoice const& choic
     return {std::move(outline), std::move(grid), spline.backlash_offset, tip};
 }
 
-double clearing_offset_of(ContactBench const& bench, SurfaceChoice const& choice)
+double clearing_offset_of(ContactBench const& bench, SurfaceChoice const& choice, bool as_made)
 {
-    return clear_flanks(bench, SliceTurns(bench), choice, 0).offset;
+    Cleared const cleared = clear_flanks(bench, SliceTurns(bench), choice, 0);
+    if (as_made)
+        check_as_made(bench, choice, cleared);
+    return cleared.offset;
 }
 
 ContactCase clearing_case(ContactBench const& bench, SurfaceChoice const& choice)

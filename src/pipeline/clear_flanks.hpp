@@ -26,6 +26,10 @@ struct Cleared
 /// @throws NumericalError where they do not settle
 [[nodiscard]] Cleared clear_flanks(ContactBench const& bench, SliceTurns const& turns, SurfaceChoice const& choice, double at_least);
 
+/// Whether the surface can also be made with the tip circle that the scene gives, not only with the one that clears: a case tells of both.
+/// @throws NumericalError where not, that of making it
+void check_as_made(ContactBench const& bench, SurfaceChoice const& choice, Cleared const& cleared);
+
 /// Offset that leaves no gap below zero where the map is looked at: beside the full turn, with the wall's axial shift. At least @p offset.
 [[nodiscard]] double raised_for_map(ContactBench const& bench, FlankGrid const& grid, double offset, std::vector<double> const& phases);
 

@@ -51,11 +51,13 @@ void write_place(ContactCase& result)
 
 }  // namespace
 
-double share_of(ContactBench const& bench, SurfaceChoice const& choice)
+double share_of(ContactBench const& bench, SurfaceChoice const& choice, bool as_made)
 {
     CircularSpline const& spline = bench.scene.circular_spline;
     double const given = spline.automatic_backlash ? 0 : spline.backlash_offset;
     Cleared const cleared = clear_flanks(bench, SliceTurns(bench), choice, given);
+    if (as_made)
+        check_as_made(bench, choice, cleared);
     double const phase = phase_of(bench.scene, bench.request.wave_generator);
     bool const clears = given >= cleared.offset - clearing_accuracy(bench.tolerance);
     double const offset = raised_for_map(bench, cleared.grid, clears ? given : cleared.offset, {phase});
@@ -117,7 +119,7 @@ ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice,
     // a side clearance that is given is what it is
     bool const as_given = result.backlash_offset == given && !spline.automatic_backlash;
     double const chords = finer.solved_anew() && grid.slices() > 1 ? 2 * bench.tolerance.length : 0;
-    double const off = as_given ? chords + overlap_at_ends(grid, given) : result.clearing_offset_error;
+    double const off = as_given ? chords + (chords > 0 ? overlap_at_ends(grid, given) : 0) : result.clearing_offset_error;
     // full turns are those of the sections only where these have a series
     bool const turns_tell = !scene.coning || scene.coning->axial_shift != "mapped" || grid.slices() == 1 || bench.maker.follows_sections();
     constexpr double unknown = -std::numeric_limits<double>::infinity();

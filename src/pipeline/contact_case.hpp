@@ -36,9 +36,10 @@ struct ClearingNeed
 [[nodiscard]] ClearingNeed clearing_need(Scene const& scene);
 
 /// The share of this surface alone, without errors, for searches: ContactCase::state's, the same bits.
-[[nodiscard]] double share_of(ContactBench const& bench, SurfaceChoice const& choice);
+/// @param as_made  the surface must also exist with the tip circle that the scene gives, as contact_case() asks
+[[nodiscard]] double share_of(ContactBench const& bench, SurfaceChoice const& choice, bool as_made);
 
 /// The least side clearance of this surface alone, for searches.
-[[nodiscard]] double clearing_offset_of(ContactBench const& bench, SurfaceChoice const& choice);
+[[nodiscard]] double clearing_offset_of(ContactBench const& bench, SurfaceChoice const& choice, bool as_made);
 
 }  // namespace hdconj::detail
