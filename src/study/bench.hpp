@@ -16,12 +16,11 @@ namespace hdconj::detail {
 [[nodiscard]] double peak_memory();
 void reset_peak_memory();
 
-/// The drive that is measured, its reference, and where records go.
-struct StudyBench
+/// The scene that is measured, and where records go.
+struct StudyRun
 {
     AccuracyReport& report;
-    StudyDrive const& drive;
-    ReferenceCurve const& reference;
+    Scene const& scene;
     std::string name;      ///< of the drive
     int repeats = 1;
     bool quick = false;    ///< short ladders
@@ -55,6 +54,13 @@ struct StudyBench
     }
 };
 
+/// The same with the drive taken apart and its reference.
+struct StudyBench : StudyRun
+{
+    StudyDrive const& drive;
+    ReferenceCurve const& reference;
+};
+
 void study_tolerance(StudyBench const& bench);
 void study_sampling(StudyBench const& bench);
 void study_motion_model(StudyBench const& bench);
@@ -62,8 +68,8 @@ void study_fit(StudyBench const& bench);
 void study_union(StudyBench const& bench);
 void study_roots(StudyBench const& bench);
 void study_precision(StudyBench const& bench);
-void study_contact(StudyBench const& bench);
-void study_load(StudyBench const& bench);
+void study_contact(StudyRun const& bench);
+void study_load(StudyRun const& bench);
 void study_threads(StudyBench const& bench);
 
 /// 10^-digits.

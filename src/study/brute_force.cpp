@@ -13,11 +13,11 @@ namespace {
 /// Outer boundary of @p count positions of the tooth over a lobe, neighbours included, one pitch from mid-land to mid-land.
 std::vector<Vec2> united(StudyDrive const& drive, std::vector<Vec2> const& tooth, int count, std::size_t& segments)
 {
-    double const tip = drive.geometry.circular_spline_inner_radius, half = drive.motion.half_lobe();
+    double const tip = drive.geometry.circular_spline_inner_radius, half = drive.motion().half_lobe();
     SweptPolygons swept(drive.pitch);
     for (int i = 0; i <= count; ++i)
     {
-        Pose const pose = drive.motion.pose(-half + 2 * half * i / count);
+        Pose const pose = drive.motion().pose(-half + 2 * half * i / count);
         std::vector<Vec2> points;
         std::vector<double> numbers;
         auto const flush = [&] {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "bench.hpp"
+#include "hdconj/numeric/error.hpp"
 #include "hdconj/pipeline/contact.hpp"
 #include "hdconj/pipeline/contact_by_planes.hpp"
 #include "hdconj/profile/builder.hpp"
@@ -16,9 +17,9 @@ namespace hdconj::detail {
 namespace {
 
 /// The scene as `contact` is asked for it, with an axis where it has none.
-Scene coned(StudyBench const& bench)
+Scene coned(StudyRun const& bench)
 {
-    Scene scene = bench.drive.scene;
+    Scene scene = bench.scene;
     double const width = scene.circular_spline.width.value_or(0);
     if (!scene.coning)
     {
@@ -89,7 +90,7 @@ struct Ladder
     AreaReference reference;
 };
 
-void measure(StudyBench const& bench, Scene const& scene, Ladder const& ladder)
+void measure(StudyRun const& bench, Scene const& scene, Ladder const& ladder)
 {
     AreaReference const& reference = ladder.reference;
     StudyRecord own;
@@ -119,7 +120,7 @@ void measure(StudyBench const& bench, Scene const& scene, Ladder const& ladder)
         record.estimate = (ladder.slices ? state.share_error : state.share_error_along) * state.flank_area;
         record.points = static_cast<double>(setting.slices) * setting.points;
         record.threads = bench.threads;
-        StudyBench few = bench;
+        StudyRun few = bench;
         few.repeats = std::min(bench.repeats, 2);
         few.measure(record, [&] { (void)area(scene, setting); });
     }
@@ -130,15 +131,8 @@ void measure(StudyBench const& bench, Scene const& scene, Ladder const& ladder)
                                  + short_number(reference.error) + " mm^2, 1/" + part + " of the finest tested");
 }
 
-}  // namespace
-
-void study_contact(StudyBench const& bench)
+void run_ladders(StudyRun const& bench)
 {
-    if (!bench.drive.scene.circular_spline.width)
-    {
-        bench.report.notes.push_back("contact-area: the scene gives no circular_spline.width, so there are no slices to count");
-        return;
-    }
     Scene scene = coned(bench);
     scene.solver.threads = bench.threads;
     if (scene.circular_spline.backlash_offset != 0)
@@ -155,6 +149,27 @@ void study_contact(StudyBench const& bench)
     }
     measure(bench, scene, {"slices", "slices.count", {2, 3, 5, 9, 17}, true, 50, by_planes(scene, planes, points)});
     measure(bench, scene, {"flank points", "contact.flank_points", {12, 25, 50, 100}, false, 3, by_points(scene, 3, 10000)});
+}
+
+}  // namespace
+
+void study_contact(StudyRun const& bench)
+{
+    auto const leave = [&](std::string const& why) { bench.report.notes.push_back("contact-area: left out, " + why); };
+    if (!bench.scene.circular_spline.width)
+        return leave("the scene gives no circular_spline.width, so there are no slices to count");
+    try
+    {
+        run_ladders(bench);
+    }
+    catch (InputError const& error)
+    {
+        leave(error.what());
+    }
+    catch (NumericalError const& error)
+    {
+        leave(error.what());
+    }
 }
 
 }  // namespace hdconj::detail

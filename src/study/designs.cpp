@@ -27,7 +27,8 @@ Scene design_near(Scene const& scene, std::uint64_t seed, int number)
         if (auto* w0 = std::get_if<double>(&given->second.value))
             *w0 *= between(0.85, 1.1);
     design.flexspline.wall *= between(0.8, 1.2);
-    for (auto& [key, parameter] : design.flexspline.profile.given)
+    FamilyChoice& tooth = design.is_reverse() ? *design.circular_spline.profile : design.flexspline.profile;
+    for (auto& [key, parameter] : tooth.given)
         if (auto* value = std::get_if<double>(&parameter.value); value != nullptr && key != "degree")
             *value *= between(0.94, 1.06);
     return design;

@@ -1,49 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Neutral curves of the smooth wave generators by a path of their own, in any number type; private to src/study.
+/// Neutral curves by a path of their own, in any number type; private to src/study.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
+#include "given_discs.hpp"
+#include "given_pair.hpp"
+#include "given_wave.hpp"
 #include "hdconj/numeric/error.hpp"
+#include "hdconj/scene/scene.hpp"
 
 namespace hdconj::detail {
 
-/// A point or a vector in a number type of any width.
-template<class T>
-struct Pair
-{
-    T x{};
-    T y{};
-
-    friend Pair operator+(Pair const& a, Pair const& b) { return {a.x + b.x, a.y + b.y}; }
-    friend Pair operator-(Pair const& a, Pair const& b) { return {a.x - b.x, a.y - b.y}; }
-    friend Pair operator*(T const& s, Pair const& a) { return {s * a.x, s * a.y}; }
-};
-
-template<class T>
-T inner(Pair<T> const& a, Pair<T> const& b)
-{
-    return a.x * b.x + a.y * b.y;
-}
-
-template<class T>
-T length(Pair<T> const& a)
-{
-    using std::sqrt;
-    return sqrt(a.x * a.x + a.y * a.y);
-}
-
-/// +90 degrees.
-template<class T>
-Pair<T> to_left(Pair<T> const& a)
-{
-    return {-a.y, a.x};
-}
-
-/// Families that are analytic all around; the others have breaks, which series in 50 digits do not follow.
-enum class GivenShape { cosine, ellipse, ring_on_cosine_cam };
+/// Families of wave generators; the last three are analytic between breaks only.
+enum class GivenShape { cosine, ellipse, ring_on_cosine_cam, four_roller, two_disc, table };
 
 /// The numbers that a motion is given by, as the program rounds them: what comes of them is computed anew.
 struct GivenNumbers
@@ -53,29 +27,18 @@ struct GivenNumbers
     int waves = 2;
     double r_m = 0;
     double thickness = 0;   ///< of the ring on a cosine cam, t
+    double angle_deg = 0;   ///< of rollers, or over which the ring lies on a disc, beta
+    std::vector<std::array<double, 2>> rows;   ///< of a table: angle [deg], value
     int z_f = 0;
     int z_c = 0;
+    Kinematics model = Kinematics::exact;
 };
-
-/// Point of the neutral curve at the polar angle u and its derivatives by u.
-template<class T>
-struct CurveJet
-{
-    Pair<T> p, p1, p2;
-};
-
-template<class T>
-[[nodiscard]] T half_turn()
-{
-    using std::acos;
-    static T const value = acos(T(-1));
-    return value;
-}
 
 /// Inextensible neutral curve of length 2 pi r_m.
 ///
 /// Not the program's path: "cosine" is closed by the trapezoidal and the secant rule; "ellipse" is traced by its eccentric angle and closed likewise, without an elliptic integral;
-/// "ring-on-cosine-cam" is cam plus t times its normal as vectors, by the cam's angle, where the program differentiates angles.
+/// "ring-on-cosine-cam" is cam plus t times its normal as vectors, by the cam's angle, where the program differentiates angles. Those with breaks: GivenRollers, GivenDiscs, GivenTable, closed by
+/// GivenIntegral.
 /// Accuracy: some roundings of T; the trapezoidal rule converges geometrically, and its points are doubled until it has.
 /// @throws NumericalError where a length or the angle on the cam does not converge
 template<class T>
@@ -85,17 +48,33 @@ class GivenCurve
     explicit GivenCurve(GivenNumbers const& given)
         : shape_(given.shape), waves_(T(given.waves)), w0_(T(given.w0)), r_m_(T(given.r_m)), thickness_(T(given.thickness))
     {
+        T const beta = T(given.angle_deg) * half_turn<T>() / T(180);
+        auto const close_cam = [this](T const& length_around) {
+            closed_ = closed(length_around, length_around, [this](T const& r) { return mean_of([&](T const& x) { return length(cam(r, x / waves_).p1); }); });
+        };
+        auto const close_wave = [&](auto const& wave) {
+            closed_ = closed(r_m_, r_m_, [&](T const& r) {
+                auto const speed = [&](T const& u) { return length(wave_on(r, wave.at(u), u).p1); };
+                return GivenIntegral<T>(speed, given.waves, wave.breaks()).mean();
+            });
+        };
         switch (shape_)
         {
-        case GivenShape::cosine: closed_ = closed(r_m_, r_m_, [this](T const& r, T const& x) { return length(cam(r, x / waves_).p1); }); break;
+        case GivenShape::cosine: close_cam(r_m_); break;
         // x is the eccentric angle from the minor axis on, whose semi-axis is sought
-        case GivenShape::ellipse: closed_ = closed(r_m_, r_m_ - w0_, [this](T const& b, T const& x) { return length(eccentric(b, x).p1); }); break;
-        case GivenShape::ring_on_cosine_cam:
-        {
-            T const inside = r_m_ - thickness_;   // a parallel curve is 2 pi t longer
-            closed_ = closed(inside, inside, [this](T const& r, T const& x) { return length(cam(r, x / waves_).p1); });
+        case GivenShape::ellipse:
+            closed_ = closed(r_m_, r_m_ - w0_, [this](T const& b) { return mean_of([&](T const& x) { return length(eccentric(b, x).p1); }); });
             break;
-        }
+        case GivenShape::ring_on_cosine_cam: close_cam(r_m_ - thickness_); break;   // a parallel curve is 2 pi t longer
+        case GivenShape::four_roller:
+            rollers_ = GivenRollers<T>(w0_, beta, given.waves);
+            close_wave(rollers_);
+            break;
+        case GivenShape::two_disc: discs_ = GivenDiscs<T>(w0_, beta, given.waves, r_m_); break;
+        case GivenShape::table:
+            table_ = GivenTable<T>(given.rows, given.waves);
+            close_wave(table_);
+            break;
         }
     }
 
@@ -104,11 +83,23 @@ class GivenCurve
     {
         switch (shape_)
         {
-        case GivenShape::ellipse: return r_m_;
+        case GivenShape::ellipse:
+        case GivenShape::two_disc: return r_m_;
         case GivenShape::ring_on_cosine_cam: return closed_ + thickness_;
-        case GivenShape::cosine: break;
+        default: return closed_;
         }
-        return closed_;
+    }
+
+    /// Angles within a wave at which the third derivative jumps, increasing.
+    [[nodiscard]] std::vector<T> breaks() const
+    {
+        switch (shape_)
+        {
+        case GivenShape::four_roller: return rollers_.breaks();
+        case GivenShape::two_disc: return discs_.breaks();
+        case GivenShape::table: return table_.breaks();
+        default: return {};
+        }
     }
 
     [[nodiscard]] CurveJet<T> at(T const& u) const
@@ -121,20 +112,31 @@ class GivenCurve
         case GivenShape::cosine: break;
         case GivenShape::ellipse: return by_polar_angle(eccentric(closed_, atan2((r_m_ + w0_) * sin(u), closed_ * cos(u))));
         case GivenShape::ring_on_cosine_cam: return by_polar_angle(ring(angle_on_cam(u)));
+        case GivenShape::four_roller: return wave_on(closed_, rollers_.at(u), u);
+        case GivenShape::two_disc: return discs_.at(u);
+        case GivenShape::table: return wave_on(closed_, table_.at(u), u);
         }
         return cam(closed_, u);
     }
 
+    /// The displacement w from the mean radius, by the angle that at() takes.
+    [[nodiscard]] WaveJet<T> displacement(T const& u) const
+    {
+        WaveJet<T> w = radius_of(at(u));
+        w.w -= mean_radius();
+        return w;
+    }
+
   private:
+    [[nodiscard]] static CurveJet<T> wave_on(T const& r, WaveJet<T> const& w, T const& u) { return polar(WaveJet<T>{r + w.w, w.w1, w.w2}, u); }
+
     /// rho = r + w0 cos(n a), by a.
     [[nodiscard]] CurveJet<T> cam(T const& r, T const& a) const
     {
         using std::cos;
         using std::sin;
         T const cn = cos(waves_ * a), sn = sin(waves_ * a);
-        T const rho = r + w0_ * cn, rho1 = -waves_ * w0_ * sn, rho2 = -waves_ * waves_ * w0_ * cn;
-        Pair<T> const out{sin(a), cos(a)}, on{cos(a), -sin(a)};
-        return {rho * out, rho1 * out + rho * on, (rho2 - rho) * out + (T(2) * rho1) * on};
+        return polar(WaveJet<T>{r + w0_ * cn, -waves_ * w0_ * sn, -waves_ * waves_ * w0_ * cn}, a);
     }
 
     /// Third derivative of cam() by a.
@@ -194,47 +196,38 @@ class GivenCurve
         throw NumericalError("reference", "neutral curve", "its angle on the cam is not found");
     }
 
-    /// rho^2 du/de
-    [[nodiscard]] static T turning(CurveJet<T> const& c) { return c.p.y * c.p1.x - c.p.x * c.p1.y; }
-
-    /// Derivatives by the polar angle u of a curve that is given with those by another parameter e.
-    [[nodiscard]] static CurveJet<T> by_polar_angle(CurveJet<T> const& c)
-    {
-        T const square = inner(c.p, c.p), turn = turning(c);
-        T const u1 = turn / square;
-        T const u2 = (c.p.y * c.p2.x - c.p.x * c.p2.y) / square - T(2) * u1 * inner(c.p, c.p1) / square;
-        T const e1 = T(1) / u1, e2 = -u2 * e1 * e1 * e1;
-        return {c.p, e1 * c.p1, (e1 * e1) * c.p2 + e2 * c.p1};
-    }
-
-    /// The radius with which the mean of @p speed(radius, x) over a period of 2 pi in x is @p mean, from @p guess on.
+    /// Mean of @p speed over a period of 2 pi, by as many equal steps as it takes.
     template<class Speed>
-    [[nodiscard]] static T closed(T const& mean, T const& guess, Speed const& speed)
+    [[nodiscard]] T mean_of(Speed const& speed) const
     {
         using std::abs;
         T const eps = std::numeric_limits<T>::epsilon();
-        auto const mean_of = [&](T const& radius, int points) {
+        constexpr int fewest = 16, most = 1 << 12;
+        T before(0);
+        for (int points = fewest; points <= most; points *= 2)
+        {
             T sum(0);
             for (int i = 0; i < points; ++i)
-                sum += speed(radius, T(2) * half_turn<T>() * T(i) / T(points));
-            return sum / T(points);
-        };
-        int points = 16;
-        constexpr int most = 1 << 12;
-        for (T before(0);; points *= 2)
-        {
-            T const now = mean_of(guess, points);
-            if (abs(now - before) <= T(16) * eps * mean)
-                break;
-            if (points >= most)
-                throw NumericalError("reference", "neutral curve", "its length is not resolved");
+                sum += speed(T(2) * half_turn<T>() * T(i) / T(points));
+            T const now = sum / T(points);
+            if (abs(now - before) <= T(16) * eps * r_m_)
+                return now;
             before = now;
         }
-        T a = guess, fa = mean_of(a, points) - mean, found = a - fa;
+        throw NumericalError("reference", "neutral curve", "its length is not resolved");
+    }
+
+    /// The radius with which @p mean_speed is @p mean, from @p guess on.
+    template<class MeanSpeed>
+    [[nodiscard]] static T closed(T const& mean, T const& guess, MeanSpeed const& mean_speed)
+    {
+        using std::abs;
+        T const eps = std::numeric_limits<T>::epsilon();
+        T a = guess, fa = mean_speed(a) - mean, found = a - fa;
         constexpr int budget = 60;
         for (int i = 0; i < budget; ++i)
         {
-            T const b = found, fb = mean_of(b, points) - mean;
+            T const b = found, fb = mean_speed(b) - mean;
             if (fb == fa || abs(b - a) <= eps * mean)
                 break;
             found = b - fb * (b - a) / (fb - fa);
@@ -246,7 +239,10 @@ class GivenCurve
 
     GivenShape shape_;
     T waves_, w0_, r_m_, thickness_;
-    T closed_{};   ///< mean radius of the cosine curve or cam, or semi-axis across
+    T closed_{};   ///< mean radius of the curve or cam, or semi-axis across
+    GivenRollers<T> rollers_;
+    GivenDiscs<T> discs_;
+    GivenTable<T> table_;
 };
 
 }  // namespace hdconj::detail

@@ -21,7 +21,7 @@ struct Counts
 };
 
 /// Nothing, and a note, where these counts have no answer.
-std::optional<LoadedState> at_rated_torque(StudyBench const& bench, Scene const& loaded, Counts const& counts)
+std::optional<LoadedState> at_rated_torque(StudyRun const& bench, Scene const& loaded, Counts const& counts)
 {
     Scene scene = loaded;
     scene.load->harmonics = counts.harmonics;
@@ -59,7 +59,7 @@ std::string number_text(double value)
     return text;
 }
 
-void run_ladders(StudyBench const& bench, Scene const& scene)
+void run_ladders(StudyRun const& bench, Scene const& scene)
 {
     Counts const fixed = bench.quick ? Counts{24, 3, 24, 1} : Counts{100, 5, 100, 4};
     std::vector<Ladder> const ladders = bench.quick
@@ -104,7 +104,7 @@ void run_ladders(StudyBench const& bench, Scene const& scene)
             record.threads = bench.threads;
             record.error = std::abs(state.twist / finest.twist - 1);
             std::size_t const before = bench.report.records.size();
-            StudyBench few = bench;
+            StudyRun few = bench;
             few.repeats = 1;
             few.measure(record, [&] { (void)at_rated_torque(bench, scene, counts(value)); });
             // one run gives both numbers
@@ -118,9 +118,9 @@ void run_ladders(StudyBench const& bench, Scene const& scene)
 
 }  // namespace
 
-void study_load(StudyBench const& bench)
+void study_load(StudyRun const& bench)
 {
-    auto const& given = bench.drive.scene;
+    auto const& given = bench.scene;
     auto const leave = [&](char const* why) { bench.report.notes.push_back(std::string("load: left out, ") + why); };
     if (!given.flexspline.cup || !given.bearing)
         return leave("the scene gives no flexspline.cup or no bearing");

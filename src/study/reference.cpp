@@ -1,167 +1,38 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
-#include "fifty.hpp"
-#include "given_contact.hpp"
-#include "hdconj/numeric/parallel.hpp"
-#include "study_drive.hpp"
+#include "fifty_drive.hpp"
+#include "hdconj/numeric/error.hpp"
+#include "reference_fitter.hpp"
 
 namespace hdconj::detail {
 namespace {
 
 using Point = Pair<Fifty>;
 
-/// Contact arcs in 50 digits.
-class FiftyDrive
-{
-  public:
-    explicit FiftyDrive(StudyDrive const& drive) : drive_(drive), motion_(drive.numbers()), envelope_(drive.envelope()) {}
-
-    [[nodiscard]] GivenContact<Fifty> contact(BoundaryPiece const& piece, Fifty const& u) const
-    {
-        ContactArc const& arc = drive_.arc(piece);
-        if (arc.resting)
-            throw NumericalError("reference", "profile piece " + std::to_string(arc.piece), "an arc's centre is at rest, which has no reference in 50 digits");
-        Place<Fifty> const place = motion_.at(u);
-        Fifty const offset(drive_.offset);
-        GivenContact<Fifty> found = std::visit(
-            [&](auto const& shape) {
-                if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, CurvePiece>)
-                    return contact_at(shape, envelope_.contact(arc, static_cast<double>(u)).t, place, offset);
-                else
-                    return contact_at(shape, arc.candidate, place, offset);
-            },
-            drive_.tooth.pieces[static_cast<std::size_t>(arc.piece)].shape);
-        if (piece.copy != 0)
-        {
-            Fifty const angle = Fifty(piece.copy) * motion_.pitch();
-            Fifty const c = cos(angle), s = sin(angle);
-            auto const turn = [&](Point const& a) -> Point { return {a.x * c + a.y * s, a.y * c - a.x * s}; };
-            found.point = turn(found.point);
-            found.normal = turn(found.normal);
-        }
-        return found;
-    }
-    [[nodiscard]] Point point(BoundaryPiece const& piece, Fifty const& u) const { return contact(piece, u).point; }
-    [[nodiscard]] Fifty half_pitch() const { return motion_.pitch() / 2; }
-
-  private:
-    StudyDrive const& drive_;
-    GivenMotion<Fifty> motion_;
-    Envelope<StudyMotion> envelope_;
-};
-
-/// Fits Chebyshev series to a curve in 50 digits, cutting it in halves until they follow it.
-class Fitter
-{
-  public:
-    explicit Fitter(double size) : target_(size * 0x1p-56) {}
-
-    std::vector<ReferencePatch> patches;
-    double error = 0;
-
-    void add(std::function<Point(Fifty const&)> const& curve, int stretch) { fit(curve, Fifty(0), Fifty(1), stretch, 0); }
-
-  private:
-    static constexpr int nodes = 20;
-
-    void fit(std::function<Point(Fifty const&)> const& curve, Fifty const& from, Fifty const& to, int stretch, int depth)
-    {
-        std::array<Point, nodes> value;
-        std::array<Fifty, nodes> angle;
-        Fifty const half = (to - from) / 2, middle = (from + to) / 2;
-        for (int i = 0; i < nodes; ++i)
-        {
-            auto const k = static_cast<std::size_t>(i);
-            angle[k] = half_turn<Fifty>() * (Fifty(i) + Fifty(0.5)) / nodes;
-            value[k] = curve(middle + half * cosine(i));
-        }
-        ReferencePatch patch;
-        patch.stretch = stretch;
-        for (int j = 0; j < nodes; ++j)
-        {
-            Fifty x(0), y(0);
-            for (int i = 0; i < nodes; ++i)
-            {
-                Fifty const& c = cosine_of_multiple(j * (2 * i + 1));
-                x += value[static_cast<std::size_t>(i)].x * c;
-                y += value[static_cast<std::size_t>(i)].y * c;
-            }
-            Fifty const factor = Fifty(j == 0 ? 1 : 2) / nodes;
-            patch.x.push_back(static_cast<long double>(factor * x));
-            patch.y.push_back(static_cast<long double>(factor * y));
-        }
-        double missed = 0;
-        for (double const s : {-0.93, -0.41, 0.37, 0.88})
-        {
-            Point const truth = curve(middle + half * Fifty(s));
-            Fifty const dx = truth.x - Fifty(value_of(patch.x, s)), dy = truth.y - Fifty(value_of(patch.y, s));
-            missed = std::max(missed, static_cast<double>(sqrt(dx * dx + dy * dy)));
-        }
-        constexpr int deepest = 16;
-        if (missed > target_ && depth < deepest)
-        {
-            fit(curve, from, middle, stretch, depth + 1);
-            fit(curve, middle, to, stretch, depth + 1);
-            return;
-        }
-        error = std::max(error, missed);
-        patches.push_back(std::move(patch));
-    }
-
-    static long double value_of(std::vector<long double> const& c, double s)
-    {
-        long double b1 = 0, b2 = 0;
-        for (std::size_t k = c.size(); k-- > 1;)
-        {
-            long double const b = 2 * static_cast<long double>(s) * b1 - b2 + c[k];
-            b2 = b1;
-            b1 = b;
-        }
-        return static_cast<long double>(s) * b1 - b2 + c[0];
-    }
-
-    /// cos(m pi / (2 nodes))
-    static Fifty const& cosine_of_multiple(int m)
-    {
-        static std::vector<Fifty> const table = [] {
-            std::vector<Fifty> all;
-            for (int k = 0; k < 4 * nodes; ++k)
-                all.push_back(cos(half_turn<Fifty>() * k / (2 * nodes)));
-            return all;
-        }();
-        return table[static_cast<std::size_t>(m % (4 * nodes))];
-    }
-    static Fifty const& cosine(int i) { return cosine_of_multiple(2 * i + 1); }
-
-    double target_;
-};
-
-/// A stretch of boundary with ends in 50 digits.
+/// A stretch of boundary with ends in 50 digits: of a contact arc, of the tip circle, or straight.
 struct Stretch
 {
     BoundaryPiece piece;
-    Fifty begin, end;   ///< u; on a land the angle
+    Fifty begin, end;            ///< u; on a tip circle the angle
+    bool folds_begin = false;    ///< two contacts merge there, and this one runs infinitely fast along the profile
+    bool folds_end = false;
+    Point from, to;              ///< of a straight one
 };
 
 /// u along a stretch, 0 ... 1, quadratic at an end where two contacts merge: there the contact moves at finite speed.
-Fifty along(StudyDrive const& drive, Stretch const& stretch, Fifty const& s)
+Fifty along(Stretch const& stretch, Fifty const& s)
 {
-    ContactArc const& arc = drive.arc(stretch.piece);
-    auto const folds = [&](double u) {
-        return (u == arc.u_begin && arc.begins == BranchEnd::double_root) || (u == arc.u_end && arc.ends == BranchEnd::double_root);
-    };
-    bool const first = folds(stretch.piece.begin), last = folds(stretch.piece.end);
     Fifty share = s;
-    if (first && last)
+    if (stretch.folds_begin && stretch.folds_end)
         share = s * s * (3 - 2 * s);
-    else if (first)
+    else if (stretch.folds_begin)
         share = s * s;
-    else if (last)
+    else if (stretch.folds_end)
         share = s * (2 - s);
     return stretch.begin + share * (stretch.end - stretch.begin);
 }
@@ -174,20 +45,20 @@ Fifty along(StudyDrive const& drive, Stretch const& stretch, Fifty const& s)
 
 constexpr int budget = 30;
 
-/// Newton's method with difference quotients on |p(u)| = radius.
-void meet_circle(FiftyDrive const& drive, Stretch const& at, Fifty& u, Fifty const& radius)
+/// Newton's method with difference quotients on f(u) = 0.
+template<class F>
+void solve_for(F const& f, std::string const& what, Stretch const& at, Fifty& u)
 {
     Fifty const h("1e-22"), enough("1e-32");
     for (int i = 0; i < budget; ++i)
     {
-        Fifty const f = length(drive.point(at.piece, u)) - radius;
-        Fifty const slope = (length(drive.point(at.piece, u + h)) - radius - f) / h;
-        Fifty const step = f / slope;
+        Fifty const value = f(u), slope = (f(u + h) - value) / h;
+        Fifty const step = value / slope;
         u -= step;
         if (abs(step) < enough)
             return;
     }
-    lost("the crossing of the tip circle", at);
+    lost(what, at);
 }
 
 /// The same on p_a(u) = p_b(u'); stretches that join in one tangent keep their ends: an error along both is none across.
@@ -218,20 +89,136 @@ void meet(FiftyDrive const& drive, Stretch& a, Stretch& b)
     lost("a corner of the boundary", a);
 }
 
+/// A stretch of @p piece; ends where contacts merge, or at a break, are those of 50 digits.
+Stretch stretch_of(StudyDrive const& drive, FiftyDrive const& fifty, BoundaryPiece const& piece)
+{
+    Stretch stretch{piece, Fifty(piece.begin), Fifty(piece.end), false, false, {}, {}};
+    if (piece.arc < 0)
+        return stretch;
+    ContactArc const& arc = drive.arc(piece);
+    auto const folds = [&](double u) {
+        return (u == arc.u_begin && arc.begins == BranchEnd::double_root) || (u == arc.u_end && arc.ends == BranchEnd::double_root);
+    };
+    stretch.folds_begin = folds(piece.begin);
+    stretch.folds_end = folds(piece.end);
+    stretch.begin = fifty.merged(piece, piece.begin);
+    stretch.end = fifty.merged(piece, piece.end);
+    Fifty const roundings(0x1p-44);
+    for (Fifty* end : {&stretch.begin, &stretch.end})
+        for (Fifty const& at : fifty.breaks())
+            if (abs(*end - at) < roundings)
+                *end = at;
+    return stretch;
+}
+
+/// @p stretch, cut where the speed of contacts jumps.
+std::vector<Stretch> cut(FiftyDrive const& fifty, Stretch const& stretch)
+{
+    std::vector<Fifty> inside;
+    for (Fifty const& at : fifty.breaks())
+        if ((at - stretch.begin) * (at - stretch.end) < 0)
+            inside.push_back(at);
+    if (stretch.end < stretch.begin)
+        std::reverse(inside.begin(), inside.end());
+    std::vector<Stretch> parts{stretch};
+    for (Fifty const& at : inside)
+    {
+        Stretch rest = parts.back();
+        parts.back().end = rest.begin = at;
+        parts.back().folds_end = rest.folds_begin = false;
+        parts.push_back(rest);
+    }
+    return parts;
+}
+
 void add_stretch(Fitter& fitter, StudyDrive const& drive, FiftyDrive const& fifty, Stretch const& stretch, int number)
 {
-    if (stretch.piece.arc < 0)
+    if (stretch.piece.arc >= 0)
     {
-        Fifty const radius(drive.geometry.circular_spline_inner_radius);
-        fitter.add(
-            [&](Fifty const& s) -> Point {
-                Fifty const angle = stretch.begin + s * (stretch.end - stretch.begin);
-                return {radius * sin(angle), radius * cos(angle)};
-            },
-            number);
+        for (Stretch const& part : cut(fifty, stretch))
+            fitter.add([&](Fifty const& s) { return fifty.point(part.piece, along(part, s)); }, number);
         return;
     }
-    fitter.add([&](Fifty const& s) { return fifty.point(stretch.piece, along(drive, stretch, s)); }, number);
+    if (drive.reverse())
+    {
+        fitter.add([&](Fifty const& s) { return stretch.from + s * (stretch.to - stretch.from); }, number);
+        return;
+    }
+    Fifty const radius(drive.geometry.circular_spline_inner_radius);
+    fitter.add(
+        [&](Fifty const& s) -> Point {
+            Fifty const angle = stretch.begin + s * (stretch.end - stretch.begin);
+            return {radius * sin(angle), radius * cos(angle)};
+        },
+        number);
+}
+
+/// Ends of the lands on the tip circle, which flanks come down to.
+void finish_space(StudyDrive const& drive, FiftyDrive const& fifty, std::vector<Stretch>& stretches)
+{
+    Fifty const radius(drive.geometry.circular_spline_inner_radius);
+    auto const come_down = [&](Stretch const& flank, Fifty& u, Fifty& angle) {
+        solve_for([&](Fifty const& at) -> Fifty { return length(fifty.point(flank.piece, at)) - radius; }, "the crossing of the tip circle", flank, u);
+        Point const p = fifty.point(flank.piece, u);
+        angle = atan2(p.x, p.y);
+    };
+    for (std::size_t i = 0; i + 1 < stretches.size(); ++i)
+    {
+        Stretch& a = stretches[i];
+        Stretch& b = stretches[i + 1];
+        if (a.piece.arc < 0)
+            come_down(b, b.begin, a.end);
+        else if (b.piece.arc < 0)
+            come_down(a, a.end, b.begin);
+    }
+    stretches.front().begin = -fifty.half_pitch();
+    stretches.back().end = fifty.half_pitch();
+}
+
+/// Where a flank of the flexspline tooth ends: its contact is at the very end of the other tooth's tip, or half the pitch is reached, whichever the program has found there.
+void finish_foot(StudyDrive const& drive, FiftyDrive const& fifty, Stretch const& flank, Fifty& u)
+{
+    Fifty const half_width(drive.limits.half_width), start = u;
+    Fifty const lean = abs(fifty.lean(flank.piece, u)), room = abs(1 - abs(fifty.point(flank.piece, u).x) / half_width);
+    // an end of an arc that is neither stays where it is
+    Fifty const near(0x1p-30);
+    if (lean > near && room > near)
+        return;
+    if (lean < room)
+        solve_for([&](Fifty const& at) { return fifty.lean(flank.piece, at); }, "the foot of a flank", flank, u);
+    else
+        solve_for([&](Fifty const& at) -> Fifty { return abs(fifty.point(flank.piece, at).x) - half_width; }, "the foot of a flank", flank, u);
+    if (abs(u - start) > near)
+        lost("the foot of a flank", flank);
+}
+
+/// The tip land, the feet and the walls below them.
+void finish_body(StudyDrive const& drive, FiftyDrive const& fifty, std::vector<Stretch>& stretches)
+{
+    Fifty const pitch_line(drive.geometry.pitch_line), tip = Fifty(drive.limits.tip) - pitch_line, root = Fifty(drive.limits.root) - pitch_line;
+    auto const cross_tip = [&](Stretch const& flank, Fifty& u) {
+        solve_for([&](Fifty const& at) -> Fifty { return fifty.point(flank.piece, at).y - tip; }, "the crossing of the tip", flank, u);
+        return fifty.point(flank.piece, u);
+    };
+    std::size_t const last = stretches.size() - 1;
+    for (std::size_t i = 1; i < last; ++i)
+    {
+        if (stretches[i].piece.arc >= 0)
+            continue;
+        stretches[i].from = cross_tip(stretches[i - 1], stretches[i - 1].end);
+        stretches[i].to = cross_tip(stretches[i + 1], stretches[i + 1].begin);
+    }
+    auto const below = [&](Point const& foot) -> Point {
+        Fifty const depth = foot.y - root, room = Fifty(drive.limits.half_width) - abs(foot.x);
+        Fifty const out = std::min<Fifty>(depth, std::max<Fifty>(Fifty(0), room) / 2);
+        return {foot.x < 0 ? Fifty(foot.x - out) : Fifty(foot.x + out), root};
+    };
+    finish_foot(drive, fifty, stretches[1], stretches[1].begin);
+    finish_foot(drive, fifty, stretches[last - 1], stretches[last - 1].end);
+    stretches.front().to = fifty.point(stretches[1].piece, stretches[1].begin);
+    stretches.front().from = below(stretches.front().to);
+    stretches.back().from = fifty.point(stretches[last - 1].piece, stretches[last - 1].end);
+    stretches.back().to = below(stretches.back().from);
 }
 
 }  // namespace
@@ -241,33 +228,15 @@ ReferenceCurve reference_of(StudyDrive const& drive)
     FiftyDrive const fifty(drive);
     std::vector<Stretch> stretches;
     for (BoundaryPiece const& piece : drive.pieces)
-        stretches.push_back({piece, Fifty(piece.begin), Fifty(piece.end)});
-    Fifty const radius(drive.geometry.circular_spline_inner_radius);
+        stretches.push_back(stretch_of(drive, fifty, piece));
     for (std::size_t i = 0; i + 1 < stretches.size(); ++i)
-    {
-        Stretch& a = stretches[i];
-        Stretch& b = stretches[i + 1];
-        if (a.piece.arc < 0)
-        {
-            meet_circle(fifty, b, b.begin, radius);
-            Point const p = fifty.point(b.piece, b.begin);
-            a.end = atan2(p.x, p.y);
-        }
-        else if (b.piece.arc < 0)
-        {
-            meet_circle(fifty, a, a.end, radius);
-            Point const p = fifty.point(a.piece, a.end);
-            b.begin = atan2(p.x, p.y);
-        }
-        else
-        {
-            meet(fifty, a, b);
-        }
-    }
-    stretches.front().begin = -fifty.half_pitch();
-    stretches.back().end = fifty.half_pitch();
-    double const size = drive.geometry.circular_spline_inner_radius;
-    Fitter fitter(size);
+        if (stretches[i].piece.arc >= 0 && stretches[i + 1].piece.arc >= 0)
+            meet(fifty, stretches[i], stretches[i + 1]);
+    if (drive.reverse())
+        finish_body(drive, fifty, stretches);
+    else
+        finish_space(drive, fifty, stretches);
+    Fitter fitter(drive.geometry.circular_spline_inner_radius);
     for (std::size_t i = 0; i < stretches.size(); ++i)
         add_stretch(fitter, drive, fifty, stretches[i], static_cast<int>(i));
     return {std::move(fitter.patches), fitter.error};
@@ -277,7 +246,7 @@ ReferenceCurve reference_of(StudyDrive const& drive, BoundaryPiece const& piece)
 {
     FiftyDrive const fifty(drive);
     Fitter fitter(drive.geometry.circular_spline_inner_radius);
-    add_stretch(fitter, drive, fifty, {piece, Fifty(piece.begin), Fifty(piece.end)}, 0);
+    add_stretch(fitter, drive, fifty, stretch_of(drive, fifty, piece), 0);
     return {std::move(fitter.patches), fitter.error};
 }
 

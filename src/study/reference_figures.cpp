@@ -23,7 +23,7 @@ Fifty normal_speed(PieceShape const& shape, int t, Place<Fifty> const& place)
 }
 
 /// The root of it next to @p u, by the secant rule.
-Fifty crossing(PieceShape const& shape, int t, GivenMotion<Fifty> const& motion, double u)
+Fifty crossing(PieceShape const& shape, int t, GivenView<Fifty> const& motion, double u)
 {
     Fifty a(u), b = a + Fifty(0x1p-30);
     Fifty fa = normal_speed(shape, t, motion.at(a));
@@ -53,7 +53,9 @@ ReferenceFigures reference_figures(Scene const& scene, ReferenceCurve const& tru
     // mirror images are not assumed: the right land's corner, as the program takes it
     Vec2 const corner = truth.start_of(truth.patches().back().stretch);
     double const half_land = std::numbers::pi / scene.drive.circular_spline_teeth - std::atan2(corner.x(), corner.y());
-    return {static_cast<double>(GivenCurve<Fifty>(drive.numbers()).mean_radius()), truth.largest_radius() - tip, 2 * half_land * tip};
+    // the linear models measure w from the undeformed circle
+    bool const exact = scene.solver.kinematics == Kinematics::exact;
+    return {exact ? static_cast<double>(GivenCurve<Fifty>(drive.given()).mean_radius()) : drive.geometry.r_m, truth.largest_radius() - tip, 2 * half_land * tip};
 }
 
 std::vector<ZoneEndCheck> check_zone_ends(Solution const& solution)
@@ -62,7 +64,9 @@ std::vector<ZoneEndCheck> check_zone_ends(Solution const& solution)
     if (!faults.empty())
         throw InputError(faults);
     StudyDrive const drive = study_drive(solution.scene);
-    GivenMotion<Fifty> const motion(drive.numbers());
+    std::vector<GivenView<Fifty>> views;
+    for (std::size_t j = 0; j < drive.motions.size(); ++j)
+        views.push_back(drive.view<Fifty>(j));
     std::vector<ZoneEndCheck> checks;
     for (ConjugateZone const& zone : solution.zones)
     {
@@ -71,7 +75,7 @@ std::vector<ZoneEndCheck> check_zone_ends(Solution const& solution)
         for (bool const begin : {true, false})
         {
             double const t = begin ? zone.t_begin : zone.t_end, u = begin ? zone.u_begin : zone.u_end;
-            double const lobe_end = drive.motion.half_lobe();
+            double const lobe_end = drive.motion().half_lobe();
             if ((t != 0 && t != 1) || std::abs(std::abs(u) - lobe_end) <= 2 * zone.phi_error)
                 continue;
             auto const piece = std::find_if(drive.tooth.pieces.begin(), drive.tooth.pieces.end(), [&](ProfilePiece const& p) {
@@ -79,7 +83,9 @@ std::vector<ZoneEndCheck> check_zone_ends(Solution const& solution)
             });
             if (piece == drive.tooth.pieces.end())
                 continue;
-            Fifty const root = crossing(piece->shape, static_cast<int>(t), motion, u);
+            auto const made_by = std::find(drive.numbers.begin(), drive.numbers.end(), solution.branches[zone.branch].tooth);
+            auto const which = drive.reverse() ? static_cast<std::size_t>(made_by - drive.numbers.begin()) : 0;
+            Fifty const root = crossing(piece->shape, static_cast<int>(t), views[which], u);
             checks.push_back({zone.segment_name, static_cast<double>(abs(root - Fifty(u))), zone.phi_error});
         }
     }

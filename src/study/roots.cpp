@@ -51,12 +51,12 @@ struct Instants
 /// Equal steps over the lobe, and ever closer to the places where two contacts of @p pieces merge, on either side: there a scan is tried.
 Instants instants_of(StudyDrive const& drive, std::vector<CurvePiece> const& pieces, int count)
 {
-    GivenMotion<Wide> const wide(drive.numbers());
+    GivenView<Wide> const wide = drive.view<Wide>();
     Instants all;
-    double const half = drive.motion.half_lobe();
+    double const half = drive.motion().half_lobe();
     for (int k = 0; k < count; ++k)
         all.u.push_back(-half + (2 * k + 1) * half / count);
-    for (double const fold : fold_angles(drive.motion, pieces))
+    for (double const fold : fold_angles(drive.motion(), pieces))
     {
         constexpr int nearest = 18;
         for (int power = 4; power <= nearest; power += 2)
@@ -65,7 +65,7 @@ Instants instants_of(StudyDrive const& drive, std::vector<CurvePiece> const& pie
     }
     for (double const u : all.u)
     {
-        all.rates.push_back(drive.motion.rates(u));
+        all.rates.push_back(drive.motion().rates(u));
         all.places.push_back(wide.at(u));
     }
     return all;
@@ -211,9 +211,10 @@ void closed_form(StudyBench const& bench, Instants const& at)
 
 /// The same contacts of one arc, in the type T.
 template<class T>
-void in_type(StudyBench const& bench, ReferenceCurve const& truth, ArcPiece const& arc, int side, std::vector<double> const& u, char const* method)
+void in_type(StudyBench const& bench, ReferenceCurve const& truth, ArcPiece const& arc, int side, std::size_t tooth, std::vector<double> const& u, char const* method)
 {
-    GivenMotion<T> const motion(bench.drive.numbers());
+    GivenView<T> const motion = bench.drive.view<T>(tooth);
+    T const lifted = static_cast<T>(bench.drive.reverse() ? bench.drive.geometry.pitch_line : 0);
     StudyRecord record;
     record.study = "number-type";
     record.method = method;
@@ -223,7 +224,7 @@ void in_type(StudyBench const& bench, ReferenceCurve const& truth, ArcPiece cons
     for (double const at : u)
     {
         GivenContact<T> const contact = contact_at(arc, side, motion.at(T(at)), T(bench.drive.offset));
-        worst = std::max(worst, truth.distance(static_cast<Wide>(contact.point.x), static_cast<Wide>(contact.point.y)));
+        worst = std::max(worst, truth.distance(static_cast<Wide>(contact.point.x), static_cast<Wide>(contact.point.y - lifted)));
         rest = std::max(rest, static_cast<double>(std::abs(inner(contact.normal, contact.velocity))));
     }
     record.error = record.hausdorff = worst;
@@ -236,6 +237,34 @@ void in_type(StudyBench const& bench, ReferenceCurve const& truth, ArcPiece cons
     });
     if (!(sum == sum))
         throw NumericalError("study number-type", method, "a contact is no number");
+}
+
+/// Those of the program itself.
+template<class Motion>
+void by_program(StudyBench const& bench, ReferenceCurve const& truth, Envelope<Motion> const& envelope, BoundaryPiece const& piece, std::vector<double> const& u)
+{
+    ContactArc const& arc = bench.drive.arc(piece);
+    StudyRecord record;
+    record.study = "number-type";
+    record.method = "the program";
+    record.knob = "bits of the significand";
+    record.value = std::numeric_limits<double>::digits;
+    double worst = 0;
+    for (double const at : u)
+    {
+        EnvelopePoint const point = envelope.point(arc, at);
+        worst = std::max(worst, truth.distance(bench.drive.placed(piece, point.p)));
+        record.estimate = std::fmax(record.estimate, point.error);
+    }
+    record.error = record.hausdorff = worst;
+    record.evaluations = record.points = static_cast<double>(u.size());
+    double sum = 0;
+    bench.measure(record, [&] {
+        for (double const at : u)
+            sum += envelope.point(arc, at).p.x();
+    });
+    if (!(sum == sum))
+        throw NumericalError("study number-type", "the program", "a contact is no number");
 }
 
 }  // namespace
@@ -296,7 +325,9 @@ void study_precision(StudyBench const& bench)
         return;
     }
     BoundaryPiece in_place = *chosen;
-    in_place.copy = 0;
+    if (!drive.reverse())
+        in_place.copy = 0;
+    std::size_t const tooth = drive.tooth_of(in_place);
     ReferenceCurve const truth = reference_of(drive, in_place);
     ContactArc const& arc = drive.arc(in_place);
     ArcPiece const& circle = std::get<ArcPiece>(drive.tooth.pieces[static_cast<std::size_t>(arc.piece)].shape);
@@ -306,32 +337,14 @@ void study_precision(StudyBench const& bench)
     // inside the stretch by a little, so that roundoff in float does not leave it; the same positions, exact in float, for all types
     for (int i = 0; i < count; ++i)
         u.push_back(static_cast<double>(static_cast<float>(in_place.begin + (in_place.end - in_place.begin) * (i + 0.5) / count)));
-    in_type<float>(bench, truth, circle, arc.candidate, u, "float");
-    in_type<double>(bench, truth, circle, arc.candidate, u, "double");
-    in_type<long double>(bench, truth, circle, arc.candidate, u, "long double");
+    in_type<float>(bench, truth, circle, arc.candidate, tooth, u, "float");
+    in_type<double>(bench, truth, circle, arc.candidate, tooth, u, "double");
+    in_type<long double>(bench, truth, circle, arc.candidate, tooth, u, "long double");
 
-    Envelope<StudyMotion> const envelope = drive.envelope();
-    StudyRecord record;
-    record.study = "number-type";
-    record.method = "the program";
-    record.knob = "bits of the significand";
-    record.value = std::numeric_limits<double>::digits;
-    double worst = 0;
-    for (double const at : u)
-    {
-        EnvelopePoint const point = envelope.point(arc, at);
-        worst = std::max(worst, truth.distance(point.p));
-        record.estimate = std::fmax(record.estimate, point.error);
-    }
-    record.error = record.hausdorff = worst;
-    record.evaluations = record.points = static_cast<double>(u.size());
-    double sum = 0;
-    bench.measure(record, [&] {
-        for (double const at : u)
-            sum += envelope.point(arc, at).p.x();
-    });
-    if (!(sum == sum))
-        throw NumericalError("study number-type", "the program", "a contact is no number");
+    if (drive.exact && !drive.reverse())
+        by_program(bench, truth, Envelope<StudyExactMotion>(drive.tooth, *drive.exact, drive.offset), in_place, u);
+    else
+        by_program(bench, truth, drive.envelope(in_place), in_place, u);
 }
 
 }  // namespace hdconj::detail

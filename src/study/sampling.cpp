@@ -17,25 +17,40 @@ template<class Sampled>
 std::vector<Vec2> boundary_points(StudyDrive const& drive, Sampled const& sampled)
 {
     std::vector<Vec2> all;
+    bool joined = false;
     for (BoundaryPiece const& piece : drive.pieces)
     {
         if (piece.arc < 0)
+        {
+            joined = false;   // the tip land of a tooth is one chord
             continue;
+        }
         std::vector<Vec2> points = sampled(piece);
-        if (piece.copy != 0)
-            for (Vec2& p : points)
-                p = turned_clockwise(p, piece.copy * drive.pitch);
-        all.insert(all.end(), points.begin() + (all.empty() ? 0 : 1), points.end());
+        for (Vec2& p : points)
+            p = drive.placed(piece, p);
+        all.insert(all.end(), points.begin() + (joined ? 1 : 0), points.end());
+        joined = true;
     }
     return all;
 }
 
-/// Every piece with its own ends and the grid points between them.
-std::vector<Vec2> uniform_points(StudyDrive const& drive, Envelope<StudyMotion> const& envelope, long count)
+/// Calls @p use with what gives the envelope of a piece: compiled for the exact motion where that is the model, since what is measured is its speed.
+template<class Use>
+auto with_envelopes(StudyDrive const& drive, Use const& use)
 {
-    double const step = 2 * drive.motion.half_lobe() / static_cast<double>(count);
+    if (drive.exact && !drive.reverse())
+        return use([&](BoundaryPiece const&) { return Envelope<StudyExactMotion>(drive.tooth, *drive.exact, drive.offset); });
+    return use([&](BoundaryPiece const& piece) { return drive.envelope(piece); });
+}
+
+/// Every piece with its own ends and the grid points between them.
+template<class EnvelopeOf>
+std::vector<Vec2> uniform_points(StudyDrive const& drive, EnvelopeOf const& envelope_of, long count)
+{
+    double const step = 2 * drive.motion().half_lobe() / static_cast<double>(count);
     return boundary_points(drive, [&](BoundaryPiece const& piece) {
         ContactArc const& arc = drive.arc(piece);
+        auto const envelope = envelope_of(piece);
         std::vector<Vec2> points{envelope.point(arc, piece.begin).p};
         bool const up = piece.end > piece.begin;
         double const a = std::min(piece.begin, piece.end) / step, b = std::max(piece.begin, piece.end) / step;
@@ -45,6 +60,30 @@ std::vector<Vec2> uniform_points(StudyDrive const& drive, Envelope<StudyMotion> 
         points.push_back(envelope.point(arc, piece.end).p);
         return points;
     });
+}
+
+/// What the adaptive sampler makes of the boundary.
+struct AdaptivePoints
+{
+    std::vector<Vec2> points;
+    std::size_t evaluations = 0;
+    double estimate = 0;
+};
+
+template<class EnvelopeOf>
+AdaptivePoints adaptive_points(StudyDrive const& drive, EnvelopeOf const& envelope_of, double chord)
+{
+    AdaptivePoints made;
+    made.points = boundary_points(drive, [&](BoundaryPiece const& piece) {
+        SampledArc const sampled = sample_arc(envelope_of(piece), drive.arc(piece), piece.begin, piece.end, chord, 1);
+        made.evaluations += sampled.evaluations;
+        made.estimate = std::max({made.estimate, sampled.chord, sampled.error});
+        std::vector<Vec2> points;
+        for (EnvelopePoint const& e : sampled.points)
+            points.push_back(e.p);
+        return points;
+    });
+    return made;
 }
 
 StudyRecord sampling_record(char const* method, char const* knob, double value)
@@ -105,7 +144,7 @@ class GridAndFit
     {
         ContactArc const& arc = drive.arc(piece);
         PieceShape const& shape = drive.tooth.pieces[static_cast<std::size_t>(arc.piece)].shape;
-        double t = piece.begin == arc.u_begin ? arc.t_begin : piece.begin == arc.u_end ? arc.t_end : drive.envelope().point(arc, piece.begin).t;
+        double t = piece.begin == arc.u_begin ? arc.t_begin : piece.begin == arc.u_end ? arc.t_end : drive.envelope(piece).point(arc, piece.begin).t;
         std::vector<Vec2> result;
         for (int i = 0; i < count; ++i)
         {
@@ -133,7 +172,7 @@ class GridAndFit
             }
             t = b;
             OnPiece const on = on_piece(shape, t);
-            result.push_back(turned_clockwise(motion.pose(s)(on.x + drive.offset * on.n), piece.copy * drive.pitch));
+            result.push_back(drive.placed(piece, motion.pose(s)(on.x + drive.offset * on.n)));
         }
         return result;
     }
@@ -218,47 +257,33 @@ void fit_ladders(StudyBench const& bench, ReferenceCurve const& truth, BoundaryP
 void study_sampling(StudyBench const& bench)
 {
     StudyDrive const& drive = bench.drive;
-    Envelope<StudyMotion> const envelope = drive.envelope();
     ReferenceCurve const truth = bench.reference.inner();
     constexpr int first = 8, last = 20, last_of_sample = 16, last_of_quick = 13;
     for (int power = first; power <= (bench.quick ? last_of_quick : bench.sampled ? last_of_sample : last); power += 2)
     {
         long const count = 1L << power;
-        std::vector<Vec2> const points = uniform_points(drive, envelope, count);
+        auto const make = [&] { return with_envelopes(drive, [&](auto const& envelope_of) { return uniform_points(drive, envelope_of, count); }); };
+        std::vector<Vec2> const points = make();
         StudyRecord record = sampling_record("equal steps of u", "steps over the lobe", static_cast<double>(count));
         CurveDifference const difference = truth.compare(points, drive.height());
         record.error = difference.points;
         record.hausdorff = difference.hausdorff;
         record.evaluations = record.points = static_cast<double>(points.size());
-        bench.measure(record, [&] { (void)uniform_points(drive, envelope, count); });
+        bench.measure(record, [&] { (void)make(); });
     }
     constexpr int coarsest = 3, finest = 10, finest_of_sample = 8, finest_of_quick = 6;
     for (int digits = coarsest; digits <= (bench.quick ? finest_of_quick : bench.sampled ? finest_of_sample : finest); ++digits)
     {
         double const chord = power_of_ten(digits);
-        std::size_t evaluations = 0;
-        double estimate = 0;
-        auto const make = [&] {
-            evaluations = 0;
-            estimate = 0;
-            return boundary_points(drive, [&](BoundaryPiece const& piece) {
-                SampledArc const sampled = sample_arc(envelope, drive.arc(piece), piece.begin, piece.end, chord, 1);
-                evaluations += sampled.evaluations;
-                estimate = std::max({estimate, sampled.chord, sampled.error});
-                std::vector<Vec2> points;
-                for (EnvelopePoint const& e : sampled.points)
-                    points.push_back(e.p);
-                return points;
-            });
-        };
-        std::vector<Vec2> const points = make();
+        auto const make = [&] { return with_envelopes(drive, [&](auto const& envelope_of) { return adaptive_points(drive, envelope_of, chord); }); };
+        AdaptivePoints const made = make();
         StudyRecord record = sampling_record("adaptive", "chord", chord);
-        CurveDifference const difference = truth.compare(points, drive.height());
+        CurveDifference const difference = truth.compare(made.points, drive.height());
         record.error = difference.points;
         record.hausdorff = difference.hausdorff;
-        record.estimate = estimate;
-        record.evaluations = static_cast<double>(evaluations);
-        record.points = static_cast<double>(points.size());
+        record.estimate = made.estimate;
+        record.evaluations = static_cast<double>(made.evaluations);
+        record.points = static_cast<double>(made.points.size());
         bench.measure(record, [&] { (void)make(); });
     }
 }
@@ -279,11 +304,22 @@ void study_fit(StudyBench const& bench)
     longer.begin -= more;
     longer.end += more;
     ReferenceCurve const truth = reference_of(drive, longer);
-    fit_ladders(bench, truth, *piece, drive.motion, piece->begin, piece->end, "exact motion");
-    FirstOrderMotion<AnyWaveShape> const first(drive.motion.curve().shape(), drive.geometry.r_m,
+    // the motion of the scene, and where that is the exact one the thesis' own beside it
+    char const* const model = drive.scene.solver.kinematics == Kinematics::exact ? "exact motion" : drive.scene.solver.kinematics == Kinematics::material ? "material" : "first order";
+    if (!drive.exact)
+        return fit_ladders(bench, truth, *piece, drive.motion(*piece), piece->begin, piece->end, model);
+    if (drive.reverse())
+        fit_ladders(bench, truth, *piece, drive.motion(*piece), piece->begin, piece->end, model);
+    else
+        fit_ladders(bench, truth, *piece, *drive.exact, piece->begin, piece->end, model);
+    FirstOrderMotion<AnyWaveShape> const first(drive.shape, drive.geometry.r_m,
                                                static_cast<double>(drive.scene.drive.flexspline_teeth) / drive.scene.drive.circular_spline_teeth);
-    auto const phi = [&](double u) { return drive.motion.angles(u).phi; };
-    fit_ladders(bench, truth, *piece, first, phi(piece->begin), phi(piece->end), "first order");
+    auto const phi = [&](double u) { return drive.motion().angles(u).phi; };
+    if (drive.reverse())
+        fit_ladders(bench, truth, *piece, StudyMotion(first).seen_from_flexspline(drive.numbers[drive.tooth_of(*piece)], drive.pitch, drive.seat_radius), phi(piece->begin),
+                    phi(piece->end), "first order");
+    else
+        fit_ladders(bench, truth, *piece, first, phi(piece->begin), phi(piece->end), "first order");
 }
 
 }  // namespace hdconj::detail

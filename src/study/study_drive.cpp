@@ -2,16 +2,25 @@
 #include "study_drive.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <functional>
 #include <limits>
+#include <map>
 #include <numbers>
+#include <string>
 
 #include "given_contact.hpp"
 #include "hdconj/conjugate/outline.hpp"
 #include "hdconj/envelope/find_branches.hpp"
 #include "hdconj/envelope/rest.hpp"
+#include "hdconj/motion/first_order_motion.hpp"
+#include "hdconj/motion/material_motion.hpp"
 #include "hdconj/pipeline/solve.hpp"
 #include "hdconj/profile/registry.hpp"
+#include "hdconj/scene/number_pairs.hpp"
+#include "hdconj/wavegen/inextensional_mode.hpp"
 
 namespace hdconj::detail {
 namespace {
@@ -19,34 +28,138 @@ namespace {
 Profile tooth_of(Scene const& scene)
 {
     int const difference = scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth;
+    bool const reverse = scene.is_reverse();
     Faults faults;
-    Profile tooth = build_profile(scene.flexspline.profile,
-                                  {scene.drive.module, scene.drive.flexspline_teeth, scene.flexspline.wall, scene.flexspline.neutral_offset,
-                                   scene.folder.string(), false, difference, scene.wave_generator.waves},
+    Profile tooth = build_profile(scene.given_profile(),
+                                  {scene.drive.module, reverse ? scene.drive.circular_spline_teeth : scene.drive.flexspline_teeth, reverse ? 0 : scene.flexspline.wall,
+                                   reverse ? 0 : scene.flexspline.neutral_offset, scene.folder.string(), reverse, difference, scene.wave_generator.waves},
                                   faults);
     if (!faults.empty())
         throw InputError(faults);
     return tooth;
 }
 
-}  // namespace
-
-std::optional<GivenShape> given_shape(Scene const& scene)
+GivenShape given_shape(std::string const& family)
 {
-    std::string const& family = scene.wave_generator.shape.family;
-    if (family == "cosine")
-        return GivenShape::cosine;
-    if (family == "ellipse")
-        return GivenShape::ellipse;
-    if (family == "ring-on-cosine-cam")
-        return GivenShape::ring_on_cosine_cam;
-    return std::nullopt;
+    static std::map<std::string, GivenShape, std::less<>> const all = {
+        {"cosine", GivenShape::cosine},           {"ellipse", GivenShape::ellipse},   {"ring-on-cosine-cam", GivenShape::ring_on_cosine_cam},
+        {"four-roller", GivenShape::four_roller}, {"two-disc", GivenShape::two_disc}, {"table", GivenShape::table}};
+    auto const found = all.find(family);
+    if (found == all.end())
+        throw NumericalError("reference", "wave generator \"" + family + "\"", "has no reference in 50 digits");
+    return found->second;
 }
 
-GivenNumbers StudyDrive::numbers() const
+/// The rows of a table, without the one that closes the wave.
+std::vector<std::array<double, 2>> rows_of(Scene const& scene)
 {
-    return {given_shape(scene).value(), geometry.w0,       scene.wave_generator.waves, geometry.r_m, scene.wave_generator.shape.number_or("ring_thickness", 0),
-            scene.drive.flexspline_teeth, scene.drive.circular_spline_teeth};
+    Faults faults;
+    NumberPairs const table = read_number_pairs(scene.wave_generator.shape, "file", scene.folder.string(), "angle in degrees, radial displacement in mm", faults);
+    if (!faults.empty())
+        throw InputError(faults);
+    std::vector<std::array<double, 2>> rows;
+    constexpr double typed = 1e-9;   // degrees, as the program reads it
+    for (NumberPair const& row : table.rows)
+        if (rows.empty() || row.value[0] - rows.front()[0] < 360.0 / scene.wave_generator.waves - typed)
+            rows.push_back(row.value);
+    return rows;
+}
+
+/// The flexspline tooth's motion.
+StudyMotion motion_of(StudyDrive& drive, double ratio)
+{
+    double const r_m = drive.geometry.r_m;
+    switch (drive.scene.solver.kinematics)
+    {
+    case Kinematics::first_order: return StudyMotion(FirstOrderMotion<AnyWaveShape>(drive.shape, r_m, ratio));
+    case Kinematics::material: return StudyMotion(MaterialMotion(inextensional_mode(drive.shape), r_m, ratio));
+    case Kinematics::exact: break;
+    }
+    drive.exact = std::make_shared<StudyExactMotion const>(NeutralCurve<AnyWaveShape>(drive.shape, r_m), ratio);
+    return StudyMotion(*drive.exact);
+}
+
+/// Adds the contact arcs of tooth @p which.
+void add_arcs(StudyDrive& drive, std::size_t which)
+{
+    BranchSet const set = find_branches(Envelope<StudyMotion>(drive.tooth, drive.motions[which], drive.offset), 1);
+    drive.branches += set.branches.size();
+    for (Branch const& branch : set.branches)
+        drive.arcs.insert(drive.arcs.end(), branch.arcs.begin(), branch.arcs.end());
+}
+
+void find_tooth_space(StudyDrive& drive)
+{
+    add_arcs(drive, 0);
+    double const scale = drive.geometry.r_m + drive.geometry.w0 + drive.tooth.pitch_line + drive.tooth.addendum;
+    Tolerance const tolerance{scale * 0x1p-44, scale};
+    Envelope<StudyMotion> const envelope(drive.tooth, drive.motion(), drive.offset);
+    drive.pieces = ToothSpaceFinder<StudyMotion>(envelope, drive.arcs, drive.geometry.circular_spline_inner_radius, drive.scene.drive.circular_spline_teeth,
+                                                 tolerance, drive.height() * 0x1p-14)()
+                       .pieces;
+}
+
+/// The flexspline tooth between the circular-spline teeth that pass its centre line in a lobe.
+void find_tooth_body(StudyDrive& drive)
+{
+    PairGeometry const& g = drive.geometry;
+    Scene const& scene = drive.scene;
+    drive.seat_radius = g.circular_spline_inner_radius + drive.tooth.addendum + drive.tooth.pitch_line;
+    drive.limits.tip = g.pitch_line + g.addendum;
+    drive.limits.root = g.pitch_line - g.dedendum;
+    drive.limits.half_width = std::numbers::pi / scene.drive.flexspline_teeth * (g.r_m + drive.limits.root);
+    StudyMotion const flexspline = drive.motions.front();
+    drive.motions.clear();
+    int const per_lobe = (scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth) / scene.wave_generator.waves;
+    int const beside = (per_lobe - 1) / 2;
+    std::vector<SweptTooth<StudyMotion>> teeth;
+    std::vector<int> first_arc;
+    for (int number = -beside; number <= 1 + beside; ++number)
+    {
+        drive.numbers.push_back(number);
+        drive.motions.push_back(flexspline.seen_from_flexspline(number, drive.pitch, drive.seat_radius));
+    }
+    for (std::size_t j = 0; j < drive.motions.size(); ++j)
+    {
+        std::size_t const before = drive.arcs.size();
+        first_arc.push_back(static_cast<int>(before));
+        add_arcs(drive, j);
+        teeth.push_back({Envelope<StudyMotion>(drive.tooth, drive.motions[j], drive.offset),
+                         std::vector<ContactArc>(drive.arcs.begin() + static_cast<std::ptrdiff_t>(before), drive.arcs.end())});
+    }
+    Tolerance const tolerance{drive.seat_radius * 0x1p-44, drive.seat_radius};
+    ToothBody const body = ToothBodyFinder<StudyMotion>(teeth, drive.limits, tolerance, drive.height() * 0x1p-14)();
+    auto const numbered = [&](BoundaryPiece piece) {
+        piece.arc += first_arc[static_cast<std::size_t>(piece.copy)];
+        return piece;
+    };
+    drive.pieces.emplace_back();
+    for (auto piece = body.left.rbegin(); piece != body.left.rend(); ++piece)
+    {
+        drive.pieces.push_back(numbered(*piece));
+        std::swap(drive.pieces.back().begin, drive.pieces.back().end);
+    }
+    drive.pieces.emplace_back();
+    for (BoundaryPiece const& piece : body.right)
+        drive.pieces.push_back(numbered(piece));
+    drive.pieces.emplace_back();
+}
+
+}  // namespace
+
+GivenNumbers StudyDrive::given() const
+{
+    FamilyChoice const& choice = scene.wave_generator.shape;
+    GivenNumbers numbers_given{given_shape(choice.family), geometry.w0, scene.wave_generator.waves, geometry.r_m, choice.number_or("ring_thickness", 0), 0, {},
+                               scene.drive.flexspline_teeth, scene.drive.circular_spline_teeth, scene.solver.kinematics};
+    switch (numbers_given.shape)
+    {
+    case GivenShape::four_roller: numbers_given.angle_deg = choice.number_or("roller_angle_deg", 0); break;
+    case GivenShape::two_disc: numbers_given.angle_deg = choice.number_or("wrap_angle_deg", 0); break;
+    case GivenShape::table: numbers_given.rows = rows_of(scene); break;
+    default: break;
+    }
+    return numbers_given;
 }
 
 bool StudyDrive::is_flank(BoundaryPiece const& piece) const
@@ -57,31 +170,37 @@ bool StudyDrive::is_flank(BoundaryPiece const& piece) const
     return !tooth.pieces[static_cast<std::size_t>(made_by)].corner && !is_tip(tooth, made_by);
 }
 
+Vec2 StudyDrive::placed(BoundaryPiece const& piece, Vec2 const& p) const
+{
+    if (reverse())
+        return p - Vec2(0, geometry.pitch_line);
+    return piece.copy == 0 ? p : turned_clockwise(p, piece.copy * pitch);
+}
+
 StudyDrive study_drive(Scene const& scene)
 {
     Scene coarse = scene;
     coarse.solver.tolerance = (scene.drive.module) * 0x1p-10;
-    Solution const solution = solve(coarse);
-    Profile tooth = tooth_of(scene);
-    double const ratio = static_cast<double>(scene.drive.flexspline_teeth) / scene.drive.circular_spline_teeth;
+    StudyDrive drive;
+    drive.scene = scene;
+    drive.geometry = solve(coarse).geometry;
+    drive.pitch = 2 * std::numbers::pi / scene.drive.circular_spline_teeth;
+    drive.offset = scene.circular_spline.backlash_offset;
     Faults faults;
-    AnyWaveShape const shape = build_wave_shape(scene.wave_generator.shape, {solution.geometry.r_m, scene.wave_generator.waves, scene.folder.string()}, faults);
+    drive.shape = build_wave_shape(scene.wave_generator.shape, {drive.geometry.r_m, scene.wave_generator.waves, scene.folder.string()}, faults);
     if (!faults.empty())
         throw InputError(faults);
-    StudyMotion motion(NeutralCurve<AnyWaveShape>(shape, solution.geometry.r_m), ratio);
-    tooth = clear_of_rest(tooth, motion);
-    StudyDrive drive{scene, solution.geometry, std::move(tooth), std::move(motion), {}, {}, 2 * std::numbers::pi / scene.drive.circular_spline_teeth,
-                     scene.circular_spline.backlash_offset};
-    BranchSet const set = find_branches(drive.envelope(), 1);
-    drive.branches = set.branches.size();
-    for (Branch const& branch : set.branches)
-        drive.arcs.insert(drive.arcs.end(), branch.arcs.begin(), branch.arcs.end());
-    Envelope<StudyMotion> const envelope = drive.envelope();
-    double const scale = drive.geometry.r_m + drive.geometry.w0 + drive.tooth.pitch_line + drive.tooth.addendum;
-    Tolerance const tolerance{scale * 0x1p-44, scale};
-    drive.pieces = ToothSpaceFinder<StudyMotion>(envelope, drive.arcs, drive.geometry.circular_spline_inner_radius, scene.drive.circular_spline_teeth,
-                                                 tolerance, drive.height() * 0x1p-14)()
-                       .pieces;
+    drive.motions.push_back(motion_of(drive, static_cast<double>(scene.drive.flexspline_teeth) / scene.drive.circular_spline_teeth));
+    if (drive.reverse())
+    {
+        drive.tooth = tooth_of(scene);
+        find_tooth_body(drive);
+    }
+    else
+    {
+        drive.tooth = clear_of_rest(tooth_of(scene), drive.motion());
+        find_tooth_space(drive);
+    }
     return drive;
 }
 
@@ -109,7 +228,15 @@ std::vector<double> fold_angles(StudyMotion const& motion, std::vector<CurvePiec
 
 double entry_of(StudyDrive const& drive, ReferenceCurve const& reference, int samples, int positions)
 {
-    GivenMotion<double> const motion(drive.numbers());
+    // forward: turned copies of one tooth; reverse: each circular-spline tooth as it is seen
+    constexpr int neighbours = 3;
+    std::vector<GivenView<double>> views;
+    GivenMotion<double> const held(drive.given());
+    if (drive.reverse())
+        for (int number = -neighbours; number <= 1 + neighbours; ++number)
+            views.emplace_back(held, number, drive.seat_radius);
+    else
+        views.emplace_back(held);
     std::vector<Vec2> const tooth = polygon_of(drive.tooth, drive.height() * 0x1p-20);
     PolylineTree const sides(tooth);
     double low = tooth.front().y(), high = low, wide = 0;
@@ -119,10 +246,11 @@ double entry_of(StudyDrive const& drive, ReferenceCurve const& reference, int sa
         high = std::max(high, p.y());
         wide = std::max(wide, std::abs(p.x()));
     }
-    double const half = drive.motion.half_lobe(), step = 2 * half / positions;
-    std::vector<Place<double>> places;
-    for (int i = 0; i <= positions; ++i)
-        places.push_back(motion.at(-half + step * i));
+    double const half = drive.motion().half_lobe(), step = 2 * half / positions;
+    std::vector<std::vector<Place<double>>> places(views.size());
+    for (std::size_t j = 0; j < views.size(); ++j)
+        for (int i = 0; i <= positions; ++i)
+            places[j].push_back(views[j].at(-half + step * i));
     auto const in_tooth = [](Place<double> const& place, Vec2 const& p) -> Vec2 {
         Pair<double> const d{p.x() - place.origin.x, p.y() - place.origin.y};
         return {inner(d, place.along), inner(d, place.outward)};
@@ -142,37 +270,48 @@ double entry_of(StudyDrive const& drive, ReferenceCurve const& reference, int sa
         }
         return inside ? -away : away;
     };
+    /// Of a point in the frame that the views are in from one tooth over the lobe.
+    std::vector<double> along;
+    auto const nearest_to = [&](Vec2 const& p, std::size_t j) {
+        auto const at = [&](double u) { return distance(in_tooth(views[j].at(u), p)); };
+        double nearest = std::numeric_limits<double>::infinity();
+        along.assign(places[j].size(), 0);
+        for (std::size_t i = 0; i < places[j].size(); ++i)
+            along[i] = distance(in_tooth(places[j][i], p));
+        for (std::size_t i = 1; i + 1 < along.size(); ++i)
+        {
+            if (!(along[i] < std::numeric_limits<double>::infinity()) || along[i] > along[i - 1] || along[i] > along[i + 1])
+                continue;
+            double const u = -half + step * static_cast<double>(i);
+            double a = u - step, b = u + step;
+            constexpr int halvings = 40;
+            for (int n = 0; n < halvings; ++n)   // thirds
+            {
+                double const c = a + (b - a) / 3, d = b - (b - a) / 3;
+                (at(c) < at(d) ? b : a) = at(c) < at(d) ? d : c;
+            }
+            nearest = std::min(nearest, at(0.5 * (a + b)));
+        }
+        return nearest;
+    };
+    std::vector<bool> lands;   // stretches that nothing has to touch
+    for (BoundaryPiece const& piece : drive.pieces)
+        lands.push_back(piece.arc < 0);
     double worst = 0;
     auto const& points = reference.points();
-    std::vector<double> along;
+    std::size_t const a_patch = points.size() / reference.patches().size();
     for (int k = 1; k < samples; ++k)
     {
-        Vec2 const p = points[points.size() * static_cast<std::size_t>(k) / static_cast<std::size_t>(samples)];
-        bool const land = p.norm() < drive.geometry.circular_spline_inner_radius * (1 + 0x1p-40);
+        std::size_t const index = points.size() * static_cast<std::size_t>(k) / static_cast<std::size_t>(samples);
+        auto const patch = std::min(index / a_patch, reference.patches().size() - 1);
+        bool const land = lands[static_cast<std::size_t>(reference.patches()[patch].stretch)];
         double nearest = std::numeric_limits<double>::infinity();
-        constexpr int neighbours = 3;
-        for (int copy = -neighbours; copy <= neighbours; ++copy)
-        {
-            Vec2 const turned = turned_clockwise(p, -copy * drive.pitch);
-            auto const at = [&](double u) { return distance(in_tooth(motion.at(u), turned)); };
-            along.assign(places.size(), 0);
-            for (std::size_t i = 0; i < places.size(); ++i)
-                along[i] = distance(in_tooth(places[i], turned));
-            for (std::size_t i = 1; i + 1 < along.size(); ++i)
-            {
-                if (!(along[i] < std::numeric_limits<double>::infinity()) || along[i] > along[i - 1] || along[i] > along[i + 1])
-                    continue;
-                double const u = -half + step * static_cast<double>(i);
-                double a = u - step, b = u + step;
-                constexpr int halvings = 40;
-                for (int n = 0; n < halvings; ++n)   // thirds
-                {
-                    double const c = a + (b - a) / 3, d = b - (b - a) / 3;
-                    (at(c) < at(d) ? b : a) = at(c) < at(d) ? d : c;
-                }
-                nearest = std::min(nearest, at(0.5 * (a + b)));
-            }
-        }
+        if (drive.reverse())
+            for (std::size_t j = 0; j < views.size(); ++j)
+                nearest = std::min(nearest, nearest_to(points[index] + Vec2(0, drive.geometry.pitch_line), j));
+        else
+            for (int copy = -neighbours; copy <= neighbours; ++copy)
+                nearest = std::min(nearest, nearest_to(turned_clockwise(points[index], -copy * drive.pitch), 0));
         nearest -= drive.offset;
         worst = std::max(worst, land ? -nearest : std::abs(nearest));
     }
@@ -182,7 +321,9 @@ double entry_of(StudyDrive const& drive, ReferenceCurve const& reference, int sa
 double residual_of(StudyDrive const& drive, Solution const& solution, std::size_t samples)
 {
     using Wide = long double;
-    GivenMotion<Wide> const motion(drive.numbers());
+    std::vector<GivenView<Wide>> views;
+    for (std::size_t j = 0; j < drive.motions.size(); ++j)
+        views.push_back(drive.view<Wide>(j));
     std::size_t all = 0;
     for (BranchRecord const& branch : solution.branches)
         all += branch.u.size();
@@ -202,8 +343,10 @@ double residual_of(StudyDrive const& drive, Solution const& solution, std::size_
                 double const t = branch.t[i];
                 if (piece.segment != branch.segment || piece.corner || t < piece.t_begin || t > piece.t_end)
                     continue;
-                Place<Wide> const place = motion.at(branch.u[i]);
-                Pair<Wide> const p{branch.point[i].x() - place.origin.x, branch.point[i].y() - place.origin.y};
+                auto const which = static_cast<std::size_t>(std::find(drive.numbers.begin(), drive.numbers.end(), branch.tooth) - drive.numbers.begin());
+                Place<Wide> const place = views[drive.reverse() ? which : 0].at(branch.u[i]);
+                Wide const lifted = drive.reverse() ? Wide(drive.geometry.pitch_line) : Wide(0);   // branches count from the pitch line
+                Pair<Wide> const p{branch.point[i].x() - place.origin.x, branch.point[i].y() + lifted - place.origin.y};
                 Pair<Wide> const x{inner(p, place.along), inner(p, place.outward)};
                 Wide const local = (Wide(t) - piece.t_begin) / (Wide(piece.t_end) - piece.t_begin);
                 Pair<Wide> n{};

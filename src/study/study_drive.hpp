@@ -3,46 +3,72 @@
 /// A drive taken apart, for methods that are parts of `solve` or stand in for one; private to src/study.
 #pragma once
 
-#include <optional>
+#include <memory>
+#include <utility>
 #include <vector>
 
+#include "given_motion.hpp"
+#include "hdconj/conjugate/tooth_body.hpp"
 #include "hdconj/conjugate/tooth_space.hpp"
 #include "hdconj/envelope/envelope.hpp"
-#include "hdconj/motion/exact_motion.hpp"
 #include "hdconj/pipeline/solution.hpp"
 #include "hdconj/profile/profile.hpp"
 #include "hdconj/study/reference_curve.hpp"
 #include "hdconj/wavegen/registry.hpp"
-#include "given_motion.hpp"
+#include "study_motion.hpp"
 
 namespace hdconj::detail {
 
-using StudyMotion = ExactMotion<AnyWaveShape>;
-
-/// Tooth, motion, contact arcs and the pieces of one pitch of the boundary, each with exact ends.
+/// Tooth, motion, contact arcs and the pieces of the boundary that is solved for, each with exact ends.
+///
+/// Forward problem: the boundary is one pitch of the circular spline, mid-land to mid-land, and `copy` of a piece counts pitches. Reverse problem: it is the flexspline tooth from root to root, pieces without an arc
+/// are its walls and its tip land, and `copy` is the index of the circular-spline tooth that sweeps the piece.
 struct StudyDrive
 {
     Scene scene;
     PairGeometry geometry;
-    Profile tooth;
-    StudyMotion motion;
-    std::vector<ContactArc> arcs;
+    Profile tooth;                      ///< the given one
+    AnyWaveShape shape;
+    std::shared_ptr<StudyExactMotion const> exact;   ///< where that is the model; else null
+    std::vector<StudyMotion> motions;   ///< of the given tooth: one; in the reverse problem of each circular-spline tooth that matters
+    std::vector<int> numbers;           ///< of these teeth
+    std::vector<ContactArc> arcs;       ///< of all of them
     std::vector<BoundaryPiece> pieces;
     double pitch = 0;
     double offset = 0;
+    double seat_radius = 0;             ///< of the frame of a given circular-spline tooth
+    BodyLimits limits;                  ///< of the flexspline tooth that is solved for
     std::size_t branches = 0;
 
-    [[nodiscard]] Envelope<StudyMotion> envelope() const { return {tooth, motion, offset}; }
+    [[nodiscard]] bool reverse() const { return scene.is_reverse(); }
+    [[nodiscard]] std::size_t tooth_of(BoundaryPiece const& piece) const { return reverse() ? static_cast<std::size_t>(piece.copy) : 0; }
+    [[nodiscard]] StudyMotion const& motion() const { return motions.front(); }
+    [[nodiscard]] StudyMotion const& motion(BoundaryPiece const& piece) const { return motions[tooth_of(piece)]; }
+    [[nodiscard]] Envelope<StudyMotion> envelope(BoundaryPiece const& piece) const { return {tooth, motion(piece), offset}; }
     [[nodiscard]] ContactArc const& arc(BoundaryPiece const& piece) const { return arcs[static_cast<std::size_t>(piece.arc)]; }
-    [[nodiscard]] GivenNumbers numbers() const;
+    /// A point of the envelope of the tooth that makes @p piece, where the outline has it.
+    [[nodiscard]] Vec2 placed(BoundaryPiece const& piece, Vec2 const& p) const;
+    [[nodiscard]] GivenNumbers given() const;
+    /// The given tooth by the reference's path. @param which  index into `motions`
+    template<class T>
+    [[nodiscard]] GivenView<T> view(std::size_t which = 0) const
+    {
+        GivenMotion<T> held(given());
+        if (!reverse())
+            return GivenView<T>(std::move(held));
+        return GivenView<T>(std::move(held), numbers[which], T(seat_radius));
+    }
     /// Largest tooth height, a length to measure by [mm].
     [[nodiscard]] double height() const { return tooth.addendum + tooth.dedendum; }
     /// Whether a piece is traced by the flank (not a corner, not the tip).
     [[nodiscard]] bool is_flank(BoundaryPiece const& piece) const;
 };
 
-/// The wave generator of @p scene, where it has a reference in 50 digits.
-[[nodiscard]] std::optional<GivenShape> given_shape(Scene const& scene);
+/// The outline that @p solution was asked for.
+[[nodiscard]] inline std::vector<Vec2> const& outline_of(Solution const& solution)
+{
+    return solution.scene.is_reverse() ? solution.flexspline_outline : solution.circular_spline.outline.front();
+}
 
 /// @throws NumericalError as `solve` does
 [[nodiscard]] StudyDrive study_drive(Scene const& scene);
@@ -50,7 +76,7 @@ struct StudyDrive
 /// Where two contacts of a flank made of @p pieces merge.
 [[nodiscard]] std::vector<double> fold_angles(StudyMotion const& motion, std::vector<CurvePiece> const& pieces);
 
-/// The boundary of one pitch in 50 digits, mid-land to mid-land. Which stretch follows which is taken from @p drive and confirmed by entry_of();
+/// The boundary in 50 digits, in the frame of the outline. Which stretch follows which is taken from @p drive and confirmed by entry_of();
 /// every number is computed anew from the numbers that the scene gives: positions, contacts, corners.
 /// @throws NumericalError where a corner does not converge
 [[nodiscard]] ReferenceCurve reference_of(StudyDrive const& drive);

@@ -22,18 +22,19 @@ Solution rung(StudyBench const& bench, Scene const& scene, StudyRecord record)
 {
     Solution const solution = solve(scene);
     constexpr double clearly = 4;
-    CurveDifference const difference = bench.reference.compare(solution.circular_spline.outline.front(), clearly * scene.solver.tolerance);
+    CurveDifference const difference = bench.reference.compare(outline_of(solution), clearly * scene.solver.tolerance);
     constexpr std::size_t contacts = 400;
     record.error = difference.points;
     record.hausdorff = difference.hausdorff;
     record.estimate = solution.error.chord + solution.error.point;
-    record.residual = scene.solver.kinematics == Kinematics::exact ? residual_of(bench.drive, solution, contacts) : not_measured;
+    bool const own_model = scene.solver.kinematics == bench.drive.scene.solver.kinematics;
+    record.residual = own_model ? residual_of(bench.drive, solution, contacts) : not_measured;
     int const found = static_cast<int>(solution.branches.size()), there = static_cast<int>(bench.drive.branches);
     record.branches = found;
-    record.missed = std::max(0, there - found) + (scene.solver.kinematics == Kinematics::exact ? difference.missed : 0);
+    record.missed = std::max(0, there - found) + (own_model ? difference.missed : 0);
     record.extra = std::max(0, found - there);
     record.evaluations = static_cast<double>(solution.work.envelope_points);
-    record.points = static_cast<double>(solution.circular_spline.outline.front().size());
+    record.points = static_cast<double>(outline_of(solution).size());
     record.threads = solution.threads;
     bench.measure(record, [&] { (void)solve(scene); });
     return solution;
@@ -60,7 +61,7 @@ void tolerance_ladder(StudyBench const& bench, std::string const& study, std::st
 void study_tolerance(StudyBench const& bench)
 {
     constexpr int to = 11;
-    tolerance_ladder(bench, "tolerance", "solve", Kinematics::exact, to);
+    tolerance_ladder(bench, "tolerance", "solve", bench.drive.scene.solver.kinematics, to);
 }
 
 void study_motion_model(StudyBench const& bench)
@@ -68,6 +69,13 @@ void study_motion_model(StudyBench const& bench)
     constexpr int to = 7;
     tolerance_ladder(bench, "motion-model", "exact", Kinematics::exact, to);
     tolerance_ladder(bench, "motion-model", "first order", Kinematics::first_order, to);
+    if (!bench.drive.shape.breaks().empty())
+    {
+        std::string const note = "motion-model: material left out, it is a Fourier series, which does not follow the jumps in the third derivative of this wave generator's shape";
+        if (!bench.sampled)
+            bench.report.notes.push_back(note);
+        return;
+    }
     tolerance_ladder(bench, "motion-model", "material", Kinematics::material, to);
 }
 
@@ -87,7 +95,7 @@ void study_threads(StudyBench const& bench)
         record.knob = "solver.threads";
         record.value = threads;
         Solution const solution = solve(scene);
-        auto const& outline = solution.circular_spline.outline.front();
+        auto const& outline = outline_of(solution);
         if (single.empty())
             single = outline;
         CurveDifference const difference = bench.reference.compare(outline, scene.solver.tolerance);
