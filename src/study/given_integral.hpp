@@ -39,7 +39,7 @@ template<class T>
 ///
 /// Without breaks: even and analytic all around; equal steps, whose sums converge geometrically, and the integrated cosine sums of the same steps.
 /// With breaks: analytic between them; one Chebyshev series from break to break, with as many terms as it takes. The program cuts panels of fixed degree instead.
-/// Accuracy: some roundings of T against the largest value.
+/// Accuracy: some roundings of T against the largest value, or the scale where that is larger.
 /// @throws NumericalError where either does not converge
 template<class T>
 class GivenIntegral
@@ -47,8 +47,10 @@ class GivenIntegral
   public:
     GivenIntegral() = default;
     /// @param breaks  increasing, less than a period from first to last
+    /// @param scale   of the terms that f is a difference of, and which it has the rounding of
     template<class F>
-    GivenIntegral(F const& f, int waves, std::vector<T> const& breaks) : waves_(waves), period_(T(2) * half_turn<T>() / T(waves))
+    GivenIntegral(F const& f, int waves, std::vector<T> const& breaks, T const& scale = T(0))
+        : waves_(waves), period_(T(2) * half_turn<T>() / T(waves)), scale_(scale)
     {
         if (breaks.empty())
             expand(f);
@@ -92,7 +94,7 @@ class GivenIntegral
         T const eps = std::numeric_limits<T>::epsilon();
         constexpr std::size_t most = std::size_t{1} << 12;
         std::vector<T> values;
-        T before(0), size(0);
+        T before(0), size = scale_;
         for (std::size_t n = 16;; n *= 2)
         {
             values.assign(n, T(0));
@@ -126,49 +128,67 @@ class GivenIntegral
             sines_.pop_back();
     }
 
+    /// cos(m pi/(2 n)), m = 0 ... 4 n - 1.
+    [[nodiscard]] static std::vector<T> cosines_of(int n)
+    {
+        using std::cos;
+        std::vector<T> cosine(4 * static_cast<std::size_t>(n));
+        for (std::size_t m = 0; m < cosine.size(); ++m)
+            cosine[m] = cos(half_turn<T>() * T(static_cast<int>(m)) / T(2 * n));
+        return cosine;
+    }
+
     template<class F>
     void cut(F const& f, std::vector<T> const& breaks)
     {
+        constexpr int fewest = 16;
+        int nodes = fewest;
+        std::vector<T> cosine = cosines_of(nodes);
         T total(0);
         for (std::size_t i = 0; i < breaks.size(); ++i)
         {
             T const end = i + 1 < breaks.size() ? breaks[i + 1] : T(breaks.front() + period_);
-            panels_.push_back(panel(f, breaks[i], end, total));
+            panels_.push_back(panel(f, breaks[i], end, total, nodes, cosine));
             total += chebyshev_sum(panels_.back().c, T(1));
         }
         mean_ = total / period_;
         at_zero_ = from_first_break(T(0));
     }
 
+    /// @param n  nodes to begin with; raised to what it took, with their cosines
     template<class F>
-    [[nodiscard]] Panel panel(F const& f, T const& begin, T const& end, T const& before) const
+    [[nodiscard]] Panel panel(F const& f, T const& begin, T const& end, T const& before, int& n, std::vector<T>& cosine) const
     {
         using std::abs;
-        using std::cos;
         T const eps = std::numeric_limits<T>::epsilon();
         T const half = (end - begin) / T(2), middle = (begin + end) / T(2);
-        constexpr int fewest = 16, most = 512;
-        for (int n = fewest; n <= most; n *= 2)
+        constexpr int most = 512;
+        for (;;)
         {
             auto const count = static_cast<std::size_t>(n);
-            std::vector<T> cosine(4 * count), value(count), a(count);
-            for (std::size_t m = 0; m < cosine.size(); ++m)
-                cosine[m] = cos(half_turn<T>() * T(static_cast<int>(m)) / T(2 * n));
-            T size(0);
+            std::vector<T> value(count), a(count);
+            T size = scale_;
             for (std::size_t i = 0; i < count; ++i)
             {
                 value[i] = f(middle + half * cosine[2 * i + 1]);
                 size = std::max<T>(size, abs(value[i]));
             }
-            for (std::size_t j = 0; j < count; ++j)
-            {
+            auto const coefficient = [&](std::size_t j) {
                 T sum(0);
                 for (std::size_t i = 0; i < count; ++i)
                     sum += value[i] * cosine[j * (2 * i + 1) % (4 * count)];
-                a[j] = T(j == 0 ? 1 : 2) * sum / T(n);
-            }
-            if (abs(a[count - 1]) > T(16) * eps * size || abs(a[count - 2]) > T(16) * eps * size)
+                return T(T(j == 0 ? 1 : 2) * sum / T(n));
+            };
+            if (abs(coefficient(count - 1)) > T(16) * eps * size || abs(coefficient(count - 2)) > T(16) * eps * size)
+            {
+                if (n >= most)
+                    throw NumericalError("reference", "neutral curve", "a function between two breaks of the wave generator is not resolved");
+                n *= 2;
+                cosine = cosines_of(n);
                 continue;
+            }
+            for (std::size_t j = 0; j < count; ++j)
+                a[j] = coefficient(j);
             // the integral of T_k is T_{k+1}/(2(k+1)) - T_{k-1}/(2(k-1)), of T_0 it is T_1
             Panel made{begin, half, before, std::vector<T>(count, T(0))};
             T at_begin(0);
@@ -183,7 +203,6 @@ class GivenIntegral
                 made.c.pop_back();
             return made;
         }
-        throw NumericalError("reference", "neutral curve", "a function between two breaks of the wave generator is not resolved");
     }
 
     [[nodiscard]] T from_first_break(T const& u) const
@@ -198,6 +217,7 @@ class GivenIntegral
 
     int waves_ = 1;
     T period_{};
+    T scale_{};
     T mean_{};
     std::vector<T> sines_;
     std::vector<Panel> panels_;

@@ -40,7 +40,7 @@ class GivenMotion
         if (model_ == Kinematics::exact)
             sum_ = GivenIntegral<T>([this](T const& u) { return length(curve_.at(u).p1); }, given.waves, curve_.breaks());
         else
-            sum_ = GivenIntegral<T>([this](T const& u) { return curve_.displacement(u).w; }, given.waves, curve_.breaks());
+            sum_ = GivenIntegral<T>([this](T const& u) { return curve_.displacement(u).w; }, given.waves, curve_.breaks(), r_m_);
     }
 
     [[nodiscard]] T pitch() const { return pitch_; }
