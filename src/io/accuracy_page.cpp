@@ -261,6 +261,19 @@ void write_table(Page& page, StudyLadder const& ladder)
     }
 }
 
+/// What errors are distances from.
+void write_reference(Page& page, AccuracyReport const& report)
+{
+    page.line("**Errors** are distances in mm from a reference that is computed in 50 digits by another path (frames from tangent vectors in place of angles, arcs as parallels of their centre's "
+              "path, arc length by the trapezoidal rule or, where the wave generator's third derivative jumps, by one series from jump to jump, corners by Newton's method). It is of this drive's own "
+              "wave generator (`{}`) and motion model (`{}`){}; the study motion-model is against exact motion. Between its nodes the reference is right to {} mm; brute force over all tooth positions "
+              "finds it touched, and not entered, to {} mm, which is the resolution of that check. The error given is the larger of L-infinity (vertices off the curve) and Hausdorff distance (chords and missing stretches too). The residual "
+              "|n.v| stands apart and says little about either. *Missed* and *extra* count branches, stretches of boundary or roots; in the study threads, points that differ from those of one "
+              "thread.\n",
+              report.scene.wave_generator.shape.family, to_string(report.scene.solver.kinematics),
+              report.scene.is_reverse() ? ", and of the flexspline tooth, which is solved for" : "", scientific(report.reference_error), scientific(report.reference_entry));
+}
+
 void write_knobs(Page& page, Ladders const& ladders)
 {
     page.line("## Which knob for which accuracy\n");
@@ -293,12 +306,9 @@ std::string accuracy_page(StoredAccuracy const& study)
               "medians within a study. Program: hdconj {} ({}), {}. Libraries: {}.\n",
               report.records.size(), report.scene.drive.name, report.machine, report.threads, study.origin.version, study.origin.revision, study.origin.build,
               study.origin.libraries);
-    page.line("**Errors** are distances in mm from a reference that is computed in 50 digits by another path (frames from tangent vectors in place of angles, arcs as parallels of their centre's "
-              "path, arc length by the trapezoidal rule, corners by Newton's method). Between its nodes the reference is right to {} mm; brute force over all tooth positions finds it touched, "
-              "and not entered, to {} mm, which is the resolution of that check. The error given is the larger of L-infinity (vertices off the curve) and Hausdorff distance (chords and missing stretches too). The residual "
-              "|n.v| stands apart and says little about either. *Missed* and *extra* count branches, stretches of boundary or roots; in the study threads, points that differ from those of one "
-              "thread.\n",
-              scientific(report.reference_error), scientific(report.reference_entry));
+    if (report.reference_error > 0) {
+        write_reference(page, report);
+    }
     if (report.sample > 0) {
         page.line("**Sample**: {} designs about the drive (radial deformation 0.85 to 1.1, wall 0.8 to 1.2, lengths of the profile 0.94 to 1.06 times; {} more were drawn and make no drive). For each "
                   "setting the worst of them is shown; a slow machine is not a bad design, so their times are of single runs.\n",

@@ -59,8 +59,14 @@ std::string summary_text(StoredAccuracy const& study, AccuracyAdvice const& advi
     auto const ladders = ladders_of(report);
     page.line("{}: {} records, hdconj {} ({})", report.scene.drive.name, report.records.size(), study.origin.version, study.origin.revision);
     page.line("  {}, {} threads; {}", report.machine, report.threads, study.origin.build);
-    page.line("  reference: 50 digits by another path, itself right to {} mm; brute force finds it touched to {} mm", scientific(report.reference_error),
-              scientific(report.reference_entry));
+    bool const has_reference = report.reference_error > 0;   // studies along the axis need none
+    if (has_reference) {
+        page.line("  reference: 50 digits by another path, itself right to {} mm; brute force finds it touched to {} mm", scientific(report.reference_error),
+                  scientific(report.reference_entry));
+    }
+    if (has_reference && report.scene.solver.kinematics != Kinematics::exact) {
+        page.line("  measured against {} motion, as the scene has it; the study motion-model against exact motion", to_string(report.scene.solver.kinematics));
+    }
     if (report.sample > 0) {
         page.line("  sample: {} designs about this one ({} drawn that make no drive)", report.sample, report.sample_refused);
     }
@@ -97,6 +103,7 @@ std::string summary_json(StoredAccuracy const& study, AccuracyAdvice const& advi
 {
     auto const& report = study.report;
     auto const ladders = ladders_of(report);
+    bool const has_reference = report.reference_error > 0;
     Json summary = {{"format", "hdconj-accuracy"},
                     {"format_version", 1},
                     {"program_version", study.origin.version},
@@ -107,8 +114,8 @@ std::string summary_json(StoredAccuracy const& study, AccuracyAdvice const& advi
                     {"drive", report.scene.drive.name},
                     {"threads", report.threads},
                     {"records", report.records.size()},
-                    {"reference_error_mm", number(report.reference_error)},
-                    {"reference_entry_mm", number(report.reference_entry)},
+                    {"reference_error_mm", has_reference ? number(report.reference_error) : Json()},
+                    {"reference_entry_mm", has_reference ? number(report.reference_entry) : Json()},
                     {"sample", report.sample},
                     {"sample_refused", report.sample_refused},
                     {"notes", report.notes}};

@@ -67,6 +67,7 @@ std::vector<ZoneEndCheck> check_zone_ends(Solution const& solution)
     std::vector<GivenView<Fifty>> views;
     for (std::size_t j = 0; j < drive.motions.size(); ++j)
         views.push_back(drive.view<Fifty>(j));
+    bool const exact = solution.scene.solver.kinematics == Kinematics::exact;
     std::vector<ZoneEndCheck> checks;
     for (ConjugateZone const& zone : solution.zones)
     {
@@ -74,7 +75,8 @@ std::vector<ZoneEndCheck> check_zone_ends(Solution const& solution)
             continue;
         for (bool const begin : {true, false})
         {
-            double const t = begin ? zone.t_begin : zone.t_end, u = begin ? zone.u_begin : zone.u_end;
+            double const t = begin ? zone.t_begin : zone.t_end;
+            double const u = exact ? (begin ? zone.u_begin : zone.u_end) : (begin ? zone.phi_begin : zone.phi_end);   // what the motion is given by
             double const lobe_end = drive.motion().half_lobe();
             if ((t != 0 && t != 1) || std::abs(std::abs(u) - lobe_end) <= 2 * zone.phi_error)
                 continue;

@@ -255,19 +255,30 @@ double entry_of(StudyDrive const& drive, ReferenceCurve const& reference, int sa
         Pair<double> const d{p.x() - place.origin.x, p.y() - place.origin.y};
         return {inner(d, place.along), inner(d, place.outward)};
     };
+    // sides by height, for the even-odd rule
+    constexpr std::size_t levels = 256;
+    auto const level_of = [&](double y) { return static_cast<std::size_t>(std::clamp((y - low) / (high - low), 0.0, 1.0) * (levels - 1)); };
+    std::vector<std::vector<std::size_t>> at_level(levels);
+    for (std::size_t i = 0; i < tooth.size(); ++i)
+    {
+        std::size_t const a = level_of(tooth[i].y()), b = level_of(tooth[(i + 1) % tooth.size()].y());
+        for (std::size_t level = std::min(a, b); level <= std::max(a, b); ++level)
+            at_level[level].push_back(i);
+    }
     /// Signed: negative inside.
     auto const distance = [&](Vec2 const& x) {
         if (x.y() > high + wide || std::abs(x.x()) > 3 * wide)
             return std::numeric_limits<double>::infinity();
         double const away = sides.nearest(x, tooth.size() / 2).distance;
-        bool inside = false;   // even-odd, closed below the root
-        for (std::size_t i = 0; i < tooth.size(); ++i)
-        {
-            Vec2 const& a = tooth[i];
-            Vec2 const& b = tooth[(i + 1) % tooth.size()];
-            if ((a.y() > x.y()) != (b.y() > x.y()) && x.x() < a.x() + (x.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
-                inside = !inside;
-        }
+        bool inside = false;   // closed below the root
+        if (x.y() >= low && x.y() <= high)
+            for (std::size_t const i : at_level[level_of(x.y())])
+            {
+                Vec2 const& a = tooth[i];
+                Vec2 const& b = tooth[(i + 1) % tooth.size()];
+                if ((a.y() > x.y()) != (b.y() > x.y()) && x.x() < a.x() + (x.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x()))
+                    inside = !inside;
+            }
         return inside ? -away : away;
     };
     /// Of a point in the frame that the views are in from one tooth over the lobe.

@@ -92,6 +92,40 @@ TEST_CASE("accuracy: stored records give the same figures, a page and advice", "
     }
 }
 
+TEST_CASE("accuracy: drives of every kind are measured, and what a scene has no study of is said", "[accuracy]")
+{
+    TemporaryFolder const folder;
+    struct Row
+    {
+        std::string arguments, note;
+        std::size_t ladders;
+    };
+    std::string const scenes = "'" HDCONJ_SOURCE_DIR "/data/scenes/";
+    for (Row const& row : {Row{scenes + "four-roller.toml' --study tolerance,motion-model", "material left out", 3},
+                           Row{scenes + "two-disc.toml' --study tolerance --set solver.kinematics=first-order", "", 1},
+                           Row{scenes + "cam-table.toml' --study tolerance,threads", "", 2},
+                           Row{"--study motion-model --set solver.kinematics=material", "", 3},
+                           Row{scenes + "circular-spline-given.toml'", "union: left out", 17}}) {
+        INFO(row.arguments);
+        auto const done = accuracy("--quick --sample 0 --json -o study " + row.arguments, folder);
+        REQUIRE(done.status == 0);
+        json const report = json::parse(done.out);
+        CHECK(report.at("reference_error_mm").get<double>() < 1e-14);
+        CHECK_THAT(report.at("notes").dump(), ContainsSubstring(row.note));
+        CHECK(report.at("ladders").size() == row.ladders);
+        for (auto const& ladder : report.at("ladders"))
+            if (ladder.at("study") == "tolerance")
+                for (auto const& rung : ladder.at("rungs")) {
+                    CHECK(rung.at("error").get<double>() <= rung.at("estimate").get<double>());
+                    CHECK(rung.at("missed") == 0);
+                }
+    }
+    // of a study along the axis there is no reference to print
+    auto const axial = accuracy("--quick --sample 0 --study load -o axial", folder);
+    CHECK(axial.status == 0);
+    CHECK_THAT(axial.out, !ContainsSubstring("reference:") && ContainsSubstring("load: left out"));
+}
+
 TEST_CASE("accuracy: bad input is answered with what to write", "[accuracy]")
 {
     TemporaryFolder const folder;
@@ -100,8 +134,10 @@ TEST_CASE("accuracy: bad input is answered with what to write", "[accuracy]")
         std::string arguments, answer;
     };
     for (Row const& row : {Row{"--study tolerence", "write tolerance"}, Row{"--budget 10", "write a number with s, ms or us"}, Row{"--error nought", "write a number above 0"},
-                           Row{"--error 0", "write a number above 0"}, Row{"--set solver.kinematics=first-order", "leave the key out"},
-                           Row{"--set wave_generator.family=four-roller --set wave_generator.roller_angle_deg=25", "jumps in this wave generator's third derivative"}, Row{"--sample -1", "--sample"},
+                           Row{"--error 0", "write a number above 0"}, Row{"'" HDCONJ_SOURCE_DIR "/data/scenes/circular-spline-given.toml' --study tolerance,load", "needs the flexspline's tooth given"},
+                           Row{"'" HDCONJ_SOURCE_DIR "/data/scenes/circular-spline-given.toml' --study union", "leave it out, or give the flexspline's profile"},
+                           Row{"--set wave_generator.family=four-roller --set wave_generator.roller_angle_deg=25 --set solver.kinematics=material", "write \"exact\" or \"first-order\""},
+                           Row{"--sample -1", "--sample"},
                            Row{"--from a.h5 --study tolerance", "leave one of them out"}, Row{"--from a.h5 --set drive.module=1", "leave SCENE and --set out"}}) {
         INFO(row.arguments);
         auto const refused = accuracy(row.arguments, folder);

@@ -2,16 +2,15 @@
 // Deterministic gates of the work-precision studies, and what an error estimate must be: a bound, and not far above. Times are never looked at.
 #include <algorithm>
 #include <cmath>
-#include <iostream>
 #include <vector>
 
 #include "hdconj/io/scene_toml.hpp"
 #include "hdconj/numeric/error.hpp"
-#include "hdconj/numeric/parallel.hpp"
 #include "hdconj/study/accuracy.hpp"
 #include "hdconj/study/ladder.hpp"
 #include "hdconj/study/reference_outline.hpp"
 #include "support/catch.hpp"
+#include "support/oracle/estimate_law.hpp"
 #include "support/oracle/run.hpp"
 #include "support/oracle/touch.hpp"
 #include "support/oracle/touch_law.hpp"
@@ -187,61 +186,10 @@ TEST_CASE("accuracy: the estimate bounds the true error on random designs and is
         scene.solver.tolerance = std::pow(10.0, -3 - static_cast<double>(i % decades));
         scenes.push_back(scene);
     }
-    struct Outcome
-    {
-        double error = 0, estimate = 0;
-        bool solved = false;
-        std::string refused{};
-        std::vector<ZoneEndCheck> ends{};
-        ErrorEstimate stated{}, off{};   ///< of the single figures
-    };
-    std::vector<Outcome> outcomes(wanted);
-    parallel_for(wanted, 0, 1, [&](std::size_t i) {
-        try {
-            Solution const solution = solve(scenes[i]);
-            ReferenceCurve const truth = reference_outline(scenes[i]);
-            outcomes[i] = {truth.compare(solution.circular_spline.outline.front(), 1).hausdorff, solution.error.chord + solution.error.point, true};
-            ReferenceFigures const figures = reference_figures(scenes[i], truth);
-            PairGeometry const& g = solution.geometry;
-            outcomes[i].stated = solution.error;
-            outcomes[i].off.r_0 = std::abs(g.r_0 - figures.r_0);
-            outcomes[i].off.space_depth = std::abs(g.space_depth - figures.space_depth);
-            outcomes[i].off.land = std::abs(2 * g.land_half_angle * g.circular_spline_inner_radius - figures.land);
-            outcomes[i].ends = check_zone_ends(solution);
-        } catch (std::exception const& error) {
-            outcomes[i].refused = error.what();
-        }
-    });
-    std::vector<double> over;
-    std::size_t solved = 0, ends = 0;
-    for (std::size_t i = 0; i < wanted; ++i) {
-        if (!outcomes[i].solved) {
-            std::cout << "estimate: design " << i << ": " << outcomes[i].refused << '\n';
-            continue;
-        }
-        ++solved;
-        INFO("design " << i << ", tolerance " << scenes[i].solver.tolerance << "\n" << designs::toml_of(scenes[i]));
-        CHECK(outcomes[i].error <= outcomes[i].estimate);
-        // the tolerance is for chords; what vertices are off by, 1e-12 mm, comes on top
-        CHECK(outcomes[i].error <= scenes[i].solver.tolerance + 1e-11);
-        over.push_back(outcomes[i].estimate / outcomes[i].error);
-        // the single figures that are printed
-        CHECK(outcomes[i].off.r_0 <= outcomes[i].stated.r_0);
-        CHECK(outcomes[i].off.space_depth <= outcomes[i].stated.space_depth);
-        CHECK(outcomes[i].off.land <= outcomes[i].stated.land);
-        CHECK(outcomes[i].stated.land < scenes[i].drive.module * 1e-6);
-        for (ZoneEndCheck const& end : outcomes[i].ends) {
-            INFO(end.segment_name);
-            CHECK(end.off <= end.stated);
-        }
-        ends += outcomes[i].ends.size();
-    }
-    CHECK(ends > 8 * solved);
-    CHECK(solved >= wanted * 9 / 10);
-    std::sort(over.begin(), over.end());
-    std::cout << "estimate over true error on " << solved << " random designs: least " << over.front() << ", median " << over[over.size() / 2] << ", largest " << over.back()
-              << '\n';
-    CHECK(over[over.size() / 2] <= 10);
+    oracle::EstimateTally const tally = oracle::estimates_bound(scenes, "random designs");
+    CHECK(tally.ends > 8 * tally.solved);
+    CHECK(tally.solved >= wanted * 9 / 10);
+    CHECK(tally.median() <= 10);
 }
 
 TEST_CASE("accuracy: zones end at the same angles in another unit of length, within their errors", "[accuracy]")

@@ -37,14 +37,16 @@ struct AccuracyOptions
 /// Told which study runs, and how much of all is done, 0 ... 1.
 using StudyProgress = std::function<void(std::string const& what, double share)>;
 
-/// Whether this scene can be measured: the reference in 50 digits knows the cosine wave generator and the forward problem.
+/// Whether what is asked can be measured: studies that there are, and that this scene has. Every drive that `solve` takes has a reference in 50 digits, of its own motion model and of the member
+/// that it solves for; in the reverse problem there is no union, contact-area and load, which are left out with a note where nobody names them.
 [[nodiscard]] Faults check_accuracy(Scene const& scene, AccuracyOptions const& options);
 
 /// Runs the studies.
 ///
-/// Effects along the axis, root clearance and an automatic side clearance are left out of the drive that is measured; `notes` says so.
+/// Effects along the axis, root clearance and an automatic side clearance are left out of the drive that is measured; `notes` says so. Errors are against the scene's own motion model, those of the
+/// study motion-model against exact motion. Studies that the scene does not have, or that have no reference, are left out while others run; `notes` says why.
 /// Deterministic but for the times and the memory.
-/// @throws InputError for what check_accuracy() finds; NumericalError where the scene itself cannot be solved
+/// @throws InputError for what check_accuracy() finds; NumericalError where the scene itself cannot be solved, or has no reference and no other study was asked for
 [[nodiscard]] AccuracyReport measure_accuracy(Scene const& scene, AccuracyOptions const& options = {}, StudyProgress const& progress = {});
 
 }  // namespace hdconj

@@ -12,23 +12,24 @@
 
 namespace hdconj {
 
-/// One pitch of the circular spline of @p scene under exact motion, mid-land to mid-land, in 50 digits by a path of its own.
+/// The outline that `solve` is asked for, in 50 digits by a path of its own: one pitch of the circular spline, mid-land to mid-land, or in the reverse problem the flexspline tooth from root to root, y from its
+/// pitch line. Under the motion model of the scene, with any wave generator; cut where the third derivative of its shape jumps.
 ///
-/// Domain: forward problem, a wave generator without breaks (cosine, ellipse, ring-on-cosine-cam), a side clearance that is a number; root clearance and effects along the axis are not looked at.
+/// Domain: a side clearance that is a number; root clearance and effects along the axis are not looked at.
 /// Accuracy: ReferenceCurve::error(), some 1e-16 mm.
-/// @throws InputError outside that domain; NumericalError as `solve` does, and where an arc's centre is at rest
+/// @throws InputError and NumericalError as `solve` does; NumericalError where an arc's centre is at rest too
 [[nodiscard]] ReferenceCurve reference_outline(Scene const& scene);
 
 /// Figures of a drive by the same path.
 struct ReferenceFigures
 {
-    double r_0 = 0;          ///< mean radius of the deformed neutral curve [mm]
+    double r_0 = 0;          ///< mean radius of the deformed neutral curve, of the linear models that of the undeformed one [mm]
     double space_depth = 0;  ///< from the tip circle [mm]
     double land = 0;         ///< along the tip circle [mm]
 };
 
 /// @param truth  reference_outline(@p scene)
-/// Domain and errors as there. Accuracy: that of double coordinates, and of the land over the sine of the angle at which flank and tip circle cross.
+/// Domain: the forward problem, else as there; errors as there. Accuracy: that of double coordinates, and of the land over the sine of the angle at which flank and tip circle cross.
 [[nodiscard]] ReferenceFigures reference_figures(Scene const& scene, ReferenceCurve const& truth);
 
 /// Where a contact crosses an end of its segment in 50 digits, near @p phi_begin or @p phi_end of the zones of @p solution that end there:

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What an error estimate must be: a bound of the true error, which a reference in 50 digits tells, and not far above it.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "hdconj/numeric/parallel.hpp"
+#include "hdconj/pipeline/solve.hpp"
+#include "hdconj/study/reference_outline.hpp"
+#include "support/catch.hpp"
+#include "support/random_designs.hpp"
+
+namespace oracle {
+
+/// What was looked at.
+struct EstimateTally
+{
+    std::size_t solved = 0, ends = 0;
+    std::vector<double> over{};   ///< estimate over true error, increasing
+
+    [[nodiscard]] double median() const { return over.empty() ? 0 : over[over.size() / 2]; }
+};
+
+/// Solves every scene and checks outline, single figures and ends of zones against the reference; several scenes at a time.
+inline EstimateTally estimates_bound(std::vector<hdconj::Scene> const& scenes, std::string const& what)
+{
+    using namespace hdconj;
+    struct Outcome
+    {
+        CurveDifference difference{};
+        double estimate = 0, reference_error = 0;
+        bool solved = false;
+        std::string refused{};
+        std::vector<ZoneEndCheck> ends{};
+        ErrorEstimate stated{}, off{};   ///< of the single figures
+    };
+    std::vector<Outcome> outcomes(scenes.size());
+    parallel_for(scenes.size(), 0, 1, [&](std::size_t i) {
+        Outcome& outcome = outcomes[i];
+        Scene const& scene = scenes[i];
+        try {
+            Solution const solution = solve(scene);
+            ReferenceCurve const truth = reference_outline(scene);
+            outcome.difference = truth.compare(scene.is_reverse() ? solution.flexspline_outline : solution.circular_spline.outline.front(), 4 * scene.solver.tolerance);
+            outcome.estimate = solution.error.chord + solution.error.point;
+            outcome.reference_error = truth.error();
+            outcome.stated = solution.error;
+            if (!scene.is_reverse()) {
+                ReferenceFigures const figures = reference_figures(scene, truth);
+                PairGeometry const& g = solution.geometry;
+                outcome.off.r_0 = std::abs(g.r_0 - figures.r_0);
+                outcome.off.space_depth = std::abs(g.space_depth - figures.space_depth);
+                outcome.off.land = std::abs(2 * g.land_half_angle * g.circular_spline_inner_radius - figures.land);
+            }
+            outcome.ends = check_zone_ends(solution);
+            outcome.solved = true;
+        } catch (std::exception const& error) {
+            outcome.refused = error.what();
+        }
+    });
+    EstimateTally tally;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+        Outcome const& outcome = outcomes[i];
+        if (!outcome.solved) {
+            std::cout << "estimate, " << what << ": design " << i << ": " << outcome.refused << '\n';
+            continue;
+        }
+        ++tally.solved;
+        double const error = outcome.difference.hausdorff;
+        INFO("design " << i << ", tolerance " << scenes[i].solver.tolerance << ", " << what);
+        if (!scenes[i].is_reverse())
+            INFO(designs::toml_of(scenes[i]));
+        CHECK(outcome.reference_error < scenes[i].drive.module * 1e-13);
+        CHECK(outcome.difference.missed == 0);
+        CHECK(error <= outcome.estimate);
+        // the tolerance is for chords; what vertices are off by, some 1e-12 mm, comes on top
+        CHECK(error <= scenes[i].solver.tolerance + outcome.stated.point);
+        CHECK(outcome.difference.points <= outcome.stated.point);
+        tally.over.push_back(outcome.estimate / error);
+        // the single figures that are printed
+        CHECK(outcome.off.r_0 <= outcome.stated.r_0);
+        CHECK(outcome.off.space_depth <= outcome.stated.space_depth);
+        CHECK(outcome.off.land <= outcome.stated.land);
+        CHECK(outcome.stated.land < scenes[i].drive.module * 1e-6);
+        for (ZoneEndCheck const& end : outcome.ends) {
+            INFO(end.segment_name);
+            CHECK(end.off <= end.stated);
+        }
+        tally.ends += outcome.ends.size();
+    }
+    std::sort(tally.over.begin(), tally.over.end());
+    if (!tally.over.empty())
+        std::cout << "estimate over true error, " << what << ", " << tally.solved << " designs: least " << tally.over.front() << ", median " << tally.median() << ", largest "
+                  << tally.over.back() << '\n';
+    return tally;
+}
+
+}  // namespace oracle
