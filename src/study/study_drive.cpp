@@ -355,7 +355,7 @@ double residual_of(StudyDrive const& drive, Solution const& solution, std::size_
                 if (piece.segment != branch.segment || piece.corner || t < piece.t_begin || t > piece.t_end)
                     continue;
                 auto const which = static_cast<std::size_t>(std::find(drive.numbers.begin(), drive.numbers.end(), branch.tooth) - drive.numbers.begin());
-                Place<Wide> const place = views[drive.reverse() ? which : 0].at(branch.u[i]);
+                Place<Wide> const place = views[drive.reverse() ? which : 0].at(drive.exact ? branch.u[i] : branch.phi[i]);
                 Wide const lifted = drive.reverse() ? Wide(drive.geometry.pitch_line) : Wide(0);   // branches count from the pitch line
                 Pair<Wide> const p{branch.point[i].x() - place.origin.x, branch.point[i].y() + lifted - place.origin.y};
                 Pair<Wide> const x{inner(p, place.along), inner(p, place.outward)};

@@ -58,9 +58,9 @@ TEST_CASE("accuracy: every wave generator and motion model has estimates that bo
     for (std::string const family : {"four-roller", "two-disc", "table", "ellipse", "ring-on-cosine-cam"}) {
         designs::WaveGeneratorDesigns draw(family, ++seed);
         std::vector<Scene> scenes;
-        for (std::size_t i = 0; i < designs_wanted(4, 100); ++i) {
-            Scene scene = measured_at(draw.next(folder.path()), 2 * i + seed);
-            scene.solver.kinematics = model_of(family, i);
+        for (std::size_t i = 0; i < designs_wanted(2, 100); ++i) {
+            Scene scene = measured_at(draw.next(folder.path()), 3 * i + seed);
+            scene.solver.kinematics = model_of(family, i + seed);
             scenes.push_back(scene);
         }
         oracle::EstimateTally const tally = oracle::estimates_bound(scenes, family);
@@ -148,9 +148,12 @@ TEST_CASE("accuracy: every family of the data runs its ladder of tolerances", "[
     options.studies = {"tolerance"};
     options.quick = true;
     options.sample = 0;
-    for (std::string const name : {"four-roller", "two-disc", "cam-table", "circular-spline-given", "bezier"}) {
+    for (std::string const name : {"four-roller", "cam-table", "circular-spline-given", "bezier"}) {
+        Scene scene = scene_file(name);
+        // each other model once
+        scene.solver.kinematics = name == "cam-table" ? Kinematics::first_order : name == "bezier" ? Kinematics::material : Kinematics::exact;
         INFO(name);
-        AccuracyReport const report = measure_accuracy(scene_file(name), options);
+        AccuracyReport const report = measure_accuracy(scene, options);
         CHECK(report.reference_error < 1e-15);
         CHECK(report.reference_entry < 2e-6);
         REQUIRE(report.records.size() == 4);
