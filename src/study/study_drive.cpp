@@ -10,11 +10,14 @@
 #include <map>
 #include <numbers>
 #include <string>
+#include <utility>
 
 #include "given_contact.hpp"
 #include "hdconj/conjugate/outline.hpp"
+#include "hdconj/contact/full_turn.hpp"
 #include "hdconj/envelope/find_branches.hpp"
 #include "hdconj/envelope/rest.hpp"
+#include "hdconj/envelope/sample.hpp"
 #include "hdconj/motion/first_order_motion.hpp"
 #include "hdconj/motion/material_motion.hpp"
 #include "hdconj/pipeline/solve.hpp"
@@ -88,15 +91,53 @@ void add_arcs(StudyDrive& drive, std::size_t which)
         drive.arcs.insert(drive.arcs.end(), branch.arcs.begin(), branch.arcs.end());
 }
 
+int pitches_of_lobe(Scene const& scene)
+{
+    return (scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth) / scene.wave_generator.waves;
+}
+
+/// Has the pieces of the boundary found by polygons of ever smaller chords, until no tooth enters them over a full turn: coarse polygons pass over stretches that stand out by less than their chord.
+/// @throws NumericalError where they never do
+template<class Clearance, class Find>
+void until_clear(StudyDrive const& drive, Clearance const& clearance, Find const& find)
+{
+    double chord = drive.height() * 0x1p-14;
+    double const sampled = drive.height() * 0x1p-26, allowed = drive.height() * 0x1p-34;
+    constexpr int attempts = 4;
+    for (int attempt = 0; attempt < attempts; ++attempt, chord /= 64)
+    {
+        find(chord);
+        double least = std::numeric_limits<double>::infinity();
+        for (BoundaryPiece const& piece : drive.pieces)
+        {
+            if (piece.arc < 0)
+                continue;
+            std::vector<Vec2> points;
+            for (EnvelopePoint const& e : sample_arc(drive.envelope(piece), drive.arc(piece), piece.begin, piece.end, sampled, 1).points)
+                points.push_back(drive.reverse() ? e.p : drive.placed(piece, e.p));
+            std::vector<TurnMinimum> minima(points.size());
+            clearance(points, nullptr, minima);
+            for (TurnMinimum const& each : minima)
+                least = std::min(least, each.distance);
+        }
+        if (least >= drive.offset - allowed)
+            return;
+    }
+    throw NumericalError("reference", "boundary", "teeth enter it however fine its pieces are looked for");
+}
+
 void find_tooth_space(StudyDrive& drive)
 {
     add_arcs(drive, 0);
     double const scale = drive.geometry.r_m + drive.geometry.w0 + drive.tooth.pitch_line + drive.tooth.addendum;
     Tolerance const tolerance{scale * 0x1p-44, scale};
     Envelope<StudyMotion> const envelope(drive.tooth, drive.motion(), drive.offset);
-    drive.pieces = ToothSpaceFinder<StudyMotion>(envelope, drive.arcs, drive.geometry.circular_spline_inner_radius, drive.scene.drive.circular_spline_teeth,
-                                                 tolerance, drive.height() * 0x1p-14)()
-                       .pieces;
+    FullTurnClearance<StudyMotion> const clearance(drive.tooth, drive.motion(), drive.pitch, pitches_of_lobe(drive.scene));
+    until_clear(drive, clearance, [&](double chord) {
+        drive.pieces = ToothSpaceFinder<StudyMotion>(envelope, drive.arcs, drive.geometry.circular_spline_inner_radius, drive.scene.drive.circular_spline_teeth,
+                                                     tolerance, chord)()
+                           .pieces;
+    });
 }
 
 /// The flexspline tooth between the circular-spline teeth that pass its centre line in a lobe.
@@ -110,8 +151,7 @@ void find_tooth_body(StudyDrive& drive)
     drive.limits.half_width = std::numbers::pi / scene.drive.flexspline_teeth * (g.r_m + drive.limits.root);
     StudyMotion const flexspline = drive.motions.front();
     drive.motions.clear();
-    int const per_lobe = (scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth) / scene.wave_generator.waves;
-    int const beside = (per_lobe - 1) / 2;
+    int const beside = (pitches_of_lobe(scene) - 1) / 2;
     std::vector<SweptTooth<StudyMotion>> teeth;
     std::vector<int> first_arc;
     for (int number = -beside; number <= 1 + beside; ++number)
@@ -128,21 +168,24 @@ void find_tooth_body(StudyDrive& drive)
                          std::vector<ContactArc>(drive.arcs.begin() + static_cast<std::ptrdiff_t>(before), drive.arcs.end())});
     }
     Tolerance const tolerance{drive.seat_radius * 0x1p-44, drive.seat_radius};
-    ToothBody const body = ToothBodyFinder<StudyMotion>(teeth, drive.limits, tolerance, drive.height() * 0x1p-14)();
     auto const numbered = [&](BoundaryPiece piece) {
         piece.arc += first_arc[static_cast<std::size_t>(piece.copy)];
         return piece;
     };
-    drive.pieces.emplace_back();
-    for (auto piece = body.left.rbegin(); piece != body.left.rend(); ++piece)
-    {
-        drive.pieces.push_back(numbered(*piece));
-        std::swap(drive.pieces.back().begin, drive.pieces.back().end);
-    }
-    drive.pieces.emplace_back();
-    for (BoundaryPiece const& piece : body.right)
-        drive.pieces.push_back(numbered(piece));
-    drive.pieces.emplace_back();
+    ReverseFullTurnClearance<StudyMotion> const clearance(drive.tooth, flexspline, drive.pitch, drive.seat_radius, pitches_of_lobe(scene));
+    until_clear(drive, clearance, [&](double chord) {
+        ToothBody const body = ToothBodyFinder<StudyMotion>(teeth, drive.limits, tolerance, chord)();
+        drive.pieces.assign(1, {});
+        for (auto piece = body.left.rbegin(); piece != body.left.rend(); ++piece)
+        {
+            drive.pieces.push_back(numbered(*piece));
+            std::swap(drive.pieces.back().begin, drive.pieces.back().end);
+        }
+        drive.pieces.emplace_back();
+        for (BoundaryPiece const& piece : body.right)
+            drive.pieces.push_back(numbered(piece));
+        drive.pieces.emplace_back();
+    });
 }
 
 }  // namespace

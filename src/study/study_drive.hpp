@@ -76,7 +76,7 @@ struct StudyDrive
 /// Where two contacts of a flank made of @p pieces merge.
 [[nodiscard]] std::vector<double> fold_angles(StudyMotion const& motion, std::vector<CurvePiece> const& pieces);
 
-/// The boundary in 50 digits, in the frame of the outline. Which stretch follows which is taken from @p drive and confirmed by entry_of();
+/// The boundary in 50 digits, in the frame of the outline. Which stretch follows which is taken from @p drive, where a full turn has shown that no tooth enters it, and confirmed by entry_of();
 /// every number is computed anew from the numbers that the scene gives: positions, contacts, corners.
 /// @throws NumericalError where a corner does not converge
 [[nodiscard]] ReferenceCurve reference_of(StudyDrive const& drive);
