@@ -58,6 +58,27 @@ Eigen::Vector3d displaced(PointAmplitudes const& at, HarmonicField const& field,
 
 }  // namespace
 
+HarmonicWaves::HarmonicWaves(HarmonicField const& field, std::vector<double> const& phi)
+    : cosine(static_cast<Index>(field.harmonics.size()), static_cast<Index>(phi.size())), sine(cosine.rows(), cosine.cols())
+{
+    for (Index j = 0; j < cosine.cols(); ++j)
+        for (Index k = 0; k < cosine.rows(); ++k)
+        {
+            double const angle = field.harmonics[static_cast<std::size_t>(k)] * phi[static_cast<std::size_t>(j)];
+            cosine(k, j) = std::cos(angle);
+            sine(k, j) = std::sin(angle);
+        }
+}
+
+Eigen::Matrix3Xd displacements_at(SectionMesh const& mesh, HarmonicField const& field, SectionPoint const& place, HarmonicWaves const& waves)
+{
+    PointAmplitudes const at = amplitudes_at(mesh, field, place);
+    Eigen::Matrix3Xd u(3, waves.cosine.cols());
+    u.topRows<2>().noalias() = at.even.topRows<2>() * waves.cosine + at.odd.topRows<2>() * waves.sine;
+    u.bottomRows<1>().noalias() = at.even.bottomRows<1>() * waves.sine - at.odd.bottomRows<1>() * waves.cosine;
+    return u;
+}
+
 Eigen::Vector3d displacement_at(SectionMesh const& mesh, HarmonicField const& field, SectionPoint const& place, double phi)
 {
     return displaced(amplitudes_at(mesh, field, place), field, phi);
@@ -142,11 +163,15 @@ Eigen::MatrixXd gauss_stress(SectionMesh const& mesh, HarmonicField const& field
 {
     std::vector<SectionPoint> const points = gauss_points(mesh);
     Eigen::MatrixXd result(static_cast<Index>(phi.size()), static_cast<Index>(points.size()));
-    constexpr std::size_t worth_a_thread = 16;
+    HarmonicWaves const waves(field, phi);
+    constexpr std::size_t worth_a_thread = 64;
     parallel_for(points.size(), threads, worth_a_thread, [&](std::size_t i) {
         StressAmplitudes const at = stress_amplitudes(mesh, field, points[i]);
-        for (std::size_t j = 0; j < phi.size(); ++j)
-            result(static_cast<Index>(j), static_cast<Index>(i)) = von_mises(stress_of(at, field, phi[j]));
+        Eigen::Matrix<double, 6, Eigen::Dynamic> stress(6, result.rows());
+        stress.topRows<4>().noalias() = at.even.topRows<4>() * waves.cosine + at.odd.topRows<4>() * waves.sine;
+        stress.bottomRows<2>().noalias() = at.even.bottomRows<2>() * waves.sine - at.odd.bottomRows<2>() * waves.cosine;
+        for (Index j = 0; j < result.rows(); ++j)
+            result(j, static_cast<Index>(i)) = von_mises(stress.col(j));
     });
     return result.transpose();
 }

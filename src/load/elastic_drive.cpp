@@ -4,6 +4,7 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -75,6 +76,32 @@ double stiffness_of(MatrixXd const& compliance, VectorXd const& border, std::vec
 
 }  // namespace
 
+MatrixXd bearing_compliance(ElasticDrive const& drive, int threads)
+{
+    std::vector<BearingNode> const nodes = bearing_nodes(drive);
+    auto const count = static_cast<Index>(nodes.size());
+    MatrixXd g(count, count);
+    constexpr std::size_t grain = 16;
+    parallel_for(nodes.size(), threads, grain, [&](std::size_t col) {
+        auto const j = static_cast<Index>(col);
+        BearingNode const& q = nodes[col];
+        for (Index i = j; i < count; ++i)
+        {
+            BearingNode const& p = nodes[static_cast<std::size_t>(i)];
+            g(i, j) = drive.response(p.height, q.height, p.at - q.at);
+            if (drive.outer_ring)
+                g(i, j) += (*drive.outer_ring)(p.height, q.height, p.at - q.at);
+            if (drive.between_balls)
+                g(i, j) += (*drive.between_balls)(i, j);
+        }
+    });
+    parallel_for(nodes.size(), threads, grain, [&](std::size_t col) {
+        auto const j = static_cast<Index>(col);
+        g.col(j).head(j) = g.row(j).head(j);
+    });
+    return g;
+}
+
 LineContact ElasticDrive::line_contact(FlankContact const& c) const
 {
     return {flexspline, circular_spline, c.curvature, contact_depth};
@@ -126,6 +153,8 @@ LocalCompliance local_compliance(ElasticDrive const& drive, std::vector<FlankCon
 Equilibrium equilibrium(ElasticDrive const& drive, LinearGaps const& gaps, std::optional<double> torque, Equilibrium const* guess, int threads)
 {
     std::vector<BearingNode> const nodes = bearing_nodes(drive);
+    if (drive.bearing_compliance.rows() != static_cast<Index>(nodes.size()))
+        throw std::logic_error("a drive without the compliance of its bearing's contacts");
     std::size_t const flanks = torque ? gaps.contacts.size() : 0;
     std::size_t const count = flanks + nodes.size();
     std::vector<Footing> feet;
@@ -136,40 +165,34 @@ Equilibrium equilibrium(ElasticDrive const& drive, LinearGaps const& gaps, std::
     a.resize(static_cast<Index>(count), static_cast<Index>(count));
     problem.approach.resize(static_cast<Index>(count));
     VectorXd lever = VectorXd::Zero(static_cast<Index>(count));
-    constexpr std::size_t grain = 32;
-    // columns below the diagonal; a tooth pressed inwards moves away, one that the bearing presses outwards comes nearer
-    parallel_for(count, threads, grain, [&](std::size_t col) {
+    auto const first = static_cast<Index>(flanks), bearing = static_cast<Index>(nodes.size());
+    constexpr std::size_t grain = 16;
+    // columns of flanks from the diagonal down; a tooth pressed inwards moves away, one that the bearing presses outwards comes nearer
+    parallel_for(flanks, threads, grain, [&](std::size_t col) {
         auto const j = static_cast<Index>(col);
-        for (std::size_t row = col; row < count; ++row)
+        for (std::size_t row = col; row < flanks; ++row)
+            a(static_cast<Index>(row), j) = between(drive.response, feet[row], feet[col]);
+        for (std::size_t row = 0; row < nodes.size(); ++row)
         {
-            double& value = a(static_cast<Index>(row), j);
-            if (row < flanks)
-                value = between(drive.response, feet[row], feet[col]);
-            else if (col < flanks)
-            {
-                BearingNode const& node = nodes[row - flanks];
-                value = 0;
-                for (std::size_t i = 0; i < 3; ++i)
-                    value -= feet[col].share[i] * drive.response(node.height, feet[col].station[i], node.at - feet[col].at);
-            }
-            else
-            {
-                BearingNode const& p = nodes[row - flanks];
-                BearingNode const& q = nodes[col - flanks];
-                value = drive.response(p.height, q.height, p.at - q.at);
-                if (drive.outer_ring)
-                    value += (*drive.outer_ring)(p.height, q.height, p.at - q.at);
-                if (drive.between_balls)
-                    value += (*drive.between_balls)(static_cast<Index>(row - flanks), static_cast<Index>(col - flanks));
-            }
+            double& value = a(first + static_cast<Index>(row), j);
+            value = 0;
+            for (std::size_t i = 0; i < 3; ++i)
+                value -= feet[col].share[i] * drive.response(nodes[row].height, feet[col].station[i], nodes[row].at - feet[col].at);
         }
-        if (col < flanks)
-            a(j, j) += gaps.compliance.own[col];
+        a(j, j) += gaps.compliance.own[col];
     });
     if (flanks > 0)
         for (LocalCompliance::Coupling const& c : gaps.compliance.couplings)
             a(static_cast<Index>(c.second), static_cast<Index>(c.first)) += c.compliance;
-    a.triangularView<Eigen::StrictlyUpper>() = a.transpose();
+    // what is above the diagonal, and the bearing's own block, which no torque changes
+    constexpr std::size_t copies = 64;
+    parallel_for(count, threads, copies, [&](std::size_t col) {
+        auto const j = static_cast<Index>(col);
+        Index const above = std::min(j, first);
+        a.col(j).head(above) = a.row(j).head(above);
+        if (j >= first)
+            a.col(j).tail(bearing) = drive.bearing_compliance.col(j - first);
+    });
     for (std::size_t i = 0; i < flanks; ++i)
     {
         FlankContact const& c = gaps.contacts[i];
@@ -237,25 +260,36 @@ MatrixXd forces_on_cup(ElasticDrive const& drive, std::vector<FlankContact> cons
     return force;
 }
 
-std::vector<std::vector<double>> displacements(ElasticDrive const& drive, MatrixXd const& forces)
+std::vector<std::vector<double>> displacements(ElasticDrive const& drive, MatrixXd const& forces, int threads)
 {
     std::vector<std::size_t> all;
     for (std::size_t i = 0; i < drive.stations.count(); ++i)
         all.push_back(i);
-    return drive.response.series(forces, drive.phase, all);
+    return drive.response.series(forces, drive.phase, all, threads);
+}
+
+SeriesPlace::SeriesPlace(ElasticDrive const& drive, double phi)
+{
+    waves_.reserve(drive.response.harmonics().size());
+    for (HarmonicResponse const& h : drive.response.harmonics())
+        waves_.push_back({static_cast<double>(h.n), std::cos(h.n * phi), std::sin(h.n * phi)});
+}
+
+SeriesValue SeriesPlace::operator()(std::vector<double> const& series) const
+{
+    SeriesValue at;
+    for (std::size_t k = 0; k < waves_.size(); ++k)
+    {
+        Wave const& w = waves_[k];
+        at.value += series[2 * k] * w.cosine + series[2 * k + 1] * w.sine;
+        at.slope += w.n * (series[2 * k + 1] * w.cosine - series[2 * k] * w.sine);
+    }
+    return at;
 }
 
 SeriesValue series_at(ElasticDrive const& drive, std::vector<double> const& series, double phi)
 {
-    SeriesValue at;
-    for (std::size_t k = 0; k < drive.response.harmonics().size(); ++k)
-    {
-        double const n = drive.response.harmonics()[k].n;
-        double const c = std::cos(n * phi), s = std::sin(n * phi);
-        at.value += series[2 * k] * c + series[2 * k + 1] * s;
-        at.slope += n * (series[2 * k + 1] * c - series[2 * k] * s);
-    }
-    return at;
+    return SeriesPlace(drive, phi)(series);
 }
 
 }  // namespace hdconj

@@ -90,21 +90,22 @@ double PointResponse::weight(int n) const
     return sectors_ / (n == 0 ? 2 * std::numbers::pi : std::numbers::pi);
 }
 
-PointResponse::Loads PointResponse::loads(Eigen::MatrixXd const& force, double phase) const
+PointResponse::Loads PointResponse::loads(Eigen::MatrixXd const& force, double phase, int threads) const
 {
     auto const count = static_cast<Eigen::Index>(stations_.size());
     auto const terms = static_cast<Eigen::Index>(harmonics_.size());
     Loads result{Eigen::MatrixXd::Zero(count, terms), Eigen::MatrixXd::Zero(count, terms)};
-    for (Eigen::Index k = 0; k < terms; ++k)
-    {
-        int const n = harmonics_[static_cast<std::size_t>(k)].n;
+    constexpr std::size_t grain = 16;
+    parallel_for(harmonics_.size(), threads, grain, [&](std::size_t i) {
+        auto const k = static_cast<Eigen::Index>(i);
+        int const n = harmonics_[i].n;
         Eigen::VectorXd cosine = Eigen::VectorXd::Zero(count);
         Eigen::VectorXd sine = cosine;
-        for (int i = 0; i < grid_; ++i)
+        for (int at = 0; at < grid_; ++at)
         {
-            double const angle = n * (phase + step() * i);
-            cosine += std::cos(angle) * force.col(i);
-            sine += std::sin(angle) * force.col(i);
+            double const angle = n * (phase + step() * at);
+            cosine += std::cos(angle) * force.col(at);
+            sine += std::sin(angle) * force.col(at);
         }
         for (Eigen::Index b = 0; b < count; ++b)
         {
@@ -115,16 +116,16 @@ PointResponse::Loads PointResponse::loads(Eigen::MatrixXd const& force, double p
             result.even(b, k) = factor * (is_sine ? sine(b) : cosine(b));
             result.odd(b, k) = factor * (is_sine ? -cosine(b) : sine(b));
         }
-    }
+    });
     return result;
 }
 
-std::vector<std::vector<double>> PointResponse::series(Eigen::MatrixXd const& force, double phase, std::vector<std::size_t> const& wanted) const
+std::vector<std::vector<double>> PointResponse::series(Eigen::MatrixXd const& force, double phase, std::vector<std::size_t> const& wanted, int threads) const
 {
-    Loads const load = loads(force, phase);
+    Loads const load = loads(force, phase, threads);
     std::vector<std::vector<double>> result(wanted.size(), std::vector<double>(2 * harmonics_.size(), 0));
-    for (std::size_t k = 0; k < harmonics_.size(); ++k)
-    {
+    constexpr std::size_t grain = 16;
+    parallel_for(harmonics_.size(), threads, grain, [&](std::size_t k) {
         HarmonicResponse const& h = harmonics_[k];
         auto const column = static_cast<Eigen::Index>(k);
         for (std::size_t w = 0; w < wanted.size(); ++w)
@@ -137,7 +138,7 @@ std::vector<std::vector<double>> PointResponse::series(Eigen::MatrixXd const& fo
             result[w][2 * k] = is_sine ? -odd : even;
             result[w][2 * k + 1] = is_sine ? even : odd;
         }
-    }
+    });
     return result;
 }
 

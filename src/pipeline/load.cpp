@@ -261,7 +261,7 @@ LoadStudy load(Scene const& scene, LoadOptions const& options, StageObserver con
         owned.clock.run(Stage::load, [&] {
             if (i == 0)
             {
-                coarse = detail::coarse_drive(bench);
+                coarse = detail::coarse_drive(bench, *model);
                 if (coarse)
                     estimate(study.cup, assembled(bench, coarse->model, coarse->start));
             }

@@ -11,6 +11,7 @@
 #include "hdconj/contact/take_up.hpp"
 #include "hdconj/load/flank_contacts.hpp"
 #include "hdconj/numeric/error.hpp"
+#include "hdconj/numeric/parallel.hpp"
 #include "hdconj/pipeline/load.hpp"
 #include "load_coarse.hpp"
 #include "load_settle.hpp"
@@ -47,13 +48,34 @@ double first_touch(LoadWork const& work, GapField const& field, double from, dou
     return turn;
 }
 
+/// Gaps without a turn of one sector of the ring: the others have the same.
+GapMap sector_at_rest(LoadWork const& work, GapField const& field)
+{
+    GapMap map{field.grid().z, field.grid().station, {}, {}};
+    for (std::size_t s = 0; s < work.spaces(); ++s)
+        map.angle.push_back(field.space_angle(s));
+    std::size_t const slices = map.z.size();
+    map.gap.resize(work.spaces() * 2 * slices * map.station.size());
+    constexpr std::size_t grain = 4;
+    parallel_for(work.spaces(), work.bench.threads, grain, [&](std::size_t s) {
+        std::vector<double> gap;
+        for (int const flank : {static_cast<int>(GapMap::left), static_cast<int>(GapMap::right)})
+            for (std::size_t k = 0; k < slices; ++k)
+            {
+                field.along(s, flank, k, 0, gap);
+                std::copy(gap.begin(), gap.end(), map.gap.begin() + static_cast<std::ptrdiff_t>(map.index(s, flank, k, 0)));
+            }
+    });
+    return map;
+}
+
 constexpr double model_accuracy = 1e-3;  // of the module: gaps that may be rounding of the finite-element model
 
 /// Nothing where the teeth stand in each other's way at every turn; a negative sum where they do at every turn but not by much.
 std::optional<Play> play_of(LoadWork const& work, LoadedShape const& shape)
 {
     GapField const field = work.field(shape, work.edges);
-    GapMap const rest = field.map(0, work.bench.threads);
+    GapMap const rest = sector_at_rest(work, field);
     double const pitch = 2 * std::numbers::pi / work.scene().drive.circular_spline_teeth;
     // the teeth of the solved cup are some nanometres from where its outlines were made for them: mesh and interpolation, not teeth in each other's way
     double const touches = model_accuracy * work.scene().drive.module;

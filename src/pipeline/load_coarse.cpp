@@ -33,7 +33,7 @@ std::vector<T> some(std::vector<T> const& all, std::vector<std::size_t> const& w
 
 }  // namespace
 
-std::optional<CoarseDrive> coarse_drive(ContactBench const& bench)
+std::optional<CoarseDrive> coarse_drive(ContactBench const& bench, LoadModel const& fine)
 {
     constexpr std::size_t fewest_slices = 3;
     constexpr int fewest_circles = 2, fewest_harmonics = 8;
@@ -45,7 +45,7 @@ std::optional<CoarseDrive> coarse_drive(ContactBench const& bench)
     grid.harmonics = std::max(std::min(grid.harmonics, fewest_harmonics), grid.harmonics / 2);
     try
     {
-        LoadModel model = load_model(bench, grid);
+        LoadModel model = load_model(bench, grid, &fine);
         Assembly start = assembly(bench, model.drive);
         return CoarseDrive{std::move(grid), std::move(model), std::move(start)};
     }

@@ -21,7 +21,7 @@ struct CoarseDrive
 };
 
 /// None for fewer than three slices, whose influence no coarser grid shows, and where the coarse grid has no solution.
-[[nodiscard]] std::optional<CoarseDrive> coarse_drive(ContactBench const& bench);
+[[nodiscard]] std::optional<CoarseDrive> coarse_drive(ContactBench const& bench, LoadModel const& fine);
 
 /// Some slices of a grid, and every second of its points and the last.
 [[nodiscard]] FlankGrid thinned(FlankGrid const& grid, std::vector<std::size_t> const& slices);

@@ -10,7 +10,7 @@
 #include "hdconj/elastic/ball_line.hpp"
 #include "hdconj/elastic/bearing.hpp"
 #include "hdconj/elastic/discrete_balls.hpp"
-#include "hdconj/elastic/influence.hpp"
+#include "hdconj/elastic/unit_fields.hpp"
 #include "hdconj/elastic/wave_generator_contact.hpp"
 #include "hdconj/numeric/error.hpp"
 #include "hdconj/numeric/parallel.hpp"
@@ -58,6 +58,43 @@ RingGrid ring_grid(Scene const& scene)
     return {lobes, sectors, per_sector, (fewest_angles + per_sector - 1) / per_sector};
 }
 
+std::vector<double> above_middle(std::vector<double> const& circles, double middle)
+{
+    std::vector<double> result;
+    for (double const circle : circles)
+        result.push_back(circle - middle);
+    return result;
+}
+
+/// Where each of some heights is among those of a finer grid; nothing unless all are.
+std::optional<std::vector<std::size_t>> heights_within(std::vector<double> const& finer, std::vector<double> const& heights)
+{
+    constexpr double rounding = 1e-12;  // [mm] of heights that are the same
+    std::vector<std::size_t> result;
+    for (double const z : heights)
+    {
+        auto const same = std::find_if(finer.begin(), finer.end(), [&](double other) { return std::abs(other - z) <= rounding; });
+        if (same == finer.end())
+            return std::nullopt;
+        result.push_back(static_cast<std::size_t>(same - finer.begin()));
+    }
+    return result;
+}
+
+/// The places of a finer model of the same cup that are those of a coarser one, in its order; nothing unless all are.
+std::optional<std::vector<std::size_t>> places_within(LoadModel const& finer, std::vector<double> const& bearing_z, std::vector<double> const& slice_z)
+{
+    auto const circles = heights_within(finer.drive.bearing_z, bearing_z), slices = heights_within(finer.drive.slice_z, slice_z);
+    if (!circles || !slices)
+        return std::nullopt;
+    std::vector<std::size_t> result = *circles;
+    DriveStations const& stations = finer.drive.stations;
+    for (std::size_t const first : {stations.radial(0), stations.tangential(0), stations.axial(0)})
+        for (std::size_t const k : *slices)
+            result.push_back(first + k);
+    return result;
+}
+
 /// The shape at even angles of one sector.
 std::vector<double> sampled(AnyWaveShape const& shape, int sectors, int samples)
 {
@@ -82,7 +119,7 @@ int highest_harmonic(Scene const& scene)
     return grid.angles() * grid.sectors / 2;
 }
 
-LoadModel load_model(ContactBench const& bench, LoadGrid const& resolution)
+LoadModel load_model(ContactBench const& bench, LoadGrid const& resolution, LoadModel const* finer)
 {
     Scene const& scene = bench.scene;
     int const teeth = scene.drive.flexspline_teeth;
@@ -127,7 +164,10 @@ LoadModel load_model(ContactBench const& bench, LoadGrid const& resolution)
         }
     for (std::size_t k = 0; k < z.size(); ++k)
         stations.push_back({RingStation::Parity::sine, tooth_spread});
-    Influence const response = influence(solid, {}, places, harmonics_of(sectors, highest), bench.threads);
+    std::vector<int> const orders = harmonics_of(sectors, highest);
+    std::optional<std::vector<std::size_t>> const known = finer != nullptr ? places_within(*finer, above_middle(circles, middle), z) : std::nullopt;
+    UnitFields unit = known && orders.size() <= finer->unit.harmonics.size() ? part_of(finer->unit, *known, orders.size()) : unit_fields(solid, {}, places, orders, bench.threads);
+    Influence const response = influence(solid, unit, places, bench.threads);
     std::vector<HarmonicResponse> harmonics;
     for (std::size_t i = 0; i < response.harmonics().size(); ++i)
         harmonics.push_back({response.harmonics()[i], response.compliance(i)});
@@ -143,8 +183,7 @@ LoadModel load_model(ContactBench const& bench, LoadGrid const& resolution)
                        phase_of(scene, bench.request.wave_generator), teeth, slice_widths(z, bench.width), section.material,
                        {scene.circular_spline.youngs_modulus, scene.circular_spline.poissons_ratio}, 0, {}};
     drive.slice_z = z;
-    for (double const circle : circles)
-        drive.bearing_z.push_back(circle - middle);
+    drive.bearing_z = above_middle(circles, middle);
     // more angles than the harmonics tell apart would leave the compliance singular
     int const angles = std::min({grid, most_angles * (lobes / sectors), 2 * (highest / sectors)});
     for (int i = 0; i < angles; ++i)
@@ -187,33 +226,31 @@ LoadModel load_model(ContactBench const& bench, LoadGrid const& resolution)
         }
         drive.outer_ring.emplace(std::vector<RingStation>(circles.size(), {RingStation::Parity::cosine, bearing_spread}), std::move(ring), sectors, grid, bench.threads);
     }
+    drive.bearing_compliance = bearing_compliance(drive, bench.threads);
     drive.contact_depth = 0.25 * std::numbers::pi * scene.drive.module;  // half a tooth at the pitch line
     drive.bending = ToothBending(bench.tooth, section.material, bench.tolerance.length);
-    return {solid, std::move(places), bench.geometry.r_m, middle, std::move(drive)};
+    return {solid, std::move(unit), bench.geometry.r_m, middle, std::move(drive)};
 }
 
 HarmonicField cup_field(LoadModel const& model, Eigen::MatrixXd const& forces, int threads)
 {
     DriveStations const& layout = model.drive.stations;
-    PointResponse::Loads const loads = model.drive.response.loads(forces, model.drive.phase);
-    auto const count = static_cast<Eigen::Index>(model.places.size());
+    PointResponse::Loads const loads = model.drive.response.loads(forces, model.drive.phase, threads);
+    auto const count = static_cast<Eigen::Index>(layout.turn(0));  // turns stand last
     Eigen::MatrixXd even = loads.even.topRows(count), odd = loads.odd.topRows(count);
-    std::vector<int> harmonics;
-    for (HarmonicResponse const& h : model.drive.response.harmonics())
-        harmonics.push_back(h.n);
     // a moment is the forces that do its work: turn = (V + n U)/r
     for (Eigen::Index k = 0; k < even.cols(); ++k)
         for (std::size_t slice = 0; slice < layout.slices; ++slice)
         {
             auto const turn = static_cast<Eigen::Index>(layout.turn(slice));
             auto const radial = static_cast<Eigen::Index>(layout.radial(slice)), tangential = static_cast<Eigen::Index>(layout.tangential(slice));
-            double const n = harmonics[static_cast<std::size_t>(k)];
+            double const n = model.unit.harmonics[static_cast<std::size_t>(k)];
             even(tangential, k) += loads.even(turn, k) / model.radius;
             odd(tangential, k) += loads.odd(turn, k) / model.radius;
             even(radial, k) += n * loads.even(turn, k) / model.radius;
             odd(radial, k) += n * loads.odd(turn, k) / model.radius;
         }
-    return harmonic_field(model.solid, {}, model.places, harmonics, even, odd, threads);
+    return harmonic_field(model.unit, even, odd);
 }
 
 CupShape cup_shape(LoadModel const& model, HarmonicField const& field, int angles, int threads)
@@ -258,14 +295,16 @@ CupShape cup_shape(LoadModel const& model, HarmonicField const& field, int angle
             for (std::size_t a = 0; a < shape.phi.size(); ++a)
                 shape.stress[a * points + point] += gauss(static_cast<Eigen::Index>(4 * e + nearest[c]), static_cast<Eigen::Index>(a)) / around[point];
         }
-    constexpr std::size_t grain = 8;
-    parallel_for(shape.phi.size(), threads, grain, [&](std::size_t a) {
-        for (std::size_t p = 0; p < points; ++p)
+    HarmonicWaves const waves(field, shape.phi);
+    constexpr std::size_t grain = 64;
+    parallel_for(points, threads, grain, [&](std::size_t p) {
+        Eigen::Matrix3Xd const u = displacements_at(mesh, field, place[p], waves);
+        for (std::size_t a = 0; a < shape.phi.size(); ++a)
         {
-            Eigen::Vector3d const u = displacement_at(mesh, field, place[p], shape.phi[a]);
-            shape.u_r[a * points + p] = u[0];
-            shape.u_z[a * points + p] = u[1];
-            shape.u_t[a * points + p] = u[2];
+            auto const column = static_cast<Eigen::Index>(a);
+            shape.u_r[a * points + p] = u(0, column);
+            shape.u_z[a * points + p] = u(1, column);
+            shape.u_t[a * points + p] = u(2, column);
         }
     });
     return shape;

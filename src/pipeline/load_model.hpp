@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "contact_bench.hpp"
-#include "hdconj/elastic/harmonic_field.hpp"
+#include "hdconj/elastic/unit_fields.hpp"
 #include "hdconj/load/elastic_drive.hpp"
 #include "hdconj/pipeline/load_study.hpp"
 
@@ -16,7 +16,7 @@ namespace hdconj::detail {
 struct LoadModel
 {
     FourierSolid solid;
-    std::vector<Station> places;  ///< of the drive's stations but for the turns
+    UnitFields unit;              ///< of the drive's stations but for the turns
     double radius;                ///< at which turns are taken [mm]
     double middle;                ///< of the bearing above the cup's bottom [mm]
     ElasticDrive drive;
@@ -37,8 +37,9 @@ struct LoadGrid
 [[nodiscard]] int highest_harmonic(Scene const& scene);
 
 /// Cup, wave generator and teeth of @p bench as `load` needs them.
+/// @param finer  of the same bench: what it has solved for is not solved again where the coarser grid is a part of it; null: none
 /// @throws NumericalError for a cup that cannot be meshed or a drive with too many teeth for the memory that a load takes
-[[nodiscard]] LoadModel load_model(ContactBench const& bench, LoadGrid const& resolution);
+[[nodiscard]] LoadModel load_model(ContactBench const& bench, LoadGrid const& resolution, LoadModel const* finer = nullptr);
 
 /// Displacement of the whole cup under forces on the drive's stations.
 [[nodiscard]] HarmonicField cup_field(LoadModel const& model, Eigen::MatrixXd const& forces, int threads);

@@ -13,6 +13,7 @@
 
 #include "hdconj/load/round_edges.hpp"
 #include "hdconj/numeric/error.hpp"
+#include "hdconj/numeric/parallel.hpp"
 
 namespace hdconj::detail {
 namespace {
@@ -70,7 +71,7 @@ class Rounds
   public:
     void add(LoadWork const& work, LoadedShape const& from, double turn_from, Eigen::MatrixXd const& to, double turn_to)
     {
-        std::vector<std::vector<double>> const series = displacements(work.drive, to);
+        std::vector<std::vector<double>> const series = displacements(work.drive, to, work.bench.threads);
         Eigen::VectorXd change(static_cast<Eigen::Index>(series.size() * series.front().size()) + 1);
         Eigen::Index i = 0;
         for (std::size_t station = 0; station < series.size(); ++station)
@@ -161,8 +162,9 @@ Outcome settle(LoadWork const& work, double torque, double depth, Loaded& now)
         }
         Equilibrium guess = now.state;
         guess.flank = force;
-        for (FlankContact const& c : gaps.contacts)
-            gaps.displacement.push_back(normal_displacement(work.drive, now.shape, c));
+        gaps.displacement.resize(gaps.contacts.size());
+        constexpr std::size_t grain = 64;
+        parallel_for(gaps.contacts.size(), work.bench.threads, grain, [&](std::size_t i) { gaps.displacement[i] = normal_displacement(work.drive, now.shape, gaps.contacts[i]); });
         now.state = equilibrium(work.drive, gaps, torque, &guess, work.bench.threads);
         ++now.rounds;
         now.steps += now.state.steps;

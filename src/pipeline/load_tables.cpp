@@ -116,27 +116,33 @@ double near_share(LoadWork const& work, Loaded const& loaded, int flank)
 {
     GapField const field = work.field(loaded.shape, work.flanks);
     FlankSearch const search = work.search(loaded.state.turn, 0);
-    GapMap map{work.flanks.z, work.flanks.station, {}, {}};
-    for (std::size_t s = 0; s < search.spaces; ++s)
-        map.angle.push_back(field.space_angle(search.first_space + s));
-    double const far = work.scene().drive.module;
-    map.gap.assign(search.spaces * 2 * work.flanks.slices() * work.flanks.points(), far);
     double const limit = work.bench.request.gap;
     std::vector<char> is_near(search.spaces, 0);
     for (FlankContact const& c : loaded.contacts)
         if (c.gap <= 2 * limit)
             is_near[c.space - search.first_space] = 1;
+    std::vector<ContactArea> area(search.spaces);
     constexpr std::size_t grain = 2;
     parallel_for(search.spaces, work.bench.threads, grain, [&](std::size_t s) {
+        if (!is_near[s])
+            return;
+        GapMap map{work.flanks.z, work.flanks.station, {field.space_angle(search.first_space + s)}, std::vector<double>(2 * work.flanks.slices() * work.flanks.points())};
         std::vector<double> gap;
-        if (is_near[s])
-            for (std::size_t k = 0; k < work.flanks.slices(); ++k)
-            {
-                field.along(search.first_space + s, flank, k, search.turn, gap);
-                std::copy(gap.begin(), gap.end(), map.gap.begin() + static_cast<std::ptrdiff_t>(map.index(s, flank, k, 0)));
-            }
+        for (std::size_t k = 0; k < work.flanks.slices(); ++k)
+        {
+            field.along(search.first_space + s, flank, k, search.turn, gap);
+            std::copy(gap.begin(), gap.end(), map.gap.begin() + static_cast<std::ptrdiff_t>(map.index(0, flank, k, 0)));
+        }
+        area[s] = contact_area(map, work.flanks, flank, limit, work.bench.width);
     });
-    return contact_area(map, work.flanks, flank, limit, work.bench.width).share();
+    // all spaces have the same flanks
+    double contact = 0, whole = 0;
+    for (ContactArea const& each : area)
+    {
+        contact += each.contact;
+        whole = std::max(whole, each.whole);
+    }
+    return whole > 0 ? contact / (whole * static_cast<double>(search.spaces)) : 0;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "hdconj/contact/gap_field.hpp"
@@ -75,12 +76,13 @@ Pose section(std::vector<MovedSlice> const& tooth, double z, double r_m)
 LoadedShape loaded_shape(ContactBench const& bench, ElasticDrive const& drive, Eigen::MatrixXd const& forces)
 {
     LoadedShape shape;
-    shape.series = displacements(drive, forces);
+    shape.series = displacements(drive, forces, bench.threads);
     double const r_m = bench.geometry.r_m;
     std::size_t const slices = drive.stations.slices;
-    std::vector<MaterialMotion> motions;
-    for (std::size_t k = 0; k < slices; ++k)
-        motions.emplace_back(displacement_of(drive, shape.series[drive.stations.radial(k)], shape.series[drive.stations.tangential(k)], r_m), r_m, tooth_ratio(bench.scene));
+    std::vector<std::optional<MaterialMotion>> motions(slices);
+    parallel_for(slices, bench.threads, 2, [&](std::size_t k) {
+        motions[k].emplace(displacement_of(drive, shape.series[drive.stations.radial(k)], shape.series[drive.stations.tangential(k)], r_m), r_m, tooth_ratio(bench.scene));
+    });
     std::array<int, 2> const needed = teeth_needed(bench.scene.drive.flexspline_teeth, bench.scene.drive.circular_spline_teeth, drive.phase);
     auto const teeth = static_cast<std::size_t>(needed[1] - needed[0] + 1);
     shape.places = ToothPlaces{needed[0], slices, std::vector<Pose>(teeth * slices)};
@@ -89,10 +91,11 @@ LoadedShape loaded_shape(ContactBench const& bench, ElasticDrive const& drive, E
     parallel_for(teeth, bench.threads, grain, [&](std::size_t i) {
         double const phi = 2 * std::numbers::pi * (needed[0] + static_cast<int>(i)) / bench.scene.drive.flexspline_teeth + drive.phase;
         std::vector<MovedSlice> tooth(slices);
+        SeriesPlace const at(drive, phi);
         for (std::size_t k = 0; k < slices; ++k)
         {
-            auto const along = series_at(drive, shape.series[drive.stations.axial(k)], phi);
-            tooth[k] = {motions[k].pose(phi), z[k] + along.value, along.slope};
+            SeriesValue const along = at(shape.series[drive.stations.axial(k)]);
+            tooth[k] = {motions[k]->pose(phi), z[k] + along.value, along.slope};
         }
         for (std::size_t k = 0; k < slices; ++k)
             shape.places.pose[i * slices + k] = slices < 2 ? tooth[k].pose : section(tooth, z[k], r_m);
@@ -103,7 +106,8 @@ LoadedShape loaded_shape(ContactBench const& bench, ElasticDrive const& drive, E
 double normal_displacement(ElasticDrive const& drive, LoadedShape const& shape, FlankContact const& c)
 {
     double const phi = 2 * std::numbers::pi * c.tooth / drive.flexspline_teeth + drive.phase;
-    auto const at = [&](std::size_t station) { return series_at(drive, shape.series[station], phi).value; };
+    SeriesPlace const place(drive, phi);
+    auto const at = [&](std::size_t station) { return place(shape.series[station]).value; };
     return c.c_r * at(drive.stations.radial(c.slice)) + c.c_t * at(drive.stations.tangential(c.slice)) + c.c_turn * at(drive.stations.turn(c.slice));
 }
 

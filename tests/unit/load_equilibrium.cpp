@@ -37,6 +37,7 @@ ElasticDrive small_drive()
                                             {RingStation::Parity::cosine, 0.1},  {RingStation::Parity::sine, 0.1}};
     ElasticDrive drive{{1, 1}, PointResponse(stations, harmonics, sectors, grid, 1), {}, {}, 2, {0, 2, 4, 6}, {}, 0, 8, {1.0}, {206e3, 0.3}, {206e3, 0.3}, 0.2, {}};
     drive.needed.resize(1, 4);
+    drive.bearing_compliance = bearing_compliance(drive, 1);
     return drive;
 }
 

@@ -39,6 +39,18 @@ struct PointAmplitudes
 
 [[nodiscard]] PointAmplitudes amplitudes_at(SectionMesh const& mesh, HarmonicField const& field, SectionPoint const& place);
 
+/// cos and sin of all harmonics of a field (rows) at some angles [rad] (columns).
+struct HarmonicWaves
+{
+    HarmonicWaves(HarmonicField const& field, std::vector<double> const& phi);
+
+    Eigen::MatrixXd cosine;
+    Eigen::MatrixXd sine;
+};
+
+/// (u_r, u_z, u_t) [mm] at the angles of @p waves (columns).
+[[nodiscard]] Eigen::Matrix3Xd displacements_at(SectionMesh const& mesh, HarmonicField const& field, SectionPoint const& place, HarmonicWaves const& waves);
+
 /// (u_r, u_z, u_t) [mm].
 [[nodiscard]] Eigen::Vector3d displacement_at(SectionMesh const& mesh, HarmonicField const& field, SectionPoint const& place, double phi);
 

@@ -50,8 +50,13 @@ struct ElasticDrive
     std::vector<double> bearing_z = {};       ///< (bearing) above the middle of the bearing [mm]
     std::vector<double> slice_z = {};         ///< (slices) above the middle of the bearing [mm]
 
+    Eigen::MatrixXd bearing_compliance = {};  ///< between the bearing's contacts, heights within `bearing_steps`: bearing_compliance() [mm/N]
+
     [[nodiscard]] LineContact line_contact(FlankContact const& c) const;
 };
+
+/// What cup, outer ring and the ring between its balls give way by at the contacts of the bearing, one under a force of 1 N on another: symmetric. It is the same at every torque.
+[[nodiscard]] Eigen::MatrixXd bearing_compliance(ElasticDrive const& drive, int threads);
 
 /// What flank contacts give way by in themselves, beside the cup: Hertz and bending of the tooth, as secants at given forces.
 struct LocalCompliance
@@ -101,6 +106,7 @@ struct LinearGaps
 ///
 /// @param torque  on the whole ring [N mm]; absent: teeth do not press at all, and the turn stays
 /// @param guess   equilibrium of a like problem, whose bearing forces are a start; null: none
+/// Domain: `bearing_compliance` is there.
 /// @throws NumericalError when no such forces are found, or no flank can carry the torque
 [[nodiscard]] Equilibrium equilibrium(ElasticDrive const& drive, LinearGaps const& gaps, std::optional<double> torque, Equilibrium const* guess, int threads);
 
@@ -108,7 +114,7 @@ struct LinearGaps
 [[nodiscard]] Eigen::MatrixXd forces_on_cup(ElasticDrive const& drive, std::vector<FlankContact> const& contacts, Equilibrium const& state);
 
 /// Displacement series of all stations under these forces, as PointResponse::series gives it.
-[[nodiscard]] std::vector<std::vector<double>> displacements(ElasticDrive const& drive, Eigen::MatrixXd const& forces);
+[[nodiscard]] std::vector<std::vector<double>> displacements(ElasticDrive const& drive, Eigen::MatrixXd const& forces, int threads = 1);
 
 /// Value of a series of `drive` at an angle, and its derivative.
 struct SeriesValue
@@ -116,5 +122,20 @@ struct SeriesValue
     double value = 0, slope = 0;
 };
 [[nodiscard]] SeriesValue series_at(ElasticDrive const& drive, std::vector<double> const& series, double phi);
+
+/// cos and sin of all harmonics of `drive` at an angle, for several series there.
+struct SeriesPlace
+{
+    SeriesPlace(ElasticDrive const& drive, double phi);
+
+    [[nodiscard]] SeriesValue operator()(std::vector<double> const& series) const;
+
+  private:
+    struct Wave
+    {
+        double n, cosine, sine;
+    };
+    std::vector<Wave> waves_;
+};
 
 }  // namespace hdconj

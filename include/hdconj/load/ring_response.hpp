@@ -72,13 +72,13 @@ class PointResponse
     {
         Eigen::MatrixXd even, odd;
     };
-    [[nodiscard]] Loads loads(Eigen::MatrixXd const& force, double phase) const;
+    [[nodiscard]] Loads loads(Eigen::MatrixXd const& force, double phase, int threads = 1) const;
 
     /// Series of displacements under point forces: a[2 h] cos(n_h phi) + a[2 h + 1] sin(n_h phi) at each station.
     /// @param force  (stations, grid) [N]
     /// @param phase  angle of the grid's first point [rad]
     /// @param wanted stations to give
-    [[nodiscard]] std::vector<std::vector<double>> series(Eigen::MatrixXd const& force, double phase, std::vector<std::size_t> const& wanted) const;
+    [[nodiscard]] std::vector<std::vector<double>> series(Eigen::MatrixXd const& force, double phase, std::vector<std::size_t> const& wanted, int threads = 1) const;
 
   private:
     [[nodiscard]] double share(int n, std::size_t station) const;

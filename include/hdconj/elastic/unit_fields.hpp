@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What unit loads on stations do to a whole body of revolution: solved once, combined for any loads.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "hdconj/elastic/harmonic_field.hpp"
+#include "hdconj/elastic/influence.hpp"
+
+namespace hdconj {
+
+/// Amplitudes of all unknowns [mm] under a unit load [N/rad] on each station, harmonic by harmonic.
+///
+/// Influence and fields of the same stations are made of it by products: nothing is factorised again. In memory it is unknowns x stations x harmonics doubles
+/// (type-50 under load: 10 MB).
+struct UnitFields
+{
+    std::vector<int> harmonics;
+    std::vector<Eigen::MatrixXd> moved;  ///< one for each harmonic, unknowns x stations
+};
+
+/// One factorisation for each of @p harmonics, spread over @p threads. Same bits for any number of them.
+/// @throws NumericalError as HarmonicSolver does
+[[nodiscard]] UnitFields unit_fields(FourierSolid const& solid, Supports const& supports, std::vector<Station> const& stations, std::vector<int> const& harmonics, int threads = 1);
+
+/// Those of some stations, in the order of @p stations, and of the first harmonics. Domain: harmonics <= unit.harmonics.size().
+[[nodiscard]] UnitFields part_of(UnitFields const& unit, std::vector<std::size_t> const& stations, std::size_t harmonics);
+
+/// Compliance between @p stations, those that @p unit was made for: the same bits as influence() of the solid.
+[[nodiscard]] Influence influence(FourierSolid const& solid, UnitFields const& unit, std::vector<Station> const& stations, int threads = 1);
+
+/// The field under loads of the stations, rows: stations, columns: harmonics, as harmonic_field() takes them; equal to it but for rounding.
+[[nodiscard]] HarmonicField harmonic_field(UnitFields const& unit, Eigen::MatrixXd const& even, Eigen::MatrixXd const& odd);
+
+}  // namespace hdconj

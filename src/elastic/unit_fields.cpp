@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/elastic/unit_fields.hpp"
+
+#include <Eigen/SparseCore>
+
+#include <utility>
+
+#include "hdconj/numeric/parallel.hpp"
+
+namespace hdconj {
+
+using Eigen::Index;
+
+UnitFields unit_fields(FourierSolid const& solid, Supports const& supports, std::vector<Station> const& stations, std::vector<int> const& harmonics, int threads)
+{
+    Eigen::MatrixXd const shares = station_shares(solid, stations);
+    UnitFields result{harmonics, std::vector<Eigen::MatrixXd>(harmonics.size())};
+    parallel_for(harmonics.size(), threads, 1, [&](std::size_t i) { result.moved[i] = HarmonicSolver(solid, supports, harmonics[i])(shares); });
+    return result;
+}
+
+UnitFields part_of(UnitFields const& unit, std::vector<std::size_t> const& stations, std::size_t harmonics)
+{
+    UnitFields result{{unit.harmonics.begin(), unit.harmonics.begin() + static_cast<std::ptrdiff_t>(harmonics)}, {}};
+    for (std::size_t i = 0; i < harmonics; ++i)
+        result.moved.emplace_back(unit.moved[i](Eigen::all, stations));
+    return result;
+}
+
+Influence influence(FourierSolid const& solid, UnitFields const& unit, std::vector<Station> const& stations, int threads)
+{
+    std::vector<Direction> directions;
+    for (Station const& station : stations)
+        directions.push_back(station.direction);
+    // a station is felt at the nodes of one element
+    Eigen::SparseMatrix<double, Eigen::RowMajor> const felt = station_shares(solid, stations).transpose().sparseView();
+    std::vector<Eigen::MatrixXd> compliance(unit.harmonics.size());
+    constexpr std::size_t worth_a_thread = 16;
+    parallel_for(compliance.size(), threads, worth_a_thread, [&](std::size_t i) {
+        Eigen::MatrixXd const s = felt * unit.moved[i];
+        compliance[i] = (s + s.transpose()) / 2;
+    });
+    return {std::move(directions), unit.harmonics, std::move(compliance)};
+}
+
+HarmonicField harmonic_field(UnitFields const& unit, Eigen::MatrixXd const& even, Eigen::MatrixXd const& odd)
+{
+    auto const terms = static_cast<Index>(unit.harmonics.size());
+    Index const unknowns = unit.moved.empty() ? 0 : unit.moved.front().rows();
+    HarmonicField field{unit.harmonics, Eigen::MatrixXd(unknowns, terms), Eigen::MatrixXd(unknowns, terms)};
+    for (Index k = 0; k < terms; ++k)
+    {
+        Eigen::MatrixXd const& moved = unit.moved[static_cast<std::size_t>(k)];
+        field.even.col(k) = moved * even.col(k);
+        field.odd.col(k) = moved * odd.col(k);
+    }
+    return field;
+}
+
+}  // namespace hdconj
