@@ -145,6 +145,7 @@ class Solver
         result.energy = f.dot(times(problem_.compliance, f)) / 2 - f.dot(problem_.approach);
         result.force = std::move(f);
         result.scalar = s_;
+        result.slope = slope_;
         result.iterations = iterations_;
         result.energies = energies_;
         result.method = method;

@@ -66,9 +66,32 @@ void write_bearing(Writer const& place, BearingMap const& bearing, char const* b
     }
 }
 
+/// Estimates of one state each, zeros where there are none.
+void write_error_columns(Writer const& place, std::vector<LoadedState> const& errors, char const* ball_units)
+{
+    write_columns(place, loaded_error_figures(), errors);
+    place.numbers("ball_force", column(errors, [](auto const& error) { return error.ball_force; }), ball_units);
+}
+
+void write_curve(Writer const& place, LoadCase const& each, char const* ball_units)
+{
+    write_states(place, each.curve, ball_units);
+    place.group("error", [&](Writer const& group) {
+        std::vector<int> estimated;
+        std::vector<LoadedState> errors;
+        for (std::size_t i = 0; i < each.curve.size(); ++i) {
+            auto const* error = error_of(each, i);
+            estimated.push_back(error != nullptr ? 1 : 0);
+            errors.push_back(error != nullptr ? *error : LoadedState());
+        }
+        group.integers("estimated", estimated);
+        write_error_columns(group, errors, ball_units);
+    });
+}
+
 void write_case(Writer const& place, LoadCase const& each, char const* ball_units)
 {
-    place.group("curve", [&](Writer const& curve) { write_states(curve, each.curve, ball_units); });
+    place.group("curve", [&](Writer const& curve) { write_curve(curve, each, ball_units); });
     if (!each.bearing.angle.empty()) {
         place.group("bearing", [&](Writer const& bearing) { write_bearing(bearing, each.bearing, ball_units); });
     }
@@ -87,8 +110,7 @@ void write_errors(Writer const& place, std::vector<LoadCase> const& cases, char 
     place.integers("estimated", column(cases, [](auto const& each) { return each.estimated ? 1 : 0; }));
     place.integers("pressure_at_edge", column(cases, [](auto const& each) { return each.pressure_at_edge ? 1 : 0; }));
     place.numbers("backlash", column(cases, [](auto const& each) { return each.backlash_error; }), "rad");
-    write_columns(place, loaded_error_figures(), errors);
-    place.numbers("ball_force", column(errors, [](auto const& error) { return error.ball_force; }), ball_units);
+    write_error_columns(place, errors, ball_units);
 }
 
 void write_cases(Writer const& place, std::vector<LoadCase> const& cases, char const* ball_units)

@@ -58,6 +58,12 @@ inline constexpr double nm_per_deg = nm_per_nmm * std::numbers::pi / 180;
 /// At the largest torque; null where nothing was computed.
 [[nodiscard]] inline LoadedState const* rated_state(LoadCase const& each) { return each.rated < each.curve.size() ? &each.curve[each.rated] : nullptr; }
 
+/// Estimated errors of a state of the curve; null where there are none.
+[[nodiscard]] inline LoadedState const* error_of(LoadCase const& each, std::size_t state)
+{
+    return state < each.curve_error.size() && each.curve_error[state] ? &*each.curve_error[state] : nullptr;
+}
+
 /// The case that the shape is of; null where there is none.
 [[nodiscard]] inline LoadCase const* shown_case(LoadStudy const& study) { return study.shown < study.cases.size() ? &study.cases[study.shown] : nullptr; }
 

@@ -30,15 +30,12 @@ Json state_object(LoadedState const& state, LoadStudy const& study)
     return object;
 }
 
-Json error_object(LoadCase const& each, LoadStudy const& study)
+Json error_object(LoadedState const& error, LoadStudy const& study)
 {
-    if (!each.estimated) {
-        return nullptr;
-    }
     Json object = Json::object();
-    add_figures(object, loaded_error_figures(), each.error);
-    object[ball_key(study)] = number(each.error.ball_force);
-    object["teeth"] = each.error.teeth;
+    add_figures(object, loaded_error_figures(), error);
+    object[ball_key(study)] = number(error.ball_force);
+    object["teeth"] = error.teeth;
     return object;
 }
 
@@ -73,13 +70,16 @@ Json case_object(LoadCase const& each, LoadStudy const& study)
     object["stages_found"] = each.stages.found;
     auto const* rated = rated_state(each);
     object["rated"] = rated != nullptr ? state_object(*rated, study) : Json(nullptr);
-    object["rated_error"] = error_object(each, study);
+    object["rated_error"] = each.estimated ? error_object(each.error, study) : Json(nullptr);
     object["backlash_error_arcmin"] = each.estimated ? number(each.backlash_error * arcmin_per_radian) : Json(nullptr);
     object["pressure_at_edge"] = each.pressure_at_edge;
     object["bearing"] = bearing_object(each.bearing, study);
     object["curve"] = Json::array();
-    for (auto const& state : each.curve) {
-        object["curve"].push_back(state_object(state, study));
+    for (std::size_t i = 0; i < each.curve.size(); ++i) {
+        Json state = state_object(each.curve[i], study);
+        auto const* error = error_of(each, i);
+        state["error"] = error != nullptr ? error_object(*error, study) : Json(nullptr);
+        object["curve"].push_back(std::move(state));
     }
     return object;
 }

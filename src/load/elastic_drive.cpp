@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/load/elastic_drive.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -63,15 +62,6 @@ std::vector<BearingNode> bearing_nodes(ElasticDrive const& drive)
         for (std::size_t j = 0; j < drive.stations.bearing; ++j)
             nodes.push_back({j, w, drive.bearing_steps[w]});
     return nodes;
-}
-
-/// b'G^-1 b over the closed contacts: what one radian more needs.
-double stiffness_of(MatrixXd const& compliance, VectorXd const& border, std::vector<int> const& closed)
-{
-    if (closed.empty())
-        return 0;
-    VectorXd const b = border(closed);
-    return b.dot(compliance(closed, closed).llt().solve(b));
 }
 
 }  // namespace
@@ -236,7 +226,7 @@ Equilibrium equilibrium(ElasticDrive const& drive, LinearGaps const& gaps, std::
     result.turn = torque ? solved.scalar : gaps.turn;
     result.steps = solved.iterations;
     result.complementarity = solved.residual;
-    result.stiffness = torque ? sectors * stiffness_of(a, lever, solved.contacts) : 0;
+    result.stiffness = torque ? sectors * solved.slope : 0;
     for (std::size_t i = 0; i < gaps.contacts.size(); ++i)
         result.flank.push_back(i < flanks ? solved.force(static_cast<Index>(i)) : 0.0);
     result.bearing = MatrixXd::Zero(static_cast<Index>(drive.stations.bearing), static_cast<Index>(drive.bearing_steps.size()));

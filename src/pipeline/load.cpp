@@ -124,6 +124,7 @@ void add_stress(ContactBench const& bench, detail::LoadModel const& model, Harmo
         return;
     HarmonicField const other = detail::cup_field(coarse->model, report.coarse, bench.threads);
     result.error.largest_stress = detail::grid_safety(model.drive.slice_z.size()) * std::abs(peak.stress - stress_peak(coarse->model.solid.mesh(), other, phi, bench.threads).stress) + detail::stress_at_corners(model, field, peak);
+    result.curve_error[result.rated]->largest_stress = result.error.largest_stress;
 }
 
 /// The tip circle that a scene leaves to the program [mm].

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "hdconj/contact/take_up.hpp"
 #include "hdconj/load/flank_contacts.hpp"
@@ -111,39 +112,99 @@ Play play_about(LoadWork const& work, LoadedShape const& shape, double middle)
     return {first_touch(work, field, middle, 1), -first_touch(work, field, middle, -1)};
 }
 
-/// Errors of play and largest torque, from those of the coarse grid.
+/// A drive that is taken from torque to torque, from the assembled cup on.
+class Walk
+{
+  public:
+    /// @param play  of the assembled cup; a negative one: it presses
+    Walk(LoadWork const& work, Loaded free, Play const& play)
+        : work_(work), free_(std::move(free)), now_(free_), play_(play), middle_(0.5 * (play.right - play.left)), pressed_(play.right + play.left < 0)
+    {
+        if (!pressed_)
+            return;
+        now_.state.turn = middle_;
+        now_ = settled_at(work_, 0, now_);
+        middle_ = now_.state.turn;
+    }
+
+    /// The drive at @p torque [N mm], from where it is, and from first touch where it was not loaded to that side.
+    /// @throws NumericalError as settled_at() does; the drive stays where it was
+    void go_to(double torque)
+    {
+        if (torque == 0 && !pressed_)
+        {
+            now_ = free_;
+            now_.state.turn = middle_;
+        }
+        else if (!pressed_ && last_ * torque <= 0)
+        {
+            Loaded touching = free_;
+            touching.state.turn = torque > 0 ? play_.right : -play_.left;
+            now_ = settled_at(work_, torque, touching);
+        }
+        else
+            now_ = settled_at(work_, torque, now_);
+        last_ = torque;
+    }
+
+    [[nodiscard]] Loaded const& now() const { return now_; }
+    [[nodiscard]] LoadedState summary() const { return summary_of(work_, now_, last_, middle_); }
+    [[nodiscard]] double middle() const { return middle_; }  ///< of the play, from which twist counts [rad]
+
+  private:
+    LoadWork const& work_;
+    Loaded free_, now_;
+    Play play_;
+    double middle_;
+    bool pressed_;
+    double last_ = 0;
+};
+
+/// Errors of the play and of every torque, from the same walk on the coarse grid.
 /// @param fine_middle  of the play on the fine grid [rad]
 void estimate(ContactBench const& bench, CoarseDrive const& coarse, FlankGrid const& fine, double fine_middle, LoadCase& result, CaseReport& report)
 {
+    constexpr int patience = 3;  // torques without a balance, after which no more are tried
     FlankGrid const grid = thinned(fine, coarse.grid.slices);
     LoadWork const work{bench, coarse.model.drive, grid};
-    LoadedState const& rated = result.curve[result.rated];
+    double const safety = grid_safety(fine.slices());
+    result.curve_error.assign(result.curve.size(), std::nullopt);
+    std::optional<Walk> walk;
     try
     {
-        Loaded loaded = untouched(bench, coarse.model.drive, coarse.start);
-        std::optional<Play> const play = result.backlash < 0 ? play_of(work, loaded.shape) : play_about(work, loaded.shape, fine_middle);
+        Loaded free = untouched(bench, coarse.model.drive, coarse.start);
+        std::optional<Play> const play = result.backlash < 0 ? play_of(work, free.shape) : play_about(work, free.shape, fine_middle);
         if (!play)
             return;
-        double middle = 0.5 * (play->right - play->left);
-        double const backlash = play->right + play->left;
-        loaded.state.turn = backlash < 0 || rated.torque == 0 ? middle : rated.torque > 0 ? play->right : -play->left;
-        if (backlash < 0)
-        {
-            loaded = settled_at(work, 0, loaded);
-            middle = loaded.state.turn;
-        }
-        if (rated.torque != 0)
-            loaded = settled_at(work, rated.torque, loaded);
-        double const safety = grid_safety(fine.slices());
-        result.error = error_between(rated, summary_of(work, loaded, rated.torque, middle), safety);
-        result.error.twist += rated.residual / bench.geometry.r_m;
-        result.backlash_error = safety * std::abs(result.backlash - backlash);
-        result.estimated = true;
-        report.coarse = std::move(loaded.forces);
+        walk.emplace(work, std::move(free), *play);
+        result.backlash_error = safety * std::abs(result.backlash - (play->right + play->left));
     }
     catch (NumericalError const&)
     {
-        // no balance on the coarse grid: nothing to compare with
+        return;  // no balance on the coarse grid: nothing to compare with
+    }
+    int failed = 0;
+    for (std::size_t i = 0; i < result.curve.size() && failed < patience; ++i)
+    {
+        LoadedState const& state = result.curve[i];
+        try
+        {
+            walk->go_to(state.torque);
+        }
+        catch (NumericalError const&)
+        {
+            ++failed;
+            continue;
+        }
+        result.curve_error[i] = error_between(state, walk->summary(), safety);
+        result.curve_error[i]->twist += state.residual / bench.geometry.r_m;
+        if (i == result.rated)
+            report.coarse = walk->now().forces;
+    }
+    if (auto const& rated = result.curve_error[result.rated])
+    {
+        result.error = *rated;
+        result.estimated = true;
     }
 }
 
@@ -185,45 +246,21 @@ LoadCase load_case(ContactBench const& bench, ElasticDrive const& drive, Assembl
         throw NumericalError("load", "assembly", "the teeth of the bent cup stand in the way of those of the circular spline at every turn, with a side clearance of "
                                                      + std::to_string(surface.offset * 1e3) + " um: widen circular_spline.inner_radius, or write surface = \"per-slice\" in [slices]");
     result.backlash = play->right + play->left;
-    double middle = 0.5 * (play->right - play->left);
     if (report.on_play)
         report.on_play(result);
-    bool const pressed = result.backlash < 0;
-    Loaded loaded = free;
-    if (pressed)
-    {
-        loaded.state.turn = middle;
-        loaded = settled_at(work, 0, loaded);
-        middle = loaded.state.turn;
-    }
+    Walk walk(work, free, *play);
     double largest = -1;
     for (double const torque : torques)
     {
-        if (torque == 0 && !pressed)
-        {
-            loaded = free;
-            loaded.state.turn = middle;
-            LoadedState state = summary_of(work, loaded, 0, middle);
-            result.curve.push_back(state);
-        }
-        else
-        {
-            bool const turns_over = !pressed && (result.curve.empty() || result.curve.back().torque * torque <= 0);
-            if (turns_over)
-            {
-                loaded = free;
-                loaded.state.turn = torque > 0 ? play->right : -play->left;
-            }
-            loaded = settled_at(work, torque, loaded);
-            result.curve.push_back(summary_of(work, loaded, torque, middle));
-        }
+        walk.go_to(torque);
+        result.curve.push_back(walk.summary());
         if (std::abs(torque) > largest)
         {
             largest = std::abs(torque);
             result.rated = result.curve.size() - 1;
-            result.map = map_of(work, loaded, torque);
-            result.bearing = bearing_map(drive, loaded.state);
-            report.rated = loaded.forces;
+            result.map = map_of(work, walk.now(), torque);
+            result.bearing = bearing_map(drive, walk.now().state);
+            report.rated = walk.now().forces;
         }
         if (report.on_state)
             report.on_state();
@@ -232,7 +269,7 @@ LoadCase load_case(ContactBench const& bench, ElasticDrive const& drive, Assembl
     std::vector<double> const& z = result.map.z;
     result.pressure_at_edge = z.size() > 1 && rated.largest_pressure > 0 && (rated.pressure_z <= z.front() || rated.pressure_z >= z.back());
     if (coarse != nullptr)
-        estimate(bench, *coarse, surface.grid, middle, result, report);
+        estimate(bench, *coarse, surface.grid, walk.middle(), result, report);
     std::vector<double> twist, torque;
     for (std::size_t i = 0; i <= result.rated && i < result.curve.size(); ++i)
         if (result.curve[i].torque > 0)

@@ -48,6 +48,7 @@ struct ComplementaritySolution
     Eigen::VectorXd force;       ///< f
     Eigen::VectorXd gap;         ///< g
     double scalar = 0;           ///< s; where no force stands on the border, any one that fits
+    double slope = 0;            ///< d(b . f)/ds with these contacts; 0: no border, or none of them on it
     std::vector<int> contacts;   ///< f > 0
     int iterations = 0;          ///< systems solved
     /// Largest of -f and |b . f - T|/|b| against the largest f, -g against the largest of |d|, |b s| and |G f|, and min(f, g) in both scales.

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -106,6 +107,7 @@ struct LoadCase
     LoadedState error;
     double backlash_error = 0;    ///< [rad]
     bool estimated = false;       ///< false: fewer than three slices, or no balance on the coarse grid; the errors are 0 and say nothing
+    std::vector<std::optional<LoadedState>> curve_error;  ///< the same of each state of curve; none where the coarse grid has no balance. Empty: fewer than three slices
     bool pressure_at_edge = false;  ///< the largest pressure is at an end of the face width, where it grows with the number of slices
     StiffnessStages stages;       ///< of the branch 0 to T
     double seconds = 0;
