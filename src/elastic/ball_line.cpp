@@ -86,13 +86,14 @@ BallLine ball_line(BearingSurface const& surface, int waves, BearingContacts con
     return line;
 }
 
-BallContact solve_on_balls(Complementarity& problem, Index first, BallLine const& line, ComplementarityOptions options)
+BallContact solve_on_balls(Complementarity& problem, Index first, BallLine const& line, ComplementarityOptions options, std::vector<bool> const& start)
 {
     constexpr double rounding = 1e-12;  // of forces and gaps, against the largest
     Index const rows = line.lift.rows(), count = line.held.size();
     int const patience = 50 + 4 * static_cast<int>(count);
     BallContact found;
-    std::vector<bool> off(static_cast<std::size_t>(count), false);
+    std::vector<bool> const none(static_cast<std::size_t>(count), false);
+    std::vector<bool> off = start.size() == none.size() ? start : none;
     std::set<std::vector<bool>> seen;
     std::vector<bool> before = off;
     bool one_by_one = false;
@@ -124,8 +125,13 @@ BallContact solve_on_balls(Complementarity& problem, Index first, BallLine const
             // a ring that no ball holds has a harmonic without stiffness, to rounding
             if (ring.info() != Eigen::Success || !(ring.rcond() > rounding))
             {
+                if (found.rounds == 1)
+                {
+                    off = before = none;  // the start was no help
+                    continue;
+                }
                 if (one_by_one)
-                    refuse("no ball holds the ring, which may move as a whole; the bearing is too loose, or has too few balls where the cam pushes");
+                    refuse("no ball holds the ring, which may move as a whole, or all that do face one way and leave it to the cup alone, which is not solved; the bearing is too loose, or has too few balls where the cam pushes");
                 one_by_one = true;
                 off = before;
                 continue;

@@ -216,7 +216,12 @@ Equilibrium equilibrium(ElasticDrive const& drive, LinearGaps const& gaps, std::
     ComplementaritySolution solved;
     if (drive.balls)
     {
-        BallContact balls = solve_on_balls(problem, static_cast<Index>(flanks), *drive.balls, options);
+        // balls that carried nothing in the like problem
+        std::vector<bool> off;
+        if (guess != nullptr)
+            for (double const force : guess->balls)
+                off.push_back(!(force > 0));
+        BallContact balls = solve_on_balls(problem, static_cast<Index>(flanks), *drive.balls, options, off);
         result.balls.assign(balls.force.begin(), balls.force.end());
         solved = std::move(balls.contacts);
     }

@@ -25,7 +25,13 @@ constexpr double depths[] = {1, 0.5, 2, 0.25};  // of the standard one
 constexpr int first_mixing = 3;             // round: contacts have been found by then
 constexpr double near_share = 3;           // of the aim
 constexpr double worse = 3;                // mismatch against that of the round before: contacts have changed, what was before says nothing
+constexpr int first_look_at_turn = 6;      // round: the first ones may overshoot, with few contacts
 constexpr double depth_share = 4e-4;       // of the module: depth of a strip (0.1 um on type-50, where Hertz strips have it at 18 N/mm)
+
+std::string place_of(double torque)
+{
+    return "torque of " + std::to_string(torque / 1000) + " N m";
+}
 
 auto flank_of(FlankContact const& c)
 {
@@ -166,6 +172,10 @@ Outcome settle(LoadWork const& work, double torque, double depth, Loaded& now)
         constexpr std::size_t grain = 64;
         parallel_for(gaps.contacts.size(), work.bench.threads, grain, [&](std::size_t i) { gaps.displacement[i] = normal_displacement(work.drive, now.shape, gaps.contacts[i]); });
         now.state = equilibrium(work.drive, gaps, torque, &guess, work.bench.threads);
+        double const pitch = 2 * std::numbers::pi / work.scene().drive.circular_spline_teeth;
+        if (round >= first_look_at_turn && std::abs(now.state.turn) > pitch)
+            throw NumericalError("load", place_of(torque), "the flexspline turns by more than a pitch, " + std::to_string(now.state.turn * 180 / std::numbers::pi)
+                                                              + " deg: the teeth pass over each other; it is more than they can carry");
         ++now.rounds;
         now.steps += now.state.steps;
         now.contacts = std::move(gaps.contacts);
@@ -218,7 +228,7 @@ GapField LoadWork::field(LoadedShape const& shape, FlankGrid const& grid) const
 
 Loaded settled_at(LoadWork const& work, double torque, Loaded const& start)
 {
-    std::string const place = "torque of " + std::to_string(torque / 1000) + " N m";
+    std::string const place = place_of(torque);
     Loaded now = start;
     now.rounds = now.steps = 0;
     double mismatch = 0;

@@ -244,6 +244,14 @@ TEST_CASE("the rounds of releasing balls end, with the answer of the one way to 
         double const scale = 1 + force.cwiseAbs().maxCoeff() + gap.cwiseAbs().maxCoeff();
         CHECK(largest(force.cwiseMin(found.gap)) <= 1e-8 * scale);
         CHECK(largest(gap.cwiseMin(found.contacts.force)) <= 1e-8 * scale);
+        // whatever is released to begin with
+        std::vector<bool> start;
+        for (Index m = 0; m < balls; ++m)
+            start.push_back(normal(random) > 0);
+        Complementarity again = held;
+        BallContact const other = solve_on_balls(again, 0, line, {}, start);
+        CHECK(largest(other.force - found.force) <= 1e-7 * scale);
+        CHECK(largest(other.gap - found.gap) <= 1e-7 * (1 + found.gap.cwiseAbs().maxCoeff()));
     }
     CHECK(loose > 1500);
     CHECK(most < 50);

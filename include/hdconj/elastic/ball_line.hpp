@@ -55,8 +55,10 @@ struct BallContact
 /// Solves @p problem, that of a ring held on the cam, with balls that push only. Where none has to pull, that is all that is done. Otherwise points are
 /// released and caught again until those that touch push and those that do not stand off.
 /// @param first    contact of @p problem that is the first of @p line; they follow each other
+/// @param start    points to begin with as released, of a neighbouring problem; empty: none
 /// @param problem  on return: compliance and approach with the ring free at the points where h > 0
 /// @throws NumericalError as solve_complementarity does, where no such set of points is found, and for a ring that can move as a whole
-[[nodiscard]] BallContact solve_on_balls(Complementarity& problem, Eigen::Index first, BallLine const& line, ComplementarityOptions options = {});
+[[nodiscard]] BallContact solve_on_balls(Complementarity& problem, Eigen::Index first, BallLine const& line, ComplementarityOptions options = {},
+                                         std::vector<bool> const& start = {});
 
 }  // namespace hdconj
