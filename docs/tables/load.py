@@ -121,6 +121,26 @@ def worth(program):
         row(key, len(ratios), sum(r <= 1 for r in ratios), "%.2f" % max(ratios), "%.2f" % sorted(ratios)[len(ratios) // 2])
 
 
+def worth_curve(program):
+    """The same of the torques of whole curves, twist and two others: largest true distance over estimate of each drive."""
+    wish = random.Random(77)
+    keys_of = ["twist_arcmin", "contact_share", "wave_generator_force_N", "ball_force_N_per_mm"]
+    head("drive", "torques", *("%s: within, largest" % key for key in keys_of))
+    for number in range(6):
+        keys, arguments = random_drive(wish)
+        keys["slices__count"] = 9
+        asked = ["--points", "4", "--torque", "%.6g" % 10 ** wish.uniform(0.5, 1.8), *arguments]
+        here = load(program, *asked, **keys)
+        fine = load(program, *asked, **{**keys, "slices__count": 17, "contact__flank_points": 400, "bearing__circles": 25})
+        if isinstance(here, str) or isinstance(fine, str):
+            print(here if isinstance(here, str) else fine, file=sys.stderr)
+            continue
+        pairs = [(a, b) for a, b in zip(here["cases"][0]["curve"], fine["cases"][0]["curve"]) if a["torque_Nm"] and a["error"]]
+        ratios = {key: [abs(a[key] - b[key]) / max(1e-300, a["error"][key]) for a, b in pairs] for key in keys_of}
+        row(number, len(pairs), *("%d of %d, %.2f" % (sum(r <= 1 for r in ratios[key]), len(pairs), max(ratios[key])) for key in keys_of))
+        sys.stdout.flush()
+
+
 # type-50 with half as many teeth again: all of a tooth two thirds as large
 TEETH = {"drive__module": 0.25 / 1.5, "drive__flexspline_teeth": 300, "drive__circular_spline_teeth": 302, "flexspline__profile__addendum": 0.15, "flexspline__profile__dedendum": 0.202,
          "flexspline__profile__convex_radius": 0.2701 / 1.5, "flexspline__profile__convex_offset": 0.0982 / 1.5, "flexspline__profile__concave_radius": 0.5145 / 1.5,
@@ -190,7 +210,7 @@ def curves(program):
     told_states(program, 30, ["--points", "6"], [(*random_drive(wish), 10 ** wish.uniform(0.3, 2)) for _ in range(30)])
 
 
-TABLES = {"fixed": fixed, "balls": balls, "worth": worth, "settle": settle, "curves": curves, "thesis": thesis, "surfaces": surfaces, "bearing": bearing, "cost": cost}
+TABLES = {"fixed": fixed, "balls": balls, "worth": worth, "worth_curve": worth_curve, "settle": settle, "curves": curves, "thesis": thesis, "surfaces": surfaces, "bearing": bearing, "cost": cost}
 
 if __name__ == "__main__":
     for table in sys.argv[2:] or TABLES:

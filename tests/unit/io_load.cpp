@@ -254,6 +254,9 @@ TEST_CASE("estimates and balls stand in text and JSON and HDF5 alike", "[load][e
     each.pressure_at_edge = true;
     each.backlash_error = 0.25 * minute;
     each.error.twist = 0.5 * minute;
+    each.curve_error.assign(each.curve.size(), std::nullopt);
+    each.curve_error[2].emplace().twist = 0.75 * minute;
+    each.curve_error[2]->teeth = 3;
     each.error.largest_force = 1.5;
     each.error.teeth = 6;
     each.error.lobe_force = 11;
@@ -276,6 +279,10 @@ TEST_CASE("estimates and balls stand in text and JSON and HDF5 alike", "[load][e
     CHECK(load.at("cup").at("error").at("coning_major_deg").get<double>() == Approx(0.0125));
     CHECK(second.at("rated_error").at("twist_arcmin").get<double>() == Approx(0.5));
     CHECK(second.at("backlash_error_arcmin").get<double>() == Approx(0.25));
+    CHECK(second.at("curve").at(2).at("error").at("twist_arcmin").get<double>() == Approx(0.75));
+    CHECK(second.at("curve").at(2).at("error").at("teeth").get<int>() == 3);
+    CHECK(second.at("curve").at(3).at("error").is_null());
+    CHECK(load.at("cases").at(0).at("curve").at(2).at("error").is_null());
     CHECK(second.at("pressure_at_edge").get<bool>());
     CHECK(second.at("rated").at("ball_force_N").get<double>() == 313);
     CHECK(second.at("bearing").at("force_N").get<std::vector<double>>() == std::vector<double>{30, 70});
@@ -286,6 +293,11 @@ TEST_CASE("estimates and balls stand in text and JSON and HDF5 alike", "[load][e
         auto const file = open_file(folder / "a.h5");
         CHECK(read(file, "/load/error/twist").values == std::vector<double>{0, 0.5 * minute, 0});
         CHECK(read(file, "/load/error/estimated").values == std::vector<double>{0, 1, 0});
+        std::vector<double> twist(each.curve.size(), 0), estimated = twist;
+        twist[2] = 0.75 * minute;
+        estimated[2] = 1;
+        CHECK(read(file, "/load/case_001/curve/error/twist").values == twist);
+        CHECK(read(file, "/load/case_001/curve/error/estimated").values == estimated);
         CHECK(read(file, "/load/case_001/bearing/force").shape == std::vector<hsize_t>{2, 2});
         CHECK(read(file, "/load/case_001/bearing/ball_force").values == each.bearing.ball_force);
         CHECK_FALSE(has_link(file, "/load/case_000/bearing"));
