@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "load_figures.hpp"
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
 #include "summary_figures.hpp"
 
@@ -11,59 +13,64 @@ namespace {
 constexpr double as_stored = 1;
 constexpr char const* json_only = nullptr;
 
+struct StateRow
+{
+    LoadFigure<LoadedState> figure;
+    bool has_error;  ///< estimated in LoadCase::error
+};
+
+using State = LoadedState const&;
+constexpr StateRow state_rows[] = {
+    {{"torque", "N mm", "torque_Nm", nm_per_nmm, [](State s) { return s.torque; }}, false},
+    {{"twist", "rad", "twist_arcmin", arcmin_per_radian, [](State s) { return s.twist; }}, true},
+    {{"stiffness", "N mm/rad", "stiffness_Nm_per_rad", nm_per_nmm, [](State s) { return s.stiffness; }}, true},
+    {{json_only, "", "stiffness_Nm_per_deg", nm_per_deg, [](State s) { return s.stiffness; }}, true},
+    {{"contact_area", "mm^2", "contact_area_mm2", as_stored, [](State s) { return s.contact_area; }}, true},
+    {{"contact_share", "1", "contact_share", as_stored, [](State s) { return s.contact_share; }}, true},
+    {{"near_share", "1", "near_share", as_stored, [](State s) { return s.near_share; }}, true},
+    {{"node_share", "1", "node_share", as_stored, [](State s) { return s.node_share; }}, true},
+    {{"largest_pressure", "MPa", "largest_pressure_MPa", as_stored, [](State s) { return s.largest_pressure; }}, true},
+    {{"pressure_z", "mm", "pressure_z_mm", as_stored, [](State s) { return s.pressure_z; }}, false},
+    {{"largest_force", "N", "largest_force_N", as_stored, [](State s) { return s.largest_force; }}, true},
+    {{"wave_generator_force", "N", "wave_generator_force_N", as_stored, [](State s) { return s.wave_generator_force; }}, true},
+    {{"wave_generator_torque", "N mm", "wave_generator_torque_Nm", nm_per_nmm, [](State s) { return s.wave_generator_torque; }}, true},
+    {{"lobe_force", "N", "lobe_force_N", as_stored, [](State s) { return s.lobe_force; }}, true},
+    {{"lobe_force_across", "N", "lobe_force_across_N", as_stored, [](State s) { return s.lobe_force_across; }}, true},
+    {{"lobe_z", "mm", "lobe_z_mm", as_stored, [](State s) { return s.lobe_z; }}, true},
+    {{"ball_phi", "rad", "ball_phi_deg", degree_per_radian, [](State s) { return s.ball_phi; }}, false},
+    {{"largest_stress", "MPa", "largest_stress_MPa", as_stored, [](State s) { return s.largest_stress; }}, true},
+    {{"stress_z", "mm", "stress_z_mm", as_stored, [](State s) { return s.stress_z; }}, false},
+    {{"stress_r", "mm", "stress_r_mm", as_stored, [](State s) { return s.stress_r; }}, false},
+    {{"stress_phi", "rad", "stress_phi_deg", degree_per_radian, [](State s) { return s.stress_phi; }}, false},
+    {{"residual", "mm", "residual_um", um_per_mm, [](State s) { return s.residual; }}, false},
+    {{"complementarity", "1", "complementarity", as_stored, [](State s) { return s.complementarity; }}, false}};
+
+constexpr auto estimated_rows = static_cast<std::size_t>(std::count_if(std::begin(state_rows), std::end(state_rows), [](StateRow const& row) { return row.has_error; }));
+
 }  // namespace
 
 std::span<LoadFigure<LoadedState> const> loaded_state_figures()
 {
-    using Row = LoadFigure<LoadedState>;
-    using State = LoadedState const&;
-    static constexpr std::array figures = {
-        Row{"torque", "N mm", "torque_Nm", nm_per_nmm, [](State s) { return s.torque; }},
-        Row{"twist", "rad", "twist_arcmin", arcmin_per_radian, [](State s) { return s.twist; }},
-        Row{"stiffness", "N mm/rad", "stiffness_Nm_per_rad", nm_per_nmm, [](State s) { return s.stiffness; }},
-        Row{json_only, "", "stiffness_Nm_per_deg", nm_per_deg, [](State s) { return s.stiffness; }},
-        Row{"contact_area", "mm^2", "contact_area_mm2", as_stored, [](State s) { return s.contact_area; }},
-        Row{"contact_share", "1", "contact_share", as_stored, [](State s) { return s.contact_share; }},
-        Row{"near_share", "1", "near_share", as_stored, [](State s) { return s.near_share; }},
-        Row{"node_share", "1", "node_share", as_stored, [](State s) { return s.node_share; }},
-        Row{"largest_pressure", "MPa", "largest_pressure_MPa", as_stored, [](State s) { return s.largest_pressure; }},
-        Row{"pressure_z", "mm", "pressure_z_mm", as_stored, [](State s) { return s.pressure_z; }},
-        Row{"largest_force", "N", "largest_force_N", as_stored, [](State s) { return s.largest_force; }},
-        Row{"wave_generator_force", "N", "wave_generator_force_N", as_stored, [](State s) { return s.wave_generator_force; }},
-        Row{"wave_generator_torque", "N mm", "wave_generator_torque_Nm", nm_per_nmm, [](State s) { return s.wave_generator_torque; }},
-        Row{"lobe_force", "N", "lobe_force_N", as_stored, [](State s) { return s.lobe_force; }},
-        Row{"lobe_force_across", "N", "lobe_force_across_N", as_stored, [](State s) { return s.lobe_force_across; }},
-        Row{"lobe_z", "mm", "lobe_z_mm", as_stored, [](State s) { return s.lobe_z; }},
-        Row{"ball_phi", "rad", "ball_phi_deg", degree_per_radian, [](State s) { return s.ball_phi; }},
-        Row{"largest_stress", "MPa", "largest_stress_MPa", as_stored, [](State s) { return s.largest_stress; }},
-        Row{"stress_z", "mm", "stress_z_mm", as_stored, [](State s) { return s.stress_z; }},
-        Row{"stress_r", "mm", "stress_r_mm", as_stored, [](State s) { return s.stress_r; }},
-        Row{"stress_phi", "rad", "stress_phi_deg", degree_per_radian, [](State s) { return s.stress_phi; }},
-        Row{"residual", "mm", "residual_um", um_per_mm, [](State s) { return s.residual; }},
-        Row{"complementarity", "1", "complementarity", as_stored, [](State s) { return s.complementarity; }}};
+    static constexpr auto figures = [] {
+        std::array<LoadFigure<LoadedState>, std::size(state_rows)> all{};
+        std::transform(std::begin(state_rows), std::end(state_rows), all.begin(), [](StateRow const& row) { return row.figure; });
+        return all;
+    }();
     return figures;
 }
 
 std::span<LoadFigure<LoadedState> const> loaded_error_figures()
 {
-    using Row = LoadFigure<LoadedState>;
-    using State = LoadedState const&;
-    static constexpr std::array figures = {
-        Row{"twist", "rad", "twist_arcmin", arcmin_per_radian, [](State s) { return s.twist; }},
-        Row{"stiffness", "N mm/rad", "stiffness_Nm_per_rad", nm_per_nmm, [](State s) { return s.stiffness; }},
-        Row{json_only, "", "stiffness_Nm_per_deg", nm_per_deg, [](State s) { return s.stiffness; }},
-        Row{"contact_area", "mm^2", "contact_area_mm2", as_stored, [](State s) { return s.contact_area; }},
-        Row{"contact_share", "1", "contact_share", as_stored, [](State s) { return s.contact_share; }},
-        Row{"near_share", "1", "near_share", as_stored, [](State s) { return s.near_share; }},
-        Row{"node_share", "1", "node_share", as_stored, [](State s) { return s.node_share; }},
-        Row{"largest_pressure", "MPa", "largest_pressure_MPa", as_stored, [](State s) { return s.largest_pressure; }},
-        Row{"largest_force", "N", "largest_force_N", as_stored, [](State s) { return s.largest_force; }},
-        Row{"wave_generator_force", "N", "wave_generator_force_N", as_stored, [](State s) { return s.wave_generator_force; }},
-        Row{"wave_generator_torque", "N mm", "wave_generator_torque_Nm", nm_per_nmm, [](State s) { return s.wave_generator_torque; }},
-        Row{"lobe_force", "N", "lobe_force_N", as_stored, [](State s) { return s.lobe_force; }},
-        Row{"lobe_force_across", "N", "lobe_force_across_N", as_stored, [](State s) { return s.lobe_force_across; }},
-        Row{"lobe_z", "mm", "lobe_z_mm", as_stored, [](State s) { return s.lobe_z; }},
-        Row{"largest_stress", "MPa", "largest_stress_MPa", as_stored, [](State s) { return s.largest_stress; }}};
+    static constexpr auto figures = [] {
+        std::array<LoadFigure<LoadedState>, estimated_rows> some{};
+        std::size_t i = 0;
+        for (StateRow const& row : state_rows) {
+            if (row.has_error) {
+                some[i++] = row.figure;
+            }
+        }
+        return some;
+    }();
     return figures;
 }
 
