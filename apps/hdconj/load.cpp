@@ -234,7 +234,7 @@ void add_load(CLI::App& program, CommonOptions& common)
         ->type_name("WORD,...");
     verb->add_flag("--no-curve", own->no_curve, "the largest torque only: no curve, no stages");
     verb->add_option("-o,--output", own->output, "result file, HDF5 [the drive's name and -load.h5, in this folder]")->type_name("FILE");
-    verb->add_option("--picture", own->picture, "drawings NAME-curve, NAME-pressure, NAME-cup, NAME-stress; needs gnuplot")->type_name("NAME.svg|NAME.png");
+    verb->add_option("--picture", own->picture, "drawings NAME-curve, NAME-pressure, NAME-cup, NAME-stress and, of single balls, NAME-balls; needs gnuplot")->type_name("NAME.svg|NAME.png");
     verb->add_option("--vtu", own->vtu, "the deformed cup with its stress, for ParaView")->type_name("FILE.vtu");
     verb->add_option("--measured", own->measured, "torque-angle curve of a test rig, to be laid over the simulation")->type_name("FILE.csv");
     verb->add_option("--torque-constant", own->rig.torque_constant, "of the rig's motor in N m/A; negative where current and angle count in opposite senses")

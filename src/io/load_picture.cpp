@@ -20,13 +20,13 @@ std::filesystem::path named(std::filesystem::path const& file, char const* what)
 
 LoadPictures load_picture_names(std::filesystem::path const& file)
 {
-    return {named(file, "curve"), named(file, "pressure"), named(file, "cup"), named(file, "stress")};
+    return {named(file, "curve"), named(file, "pressure"), named(file, "cup"), named(file, "stress"), named(file, "balls")};
 }
 
 void check_load_pictures(std::filesystem::path const& file)
 {
-    auto const [curve, pressure, cup, stress] = load_picture_names(file);
-    for (auto const& each : {curve, pressure, cup, stress}) {
+    auto const [curve, pressure, cup, stress, balls] = load_picture_names(file);
+    for (auto const& each : {curve, pressure, cup, stress, balls}) {
         check_picture(each);
     }
 }
@@ -53,6 +53,9 @@ std::vector<WrittenFile> write_load_pictures(LoadStudy const& study, std::filesy
         if (!study.shape.stress.empty()) {
             write("picture_stress", load_stress_script(study, format), names.stress);
         }
+    }
+    if (has_balls(study)) {
+        write("picture_balls", load_ball_script(study, format), names.balls);
     }
     return written;
 }

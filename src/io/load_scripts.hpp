@@ -23,6 +23,12 @@ namespace hdconj {
 /// Section of the cup coloured by the largest stress over all angles, and the stress around the axis where it is largest. Needs a shape with stress.
 [[nodiscard]] std::string load_stress_script(LoadStudy const& study, PictureFormat format);
 
+/// Whether there are single balls in the bearing of the case shown.
+[[nodiscard]] bool has_balls(LoadStudy const& study);
+
+/// Forces of the balls all round the ring at the largest torque of the case shown. Needs balls.
+[[nodiscard]] std::string load_ball_script(LoadStudy const& study, PictureFormat format);
+
 /// "type-50:  tilted, radial 0.2 deg,  28 N m"
 [[nodiscard]] std::string shown_load(LoadStudy const& study);
 

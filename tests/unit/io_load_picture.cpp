@@ -93,6 +93,25 @@ TEST_CASE("pictures of a load study are drawn as SVG and PNG under names of thei
     CHECK(folder.names().size() == 8);
 }
 
+TEST_CASE("forces of single balls are drawn around the whole ring", "[load][picture]")
+{
+    if (no_gnuplot()) {
+        return;
+    }
+    TemporaryFolder const folder;
+    auto study = sample::load_study();
+    study.balls = 6;
+    study.sectors = 2;
+    study.cases[study.shown].bearing = {{0.0}, {0.0}, {10.0}, {0.0, 1.0, 2.0}, {313, 0, 12.5}};
+    auto const written = write_load_pictures(study, folder / "a.svg");
+    CHECK(names(written).back() == "picture_balls: a-balls.svg");
+    CHECK_THAT(content(written.back().file), ContainsSubstring("forces of the 6 balls on the outer ring; 2 carry nothing (grey)") && ContainsSubstring("force of a ball [N]"));
+    auto const script = load_ball_script(study, PictureFormat::svg);
+    for (auto const* row : {"0 313\n", "180 313\n", "114.592 12.5\n", "-65.4084 12.5\n"}) {
+        CHECK_THAT(script, ContainsSubstring(row));
+    }
+}
+
 TEST_CASE("only what a load study holds is drawn", "[load][picture]")
 {
     if (no_gnuplot()) {

@@ -31,13 +31,14 @@ void write_hdf5(LoadStudy const& study, std::filesystem::path const& file, Measu
 /// The figures of @ref summary_json of the solution and, under "load", of the study; keys in docs/json.md. Numbers are finite or null.
 [[nodiscard]] std::string summary_json(LoadStudy const& study, std::vector<WrittenFile> const& written = {}, Measurement const* measured = nullptr);
 
-/// Names of the pictures of a study: NAME.svg or .png stands for four.
+/// Names of the pictures of a study: NAME.svg or .png stands for five.
 struct LoadPictures
 {
     std::filesystem::path curve;     ///< NAME-curve.svg: torque against twist, all cases, with the two lines of each stage
     std::filesystem::path pressure;  ///< NAME-pressure.svg: pressure over tooth space and slice
     std::filesystem::path cup;       ///< NAME-cup.svg: deformed section of the cup at the major and the minor axis
     std::filesystem::path stress;    ///< NAME-stress.svg: the same coloured by von Mises stress
+    std::filesystem::path balls;     ///< NAME-balls.svg: forces of single balls around the ring
 };
 
 [[nodiscard]] LoadPictures load_picture_names(std::filesystem::path const& file);
@@ -45,9 +46,9 @@ struct LoadPictures
 /// What can be known before the long work: ending, gnuplot, targets. Throws what @ref write_load_pictures would.
 void check_load_pictures(std::filesystem::path const& file);
 
-/// Draws by gnuplot what there is to draw: curves of two torques or more (or a measurement), a map, a shape, its stress.
+/// Draws by gnuplot what there is to draw: curves of two torques or more (or a measurement), a map, a shape, its stress, single balls.
 /// @param file  NAME.svg or NAME.png, see @ref load_picture_names
-/// @returns the files that were written, of the kinds "picture_curve", "picture_pressure", "picture_cup", "picture_stress"
+/// @returns the files that were written, of the kinds "picture_curve", "picture_pressure", "picture_cup", "picture_stress", "picture_balls"
 /// @throws InputError for another ending; FileError when gnuplot is missing or a file cannot be written
 std::vector<WrittenFile> write_load_pictures(LoadStudy const& study, std::filesystem::path const& file, Measurement const* measured = nullptr);
 
