@@ -9,7 +9,6 @@
 #include "hdconj/pipeline/load.hpp"
 #include "hdconj/io/scene_json.hpp"
 #include "hdconj/profile/registry.hpp"
-#include "hdconj/scene/effects.hpp"
 #include "hdconj/scene/plan.hpp"
 #include "hdconj/wavegen/registry.hpp"
 
@@ -56,7 +55,7 @@ int run_check(CommonOptions const& common, CheckOptions const& own)
 {
     auto const reading = examine(common);
     bool const is_right = reading.faults.empty();
-    auto const faults = is_right ? uncomputed_effects(reading.scene) : reading.faults;
+    auto const& faults = reading.faults;
     auto const verb = is_right ? verb_of(own, reading.scene) : Verb::solve;
     auto const plan = is_right ? std::optional(make_plan(verb == Verb::load ? loaded_scene(reading.scene) : reading.scene, verb)) : std::nullopt;
     if (common.json) {

@@ -8,7 +8,6 @@
 
 #include "hdconj/io/scene_reading.hpp"
 #include "hdconj/io/scene_toml.hpp"
-#include "hdconj/scene/effects.hpp"
 #include "hdconj/scene/schema.hpp"
 
 namespace hdconj::cli {
@@ -72,8 +71,6 @@ SceneReading examine(CommonOptions const& common)
 Scene load_scene(CommonOptions const& common)
 {
     auto reading = examine(common);
-    auto const uncomputed = uncomputed_effects(reading.scene);
-    reading.faults.insert(reading.faults.end(), uncomputed.begin(), uncomputed.end());
     sort_by_place(reading.faults);
     if (!reading.faults.empty()) {
         throw InputError(std::move(reading.faults));

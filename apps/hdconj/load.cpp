@@ -15,7 +15,6 @@
 #include "hdconj/io/atomic_file.hpp"
 #include "hdconj/io/load_files.hpp"
 #include "hdconj/io/measured_file.hpp"
-#include "hdconj/scene/effects.hpp"
 #include "hdconj/scene/schema.hpp"
 #include "outputs.hpp"
 #include "words.hpp"
@@ -146,9 +145,7 @@ Given given(CommonOptions const& common, VerbOptions const& own)
     LoadOptions options = options_of(own);
     bool const sound = faults.empty();
     if (sound) {
-        auto const uncomputed = uncomputed_effects(reading.scene);
         auto const load = check_load(reading.scene, options);
-        faults.insert(faults.end(), uncomputed.begin(), uncomputed.end());
         faults.insert(faults.end(), load.begin(), load.end());
     }
     sort_by_place(faults);

@@ -9,7 +9,6 @@
 #include "contact_case.hpp"
 #include "hdconj/numeric/parallel.hpp"
 #include "hdconj/profile/builder.hpp"
-#include "hdconj/scene/effects.hpp"
 #include "hdconj/scene/schema.hpp"
 #include "outline_records.hpp"
 #include "owned_bench.hpp"
@@ -206,7 +205,7 @@ void write_part(CircularSplineOutline& spline, detail::OwnedBench& owned, Surfac
 
 ContactStudy contact(Scene const& scene, ContactOptions const& options, StageObserver const& on_stage, Progress const& progress)
 {
-    Faults faults = uncomputed_effects(scene);
+    Faults faults;
     for (Faults const& more : {check_scene(scene), check_contact(scene, options)})
         faults.insert(faults.end(), more.begin(), more.end());
     if (!faults.empty())

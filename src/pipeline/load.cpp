@@ -8,7 +8,6 @@
 
 #include "hdconj/numeric/error.hpp"
 #include "hdconj/profile/builder.hpp"
-#include "hdconj/scene/effects.hpp"
 #include "drive.hpp"
 #include "load_case.hpp"
 #include "load_coarse.hpp"
@@ -217,8 +216,6 @@ LoadStudy load(Scene const& scene, LoadOptions const& options, StageObserver con
 {
     Faults faults = check_load(scene, options);
     Scene const asked = loaded_scene(scene, options);
-    if (faults.empty())
-        faults = uncomputed_effects(asked);
     for (Fault const& more : faults.empty() ? check_scene(asked) : check_scene(scene))
         faults.push_back(more);
     if (!faults.empty())

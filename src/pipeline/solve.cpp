@@ -8,7 +8,6 @@
 #include "elastic_cup.hpp"
 #include "hdconj/numeric/parallel.hpp"
 #include "hdconj/pipeline/elastic_cup.hpp"
-#include "hdconj/scene/effects.hpp"
 #include "spread.hpp"
 #include "solve_motion.hpp"
 
@@ -40,9 +39,7 @@ std::vector<Vec2> polygon_of(Profile const& profile, double chord, int threads)
 
 Solution solve(Scene const& scene, StageObserver const& on_stage)
 {
-    Faults faults = uncomputed_effects(scene);
-    Faults const geometry = check_scene(scene);
-    faults.insert(faults.end(), geometry.begin(), geometry.end());
+    Faults faults = check_scene(scene);
     if (!faults.empty())
         throw InputError(faults);
 

@@ -9,7 +9,6 @@
 #include "hdconj/io/scene_reading.hpp"
 #include "hdconj/io/scene_toml.hpp"
 #include "hdconj/pipeline/contact.hpp"
-#include "hdconj/scene/effects.hpp"
 #include "support/catch.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
@@ -108,10 +107,6 @@ Faults faults_of(std::string const& text)
 {
     auto reading = examine_scene(text, "scene");
     examine_geometry(reading);
-    if (reading.faults.empty()) {
-        auto const more = uncomputed_effects(reading.scene);
-        reading.faults.insert(reading.faults.end(), more.begin(), more.end());
-    }
     return reading.faults;
 }
 

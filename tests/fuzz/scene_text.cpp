@@ -5,7 +5,6 @@
 #include "fuzz/targets.hpp"
 #include "hdconj/io/scene_json.hpp"
 #include "hdconj/io/scene_reading.hpp"
-#include "hdconj/scene/effects.hpp"
 #include "hdconj/scene/plan.hpp"
 
 namespace hdconj::fuzz {
@@ -37,7 +36,6 @@ void scene_text(Bytes input)
         throw Find("faults without JSON");
     if (!reading.faults.empty())
         return;
-    judge_faults(uncomputed_effects(reading.scene));
     Plan const plan = make_plan(reading.scene);
     if (describe(plan).empty() || check_json("fuzz.toml", {}, &plan).empty())
         throw Find("a plan without words");

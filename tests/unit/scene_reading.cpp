@@ -6,7 +6,6 @@
 #include <numbers>
 
 #include "hdconj/io/scene_toml.hpp"
-#include "hdconj/scene/effects.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -172,12 +171,9 @@ TEST_CASE("effects that are allowed together are", "[scene]")
     CHECK_NOTHROW(parse_scene(with(elastic), "elastic"));
 }
 
-TEST_CASE("every effect that can be asked for is computed", "[scene]")
+TEST_CASE("tables of an elastic scene are read with what they leave out", "[scene]")
 {
-    CHECK(uncomputed_effects(builtin_scene()).empty());
-    CHECK(uncomputed_effects(parse_scene(with("[tilt]\nangle_deg = 1\n"), "scene", {}, {"slices.count=3"})).empty());
     Scene const scene = parse_scene(with(elastic), "scene");
-    CHECK(uncomputed_effects(scene).empty());
     CHECK(scene.is_elastic());
     REQUIRE(scene.bearing);
     CHECK(scene.bearing->elastic);
