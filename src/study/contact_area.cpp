@@ -58,25 +58,40 @@ struct AreaReference
     double value = 0;     ///< of the knob
     double area = 0;      ///< [mm^2]
     double error = 0;     ///< its own, estimated [mm^2]
+    double points = 0;    ///< of all planes together
     double seconds = 0;
+    double memory = 0;    ///< [MB]
 };
+
+/// @p find, which gives area and error, with its time and memory.
+template<class Find>
+AreaReference measured(std::string const& method, std::string const& knob, int value, double points, Find const& find)
+{
+    reset_peak_memory();
+    auto const start = std::chrono::steady_clock::now();
+    auto const [area, error] = find();
+    double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return {method, knob, static_cast<double>(value), area, error, points, seconds, peak_memory()};
+}
 
 /// The area by lengths in exact planes, for slices.
 AreaReference by_planes(Scene scene, int planes, int points)
 {
-    auto const start = std::chrono::steady_clock::now();
     scene.slices->count = 1;
     scene.contact->flank_points = points;
-    AreaByPlanes const found = contact_by_planes(scene, planes);
-    return {"reference: lengths in planes", "planes", static_cast<double>(planes), found.area(), found.error(), std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
+    return measured("reference: lengths in planes", "planes", planes, static_cast<double>(planes) * points, [&] {
+        AreaByPlanes const found = contact_by_planes(scene, planes);
+        return std::pair(found.area(), found.error());
+    });
 }
 
-/// A hundred times the flank points of the finest tested, in the same planes; half as many say what they leave open: of second order that is three times its error.
+/// Fifty times the flank points of the finest tested, in the same planes; half as many say what they leave open: of second order that is three times its error.
 AreaReference by_points(Scene const& scene, int slices, int points)
 {
-    auto const start = std::chrono::steady_clock::now();
-    double const all = area(scene, {slices, points}).contact_area, half = area(scene, {slices, points / 2}).contact_area;
-    return {"reference: flank points", "contact.flank_points", static_cast<double>(points), all, std::abs(all - half), std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count()};
+    return measured("reference: flank points", "contact.flank_points", points, static_cast<double>(slices) * points, [&] {
+        double const all = area(scene, {slices, points}).contact_area, half = area(scene, {slices, points / 2}).contact_area;
+        return std::pair(all, std::abs(all - half));
+    });
 }
 
 /// One ladder: a knob, what is tried, and the other count, which stays.
@@ -101,8 +116,9 @@ void measure(StudyRun const& bench, Scene const& scene, Ladder const& ladder)
     own.value = reference.value;
     own.unit = "mm^2";
     own.error = own.estimate = reference.error;
-    own.points = reference.value * ladder.other;
+    own.points = reference.points;
     own.seconds = reference.seconds;
+    own.memory = reference.memory;
     own.threads = bench.threads;
     double finest = 0;
     for (int const value : ladder.values)
@@ -144,11 +160,11 @@ void run_ladders(StudyRun const& bench)
     if (bench.quick)
     {
         measure(bench, scene, {"slices", "slices.count", {2, 3}, true, 40, by_planes(scene, planes_of_quick, points_of_quick)});
-        measure(bench, scene, {"flank points", "contact.flank_points", {10, 20}, false, 3, by_points(scene, 3, 2000)});
+        measure(bench, scene, {"flank points", "contact.flank_points", {10, 20}, false, 3, by_points(scene, 3, 1000)});
         return;
     }
     measure(bench, scene, {"slices", "slices.count", {2, 3, 5, 9, 17}, true, 50, by_planes(scene, planes, points)});
-    measure(bench, scene, {"flank points", "contact.flank_points", {12, 25, 50, 100}, false, 3, by_points(scene, 3, 10000)});
+    measure(bench, scene, {"flank points", "contact.flank_points", {12, 25, 50, 100}, false, 3, by_points(scene, 3, 5000)});
 }
 
 }  // namespace
