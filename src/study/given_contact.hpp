@@ -95,7 +95,7 @@ GivenContact<T> contact_at(CurvePiece const& curve, double guess, Place<T> const
         return {x, n, inner(place.turned(n), place.velocity(x))};
     };
     T a(guess);
-    T b = a + T(0x1p-20);
+    T b = a + T(0x1p-40);   // closer than another root may be
     T fa = look(a).f;
     constexpr int budget = 40;
     for (int i = 0; i < budget; ++i)

@@ -48,7 +48,7 @@ Fifty crossing(PieceShape const& shape, int t, GivenView<Fifty> const& motion, d
 
 ReferenceFigures reference_figures(Scene const& scene, ReferenceCurve const& truth)
 {
-    StudyDrive const drive = study_drive(scene);
+    StudyDrive const drive = drive_parts(scene);
     double const tip = drive.geometry.circular_spline_inner_radius;
     // mirror images are not assumed: the right land's corner, as the program takes it
     Vec2 const corner = truth.start_of(truth.patches().back().stretch);
@@ -63,7 +63,7 @@ std::vector<ZoneEndCheck> check_zone_ends(Solution const& solution)
     Faults const faults = check_accuracy(solution.scene, {});
     if (!faults.empty())
         throw InputError(faults);
-    StudyDrive const drive = study_drive(solution.scene);
+    StudyDrive const drive = drive_parts(solution.scene);
     std::vector<GivenView<Fifty>> views;
     for (std::size_t j = 0; j < drive.motions.size(); ++j)
         views.push_back(drive.view<Fifty>(j));

@@ -101,8 +101,8 @@ int pitches_of_lobe(Scene const& scene)
 template<class Clearance, class Find>
 void until_clear(StudyDrive const& drive, Clearance const& clearance, Find const& find)
 {
-    double chord = drive.height() * 0x1p-14;
-    double const sampled = drive.height() * 0x1p-26, allowed = drive.height() * 0x1p-34;
+    double chord = drive.height() * 0x1p-16;
+    double const sampled = drive.height() * 0x1p-22, allowed = drive.height() * 0x1p-34;
     constexpr int attempts = 4;
     for (int attempt = 0; attempt < attempts; ++attempt, chord /= 64)
     {
@@ -140,25 +140,29 @@ void find_tooth_space(StudyDrive& drive)
     });
 }
 
-/// The flexspline tooth between the circular-spline teeth that pass its centre line in a lobe.
-void find_tooth_body(StudyDrive& drive)
+/// The circular-spline teeth that pass the flexspline tooth's centre line in a lobe, as it sees them.
+void see_from_flexspline(StudyDrive& drive)
 {
     PairGeometry const& g = drive.geometry;
-    Scene const& scene = drive.scene;
     drive.seat_radius = g.circular_spline_inner_radius + drive.tooth.addendum + drive.tooth.pitch_line;
     drive.limits.tip = g.pitch_line + g.addendum;
     drive.limits.root = g.pitch_line - g.dedendum;
-    drive.limits.half_width = std::numbers::pi / scene.drive.flexspline_teeth * (g.r_m + drive.limits.root);
-    StudyMotion const flexspline = drive.motions.front();
+    drive.limits.half_width = std::numbers::pi / drive.scene.drive.flexspline_teeth * (g.r_m + drive.limits.root);
+    drive.flexspline = drive.motions;
     drive.motions.clear();
-    int const beside = (pitches_of_lobe(scene) - 1) / 2;
-    std::vector<SweptTooth<StudyMotion>> teeth;
-    std::vector<int> first_arc;
+    int const beside = (pitches_of_lobe(drive.scene) - 1) / 2;
     for (int number = -beside; number <= 1 + beside; ++number)
     {
         drive.numbers.push_back(number);
-        drive.motions.push_back(flexspline.seen_from_flexspline(number, drive.pitch, drive.seat_radius));
+        drive.motions.push_back(drive.flexspline.front().seen_from_flexspline(number, drive.pitch, drive.seat_radius));
     }
+}
+
+/// The flexspline tooth that they leave.
+void find_tooth_body(StudyDrive& drive)
+{
+    std::vector<SweptTooth<StudyMotion>> teeth;
+    std::vector<int> first_arc;
     for (std::size_t j = 0; j < drive.motions.size(); ++j)
     {
         std::size_t const before = drive.arcs.size();
@@ -172,7 +176,7 @@ void find_tooth_body(StudyDrive& drive)
         piece.arc += first_arc[static_cast<std::size_t>(piece.copy)];
         return piece;
     };
-    ReverseFullTurnClearance<StudyMotion> const clearance(drive.tooth, flexspline, drive.pitch, drive.seat_radius, pitches_of_lobe(scene));
+    ReverseFullTurnClearance<StudyMotion> const clearance(drive.tooth, drive.flexspline.front(), drive.pitch, drive.seat_radius, pitches_of_lobe(drive.scene));
     until_clear(drive, clearance, [&](double chord) {
         ToothBody const body = ToothBodyFinder<StudyMotion>(teeth, drive.limits, tolerance, chord)();
         drive.pieces.assign(1, {});
@@ -220,7 +224,7 @@ Vec2 StudyDrive::placed(BoundaryPiece const& piece, Vec2 const& p) const
     return piece.copy == 0 ? p : turned_clockwise(p, piece.copy * pitch);
 }
 
-StudyDrive study_drive(Scene const& scene)
+StudyDrive drive_parts(Scene const& scene)
 {
     Scene coarse = scene;
     coarse.solver.tolerance = (scene.drive.module) * 0x1p-10;
@@ -234,16 +238,21 @@ StudyDrive study_drive(Scene const& scene)
     if (!faults.empty())
         throw InputError(faults);
     drive.motions.push_back(motion_of(drive, static_cast<double>(scene.drive.flexspline_teeth) / scene.drive.circular_spline_teeth));
+    drive.tooth = tooth_of(scene);
     if (drive.reverse())
-    {
-        drive.tooth = tooth_of(scene);
-        find_tooth_body(drive);
-    }
+        see_from_flexspline(drive);
     else
-    {
-        drive.tooth = clear_of_rest(tooth_of(scene), drive.motion());
+        drive.tooth = clear_of_rest(std::move(drive.tooth), drive.motion());
+    return drive;
+}
+
+StudyDrive study_drive(Scene const& scene)
+{
+    StudyDrive drive = drive_parts(scene);
+    if (drive.reverse())
+        find_tooth_body(drive);
+    else
         find_tooth_space(drive);
-    }
     return drive;
 }
 

@@ -32,6 +32,7 @@ struct StudyDrive
     std::shared_ptr<StudyExactMotion const> exact;   ///< where that is the model; else null
     std::vector<StudyMotion> motions;   ///< of the given tooth: one; in the reverse problem of each circular-spline tooth that matters
     std::vector<int> numbers;           ///< of these teeth
+    std::vector<StudyMotion> flexspline;  ///< reverse problem: the motion that these are seen from; else empty
     std::vector<ContactArc> arcs;       ///< of all of them
     std::vector<BoundaryPiece> pieces;
     double pitch = 0;
@@ -70,7 +71,11 @@ struct StudyDrive
     return solution.scene.is_reverse() ? solution.flexspline_outline : solution.circular_spline.outline.front();
 }
 
+/// Tooth and motions, without arcs and pieces.
 /// @throws NumericalError as `solve` does
+[[nodiscard]] StudyDrive drive_parts(Scene const& scene);
+
+/// All of it. @throws NumericalError as `solve` does, and where the boundary's pieces cannot be put together to rounding
 [[nodiscard]] StudyDrive study_drive(Scene const& scene);
 
 /// Where two contacts of a flank made of @p pieces merge.

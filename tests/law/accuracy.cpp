@@ -189,6 +189,8 @@ TEST_CASE("accuracy: the estimate bounds the true error on random designs and is
     oracle::EstimateTally const tally = oracle::estimates_bound(scenes, "random designs");
     CHECK(tally.ends > 8 * tally.solved);
     CHECK(tally.solved >= wanted * 9 / 10);
+    CHECK(tally.unjudged == 0);
+    CHECK(tally.largest_land < 1e-6);
     CHECK(tally.median() <= 10);
 }
 
