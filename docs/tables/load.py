@@ -126,7 +126,7 @@ def worth_curve(program):
     wish = random.Random(77)
     keys_of = ["twist_arcmin", "contact_share", "wave_generator_force_N", "ball_force_N_per_mm"]
     head("drive", "torques", *("%s: within, largest" % key for key in keys_of))
-    for number in range(6):
+    for number in range(4):
         keys, arguments = random_drive(wish)
         keys["slices__count"] = 9
         asked = ["--points", "4", "--torque", "%.6g" % 10 ** wish.uniform(0.5, 1.8), *arguments]

@@ -54,7 +54,7 @@ std::string load_ball_script(LoadStudy const& study, PictureFormat format)
     auto const idle = rows_of(shown.bearing, study.sectors, false), carrying = rows_of(shown.bearing, study.sectors, true);
     double const largest = *std::max_element(force.begin(), force.end()), ceiling = largest > 0 ? air * largest : 1;
     auto const off = std::count_if(force.begin(), force.end(), [](double each) { return !(each > 0); }) * study.sectors;
-    picture::Words const words{shown_load(study), fmt::format("forces of the {} balls on the outer ring{}", study.balls, off > 0 ? fmt::format("; {} carry nothing (grey)", off) : ""), "", ""};
+    picture::Words const words{shown_load(study), fmt::format("forces of the {} balls on the outer ring{}; bands: lobes of the cam", study.balls, off > 0 ? fmt::format("; {} carry nothing (grey)", off) : ""), "", ""};
     std::string script = picture::terminal(format, height) + picture::title(height, words) + picture::axes({.top = top, .bottom = top + panel_height}, height);
     script += fmt::format("set xrange [{0:g}:{1:g}]\nset yrange [0:{2:.6g}]\nset xtics -{3:g},30,{3:g}\nset ytics {4:g}\nset xlabel 'angle from the major axis [°]' noenhanced\n"
                           "set ylabel 'force of a ball [N]' noenhanced\n",

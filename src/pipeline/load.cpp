@@ -98,13 +98,14 @@ AssembledCup assembled(ContactBench const& bench, detail::LoadModel const& model
 }
 
 /// Errors of @p cup, from what the coarse grid says.
-void estimate(AssembledCup& cup, AssembledCup const& coarse)
+/// @param balls  ball_distance() of both
+void estimate(AssembledCup& cup, AssembledCup const& coarse, double balls)
 {
     double const safety = detail::grid_safety(cup.z.size());
     cup.coning_major_error = safety * std::abs(cup.coning_major - coarse.coning_major);
     cup.coning_minor_error = safety * std::abs(cup.coning_minor - coarse.coning_minor);
     cup.wave_generator_force_error = safety * std::abs(cup.wave_generator_force - coarse.wave_generator_force);
-    cup.ball_force_error = safety * std::abs(cup.ball_force - coarse.ball_force);
+    cup.ball_force_error = safety * std::max(balls, std::abs(cup.ball_force - coarse.ball_force));
     cup.largest_stress_error += safety * std::abs(cup.largest_stress - coarse.largest_stress);
     cup.estimated = true;
 }
@@ -261,7 +262,8 @@ LoadStudy load(Scene const& scene, LoadOptions const& options, StageObserver con
             {
                 coarse = detail::coarse_drive(bench, *model);
                 if (coarse)
-                    estimate(study.cup, assembled(bench, coarse->model, coarse->start));
+                    estimate(study.cup, assembled(bench, coarse->model, coarse->start),
+                             detail::ball_distance(detail::bearing_map(drive, start.state), detail::bearing_map(coarse->model.drive, coarse->start.state), drive.response.sectors()));
             }
             study.cases.push_back(detail::load_case(bench, drive, start, coarse ? &*coarse : nullptr, wanted[i], torques, report));
         });

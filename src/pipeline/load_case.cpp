@@ -161,8 +161,9 @@ class Walk
 };
 
 /// Errors of the play and of every torque, from the same walk on the coarse grid.
+/// @param bearing  of every state of the curve
 /// @param fine_middle  of the play on the fine grid [rad]
-void estimate(ContactBench const& bench, CoarseDrive const& coarse, FlankGrid const& fine, double fine_middle, LoadCase& result, CaseReport& report)
+void estimate(ContactBench const& bench, CoarseDrive const& coarse, FlankGrid const& fine, double fine_middle, std::vector<BearingMap> const& bearing, LoadCase& result, CaseReport& report)
 {
     constexpr int patience = 3;  // torques without a balance, after which no more are tried
     FlankGrid const grid = thinned(fine, coarse.grid.slices);
@@ -198,9 +199,20 @@ void estimate(ContactBench const& bench, CoarseDrive const& coarse, FlankGrid co
         }
         result.curve_error[i] = error_between(state, walk->summary(), safety);
         result.curve_error[i]->twist += state.residual / bench.geometry.r_m;
+        double& ball = result.curve_error[i]->ball_force;
+        ball = std::max(ball, safety * ball_distance(bearing[i], bearing_map(coarse.model.drive, walk->now().state), coarse.model.drive.response.sectors()));
         if (i == result.rated)
             report.coarse = walk->now().forces;
     }
+    // at one torque of a curve two grids may agree by chance: none is known much better than the others
+    std::vector<double> relative;
+    for (std::size_t i = 0; i < result.curve.size(); ++i)
+        if (result.curve_error[i] && result.curve[i].twist != 0)
+            relative.push_back(result.curve_error[i]->twist / std::abs(result.curve[i].twist));
+    std::sort(relative.begin(), relative.end());
+    for (std::size_t i = 0; i < result.curve.size() && !relative.empty(); ++i)
+        if (auto& error = result.curve_error[i])
+            error->twist = std::max(error->twist, relative[relative.size() / 2] * std::abs(result.curve[i].twist));
     if (auto const& rated = result.curve_error[result.rated])
     {
         result.error = *rated;
@@ -250,16 +262,18 @@ LoadCase load_case(ContactBench const& bench, ElasticDrive const& drive, Assembl
         report.on_play(result);
     Walk walk(work, free, *play);
     double largest = -1;
+    std::vector<BearingMap> bearing;
     for (double const torque : torques)
     {
         walk.go_to(torque);
         result.curve.push_back(walk.summary());
+        bearing.push_back(bearing_map(drive, walk.now().state));
         if (std::abs(torque) > largest)
         {
             largest = std::abs(torque);
             result.rated = result.curve.size() - 1;
             result.map = map_of(work, walk.now(), torque);
-            result.bearing = bearing_map(drive, walk.now().state);
+            result.bearing = bearing.back();
             report.rated = walk.now().forces;
         }
         if (report.on_state)
@@ -269,7 +283,7 @@ LoadCase load_case(ContactBench const& bench, ElasticDrive const& drive, Assembl
     std::vector<double> const& z = result.map.z;
     result.pressure_at_edge = z.size() > 1 && rated.largest_pressure > 0 && (rated.pressure_z <= z.front() || rated.pressure_z >= z.back());
     if (coarse != nullptr)
-        estimate(bench, *coarse, surface.grid, walk.middle(), result, report);
+        estimate(bench, *coarse, surface.grid, walk.middle(), bearing, result, report);
     std::vector<double> twist, torque;
     for (std::size_t i = 0; i <= result.rated && i < result.curve.size(); ++i)
         if (result.curve[i].torque > 0)

@@ -295,4 +295,20 @@ LoadMap map_of(LoadWork const& work, Loaded const& loaded, double torque)
     return map;
 }
 
+double ball_distance(BearingMap const& fine, BearingMap const& coarse, int sectors)
+{
+    std::size_t const count = fine.ball_angle.size();
+    double worst = 0;
+    for (std::size_t b = 0; count > 0 && b < coarse.ball_angle.size(); ++b)
+    {
+        // even angles of a sector
+        double const place = (coarse.ball_angle[b] - fine.ball_angle.front()) * sectors / (2 * std::numbers::pi) * static_cast<double>(count);
+        double const share = place - std::floor(place);
+        auto const at = static_cast<std::size_t>(std::floor(place)) % count;
+        double const here = (1 - share) * fine.ball_force[at] + share * fine.ball_force[(at + 1) % count];
+        worst = std::max(worst, std::abs(here - coarse.ball_force[b]));
+    }
+    return worst;
+}
+
 }  // namespace hdconj::detail

@@ -33,4 +33,7 @@ struct LobeReaction
 /// Forces over space, flank and slice.
 [[nodiscard]] LoadMap map_of(LoadWork const& work, Loaded const& loaded, double torque);
 
+/// Largest distance between the forces of the balls of two grids, of a line between its points. Unlike that of their peaks it is not small by chance.
+[[nodiscard]] double ball_distance(BearingMap const& fine, BearingMap const& coarse, int sectors);
+
 }  // namespace hdconj::detail

