@@ -102,7 +102,10 @@ def check_load(file):
     want({len(load[name]) for name in columns} == {len(cases)}, "columns of load differ")
     for name in cases:
         curve, flanks = load[name]["curve"], load[name]["map"]
-        want(len({len(curve[column]) for column in curve}) == 1 and set(curve) <= columns, f"columns of {name} differ")
+        named = set(curve) - {"error"}
+        want(len({len(curve[column]) for column in named}) == 1 and named <= columns, f"columns of {name} differ")
+        errors = curve["error"]
+        want({len(errors[column]) for column in errors} == {len(curve["twist"])} and set(errors) <= named | {"estimated"}, f"errors of {name} differ")
         want({flanks[column].shape for column in ("force", "line_load", "pressure", "gap", "height")} == {(len(flanks["angle"]), 2, len(flanks["z"]))}, f"map of {name}")
     shape = load["shape"]
     want({shape[column].shape for column in ("u_r", "u_t", "u_z", "stress")} == {(len(shape["phi"]), len(shape["r"]))}, "shape")
