@@ -15,6 +15,7 @@
 #include "contact_state.hpp"
 #include "finer_surface.hpp"
 #include "hdconj/contact/parallel_trim.hpp"
+#include "hdconj/numeric/parallel.hpp"
 #include "place_range.hpp"
 #include "place_teeth.hpp"
 #include "slice_turns.hpp"
@@ -92,10 +93,11 @@ ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice,
         result.clearing_root = least_clearing(turns, root, at_root, bench.tolerance);
     });
     for (std::size_t k = 0; k < own_grid.slices(); ++k)
-    {
-        double const amplitude = bench.maker.motion(scene.coning ? k : 0).amplitude;
-        result.slices.push_back({own_grid.z[k], amplitude, closest(turns, flanks, k, given, at_given[k]), closest(turns, root, k, 0, at_root[k])});
-    }
+        result.slices.push_back({own_grid.z[k], bench.maker.motion(scene.coning ? k : 0).amplitude, {}, {}});
+    parallel_for(own_grid.slices(), bench.threads, 1, [&](std::size_t k) {
+        result.slices[k].flank = closest(turns, flanks, k, given, at_given[k]);
+        result.slices[k].root = closest(turns, root, k, 0, at_root[k]);
+    });
     FlankGrid const& grid = cleared.grid;
     result.clearing_offset = cleared.offset;
     result.clearing_tip = cleared.tip;

@@ -2,6 +2,7 @@
 #include "contact_state.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <numbers>
@@ -181,8 +182,9 @@ ContactState contact_state(PhaseWork const& work, FlankGrid const& grid, GapMap*
 
         // a flexspline that is turned too far, or a clearance that is wrong, lifts or lowers all gaps by no more than this
         double const lift = off + right.enters();
-        double const more = contact_area(touching, grid, GapMap::right, limit + lift, bench.width).share();
-        double const less = contact_area(touching, grid, GapMap::right, limit - lift, bench.width).share();
+        std::array<double, 2> lifted{lift, -lift};   // the share then
+        parallel_for(lifted.size(), bench.threads, 1,
+                     [&](std::size_t i) { lifted[i] = contact_area(touching, grid, GapMap::right, limit + lifted[i], bench.width).share(); });
         for (OpenGap const& each : right.spaces())
         {
             state.teeth_least += each.lowest <= limit - lift ? 1 : 0;
@@ -191,7 +193,7 @@ ContactState contact_state(PhaseWork const& work, FlankGrid const& grid, GapMap*
         // where gaps bend, a patch may also be between two points and two planes
         double const cell = work.finer.solved_anew() && fine.slices() > 1 ? field.spacing() * (fine.z[1] - fine.z[0]) : 0;
         state.share_error_along = found.along;
-        state.share_error = found.along + found.across + (more - less) + (state.flank_area > 0 ? (right.missed() + cell) / state.flank_area : 0);
+        state.share_error = found.along + found.across + (lifted[0] - lifted[1]) + (state.flank_area > 0 ? (right.missed() + cell) / state.flank_area : 0);
         if (map != nullptr)
             *map = std::move(touching);
     });
