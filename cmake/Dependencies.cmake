@@ -47,6 +47,8 @@ endif()
 # Its archive comes with the compiler.
 option(HDCONJ_OPENMP_ARCHIVE "Link GNU's OpenMP from its archive where there is one" ON)
 add_library(hdconj_openmp INTERFACE)
+# Eigen's products would take threads of their own, whatever the scene says, and how they are cut, hence their last bits, depends on how many.
+target_compile_definitions(hdconj_openmp INTERFACE EIGEN_DONT_PARALLELIZE)
 set(hdconj_openmp_file "")
 if(HDCONJ_OPENMP_ARCHIVE AND NOT BUILD_SHARED_LIBS AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   execute_process(COMMAND "${CMAKE_CXX_COMPILER}" -print-file-name=libgomp.a OUTPUT_VARIABLE hdconj_openmp_file OUTPUT_STRIP_TRAILING_WHITESPACE)
