@@ -102,6 +102,16 @@ int SweptPolygons::add_floor_line(double y, double margin)
     return static_cast<int>(polygons_.size()) - 1;
 }
 
+void SweptPolygons::add_wall(double x, double y, double margin)
+{
+    double low = y;
+    for (auto const& polygon : polygons_)
+        for (Vec2 const& p : polygon)
+            low = std::min(low, p.y());
+    low -= margin;
+    add_one(-1, 0, {{x, y}, {x, low}}, {y, low});
+}
+
 double SweptPolygons::lowest_on_axis() const
 {
     double lowest = std::numeric_limits<double>::infinity();

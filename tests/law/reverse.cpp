@@ -99,6 +99,78 @@ TEST_CASE("reverse touch law: the given tooth of data/scenes, every point", "[to
     }
 }
 
+// Found by the law of accuracy on random drives: what lay above the open end of the last curve counted as outside, and nothing was left of the tooth.
+TEST_CASE("reverse touch law: curves of the outermost teeth that end below the tip", "[touch][reverse]")
+{
+    for (char const* const text : {R"(
+[drive]
+name = "random reverse"
+module = 0.44586398094972884
+flexspline_teeth = 63
+circular_spline_teeth = 65
+[flexspline]
+addendum = 0.29894924246291066
+dedendum = 0.33892907226666463
+wall = 0.722179939301243
+neutral_offset = 0.13999756497471613
+[circular_spline.profile]
+family = "double-circular-arc"
+addendum = 0.30413483904907695
+concave_offset = "tangent"
+concave_radius = 0.86633708549037
+concave_rise = 0.07031449483665929
+convex_offset = 0.6296627968463544
+convex_radius = 0.9957754403577102
+convex_rise = -0.3102472304331817
+dedendum = 0.47710055916399663
+tip_line_from = 0.24494031554860496
+[wave_generator]
+family = "cosine"
+radial_deformation = 0.3339501531982759
+waves = 2
+[circular_spline]
+backlash_offset = 0.0
+[solver]
+kinematics = "exact"
+tolerance = 1e-08
+)", R"(
+[drive]
+name = "random reverse"
+module = 0.11227474569595795
+flexspline_teeth = 152
+circular_spline_teeth = 158
+[flexspline]
+addendum = 0.055899733486762096
+dedendum = 0.061423984012701424
+wall = 0.1191661165359992
+[circular_spline.profile]
+family = "straight"
+addendum = 0.04709858291180779
+dedendum = 0.059510215411587394
+pressure_angle_deg = 26.22661428344788
+thickness = 0.20081044059011743
+[wave_generator]
+family = "cosine"
+radial_deformation = 0.3651957152838746
+waves = 3
+[circular_spline]
+backlash_offset = 0.002765847837010971
+[solver]
+kinematics = "first-order"
+tolerance = 1e-08
+)"}) {
+        Solution const solution = hdconj::solve(hdconj::parse_scene(text, "open end"));
+        ReverseTouchScan scan(solution.scene);
+        auto const report = reverse_touch_law(solution, scan, all_points);
+        INFO("touched: " << report.touched);
+        INFO("entered: " << report.entered);
+        CHECK(report.touched.points > 100);
+        CHECK(report.touched.deviation <= touch_limit);
+        CHECK(report.entered.deviation <= touch_limit);
+        CHECK(solution.check->smallest_clearance == Approx(solution.scene.circular_spline.backlash_offset).margin(1e-11));
+    }
+}
+
 TEST_CASE("reverse touch law: it notices five picometres and another drive", "[touch][reverse]")
 {
     Solution const solution = hdconj::solve(given_scene());

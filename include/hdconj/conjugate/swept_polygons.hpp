@@ -20,9 +20,9 @@ class SweptPolygons
     /// Where a polygon came from.
     struct Source
     {
-        int arc = -1;           ///< -1: the floor
+        int arc = -1;           ///< -1: the floor, a wall
         int copy = 0;           ///< the tooth this many pitches clockwise
-        std::vector<double> u;  ///< parameter of each vertex; on the floor the angle from the y axis, on a line x
+        std::vector<double> u;  ///< parameter of each vertex; on the floor the angle from the y axis, on a line x, on a wall y
     };
 
     /// Adds a stretch of an arc for every tooth that reaches the middle pitch or the spaces beside it.
@@ -39,6 +39,9 @@ class SweptPolygons
 
     /// Adds the straight line at height @p y as the floor, from right to left beyond all polygons; returns its index.
     int add_floor_line(double y, double margin);
+
+    /// Adds a straight wall at @p x from the height @p y down to below all polygons.
+    void add_wall(double x, double y, double margin);
 
     /// Smallest y at which any polygon crosses the y axis; infinite where none does.
     [[nodiscard]] double lowest_on_axis() const;

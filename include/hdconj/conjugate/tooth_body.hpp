@@ -82,6 +82,10 @@ class ToothBodyFinder
         swept_ = body_polygons(teeth_, limits_.tip, chord, graded);
         refuse_without_land();
         swept_.join_ends(tolerance_.coincidence());
+        // beyond the feet curves of the outermost teeth may end below the tip, and would let the walk in behind them
+        constexpr double beyond_the_feet = 1.25;
+        for (double const side : {-1.0, 1.0})
+            swept_.add_wall(side * beyond_the_feet * limits_.half_width, limits_.tip, limits_.half_width);
         floor_ = swept_.add_floor_line(limits_.tip, limits_.half_width);
         OuterBoundary const boundary = outer_boundary(swept_.polygons(), floor_);
         segments_ += boundary.segments;
@@ -147,12 +151,13 @@ class ToothBodyFinder
             u = exact.value_or(u);
             return exact.has_value();
         };
-        for (std::size_t i = 0; i < runs.size() && runs[i].curve != floor_; ++i)
+        auto const of_a_tooth = [&](BoundaryRun const& run) { return swept_.source(run.curve).arc >= 0; };
+        for (std::size_t i = 0; i < runs.size() && of_a_tooth(runs[i]); ++i)
         {
             BoundaryPiece piece = flank.empty() ? piece_of(runs[i]) : next_;
             if (flank.empty() && !at_tip(piece, piece.begin))
                 return fail(point(piece, piece.begin), "a flank does not cross the tip where its polygon does"), false;
-            bool const more = i + 1 < runs.size() && runs[i + 1].curve != floor_;
+            bool const more = i + 1 < runs.size() && of_a_tooth(runs[i + 1]);
             if (more)
             {
                 next_ = piece_of(runs[i + 1]);
