@@ -47,7 +47,7 @@ class ArcSampler
     {
         ChordMeasure measure = first_look();
         constexpr std::size_t closer = 256;
-        constexpr double worth_a_closer_look = 2;   // chords a point of it
+        constexpr double worth_a_closer_look = 4;   // chords a point of it
         if (measure.total() > worth_a_closer_look * closer)
         {
             place(measure, closer);
@@ -147,8 +147,10 @@ class ArcSampler
         {
             place(measure, count);
             look_(points_, threads_);
-            if (test_ == ChordTest::bound)
-                bound_chords(point_at, stations_, points_, look_, evaluations_);
+            worst = *std::max_element(errors.begin(), errors.end());
+            if (test_ == ChordTest::estimate)
+                break;
+            bound_chords(point_at, stations_, points_, look_, evaluations_);
             // where many chords are a little too coarse, a few more over the whole arc are fewer than a cut in each
             worst = *std::max_element(errors.begin(), errors.end());
             auto const failing = static_cast<std::size_t>(std::count_if(errors.begin(), errors.end(), [&](double error) { return error > chord_; }));
