@@ -160,7 +160,7 @@ void add_accuracy(CLI::App& program, CommonOptions& common)
     verb->footer(studies_text() +
                  "Errors are distances in mm from a reference in 50 digits that is computed by another path: of the scene's own wave generator, motion model and tooth,\n"
                  "and of the flexspline where the circular spline is given, which has no union, contact-area and load. Motion models are compared with the exact one.\n"
-                 "contact-area and load are measured against their own finest rungs. What of the scene is left out is said in notes. The folder holds records.h5,\n"
+                 "contact-area is measured against lengths in a thousand exact planes, load against its own finest rungs. What of the scene is left out is said in notes. The folder holds records.h5,\n"
                  "records.csv and, where gnuplot is installed, a picture of each study; it appears whole or not at all. Times are of this machine, as busy as it is.\n"
                  "Examples:\n"
                  "  hdconj accuracy drive.toml -o study\n"
