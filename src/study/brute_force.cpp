@@ -71,8 +71,8 @@ void study_union(StudyBench const& bench)
 {
     StudyDrive const& drive = bench.drive;
     std::vector<Vec2> const tooth = polygon_of(drive.tooth, drive.height() * 0x1p-17);
-    constexpr int first = 16, last = 512, last_of_quick = 32;
-    for (int count = first; count <= (bench.quick ? last_of_quick : last); count *= 2)
+    constexpr int first = 16, last = 512, last_of_short = 32;
+    for (int count = first; count <= (bench.quick || bench.sampled ? last_of_short : last); count *= 2)
     {
         std::size_t segments = 0;
         std::vector<Vec2> const outline = united(drive, tooth, count, segments);

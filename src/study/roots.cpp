@@ -271,13 +271,14 @@ void by_program(StudyBench const& bench, ReferenceCurve const& truth, Envelope<M
 
 void study_roots(StudyBench const& bench)
 {
-    constexpr int instants = 256, instants_of_quick = 48;
+    constexpr int instants = 256, instants_of_short = 48;
     std::vector<CurvePiece> const pieces = general_flank(bench.drive.tooth);
-    Instants const at = instants_of(bench.drive, pieces, bench.quick ? instants_of_quick : instants);
+    Instants const at = instants_of(bench.drive, pieces, bench.quick || bench.sampled ? instants_of_short : instants);
     closed_form(bench, at);
     if (pieces.empty())
     {
-        bench.report.notes.push_back("roots: the flank has too few points for a spline");
+        if (!bench.sampled)
+            bench.report.notes.push_back("roots: the flank has too few points for a spline");
         return;
     }
     std::vector<Found> const proved = certified(pieces, at);
@@ -287,8 +288,8 @@ void study_roots(StudyBench const& bench)
     record.evaluations = static_cast<double>(pieces.size() * at.u.size());
     record.points = static_cast<double>(proved.size());
     bench.measure(record, [&] { (void)certified(pieces, at); });
-    constexpr int most = 64, most_of_quick = 8;
-    for (int steps = 1; steps <= (bench.quick ? most_of_quick : most); steps *= 2)
+    constexpr int most = 64, most_of_sample = 16, most_of_quick = 8;
+    for (int steps = 1; steps <= (bench.quick ? most_of_quick : bench.sampled ? most_of_sample : most); steps *= 2)
     {
         std::size_t evaluations = 0;
         std::vector<Found> const found = scanned(pieces, at, steps, evaluations);
@@ -321,7 +322,8 @@ void study_precision(StudyBench const& bench)
     }
     if (chosen == nullptr)
     {
-        bench.report.notes.push_back("number-type: no arc of the flank bounds the tooth space; the study is of the closed form on arcs");
+        if (!bench.sampled)
+            bench.report.notes.push_back("number-type: no arc of the flank bounds the tooth space; the study is of the closed form on arcs");
         return;
     }
     BoundaryPiece in_place = *chosen;
@@ -331,8 +333,8 @@ void study_precision(StudyBench const& bench)
     ReferenceCurve const truth = reference_of(drive, in_place);
     ContactArc const& arc = drive.arc(in_place);
     ArcPiece const& circle = std::get<ArcPiece>(drive.tooth.pieces[static_cast<std::size_t>(arc.piece)].shape);
-    constexpr int points = 512, points_of_quick = 64;
-    int const count = bench.quick ? points_of_quick : points;
+    constexpr int points = 512, points_of_short = 64;
+    int const count = bench.quick || bench.sampled ? points_of_short : points;
     std::vector<double> u;
     // inside the stretch by a little, so that roundoff in float does not leave it; the same positions, exact in float, for all types
     for (int i = 0; i < count; ++i)
