@@ -311,7 +311,7 @@ std::string accuracy_page(StoredAccuracy const& study)
     }
     if (report.sample > 0) {
         page.line("**Sample**: {} designs about the drive (radial deformation 0.85 to 1.1, wall 0.8 to 1.2, lengths of the profile 0.94 to 1.06 times; {} more were drawn and make no drive). For each "
-                  "setting the worst of them is shown; a slow machine is not a bad design, so their times are of single runs. contact-area, load and threads, whose references take seconds a design, are of this drive alone.\n",
+                  "setting the worst of them is shown; a slow machine is not a bad design, so their times are of single runs. polynomial-fit, contact-area, load and threads are of this drive alone.\n",
                   report.sample, report.sample_refused);
     }
     if (find(ladders, "tolerance", "solve") != nullptr) {

@@ -34,7 +34,7 @@ std::vector<Study> const& studies()
         {{"tolerance", "what each digit of solver.tolerance costs"}, study_tolerance, nullptr, true, nullptr},
         {{"sampling", "equal steps of u against the adaptive sampler"}, study_sampling, nullptr, true, nullptr},
         {{"motion-model", "first order and material against exact motion"}, study_motion_model, nullptr, true, nullptr},
-        {{"polynomial-fit", "grid in phi, iterate, fit a polynomial: where the fit stops helping"}, study_fit, nullptr, true, nullptr},
+        {{"polynomial-fit", "grid in phi, iterate, fit a polynomial: where the fit stops helping"}, study_fit, nullptr, false, nullptr},
         {{"union", "brute-force union of tooth positions"}, study_union, nullptr, true, "it unites positions of a flexspline tooth"},
         {{"roots", "closed form against certified roots against a plain scan"}, study_roots, nullptr, true, nullptr},
         {{"number-type", "float, double, long double"}, study_precision, nullptr, true, nullptr},

@@ -271,9 +271,9 @@ void by_program(StudyBench const& bench, ReferenceCurve const& truth, Envelope<M
 
 void study_roots(StudyBench const& bench)
 {
-    constexpr int instants = 256, instants_of_short = 48;
+    constexpr int instants = 256, instants_of_quick = 48;
     std::vector<CurvePiece> const pieces = general_flank(bench.drive.tooth);
-    Instants const at = instants_of(bench.drive, pieces, bench.quick || bench.sampled ? instants_of_short : instants);
+    Instants const at = instants_of(bench.drive, pieces, bench.quick ? instants_of_quick : instants);
     closed_form(bench, at);
     if (pieces.empty())
     {
@@ -333,8 +333,8 @@ void study_precision(StudyBench const& bench)
     ReferenceCurve const truth = reference_of(drive, in_place);
     ContactArc const& arc = drive.arc(in_place);
     ArcPiece const& circle = std::get<ArcPiece>(drive.tooth.pieces[static_cast<std::size_t>(arc.piece)].shape);
-    constexpr int points = 512, points_of_short = 64;
-    int const count = bench.quick || bench.sampled ? points_of_short : points;
+    constexpr int points = 512, points_of_quick = 64;
+    int const count = bench.quick ? points_of_quick : points;
     std::vector<double> u;
     // inside the stretch by a little, so that roundoff in float does not leave it; the same positions, exact in float, for all types
     for (int i = 0; i < count; ++i)
