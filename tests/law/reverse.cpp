@@ -60,6 +60,18 @@ TouchReport reverse_touch_law(Solution const& solution, ReverseTouchScan& scan, 
     return report;
 }
 
+void check_every_point(Solution const& solution)
+{
+    ReverseTouchScan scan(solution.scene);
+    auto const report = reverse_touch_law(solution, scan, all_points);
+    INFO("touched: " << report.touched);
+    INFO("entered: " << report.entered);
+    CHECK(report.touched.points > 100);
+    CHECK(report.touched.deviation <= touch_limit);
+    CHECK(report.entered.deviation <= touch_limit);
+    CHECK(solution.check->smallest_clearance == Approx(solution.scene.circular_spline.backlash_offset).margin(1e-11));
+}
+
 Solution reversed(Scene const& scene)
 {
     return hdconj::solve(hdconj::parse_scene(designs::reverse_toml_of(scene), "generated scene"));
@@ -87,15 +99,8 @@ TEST_CASE("reverse touch law: the given tooth of data/scenes, every point", "[to
              {"wave_generator.waves=1", "drive.circular_spline_teeth=203", "wave_generator.radial_deformation=0.37",
               "flexspline.addendum=0.2"}}) {
         Solution const solution = hdconj::solve(given_scene(overrides));
-        ReverseTouchScan scan(solution.scene);
-        auto const report = reverse_touch_law(solution, scan, all_points);
         INFO((overrides.empty() ? "" : overrides.front()));
-        INFO("touched: " << report.touched);
-        INFO("entered: " << report.entered);
-        CHECK(report.touched.points > 100);
-        CHECK(report.touched.deviation <= touch_limit);
-        CHECK(report.entered.deviation <= touch_limit);
-        CHECK(solution.check->smallest_clearance == Approx(solution.scene.circular_spline.backlash_offset).margin(1e-11));
+        check_every_point(solution);
     }
 }
 
@@ -160,14 +165,7 @@ kinematics = "first-order"
 tolerance = 1e-08
 )"}) {
         Solution const solution = hdconj::solve(hdconj::parse_scene(text, "open end"));
-        ReverseTouchScan scan(solution.scene);
-        auto const report = reverse_touch_law(solution, scan, all_points);
-        INFO("touched: " << report.touched);
-        INFO("entered: " << report.entered);
-        CHECK(report.touched.points > 100);
-        CHECK(report.touched.deviation <= touch_limit);
-        CHECK(report.entered.deviation <= touch_limit);
-        CHECK(solution.check->smallest_clearance == Approx(solution.scene.circular_spline.backlash_offset).margin(1e-11));
+        check_every_point(solution);
     }
 }
 
