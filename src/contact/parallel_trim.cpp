@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "hdconj/contact/hermite_between.hpp"
+#include "hdconj/geometry/segments.hpp"
 
 namespace hdconj {
 namespace {
@@ -67,19 +68,6 @@ std::vector<Overlap> overlaps(std::vector<Vec2> const& bare, std::vector<Vec2> c
             found.push_back({i, i, before, after});
     }
     return found;
-}
-
-/// Where the segments a ... b and c ... d cross.
-std::optional<Vec2> crossing(Vec2 const& a, Vec2 const& b, Vec2 const& c, Vec2 const& d)
-{
-    Vec2 const u = b - a, v = d - c;
-    double const denominator = cross(u, v);
-    if (denominator == 0)
-        return std::nullopt;
-    double const s = cross(c - a, v) / denominator, t = cross(c - a, u) / denominator;
-    if (!(s >= 0 && s <= 1 && t >= 0 && t <= 1))
-        return std::nullopt;
-    return Vec2(a + s * u);
 }
 
 /// The crossing of the branch that ends with the overlap and the one that begins with it: on which steps, counted from the overlap outward.
@@ -150,7 +138,7 @@ std::optional<Crossing> crossing_of(std::vector<Vec2> const& bare, std::vector<V
     for (std::size_t sum = 0; sum + 3 < before.point.size() + after.point.size(); ++sum)
         for (std::size_t i = 0; i <= sum; ++i)
             if (std::size_t const j = sum - i; i + 1 < before.point.size() && j + 1 < after.point.size())
-                if (auto const where = crossing(before.point[i], before.point[i + 1], after.point[j], after.point[j + 1]))
+                if (auto const where = crossing_of_segments(before.point[i], before.point[i + 1], after.point[j], after.point[j + 1]))
                     return Crossing{i, j, as_curves(before, i, after, j, *where)};
     return std::nullopt;
 }

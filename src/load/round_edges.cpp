@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "hdconj/geometry/segments.hpp"
 #include "hdconj/numeric/error.hpp"
 
 namespace hdconj {
@@ -43,19 +44,6 @@ std::optional<Edge> edge_of(std::vector<Vec2> const& point, std::vector<Vec2> co
     return Edge{centre(next - 1) + std::max(share(below_land), share(beside_middle)) * (centre(next) - centre(next - 1)), next};
 }
 
-/// Point in which two segments cross.
-std::optional<Vec2> crossing(Vec2 const& a, Vec2 const& b, Vec2 const& c, Vec2 const& d)
-{
-    Vec2 const u = b - a, v = d - c;
-    double const area = cross(u, v);
-    if (area == 0)
-        return std::nullopt;
-    double const s = cross(c - a, v) / area, t = cross(c - a, u) / area;
-    if (s < 0 || s > 1 || t < 0 || t > 1)
-        return std::nullopt;
-    return Vec2(a + s * u);
-}
-
 /// Loops that centres make behind a convex edge of the flank: all their points go to where the loop closes.
 void close_loops(std::vector<Vec2>& centre, double radius)
 {
@@ -67,7 +55,7 @@ void close_loops(std::vector<Vec2>& centre, double radius)
                 break;
             if (centre[i] == centre[i + 1] || centre[j] == centre[j + 1])
                 continue;
-            if (auto const at = crossing(centre[i], centre[i + 1], centre[j], centre[j + 1]))
+            if (auto const at = crossing_of_segments(centre[i], centre[i + 1], centre[j], centre[j + 1]))
                 std::fill(centre.begin() + static_cast<std::ptrdiff_t>(i + 1), centre.begin() + static_cast<std::ptrdiff_t>(j + 1), *at);
         }
 }

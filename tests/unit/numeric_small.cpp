@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "hdconj/geometry/segments.hpp"
 #include "hdconj/numeric/bracketed_minimum.hpp"
 #include "hdconj/numeric/least_between.hpp"
 #include "hdconj/numeric/bracketed_root.hpp"
@@ -203,4 +204,19 @@ TEST_CASE("a tolerance scales with its length", "[numeric]")
     CHECK(large.roundoff() == Approx(1000 * small.roundoff()));
     CHECK(small.coincidence() > small.roundoff());
     CHECK(small.coincidence() < 1e-9);
+}
+
+TEST_CASE("segments cross inside both, at an end of one, or not", "[geometry]")
+{
+    Vec2 const a(0, 0), b(4, 0);
+    auto const inside = crossing_of_segments(a, b, {1, -1}, {3, 1});
+    REQUIRE(inside);
+    CHECK((*inside - Vec2(2, 0)).norm() < 1e-15);
+    auto const at_end = crossing_of_segments(a, b, {4, 0}, {4, 2});
+    REQUIRE(at_end);
+    CHECK(*at_end == b);
+    CHECK_FALSE(crossing_of_segments(a, b, {5, -1}, {5, 1}));
+    CHECK_FALSE(crossing_of_segments(a, b, {1, 1}, {1, 3}));
+    CHECK_FALSE(crossing_of_segments(a, b, {1, 1}, {3, 1}));
+    CHECK_FALSE(crossing_of_segments(a, b, {1, 0}, {3, 0}));
 }
