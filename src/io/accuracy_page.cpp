@@ -98,13 +98,10 @@ void conclude_model(Page& page, Ladders const& ladders)
         return;
     }
     auto const floor = [](StudyLadder const* ladder) { return ladder->floor == ladder->floor ? ladder->floor : best_of(*ladder).error; };
-    std::string text = fmt::format("First order stays at {}, whatever the tolerance", um_text(floor(first)));
-    if (material != nullptr) {
-        text += fmt::format(", material at {}", um_text(floor(material)));
-    }
-    page.line("{}: floors of the model, not of the arithmetic. At equal tolerance they take {:.2g} and {:.2g} times the time of exact motion.", text,
-              first->rungs.back().median / exact->rungs.back().median,
-              material == nullptr ? not_measured : material->rungs.back().median / exact->rungs.back().median);
+    auto const times = [&](StudyLadder const* ladder) { return fmt::format("{:.2g}", ladder->rungs.back().median / exact->rungs.back().median); };
+    page.line("First order stays at {}, whatever the tolerance{}: {} of the model, not of the arithmetic. At equal tolerance {} times the time of exact motion.", um_text(floor(first)),
+              material == nullptr ? "" : fmt::format(", material at {}", um_text(floor(material))), material == nullptr ? "a floor" : "floors",
+              material == nullptr ? "it takes " + times(first) : "they take " + times(first) + " and " + times(material));
 }
 
 void conclude_fit(Page& page, Ladders const& ladders)
@@ -117,9 +114,12 @@ void conclude_fit(Page& page, Ladders const& ladders)
     }
     auto const& best = best_of(*exact);
     auto const& dense = best_of(*joined);
+    auto const* sample = find(ladders, "polynomial-fit", "fit, exact motion", true);
     page.line("The fit is best with degree {:.0f}, {}; more degrees help no further, and no number of points does, since the flank is no polynomial. With first-order motion the best is {}. "
-              "The same points joined by straight lines, {:.0f} of them, are right to {}.",
-              best.value, um_text(best.error), um_text(best_of(*first).error), dense.value, um_text(dense.error));
+              "The same points joined by straight lines, {:.0f} of them, are right to {}.{}",
+              best.value, um_text(best.error), um_text(best_of(*first).error), dense.value, um_text(dense.error),
+              sample == nullptr ? "" : fmt::format(" Of the sample no degree fits all designs to better than {}. Where the worst of it is far off with first-order motion, the centre of an arc "
+                                                   "nearly rests, and the first-order contact lies beyond the ends of the arc (docs/theory.md).", um_text(best_of(*sample).error)));
 }
 
 void conclude_union(Page& page, Ladders const& ladders)
@@ -190,6 +190,13 @@ void conclude_contact(Page& page, Ladders const& ladders)
                                 "a table of a reference has its own error in place of a distance from it.",
                                 rung.value, scientific(rung.error), std::floor(slices->rungs.back().error / rung.error));
     }
+    auto const* sample = find(ladders, "contact-area", "slices", true);
+    auto const* of_sample = find(ladders, "contact-area", "reference: lengths in planes", true);
+    if (sample != nullptr && of_sample != nullptr) {
+        reference += fmt::format(" The worst of {} designs of the sample is right to {} mm^2 with {:.0f} slices, against {:.0f} planes with errors of {} mm^2 or less.", sample->rungs.back().drives,
+                                 scientific(sample->rungs.back().error),
+                                 sample->rungs.back().value, of_sample->rungs.back().value, scientific(of_sample->rungs.back().error));
+    }
     page.line("The contact area is right to {} mm^2 with {:.0f} slices and to {} mm^2 with {:.0f} flank points; slices are the knob that counts. "
               "This is no distance from a reference in 50 digits, see the notes below.{}",
               scientific(slices->rungs.back().error), slices->rungs.back().value, scientific(points->rungs.back().error), points->rungs.back().value, reference);
@@ -205,9 +212,16 @@ void conclude_load(Page& page, Ladders const& ladders)
             found += fmt::format("{}{:.0f} {} ({}, {})", found.empty() ? "" : ", ", rung.value, knob, scientific(rung.error), duration(rung.median));
         }
     }
+    std::string of_sample;
+    for (char const* knob : {"harmonics", "slices", "flank points", "circles"}) {
+        if (auto const* ladder = find(ladders, "load", std::string(knob) + ": twist", true); ladder != nullptr) {
+            auto const& rung = ladder->rungs.back();
+            of_sample += fmt::format("{}{} with {:.0f} {}", of_sample.empty() ? " The worst of the sample: " : ", ", scientific(rung.error), rung.value, knob);
+        }
+    }
     if (!found.empty()) {
-        page.line("How far the twist at the rated torque is from that of the finest rung, relative to it, and what it takes: {}. This is no distance from a reference in 50 digits, see the notes below.",
-                  found);
+        page.line("How far the twist at the rated torque is from that of the finest rung, relative to it, and what it takes: {}. This is no distance from a reference in 50 digits, see the notes below.{}",
+                  found, of_sample.empty() ? of_sample : of_sample + ".");
     }
 }
 
@@ -219,8 +233,13 @@ void conclude_threads(Page& page, Ladders const& ladders)
     }
     auto const& one = threads->rungs.front();
     auto const& last = threads->rungs.back();
+    auto const* sample = find(ladders, "threads", "solve", true);
+    int differ = last.extra;
+    for (std::size_t i = 0; sample != nullptr && i < sample->rungs.size(); ++i) {
+        differ = std::max(differ, sample->rungs[i].extra);
+    }
     page.line("{:.0f} threads are {:.2f} times as fast as one; {}.", last.value, one.median / last.median,
-              last.extra == 0 ? "no bit of the outline differs" : fmt::format("{} points differ", last.extra));
+              differ > 0 ? fmt::format("{} points differ", differ) : fmt::format("no bit of the outline differs{}", sample == nullptr ? "" : ", of this drive or any design of the sample"));
 }
 
 void conclude(Page& page, std::string const& name, Ladders const& ladders)
@@ -311,7 +330,7 @@ std::string accuracy_page(StoredAccuracy const& study)
     }
     if (report.sample > 0) {
         page.line("**Sample**: {} designs about the drive (radial deformation 0.85 to 1.1, wall 0.8 to 1.2, lengths of the profile 0.94 to 1.06 times; {} more were drawn and make no drive). For each "
-                  "setting the worst of them is shown; a slow machine is not a bad design, so their times are of single runs. polynomial-fit, contact-area, load and threads are of this drive alone.\n",
+                  "setting the worst of them is shown; a slow machine is not a bad design, so their times are of single runs.\n",
                   report.sample, report.sample_refused);
     }
     if (find(ladders, "tolerance", "solve") != nullptr) {

@@ -21,9 +21,8 @@ using namespace detail;
 struct Study
 {
     StudyKind kind;
-    void (*outline)(StudyBench const&);   ///< measured against the reference; null: see axial
-    void (*axial)(StudyRun const&);       ///< measured against its own finest rung
-    bool sampled;                         ///< over the sample of designs too
+    void (*outline)(StudyBench const&);   ///< measured against the reference in 50 digits; null: see axial
+    void (*axial)(StudyRun const&);       ///< brings slices, and what it is measured against, of its own
     char const* forward_only;             ///< why the reverse problem has no such study; null where it has
 };
 
@@ -31,16 +30,16 @@ std::vector<Study> const& studies()
 {
     constexpr char const* of_flexspline = "it needs the flexspline's tooth given";
     static std::vector<Study> const all = {
-        {{"tolerance", "what each digit of solver.tolerance costs"}, study_tolerance, nullptr, true, nullptr},
-        {{"sampling", "equal steps of u against the adaptive sampler"}, study_sampling, nullptr, true, nullptr},
-        {{"motion-model", "first order and material against exact motion"}, study_motion_model, nullptr, true, nullptr},
-        {{"polynomial-fit", "grid in phi, iterate, fit a polynomial: where the fit stops helping"}, study_fit, nullptr, false, nullptr},
-        {{"union", "brute-force union of tooth positions"}, study_union, nullptr, true, "it unites positions of a flexspline tooth"},
-        {{"roots", "closed form against certified roots against a plain scan"}, study_roots, nullptr, true, nullptr},
-        {{"number-type", "float, double, long double"}, study_precision, nullptr, true, nullptr},
-        {{"contact-area", "slices and flank points for the contact area"}, nullptr, study_contact, false, of_flexspline},
-        {{"load", "harmonics, slices, points, circles under torque"}, nullptr, study_load, false, of_flexspline},
-        {{"threads", "what more threads give, and that they change no bit"}, study_threads, nullptr, false, nullptr}};
+        {{"tolerance", "what each digit of solver.tolerance costs"}, study_tolerance, nullptr, nullptr},
+        {{"sampling", "equal steps of u against the adaptive sampler"}, study_sampling, nullptr, nullptr},
+        {{"motion-model", "first order and material against exact motion"}, study_motion_model, nullptr, nullptr},
+        {{"polynomial-fit", "grid in phi, iterate, fit a polynomial: where the fit stops helping"}, study_fit, nullptr, nullptr},
+        {{"union", "brute-force union of tooth positions"}, study_union, nullptr, "it unites positions of a flexspline tooth"},
+        {{"roots", "closed form against certified roots against a plain scan"}, study_roots, nullptr, nullptr},
+        {{"number-type", "float, double, long double"}, study_precision, nullptr, nullptr},
+        {{"contact-area", "slices and flank points for the contact area"}, nullptr, study_contact, of_flexspline},
+        {{"load", "harmonics, slices, points, circles under torque"}, nullptr, study_load, of_flexspline},
+        {{"threads", "what more threads give, and that they change no bit"}, study_threads, nullptr, nullptr}};
     return all;
 }
 
@@ -112,21 +111,29 @@ Measured measured(Scene const& scene, int points, int positions)
     return {std::move(drive), std::move(reference), entry};
 }
 
-/// A drive with what its studies are measured against: its own motion, and where the study motion-model is run the exact one.
+bool has_outline(Study const& study)
+{
+    return study.outline != nullptr;
+}
+
+/// A drive with what its studies are measured against: its own motion, and where the study motion-model is run the exact one. Neither where no study is of the outline.
 struct Case
 {
-    Measured own;
-    std::optional<Measured> exact;
+    Scene scene;
+    std::optional<Measured> own, exact;
 
     /// What @p study is measured against.
-    [[nodiscard]] Measured const& against(Study const& study) const { return study.outline == study_motion_model && exact ? *exact : own; }
-    [[nodiscard]] double error() const { return std::max(own.reference.error(), exact ? exact->reference.error() : 0); }
-    [[nodiscard]] double entry() const { return std::max(own.entry, exact ? exact->entry : 0); }
+    [[nodiscard]] Measured const& against(Study const& study) const { return study.outline == study_motion_model && exact ? *exact : *own; }
+    [[nodiscard]] double error() const { return std::max(own ? own->reference.error() : 0, exact ? exact->reference.error() : 0); }
+    [[nodiscard]] double entry() const { return std::max(own ? own->entry : 0, exact ? exact->entry : 0); }
 };
 
 Case case_of(Scene const& scene, std::vector<Study> const& chosen, int points, int positions)
 {
-    Case made{measured(scene, points, positions), std::nullopt};
+    Case made{scene, {}, {}};
+    if (std::none_of(chosen.begin(), chosen.end(), has_outline))
+        return made;
+    made.own = measured(scene, points, positions);
     bool const compared = std::any_of(chosen.begin(), chosen.end(), [](Study const& s) { return s.outline == study_motion_model; });
     if (compared && scene.solver.kinematics != Kinematics::exact)
     {
@@ -150,6 +157,8 @@ std::vector<std::unique_ptr<Case>> designs_of(Scene const& scene, std::vector<St
                 return;
             constexpr int points = 24, positions = 600;
             made[i] = std::make_unique<Case>(case_of(design, chosen, points, positions));
+            if (!made[i]->own)
+                (void)solve(design);
         }
         catch (NumericalError const&)
         {
@@ -162,6 +171,18 @@ std::vector<std::unique_ptr<Case>> designs_of(Scene const& scene, std::vector<St
     });
     std::erase(made, nullptr);
     return made;
+}
+
+/// @p study of one drive. @param coned  the same drive with what it has along the axis
+void run_study(Study const& study, Case const& drive, StudyRun const& run, Scene const& coned)
+{
+    if (has_outline(study))
+    {
+        Measured const& against = drive.against(study);
+        study.outline({{run.report, against.drive.scene, run.name, run.repeats, run.quick, run.sampled, run.threads}, against.drive, against.reference});
+        return;
+    }
+    study.axial({run.report, study.axial == study_contact ? coned : drive.scene, run.name, run.repeats, run.quick, run.sampled, run.report.threads});
 }
 
 }  // namespace
@@ -216,10 +237,9 @@ AccuracyReport measure_accuracy(Scene const& scene, AccuracyOptions const& optio
             progress(what, share);
     };
     std::vector<Study> chosen = wanted(report.scene, options, report.notes);
-    auto const has_outline = [](Study const& s) { return s.outline != nullptr; };
     Scene flat = report.scene;
     flat.coning.reset();
-    std::optional<Case> whole;
+    Case whole{flat, {}, {}};
     if (std::any_of(chosen.begin(), chosen.end(), has_outline))
     {
         say("reference in 50 digits", 0);
@@ -227,8 +247,8 @@ AccuracyReport measure_accuracy(Scene const& scene, AccuracyOptions const& optio
         try
         {
             whole = case_of(flat, chosen, points, positions);
-            report.reference_error = whole->error();
-            report.reference_entry = whole->entry();
+            report.reference_error = whole.error();
+            report.reference_entry = whole.entry();
         }
         catch (NumericalError const& error)
         {
@@ -242,22 +262,26 @@ AccuracyReport measure_accuracy(Scene const& scene, AccuracyOptions const& optio
         }
     }
 
-    bool const any_sampled = std::any_of(chosen.begin(), chosen.end(), [](Study const& s) { return s.sampled; });
-    double const scene_share = any_sampled && options.sample > 0 ? 0.5 : 1.0;
+    double const scene_share = options.sample > 0 ? 1.0 / 8 : 1.0;   // of the time
     std::size_t done = 0;
     for (Study const& study : chosen)
     {
         say(std::string(study.kind.name), scene_share * static_cast<double>(done++) / static_cast<double>(chosen.size()));
-        StudyRun const run{report, study.axial == study_contact ? report.scene : flat, report.scene.drive.name, options.quick ? 1 : options.repeats, options.quick, false,
-                           report.threads};
-        if (study.axial != nullptr)
-            study.axial(run);
-        else
-            study.outline({run, whole->against(study).drive, whole->against(study).reference});
+        run_study(study, whole, {report, flat, report.scene.drive.name, options.quick ? 1 : options.repeats, options.quick, false, report.threads}, report.scene);
     }
+    // what this drive has not, designs about it have not either
+    std::erase_if(chosen, [&](Study const& study) {
+        return std::none_of(report.records.begin(), report.records.end(), [&](StudyRecord const& record) { return record.study == study.kind.name; });
+    });
     // a few designs at a time: their references take more memory than what is measured
     constexpr int most_drawn = 4;   // times as many as wanted
-    for (int drawn = 0; any_sampled && report.sample < options.sample && drawn < most_drawn * options.sample;)
+    struct Unfinished
+    {
+        int designs = 0;
+        std::string first;   ///< which, and why
+    };
+    std::vector<Unfinished> unfinished(chosen.size());
+    for (int drawn = 0; !chosen.empty() && report.sample < options.sample && drawn < most_drawn * options.sample;)
     {
         int const batch = std::min(options.sample - report.sample, report.threads);
         std::vector<std::unique_ptr<Case>> const designs = designs_of(flat, chosen, options.seed, drawn, batch, report.threads);
@@ -270,23 +294,27 @@ AccuracyReport measure_accuracy(Scene const& scene, AccuracyOptions const& optio
             std::string const name = "design-" + std::string(report.sample < 10 ? "0" : "") + std::to_string(report.sample);
             say(name, scene_share + (1 - scene_share) * report.sample / options.sample);
             ++report.sample;
-            for (Study const& study : chosen)
+            Scene coned = one->scene;
+            coned.coning = report.scene.coning;
+            for (std::size_t k = 0; k < chosen.size(); ++k)
             {
-                if (!study.sampled)
-                    continue;
                 try
                 {
-                    Measured const& against = one->against(study);
-                    study.outline({{report, against.drive.scene, name, 1, options.quick, true, 1}, against.drive, against.reference});
+                    run_study(chosen[k], *one, {report, one->scene, name, 1, options.quick, true, 1}, coned);
                 }
                 catch (NumericalError const& error)
                 {
                     // such as another motion model with which the teeth have no land: what was measured before stays
-                    report.notes.push_back(std::string(study.kind.name) + ": " + name + " not finished: " + error.what());
+                    if (unfinished[k].designs++ == 0)
+                        unfinished[k].first = name + ": " + error.what();
                 }
             }
         }
     }
+    for (std::size_t k = 0; k < chosen.size(); ++k)
+        if (unfinished[k].designs > 0)
+            report.notes.push_back(std::string(chosen[k].kind.name) + ": not finished on " + std::to_string(unfinished[k].designs) + " of " + std::to_string(report.sample)
+                                   + " designs of the sample; the first is " + unfinished[k].first);
     report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     return report;
 }

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "hdconj/numeric/error.hpp"
 #include "hdconj/study/accuracy.hpp"
 #include "study_drive.hpp"
 
@@ -26,6 +27,35 @@ struct StudyRun
     bool quick = false;    ///< short ladders
     bool sampled = false;  ///< one of the sample: ladders of medium length
     int threads = 1;
+
+    /// What @p run returns; its time and memory go into @p record. For runs that are long against a tick of the clock.
+    template<class Run>
+    auto timed(StudyRecord& record, Run const& run) const
+    {
+        reset_peak_memory();
+        auto const start = std::chrono::steady_clock::now();
+        auto result = run();
+        record.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        record.memory = peak_memory();
+        record.threads = threads;
+        return result;
+    }
+
+    /// Notes why @p study has nothing to measure on this drive.
+    /// @throws NumericalError on a design of the sample, whose reasons are counted and not listed
+    void leave_out(std::string const& study, std::string const& why) const
+    {
+        if (sampled)
+            throw NumericalError("accuracy", study, why);
+        report.notes.push_back(study + ": left out, " + why);
+    }
+
+    /// Keeps @p record as one of this drive.
+    void keep(StudyRecord record) const
+    {
+        record.drive = name;
+        report.records.push_back(std::move(record));
+    }
 
     /// Runs @p run, which returns nothing, for every repeat of a record. Runs shorter than some milliseconds are repeated within one
     /// timing, so that a tick of the clock does not count.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Slices and flank points for the contact area.
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -51,44 +50,49 @@ ContactState area(Scene scene, Setting const& setting)
     return contact(scene).cases.front().state;
 }
 
-/// What a ladder is measured against.
+/// What a ladder is measured against: its record, with its own estimated error, and the area [mm^2].
 struct AreaReference
 {
-    std::string method, knob;
-    double value = 0;     ///< of the knob
-    double area = 0;      ///< [mm^2]
-    double error = 0;     ///< its own, estimated [mm^2]
-    double points = 0;    ///< of all planes together
-    double seconds = 0;
-    double memory = 0;    ///< [MB]
+    StudyRecord record;
+    double area = 0;
 };
 
-/// @p find, which gives area and error, with its time and memory.
-template<class Find>
-AreaReference measured(std::string const& method, std::string const& knob, int value, double points, Find const& find)
+StudyRecord area_record(std::string method, std::string knob, int value, double points)
 {
-    reset_peak_memory();
-    auto const start = std::chrono::steady_clock::now();
-    auto const [area, error] = find();
-    double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    return {method, knob, static_cast<double>(value), area, error, points, seconds, peak_memory()};
+    StudyRecord record;
+    record.study = "contact-area";
+    record.method = std::move(method);
+    record.knob = std::move(knob);
+    record.value = value;
+    record.unit = "mm^2";
+    record.points = points;
+    return record;
+}
+
+/// @p find gives area and error.
+template<class Find>
+AreaReference found_by(StudyRun const& bench, StudyRecord record, Find const& find)
+{
+    auto const [area, error] = bench.timed(record, find);
+    record.error = record.estimate = error;
+    return {std::move(record), area};
 }
 
 /// The area by lengths in exact planes, for slices.
-AreaReference by_planes(Scene scene, int planes, int points)
+AreaReference by_planes(StudyRun const& bench, Scene scene, int planes, int points)
 {
     scene.slices->count = 1;
     scene.contact->flank_points = points;
-    return measured("reference: lengths in planes", "planes", planes, static_cast<double>(planes) * points, [&] {
+    return found_by(bench, area_record("reference: lengths in planes", "planes", planes, static_cast<double>(planes) * points), [&] {
         AreaByPlanes const found = contact_by_planes(scene, planes);
         return std::pair(found.area(), found.error());
     });
 }
 
 /// Fifty times the flank points of the finest tested, in the same planes; half as many say what they leave open: of second order that is three times its error.
-AreaReference by_points(Scene const& scene, int slices, int points)
+AreaReference by_points(StudyRun const& bench, Scene const& scene, int slices, int points)
 {
-    return measured("reference: flank points", "contact.flank_points", points, static_cast<double>(slices) * points, [&] {
+    return found_by(bench, area_record("reference: flank points", "contact.flank_points", points, static_cast<double>(slices) * points), [&] {
         double const all = area(scene, {slices, points}).contact_area, half = area(scene, {slices, points / 2}).contact_area;
         return std::pair(all, std::abs(all - half));
     });
@@ -108,43 +112,28 @@ struct Ladder
 void measure(StudyRun const& bench, Scene const& scene, Ladder const& ladder)
 {
     AreaReference const& reference = ladder.reference;
-    StudyRecord own;
-    own.study = "contact-area";
-    own.drive = bench.name;
-    own.method = reference.method;
-    own.knob = reference.knob;
-    own.value = reference.value;
-    own.unit = "mm^2";
-    own.error = own.estimate = reference.error;
-    own.points = reference.points;
-    own.seconds = reference.seconds;
-    own.memory = reference.memory;
-    own.threads = bench.threads;
     double finest = 0;
+    int const repeats = std::min(bench.repeats, 2);
     for (int const value : ladder.values)
     {
         Setting const setting = ladder.slices ? Setting{value, ladder.other} : Setting{ladder.other, value};
-        ContactState const state = area(scene, setting);
-        StudyRecord record;
-        record.study = own.study;
-        record.method = ladder.method;
-        record.knob = ladder.knob;
-        record.value = value;
-        record.unit = own.unit;
-        record.error = finest = std::abs(state.contact_area - reference.area);
-        // planes are the same in a ladder of flank points, and so is what they leave open
-        record.estimate = (ladder.slices ? state.share_error : state.share_error_along) * state.flank_area;
-        record.points = static_cast<double>(setting.slices) * setting.points;
-        record.threads = bench.threads;
-        StudyRun few = bench;
-        few.repeats = std::min(bench.repeats, 2);
-        few.measure(record, [&] { (void)area(scene, setting); });
+        StudyRecord record = area_record(ladder.method, ladder.knob, value, static_cast<double>(setting.slices) * setting.points);
+        for (record.repeat = 0; record.repeat < repeats; ++record.repeat)
+        {
+            ContactState const state = bench.timed(record, [&] { return area(scene, setting); });
+            record.error = finest = std::abs(state.contact_area - reference.area);
+            // planes are the same in a ladder of flank points, and so is what they leave open
+            record.estimate = (ladder.slices ? state.share_error : state.share_error_along) * state.flank_area;
+            bench.keep(record);
+        }
     }
-    bench.report.records.push_back(own);
-    std::string const part = reference.error > 0 ? short_number(std::floor(finest / reference.error)) : "infinity";
-    bench.report.notes.push_back("contact-area: no reference in 50 digits; " + std::string(ladder.method) + " are measured against " + short_number(reference.value)
+    bench.keep(reference.record);
+    if (bench.sampled)
+        return;
+    std::string const part = reference.record.error > 0 ? short_number(std::floor(finest / reference.record.error)) : "infinity";
+    bench.report.notes.push_back("contact-area: no reference in 50 digits; " + std::string(ladder.method) + " are measured against " + short_number(reference.record.value)
                                  + (ladder.slices ? " planes with edges of contact as roots, and no cells between them" : " of them in the same planes") + ", whose own error is "
-                                 + short_number(reference.error) + " mm^2, 1/" + part + " of the finest tested");
+                                 + short_number(reference.record.error) + " mm^2, 1/" + part + " of the finest tested");
 }
 
 void run_ladders(StudyRun const& bench)
@@ -153,38 +142,46 @@ void run_ladders(StudyRun const& bench)
     scene.solver.threads = bench.threads;
     if (scene.circular_spline.backlash_offset != 0)
     {
-        bench.report.notes.push_back("contact-area: backlash_offset left out: measured where conjugate flanks touch");
+        if (!bench.sampled)
+            bench.report.notes.push_back("contact-area: backlash_offset left out: measured where conjugate flanks touch");
         scene.circular_spline.backlash_offset = 0;
     }
-    constexpr int planes = 1025, points = 100, planes_of_quick = 257, points_of_quick = 20;
     if (bench.quick)
     {
-        measure(bench, scene, {"slices", "slices.count", {2, 3}, true, 40, by_planes(scene, planes_of_quick, points_of_quick)});
-        measure(bench, scene, {"flank points", "contact.flank_points", {10, 20}, false, 3, by_points(scene, 3, 1000)});
+        constexpr int planes = 257, few = 20, many = 1000;
+        measure(bench, scene, {"slices", "slices.count", {2, 3}, true, 40, by_planes(bench, scene, planes, few)});
+        measure(bench, scene, {"flank points", "contact.flank_points", {10, 20}, false, 3, by_points(bench, scene, 3, many)});
         return;
     }
-    measure(bench, scene, {"slices", "slices.count", {2, 3, 5, 9, 17}, true, 50, by_planes(scene, planes, points)});
-    measure(bench, scene, {"flank points", "contact.flank_points", {12, 25, 50, 100}, false, 3, by_points(scene, 3, 5000)});
+    if (bench.sampled)
+    {
+        constexpr int planes = 385, few = 50, many = 2500;
+        measure(bench, scene, {"slices", "slices.count", {3, 9}, true, 50, by_planes(bench, scene, planes, few)});
+        measure(bench, scene, {"flank points", "contact.flank_points", {12, 25, 50}, false, 3, by_points(bench, scene, 3, many)});
+        return;
+    }
+    constexpr int planes = 1025, few = 100, many = 5000;
+    measure(bench, scene, {"slices", "slices.count", {2, 3, 5, 9, 17}, true, 50, by_planes(bench, scene, planes, few)});
+    measure(bench, scene, {"flank points", "contact.flank_points", {12, 25, 50, 100}, false, 3, by_points(bench, scene, 3, many)});
 }
 
 }  // namespace
 
 void study_contact(StudyRun const& bench)
 {
-    auto const leave = [&](std::string const& why) { bench.report.notes.push_back("contact-area: left out, " + why); };
     if (!bench.scene.circular_spline.width)
-        return leave("the scene gives no circular_spline.width, so there are no slices to count");
+        return bench.leave_out("contact-area", "the scene gives no circular_spline.width, so there are no slices to count");
     try
     {
         run_ladders(bench);
     }
     catch (InputError const& error)
     {
-        leave(error.what());
+        bench.leave_out("contact-area", error.what());
     }
     catch (NumericalError const& error)
     {
-        leave(error.what());
+        bench.leave_out("contact-area", error.what());
     }
 }
 

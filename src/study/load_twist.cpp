@@ -20,8 +20,8 @@ struct Counts
     int harmonics, slices, points, circles;
 };
 
-/// Nothing, and a note, where these counts have no answer.
-std::optional<LoadedState> at_rated_torque(StudyRun const& bench, Scene const& loaded, Counts const& counts)
+/// At the rated torque alone; nothing, and a note, where these counts have no answer.
+std::optional<LoadCase> at_rated_torque(StudyRun const& bench, Scene const& loaded, Counts const& counts)
 {
     Scene scene = loaded;
     scene.load->harmonics = counts.harmonics;
@@ -32,12 +32,11 @@ std::optional<LoadedState> at_rated_torque(StudyRun const& bench, Scene const& l
     options.curve = false;
     try
     {
-        LoadCase const drive = load(scene, options).cases.front();
-        return drive.curve[drive.rated];
+        return load(scene, options).cases.front();
     }
     catch (NumericalError const& error)
     {
-        bench.report.notes.push_back("load: no answer with " + std::to_string(counts.harmonics) + " harmonics, " + std::to_string(counts.slices) + " slices, "
+        bench.report.notes.push_back("load: " + (bench.sampled ? bench.name + " has " : std::string()) + "no answer with " + std::to_string(counts.harmonics) + " harmonics, " + std::to_string(counts.slices) + " slices, "
                                      + std::to_string(counts.points) + " points and " + std::to_string(counts.circles) + " circles: " + error.what());
         return {};
     }
@@ -62,12 +61,19 @@ std::string number_text(double value)
 void run_ladders(StudyRun const& bench, Scene const& scene)
 {
     Counts const fixed = bench.quick ? Counts{24, 3, 24, 1} : Counts{100, 5, 100, 4};
-    std::vector<Ladder> const ladders = bench.quick
-        ? std::vector<Ladder>{{"harmonics", "load.harmonics", &Counts::harmonics, {24, 32}, 64}}
-        : std::vector<Ladder>{{"harmonics", "load.harmonics", &Counts::harmonics, {25, 50, 75}, 100},
-                              {"slices", "slices.count", &Counts::slices, {3, 5, 9}, 17},
-                              {"flank points", "contact.flank_points", &Counts::points, {25, 50, 100, 200}, 400},
-                              {"circles", "bearing.circles", &Counts::circles, {3, 4, 6}, 8}};
+    auto const ladders = [&]() -> std::vector<Ladder> {
+        if (bench.quick)
+            return {{"harmonics", "load.harmonics", &Counts::harmonics, {24, 32}, 64}};
+        if (bench.sampled)
+            return {{"harmonics", "load.harmonics", &Counts::harmonics, {50}, 100},
+                    {"slices", "slices.count", &Counts::slices, {5}, 9},
+                    {"flank points", "contact.flank_points", &Counts::points, {100}, 200},
+                    {"circles", "bearing.circles", &Counts::circles, {4}, 6}};
+        return {{"harmonics", "load.harmonics", &Counts::harmonics, {25, 50, 75}, 100},
+                {"slices", "slices.count", &Counts::slices, {3, 5, 9}, 17},
+                {"flank points", "contact.flank_points", &Counts::points, {25, 50, 100, 200}, 400},
+                {"circles", "bearing.circles", &Counts::circles, {3, 4, 6}, 8}};
+    }();
     // on this grid of tooth spaces more than 100 harmonics are the same 100
     for (Ladder const& ladder : ladders)
     {
@@ -76,42 +82,40 @@ void run_ladders(StudyRun const& bench, Scene const& scene)
             all.*ladder.count = value;
             return all;
         };
-        std::optional<LoadedState> const reference = at_rated_torque(bench, scene, counts(ladder.finest));
+        std::optional<LoadCase> const reference = at_rated_torque(bench, scene, counts(ladder.finest));
         if (!reference)
             continue;
-        LoadedState const& finest = *reference;
+        LoadedState const& finest = reference->curve[reference->rated];
         if (finest.twist == 0 || finest.largest_force == 0)
         {
-            bench.report.notes.push_back("load: left out, at this torque nothing turns or no tooth carries");
+            bench.leave_out("load", "at this torque nothing turns or no tooth carries");
             return;
         }
-        bench.report.notes.push_back("load: no reference in 50 digits; " + std::string(ladder.method) + " are measured against " + std::to_string(ladder.finest)
-                                     + " of them, twist " + number_text(finest.twist) + " rad and largest force " + number_text(finest.largest_force)
-                                     + " N; gaps of the loaded shape are met to " + number_text(finest.residual) + " mm, the floor of all of them");
+        if (!bench.sampled)
+            bench.report.notes.push_back("load: no reference in 50 digits; " + std::string(ladder.method) + " are measured against " + std::to_string(ladder.finest)
+                                         + " of them, twist " + number_text(finest.twist) + " rad and largest force " + number_text(finest.largest_force)
+                                         + " N; gaps of the loaded shape are met to " + number_text(finest.residual) + " mm, the floor of all of them");
         for (int const value : ladder.values)
         {
-            std::optional<LoadedState> const found = at_rated_torque(bench, scene, counts(value));
-            if (!found)
-                continue;
-            LoadedState const& state = *found;
             StudyRecord record;
             record.study = "load";
-            record.method = std::string(ladder.method) + ": twist";
             record.knob = ladder.knob;
             record.value = value;
             record.unit = "1";   // both against the finest rung's own, so that they share a diagram
             record.points = static_cast<double>(counts(value).slices) * counts(value).points;
-            record.threads = bench.threads;
-            record.error = std::abs(state.twist / finest.twist - 1);
-            std::size_t const before = bench.report.records.size();
-            StudyRun few = bench;
-            few.repeats = 1;
-            few.measure(record, [&] { (void)at_rated_torque(bench, scene, counts(value)); });
+            std::optional<LoadCase> const found = bench.timed(record, [&] { return at_rated_torque(bench, scene, counts(value)); });
+            if (!found)
+                continue;
             // one run gives both numbers
-            StudyRecord force = bench.report.records[before];
-            force.method = std::string(ladder.method) + ": largest force";
-            force.error = std::abs(state.largest_force / finest.largest_force - 1);
-            bench.report.records.push_back(force);
+            auto const keep = [&](char const* figure, double LoadedState::*number) {
+                record.method = std::string(ladder.method) + ": " + figure;
+                record.error = std::abs(found->curve[found->rated].*number / finest.*number - 1);
+                if (found->estimated)
+                    record.estimate = std::abs(found->error.*number / finest.*number);
+                bench.keep(record);
+            };
+            keep("twist", &LoadedState::twist);
+            keep("largest force", &LoadedState::largest_force);
         }
     }
 }
@@ -121,13 +125,12 @@ void run_ladders(StudyRun const& bench, Scene const& scene)
 void study_load(StudyRun const& bench)
 {
     auto const& given = bench.scene;
-    auto const leave = [&](char const* why) { bench.report.notes.push_back(std::string("load: left out, ") + why); };
     if (!given.flexspline.cup || !given.bearing)
-        return leave("the scene gives no flexspline.cup or no bearing");
+        return bench.leave_out("load", "the scene gives no flexspline.cup or no bearing");
     if (!given.load || !given.load->torque)
-        return leave("the scene gives no load.torque");
+        return bench.leave_out("load", "the scene gives no load.torque");
     if (!given.circular_spline.width)
-        return leave("the scene gives no circular_spline.width");
+        return bench.leave_out("load", "the scene gives no circular_spline.width");
     Scene scene = given;
     scene.solver.threads = bench.threads;
     scene.coning.reset();
@@ -144,7 +147,7 @@ void study_load(StudyRun const& bench)
     }
     catch (InputError const& error)
     {
-        leave(error.what());
+        bench.leave_out("load", error.what());
     }
 }
 

@@ -293,7 +293,7 @@ void study_fit(StudyBench const& bench)
     BoundaryPiece const* piece = longest_flank(bench);
     if (piece == nullptr)
     {
-        bench.report.notes.push_back("polynomial-fit: no flank of the tooth bounds the tooth space, so there is nothing to fit");
+        bench.leave_out("polynomial-fit", "no flank of the tooth bounds the tooth space, so there is nothing to fit");
         return;
     }
     StudyDrive const& drive = bench.drive;

@@ -2,6 +2,9 @@
 // Deterministic gates of the work-precision studies, and what an error estimate must be: a bound, and not far above. Times are never looked at.
 #include <algorithm>
 #include <cmath>
+#include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "hdconj/io/scene_toml.hpp"
@@ -169,6 +172,36 @@ TEST_CASE("accuracy: fit, union, roots and number types do what they are shown f
     CHECK(ladder(all, "double").rungs.front().error < 5e-14);
     CHECK(ladder(all, "the program").rungs.front().error < 5e-14);
     CHECK(ladder(all, "long double").rungs.front().error < 1e-16);
+}
+
+TEST_CASE("accuracy: every study is of the sample too", "[accuracy]")
+{
+    AccuracyOptions options;
+    options.quick = true;
+    options.sample = 1;
+    Scene const scene = read_scene(std::string(HDCONJ_SOURCE_DIR) + "/data/scenes/type-50.toml");
+    auto const report = measure_accuracy(scene, options);
+    REQUIRE(report.sample == 1);
+    auto const settings = [&](std::string_view study, bool sample) {
+        std::vector<std::pair<std::string, double>> all;
+        for (auto const& record : report.records)
+            if (record.study == study && (record.drive != scene.drive.name) == sample)
+                all.emplace_back(record.method + ", " + record.knob, record.value);
+        return all;
+    };
+    for (auto const& kind : study_kinds()) {
+        INFO(kind.name);
+        CHECK(!settings(kind.name, false).empty());
+        CHECK(settings(kind.name, false) == settings(kind.name, true));
+    }
+    // areas are as far off as they say at most, and no thread changes a bit
+    for (auto const& record : report.records) {
+        INFO(record.study << " " << record.drive << " " << record.method << " " << record.value);
+        if (record.knob == "slices.count" && record.study == "contact-area")
+            CHECK(record.error <= record.estimate);
+        if (record.study == "threads")
+            CHECK(record.extra == 0);
+    }
 }
 
 TEST_CASE("accuracy: the estimate bounds the true error on random designs and is not far above", "[accuracy]")
