@@ -216,7 +216,7 @@ void conclude_load(Page& page, Ladders const& ladders)
     for (char const* knob : {"harmonics", "slices", "flank points", "circles"}) {
         if (auto const* ladder = find(ladders, "load", std::string(knob) + ": twist", true); ladder != nullptr) {
             auto const& rung = ladder->rungs.back();
-            of_sample += fmt::format("{}{} with {:.0f} {}", of_sample.empty() ? " The worst of the sample: " : ", ", scientific(rung.error), rung.value, knob);
+            of_sample += fmt::format("{}{} with {:.0f} {}", of_sample.empty() ? " The worst of the sample, from the standard grid: " : ", ", scientific(rung.error), rung.value, knob);
         }
     }
     if (!found.empty()) {
