@@ -13,8 +13,8 @@ constexpr int coarsest = 3;   // digits of the tolerance
 
 int finest(StudyBench const& bench, int whole)
 {
-    constexpr int of_quick = 6, of_sample = 8;
-    return std::min(whole, bench.quick ? of_quick : bench.sampled ? of_sample : whole);
+    constexpr int of_quick = 6;
+    return bench.quick ? std::min(whole, of_quick) : whole;
 }
 
 /// One solution of @p scene against the reference, and its times.
