@@ -5,10 +5,10 @@
 
 #include "accuracy_figures.hpp"
 #include "accuracy_records.hpp"
+#include "atomic_folder.hpp"
 #include "hdconj/io/atomic_file.hpp"
 #include "hdf5_handle.hpp"
 #include "picture_gnuplot.hpp"
-#include "wire_folder.hpp"
 
 namespace hdconj {
 namespace fs = std::filesystem;
@@ -28,12 +28,12 @@ std::string drawn(std::string const& script, fs::path const& blamed)
 
 void check_accuracy_folder(fs::path const& folder)
 {
-    WireFolder::check(folder, WireFolder::accuracy_study);
+    AtomicFolder::check(folder, AtomicFolder::accuracy_study);
 }
 
 std::vector<WrittenFile> write_accuracy_folder(StoredAccuracy const& study, fs::path const& folder)
 {
-    WireFolder made(folder, WireFolder::accuracy_study);
+    AtomicFolder made(folder, AtomicFolder::accuracy_study);
     std::vector<WrittenFile> files;
     std::vector<std::pair<std::string, std::string>> lines;
     auto const write = [&](std::string const& name, std::string const& kind, std::string const& content, std::string const& said) {

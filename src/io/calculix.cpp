@@ -7,9 +7,9 @@
 #include <numbers>
 #include <utility>
 
+#include "atomic_folder.hpp"
 #include "calculix_deck.hpp"
 #include "hdconj/io/cup_files.hpp"
-#include "wire_folder.hpp"
 
 namespace hdconj {
 
@@ -65,7 +65,7 @@ void write_calculix(BentCup const& cup, std::filesystem::path const& folder, int
         fmt::format_to(std::back_inserter(expected), "{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n", i + 1, at.x(), at.y(), node.phi * 180 / std::numbers::pi,
                        u[0], u[2], u[1]);
     }
-    WireFolder made(folder, WireFolder::calculix_deck);
+    AtomicFolder made(folder, AtomicFolder::calculix_deck);
     std::vector<std::pair<std::string, std::string>> list{{"linear.inp", "cup under the forces of its bearing, geometrically linear: run ccx linear"},
                                                           {"expected.csv", "what linear.dat must say of the nodes NWATCH: displacements in mm"}};
     made.write("linear.inp", deck);

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 
+#include "atomic_folder.hpp"
 #include "hdconj/numeric/error.hpp"
 #include "hdconj/scene/fault.hpp"
 #include "hdconj/scene/suggest.hpp"
 #include "wire_checks.hpp"
-#include "wire_folder.hpp"
 #include "wire_post.hpp"
 
 namespace hdconj {
@@ -71,7 +71,7 @@ std::string stem_of(std::string const& part)
 }
 
 /// Writes the files of one dialect, reads them from the disk and compares.
-std::vector<WireFile> write_one(WireFolder const& folder, WirePost const& post, WireProgram const& program, std::string const& stem)
+std::vector<WireFile> write_one(AtomicFolder const& folder, WirePost const& post, WireProgram const& program, std::string const& stem)
 {
     auto const made = post.write(program, stem);
     std::vector<WireText> on_disk = made;
@@ -101,7 +101,7 @@ std::string said_of(WireFile const& file)
 void check_wire_files(std::filesystem::path const& folder, std::vector<std::string> const& dialects, std::string const& place)
 {
     check_names(dialects, place);
-    WireFolder::check(folder, WireFolder::wire_program);
+    AtomicFolder::check(folder, AtomicFolder::wire_program);
 }
 
 std::vector<WireFile> write_wire_files(WireSetUps const& programs, std::filesystem::path const& folder, std::vector<std::string> const& dialects)
@@ -114,7 +114,7 @@ std::vector<WireFile> write_wire_files(WireSetUps const& programs, std::filesyst
         check_program(program);
     }
     std::string const stem = stem_of(programs.front().name);
-    WireFolder target(folder, WireFolder::wire_program);
+    AtomicFolder target(folder, AtomicFolder::wire_program);
     std::vector<WireFile> files;
     for (auto const& program : programs) {
         std::string const name = program.closed() ? stem : fmt::format("{}_setup{}", stem, program.set_up.number);

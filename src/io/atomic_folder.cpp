@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "wire_folder.hpp"
+#include "atomic_folder.hpp"
 
 #include <fmt/format.h>
 #include <stdio.h>
@@ -33,11 +33,11 @@ fs::path resolved(fs::path const& target)
 /// Names in the list of files of @p folder; empty where there is no list of ours.
 std::vector<std::string> listed(fs::path const& folder, char const* first_line)
 {
-    std::ifstream in(folder / WireFolder::list_name);
+    std::ifstream in(folder / AtomicFolder::list_name);
     std::vector<std::string> names;
     std::string line;
     if (std::getline(in, line) && line == first_line) {
-        names.emplace_back(WireFolder::list_name);
+        names.emplace_back(AtomicFolder::list_name);
         while (std::getline(in, line)) {
             names.push_back(line.substr(0, line.find(' ')));
         }
@@ -69,7 +69,7 @@ void flush(fs::path const& name, fs::path const& blamed)
 
 }  // namespace
 
-void WireFolder::check(fs::path const& target, char const* first_line)
+void AtomicFolder::check(fs::path const& target, char const* first_line)
 {
     if (target.empty()) {
         throw FileError("(empty name)", "no folder name given");
@@ -94,7 +94,7 @@ void WireFolder::check(fs::path const& target, char const* first_line)
     }
 }
 
-WireFolder::WireFolder(fs::path const& target, char const* first_line) : first_line_(first_line), target_(resolved(target))
+AtomicFolder::AtomicFolder(fs::path const& target, char const* first_line) : first_line_(first_line), target_(resolved(target))
 {
     check(target, first_line_);
     made_ = temporary_name(target_);
@@ -105,7 +105,7 @@ WireFolder::WireFolder(fs::path const& target, char const* first_line) : first_l
     }
 }
 
-WireFolder::~WireFolder()
+AtomicFolder::~AtomicFolder()
 {
     if (!made_.empty()) {
         std::error_code ignored;
@@ -113,7 +113,7 @@ WireFolder::~WireFolder()
     }
 }
 
-void WireFolder::write(std::string const& name, std::string const& text) const
+void AtomicFolder::write(std::string const& name, std::string const& text) const
 {
     Descriptor out(made_ / name, O_WRONLY | O_CREAT | O_EXCL);
     if (!out.is_open()) {
@@ -134,7 +134,7 @@ void WireFolder::write(std::string const& name, std::string const& text) const
     }
 }
 
-std::string WireFolder::read(std::string const& name) const
+std::string AtomicFolder::read(std::string const& name) const
 {
     std::ifstream in(made_ / name, std::ios::binary);
     std::ostringstream all;
@@ -145,7 +145,7 @@ std::string WireFolder::read(std::string const& name) const
     return all.str();
 }
 
-void WireFolder::publish(std::vector<std::pair<std::string, std::string>> const& lines)
+void AtomicFolder::publish(std::vector<std::pair<std::string, std::string>> const& lines)
 {
     std::string list = std::string(first_line_) + "\n";
     for (auto const& [name, said] : lines) {

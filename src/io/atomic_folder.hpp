@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A folder that appears whole or not at all; private to src/io.
+/// A folder of files that appears whole or not at all, as write_atomically() does for one file; private to src/io.
 #pragma once
 
 #include <filesystem>
@@ -11,10 +11,10 @@ namespace hdconj {
 
 /// Files are written into a hidden folder beside the target; publish() renames it. A folder that was published before, and holds nothing
 /// but its own files, is exchanged for the new one. Whatever is left unpublished is removed.
-class WireFolder
+class AtomicFolder
 {
   public:
-    /// First lines of the list of files: only a folder with the same one is exchanged.
+    /// What a folder holds, as the first line of its list of files: only one with the same is exchanged.
     static constexpr char const* wire_program = "hdconj wire program: the files of this folder";
     static constexpr char const* calculix_deck = "hdconj CalculiX deck: the files of this folder";
     static constexpr char const* accuracy_study = "hdconj accuracy study: the files of this folder";
@@ -22,10 +22,10 @@ class WireFolder
     /// What can be known before: @throws FileError where the folder cannot be made or holds other files
     static void check(std::filesystem::path const& target, char const* first_line);
 
-    explicit WireFolder(std::filesystem::path const& target, char const* first_line);
-    ~WireFolder();
-    WireFolder(WireFolder const&) = delete;
-    WireFolder& operator=(WireFolder const&) = delete;
+    explicit AtomicFolder(std::filesystem::path const& target, char const* first_line);
+    ~AtomicFolder();
+    AtomicFolder(AtomicFolder const&) = delete;
+    AtomicFolder& operator=(AtomicFolder const&) = delete;
 
     /// @throws FileError, named after where the file is going to be
     void write(std::string const& name, std::string const& text) const;
