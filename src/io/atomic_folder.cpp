@@ -30,7 +30,15 @@ fs::path resolved(fs::path const& target)
     return error ? without_slash(target) : real;
 }
 
-/// Names in the list of files of @p folder; empty where there is no list of ours.
+/// What the list of files of @p folder says that it holds; empty where there is no list of hdconj's.
+std::string held_result(fs::path const& folder)
+{
+    std::ifstream in(folder / AtomicFolder::list_name);
+    std::string line;
+    return std::getline(in, line) && line.starts_with("hdconj ") ? line : std::string();
+}
+
+/// Names in the list of files of @p folder; empty where there is none with that first line.
 std::vector<std::string> listed(fs::path const& folder, char const* first_line)
 {
     std::ifstream in(folder / AtomicFolder::list_name);
@@ -89,7 +97,10 @@ void AtomicFolder::check(fs::path const& target, char const* first_line)
     check_target(status.found ? real.parent_path() / ("." + real.filename().string() + ".new") : without_slash(target));
     if (status.is_folder()) {
         if (std::string const name = foreign_file(real, first_line); !name.empty()) {
-            throw FileError(target, "holds " + name + ", which hdconj did not write there (write the name of a new folder)");
+            std::string const held = held_result(real);
+            bool const of_another_kind = !held.empty() && held != first_line;
+            throw FileError(target, (of_another_kind ? "holds another kind of result, \"" + held + "\"" : "holds " + name + ", which hdconj did not write there") +
+                                        " (write the name of a new folder)");
         }
     }
 }
