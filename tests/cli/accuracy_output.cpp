@@ -5,9 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "cli/hdconj_run.hpp"
 #include "support/catch.hpp"
-#include "support/run_program.hpp"
-#include "support/temporary_folder.hpp"
 
 using hdconj::test::content;
 using hdconj::test::is_missing;
@@ -17,12 +16,11 @@ using nlohmann::json;
 
 namespace {
 
-std::string const program = "'" HDCONJ_PROGRAM "'";
 std::string const quick = "--quick --sample 0 --study tolerance,number-type ";
 
 Outcome accuracy(std::string const& arguments, TemporaryFolder const& folder)
 {
-    return hdconj::test::run(program + " accuracy " + arguments, folder.path());
+    return hdconj::test::hdconj_run("accuracy " + arguments, folder.path());
 }
 
 }  // namespace

@@ -5,9 +5,8 @@
 
 #include <string>
 
+#include "cli/hdconj_run.hpp"
 #include "support/catch.hpp"
-#include "support/run_program.hpp"
-#include "support/temporary_folder.hpp"
 
 namespace hdconj::test {
 
@@ -21,11 +20,11 @@ struct BadCommand
     int status = 2;
 };
 
-/// Runs @p command with the arguments of @p row in @p folder: refused as the row says, nothing printed as data, nothing written.
-inline void check_refused(std::string const& command, BadCommand const& row, TemporaryFolder const& folder)
+/// Runs @p verb, with what stands before the arguments of @p row, in @p folder: refused as the row says, nothing printed as data, nothing written.
+inline void check_refused(std::string const& verb, BadCommand const& row, TemporaryFolder const& folder)
 {
     auto const before = folder.names();
-    auto const refused = run(command + " " + row.arguments, folder.path());
+    auto const refused = hdconj_run(verb + " " + row.arguments, folder.path());
     INFO(row.arguments << "\n" << refused.err);
     CHECK(refused.status == row.status);
     CHECK_THAT(refused.err, ContainsSubstring(row.place) && ContainsSubstring(row.reason) && ContainsSubstring(row.remedy));

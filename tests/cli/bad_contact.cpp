@@ -1,38 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What `hdconj contact` must refuse: scenes with axial effects with an edit, and command lines; and what must be said about them.
-#include <algorithm>
 #include <fstream>
-#include <iterator>
 
 #include "cli/bad_commands.hpp"
-#include "cli/bad_scenes_table.hpp"
-#include "hdconj/io/scene_reading.hpp"
-#include "hdconj/io/scene_toml.hpp"
+#include "cli/bad_scene_checks.hpp"
 #include "hdconj/pipeline/contact.hpp"
-#include "support/catch.hpp"
-#include "support/run_program.hpp"
-#include "support/temporary_folder.hpp"
 
 namespace {
 
 using namespace hdconj;
 using test::BadCommand;
 using test::BadScene;
+using test::faults_of;
 using test::TemporaryFolder;
 
-std::string const program = "'" HDCONJ_PROGRAM "'";
 std::string const scenes = HDCONJ_SOURCE_DIR "/data/scenes/";
 std::string const given_spline = scenes + "circular-spline-given.toml";
 
-std::string text_of(std::string const& file)
-{
-    std::ifstream stream(file);
-    return {std::istreambuf_iterator<char>(stream), {}};
-}
-
 std::string const& coned()
 {
-    static std::string const text = text_of(scenes + "type-50-coned.toml");
+    static std::string const text = test::content(scenes + "type-50-coned.toml");
     return text;
 }
 
@@ -103,34 +90,6 @@ std::vector<BadScene> const& reverse_rows()
     return table;
 }
 
-Faults faults_of(std::string const& text)
-{
-    auto reading = examine_scene(text, "scene");
-    examine_geometry(reading);
-    return reading.faults;
-}
-
-void check_row(std::string text, BadScene const& row)
-{
-    std::size_t const at = text.find(row.from);
-    REQUIRE(at != std::string::npos);
-    text.replace(at, row.from.size(), row.to);
-    auto const faults = faults_of(text);
-    INFO(describe(faults));
-    auto const fault = std::find_if(faults.begin(), faults.end(), [&](Fault const& f) { return f.path == row.path; });
-    REQUIRE(fault != faults.end());
-    CHECK_THAT(fault->reason, ContainsSubstring(row.reason));
-    CHECK_THAT(fault->remedy, ContainsSubstring(row.remedy));
-    if (row.faults > 0) {
-        CHECK(faults.size() == static_cast<std::size_t>(row.faults));
-    }
-    for (auto const& each : faults) {
-        CHECK_FALSE(each.path.empty());
-        CHECK_FALSE(each.reason.empty());
-        CHECK_FALSE(each.remedy.empty());
-    }
-}
-
 std::vector<BadCommand> const& commands()
 {
     static std::vector<BadCommand> const table{
@@ -183,7 +142,7 @@ std::vector<BadCommand> const& commands()
 TEST_CASE("the coned scenes have no fault", "[scene][contact]")
 {
     for (std::string const name : {"type-50-coned", "liu-2025-coned"}) {
-        auto const faults = faults_of(text_of(scenes + name + ".toml"));
+        auto const faults = faults_of(test::content(scenes + name + ".toml"));
         INFO(describe(faults));
         CHECK(faults.empty());
     }
@@ -194,7 +153,7 @@ TEST_CASE("wrong axial effects and contact keys are refused", "[scene][contact]"
     for (auto const& row : rows()) {
         SECTION(row.name)
         {
-            check_row(coned(), row);
+            test::check_row(row, test::edited(coned(), row));
         }
     }
 }
@@ -204,7 +163,7 @@ TEST_CASE("axial effects with the circular spline's tooth given are refused", "[
     for (auto const& row : reverse_rows()) {
         SECTION(row.name)
         {
-            check_row(text_of(given_spline), row);
+            test::check_row(row, test::edited(test::content(given_spline), row));
         }
     }
 }
@@ -217,7 +176,7 @@ TEST_CASE("wrong command lines of contact say place reason and remedy and write 
             TemporaryFolder const folder;
             std::ofstream(folder / "scene.toml") << coned();
             std::filesystem::create_directory(folder / "folder");
-            test::check_refused(program + " contact scene.toml", row, folder);
+            test::check_refused("contact scene.toml", row, folder);
         }
     }
 }
@@ -225,18 +184,9 @@ TEST_CASE("wrong command lines of contact say place reason and remedy and write 
 TEST_CASE("contact of a reverse scene points to solve", "[contact][reverse]")
 {
     TemporaryFolder const folder;
-    auto const refused = test::run(program + " contact '" + given_spline + "'", folder.path());
+    auto const refused = test::hdconj_run("contact '" + given_spline + "'", folder.path());
     CHECK(refused.status == 2);
     CHECK_THAT(refused.err, ContainsSubstring("circular_spline.profile") && ContainsSubstring("flexspline's tooth") && ContainsSubstring("hdconj solve"));
-    CHECK(folder.names().empty());
-}
-
-TEST_CASE("contact without gnuplot is told before the work", "[contact]")
-{
-    TemporaryFolder const folder;
-    auto const failed = test::run("PATH=/nowhere && " + program + " contact -o a.h5 --picture a.svg", folder.path());
-    CHECK(failed.status == 1);
-    CHECK_THAT(failed.err, ContainsSubstring("gnuplot-nox"));
     CHECK(folder.names().empty());
 }
 

@@ -2,26 +2,15 @@
 // Wrong command lines and measured curves of `hdconj load`: place, reason, remedy, exit status, and no file.
 #include <fstream>
 
-#include "support/catch.hpp"
-#include "support/run_program.hpp"
-#include "support/temporary_folder.hpp"
+#include "cli/bad_commands.hpp"
 
 namespace {
 
+using hdconj::test::BadCommand;
+using hdconj::test::hdconj_run;
 using hdconj::test::TemporaryFolder;
 
-std::string const program = "'" HDCONJ_PROGRAM "'";
 std::string const given_spline = HDCONJ_SOURCE_DIR "/data/scenes/circular-spline-given.toml";
-
-/// A command line: what must be said, in what place, and the exit status.
-struct BadCommand
-{
-    std::string arguments;
-    std::string place;
-    std::string reason;
-    std::string remedy;
-    int status = 2;
-};
 
 std::vector<BadCommand> const& commands()
 {
@@ -92,13 +81,7 @@ TEST_CASE("wrong command lines of load say place reason and remedy and write not
         {
             TemporaryFolder const folder;
             prepare(folder);
-            auto const before = folder.names();
-            auto const refused = hdconj::test::run(program + " load " + row.arguments, folder.path());
-            INFO(refused.err);
-            CHECK(refused.status == row.status);
-            CHECK_THAT(refused.err, ContainsSubstring(row.place) && ContainsSubstring(row.reason) && ContainsSubstring(row.remedy));
-            CHECK(refused.out.empty());
-            CHECK(folder.names() == before);
+            hdconj::test::check_refused("load", row, folder);
         }
     }
 }
@@ -107,7 +90,7 @@ TEST_CASE("load tells all faults of scene options and measured curve at once", "
 {
     TemporaryFolder const folder;
     prepare(folder);
-    auto const refused = hdconj::test::run(program + " load --set flexspline.wall=-1 --ratio 0 --measured bad.csv --no-curve --points 3", folder.path());
+    auto const refused = hdconj_run("load --set flexspline.wall=-1 --ratio 0 --measured bad.csv --no-curve --points 3", folder.path());
     INFO(refused.err);
     CHECK(refused.status == 2);
     CHECK_THAT(refused.err, ContainsSubstring("flexspline.wall = -1") && ContainsSubstring("--points = 3") && ContainsSubstring("--ratio = 0") &&
@@ -117,17 +100,8 @@ TEST_CASE("load tells all faults of scene options and measured curve at once", "
 TEST_CASE("load of a reverse scene is refused", "[load][reverse]")
 {
     TemporaryFolder const folder;
-    auto const refused = hdconj::test::run(program + " load '" + given_spline + "'", folder.path());
+    auto const refused = hdconj_run("load '" + given_spline + "'", folder.path());
     CHECK(refused.status == 2);
     CHECK_THAT(refused.err, ContainsSubstring("circular_spline.profile") && ContainsSubstring("flexspline's tooth"));
-    CHECK(folder.names().empty());
-}
-
-TEST_CASE("load without gnuplot is told before the work", "[load]")
-{
-    TemporaryFolder const folder;
-    auto const failed = hdconj::test::run("PATH=/nowhere && " + program + " load -o a.h5 --picture a.svg", folder.path());
-    CHECK(failed.status == 1);
-    CHECK_THAT(failed.err, ContainsSubstring("gnuplot-nox"));
     CHECK(folder.names().empty());
 }

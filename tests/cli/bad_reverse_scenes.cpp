@@ -1,23 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes of the reverse problem that must be refused: the sound one with an edit, and what must be said about it.
-#include <algorithm>
-#include <fstream>
-#include <iterator>
-
-#include "cli/bad_scenes_table.hpp"
-#include "hdconj/io/scene_reading.hpp"
+#include "cli/bad_scene_checks.hpp"
 #include "hdconj/io/scene_toml.hpp"
-#include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace {
 
 using namespace hdconj;
 using test::BadScene;
+using test::faults_of;
 
 std::string sound()
 {
-    std::ifstream file(HDCONJ_SOURCE_DIR "/data/scenes/circular-spline-given.toml");
-    return {std::istreambuf_iterator<char>(file), {}};
+    return test::content(HDCONJ_SOURCE_DIR "/data/scenes/circular-spline-given.toml");
 }
 
 std::string const flexspline_tooth =
@@ -68,21 +63,6 @@ std::vector<BadScene> const& rows()
     return table;
 }
 
-std::string sound_but(BadScene const& row)
-{
-    std::string text = sound();
-    std::size_t const at = text.find(row.from);
-    REQUIRE(at != std::string::npos);
-    return text.replace(at, row.from.size(), row.to);
-}
-
-Faults faults_of(std::string const& text)
-{
-    auto reading = examine_scene(text, "scene");
-    examine_geometry(reading);
-    return reading.faults;
-}
-
 }  // namespace
 
 TEST_CASE("the reverse scene has no fault", "[scene][reverse]")
@@ -96,20 +76,7 @@ TEST_CASE("wrong reverse scenes are refused", "[scene][reverse]")
     for (auto const& row : rows()) {
         SECTION(row.name)
         {
-            auto const faults = faults_of(sound_but(row));
-            INFO(describe(faults));
-            auto const fault = std::find_if(faults.begin(), faults.end(), [&](Fault const& f) { return f.path == row.path; });
-            REQUIRE(fault != faults.end());
-            CHECK(fault->reason.find(row.reason) != std::string::npos);
-            CHECK(fault->remedy.find(row.remedy) != std::string::npos);
-            if (row.faults > 0) {
-                CHECK(faults.size() == static_cast<std::size_t>(row.faults));
-            }
-            for (auto const& each : faults) {
-                CHECK_FALSE(each.path.empty());
-                CHECK_FALSE(each.reason.empty());
-                CHECK_FALSE(each.remedy.empty());
-            }
+            test::check_row(row, test::edited(sound(), row));
         }
     }
 }
@@ -133,7 +100,7 @@ TEST_CASE("a scene without any tooth says how to give either", "[scene][reverse]
     text.erase(from, text.find("[solver]") - from);
     auto const faults = faults_of(text);
     INFO(describe(faults));
-    auto const fault = std::find_if(faults.begin(), faults.end(), [](Fault const& f) { return f.path == "flexspline.profile"; });
-    REQUIRE(fault != faults.end());
+    auto const* const fault = test::find_fault(faults, "flexspline.profile");
+    REQUIRE(fault != nullptr);
     CHECK(fault->remedy.find("[circular_spline.profile]") != std::string::npos);
 }

@@ -1,35 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Each bad scene is refused for the right reason, at the right line, with a remedy; all its faults in one go.
-#include "cli/bad_scenes_table.hpp"
-
 #include <algorithm>
 
-#include "hdconj/io/scene_reading.hpp"
+#include "cli/bad_scene_checks.hpp"
 #include "hdconj/io/scene_toml.hpp"
-#include "support/catch.hpp"
 
 namespace {
 
 using namespace hdconj;
 using namespace hdconj::test;
-
-Faults faults_of(std::string const& text)
-{
-    auto reading = examine_scene(text, "scene");
-    examine_geometry(reading);
-    return reading.faults;
-}
-
-Fault const* find_fault(Faults const& faults, std::string const& path)
-{
-    auto const found = std::find_if(faults.begin(), faults.end(), [&path](Fault const& f) { return f.path == path; });
-    return found == faults.end() ? nullptr : &*found;
-}
-
-bool contains(std::string const& text, std::string const& part)
-{
-    return text.find(part) != std::string::npos;
-}
 
 /// Line of the first byte in which @p text differs from the built-in scene; the edit ends on that line or below it.
 int edited_line(std::string const& text)
@@ -39,30 +18,6 @@ int edited_line(std::string const& text)
     auto const differs =
         std::mismatch(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(length), original.begin());
     return 1 + static_cast<int>(std::count(text.begin(), differs.first, '\n'));
-}
-
-void check_fields(Fault const& fault)
-{
-    CHECK_FALSE(fault.path.empty());
-    CHECK_FALSE(fault.reason.empty());
-    CHECK_FALSE(fault.remedy.empty());
-    CHECK(fault.line >= 0);
-    constexpr std::size_t longest_value = 100;
-    CHECK(fault.value.size() <= longest_value);
-}
-
-void check_row(BadScene const& row, std::string const& text)
-{
-    auto const faults = faults_of(text);
-    INFO(row.name << "\n" << describe(faults));
-    auto const* const fault = find_fault(faults, row.path);
-    REQUIRE(fault != nullptr);
-    CHECK(contains(fault->reason, row.reason));
-    CHECK(contains(fault->remedy, row.remedy));
-    if (row.faults > 0) {
-        CHECK(faults.size() == static_cast<std::size_t>(row.faults));
-    }
-    std::for_each(faults.begin(), faults.end(), check_fields);
 }
 
 void check_edits(std::vector<BadScene> const& rows)

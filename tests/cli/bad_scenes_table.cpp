@@ -287,17 +287,21 @@ std::vector<BadScene> const& wrong_texts()
     return rows;
 }
 
-std::string edited(BadScene const& row)
+std::string edited(std::string text, BadScene const& row)
 {
-    std::string text(builtin_scene_text());
     if (row.from.empty()) {
         return text + row.to;
     }
     std::size_t const at = text.find(row.from);
     if (at == std::string::npos) {
-        throw std::runtime_error("the built-in scene has no '" + row.from + "'");
+        throw std::runtime_error("the scene has no '" + row.from + "'");
     }
     return text.replace(at, row.from.size(), row.to);
+}
+
+std::string edited(BadScene const& row)
+{
+    return edited(std::string(builtin_scene_text()), row);
 }
 
 }  // namespace hdconj::test

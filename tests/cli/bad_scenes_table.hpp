@@ -32,6 +32,9 @@ struct BadScene
 /// What is no scene at all: `to` is the whole text, `from` is not used.
 [[nodiscard]] std::vector<BadScene> const& wrong_texts();
 
+/// @p text with the edit of @p row. @throws std::runtime_error where it has nothing to edit
+[[nodiscard]] std::string edited(std::string text, BadScene const& row);
+
 /// The scene of a row of the first three tables.
 [[nodiscard]] std::string edited(BadScene const& row);
 

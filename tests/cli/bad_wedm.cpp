@@ -7,16 +7,13 @@
 #include "hdconj/io/scene_toml.hpp"
 #include "hdconj/pipeline/wedm.hpp"
 #include "support/catch.hpp"
-#include "support/run_program.hpp"
-#include "support/temporary_folder.hpp"
 
 namespace {
 
 using namespace hdconj;
 using test::BadCommand;
+using test::hdconj_run;
 using test::TemporaryFolder;
-
-std::string const program = "'" HDCONJ_PROGRAM "'";
 
 /// Keys put into the built-in scene: what must be said, and of which key.
 struct BadKeys
@@ -184,7 +181,7 @@ TEST_CASE("wrong command lines of wedm say place reason and remedy and write not
     TemporaryFolder const folder;
     make_scene(folder);
     for (auto const& row : commands()) {
-        test::check_refused(program + " wedm scene.toml", row, folder);
+        test::check_refused("wedm scene.toml", row, folder);
     }
 }
 
@@ -192,12 +189,12 @@ TEST_CASE("results that cannot be cut say place reason and remedy and write noth
 {
     TemporaryFolder const folder;
     make_scene(folder);
-    REQUIRE(test::run(program + " solve --quiet -o drive.h5", folder.path()).status == 0);
-    REQUIRE(test::run(program + " solve --quiet --set '!wedm' -o no-wire.h5", folder.path()).status == 0);
-    REQUIRE(test::run(program + " solve --quiet --set slices.count=3 --set tilt.angle_deg=0.2 -o tilted.h5", folder.path()).status == 0);
+    REQUIRE(hdconj_run("solve --quiet -o drive.h5", folder.path()).status == 0);
+    REQUIRE(hdconj_run("solve --quiet --set '!wedm' -o no-wire.h5", folder.path()).status == 0);
+    REQUIRE(hdconj_run("solve --quiet --set slices.count=3 --set tilt.angle_deg=0.2 -o tilted.h5", folder.path()).status == 0);
     std::ofstream(folder / "broken.h5", std::ios::binary) << test::content(folder / "drive.h5").substr(0, 20000);
     for (auto const& row : from_results()) {
-        test::check_refused(program + " wedm", row, folder);
+        test::check_refused("wedm", row, folder);
     }
 }
 
@@ -215,13 +212,4 @@ TEST_CASE("a tooth without a tip land is not cut in two set-ups", "[wedm]")
     auto const faults = check_wedm(reverse);
     REQUIRE(faults.size() == 1);
     CHECK_THAT(faults.front().remedy, ContainsSubstring("--part flexspline"));
-}
-
-TEST_CASE("wedm without gnuplot is told before the work", "[wedm]")
-{
-    TemporaryFolder const folder;
-    auto const failed = test::run("PATH=/nowhere && " + program + " wedm -o cut --picture a.svg", folder.path());
-    CHECK(failed.status == 1);
-    CHECK_THAT(failed.err, ContainsSubstring("gnuplot-nox"));
-    CHECK(folder.names().empty());
 }

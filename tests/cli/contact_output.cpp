@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `hdconj contact` as a user meets it: files, streams, exit statuses, and the same figures in all of them.
+// `hdconj contact` as a user meets it: the same figures in all that it writes. What holds for other verbs too: every_verb.cpp.
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
@@ -7,29 +7,22 @@
 #include <numbers>
 #include <sstream>
 
+#include "cli/hdconj_run.hpp"
 #include "support/catch.hpp"
-#include "support/json_keys.hpp"
 #include "support/read_hdf5.hpp"
-#include "support/run_program.hpp"
-#include "support/temporary_folder.hpp"
 
-using hdconj::test::content;
-using hdconj::test::is_missing;
 using hdconj::test::Outcome;
 using hdconj::test::TemporaryFolder;
-using hdconj::test::without_times;
 using nlohmann::json;
 
 namespace {
-
-std::string const program = "'" HDCONJ_PROGRAM "'";
 
 /// Few slices and points: what is looked at here does not depend on them.
 std::string const coned = "'" HDCONJ_SOURCE_DIR "/data/scenes/type-50-coned.toml' --set slices.count=3 --set contact.flank_points=40 ";
 
 Outcome contact(std::string const& arguments, TemporaryFolder const& folder)
 {
-    return hdconj::test::run(program + " contact " + arguments, folder.path());
+    return hdconj::test::hdconj_run("contact " + arguments, folder.path());
 }
 
 std::string two_places(double value)
@@ -49,22 +42,6 @@ TEST_CASE("contact names its result after the drive and says so", "[contact]")
     CHECK(done.err.empty());
     CHECK_THAT(done.out, ContainsSubstring("type-50-coned") && ContainsSubstring("per-slice") && ContainsSubstring("type-50-coned-contact.h5"));
     CHECK(folder.names() == std::vector<std::string>{"type-50-coned-contact.h5"});
-}
-
-TEST_CASE("contact: --json prints one object and keeps the talk apart, --quiet prints nothing", "[contact]")
-{
-    TemporaryFolder const folder;
-    auto const summary = contact(coned + "--json -o a.h5", folder);
-    CHECK(summary.status == 0);
-    CHECK(json::parse(summary.out).at("files").at("hdf5").at("path") == "a.h5");
-    CHECK(summary.err == "wrote a.h5\n");
-    auto const quiet = contact(coned + "--quiet -o a.h5", folder);
-    CHECK(quiet.status == 0);
-    CHECK(quiet.out + quiet.err == "");
-    auto const both = contact(coned + "--quiet --json -o a.h5", folder);
-    CHECK(json::parse(both.out).at("format") == "hdconj-summary");
-    CHECK(both.err.empty());
-    CHECK(folder.names() == std::vector<std::string>{"a.h5"});
 }
 
 TEST_CASE("contact: JSON text and HDF5 say the same", "[contact]")
@@ -105,69 +82,6 @@ TEST_CASE("contact: JSON text and HDF5 say the same", "[contact]")
     auto const gap = doubles("/contact/map/gap");
     CHECK(gap.size() == doubles("/contact/map/angle").size() * 2 * 3 * doubles("/contact/map/station").size());
     CHECK(*std::min_element(gap.begin(), gap.end()) == Approx(0).margin(1e-9));
-}
-
-TEST_CASE("contact writes every file asked for", "[contact]")
-{
-    bool const draws = !is_missing("gnuplot");
-    TemporaryFolder const folder;
-    auto const done = contact(coned + "--tilt 0,0.1 -o a.h5 --xdmf a.xdmf --stl a.stl --vtk a.vtk --json" + (draws ? " --picture a.svg" : ""), folder);
-    INFO(done.err);
-    REQUIRE(done.status == 0);
-    json const files = json::parse(done.out).at("files");
-    std::vector<std::string> named;
-    for (auto const& each : files) {
-        named.push_back(each.at("path"));
-    }
-    std::sort(named.begin(), named.end());
-    auto written = folder.names();
-    std::sort(written.begin(), written.end());
-    CHECK(written == named);
-    CHECK(named.size() == (draws ? 7U : 4U));
-    CHECK_THAT(content(folder / "a.xdmf"), ContainsSubstring("a.h5:/circular_spline"));
-    CHECK_THAT(content(folder / "a.vtk"), ContainsSubstring("gap"));
-    CHECK(content(folder / "a.stl").size() > 1000);
-    if (draws) {
-        for (std::string const name : {"a-tilt.svg", "a-map.svg", "a-flank.svg"}) {
-            INFO(name);
-            CHECK_THAT(content(folder / name), ContainsSubstring("</svg>"));
-        }
-    }
-}
-
-TEST_CASE("contact: a failure leaves the result that is there", "[contact]")
-{
-    TemporaryFolder const folder;
-    REQUIRE(contact(coned + "--quiet -o a.h5", folder).status == 0);
-    auto const before = content(folder / "a.h5");
-    auto const refused = contact(coned + "--tilt 50 -o a.h5", folder);
-    CHECK(refused.status == 2);
-    auto const failed = contact(coned + "--tilt 20 -o a.h5", folder);
-    CHECK(failed.status == 1);
-    CHECK_THAT(failed.err, ContainsSubstring("hdconj: slices: "));
-    CHECK(failed.out.empty());
-    auto const limited = hdconj::test::run("ulimit -f 8 && " + program + " contact " + coned + "-o a.h5", folder.path());
-    CHECK(limited.status == 1);
-    CHECK_THAT(limited.err, ContainsSubstring("ulimit -f"));
-    CHECK(content(folder / "a.h5") == before);
-    CHECK(folder.names() == std::vector<std::string>{"a.h5"});
-}
-
-TEST_CASE("contact: the number of threads changes no bit of any figure", "[contact]")
-{
-    TemporaryFolder const folder;
-    std::string const run = coned + "--surface tilted,ruled,per-slice --tilt 0,0.1 --revolution 3 --quiet --json --set solver.threads=1 -o ";
-    auto const one = contact(run + "one.h5 --threads 1", folder);
-    auto const two = contact(run + "two.h5 --threads 2", folder);
-    REQUIRE(one.status == 0);
-    REQUIRE(two.status == 0);
-    CHECK(without_times(json::parse(one.out), "contact").dump() == without_times(json::parse(two.out), "contact").dump());
-    auto const a = hdconj::test::open_file(folder / "one.h5"), b = hdconj::test::open_file(folder / "two.h5");
-    for (char const* name : {"/contact/map/gap", "/contact/share", "/contact/take_up", "/contact/clearing_offset", "/contact/flank_where",
-                                   "/circular_spline/outline", "/circular_spline/z"}) {
-        INFO(name);
-        CHECK(hdconj::test::read(a, name).values == hdconj::test::read(b, name).values);
-    }
 }
 
 TEST_CASE("contact of a drive without axial effects is one slice", "[contact]")

@@ -9,20 +9,14 @@
 #include <string>
 #include <vector>
 
+#include "cli/hdconj_run.hpp"
 #include "support/catch.hpp"
-#include "support/run_program.hpp"
-#include "support/temporary_folder.hpp"
 
 using namespace hdconj::test;
 
 namespace {
 
 std::string const scene = "'" HDCONJ_SOURCE_DIR "/data/scenes/type-50-elastic.toml' ";
-
-Outcome hdconj_run(std::string const& arguments, std::filesystem::path const& folder)
-{
-    return run("'" HDCONJ_PROGRAM "' " + arguments, folder);
-}
 
 /// u_r, u_t, u_z of nodes; the first column of a line is the node, the last three are they.
 std::map<int, std::vector<double>> displacements(std::string const& file, char separator)

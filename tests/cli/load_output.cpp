@@ -1,29 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `hdconj load` as a user meets it: files, streams, exit statuses, and the same figures in all of them.
+// `hdconj load` as a user meets it: the same figures in all that it writes. What holds for other verbs too: every_verb.cpp.
 #include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
 
+#include "cli/hdconj_run.hpp"
 #include "support/catch.hpp"
-#include "support/json_keys.hpp"
 #include "support/read_hdf5.hpp"
 #include "support/rig_loop.hpp"
-#include "support/run_program.hpp"
-#include "support/temporary_folder.hpp"
 
-using hdconj::test::content;
-using hdconj::test::is_missing;
 using hdconj::test::Outcome;
 using hdconj::test::TemporaryFolder;
-using hdconj::test::without_times;
 using nlohmann::json;
 namespace sample = hdconj::sample;
 
 namespace {
-
-std::string const program = "'" HDCONJ_PROGRAM "'";
 
 /// Few slices and torques: what is looked at here does not depend on them.
 std::string const coarse = "--set slices.count=3 ";
@@ -31,7 +24,7 @@ std::string const one_torque = coarse + "--no-curve ";
 
 Outcome load(std::string const& arguments, TemporaryFolder const& folder)
 {
-    return hdconj::test::run(program + " load " + arguments, folder.path());
+    return hdconj::test::hdconj_run("load " + arguments, folder.path());
 }
 
 /// A log of the thesis' rig: current of a motor with 119 mN m/A, counts of 2000 per turn, behind 1:100.
@@ -58,19 +51,6 @@ TEST_CASE("load names its result after the drive and says so", "[load]")
     CHECK(done.err.empty());
     CHECK_THAT(done.out, ContainsSubstring("coning, major axis") && ContainsSubstring("type-50-load.h5"));
     CHECK(folder.names() == std::vector<std::string>{"type-50-load.h5"});
-}
-
-TEST_CASE("load: --json prints one object and keeps the talk apart and --quiet prints nothing", "[load]")
-{
-    TemporaryFolder const folder;
-    auto const summary = load(one_torque + "--json -o a.h5", folder);
-    REQUIRE(summary.status == 0);
-    CHECK(json::parse(summary.out).at("files").at("hdf5").at("path") == "a.h5");
-    CHECK(summary.err == "wrote a.h5\n");
-    auto const quiet = load(one_torque + "--quiet -o a.h5", folder);
-    CHECK(quiet.status == 0);
-    CHECK(quiet.out + quiet.err == "");
-    CHECK(folder.names() == std::vector<std::string>{"a.h5"});
 }
 
 TEST_CASE("load: the curve is run as asked and JSON and HDF5 say the same", "[load]")
@@ -113,32 +93,6 @@ TEST_CASE("load: the curve is run as asked and JSON and HDF5 say the same", "[lo
     CHECK(*std::max_element(map.begin(), map.end()) == Approx(rated.at("largest_pressure_MPa").get<double>()));
 }
 
-TEST_CASE("load writes every file asked for", "[load]")
-{
-    bool const draws = !is_missing("gnuplot");
-    TemporaryFolder const folder;
-    auto const done = load(coarse + "--points 2 -o a.h5 --vtu a.vtu --json" + (draws ? " --picture a.svg" : ""), folder);
-    INFO(done.err);
-    REQUIRE(done.status == 0);
-    std::vector<std::string> named;
-    json const files = json::parse(done.out).at("files");
-    for (auto const& each : files) {
-        named.push_back(each.at("path"));
-    }
-    std::sort(named.begin(), named.end());
-    auto written = folder.names();
-    std::sort(written.begin(), written.end());
-    CHECK(written == named);
-    CHECK(named.size() == (draws ? 6U : 2U));
-    CHECK_THAT(content(folder / "a.vtu"), ContainsSubstring("displacement") && ContainsSubstring("von_mises"));
-    if (draws) {
-        for (std::string const name : {"a-curve.svg", "a-pressure.svg", "a-cup.svg", "a-stress.svg"}) {
-            INFO(name);
-            CHECK_THAT(content(folder / name), ContainsSubstring("</svg>"));
-        }
-    }
-}
-
 TEST_CASE("load lays a measured curve over the simulation", "[load][measured]")
 {
     TemporaryFolder const folder;
@@ -156,32 +110,3 @@ TEST_CASE("load lays a measured curve over the simulation", "[load][measured]")
     CHECK_THAT(load(run, folder).out, ContainsSubstring("measured: log.csv (current [A], position [counts], 0.119 N m/A, 2000 counts per turn, ratio 100)"));
 }
 
-TEST_CASE("load: a failure leaves the result that is there", "[load]")
-{
-    TemporaryFolder const folder;
-    REQUIRE(load(one_torque + "--quiet -o a.h5", folder).status == 0);
-    auto const before = content(folder / "a.h5");
-    auto const refused = load(one_torque + "--torque=-1 -o a.h5", folder);
-    CHECK(refused.status == 2);
-    auto const limited = hdconj::test::run("ulimit -f 8 && " + program + " load " + one_torque + "-o a.h5", folder.path());
-    CHECK(limited.status == 1);
-    CHECK_THAT(limited.err, ContainsSubstring("ulimit -f"));
-    CHECK(content(folder / "a.h5") == before);
-    CHECK(folder.names() == std::vector<std::string>{"a.h5"});
-}
-
-TEST_CASE("load: the number of threads changes no bit of any figure", "[load]")
-{
-    TemporaryFolder const folder;
-    std::string const run = coarse + "--points 2 --quiet --json --set solver.threads=1 -o ";
-    auto const one = load(run + "one.h5 --threads 1", folder);
-    auto const two = load(run + "two.h5 --threads 2", folder);
-    REQUIRE(one.status == 0);
-    REQUIRE(two.status == 0);
-    CHECK(without_times(json::parse(one.out), "load").dump() == without_times(json::parse(two.out), "load").dump());
-    auto const a = hdconj::test::open_file(folder / "one.h5"), b = hdconj::test::open_file(folder / "two.h5");
-    for (char const* name : {"/load/case_000/curve/twist", "/load/case_000/map/force", "/load/case_000/map/gap", "/load/shape/u_r", "/load/cup/w_major"}) {
-        INFO(name);
-        CHECK(hdconj::test::read(a, name).values == hdconj::test::read(b, name).values);
-    }
-}

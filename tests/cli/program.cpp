@@ -6,24 +6,20 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "cli/hdconj_run.hpp"
 #include "hdconj/io/scene_toml.hpp"
 #include "support/catch.hpp"
-#include "support/run_program.hpp"
 
 namespace {
 
 using namespace hdconj;
+using test::hdconj_run;
 using test::Outcome;
 using test::TemporaryFolder;
 
 constexpr int done = 0;
 constexpr int failed = 1;
 constexpr int refused = 2;
-
-Outcome hdconj_run(std::string const& arguments, std::filesystem::path const& folder = ".")
-{
-    return test::run("'" HDCONJ_PROGRAM "' " + arguments, folder);
-}
 
 bool contains(std::string const& text, std::string const& part)
 {

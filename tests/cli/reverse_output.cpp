@@ -3,23 +3,19 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "cli/hdconj_run.hpp"
 #include "hdconj/io/scene_toml.hpp"
 #include "hdconj/pipeline/solve.hpp"
 #include "io/picture_script.hpp"
 #include "support/catch.hpp"
-#include "support/run_program.hpp"
 
 namespace {
 
 using namespace hdconj;
+using test::hdconj_run;
 using test::TemporaryFolder;
 
 std::string const scene = std::string(HDCONJ_SOURCE_DIR) + "/data/scenes/circular-spline-given.toml";
-
-test::Outcome hdconj_run(std::string const& arguments, std::filesystem::path const& folder)
-{
-    return test::run("'" HDCONJ_PROGRAM "' " + arguments, folder);
-}
 
 bool contains(std::string const& text, std::string const& part)
 {

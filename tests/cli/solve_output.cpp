@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `hdconj solve` as a user meets it: files, streams, exit statuses.
+// `hdconj solve` as a user meets it: files, exit statuses, kills. What holds for other verbs too: every_verb.cpp.
 #include <csignal>
-#include <nlohmann/json.hpp>
 #include <random>
 #include <thread>
 
+#include "cli/hdconj_run.hpp"
 #include "support/catch.hpp"
-#include "support/run_program.hpp"
-#include "support/temporary_folder.hpp"
 
 using hdconj::test::content;
 using hdconj::test::is_missing;
@@ -16,11 +14,9 @@ using hdconj::test::TemporaryFolder;
 
 namespace {
 
-std::string const program = "'" HDCONJ_PROGRAM "'";
-
 Outcome solve(std::string const& arguments, TemporaryFolder const& folder)
 {
-    return hdconj::test::run(program + " solve " + arguments, folder.path());
+    return hdconj::test::hdconj_run("solve " + arguments, folder.path());
 }
 
 }  // namespace
@@ -42,21 +38,6 @@ TEST_CASE("solve names the file after any drive")
     CHECK(folder.names() == std::vector<std::string>{"a-b.h5"});
 }
 
-TEST_CASE("solve: --json prints one object and keeps the talk apart, --quiet prints nothing")
-{
-    TemporaryFolder const folder;
-    auto const json = solve("--json -o a.h5", folder);
-    CHECK(json.status == 0);
-    CHECK(nlohmann::json::parse(json.out).at("files").at("hdf5").at("path") == "a.h5");
-    CHECK(json.err == "wrote a.h5\n");
-    auto const quiet = solve("--quiet -o a.h5", folder);
-    CHECK(quiet.status == 0);
-    CHECK(quiet.out + quiet.err == "");
-    auto const both = solve("--quiet --json -o a.h5", folder);
-    CHECK(nlohmann::json::parse(both.out).at("format") == "hdconj-summary");
-    CHECK(both.err.empty());
-}
-
 TEST_CASE("targets that are bad input are refused with 2, before anything is written")
 {
     auto const [arguments, said] = GENERATE(table<std::string, std::string>({
@@ -67,7 +48,7 @@ TEST_CASE("targets that are bad input are refused with 2, before anything is wri
         {"--picture a", ".png"},
     }));
     TemporaryFolder const folder;
-    hdconj::test::run(program + " init scene.toml", folder.path());
+    hdconj::test::hdconj_run("init scene.toml", folder.path());
     auto const before = folder.names();
     auto const refused = solve(arguments, folder);
     INFO(arguments);
@@ -92,28 +73,6 @@ TEST_CASE("targets that cannot be written end with 1 and the reason")
     CHECK(failed.status == 1);
     CHECK_THAT(failed.err, ContainsSubstring(said));
     CHECK(failed.out.empty());
-}
-
-TEST_CASE("a limit on file size is told and leaves the old result")
-{
-    TemporaryFolder const folder;
-    REQUIRE(solve("-o a.h5", folder).status == 0);
-    auto const before = content(folder / "a.h5");
-    auto const failed = hdconj::test::run("ulimit -f 8 && " + program + " solve -o a.h5", folder.path());
-    CHECK(failed.status == 1);
-    CHECK_THAT(failed.err, ContainsSubstring("ulimit -f"));
-    CHECK(content(folder / "a.h5") == before);
-    CHECK(folder.names().size() == 1);
-}
-
-TEST_CASE("a missing gnuplot is told before the work")
-{
-    TemporaryFolder const folder;
-    auto const failed =
-        hdconj::test::run("PATH=/nowhere && " + program + " solve -o a.h5 --picture a.svg", folder.path());
-    CHECK(failed.status == 1);
-    CHECK_THAT(failed.err, ContainsSubstring("gnuplot-nox"));
-    CHECK(folder.names().empty());
 }
 
 TEST_CASE("all files of a real run are read by other programs")

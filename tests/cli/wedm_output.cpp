@@ -11,11 +11,10 @@
 #include <sstream>
 #include <thread>
 
+#include "cli/hdconj_run.hpp"
 #include "hdconj/io/wire_files.hpp"
 #include "support/catch.hpp"
-#include "support/run_program.hpp"
 #include "support/sample_wire_program.hpp"
-#include "support/temporary_folder.hpp"
 
 using hdconj::test::content;
 using hdconj::test::Outcome;
@@ -24,11 +23,9 @@ using nlohmann::json;
 
 namespace {
 
-std::string const program = "'" HDCONJ_PROGRAM "'";
-
 Outcome wedm(std::string const& arguments, TemporaryFolder const& folder)
 {
-    return hdconj::test::run(program + " wedm " + arguments, folder.path());
+    return hdconj::test::hdconj_run("wedm " + arguments, folder.path());
 }
 
 std::vector<std::string> lines_of(std::string const& text)
@@ -131,7 +128,7 @@ TEST_CASE("wedm gives the same figures and files for any number of threads and f
     auto const two = wedm("--tilt 0.2 --threads 2 -o b --json --quiet", folder);
     REQUIRE(one.status == 0);
     CHECK(without_folder(json::parse(one.out)) == without_folder(json::parse(two.out)));
-    REQUIRE(hdconj::test::run(program + " solve --quiet --set tilt.angle_deg=0.2 --set slices.count=3 -o s.h5", folder.path()).status == 0);
+    REQUIRE(hdconj::test::hdconj_run("solve --quiet --set tilt.angle_deg=0.2 --set slices.count=3 -o s.h5", folder.path()).status == 0);
     auto const stored = wedm("--from s.h5 -o c --json --quiet", folder);
     CHECK(without_folder(json::parse(one.out)) == without_folder(json::parse(stored.out)));
     for (auto const& entry : std::filesystem::directory_iterator(folder / "a")) {
@@ -224,7 +221,7 @@ TEST_CASE("wedm that fails leaves the folder as it was", "[wedm]")
     REQUIRE(wedm("--tilt 0.2 --dialect csv --quiet -o a", folder).status == 0);
     auto const before = content(folder / "a" / "type-50_path.csv");
     // no file may grow beyond 100 blocks of 1024 bytes: the disk is full, as far as the program can tell
-    auto const full = hdconj::test::run("ulimit -f 100; " + program + " wedm --quiet -o a", folder.path());
+    auto const full = hdconj::test::run("ulimit -f 100; " + hdconj::test::program + " wedm --quiet -o a", folder.path());
     CHECK(full.status == 1);
     CHECK_THAT(full.err, ContainsSubstring("type-50_planes.dxf") && ContainsSubstring("File too large"));
     CHECK(wedm("--tilt 0.2 --set wedm.largest_travel=20 -o a", folder).status == 1);
