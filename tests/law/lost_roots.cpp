@@ -6,13 +6,13 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
-#include <random>
 #include <span>
 #include <vector>
 
 #include "hdconj/envelope/contact.hpp"
 #include "hdconj/envelope/double_roots.hpp"
 #include "support/catch.hpp"
+#include "support/draws.hpp"
 #include "support/type50.hpp"
 
 using namespace hdconj;
@@ -22,18 +22,6 @@ using namespace hdconj::test;
 using Fifty = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<50, boost::multiprecision::allocate_stack>, boost::multiprecision::et_off>;
 
 namespace {
-
-class Random
-{
-  public:
-    explicit Random(std::uint64_t seed) : engine_(seed) {}
-    double between(double low, double high) { return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53; }
-    int whole(int low, int high) { return static_cast<int>(std::floor(between(low, high + 1))); }
-    double sign() { return between(0, 1) < 0.5 ? -1 : 1; }
-
-  private:
-    std::mt19937_64 engine_;
-};
 
 template<class T>
 using Coefficients = std::vector<T>;
@@ -291,7 +279,7 @@ Row total(Table const& table)
 }
 
 /// A curve that runs on without turning back, of the size of a tooth.
-CurvePiece random_curve(Random& random, int degree)
+CurvePiece random_curve(designs::Draws& random, int degree)
 {
     double const size = std::pow(10, random.between(-3, 0));
     double const heading = random.between(-3.1, 3.1);
@@ -312,7 +300,7 @@ CurvePiece random_curve(Random& random, int degree)
 TEST_CASE("lost roots: pairs planted by the choice of the velocity on random curves", "[lost]")
 {
     // two linear conditions on (theta', q_x, q_y): f(t1) = 0 and (f(t2) - f(t1))/(t2 - t1) = 0
-    Random random(1);
+    designs::Draws random(1);
     Table table{};
     for (int k = 0; k < 66000; ++k)
     {
@@ -347,7 +335,7 @@ TEST_CASE("lost roots: pairs that are real in the doubles given, down to 1e-12",
 {
     // translation along (q_x, q_y): f = q_y x' - q_x y'. With x = p t and y' = k (t - m)^2 all coordinates are short binary
     // fractions and f = q_y p - q_x k (t - m)^2 has the roots m +- D/2 for q_y = q_x k D^2/(4 p), a power of two.
-    Random random(2);
+    designs::Draws random(2);
     Table table{};
     for (int n = 0; n < 22000; ++n)
     {
@@ -379,7 +367,7 @@ TEST_CASE("lost roots: pairs that are real in the doubles given, down to 1e-12",
 
 TEST_CASE("lost roots: contacts of real drives next to the instant at which they merge", "[lost]")
 {
-    Random random(3);
+    designs::Draws random(3);
     Table table{};
     int drives = 0;
     while (total(table).cases < 22000)

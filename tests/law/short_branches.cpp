@@ -6,11 +6,11 @@
 #include <boost/multiprecision/mpfr.hpp>
 #include <cmath>
 #include <cstdio>
-#include <random>
 #include <utility>
 
 #include "hdconj/envelope/find_branches.hpp"
 #include "support/catch.hpp"
+#include "support/draws.hpp"
 #include "support/type50.hpp"
 
 using namespace hdconj;
@@ -50,21 +50,11 @@ struct Velocity
     }
 };
 
-class Random
-{
-  public:
-    explicit Random(std::uint64_t seed) : engine_(seed) {}
-    double between(double low, double high) { return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53; }
-
-  private:
-    std::mt19937_64 engine_;
-};
-
 using Rates = std::array<Fifty, 3>;
 
 /// A point that moves in the same direction at u1 and at u2, on a random line through the tooth.
 /// @param first, change  the rates at u1 and their divided difference to u2
-bool point_of_equal_direction(Rates const& first, Rates const& change, Random& random, Vec2& x, Vec2& along)
+bool point_of_equal_direction(Rates const& first, Rates const& change, designs::Draws& random, Vec2& x, Vec2& along)
 {
     double const angle = random.between(0, 6.28);
     Vec2 const start{random.between(-0.5, 0.5), random.between(0.3, 1.2)};
@@ -149,7 +139,7 @@ Pair reference_pair(Velocity<Fifty> const& velocity, PieceEnd const& end, double
 
 TEST_CASE("short branches: a contact that crosses an end twice is found or flagged with a width", "[lost]")
 {
-    Random random(5);
+    designs::Draws random(5);
     constexpr int first_decade = 2;
     constexpr int last_decade = 12;
     std::array<Row, last_decade + 1> table{};

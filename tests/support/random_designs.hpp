@@ -11,17 +11,13 @@
 #include <cstdint>
 #include <cstdio>
 #include <exception>
-#include <random>
 #include <string>
 
 #include "hdconj/scene/scene.hpp"
-#include "support/oracle/motion.hpp"
-#include "support/oracle/tooth.hpp"
 #include "support/oracle/touch.hpp"
+#include "support/random_pairs.hpp"
 
 namespace designs {
-
-using hdconj::Scene;
 
 /// Shortest text that reads back as the same number.
 inline std::string text_of(double value)
@@ -141,7 +137,7 @@ inline double tip_circle(Scene const& scene)
 class RandomDesigns
 {
   public:
-    explicit RandomDesigns(std::uint64_t seed) : engine_(seed) {}
+    explicit RandomDesigns(std::uint64_t seed) : draws_(seed) {}
 
     /// The next valid design.
     Scene next()
@@ -157,48 +153,29 @@ class RandomDesigns
     int drawn = 0;  ///< designs drawn so far, valid or not
 
   private:
-    // Own mapping to an interval: the standard's distributions differ between libraries.
-    double between(double low, double high)
-    {
-        return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
-    }
-    int whole(int low, int high) { return static_cast<int>(std::floor(between(low, high + 1))); }
-    bool chance(double share) { return between(0, 1) < share; }
-    double about(double value, double share) { return value * between(1 - share, 1 + share); }
-
     Scene draw()
     {
         Scene scene;
         scene.drive.name = "random";
-        double const m = scene.drive.module = std::exp(between(std::log(0.1), std::log(2.0)));
-        int const n = scene.wave_generator.waves = chance(0.6) ? 2 : chance(0.5) ? 1 : 3;
-        int const difference = chance(0.7) ? n : 2 * n;
-        scene.drive.flexspline_teeth = whole(60, 320);
-        scene.drive.circular_spline_teeth = scene.drive.flexspline_teeth + difference;
-        // The pitch lines roll at the major axis when w0 = m (z_c - z_f) / 2.
-        double const rolling = m * difference / 2;
-        double const w0 = chance(0.1) ? rolling : rolling * between(0.7, 1.15);
-        scene.wave_generator.shape.family = "cosine";
-        scene.wave_generator.shape.given["radial_deformation"] = {w0, 0};
-        scene.flexspline.wall = m * between(0.5, 3);
+        double const w0 = draw_pair(draws_, scene), m = scene.drive.module;
         auto& profile = scene.flexspline.profile;
         auto const put = [&](char const* key, hdconj::ParameterValue const& value) { profile.given[key] = {value, 0}; };
         double const tallest = 0.95 * w0;
         double dedendum = 0;
-        if (chance(0.3)) {
+        if (draws_.chance(0.3)) {
             profile.family = "straight";
-            double const addendum = std::min(m * between(0.4, 1.0), tallest);
-            dedendum = addendum * between(1.1, 1.5);
+            double const addendum = std::min(m * draws_.between(0.4, 1.0), tallest);
+            dedendum = addendum * draws_.between(1.1, 1.5);
             put("addendum", addendum);
             put("dedendum", dedendum);
-            put("thickness", m * oracle::pi<double>() * between(0.35, 0.6));
-            put("pressure_angle_deg", between(10, 35));
+            put("thickness", m * oracle::pi<double>() * draws_.between(0.35, 0.6));
+            put("pressure_angle_deg", draws_.between(10, 35));
         } else {
             // type-50 or Liu's set, scaled to the module and disturbed.
-            bool const liu = chance(0.5);
+            bool const liu = draws_.chance(0.5);
             double const scale = m / (liu ? 0.5 : 0.25);
             auto const length = [&](double from_type_50, double from_liu, double share) {
-                return scale * about(liu ? from_liu : from_type_50, share);
+                return scale * draws_.about(liu ? from_liu : from_type_50, share);
             };
             profile.family = "double-circular-arc";
             double const addendum = std::min(length(0.2250, 0.29316387, 0.15), tallest);
@@ -214,35 +191,29 @@ class RandomDesigns
                 put("convex_rise", convex_rise);
             put("concave_radius", rf);
             put("concave_rise", rise);
-            if (chance(0.5))
+            if (draws_.chance(0.5))
                 put("concave_offset", std::string("tangent"));
             else {
-                double const line = m * between(0.01, 0.4);
+                double const line = m * draws_.between(0.01, 0.4);
                 put("concave_offset",
                     std::sqrt((ra + rf) * (ra + rf) + line * line - (rise - convex_rise) * (rise - convex_rise)) -
                         offset);
             }
-            if (chance(0.5))
-                put("tip_line_from", addendum * between(0.55, 0.95));
+            if (draws_.chance(0.5))
+                put("tip_line_from", addendum * draws_.between(0.55, 0.95));
         }
-        if (chance(0.3))
-            scene.flexspline.neutral_offset = scene.flexspline.wall * between(-0.2, 0.3);
-        if (chance(0.2))
-            scene.flexspline.inner_radius =
-                m * scene.drive.flexspline_teeth / 2 - dedendum - scene.flexspline.wall + m * between(-0.1, 0.1);
-        if (chance(0.25))
-            scene.circular_spline.backlash_offset = m * between(0, 0.03);
-        if (chance(0.15))
-            scene.circular_spline.root_clearance = m * between(0, 0.2);
-        if (chance(0.4))
+        draw_options(draws_, scene, dedendum);
+        if (draws_.chance(0.15))
+            scene.circular_spline.root_clearance = m * draws_.between(0, 0.2);
+        if (draws_.chance(0.4))
             scene.solver.kinematics = hdconj::Kinematics::first_order;
-        if (chance(0.2))
-            scene.circular_spline.inner_radius = tip_circle(scene) + m * between(0, 0.15);
+        if (draws_.chance(0.2))
+            scene.circular_spline.inner_radius = tip_circle(scene) + m * draws_.between(0, 0.15);
         scene.solver.tolerance = 1e-6 * std::max(1.0, m);
         return scene;
     }
 
-    std::mt19937_64 engine_;
+    Draws draws_;
 };
 
 /// Whether the oracle takes the design for a drive: the tooth is a tooth, and the middle of the land is not swept.
@@ -252,28 +223,10 @@ inline bool is_valid(Scene const& scene)
     try {
         oracle::Tooth<double> const tooth(scene);
         oracle::Motion<double> const motion(scene);
-        double const n = motion.waves;
-        if (motion.w0 * (n * n + 1) > 0.5 * motion.r_m)
-            return false;  // the neutral curve would be bent inwards or nearly so
-        // An upright tooth: every piece goes up and, above the root, gets thinner.
-        for (auto const& piece : tooth.flank) {
-            bool const flat = piece.name == "tip";
-            if (piece.curve && !piece.curve->rises())
-                return false;
-            if (piece.name == "radial")
-                continue;
-            if (!(piece.lower.x - piece.upper.x > (flat ? 0.03 : 1e-3) * m))
-                return false;
-            if (!flat && !(piece.upper.y - piece.lower.y > 1e-3 * m))
-                return false;
-        }
+        if (!is_gently_bent(motion) || !is_upright(tooth, m))
+            return false;
         // A formula that does not come up to the tip, or down to the root.
         if (!(std::abs(tooth.tip_corner().y - tooth.addendum) < 1e-9 * m) || !(std::abs(tooth.root().y + tooth.dedendum) < 1e-9 * m))
-            return false;
-        auto const& foot = tooth.flank.front();
-        if (foot.arc && !(foot.at(0.0).y > foot.centre.y - 0.97 * foot.radius))
-            return false;
-        if (tooth.root().x > 0.49 * oracle::pi<double>() * m)
             return false;
         // The middle of the land must stay.
         double const tip = tip_circle(scene), half_pitch = motion.pitch() / 2;

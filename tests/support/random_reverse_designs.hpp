@@ -8,7 +8,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <random>
 #include <string>
 
 #include "support/oracle/reverse_touch.hpp"
@@ -36,7 +35,7 @@ inline std::string reverse_toml_of(Scene const& scene)
 class RandomReverseDesigns
 {
   public:
-    explicit RandomReverseDesigns(std::uint64_t seed) : engine_(seed) {}
+    explicit RandomReverseDesigns(std::uint64_t seed) : draws_(seed) {}
 
     /// The next valid design.
     Scene next()
@@ -52,43 +51,26 @@ class RandomReverseDesigns
     int drawn = 0;
 
   private:
-    double between(double low, double high)
-    {
-        return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
-    }
-    int whole(int low, int high) { return static_cast<int>(std::floor(between(low, high + 1))); }
-    bool chance(double share) { return between(0, 1) < share; }
-    double about(double value, double share) { return value * between(1 - share, 1 + share); }
-
     Scene draw()
     {
         Scene scene;
         scene.drive.name = "random reverse";
-        double const m = scene.drive.module = std::exp(between(std::log(0.1), std::log(2.0)));
-        int const n = scene.wave_generator.waves = chance(0.6) ? 2 : chance(0.5) ? 1 : 3;
-        int const difference = chance(0.7) ? n : 2 * n;
-        scene.drive.flexspline_teeth = whole(60, 320);
-        scene.drive.circular_spline_teeth = scene.drive.flexspline_teeth + difference;
-        double const rolling = m * difference / 2;
-        double const w0 = chance(0.1) ? rolling : rolling * between(0.7, 1.15);
-        scene.wave_generator.shape.family = "cosine";
-        scene.wave_generator.shape.given["radial_deformation"] = {w0, 0};
-        scene.flexspline.wall = m * between(0.5, 3);
+        double const w0 = draw_pair(draws_, scene), m = scene.drive.module;
         auto& profile = scene.circular_spline.profile.emplace();
         profile.path = "circular_spline.profile";
         auto const put = [&](char const* key, hdconj::ParameterValue const& value) { profile.given[key] = {value, 0}; };
         double const tallest = 0.95 * w0;
         double addendum = 0, dedendum = 0;
-        if (chance(0.35)) {
+        if (draws_.chance(0.35)) {
             profile.family = "straight";
-            addendum = std::min(m * between(0.4, 1.0), tallest);
-            dedendum = addendum * between(1.1, 1.5);
-            put("thickness", m * oracle::pi<double>() * between(0.35, 0.6));
-            put("pressure_angle_deg", between(10, 35));
+            addendum = std::min(m * draws_.between(0.4, 1.0), tallest);
+            dedendum = addendum * draws_.between(1.1, 1.5);
+            put("thickness", m * oracle::pi<double>() * draws_.between(0.35, 0.6));
+            put("pressure_angle_deg", draws_.between(10, 35));
         } else {
             // the tooth of data/scenes/circular-spline-given.toml, scaled and disturbed
             double const scale = m / 0.25;
-            auto const length = [&](double value, double share) { return scale * about(value, share); };
+            auto const length = [&](double value, double share) { return scale * draws_.about(value, share); };
             profile.family = "double-circular-arc";
             addendum = std::min(length(0.2, 0.15), tallest);
             dedendum = std::max(length(0.29, 0.1), 1.05 * addendum);
@@ -98,21 +80,15 @@ class RandomReverseDesigns
             put("concave_radius", length(0.5, 0.1));
             put("concave_rise", length(0.052, 0.3));
             put("concave_offset", std::string("tangent"));
-            if (chance(0.3))
-                put("tip_line_from", addendum * between(0.55, 0.95));
+            if (draws_.chance(0.3))
+                put("tip_line_from", addendum * draws_.between(0.55, 0.95));
         }
         put("addendum", addendum);
         put("dedendum", dedendum);
-        scene.flexspline.addendum = std::min(dedendum * between(0.6, 0.95), tallest);
-        scene.flexspline.dedendum = addendum * between(1.1, 1.6);
-        if (chance(0.3))
-            scene.flexspline.neutral_offset = scene.flexspline.wall * between(-0.2, 0.3);
-        if (chance(0.2))
-            scene.flexspline.inner_radius = m * scene.drive.flexspline_teeth / 2 - *scene.flexspline.dedendum -
-                                            scene.flexspline.wall + m * between(-0.1, 0.1);
-        if (chance(0.25))
-            scene.circular_spline.backlash_offset = m * between(0, 0.03);
-        if (chance(0.4))
+        scene.flexspline.addendum = std::min(dedendum * draws_.between(0.6, 0.95), tallest);
+        scene.flexspline.dedendum = addendum * draws_.between(1.1, 1.6);
+        draw_options(draws_, scene, *scene.flexspline.dedendum);
+        if (draws_.chance(0.4))
             scene.solver.kinematics = hdconj::Kinematics::first_order;
         scene.solver.tolerance = 1e-6 * std::max(1.0, m);
         return scene;
@@ -123,20 +99,7 @@ class RandomReverseDesigns
         double const m = scene.drive.module;
         try {
             oracle::GivenTeeth<double> const teeth(scene);
-            double const n = teeth.motion.waves;
-            if (teeth.motion.w0 * (n * n + 1) > 0.5 * teeth.motion.r_m)
-                return false;
-            for (auto const& piece : teeth.tooth.flank) {
-                bool const flat = piece.name == "tip";
-                if (!(piece.lower.x - piece.upper.x > (flat ? 0.03 : 1e-3) * m))
-                    return false;
-                if (!flat && !(piece.upper.y - piece.lower.y > 1e-3 * m))
-                    return false;
-            }
-            auto const& foot = teeth.tooth.flank.front();
-            if (foot.arc && !(foot.at(0.0).y > foot.centre.y - 0.97 * foot.radius))
-                return false;
-            if (teeth.tooth.root().x > 0.49 * oracle::pi<double>() * m)
+            if (!is_gently_bent(teeth.motion) || !is_upright(teeth.tooth, m))
                 return false;
             if (*scene.flexspline.dedendum < teeth.tooth.addendum + 0.02 * m ||
                 *scene.flexspline.addendum > teeth.tooth.dedendum - 0.02 * m)
@@ -149,7 +112,7 @@ class RandomReverseDesigns
         }
     }
 
-    std::mt19937_64 engine_;
+    Draws draws_;
 };
 
 }  // namespace designs
