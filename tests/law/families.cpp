@@ -49,11 +49,10 @@ void check_family(std::string const& family, std::uint64_t seed, int limit_of_re
         TouchScan scan(solution.scene, positions);
         auto const report = touch_law(solution, scan, most, static_cast<std::uint64_t>(accepted));
         points += report.entered.points;
-        double const deviation = std::max(report.touched.deviation, report.entered.deviation);
-        worst = std::max(worst, deviation);
-        if (!(deviation <= touch_limit) || report.touched.points < 10) {
+        worst = std::max(worst, report.worst());
+        if (!report.holds() || report.touched.points < 10) {
             std::ostringstream found;
-            found << text << "touched: " << report.touched << "\nentered: " << report.entered;
+            found << text << report;
             broken.push_back(found.str());
         }
         solving += std::chrono::duration<double>(middle - start).count();

@@ -14,8 +14,8 @@
 #include "hdconj/wavegen/inextensional_mode.hpp"
 #include "hdconj/wavegen/registry.hpp"
 #include "support/catch.hpp"
+#include "support/check_touch.hpp"
 #include "support/oracle/run.hpp"
-#include "support/oracle/touch_law.hpp"
 #include "support/type50.hpp"
 
 using namespace oracle;
@@ -122,11 +122,8 @@ TEST_CASE("touch law: random designs with the material motion", "[touch][random]
             Solution const solution = solved(scene);
             TouchScan scan(solution.scene, 1200);
             auto const report = touch_law(solution, scan, most, static_cast<std::uint64_t>(i));
-            INFO("touched: " << report.touched);
-            INFO("entered: " << report.entered);
-            CHECK(report.touched.deviation <= touch_limit);
-            CHECK(report.entered.deviation <= touch_limit);
-            worst = std::max({worst, report.touched.deviation, report.entered.deviation});
+            check_touched(report);
+            worst = std::max(worst, report.worst());
             points += report.entered.points;
             ++solved_now;
             ellipses += ellipse;

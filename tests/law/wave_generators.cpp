@@ -8,8 +8,8 @@
 
 #include "hdconj/numeric/error.hpp"
 #include "support/catch.hpp"
+#include "support/check_touch.hpp"
 #include "support/oracle/run.hpp"
-#include "support/oracle/touch_law.hpp"
 #include "support/random_wave_generators.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -35,11 +35,8 @@ void touch_law_holds(std::string const& family, std::uint64_t seed)
             Solution const solution = hdconj::solve(hdconj::parse_scene(designs::toml_of(scene), "generated scene", folder.path()));
             TouchScan scan(solution.scene, 1200);
             auto const report = touch_law(solution, scan, most, static_cast<std::uint64_t>(i));
-            INFO("touched: " << report.touched);
-            INFO("entered: " << report.entered);
-            CHECK(report.touched.deviation <= touch_limit);
-            CHECK(report.entered.deviation <= touch_limit);
-            worst = std::max({worst, report.touched.deviation, report.entered.deviation});
+            check_touched(report);
+            worst = std::max(worst, report.worst());
             points += report.entered.points;
         } catch (std::runtime_error const& error) {
             ++refused;

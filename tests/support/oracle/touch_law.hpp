@@ -4,6 +4,7 @@
 /// tooth (at the distance of the side clearance), and no point of the outline is entered.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <cstdlib>
@@ -72,6 +73,15 @@ struct TouchReport
 {
     Worst touched;  ///< |smallest distance - clearance| on flanks and corners
     Worst entered;  ///< how deep any point of the outline is entered
+
+    [[nodiscard]] double worst() const { return std::max(touched.deviation, entered.deviation); }
+    /// Also false for a NaN.
+    [[nodiscard]] bool holds() const { return touched.deviation <= touch_limit && entered.deviation <= touch_limit; }
+
+    friend std::ostream& operator<<(std::ostream& out, TouchReport const& report)
+    {
+        return out << "touched: " << report.touched << "\nentered: " << report.entered;
+    }
 };
 
 /// Checks at most @p most points (both ends of every piece first, the rest drawn by @p seed).
