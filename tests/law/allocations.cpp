@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdlib>
 #include <new>
+#include <vector>
 
 #include "hdconj/io/scene_toml.hpp"
 #include "hdconj/pipeline/contact.hpp"
@@ -100,6 +101,22 @@ void add_cup(Scene& scene)
     scene.bearing.emplace();
 }
 
+/// What contact has no use for, and solve neither.
+std::vector<Effect> const of_other_verbs{{"load", [](Scene& s) { s.load.emplace(); }}, {"wedm", [](Scene& s) { s.wedm.emplace(); }}, {"cup and bearing", add_cup}};
+
+/// Each of @p effects, added to @p base, leaves the allocations of a run as they are.
+void check_free(Scene const& base, std::vector<Effect> const& effects, std::size_t (*allocations_of_run)(Scene const&))
+{
+    std::size_t const plain = allocations_of_run(base);
+    for (Effect const& effect : effects)
+    {
+        INFO(effect.name);
+        Scene with = base;
+        effect.add(with);
+        CHECK(allocations_of_run(with) == plain);
+    }
+}
+
 }  // namespace
 
 TEST_CASE("effects that solve has no use for cost it no allocation", "[effects]")
@@ -109,17 +126,14 @@ TEST_CASE("effects that solve has no use for cost it no allocation", "[effects]"
     std::size_t const plain = allocations_of(base);
     REQUIRE(plain > 100);
     CHECK(allocations_of(base) == plain);
-    // asked of other verbs, or without slices that they could act on
-    for (Effect const& effect : {Effect{"contact", [](Scene& s) { s.contact.emplace(); }}, Effect{"load", [](Scene& s) { s.load.emplace(); }},
-                                 Effect{"wedm", [](Scene& s) { s.wedm.emplace(); }}, Effect{"coning", add_coning},
-                                 Effect{"tilt", [](Scene& s) { s.tilt = Tilt{0.01, "radial", 0}; }}, Effect{"cup and bearing", add_cup},
-                                 Effect{"backlash", [](Scene& s) { s.circular_spline.backlash_offset = 0; }}})
-    {
-        INFO(effect.name);
-        Scene with = base;
-        effect.add(with);
-        CHECK(allocations_of(with) == plain);
-    }
+    check_free(base, of_other_verbs, allocations_of);
+    // asked of another verb, or without slices that they could act on
+    check_free(base,
+               {{"contact", [](Scene& s) { s.contact.emplace(); }},
+                {"coning", add_coning},
+                {"tilt", [](Scene& s) { s.tilt = Tilt{0.01, "radial", 0}; }},
+                {"backlash", [](Scene& s) { s.circular_spline.backlash_offset = 0; }}},
+               allocations_of);
     // an effect whose stage runs allocates: the count can tell
     Scene slices = base;
     slices.slices = Slices{3, "tilted", 0};
@@ -147,13 +161,7 @@ TEST_CASE("effects that contact has no use for cost it no allocation", "[effects
     base.contact = ContactRequest{1e-3, 30, 0, 0};
     std::size_t const plain = allocations_of_contact(base);
     REQUIRE(plain > allocations_of(base));
-    for (Effect const& effect : {Effect{"load", [](Scene& s) { s.load.emplace(); }}, Effect{"wedm", [](Scene& s) { s.wedm.emplace(); }}, Effect{"cup and bearing", add_cup}})
-    {
-        INFO(effect.name);
-        Scene with = base;
-        effect.add(with);
-        CHECK(allocations_of_contact(with) == plain);
-    }
+    check_free(base, of_other_verbs, allocations_of_contact);
     // what it has a use for
     Scene slices = base;
     slices.slices = Slices{3, "tilted", 0};

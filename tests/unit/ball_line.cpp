@@ -9,8 +9,10 @@
 #include "hdconj/elastic/wave_generator_contact.hpp"
 #include "hdconj/numeric/error.hpp"
 #include "support/catch.hpp"
+#include "support/free_ring.hpp"
 
 using namespace hdconj;
+using test::free_ring;
 
 namespace {
 
@@ -71,44 +73,20 @@ TEST_CASE("balls push or the ring stands off them", "[balls]")
 
 TEST_CASE("a loose ring is that of balls as contacts of a free ring", "[balls]")
 {
-    // the second path: forces of the balls are unknowns of the same kind as those of the wall, and the ring lies on nothing else
     constexpr int angles = 24;
     for (double const oversize : {0.005, -0.02, -0.08})
     {
         CAPTURE(oversize);
         Bearing const bearing = ring(oversize);
         auto const contact = solved(bearing, cosine_cam(angles));
-        double const r = inner_radius - bearing.ring->thickness, apart = bearing.width / (across - 1);
-        FourierSolid const body(ring_mesh({r, 6}, {inner_radius, 12}, bearing.ring->material, {std::min(MeshSize{}.along, 1.5 * apart), 1.0}));
+        double const apart = bearing.width / (across - 1);
         FourierSolid const cup(section_mesh({}, contact_mesh_size(bearing, across)));
-        int node = -1;
-        for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i)
-            if ((body.mesh().nodes[i] - Vec2(r, 9)).norm() < 1e-9)
-                node = static_cast<int>(i);
-        REQUIRE(node >= 0);
-        std::vector<Station> on_ring, on_cup;
-        for (double const z : contact.z)
-        {
-            on_ring.push_back(wall_station(body.mesh(), z, 1, Direction::radial));
-            on_cup.push_back(wall_station(cup.mesh(), z, 0, Direction::radial));
-        }
-        on_ring.push_back(wall_station(body.mesh(), 9, 0, Direction::radial));
-        std::vector<InfluencePoint> wall, balls;
+        std::vector<InfluencePoint> wall;
         for (double const phi : contact.phi)
-        {
             for (std::size_t j = 0; j < contact.z.size(); ++j)
                 wall.push_back({j, phi});
-            balls.push_back({contact.z.size(), phi});
-        }
-        auto const harmonics = harmonics_of(2, angles);
-        Influence const ring_gives = influence(body, {{node, Direction::axial}, {node, Direction::tangential, -1, 0}}, on_ring, harmonics);
-        Repetition const repetition{2, true};
-        auto const rows = static_cast<Index>(wall.size()), points = static_cast<Index>(balls.size());
-        Complementarity both;
-        both.compliance.resize(rows + points, rows + points);
-        both.compliance << influence(cup, {}, on_cup, harmonics).matrix(wall, repetition) + ring_gives.matrix(wall, repetition), -ring_gives.matrix(wall, balls, repetition),
-            -ring_gives.matrix(balls, wall, repetition), ring_gives.matrix(balls, repetition);
-        both.approach = Eigen::VectorXd::Zero(rows + points);
+        Complementarity both = free_ring(cup, bearing, inner_radius, std::min(MeshSize{}.along, 1.5 * apart), contact.z, wall, contact.phi, harmonics_of(2, angles), {2, true});
+        auto const rows = static_cast<Index>(wall.size()), points = static_cast<Index>(contact.phi.size());
         for (Index m = 0; m < points; ++m)
             both.approach[rows + m] = 0.25 * std::cos(2 * contact.phi[static_cast<std::size_t>(m)]) + oversize;
         auto const expected = solve_complementarity(both);

@@ -13,8 +13,10 @@
 #include "hdconj/elastic/wave_generator_contact.hpp"
 #include "hdconj/numeric/error.hpp"
 #include "support/catch.hpp"
+#include "support/free_ring.hpp"
 
 using namespace hdconj;
+using test::free_ring;
 
 namespace {
 
@@ -97,7 +99,6 @@ double largest(Eigen::VectorXd const& values)
 
 TEST_CASE("single balls are forces on a free ring", "[balls]")
 {
-    // the second path: forces of the balls are unknowns of the same kind as those of the wall, and the ring lies on nothing else
     constexpr int sectors = 2;
     for (int const count : {2, 6, 14, 22})
         for (std::optional<double> const stiffness : {std::optional<double>(), std::optional<double>(2e4)})
@@ -108,33 +109,8 @@ TEST_CASE("single balls are forces on a free ring", "[balls]")
             REQUIRE(phi.size() == static_cast<std::size_t>(count / sectors));
             BallContact const found = drive.on(discrete_balls(drive.surface, sectors, drive.contacts, phi, stiffness));
 
-            Bearing const bearing = ring(0);
-            double const r = inner_radius - bearing.ring->thickness;
-            FourierSolid const body(ring_mesh({r, 6}, {inner_radius, 12}, bearing.ring->material, {MeshSize{}.along, 1.0}));
-            int node = -1;
-            for (std::size_t i = 0; i < body.mesh().nodes.size(); ++i)
-                if ((body.mesh().nodes[i] - Vec2(r, 9)).norm() < 1e-9)
-                    node = static_cast<int>(i);
-            REQUIRE(node >= 0);
-            std::vector<Station> on_ring, on_cup;
-            for (double const z : drive.z)
-            {
-                on_ring.push_back(wall_station(body.mesh(), z, 1, Direction::radial));
-                on_cup.push_back(wall_station(drive.cup.mesh(), z, 0, Direction::radial));
-            }
-            on_ring.push_back(wall_station(body.mesh(), 9, 0, Direction::radial));
-            std::vector<InfluencePoint> balls;
-            for (double const at : phi)
-                balls.push_back({drive.z.size(), at});
-            auto const harmonics = harmonics_of(sectors, sectors * (terms - 1));
-            Influence const gives = influence(body, {{node, Direction::axial}, {node, Direction::tangential, -1, 0}}, on_ring, harmonics);
-            Repetition const repetition{sectors, false};
-            auto const rows = static_cast<Index>(drive.wall.size()), points = static_cast<Index>(balls.size());
-            Complementarity both;
-            both.compliance.resize(rows + points, rows + points);
-            both.compliance << influence(drive.cup, {}, on_cup, harmonics).matrix(drive.wall, repetition) + gives.matrix(drive.wall, repetition),
-                -gives.matrix(drive.wall, balls, repetition), -gives.matrix(balls, drive.wall, repetition), gives.matrix(balls, repetition);
-            both.approach = Eigen::VectorXd::Zero(rows + points);
+            Complementarity both = free_ring(drive.cup, ring(0), inner_radius, MeshSize{}.along, drive.z, drive.wall, phi, harmonics_of(sectors, sectors * (terms - 1)), {sectors, false});
+            auto const rows = static_cast<Index>(drive.wall.size()), points = static_cast<Index>(phi.size());
             for (Index m = 0; m < points; ++m)
             {
                 both.approach[rows + m] = amplitude * std::cos(2 * phi[static_cast<std::size_t>(m)]) - 0.004;
