@@ -11,6 +11,7 @@
 
 #include "hdconj/elastic/bearing.hpp"
 #include "hdconj/numeric/error.hpp"
+#include "mean_of_cosine.hpp"
 
 namespace hdconj {
 namespace {
@@ -73,8 +74,7 @@ BallLine ball_line(BearingSurface const& surface, int waves, BearingContacts con
         sine = sine.cwiseProduct(share);
         line.held += arc * felt * (surface.reaction_cosine[column] * cosine + surface.reaction_sine[column] * sine);
         line.stiffness += arc * felt * coefficient * surface.reaction_to_lift[column] * (cosine * cosine.transpose() + sine * sine.transpose());
-        double const half = n * contacts.spread / 2;
-        double const mean = coefficient * (half == 0 ? 1 : std::sin(half) / half);
+        double const mean = coefficient * mean_of_cosine(n, contacts.spread);
         for (Index i = 0; i < rows; ++i)
         {
             double const angle = n * contacts.phi[static_cast<std::size_t>(i)];

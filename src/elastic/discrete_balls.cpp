@@ -8,6 +8,7 @@
 #include <string>
 
 #include "hdconj/numeric/error.hpp"
+#include "mean_of_cosine.hpp"
 
 namespace hdconj {
 namespace {
@@ -80,8 +81,7 @@ DiscreteBalls discrete_balls(BearingSurface const& surface, int sectors, Bearing
     for (Index k = 0; k < terms; ++k)
     {
         double const weight = k == 0 ? part : part / 2;
-        double const half = static_cast<double>(k) * sectors * contacts.spread / 2;
-        mean[static_cast<std::size_t>(k)] = half == 0 ? 1 : std::sin(half) / half;
+        mean[static_cast<std::size_t>(k)] = mean_of_cosine(static_cast<double>(k) * sectors, contacts.spread);
         // a ring that shifts bends nothing; what is left of its stiffness is rounding
         double const bends = k == 1 && sectors == 1 ? 0 : weight * surface.reaction_to_lift[k];
         Index const cosine = k == 0 ? 0 : 2 * k - 1;
