@@ -6,26 +6,16 @@
 #include <span>
 #include <string>
 
+#include "figure_of.hpp"
 #include "hdconj/pipeline/contact_study.hpp"
 
 namespace hdconj {
 
-/// One number of a @p Record: a column in HDF5, a key in JSON.
-template <class Record>
-struct ContactFigure
-{
-    char const* column;      ///< name in HDF5
-    char const* units;       ///< there
-    char const* key;         ///< in JSON, ending in its unit
-    double json_per_stored;  ///< from the unit in HDF5 to that in JSON
-    double (*value)(Record const&);
-};
-
 /// At one angle of the wave generator.
-[[nodiscard]] std::span<ContactFigure<ContactState> const> state_figures();
+[[nodiscard]] std::span<FigureOf<ContactState> const> state_figures();
 
 /// Of the surface, over a full turn.
-[[nodiscard]] std::span<ContactFigure<ContactCase> const> case_figures();
+[[nodiscard]] std::span<FigureOf<ContactCase> const> case_figures();
 
 /// Arc minutes per radian.
 inline constexpr double arcmin_per_radian = 57.295779513082320877 * 60;

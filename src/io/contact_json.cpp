@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The keys are an interface, described in docs/json.md.
-#include <span>
-
 #include "contact_figures.hpp"
 #include "hdconj/io/contact_files.hpp"
 #include "summary_figures.hpp"
@@ -9,14 +7,6 @@
 
 namespace hdconj {
 namespace {
-
-template <class Record>
-void add_figures(Json& object, std::span<ContactFigure<Record> const> figures, Record const& record)
-{
-    for (auto const& figure : figures) {
-        object[figure.key] = number(figure.value(record) * figure.json_per_stored);
-    }
-}
 
 Json state_object(ContactState const& state, ContactStudy const& study)
 {

@@ -235,10 +235,7 @@ std::string summary_text(ContactStudy const& study, std::vector<WrittenFile> con
     if (study.shown < study.cases.size()) {
         page.line("\ncircular spline, as written: {}", case_name(study.cases[study.shown]));
     }
-    write_certificate(page, study.solution);
-    write_errors(page, study.solution);
-    write_timing(page, study.solution);
-    write_files(page, written);
+    write_end(page, study.solution, written);
     return page.text();
 }
 

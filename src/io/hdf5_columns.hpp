@@ -7,7 +7,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "contact_figures.hpp"
+#include "figure_of.hpp"
 #include "hdf5_writer.hpp"
 
 namespace hdconj::hdf5 {
@@ -26,7 +26,7 @@ auto column(std::vector<Record> const& records, Take take)
 
 /// One dataset per figure that has a column.
 template <class Record>
-void write_columns(Writer const& place, std::span<ContactFigure<Record> const> figures, std::vector<Record> const& records)
+void write_columns(Writer const& place, std::span<FigureOf<Record> const> figures, std::vector<Record> const& records)
 {
     for (auto const& figure : figures) {
         if (figure.column != nullptr) {

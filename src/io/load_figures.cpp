@@ -15,7 +15,7 @@ constexpr char const* json_only = nullptr;
 
 struct StateRow
 {
-    LoadFigure<LoadedState> figure;
+    FigureOf<LoadedState> figure;
     bool has_error;  ///< estimated in LoadCase::error
 };
 
@@ -49,20 +49,20 @@ constexpr auto estimated_rows = static_cast<std::size_t>(std::count_if(std::begi
 
 }  // namespace
 
-std::span<LoadFigure<LoadedState> const> loaded_state_figures()
+std::span<FigureOf<LoadedState> const> loaded_state_figures()
 {
     static constexpr auto figures = [] {
-        std::array<LoadFigure<LoadedState>, std::size(state_rows)> all{};
+        std::array<FigureOf<LoadedState>, std::size(state_rows)> all{};
         std::transform(std::begin(state_rows), std::end(state_rows), all.begin(), [](StateRow const& row) { return row.figure; });
         return all;
     }();
     return figures;
 }
 
-std::span<LoadFigure<LoadedState> const> loaded_error_figures()
+std::span<FigureOf<LoadedState> const> loaded_error_figures()
 {
     static constexpr auto figures = [] {
-        std::array<LoadFigure<LoadedState>, estimated_rows> some{};
+        std::array<FigureOf<LoadedState>, estimated_rows> some{};
         std::size_t i = 0;
         for (StateRow const& row : state_rows) {
             if (row.has_error) {
@@ -74,9 +74,9 @@ std::span<LoadFigure<LoadedState> const> loaded_error_figures()
     return figures;
 }
 
-std::span<LoadFigure<LoadCase> const> load_case_figures()
+std::span<FigureOf<LoadCase> const> load_case_figures()
 {
-    using Row = LoadFigure<LoadCase>;
+    using Row = FigureOf<LoadCase>;
     using Case = LoadCase const&;
     static constexpr std::array figures = {
         Row{"tilt", "rad", "tilt_deg", degree_per_radian, [](Case c) { return c.tilt; }},
@@ -98,9 +98,9 @@ std::span<LoadFigure<LoadCase> const> load_case_figures()
     return figures;
 }
 
-std::span<LoadFigure<AssembledCup> const> assembled_cup_figures()
+std::span<FigureOf<AssembledCup> const> assembled_cup_figures()
 {
-    using Row = LoadFigure<AssembledCup>;
+    using Row = FigureOf<AssembledCup>;
     using Assembled = AssembledCup const&;
     static constexpr std::array figures = {
         Row{"coning_major_rad", "rad", "coning_major_deg", degree_per_radian, [](Assembled c) { return c.coning_major; }},

@@ -13,25 +13,21 @@
 
 namespace hdconj {
 
-/// As of a contact study. Without a column it is in JSON only.
-template <class Record>
-using LoadFigure = ContactFigure<Record>;
-
 /// At one torque.
-[[nodiscard]] std::span<LoadFigure<LoadedState> const> loaded_state_figures();
+[[nodiscard]] std::span<FigureOf<LoadedState> const> loaded_state_figures();
 
 /// Those of them that have an error estimate, LoadCase::error.
-[[nodiscard]] std::span<LoadFigure<LoadedState> const> loaded_error_figures();
+[[nodiscard]] std::span<FigureOf<LoadedState> const> loaded_error_figures();
 
 /// What forces of balls are in: single ones in N, a line of them in N/mm.
 [[nodiscard]] inline char const* ball_units(LoadStudy const& study) { return study.balls > 0 ? "N" : "N/mm"; }
 [[nodiscard]] inline char const* ball_key(LoadStudy const& study) { return study.balls > 0 ? "ball_force_N" : "ball_force_N_per_mm"; }
 
 /// Of the surface, with its stages.
-[[nodiscard]] std::span<LoadFigure<LoadCase> const> load_case_figures();
+[[nodiscard]] std::span<FigureOf<LoadCase> const> load_case_figures();
 
 /// Of the cup without torque.
-[[nodiscard]] std::span<LoadFigure<AssembledCup> const> assembled_cup_figures();
+[[nodiscard]] std::span<FigureOf<AssembledCup> const> assembled_cup_figures();
 
 /// What a test rig gave.
 struct MeasuredFigure

@@ -1,21 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The keys are an interface, described in docs/json.md.
-#include <span>
-
 #include "load_figures.hpp"
 #include "summary_figures.hpp"
 #include "summary_object.hpp"
 
 namespace hdconj {
 namespace {
-
-template <class Record>
-void add_figures(Json& object, std::span<LoadFigure<Record> const> figures, Record const& record)
-{
-    for (auto const& figure : figures) {
-        object[figure.key] = number(figure.value(record) * figure.json_per_stored);
-    }
-}
 
 Json state_object(LoadedState const& state, LoadStudy const& study)
 {

@@ -241,10 +241,7 @@ std::string summary_text(LoadStudy const& study, std::vector<WrittenFile> const&
     if (auto const* shown = shown_case(study)) {
         page.line("\ncup and circular spline, as written: {}", case_name(*shown));
     }
-    write_certificate(page, study.solution);
-    write_errors(page, study.solution);
-    write_timing(page, study.solution);
-    write_files(page, written);
+    write_end(page, study.solution, written);
     return page.text();
 }
 

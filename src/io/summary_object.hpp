@@ -4,7 +4,9 @@
 #pragma once
 
 #include <nlohmann/json.hpp>
+#include <span>
 
+#include "figure_of.hpp"
 #include "hdconj/io/result_files.hpp"
 
 namespace hdconj {
@@ -13,6 +15,15 @@ using Json = nlohmann::ordered_json;
 
 /// JSON has no NaN and no infinity.
 [[nodiscard]] Json number(double value);
+
+/// Every figure of @p record under its key.
+template <class Record>
+void add_figures(Json& object, std::span<FigureOf<Record> const> figures, Record const& record)
+{
+    for (auto const& figure : figures) {
+        object[figure.key] = number(figure.value(record) * figure.json_per_stored);
+    }
+}
 
 /// Everything that is known of @p solution, without "timing" and "files", which stand last.
 [[nodiscard]] Json summary_object(Solution const& solution);

@@ -43,13 +43,7 @@ class Page
 /// Name, numbers of teeth, ratio, kinematics.
 void write_drive(Page& page, Solution const& solution);
 
-void write_certificate(Page& page, Solution const& solution);
-
-/// Errors of the written points.
-void write_errors(Page& page, Solution const& solution);
-
-void write_timing(Page& page, Solution const& solution);
-
-void write_files(Page& page, std::vector<WrittenFile> const& written);
+/// What every verb that goes on from the solution ends with: certificate, errors of the written points, times and files.
+void write_end(Page& page, Solution const& solution, std::vector<WrittenFile> const& written);
 
 }  // namespace hdconj

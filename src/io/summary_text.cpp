@@ -73,48 +73,6 @@ char const* verdict(double clearance, double tolerance)
                                     : "the teeth are apart";
 }
 
-void write_outline(Page& page, Solution const& solution)
-{
-    auto const& spline = solution.circular_spline;
-    bool const reverse = solution.scene.is_reverse();
-    if (reverse) {
-        page.line("\nflexspline tooth, solved for: {} points, {} pieces", solution.flexspline_outline.size(),
-                  solution.flexspline_pieces.size());
-    }
-    page.line("{}circular spline{}: {} slice{}, {} points, {} pieces", reverse ? "" : "\n", reverse ? ", given" : "",
-              spline.outline.size(), spline.outline.size() == 1 ? "" : "s", outline_points(solution),
-              spline.pieces.size());
-    if (solution.check) {
-        auto const& check = *solution.check;
-        page.figure("smallest clearance", um(check.smallest_clearance),
-                    fmt::format("+- {}, {}: at ({:.4f}, {:.4f}) mm{}, tooth at phi {:.3f} deg", um(solution.error.clearance),
-                                verdict(check.smallest_clearance, solution.scene.solver.tolerance), check.where.x(),
-                                check.where.y(), reverse ? " of the flexspline tooth" : "", degrees(check.at_phi)));
-        page.line("  {:<{}}{} points x {} positions over a full turn", "", Page::label_width, check.points, check.positions);
-    } else {
-        page.line("  {:<{}}{:>14}", "smallest clearance", Page::label_width, "not computed");
-    }
-    for (auto const& note : solution.notes) {
-        page.line("  note: {}", note);
-    }
-    write_errors(page, solution);
-}
-
-}  // namespace
-
-std::string um(double value_mm, char const* sign)
-{
-    return fmt::format("{}{:.3g} um", sign, value_mm * um_per_mm);
-}
-
-void write_drive(Page& page, Solution const& solution)
-{
-    auto const& drive = solution.scene.drive;
-    page.line("{}: m {:g} mm, z_f/z_c {}/{}, ratio {:g}, {} waves, kinematics {}", drive.name, drive.module,
-              drive.flexspline_teeth, drive.circular_spline_teeth, solution.geometry.ratio,
-              solution.scene.wave_generator.waves, to_string(solution.scene.is_elastic() ? Kinematics::material : solution.scene.solver.kinematics));
-}
-
 void write_certificate(Page& page, Solution const& solution)
 {
     auto const& places = solution.certificate.undecided;
@@ -157,6 +115,56 @@ void write_files(Page& page, std::vector<WrittenFile> const& written)
     for (auto const& file : written) {
         page.figure(file.kind, fmt::format("{:.3f} ms", file.seconds * ms_per_s), file.file.string());
     }
+}
+
+void write_outline(Page& page, Solution const& solution)
+{
+    auto const& spline = solution.circular_spline;
+    bool const reverse = solution.scene.is_reverse();
+    if (reverse) {
+        page.line("\nflexspline tooth, solved for: {} points, {} pieces", solution.flexspline_outline.size(),
+                  solution.flexspline_pieces.size());
+    }
+    page.line("{}circular spline{}: {} slice{}, {} points, {} pieces", reverse ? "" : "\n", reverse ? ", given" : "",
+              spline.outline.size(), spline.outline.size() == 1 ? "" : "s", outline_points(solution),
+              spline.pieces.size());
+    if (solution.check) {
+        auto const& check = *solution.check;
+        page.figure("smallest clearance", um(check.smallest_clearance),
+                    fmt::format("+- {}, {}: at ({:.4f}, {:.4f}) mm{}, tooth at phi {:.3f} deg", um(solution.error.clearance),
+                                verdict(check.smallest_clearance, solution.scene.solver.tolerance), check.where.x(),
+                                check.where.y(), reverse ? " of the flexspline tooth" : "", degrees(check.at_phi)));
+        page.line("  {:<{}}{} points x {} positions over a full turn", "", Page::label_width, check.points, check.positions);
+    } else {
+        page.line("  {:<{}}{:>14}", "smallest clearance", Page::label_width, "not computed");
+    }
+    for (auto const& note : solution.notes) {
+        page.line("  note: {}", note);
+    }
+    write_errors(page, solution);
+}
+
+}  // namespace
+
+std::string um(double value_mm, char const* sign)
+{
+    return fmt::format("{}{:.3g} um", sign, value_mm * um_per_mm);
+}
+
+void write_drive(Page& page, Solution const& solution)
+{
+    auto const& drive = solution.scene.drive;
+    page.line("{}: m {:g} mm, z_f/z_c {}/{}, ratio {:g}, {} waves, kinematics {}", drive.name, drive.module,
+              drive.flexspline_teeth, drive.circular_spline_teeth, solution.geometry.ratio,
+              solution.scene.wave_generator.waves, to_string(solution.scene.is_elastic() ? Kinematics::material : solution.scene.solver.kinematics));
+}
+
+void write_end(Page& page, Solution const& solution, std::vector<WrittenFile> const& written)
+{
+    write_certificate(page, solution);
+    write_errors(page, solution);
+    write_timing(page, solution);
+    write_files(page, written);
 }
 
 std::string summary_text(Solution const& solution, std::vector<WrittenFile> const& written)
