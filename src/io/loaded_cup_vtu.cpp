@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// XML unstructured grid of VTK: a frame of text, numbers in base64 after their length in bytes.
+// The cup under load, cells of corners alone, arrays in base64 after their length in bytes.
 #include <fmt/format.h>
 
 #include <array>
@@ -11,6 +11,7 @@
 
 #include "hdconj/io/atomic_file.hpp"
 #include "hdconj/io/load_files.hpp"
+#include "vtu_text.hpp"
 
 namespace hdconj {
 namespace {
@@ -18,7 +19,7 @@ namespace {
 // VTK's numbers of the cells' kinds.
 constexpr std::uint8_t hexahedron = 12, wedge = 13;
 
-static_assert(std::endian::native == std::endian::little, "the header says so");
+static_assert(std::endian::native == std::endian::little, "the file says so");
 
 void append_base64(std::string& text, std::string const& bytes)
 {
@@ -130,12 +131,12 @@ void write_cup_vtu(LoadStudy const& study, std::filesystem::path const& file)
     for (std::size_t a = 0; a < angles; ++a) {
         std::size_t const from = a % shape.phi.size();
         double const phi = shape.phi[from] + 2 * std::numbers::pi * static_cast<double>(a / shape.phi.size()) / static_cast<double>(sweep.copies);
-        double const sine = std::sin(phi), cosine = std::cos(phi);
+        SectionAxes const axes(phi);
         for (std::size_t const node : corners.node) {
             std::size_t const at = from * shape.r.size() + node;
-            // Outwards (sin, cos), along growing angles (cos, -sin): clockwise from the y axis.
-            points.insert(points.end(), {shape.r[node] * sine, shape.r[node] * cosine, shape.z[node]});
-            displacement.insert(displacement.end(), {shape.u_r[at] * sine + shape.u_t[at] * cosine, shape.u_r[at] * cosine - shape.u_t[at] * sine, shape.u_z[at]});
+            auto const point = axes.point(shape.r[node], shape.z[node]), moved = axes.vector(shape.u_r[at], shape.u_t[at], shape.u_z[at]);
+            points.insert(points.end(), point.begin(), point.end());
+            displacement.insert(displacement.end(), moved.begin(), moved.end());
             if (!shape.stress.empty()) {
                 stress.push_back(shape.stress[at]);
             }
@@ -158,20 +159,21 @@ void write_cup_vtu(LoadStudy const& study, std::filesystem::path const& file)
             types.push_back(near_first ? hexahedron : wedge);
         }
     }
-    std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\">\n<UnstructuredGrid>\n";
-    text += fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n", points.size() / 3, types.size());
-    append_array(text, "", "Float64", 3, points);
-    text += "</Points>\n<Cells>\n";
-    append_array(text, "connectivity", "Int64", 1, connectivity);
-    append_array(text, "offsets", "Int64", 1, offsets);
-    append_array(text, "types", "UInt8", 1, types);
-    text += fmt::format("</Cells>\n<PointData Vectors=\"displacement\"{}>\n", stress.empty() ? "" : " Scalars=\"von_mises\"");
-    append_array(text, "displacement", "Float64", 3, displacement);
+    VtuText grid;
+    grid.arrays_are = "version=\"1.0\" byte_order=\"LittleEndian\" header_type=\"UInt64\"";
+    grid.points = points.size() / 3;
+    grid.cells = types.size();
+    append_array(grid.point_array, "", "Float64", 3, points);
+    append_array(grid.cell_arrays, "connectivity", "Int64", 1, connectivity);
+    append_array(grid.cell_arrays, "offsets", "Int64", 1, offsets);
+    append_array(grid.cell_arrays, "types", "UInt8", 1, types);
+    grid.shown = "Vectors=\"displacement\"";
+    append_array(grid.data_arrays, "displacement", "Float64", 3, displacement);
     if (!stress.empty()) {
-        append_array(text, "von_mises", "Float64", 1, stress);
+        grid.shown += " Scalars=\"von_mises\"";
+        append_array(grid.data_arrays, "von_mises", "Float64", 1, stress);
     }
-    text += "</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
-    write_text_atomically(file, text);
+    write_text_atomically(file, vtu_text(grid));
 }
 
 }  // namespace hdconj

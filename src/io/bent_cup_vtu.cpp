@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// VTK XML, unstructured grid, as text.
+// The bent cup, quadratic elements, arrays as text.
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <numeric>
 
 #include "hdconj/elastic/swept_mesh.hpp"
 #include "hdconj/io/atomic_file.hpp"
 #include "hdconj/io/cup_files.hpp"
+#include "vtu_text.hpp"
 
 namespace hdconj {
 namespace {
@@ -46,9 +49,23 @@ class NodalStress
     Eigen::MatrixXd stress_;
 };
 
-void array(std::string& text, char const* attributes)
+/// An array as text, a line for each of @p items.
+template <class Items, class Write>
+std::string array(char const* attributes, Items const& items, Write write)
 {
-    text += fmt::format("<DataArray {} format=\"ascii\">\n", attributes);
+    std::string text = fmt::format("<DataArray {} format=\"ascii\">\n", attributes);
+    for (auto const& item : items) {
+        write(std::back_inserter(text), item);
+        text += '\n';
+    }
+    return text + "</DataArray>\n";
+}
+
+using Out = std::back_insert_iterator<std::string>;
+
+void write_three(Out out, std::array<double, 3> const& values)
+{
+    fmt::format_to(out, "{:.9g} {:.9g} {:.9g}", values[0], values[1], values[2]);
 }
 
 }  // namespace
@@ -64,47 +81,33 @@ void write_vtu(BentCup const& cup, std::filesystem::path const& file, int steps)
     NodalStress const stress(section, cup.field(), phi);
     auto const angle_of = [&](SweptNode const& node) { return static_cast<std::size_t>(std::lround(node.phi * steps / std::numbers::pi)); };
 
-    std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" byte_order=\"LittleEndian\">\n<UnstructuredGrid>\n";
-    auto const out = std::back_inserter(text);
-    fmt::format_to(out, "<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n<Points>\n", mesh.nodes.size(), mesh.elements.size());
-    array(text, "type=\"Float64\" NumberOfComponents=\"3\"");
-    for (SweptNode const& node : mesh.nodes) {
+    std::vector<std::size_t> number(mesh.elements.size());
+    std::iota(number.begin(), number.end(), std::size_t{0});
+
+    VtuText grid;
+    grid.arrays_are = "version=\"0.1\" byte_order=\"LittleEndian\"";
+    grid.points = mesh.nodes.size();
+    grid.cells = mesh.elements.size();
+    grid.point_array = array("type=\"Float64\" NumberOfComponents=\"3\"", mesh.nodes, [&](Out out, SweptNode const& node) {
         Vec2 const& at = section.nodes[static_cast<std::size_t>(node.section)];
-        fmt::format_to(out, "{:.9g} {:.9g} {:.9g}\n", at.x() * std::sin(node.phi), at.x() * std::cos(node.phi), at.y() - cup.bearing().middle);
-    }
-    text += "</DataArray>\n</Points>\n<Cells>\n";
-    array(text, "type=\"Int32\" Name=\"connectivity\"");
-    for (auto const& element : mesh.elements) {
+        write_three(out, SectionAxes(node.phi).point(at.x(), at.y() - cup.bearing().middle));
+    });
+    grid.cell_arrays = array("type=\"Int32\" Name=\"connectivity\"", mesh.elements, [](Out out, auto const& element) {
         // sin and cos have changed places: the frame is the mirror image, and the faces change theirs
         for (std::size_t const a : {4U, 5U, 6U, 7U, 0U, 1U, 2U, 3U, 12U, 13U, 14U, 15U, 8U, 9U, 10U, 11U, 16U, 17U, 18U, 19U}) {
             fmt::format_to(out, "{} ", element[a]);
         }
-        text += '\n';
-    }
-    text += "</DataArray>\n";
-    array(text, "type=\"Int32\" Name=\"offsets\"");
-    for (std::size_t i = 1; i <= mesh.elements.size(); ++i) {
-        fmt::format_to(out, "{}\n", 20 * i);
-    }
-    text += "</DataArray>\n";
-    array(text, "type=\"UInt8\" Name=\"types\"");
-    for (std::size_t i = 0; i < mesh.elements.size(); ++i) {
-        fmt::format_to(out, "{}\n", quadratic_hexahedron);
-    }
-    text += "</DataArray>\n</Cells>\n<PointData Vectors=\"displacement\" Scalars=\"von_mises\">\n";
-    array(text, "type=\"Float64\" Name=\"displacement\" NumberOfComponents=\"3\"");
-    for (SweptNode const& node : mesh.nodes) {
+    });
+    grid.cell_arrays += array("type=\"Int32\" Name=\"offsets\"", number, [](Out out, std::size_t i) { fmt::format_to(out, "{}", 20 * (i + 1)); });
+    grid.cell_arrays += array("type=\"UInt8\" Name=\"types\"", number, [](Out out, std::size_t) { fmt::format_to(out, "{}", quadratic_hexahedron); });
+    grid.shown = "Vectors=\"displacement\" Scalars=\"von_mises\"";
+    grid.data_arrays = array("type=\"Float64\" Name=\"displacement\" NumberOfComponents=\"3\"", mesh.nodes, [&](Out out, SweptNode const& node) {
         Eigen::Vector3d const u = node_displacement(cup.field(), node.section, node.phi);
-        double const s = std::sin(node.phi), c = std::cos(node.phi);
-        fmt::format_to(out, "{:.9g} {:.9g} {:.9g}\n", u[0] * s + u[2] * c, u[0] * c - u[2] * s, u[1]);
-    }
-    text += "</DataArray>\n";
-    array(text, "type=\"Float64\" Name=\"von_mises\"");
-    for (SweptNode const& node : mesh.nodes) {
-        fmt::format_to(out, "{:.6g}\n", stress.at(node.section, angle_of(node)));
-    }
-    text += "</DataArray>\n</PointData>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
-    write_text_atomically(file, text);
+        write_three(out, SectionAxes(node.phi).vector(u[0], u[2], u[1]));
+    });
+    grid.data_arrays += array("type=\"Float64\" Name=\"von_mises\"", mesh.nodes,
+                              [&](Out out, SweptNode const& node) { fmt::format_to(out, "{:.6g}", stress.at(node.section, angle_of(node))); });
+    write_text_atomically(file, vtu_text(grid));
 }
 
 }  // namespace hdconj
