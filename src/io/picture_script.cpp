@@ -101,15 +101,19 @@ std::vector<Vec2> tip_circle(Solution const& solution, Window const& window)
     return arc;
 }
 
-/// The material outside the outline, closed beyond the frame.
-std::vector<Vec2> material(std::vector<Vec2> outline, Window const& window)
+/// The material on one side of the outline, closed beyond the frame: at the height @p beyond.
+std::vector<Vec2> material(std::vector<Vec2> outline, Window const& window, double beyond)
 {
     if (!outline.empty()) {
-        double const beyond = 2 * window.high - window.low;
         outline.insert(outline.begin(), {{2 * window.left, beyond}, {2 * window.left, outline.front().y()}});
         outline.insert(outline.end(), {{2 * window.right, outline.back().y()}, {2 * window.right, beyond}});
     }
     return outline;
+}
+
+void add_material(Plot& plot, std::vector<Vec2> const& body)
+{
+    plot.add({body}, "filledcurves closed", fmt::format("fillstyle solid noborder linecolor rgb '{}'", colour_material), "");
 }
 
 std::string numbers_of(Solution const& solution)
@@ -150,15 +154,8 @@ std::string reverse_script(Solution const& solution, PictureFormat format)
     double const air = margin * (high + geometry.dedendum);
     Window const window{-half, half, -geometry.dedendum - air, high + air};
     double const tolerance = finest_detail / window.scale();
-    auto body = outline;
-    if (!body.empty()) {
-        double const beyond = 2 * window.low - window.high;
-        body.insert(body.begin(), {{2 * window.left, beyond}, {2 * window.left, outline.front().y()}});
-        body.insert(body.end(), {{2 * window.right, outline.back().y()}, {2 * window.right, beyond}});
-    }
     Plot plot(window);
-    plot.add({body}, "filledcurves closed",
-             fmt::format("fillstyle solid noborder linecolor rgb '{}'", colour_material), "");
+    add_material(plot, material(outline, window, 2 * window.low - window.high));
     plot.add(thinned(solution.tooth_family, tolerance), line(colour_family, 0.7),
              fmt::format("circular-spline teeth, {} positions", solution.tooth_family.size()));
     add_branches(plot, solution, tolerance, false);
@@ -183,8 +180,7 @@ std::string picture_script(Solution const& solution, PictureFormat format)
     double const tolerance = finest_detail / window.scale();
     auto const thin = [&](Polylines const& lines) { return thinned(lines, tolerance); };
     Plot plot(window);
-    plot.add({material(outline, window)}, "filledcurves closed",
-             fmt::format("fillstyle solid noborder linecolor rgb '{}'", colour_material), "");
+    add_material(plot, material(outline, window, 2 * window.high - window.low));
     plot.add(thin(solution.tooth_family), line(colour_family, 0.7),
              fmt::format("flexspline tooth, {} positions", solution.tooth_family.size()));
     add_branches(plot, solution, tolerance, false);

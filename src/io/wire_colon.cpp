@@ -38,10 +38,8 @@ std::string text_of(WireProgram const& program, WirePass const& pass)
 
 std::vector<WireText> write(WireProgram const& program, std::string const& stem)
 {
-    std::vector<WireText> files;
-    for (auto const& pass : program.passes) {
-        files.push_back({pass_file(stem, "twoplane", pass, "nc"), text_of(program, pass), pass.number, pass.moves.size() - 1});
-        auto const& file = files.back();
+    auto files = write_each(program, stem, "twoplane", "nc", text_of);
+    for (auto const& file : files) {
         if (file.blocks > most_blocks || file.text.size() > most_bytes) {
             throw NumericalError("wire files", file.name,
                                  fmt::format("{} blocks, {} bytes; controllers of this dialect take {} and {}: take a coarser "

@@ -29,6 +29,20 @@ struct FacePath
     std::vector<Vec2> upper;
 };
 
+/// "NAME_xyuv_guide_pass1.ngc"
+[[nodiscard]] std::string pass_file(std::string const& stem, std::string const& what, WirePass const& pass, std::string const& ending);
+
+/// A file for each pass, a block for each of its moves: text_of(program, pass).
+template <class TextOf>
+std::vector<WireText> write_each(WireProgram const& program, std::string const& stem, std::string const& what, std::string const& ending, TextOf text_of)
+{
+    std::vector<WireText> files;
+    for (auto const& pass : program.passes) {
+        files.push_back({pass_file(stem, what, pass, ending), text_of(program, pass), pass.number, pass.moves.size() - 1});
+    }
+    return files;
+}
+
 /// Reads every file of a dialect whose files hold one pass each.
 template <FacePath (*read_one)(WireText const&)>
 std::vector<FacePath> read_each(std::vector<WireText> const& files, WireProgram const& /*program*/)
@@ -87,8 +101,5 @@ WirePost iso2d_post();
 
 /// "set-up 1 of 2: 100 spaces from 0 clockwise, part turned 0 deg"
 [[nodiscard]] std::string set_up_words(WireProgram const& program);
-
-/// "NAME_xyuv_guide_pass1.ngc"
-[[nodiscard]] std::string pass_file(std::string const& stem, std::string const& what, WirePass const& pass, std::string const& ending);
 
 }  // namespace hdconj

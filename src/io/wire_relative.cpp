@@ -32,11 +32,7 @@ std::string text_of(WireProgram const& program, WirePass const& pass)
 
 std::vector<WireText> write(WireProgram const& program, std::string const& stem)
 {
-    std::vector<WireText> files;
-    for (auto const& pass : program.passes) {
-        files.push_back({pass_file(stem, "rel", pass, "iso"), text_of(program, pass), pass.number, pass.moves.size() - 1});
-    }
-    return files;
+    return write_each(program, stem, "rel", "iso", text_of);
 }
 
 FacePath read_one(WireText const& file)

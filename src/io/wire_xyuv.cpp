@@ -53,12 +53,8 @@ std::string text_of(WireProgram const& program, WirePass const& pass, WirePlanes
 
 std::vector<WireText> write(WireProgram const& program, std::string const& stem, WirePlanes planes)
 {
-    std::vector<WireText> files;
-    for (auto const& pass : program.passes) {
-        files.push_back({pass_file(stem, planes == WirePlanes::guides ? "xyuv_guide" : "xyuv_face", pass, "ngc"),
-                         text_of(program, pass, planes), pass.number, pass.moves.size() - 1});
-    }
-    return files;
+    return write_each(program, stem, planes == WirePlanes::guides ? "xyuv_guide" : "xyuv_face", "ngc",
+                      [planes](WireProgram const& whole, WirePass const& pass) { return text_of(whole, pass, planes); });
 }
 
 FacePath read_one(WireText const& file, WireProgram const& program, WirePlanes planes)
