@@ -44,8 +44,9 @@ struct Case
 
 constexpr int instants = 64;
 
-/// Contacts of every piece at 64 instants, proved.
-void contacts_certified(benchmark::State& state)
+/// Calls @p count with every piece at 64 instants: its contacts then.
+template <class Count>
+void contacts(benchmark::State& state, Count count)
 {
     Case const c(state);
     int found = 0;
@@ -56,46 +57,42 @@ void contacts_certified(benchmark::State& state)
         {
             Twist const twist = c.motion.rates(-c.end + (2 * k + 1) * c.end / instants).twist;
             for (CurvePiece const& piece : c.pieces)
-                found += curve_contacts(piece, twist).count;
+                found += count(piece, twist);
         }
     }
     state.counters["roots"] = found;
+}
+
+/// Proved.
+void contacts_certified(benchmark::State& state)
+{
+    contacts(state, [](CurvePiece const& piece, Twist const& twist) { return curve_contacts(piece, twist).count; });
 }
 BENCHMARK(contacts_certified)->Arg(20)->Arg(200)->Unit(benchmark::kMicrosecond);
 
 /// The same by signs at 9 points a piece and bracketing.
 void contacts_by_scan(benchmark::State& state)
 {
-    Case const c(state);
-    int found = 0;
-    for (auto _ : state)
-    {
-        found = 0;
-        for (int k = 0; k < instants; ++k)
+    contacts(state, [](CurvePiece const& piece, Twist const& twist) {
+        BernsteinWork f{};
+        std::span<double> const coefficients(f.data(), piece.a().size());
+        (void)meshing_polynomial(piece, twist, coefficients);
+        auto const value = [&](double t) { return bernstein_value(coefficients, t); };
+        constexpr int steps = 8;
+        int found = 0;
+        double before = value(0);
+        for (int i = 1; i <= steps; ++i)
         {
-            Twist const twist = c.motion.rates(-c.end + (2 * k + 1) * c.end / instants).twist;
-            for (CurvePiece const& piece : c.pieces)
+            double const now = value(static_cast<double>(i) / steps);
+            if ((before < 0) != (now < 0))
             {
-                BernsteinWork f{};
-                std::span<double> const coefficients(f.data(), piece.a().size());
-                (void)meshing_polynomial(piece, twist, coefficients);
-                auto const value = [&](double t) { return bernstein_value(coefficients, t); };
-                constexpr int steps = 8;
-                double before = value(0);
-                for (int i = 1; i <= steps; ++i)
-                {
-                    double const now = value(static_cast<double>(i) / steps);
-                    if ((before < 0) != (now < 0))
-                    {
-                        benchmark::DoNotOptimize(bracketed_root(value, (i - 1.0) / steps, static_cast<double>(i) / steps, before, now));
-                        ++found;
-                    }
-                    before = now;
-                }
+                benchmark::DoNotOptimize(bracketed_root(value, (i - 1.0) / steps, static_cast<double>(i) / steps, before, now));
+                ++found;
             }
+            before = now;
         }
-    }
-    state.counters["roots"] = found;
+        return found;
+    });
 }
 BENCHMARK(contacts_by_scan)->Arg(20)->Arg(200)->Unit(benchmark::kMicrosecond);
 

@@ -13,75 +13,72 @@ namespace {
 using namespace hdconj;
 using namespace hdconj::test;
 
-void rates(benchmark::State& state)
+struct Drive
 {
-    Exact const motion = type50_motion();
+    Profile tooth = type50_tooth();
+    Exact motion = type50_motion();
+    Envelope<Exact> envelope{tooth, motion, 0};
+};
+
+/// Calls @p step at angles that follow each other closely, as tracing does.
+template <class Step>
+void at_angles(benchmark::State& state, double apart, Step step)
+{
     double u = 0.1;
     for (auto _ : state)
     {
-        benchmark::DoNotOptimize(motion.rates(u));
-        u += 1e-6;
+        benchmark::DoNotOptimize(step(u));
+        u += apart;
     }
+}
+
+void rates(benchmark::State& state)
+{
+    Exact const motion = type50_motion();
+    at_angles(state, 1e-6, [&](double u) { return motion.rates(u); });
 }
 BENCHMARK(rates);
 
 void pose(benchmark::State& state)
 {
     Exact const motion = type50_motion();
-    double u = 0.1;
-    for (auto _ : state)
-    {
-        benchmark::DoNotOptimize(motion.pose(u));
-        u += 1e-6;
-    }
+    at_angles(state, 1e-6, [&](double u) { return motion.pose(u); });
 }
 BENCHMARK(pose);
 
 void envelope_point_on_arc(benchmark::State& state)
 {
-    Profile const tooth = type50_tooth();
-    Exact const motion = type50_motion();
-    Envelope<Exact> const envelope(tooth, motion, 0);
+    Drive const drive;
     ContactArc arc;
     arc.piece = 7;
     arc.candidate = 1;
-    double u = 0.1;
-    for (auto _ : state)
-    {
-        benchmark::DoNotOptimize(envelope.point(arc, u));
-        u += 1e-7;
-    }
+    at_angles(state, 1e-7, [&](double u) { return drive.envelope.point(arc, u); });
 }
 BENCHMARK(envelope_point_on_arc);
 
 void trace_all_branches(benchmark::State& state)
 {
-    Profile const tooth = type50_tooth();
-    Exact const motion = type50_motion();
-    Envelope<Exact> const envelope(tooth, motion, 0);
+    Drive const drive;
     for (auto _ : state)
-        benchmark::DoNotOptimize(find_branches(envelope, 1));
+        benchmark::DoNotOptimize(find_branches(drive.envelope, 1));
 }
 BENCHMARK(trace_all_branches)->Unit(benchmark::kMicrosecond);
 
 void tooth_space(benchmark::State& state)
 {
-    Profile const tooth = type50_tooth();
-    Exact const motion = type50_motion();
-    Envelope<Exact> const envelope(tooth, motion, 0);
+    Drive const drive;
     std::vector<ContactArc> arcs;
-    for (Branch const& branch : find_branches(envelope, 1).branches)
+    for (Branch const& branch : find_branches(drive.envelope, 1).branches)
         arcs.insert(arcs.end(), branch.arcs.begin(), branch.arcs.end());
     for (auto _ : state)
-        benchmark::DoNotOptimize(ToothSpaceFinder<Exact>(envelope, arcs, 25.025, type50_z_c, {1e-6, 26}, 1e-4)());
+        benchmark::DoNotOptimize(ToothSpaceFinder<Exact>(drive.envelope, arcs, 25.025, type50_z_c, {1e-6, 26}, 1e-4)());
 }
 BENCHMARK(tooth_space)->Unit(benchmark::kMicrosecond);
 
 void full_turn_of_one_point(benchmark::State& state)
 {
-    Profile const tooth = type50_tooth();
-    Exact const motion = type50_motion();
-    FullTurnClearance<Exact> const clearance(tooth, motion, 2 * std::numbers::pi / type50_z_c, 1);
+    Drive const drive;
+    FullTurnClearance<Exact> const clearance(drive.tooth, drive.motion, 2 * std::numbers::pi / type50_z_c, 1);
     Vec2 const p{0.2212, 25.1266};
     for (auto _ : state)
         benchmark::DoNotOptimize(clearance(p));
