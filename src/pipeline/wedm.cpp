@@ -23,7 +23,7 @@ namespace {
 using namespace detail;
 
 /// Parts of the tolerance: chords of the moves, chords of arcs before thinning. The rest is for the outline, of which the tolerance is at least ten times
-/// the error (cross_faults.cpp).
+/// the error (wire_faults.cpp).
 constexpr double share_of_moves = 0.8;
 constexpr double share_of_arcs = 1.0 / 16;
 

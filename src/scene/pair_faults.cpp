@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Teeth, wall, deformation and clearances of the pair in one plane.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "cross_faults.hpp"
+#include "text.hpp"
+
+namespace hdconj::detail {
+namespace {
+
+/// Tolerances below this many roundings of the radius cannot be reached in double precision.
+constexpr double roundings_of_radius = 100;
+
+/// An inner radius further than this share from the one that module and teeth give is a typing error.
+constexpr double radius_doubt = 0.25;
+
+double pitch_radius(Scene const& scene)
+{
+    return scene.drive.module * scene.drive.flexspline_teeth / 2;
+}
+
+void check_teeth(SceneReading const& reading, Faults& faults)
+{
+    if (!knows(reading, {"drive.flexspline_teeth", "drive.circular_spline_teeth", "wave_generator.waves"})) {
+        return;
+    }
+    auto const& drive = reading.scene.drive;
+    int const waves = reading.scene.wave_generator.waves;
+    int const more = drive.circular_spline_teeth - drive.flexspline_teeth;
+    bool const meets = more > 0 && more % waves == 0;
+    if (meets && more / waves > bounds::most_pitches_per_lobe) {
+        faults.push_back(fault_at("drive.circular_spline_teeth", std::to_string(drive.circular_spline_teeth),
+                                  "each wave would move the flexspline by " + std::to_string(more / waves) +
+                                      " teeth of the circular spline, and more than " +
+                                      std::to_string(bounds::most_pitches_per_lobe) + " are not computed",
+                                  "write " + std::to_string(drive.flexspline_teeth + waves) +
+                                      ", flexspline_teeth plus waves, or another small multiple of waves more"));
+    }
+    if (meets) {
+        return;
+    }
+    int const right = drive.flexspline_teeth + std::max(1, (more + waves / 2) / waves) * waves;
+    faults.push_back(fault_at("drive.circular_spline_teeth", std::to_string(drive.circular_spline_teeth),
+                              "must be flexspline_teeth = " + std::to_string(drive.flexspline_teeth) +
+                                  " plus a positive multiple of waves = " + std::to_string(waves) +
+                                  ", or the teeth do not meet at every wave",
+                              "write " + std::to_string(right)));
+}
+
+void check_tolerance(SceneReading const& reading, Faults& faults)
+{
+    if (!knows(reading, {"solver.tolerance", "drive.module"})) {
+        return;
+    }
+    double const tolerance = reading.scene.solver.tolerance;
+    double const largest = reading.scene.drive.module / 10;
+    if (tolerance > largest) {
+        faults.push_back(fault_at("solver.tolerance", number_text(tolerance),
+                                  "above a tenth of the module says nothing about a tooth",
+                                  "write at most " + number_text(largest) + ", such as 1e-6"));
+    }
+    if (!knows(reading, {"drive.flexspline_teeth"})) {
+        return;
+    }
+    double const least = roundings_of_radius * std::numeric_limits<double>::epsilon() * pitch_radius(reading.scene);
+    if (tolerance < least) {
+        faults.push_back(fault_at(
+            "solver.tolerance", number_text(tolerance),
+            "cannot be reached in double precision on a radius of " + number_text(pitch_radius(reading.scene)) + " mm",
+            "write at least " + number_text(least)));
+    }
+}
+
+void check_wall(SceneReading const& reading, Faults& faults)
+{
+    auto const& scene = reading.scene;
+    if (knows(reading, {"flexspline.wall", "flexspline.neutral_offset"}) &&
+        std::abs(scene.flexspline.neutral_offset) > scene.flexspline.wall / 2) {
+        faults.push_back(fault_at("flexspline.neutral_offset", number_text(scene.flexspline.neutral_offset),
+                                  "the neutral layer would lie outside the wall",
+                                  "write a length from " + number_text(-scene.flexspline.wall / 2) + " to " +
+                                      number_text(scene.flexspline.wall / 2)));
+    }
+    auto const dedendum = scene.flexspline_dedendum();
+    if (!dedendum || !knows(reading, {"flexspline.wall", "drive.module", "drive.flexspline_teeth"})) {
+        return;
+    }
+    double const hole = pitch_radius(scene) - *dedendum - scene.flexspline.wall;
+    if (!knows(reading, {"flexspline.inner_radius"}) && hole <= 0) {
+        faults.push_back(fault_at("flexspline.wall", number_text(scene.flexspline.wall),
+                                  "leaves no hole: the pitch radius is " + number_text(pitch_radius(scene)) + " mm",
+                                  "write a thinner wall, or check module and flexspline_teeth"));
+    }
+}
+
+void check_inner_radius(SceneReading const& reading, Faults& faults)
+{
+    auto const& scene = reading.scene;
+    auto const dedendum = scene.flexspline_dedendum();
+    if (!dedendum ||
+        !knows(reading, {"flexspline.inner_radius", "flexspline.wall", "drive.module", "drive.flexspline_teeth"})) {
+        return;
+    }
+    double const expected = pitch_radius(scene) - *dedendum - scene.flexspline.wall;
+    if (std::abs(*scene.flexspline.inner_radius - expected) > radius_doubt * pitch_radius(scene)) {
+        faults.push_back(fault_at("flexspline.inner_radius", number_text(*scene.flexspline.inner_radius),
+                                  "contradicts module and teeth, which make it about " + number_text(expected) + " mm",
+                                  "write a radius near that, or remove the key"));
+    }
+}
+
+void check_deformation(SceneReading const& reading, Faults& faults)
+{
+    auto const& scene = reading.scene;
+    auto const w0 = scene.wave_generator.shape.number("radial_deformation");
+    if (!w0 || !knows(reading, {"drive.module", "drive.flexspline_teeth", "wave_generator.waves"})) {
+        return;
+    }
+    // rho = r_0 + w0 cos(n u) has a hollow where w0 (n^2 + 1) > r_0.
+    double const waves = scene.wave_generator.waves;
+    double const largest = pitch_radius(scene) / (waves * waves + 1);
+    if (*w0 >= largest) {
+        faults.push_back(fault_at("wave_generator.radial_deformation", number_text(*w0),
+                                  "the neutral curve would be hollow between the waves",
+                                  "write less than " + number_text(largest) + ", usually about one module"));
+    }
+}
+
+void check_clearance(SceneReading const& reading, std::string const& key, double clearance, Faults& faults)
+{
+    std::string const path = "circular_spline." + key;
+    if (knows(reading, {path, "drive.module"}) && clearance > reading.scene.drive.module) {
+        faults.push_back(
+            fault_at(path, number_text(clearance), "a clearance above one module leaves no tooth",
+                     "write a length from 0 to a small part of the module " + number_text(reading.scene.drive.module)));
+    }
+}
+
+/// With the circular spline's tooth given, its space is as deep as that tooth says.
+void check_reverse(SceneReading const& reading, Faults& faults)
+{
+    auto const& scene = reading.scene;
+    if (scene.is_reverse() && knows(reading, {"circular_spline.root_clearance"}) && scene.circular_spline.root_clearance > 0) {
+        faults.push_back(fault_at("circular_spline.root_clearance", number_text(scene.circular_spline.root_clearance),
+                                  "the depth of the circular spline's tooth space is told by its given tooth",
+                                  "write a larger circular_spline.profile.dedendum (or flexspline.dedendum for the other "
+                                  "member) and remove this key"));
+    }
+}
+
+}  // namespace
+
+void add_pair_faults(SceneReading const& reading, Faults& faults)
+{
+    check_teeth(reading, faults);
+    check_tolerance(reading, faults);
+    check_wall(reading, faults);
+    check_inner_radius(reading, faults);
+    check_deformation(reading, faults);
+    check_clearance(reading, "backlash_offset", reading.scene.circular_spline.backlash_offset, faults);
+    check_clearance(reading, "root_clearance", reading.scene.circular_spline.root_clearance, faults);
+    check_reverse(reading, faults);
+}
+
+}  // namespace hdconj::detail
