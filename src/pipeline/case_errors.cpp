@@ -12,6 +12,7 @@
 #include "hdconj/contact/parallel_trim.hpp"
 #include "hdconj/numeric/least_between.hpp"
 #include "hdconj/numeric/parallel.hpp"
+#include "moved_outline.hpp"
 
 namespace hdconj::detail {
 namespace {

@@ -14,6 +14,7 @@
 #include "hdconj/contact/gap_field.hpp"
 #include "hdconj/contact/smallest_gap.hpp"
 #include "hdconj/numeric/error.hpp"
+#include "moved_outline.hpp"
 #include "place_teeth.hpp"
 
 namespace hdconj::detail {

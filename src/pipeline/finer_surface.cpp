@@ -7,6 +7,7 @@
 
 #include "contact_error.hpp"
 #include "hdconj/axial/slice_places.hpp"
+#include "moved_outline.hpp"
 
 namespace hdconj::detail {
 

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spline_surface.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <tuple>
 #include <utility>
 
-#include "hdconj/axial/cone.hpp"
 #include "hdconj/axial/coning.hpp"
 #include "hdconj/axial/slice_places.hpp"
 #include "hdconj/profile/builder.hpp"
 #include "elastic_cup.hpp"
 #include "job.hpp"
+#include "moved_outline.hpp"
 #include "section_motion.hpp"
 
 namespace hdconj::detail {
+
 /// One slice on its way to a boundary: a drive of its own without axial effects.
 struct SliceJob
 {
@@ -59,76 +57,7 @@ void in_slice(double z, Body&& body)
     }
 }
 
-/// The bottom between the same two points in every slice, moved outward.
-void deepen_all(MatchedOutline& outline, double clearance)
-{
-    if (!(clearance > 0))
-        return;
-    std::size_t const middle = outline.landmarks[2];
-    std::vector<OutlineStretch> stretches;
-    for (std::size_t k = 0; k < outline.points.size(); ++k)
-    {
-        Outline slice;
-        slice.points = outline.points[k];
-        slice.stretches = outline.stretches;
-        deepen(slice, middle, clearance);
-        if (k == 0)
-            stretches = slice.stretches;
-        bool const same = std::equal(stretches.begin(), stretches.end(), slice.stretches.begin(), slice.stretches.end(),
-                                     [](OutlineStretch const& a, OutlineStretch const& b) { return a.first == b.first && a.last == b.last; });
-        if (!same)
-            throw NumericalError("root clearance", "slices", "the bottom of the tooth space is widest at different places of different slices; write root_clearance = 0");
-        // the walls' ends have the normals of the points they were made from
-        auto& normals = outline.normals[k];
-        std::size_t const left = std::find_if(stretches.begin(), stretches.end(), [](auto const& s) { return s.kind == OutlineKind::root_wall; })->first;
-        std::size_t const right = std::find_if(stretches.rbegin(), stretches.rend(), [](auto const& s) { return s.kind == OutlineKind::root_wall; })->last;
-        normals.insert(normals.begin() + static_cast<std::ptrdiff_t>(right - 2), normals[right - 2]);
-        normals.insert(normals.begin() + static_cast<std::ptrdiff_t>(left), normals[left]);
-        outline.points[k] = std::move(slice.points);
-    }
-    outline.stretches = std::move(stretches);
-    for (std::size_t i = 2; i < 5; ++i)
-        outline.landmarks[i] += i == 2 ? 1 : 2;
-}
-
-constexpr char const* drafted_meet = "leaves a tip land between the drafted flanks";
-
 }  // namespace
-
-void move_radially(MatchedOutline& outline, std::vector<double> const& z, double tilt)
-{
-    for (std::size_t k = 0; k < z.size(); ++k)
-    {
-        double const distance = z[k] * std::tan(tilt);
-        for (std::size_t i = 0; i < outline.points[k].size(); ++i)
-        {
-            outline.normals[k][i] = normal_moved_radially(outline.points[k][i], outline.normals[k][i], distance);
-            outline.points[k][i] = moved_radially(outline.points[k][i], distance);
-        }
-    }
-}
-
-double meeting_radius(MatchedOutline const& outline, std::size_t k, double distance, double pitch)
-{
-    auto const angle_left = [&](std::size_t i) {
-        Vec2 const p = outline.points[k][i] + distance * outline.normals[k][i];
-        return 0.5 * pitch - std::abs(std::atan2(p.x(), p.y()));
-    };
-    double meeting = 0;
-    // from the land corners down both flanks
-    for (auto const& [from, to, step] : {std::tuple(outline.landmarks[4], outline.landmarks[3], -1), std::tuple(outline.landmarks[0], outline.landmarks[1], 1)})
-    {
-        for (std::size_t i = from; i != to; i += static_cast<std::size_t>(step))
-        {
-            if (angle_left(i) > 0)
-                continue;
-            std::size_t const next = i + static_cast<std::size_t>(step);
-            Vec2 const p = outline.points[k][next] + distance * outline.normals[k][next];
-            meeting = std::max(meeting, p.norm());
-        }
-    }
-    return meeting;
-}
 
 SurfaceMaker::SurfaceMaker(Solution const& base, Profile const& tooth, AnyWaveShape shape, std::vector<double> z, int threads)
     : base_(&base), tooth_(&tooth), shape_(std::move(shape)), z_(std::move(z)), threads_(threads),
@@ -226,69 +155,6 @@ std::vector<std::size_t> SurfaceMaker::own_slices(SurfaceChoice const& choice) c
     return all;
 }
 
-double SurfaceMaker::needed_tip(SurfaceChoice const& choice)
-{
-    PairGeometry const& g = base_->geometry;
-    double tip = g.circular_spline_inner_radius;
-    why_.clear();
-    if (!coned() && choice.tilt == 0)
-        return tip;
-    double const least = least_land * base_->scene.drive.module;
-    // every slice is entered by its own teeth, whatever the surface was made from
-    std::vector<std::size_t> const all = own_slices({"per-slice", choice.kind, 0});
-    if (coned())
-        prepare(all);
-    else
-        prepare({0});
-    auto const ask = [&](double radius, double z, std::string const& cause) {
-        if (radius > tip)
-        {
-            tip = radius;
-            why_ = "no smaller one " + cause + " in the slice z = " + short_number(z) + " mm";
-        }
-    };
-    for (std::size_t k : all)
-    {
-        double const shift = z_[k] * std::tan(choice.tilt);
-        std::size_t const own = coned() ? k : 0;
-        // an outline of this slice's own is solved before it is moved, and needs its land there too
-        bool const moved_outward = shift > 0 && coned() && choice.surface != "tilted";
-        ask(*pointed_[own] + least - (moved_outward ? 0 : shift), z_[k], "leaves the circular spline a tip land");
-        ask(g.r_m + motions_[own]->amplitude + g.pitch_line - g.dedendum + least - shift, z_[k], "clears the flexspline's rim");
-        if (choice.kind == "draft")
-            ask(meeting_tip(z_[k], choice.tilt), z_[k], drafted_meet);
-    }
-    return tip;
-}
-
-double SurfaceMaker::own_tip(SurfaceChoice const& choice)
-{
-    if (coned() && choice.surface != "tilted")
-        return needed_tip(choice);
-    double tip = base_->geometry.circular_spline_inner_radius;
-    why_.clear();
-    for (std::size_t k = 0; choice.tilt != 0 && choice.kind == "draft" && k < z_.size(); ++k)
-    {
-        double const meeting = meeting_tip(z_[k], choice.tilt);
-        if (meeting > tip)
-        {
-            tip = meeting;
-            why_ = "no smaller one " + std::string(drafted_meet) + " in the slice z = " + short_number(z_[k]) + " mm";
-        }
-    }
-    return tip;
-}
-
-/// The tip circle of z = 0 that leaves a land at @p z where a draft makes the flanks meet; 0 where they do not.
-double SurfaceMaker::meeting_tip(double z, double tilt)
-{
-    if (!base_flank_)
-        base_flank_ = matched_outline({&middle(base_->geometry.circular_spline_inner_radius)}, tolerance_.length, 0, threads_);
-    double const shift = z * std::tan(tilt);
-    double const meeting = meeting_radius(*base_flank_, 0, shift, 2 * std::numbers::pi / base_->scene.drive.circular_spline_teeth);
-    return meeting > 0 ? meeting + least_land * base_->scene.drive.module - shift : 0;
-}
-
 SpaceCurve const& SurfaceMaker::middle(double tip)
 {
     if (middle_ && middle_->tip_radius() == tip)
@@ -328,23 +194,6 @@ MatchedOutline SurfaceMaker::operator()(SurfaceChoice const& choice, double tip,
     if (choice.tilt != 0 && choice.kind == "radial")
         move_radially(outline, z_, choice.tilt);
     return outline;
-}
-
-/// A tip circle that was widened until no tooth reaches it leaves no flank.
-void SurfaceMaker::check_reach(SurfaceChoice const& choice, bool follows, double tip)
-{
-    PairGeometry const& g = base_->geometry;
-    double const crest = g.r_m + g.pitch_line + g.addendum;
-    std::vector<std::size_t> const slices = follows ? own_slices(choice) : std::vector<std::size_t>{z_.size() / 2};
-    for (std::size_t k : slices)
-    {
-        double const reach = crest + (follows ? motion(k).amplitude : g.w0);
-        if (tip < reach)
-            continue;
-        throw NumericalError("slices", follows ? "slice at z = " + short_number(z_[k]) + " mm" : "tip circle",
-                             "a tip circle of " + short_number(tip) + " mm would be needed" + (why_.empty() ? "" : " (" + why_ + ")") + ", but the flexspline's tips reach "
-                                 + short_number(reach) + " mm only; write a smaller tilt, side clearance or circular_spline.width");
-    }
 }
 
 MatchedOutline SurfaceMaker::tilted(SurfaceChoice const& choice, double tip, double chord, int flank_intervals)

@@ -25,13 +25,6 @@ struct SurfaceChoice
     double tilt = 0;                 ///< [rad]
 };
 
-/// Tilt of kind "radial": every point of slice k moved outward by z_k tan(tilt).
-void move_radially(MatchedOutline& outline, std::vector<double> const& z, double tilt);
-
-/// Radius at which the two flanks beside a tip land of @p outline's slice @p k meet when both are moved by @p distance into the material; 0 where
-/// they do not meet on the flanks that are there. @p pitch of the circular spline [rad].
-[[nodiscard]] double meeting_radius(MatchedOutline const& outline, std::size_t k, double distance, double pitch);
-
 struct SliceJob;
 
 /// Makes surfaces for the slices of one drive. What several surfaces need is solved once, and nothing before it is asked for.
@@ -86,9 +79,7 @@ class SurfaceMaker
     using Curves = std::vector<std::unique_ptr<SpaceCurve>>;
 
     [[nodiscard]] double factor(double z) const;
-    [[nodiscard]] SliceJob& job(std::size_t k);
     [[nodiscard]] double meeting_tip(double z, double tilt);
-    [[nodiscard]] double pointed_radius(std::size_t k);
     void prepare(std::vector<std::size_t> const& wanted);
     [[nodiscard]] SpaceCurve const& middle(double tip);
     [[nodiscard]] Curves solved(std::vector<std::size_t> const& wanted, double tip);

@@ -11,6 +11,7 @@
 #include "hdconj/numeric/parallel.hpp"
 #include "hdconj/pipeline/contact.hpp"
 #include "hdconj/profile/builder.hpp"
+#include "moved_outline.hpp"
 #include "outline_records.hpp"
 #include "spline_surface.hpp"
 

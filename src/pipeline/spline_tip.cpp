@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tip circle that a surface needs, and whether the teeth still reach it.
+#include <cmath>
+#include <numbers>
+
+#include "hdconj/numeric/error.hpp"
+#include "hdconj/profile/builder.hpp"
+#include "moved_outline.hpp"
+#include "spline_surface.hpp"
+
+namespace hdconj::detail {
+namespace {
+
+constexpr char const* drafted_meet = "leaves a tip land between the drafted flanks";
+
+}  // namespace
+
+double SurfaceMaker::needed_tip(SurfaceChoice const& choice)
+{
+    PairGeometry const& g = base_->geometry;
+    double tip = g.circular_spline_inner_radius;
+    why_.clear();
+    if (!coned() && choice.tilt == 0)
+        return tip;
+    double const least = least_land * base_->scene.drive.module;
+    // every slice is entered by its own teeth, whatever the surface was made from
+    std::vector<std::size_t> const all = own_slices({"per-slice", choice.kind, 0});
+    if (coned())
+        prepare(all);
+    else
+        prepare({0});
+    auto const ask = [&](double radius, double z, std::string const& cause) {
+        if (radius > tip)
+        {
+            tip = radius;
+            why_ = "no smaller one " + cause + " in the slice z = " + short_number(z) + " mm";
+        }
+    };
+    for (std::size_t k : all)
+    {
+        double const shift = z_[k] * std::tan(choice.tilt);
+        std::size_t const own = coned() ? k : 0;
+        // an outline of this slice's own is solved before it is moved, and needs its land there too
+        bool const moved_outward = shift > 0 && coned() && choice.surface != "tilted";
+        ask(*pointed_[own] + least - (moved_outward ? 0 : shift), z_[k], "leaves the circular spline a tip land");
+        ask(g.r_m + motions_[own]->amplitude + g.pitch_line - g.dedendum + least - shift, z_[k], "clears the flexspline's rim");
+        if (choice.kind == "draft")
+            ask(meeting_tip(z_[k], choice.tilt), z_[k], drafted_meet);
+    }
+    return tip;
+}
+
+double SurfaceMaker::own_tip(SurfaceChoice const& choice)
+{
+    if (coned() && choice.surface != "tilted")
+        return needed_tip(choice);
+    double tip = base_->geometry.circular_spline_inner_radius;
+    why_.clear();
+    for (std::size_t k = 0; choice.tilt != 0 && choice.kind == "draft" && k < z_.size(); ++k)
+    {
+        double const meeting = meeting_tip(z_[k], choice.tilt);
+        if (meeting > tip)
+        {
+            tip = meeting;
+            why_ = "no smaller one " + std::string(drafted_meet) + " in the slice z = " + short_number(z_[k]) + " mm";
+        }
+    }
+    return tip;
+}
+
+/// The tip circle of z = 0 that leaves a land at @p z where a draft makes the flanks meet; 0 where they do not.
+double SurfaceMaker::meeting_tip(double z, double tilt)
+{
+    if (!base_flank_)
+        base_flank_ = matched_outline({&middle(base_->geometry.circular_spline_inner_radius)}, tolerance_.length, 0, threads_);
+    double const shift = z * std::tan(tilt);
+    double const meeting = meeting_radius(*base_flank_, 0, shift, 2 * std::numbers::pi / base_->scene.drive.circular_spline_teeth);
+    return meeting > 0 ? meeting + least_land * base_->scene.drive.module - shift : 0;
+}
+
+/// A tip circle that was widened until no tooth reaches it leaves no flank.
+void SurfaceMaker::check_reach(SurfaceChoice const& choice, bool follows, double tip)
+{
+    PairGeometry const& g = base_->geometry;
+    double const crest = g.r_m + g.pitch_line + g.addendum;
+    std::vector<std::size_t> const slices = follows ? own_slices(choice) : std::vector<std::size_t>{z_.size() / 2};
+    for (std::size_t k : slices)
+    {
+        double const reach = crest + (follows ? motion(k).amplitude : g.w0);
+        if (tip < reach)
+            continue;
+        throw NumericalError("slices", follows ? "slice at z = " + short_number(z_[k]) + " mm" : "tip circle",
+                             "a tip circle of " + short_number(tip) + " mm would be needed" + (why_.empty() ? "" : " (" + why_ + ")") + ", but the flexspline's tips reach "
+                                 + short_number(reach) + " mm only; write a smaller tilt, side clearance or circular_spline.width");
+    }
+}
+
+}  // namespace hdconj::detail
