@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "hdconj/motion/inverse_motion.hpp"
+#include "outline_records.hpp"
 
 namespace hdconj::detail {
 
@@ -145,6 +146,22 @@ CentredOutline given_spline(Profile const& tooth, double radius, double pitch, d
     for (auto s = right.stretches.begin() + 1; s != right.stretches.end(); ++s)
         whole.stretches.push_back({s->kind, s->segment, s->first + result.middle, s->last + result.middle});
     return result;
+}
+
+void publish_given_spline(Solution& out, Profile const& tooth, CentredOutline const& spline, double pitch)
+{
+    Outline const& outline = spline.outline;
+    CircularSplineOutline& cs = out.circular_spline;
+    cs.z = {0.0};
+    cs.outline = {outline.points};
+    cs.pieces = piece_records(outline, tooth);
+    auto const bottom = std::find_if(outline.stretches.begin(), outline.stretches.end(), [](OutlineStretch const& s) { return s.kind == OutlineKind::root; });
+    bool const has_land = outline.stretches.front().kind == OutlineKind::land;
+    std::size_t const left_land = has_land ? outline.stretches.front().last : 0;
+    std::size_t const right_land = outline.stretches.back().kind == OutlineKind::land ? outline.stretches.back().first : outline.points.size() - 1;
+    for (std::size_t index : {left_land, bottom->first, spline.middle, bottom->last, right_land})
+        cs.landmarks.push_back(static_cast<int>(index));
+    measure_space(outline, right_land, pitch, out.geometry, out.error);
 }
 
 }  // namespace hdconj::detail

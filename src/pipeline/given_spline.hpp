@@ -4,6 +4,7 @@
 #pragma once
 
 #include "centred_outline.hpp"
+#include "hdconj/pipeline/solution.hpp"
 
 namespace hdconj::detail {
 
@@ -12,5 +13,8 @@ namespace hdconj::detail {
 /// @param radius  of the origin of the tooth's frame
 /// @param chord   largest chord error [mm]
 [[nodiscard]] CentredOutline given_spline(Profile const& tooth, double radius, double pitch, double chord);
+
+/// Writes it into @p out as its one slice, with its landmarks and measures.
+void publish_given_spline(Solution& out, Profile const& tooth, CentredOutline const& spline, double pitch);
 
 }  // namespace hdconj::detail

@@ -10,21 +10,15 @@
 #include "assemble_until_clear.hpp"
 #include "certificate.hpp"
 #include "drive.hpp"
+#include "flexspline_outline.hpp"
 #include "given_spline.hpp"
-#include "hdconj/conjugate/tooth_body.hpp"
-#include "hdconj/motion/inverse_motion.hpp"
-#include "hdconj/numeric/parallel.hpp"
 #include "outline_records.hpp"
 #include "records.hpp"
 #include "swallowed.hpp"
 #include "turn_check.hpp"
 
 namespace hdconj::detail {
-
 namespace {
-
-using Seen = InverseMotion<ErasedMotion>;   // a circular-spline tooth as the flexspline tooth sees it
-using Swept = SweptTooth<Seen>;
 
 /// The branches of one circular-spline tooth.
 struct Traced
@@ -48,23 +42,6 @@ struct Traced
     for (auto const* flank : {&body.left, &body.right})
         std::copy_if(flank->begin(), flank->end(), std::back_inserter(own), [copy](BoundaryPiece const& p) { return p.copy == copy; });
     return own;
-}
-
-/// @p more joined to the end of @p outline, whose last point is its first.
-void append(Outline& outline, Outline const& more)
-{
-    std::size_t const joint = outline.points.empty() ? 0 : outline.points.size() - 1;
-    outline.points.insert(outline.points.end(), more.points.begin() + (outline.points.empty() ? 0 : 1), more.points.end());
-    for (OutlineStretch const& s : more.stretches)
-        outline.stretches.push_back({s.kind, s.segment, s.first + joint, s.last + joint});
-    outline.chord = std::max(outline.chord, more.chord);
-    outline.error = std::max(outline.error, more.error);
-    outline.evaluations += more.evaluations;
-}
-
-void append_line(Outline& outline, OutlineKind kind, Vec2 const& from, Vec2 const& to)
-{
-    append(outline, {{from, to}, {{kind, -1, 0, 1}}});
 }
 
 class ReverseJob
@@ -152,7 +129,7 @@ class ReverseJob
             final_ = std::move(moved);
         });
         clock_.run(Stage::outline, [&] {
-            tooth_ = outline();
+            tooth_ = FlexsplineOutline(given_, final_, limits_, tolerance_, symmetric(), out_.threads)(body_);
             out_.work.envelope_points += tooth_.evaluations;
         });
         clock_.run(Stage::interference, [&] {
@@ -209,62 +186,6 @@ class ReverseJob
         return land->last;
     }
 
-    /// A flank from one end to the other; neighbouring pieces of one tooth are sampled together.
-    [[nodiscard]] Outline flank_outline(std::vector<BoundaryPiece> const& pieces) const
-    {
-        Outline flank;
-        for (auto from = pieces.begin(); from != pieces.end();)
-        {
-            auto const to = std::find_if(from, pieces.end(), [from](BoundaryPiece const& p) { return p.copy != from->copy; });
-            Swept const& tooth = final_[static_cast<std::size_t>(from->copy)];
-            std::vector<BoundaryPiece> own(from, to);
-            for (BoundaryPiece& piece : own)
-                piece.copy = 0;
-            append(flank, sample_outline(tooth.envelope, tooth.arcs, own, 0, 0, tolerance_.length, out_.threads));
-            from = to;
-        }
-        return flank;
-    }
-
-    /// From the left root to the right root, in the frame of the tooth.
-    [[nodiscard]] Outline outline() const
-    {
-        Outline right = flank_outline(body_.right);
-        right.points.front().y() = limits_.tip;
-        std::vector<BoundaryPiece> back(body_.left.rbegin(), body_.left.rend());
-        for (BoundaryPiece& piece : back)
-            std::swap(piece.begin, piece.end);
-        Outline left = symmetric() ? mirrored(right, given_) : flank_outline(back);
-        left.points.back().y() = limits_.tip;
-        Vec2 const left_foot = left.points.front();
-        Vec2 const right_foot = right.points.back();
-        for (Vec2 const& foot : {left_foot, right_foot})
-        {
-            if (!(foot.y() > limits_.root))
-                throw NumericalError("region", "root of the flexspline tooth",
-                                     "the circular spline's tips reach " + std::to_string(limits_.root - foot.y())
-                                         + " mm below it; write a larger flexspline.dedendum or a smaller circular_spline.profile.addendum");
-        }
-        Outline tooth;
-        append_line(tooth, OutlineKind::root_wall, root_below(left_foot), left_foot);
-        append(tooth, left);
-        append_line(tooth, OutlineKind::land, tooth.points.back(), right.points.front());
-        append(tooth, right);
-        append_line(tooth, OutlineKind::root_wall, right_foot, root_below(right_foot));
-        // the points are small differences of lengths of this size
-        tooth.error += 8 * unit_roundoff * tolerance_.scale;
-        return tooth;
-    }
-
-    /// Below its foot nothing touches the tooth. It goes on straight to the root and leaves half of what is left of the pitch to the
-    /// space between two roots, outward by 45 degrees at most: what the tips sweep is all but level there.
-    [[nodiscard]] Vec2 root_below(Vec2 const& foot) const
-    {
-        double const depth = foot.y() - limits_.root;
-        double const room = std::max(0.0, limits_.half_width - std::abs(foot.x()));
-        return {foot.x() + std::copysign(std::min(depth, room / 2), foot.x()), limits_.root};
-    }
-
     void publish()
     {
         out_.flexspline_outline = tooth_.points;
@@ -273,7 +194,7 @@ class ReverseJob
         out_.flexspline_outline.front().y() = out_.flexspline_outline.back().y() = -out_.geometry.dedendum;
         out_.flexspline_pieces = piece_records(tooth_, given_);
         CentredOutline const spline = given_spline(given_, seat_radius_, pitch_, tolerance_.length);
-        publish_spline(spline.outline, spline.middle);
+        publish_given_spline(out_, given_, spline, pitch_);
         out_.error.chord = std::max(tooth_.chord, spline.outline.chord);
         out_.error.point = std::max(tooth_.error, spline.outline.error) + body_.gap;
         out_.error.clearance = out_.error.point + tolerance_.roundoff();
@@ -291,21 +212,6 @@ class ReverseJob
             }
         }
         tooth_family();
-    }
-
-    void publish_spline(Outline const& outline, std::size_t middle)
-    {
-        CircularSplineOutline& cs = out_.circular_spline;
-        cs.z = {0.0};
-        cs.outline = {outline.points};
-        cs.pieces = piece_records(outline, given_);
-        auto const bottom = std::find_if(outline.stretches.begin(), outline.stretches.end(), [](OutlineStretch const& s) { return s.kind == OutlineKind::root; });
-        bool const has_land = outline.stretches.front().kind == OutlineKind::land;
-        std::size_t const left_land = has_land ? outline.stretches.front().last : 0;
-        std::size_t const right_land = outline.stretches.back().kind == OutlineKind::land ? outline.stretches.back().first : outline.points.size() - 1;
-        for (std::size_t index : {left_land, bottom->first, middle, bottom->last, right_land})
-            cs.landmarks.push_back(static_cast<int>(index));
-        measure_space(outline, right_land, pitch_, out_.geometry, out_.error);
     }
 
     void tooth_family()
