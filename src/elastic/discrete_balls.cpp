@@ -50,33 +50,22 @@ bool holds_a_shift(std::vector<double> const& phi)
     return cc * ss - cs * cs > rounding * (cc + ss) * (cc + ss);
 }
 
-}  // namespace
-
-std::vector<double> ball_angles(int count, int sectors, double phase)
+/// The ring in its functions: coefficients are unknowns, forces their work.
+struct RingTerms
 {
-    std::vector<double> phi;
-    for (int i = 0; i < count / sectors; ++i)
-        phi.push_back(phase + 2 * std::numbers::pi * i / count);
-    return phi;
-}
+    VectorXd stiffness;  ///< K, diagonal
+    VectorXd held;       ///< p without load
+    MatrixXd rise;       ///< E: (contacts, coefficients)
+};
 
-DiscreteBalls discrete_balls(BearingSurface const& surface, int sectors, BearingContacts const& contacts, std::vector<double> const& phi, std::optional<double> stiffness)
+RingTerms ring_terms(BearingSurface const& surface, int sectors, BearingContacts const& contacts)
 {
-    if (!surface.compliance)
-        refuse("a rigid bearing has none");
     Index const terms = surface.cosine.cols(), size = 2 * terms - 1;
-    auto const count = static_cast<Index>(phi.size()), rows = static_cast<Index>(contacts.phi.size());
-    if (count == 0)
-        refuse("none touches the ring");
-    if (!stiffness && count > size)
-        refuse(std::to_string(count * sectors) + " are more than the harmonics of the ring tell apart, " + std::to_string(size * sectors) + ": leave the number out for a line of balls");
-    if (sectors == 1 && !holds_a_shift(phi))
-        refuse("the ring may move as a whole: one ball does not hold it, nor do two that face each other; write three or more");
+    auto const rows = static_cast<Index>(contacts.phi.size());
     double const part = 2 * std::numbers::pi / sectors;
 
     // work per coefficient: the mean square of cos and sin is a half
-    VectorXd ring(size), held(size);
-    MatrixXd rise = MatrixXd::Zero(rows, size);
+    RingTerms ring{VectorXd(size), VectorXd(size), MatrixXd::Zero(rows, size)};
     std::vector<double> mean(static_cast<std::size_t>(terms));
     for (Index k = 0; k < terms; ++k)
     {
@@ -85,12 +74,12 @@ DiscreteBalls discrete_balls(BearingSurface const& surface, int sectors, Bearing
         // a ring that shifts bends nothing; what is left of its stiffness is rounding
         double const bends = k == 1 && sectors == 1 ? 0 : weight * surface.reaction_to_lift[k];
         Index const cosine = k == 0 ? 0 : 2 * k - 1;
-        ring[cosine] = bends;
-        held[cosine] = weight * surface.reaction_cosine[k];
+        ring.stiffness[cosine] = bends;
+        ring.held[cosine] = weight * surface.reaction_cosine[k];
         if (k > 0)
         {
-            ring[2 * k] = bends;
-            held[2 * k] = weight * surface.reaction_sine[k];
+            ring.stiffness[2 * k] = bends;
+            ring.held[2 * k] = weight * surface.reaction_sine[k];
         }
     }
     for (Index i = 0; i < rows; ++i)
@@ -101,11 +90,18 @@ DiscreteBalls discrete_balls(BearingSurface const& surface, int sectors, Bearing
             // Betti: the surface rises by as much as a force on it unloads the balls
             double const lifts = -mean[static_cast<std::size_t>(k)] * surface.reaction_to_load(k, contacts.z[static_cast<std::size_t>(i)]);
             if (k > 0)
-                rise(i, 2 * k - 1) = lifts * at[2 * k - 1];
-            rise(i, k == 0 ? 0 : 2 * k) = lifts * at[k == 0 ? 0 : 2 * k];
+                ring.rise(i, 2 * k - 1) = lifts * at[2 * k - 1];
+            ring.rise(i, k == 0 ? 0 : 2 * k) = lifts * at[k == 0 ? 0 : 2 * k];
         }
     }
+    return ring;
+}
 
+/// Inverse of [K, -B'; -B, -1/k], from loads and gaps of the ring to its shape and the forces of the balls.
+MatrixXd inverse_system(VectorXd const& ring, int sectors, std::vector<double> const& phi, std::optional<double> stiffness)
+{
+    Index const size = ring.size(), terms = (size + 1) / 2;
+    auto const count = static_cast<Index>(phi.size());
     // unknowns in scales in which all stiffnesses are about 1
     double least = ring[0];
     for (Index i = 0; i < size; ++i)
@@ -129,20 +125,46 @@ DiscreteBalls discrete_balls(BearingSurface const& surface, int sectors, Bearing
         refuse("they stand too close to each other for the harmonics of the ring");
     VectorXd all(size + count);
     all << scale, force_scale;
-    MatrixXd inverse = all.asDiagonal() * factors.inverse() * all.asDiagonal();
-    inverse = (inverse + inverse.transpose()).eval() / 2;
+    MatrixXd const inverse = all.asDiagonal() * factors.inverse() * all.asDiagonal();
+    return (inverse + inverse.transpose()) / 2;
+}
+
+}  // namespace
+
+std::vector<double> ball_angles(int count, int sectors, double phase)
+{
+    std::vector<double> phi;
+    for (int i = 0; i < count / sectors; ++i)
+        phi.push_back(phase + 2 * std::numbers::pi * i / count);
+    return phi;
+}
+
+DiscreteBalls discrete_balls(BearingSurface const& surface, int sectors, BearingContacts const& contacts, std::vector<double> const& phi, std::optional<double> stiffness)
+{
+    if (!surface.compliance)
+        refuse("a rigid bearing has none");
+    Index const terms = surface.cosine.cols(), size = 2 * terms - 1;
+    auto const count = static_cast<Index>(phi.size());
+    if (count == 0)
+        refuse("none touches the ring");
+    if (!stiffness && count > size)
+        refuse(std::to_string(count * sectors) + " are more than the harmonics of the ring tell apart, " + std::to_string(size * sectors) + ": leave the number out for a line of balls");
+    if (sectors == 1 && !holds_a_shift(phi))
+        refuse("the ring may move as a whole: one ball does not hold it, nor do two that face each other; write three or more");
+    RingTerms const ring = ring_terms(surface, sectors, contacts);
+    MatrixXd const inverse = inverse_system(ring.stiffness, sectors, phi, stiffness);
     auto const shape = inverse.topLeftCorner(size, size);
     auto const mixed = inverse.topRightCorner(size, count);
 
     DiscreteBalls result;
     result.balls.phi = phi;
-    result.balls.held = -mixed.transpose() * held;
+    result.balls.held = -mixed.transpose() * ring.held;
     result.balls.stiffness = -inverse.bottomRightCorner(count, count);
-    result.balls.lift = -rise * mixed;
-    MatrixXd const eased = rise * shape;
-    result.between = eased * rise.transpose();
+    result.balls.lift = -ring.rise * mixed;
+    MatrixXd const eased = ring.rise * shape;
+    result.between = eased * ring.rise.transpose();
     result.between = (result.between + result.between.transpose()).eval() / 2;
-    result.sag = eased * held;
+    result.sag = eased * ring.held;
     return result;
 }
 
