@@ -13,13 +13,12 @@
 
 namespace hdconj {
 
-void write_calculix(BentCup const& cup, std::filesystem::path const& folder, int steps, bool contact)
+namespace {
+
+/// Radial forces of the bearing at the nodes of the deck [N].
+std::vector<double> bearing_loads(BentCup const& cup, DeckBody const& body, int steps)
 {
     SectionMesh const& section = cup.solid().mesh();
-    int const waves = cup.cam().waves;
-    DeckBody const body = deck_body(section, cup.cam(), steps);
-    SweptMesh const& mesh = body.mesh;
-
     std::vector<Station> stations;
     for (double const z : cup.contact().z) {
         stations.push_back(wall_station(section, z, 0, Direction::radial));
@@ -30,8 +29,12 @@ void write_calculix(BentCup const& cup, std::filesystem::path const& folder, int
     for (Eigen::Index i = 0; i < nodes; ++i) {
         radial.row(i) = shares.row(3 * i);
     }
-    auto const loads = swept_loads(section, mesh, body.angle, steps, waves, radial * cup.contact().load_cosine, radial * cup.contact().load_sine);
+    return swept_loads(section, body.mesh, body.angle, steps, cup.cam().waves, radial * cup.contact().load_cosine, radial * cup.contact().load_sine);
+}
 
+std::string linear_deck(BentCup const& cup, DeckBody const& body, std::vector<int> const& watched, int steps)
+{
+    auto const loads = bearing_loads(cup, body, steps);
     std::string deck = fmt::format("** The cup of a harmonic drive under the forces of its wave generator's bearing, linear. mm, N, MPa.\n"
                                    "** {} of it. Displacements must come to expected.csv: run ccx linear, then compare linear.dat.\n",
                                    body.half ? "Half a lobe, between two planes of symmetry," : "All");
@@ -39,12 +42,11 @@ void write_calculix(BentCup const& cup, std::filesystem::path const& folder, int
     put_nodes(deck, body, "NALL");
     put_elements(deck, body, "EALL");
     put_material(deck, body, "CUP", "EALL");
-    auto const compared = watched_nodes(body, cup);
     put_node_set(deck, body, "NCLAMP", held_nodes(body));
     if (body.half) {
         put_node_set(deck, body, "NPLANES", plane_nodes(body));
     }
-    put_node_set(deck, body, "NWATCH", compared);
+    put_node_set(deck, body, "NWATCH", watched);
     deck += "** 1 radial, 2 tangential, 3 axial\n";
     put_axes(deck, "NALL");
     deck += "*BOUNDARY\nNCLAMP, 1, 3\n";
@@ -56,15 +58,31 @@ void write_calculix(BentCup const& cup, std::filesystem::path const& folder, int
         }
     }
     deck += "*NODE PRINT, NSET=NWATCH, GLOBAL=NO\nU\n*NODE FILE\nU\n*EL FILE\nS\n*END STEP\n";
+    return deck;
+}
 
+/// What the program itself has at the watched nodes.
+std::string expected_displacements(BentCup const& cup, DeckBody const& body, std::vector<int> const& watched)
+{
     std::string expected = "node,r,z,phi_deg,u_r,u_t,u_z\n";
-    for (int const i : compared) {
-        SweptNode const& node = mesh.nodes[static_cast<std::size_t>(i)];
-        Vec2 const& at = section.nodes[static_cast<std::size_t>(node.section)];
+    for (int const i : watched) {
+        SweptNode const& node = body.mesh.nodes[static_cast<std::size_t>(i)];
+        Vec2 const& at = cup.solid().mesh().nodes[static_cast<std::size_t>(node.section)];
         Eigen::Vector3d const u = node_displacement(cup.field(), node.section, node.phi);
         fmt::format_to(std::back_inserter(expected), "{},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g},{:.9g}\n", i + 1, at.x(), at.y(), node.phi * 180 / std::numbers::pi,
                        u[0], u[2], u[1]);
     }
+    return expected;
+}
+
+}  // namespace
+
+void write_calculix(BentCup const& cup, std::filesystem::path const& folder, int steps, bool contact)
+{
+    DeckBody const body = deck_body(cup.solid().mesh(), cup.cam(), steps);
+    auto const watched = watched_nodes(body, cup);
+    std::string const deck = linear_deck(cup, body, watched, steps);
+    std::string const expected = expected_displacements(cup, body, watched);
     AtomicFolder made(folder, AtomicFolder::calculix_deck);
     std::vector<std::pair<std::string, std::string>> list{{"linear.inp", "cup under the forces of its bearing, geometrically linear: run ccx linear"},
                                                           {"expected.csv", "what linear.dat must say of the nodes NWATCH: displacements in mm"}};
