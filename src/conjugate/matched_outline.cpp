@@ -174,17 +174,22 @@ void add_interval(std::vector<Unit>& units, std::vector<SpaceCurve const*> const
     }
 }
 
-}  // namespace
-
-MatchedOutline matched_outline(std::vector<SpaceCurve const*> const& slices, double chord, int flank_intervals, int threads)
+/// The units of both halves, or of the right one where the left is its image.
+struct Units
 {
-    bool const symmetric = std::all_of(slices.begin(), slices.end(), [](SpaceCurve const* curve) { return curve->symmetric(); });
-    MatchedOutline out;
     std::vector<Unit> units;
-    std::array<std::size_t, 5> marks{};   // number of units before each landmark
+    std::array<std::size_t, 5> marks{};  ///< number of units before each landmark
+    bool symmetric = false;
+    bool by_origin = true;
+};
+
+Units units_of(std::vector<SpaceCurve const*> const& slices, double chord)
+{
+    Units all;
+    all.symmetric = std::all_of(slices.begin(), slices.end(), [](SpaceCurve const* curve) { return curve->symmetric(); });
     for (bool const right : {false, true})
     {
-        if (!right && symmetric)
+        if (!right && all.symmetric)
             continue;
         std::vector<HalfIntervals> halves;
         for (SpaceCurve const* curve : slices)
@@ -205,48 +210,56 @@ MatchedOutline matched_outline(std::vector<SpaceCurve const*> const& slices, dou
                 half.bottom.clear();
             }
         }
-        auto const add = [&](auto member, OutlineKind kind) { add_interval(units, slices, of(member), kind, chord, out.by_origin); };
+        auto const add = [&](auto member, OutlineKind kind) { add_interval(all.units, slices, of(member), kind, chord, all.by_origin); };
         if (right)
         {
-            marks[2] = units.size();
+            all.marks[2] = all.units.size();
             if (all_have_bottom)
                 add(&HalfIntervals::bottom, OutlineKind::bottom);
-            marks[3] = units.size();
+            all.marks[3] = all.units.size();
             add(&HalfIntervals::flank, OutlineKind::flank);
-            marks[4] = units.size();
+            all.marks[4] = all.units.size();
             add(&HalfIntervals::land, OutlineKind::land);
         }
         else
         {
             add(&HalfIntervals::land, OutlineKind::land);
-            marks[0] = units.size();
+            all.marks[0] = all.units.size();
             add(&HalfIntervals::flank, OutlineKind::flank);
-            marks[1] = units.size();
+            all.marks[1] = all.units.size();
             if (all_have_bottom)
                 add(&HalfIntervals::bottom, OutlineKind::bottom);
         }
     }
-    // the flank of one half, whose units share its intervals
-    double flank = 0;
-    for (std::size_t i = marks[3]; i < marks[4]; ++i)
-        flank += units[i].length();
-    for (std::size_t i = 0; i < units.size(); ++i)
-    {
-        bool const on_flank = (i >= marks[3] && i < marks[4]) || (!symmetric && i >= marks[0] && i < marks[1]);
-        sample(units[i], chord, on_flank && flank > 0 ? static_cast<int>(std::ceil(flank_intervals * units[i].length() / flank)) : 0, threads);
-    }
+    return all;
+}
 
-    std::size_t const k_count = slices.size();
-    out.points.resize(k_count);
-    out.normals.resize(k_count);
-    std::vector<std::size_t> ends{0};   // index of the last point of each unit
-    for (std::size_t u = 0; u < units.size(); ++u)
+/// @param flank_intervals  along the flank of one half, whose units share them
+void sample_all(Units& all, double chord, int flank_intervals, int threads)
+{
+    double flank = 0;
+    for (std::size_t i = all.marks[3]; i < all.marks[4]; ++i)
+        flank += all.units[i].length();
+    for (std::size_t i = 0; i < all.units.size(); ++i)
     {
-        Unit const& unit = units[u];
+        bool const on_flank = (i >= all.marks[3] && i < all.marks[4]) || (!all.symmetric && i >= all.marks[0] && i < all.marks[1]);
+        sample(all.units[i], chord, on_flank && flank > 0 ? static_cast<int>(std::ceil(flank_intervals * all.units[i].length() / flank)) : 0, threads);
+    }
+}
+
+/// Points and stretches of all units, one after the other. Returns the index of the last point of each, after a first 0.
+std::vector<std::size_t> join(Units const& all, std::size_t slices, MatchedOutline& out)
+{
+    out.points.resize(slices);
+    out.normals.resize(slices);
+    std::vector<std::size_t> ends{0};
+    for (std::size_t u = 0; u < all.units.size(); ++u)
+    {
+        Unit const& unit = all.units[u];
         // where a flank begins, the corner moves with the flank
-        bool const begins_flank = u == marks[3] || (!symmetric && u == marks[0]);
+        bool const begins_flank = u == all.marks[3] || (!all.symmetric && u == all.marks[0]);
         std::size_t const first = out.points.front().empty() ? 0 : out.points.front().size() - 1;
-        for (std::size_t k = 0; k < k_count; ++k)
+        for (std::size_t k = 0; k < slices; ++k)
         {
             if (begins_flank && !out.normals[k].empty())
                 out.normals[k].back() = unit.at[k].front().after;
@@ -261,15 +274,14 @@ MatchedOutline matched_outline(std::vector<SpaceCurve const*> const& slices, dou
         ends.push_back(out.points.front().size() - 1);
         out.stretches.push_back({unit.kind, unit.segment, first, ends.back()});
     }
-    if (!symmetric)
-    {
-        for (std::size_t i = 0; i < marks.size(); ++i)
-            out.landmarks[i] = ends[marks[i]];
-        return out;
-    }
-    // the left half is the image of the right one, bit for bit
+    return ends;
+}
+
+/// Adds the left half, the image of the right one bit for bit. Returns the index of the middle.
+std::size_t add_image(MatchedOutline& out, Profile const& tooth)
+{
     std::size_t const half = out.points.front().size() - 1;
-    for (std::size_t k = 0; k < k_count; ++k)
+    for (std::size_t k = 0; k < out.points.size(); ++k)
     {
         auto& p = out.points[k];
         auto& n = out.normals[k];
@@ -284,7 +296,6 @@ MatchedOutline matched_outline(std::vector<SpaceCurve const*> const& slices, dou
         n.insert(n.begin(), normals.begin(), normals.end());
     }
     std::vector<OutlineStretch> whole;
-    Profile const& tooth = slices.front()->tooth();
     int const segments = static_cast<int>(tooth.segment_names.size());
     for (auto s = out.stretches.rbegin(); s != out.stretches.rend(); ++s)
     {
@@ -294,6 +305,26 @@ MatchedOutline matched_outline(std::vector<SpaceCurve const*> const& slices, dou
     for (OutlineStretch s : out.stretches)
         whole.push_back({s.kind, s.segment, s.first + half, s.last + half});
     out.stretches = std::move(whole);
+    return half;
+}
+
+}  // namespace
+
+MatchedOutline matched_outline(std::vector<SpaceCurve const*> const& slices, double chord, int flank_intervals, int threads)
+{
+    Units all = units_of(slices, chord);
+    sample_all(all, chord, flank_intervals, threads);
+    MatchedOutline out;
+    out.by_origin = all.by_origin;
+    std::vector<std::size_t> const ends = join(all, slices.size(), out);
+    auto const& marks = all.marks;
+    if (!all.symmetric)
+    {
+        for (std::size_t i = 0; i < marks.size(); ++i)
+            out.landmarks[i] = ends[marks[i]];
+        return out;
+    }
+    std::size_t const half = add_image(out, slices.front()->tooth());
     for (std::size_t i = 2; i < marks.size(); ++i)
     {
         out.landmarks[i] = half + ends[marks[i]];
