@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "assemble_until_clear.hpp"
@@ -51,6 +52,7 @@ class SolveJob
 
     void operator()()
     {
+        records_wanted_ = true;
         find_branches_of_tooth();
         find_boundary();
         clock_.run(Stage::outline, [&] { publish(); });
@@ -101,18 +103,44 @@ class SolveJob
         branches_ = std::move(set.branches);
         out_.work.roots_isolated += set.record.roots;
         out_.work.envelope_points += set.record.evaluations;
+    }
+
+    /// The points of all branches, and @p work, which one thread does beside them: whatever of it is not in loops, the others have something to do.
+    template<class Work>
+    void with_records(Work&& work)
+    {
+        records_wanted_ = false;
         std::vector<BranchRecord> records(branches_.size());
         std::vector<std::size_t> evaluations(branches_.size(), 0);
         // a branch about as long as the tooth is high has this many chords
         double const chords = std::sqrt((tooth_.addendum + tooth_.dedendum) / tolerance_.length);
         constexpr double chords_worth_a_thread = 8192;
         auto const grain = static_cast<std::size_t>(std::ceil(chords_worth_a_thread / chords));
-        parallel_for(branches_.size(), out_.threads, grain, [&](std::size_t i) {
+        std::vector<std::size_t> const order = longest_first();
+        parallel_for(order.size() + 1, out_.threads, grain, [&](std::size_t k) {
+            if (k == 0)
+                return work();
+            std::size_t const i = order[k - 1];
             records[i] = branch_record(base_, branches_[i], tolerance_.length, evaluations[i]);
         });
         for (std::size_t count : evaluations)
             out_.work.envelope_points += count;
         out_.branches = std::move(records);
+    }
+
+    /// Branches in the order of their work: a long one taken last is waited for.
+    [[nodiscard]] std::vector<std::size_t> longest_first() const
+    {
+        std::vector<std::size_t> order(branches_.size());
+        std::iota(order.begin(), order.end(), std::size_t{0});
+        if (out_.threads == 1)
+            return order;
+        std::vector<double> chords;
+        for (Branch const& branch : branches_)
+            chords.push_back(std::accumulate(branch.arcs.begin(), branch.arcs.end(), 0.0,
+                                             [&](double sum, ContactArc const& arc) { return sum + expected_chords(base_, arc, tolerance_.length); }));
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return chords[a] > chords[b]; });
+        return order;
     }
 
     /// Region, backlash, outline, root clearance and check, with polygons of the given chord error.
@@ -132,7 +160,8 @@ class SolveJob
         });
         final_ = has_offset ? std::move(shifted) : std::move(base);
         clock_.run(Stage::outline, [&] {
-            outline_ = centred(has_offset ? moved : base_);
+            auto const sample = [&] { outline_ = centred(has_offset ? moved : base_); };
+            records_wanted_ ? with_records(sample) : sample();
             out_.work.envelope_points += outline_.outline.evaluations;
         });
         clock_.run(Stage::root_clearance, [&] {
@@ -219,6 +248,7 @@ class SolveJob
     std::vector<Branch> branches_;
     TracedSpace final_;
     CentredOutline outline_;
+    bool records_wanted_ = false;   ///< points of the branches themselves, which the boundary does without
 };
 
 }  // namespace hdconj::detail

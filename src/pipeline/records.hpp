@@ -55,33 +55,39 @@ template<RelativeMotion Motion>
     for (ContactArc const& arc : branch.arcs)
     {
         ProfilePiece const& piece = envelope.profile().pieces[static_cast<std::size_t>(arc.piece)];
-        SampledArc const sampled = sample_arc(envelope, arc, arc.u_begin, arc.u_end, chord, 1, ChordTest::estimate);
-        evaluations += sampled.evaluations;
-        std::size_t const skipped = record.u.empty() ? 0 : 1;
-        std::size_t const first = record.u.size();
-        std::size_t const count = sampled.points.size() - skipped;
-        for (auto* column : {&record.u, &record.phi, &record.t})
-            column->resize(first + count);
-        record.point.resize(first + count);
-        for (std::size_t k = 0; k < count; ++k)
-        {
-            EnvelopePoint const& e = sampled.points[skipped + k];
-            record.u[first + k] = e.u;
-            record.t[first + k] = std::clamp(piece.t_begin + e.t * (piece.t_end - piece.t_begin), piece.t_begin, piece.t_end);
-            record.point[first + k] = e.p;
-        }
-        if (batch)
-        {
-            // the parameter of this motion is u
-            undeformed_angles(*batch, std::span(record.u).subspan(first), std::span(record.phi).subspan(first));
-            continue;
-        }
-        for (std::size_t k = first; k < first + count; ++k)
-        {
-            ToothAngles const angles = envelope.motion().angles(record.u[k]);
-            record.u[k] = angles.u;
-            record.phi[k] = angles.phi;
-        }
+        // neighbouring arcs share their common point
+        std::size_t skipped = record.u.empty() ? 0 : 1;
+        auto const keep = [&](std::span<EnvelopePoint const> points, std::size_t to_come) {
+            std::size_t const first = record.u.size();
+            std::size_t const count = points.size() - skipped;
+            for (auto* column : {&record.u, &record.phi, &record.t})
+            {
+                make_room(*column, to_come);
+                column->resize(first + count);
+            }
+            make_room(record.point, to_come);
+            for (std::size_t k = 0; k < count; ++k)
+            {
+                EnvelopePoint const& e = points[skipped + k];
+                record.u[first + k] = e.u;
+                record.t[first + k] = std::clamp(piece.t_begin + e.t * (piece.t_end - piece.t_begin), piece.t_begin, piece.t_end);
+                record.point.push_back(e.p);
+            }
+            skipped = 0;
+            if (batch)
+            {
+                // the parameter of this motion is u
+                undeformed_angles(*batch, std::span(record.u).subspan(first), std::span(record.phi).subspan(first));
+                return;
+            }
+            for (std::size_t k = first; k < first + count; ++k)
+            {
+                ToothAngles const angles = envelope.motion().angles(record.u[k]);
+                record.u[k] = angles.u;
+                record.phi[k] = angles.phi;
+            }
+        };
+        evaluations += sample_arc_in_parts(envelope, arc, chord, keep).evaluations;
     }
     return record;
 }

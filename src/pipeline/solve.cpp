@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/pipeline/solve.hpp"
 
-#include <cmath>
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 #include "drive.hpp"
@@ -15,23 +16,40 @@ namespace hdconj {
 
 namespace {
 
-/// polygon_of() piece by piece, the same bits.
-std::vector<Vec2> polygon_of(Profile const& profile, double chord, int threads)
+/// polygon_of() with the pitch line at y = 0, in blocks of fixed size.
+std::vector<Vec2> outline_of(Profile const& profile, double chord, int threads)
 {
-    std::vector<std::vector<Vec2>> parts(profile.pieces.size());
-    // the longest pieces have about this many chords
-    double const chords = std::sqrt((profile.addendum + profile.dedendum) / chord);
-    constexpr double chords_worth_a_thread = 32768;
-    parallel_for(parts.size(), threads, static_cast<std::size_t>(std::ceil(chords_worth_a_thread / chords)), [&](std::size_t i) {
-        if (profile.pieces[i].corner)
-            return;
-        Profile part;
-        part.pieces = {profile.pieces[i]};
-        parts[i] = hdconj::polygon_of(part, chord);
+    struct Run
+    {
+        PieceShape const* shape;
+        std::size_t before;   // points of the runs before
+        int steps;
+    };
+    std::vector<Run> runs;
+    std::size_t count = 1;
+    for (ProfilePiece const& piece : profile.pieces)
+    {
+        if (piece.corner)
+            continue;
+        runs.push_back({&piece.shape, count, steps_of(piece.shape, chord)});
+        count += static_cast<std::size_t>(runs.back().steps);
+    }
+    std::vector<Vec2> points(count);
+    points.front() = start_of(*runs.front().shape).point;
+    points.front().y() -= profile.pitch_line;
+    constexpr std::size_t block = 512, blocks_worth_a_thread = 4;
+    parallel_for((count + block - 1) / block, threads, blocks_worth_a_thread, [&](std::size_t b) {
+        std::size_t const last = std::min(count, (b + 1) * block);
+        std::size_t k = std::max<std::size_t>(1, b * block);
+        auto run = std::upper_bound(runs.begin(), runs.end(), k, [](std::size_t point, Run const& r) { return point < r.before; }) - 1;
+        for (; k < last; ++k)
+        {
+            while (k >= run->before + static_cast<std::size_t>(run->steps))
+                ++run;
+            points[k] = point_at(*run->shape, static_cast<double>(k - run->before + 1) / run->steps);
+            points[k].y() -= profile.pitch_line;
+        }
     });
-    std::vector<Vec2> points;
-    for (std::vector<Vec2> const& part : parts)
-        points.insert(points.end(), part.begin() + (points.empty() || part.empty() ? 0 : 1), part.end());
     return points;
 }
 
@@ -57,9 +75,7 @@ Solution solve(Scene const& scene, StageObserver const& on_stage)
         shape = detail::wave_shape(scene, tooth, faults);
         out.segment_names = tooth.segment_names;
         if (!scene.is_reverse())
-            out.flexspline_outline = polygon_of(tooth, scene.solver.tolerance, out.threads);
-        for (Vec2& p : out.flexspline_outline)
-            p.y() -= tooth.pitch_line;
+            out.flexspline_outline = outline_of(tooth, scene.solver.tolerance, out.threads);
         out.geometry = detail::pair_geometry(scene, tooth, shape.amplitude());
     });
     bool const elastic = clock.run(Stage::cup, [&] {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <span>
 #include <vector>
 
 #include "hdconj/envelope/chord_measure.hpp"
@@ -108,6 +109,53 @@ TEST_CASE("long polygons have at most 3 per cent more points than their curves n
                     continue;
                 ++seen;
                 CHECK(static_cast<double>(s.points.size()) < 1.03 * needed);
+            }
+    CHECK(seen >= 8);
+}
+
+TEST_CASE("an arc that is handed on in parts is the one that is kept, within the error from end to end", "[envelope]")
+{
+    Profile const tooth = type50_tooth();
+    Exact const motion = type50_motion();
+    Envelope<Exact> const envelope(tooth, motion, 0);
+    int seen = 0;
+    for (Branch const& branch : find_branches(envelope, 1).branches)
+        for (ContactArc const& arc : branch.arcs)
+            for (double const asked : {1e-5, 1e-7, 1e-9}) {
+                INFO("piece " << arc.piece << ", u " << arc.u_begin << ", chord " << asked);
+                std::vector<EnvelopePoint> points;
+                std::vector<std::size_t> told;   // how many there would be without more cuts
+                SampledArc const s = sample_arc_in_parts(envelope, arc, asked, [&](std::span<EnvelopePoint const> more, std::size_t to_come) {
+                    points.insert(points.end(), more.begin(), more.end());
+                    CHECK(to_come > 0);
+                    told.push_back(points.size() - more.size() + to_come);
+                });
+                SampledArc const kept = sample_arc(envelope, arc, arc.u_begin, arc.u_end, asked, 1, ChordTest::estimate);
+                REQUIRE(points.size() == kept.points.size());
+                CHECK(s.points.empty());
+                CHECK(std::is_sorted(told.begin(), told.end()));
+                CHECK(told.back() <= points.size());
+                CHECK(s.evaluations == kept.evaluations);
+                CHECK(s.chord == kept.chord);
+                CHECK(points.front().u == arc.u_begin);
+                CHECK(points.back().u == arc.u_end);
+                double worst = 0;
+                bool same = true, ascends = true;
+                for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+                    worst = std::max(worst, detail::chord_error(points[k], points[k + 1]));
+                    ascends = ascends && points[k].u < points[k + 1].u;
+                    same = same && points[k].u == kept.points[k].u && points[k].p == kept.points[k].p && points[k].t == kept.points[k].t;
+                }
+                CHECK(same);
+                CHECK(ascends);
+                CHECK(worst == s.chord);
+                CHECK(worst <= asked);
+                if (points.size() < 1000)
+                    continue;
+                ++seen;
+                double const expected = expected_chords(envelope, arc, asked) / static_cast<double>(points.size());
+                CHECK(expected > 0.5);
+                CHECK(expected < 1.5);
             }
     CHECK(seen >= 8);
 }

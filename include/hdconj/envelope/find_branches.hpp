@@ -8,6 +8,7 @@
 #include <limits>
 #include <vector>
 
+#include "hdconj/envelope/contact_batch.hpp"
 #include "hdconj/envelope/cusps.hpp"
 #include "hdconj/envelope/trace.hpp"
 #include "hdconj/numeric/parallel.hpp"
@@ -93,7 +94,8 @@ template<RelativeMotion Motion>
     std::vector<RatesModel> rates;
     for (SmoothRange const& range : smooth_ranges(envelope.motion()))
         rates.push_back(rates_model(envelope.motion(), range.a, range.b));
-    constexpr std::size_t grain = 32;
+    // a piece takes some ten microseconds under a motion in closed form, else most of a millisecond
+    std::size_t const grain = batch_motion(envelope.motion()) ? 32 : 2;
     parallel_for(pieces.size(), threads, grain, [&](std::size_t i) {
         std::vector<ContactArc> const whole = PieceTracer<Motion>(envelope, rates, static_cast<int>(i))(records[i]);
         for (ContactArc const& arc : whole)

@@ -45,6 +45,58 @@ class ArcSampler
     /// Points in order of u.
     [[nodiscard]] SampledArc operator()()
     {
+        if (test_ == ChordTest::bound)
+            return polygon(measured());
+        std::vector<EnvelopePoint> points;
+        SampledArc result = in_parts([&](std::span<EnvelopePoint const> part, std::size_t to_come) {
+            make_room(points, to_come);
+            points.insert(points.end(), part.begin(), part.end());
+        });
+        result.points = std::move(points);
+        return result;
+    }
+
+    /// The polygon whose chords are estimated, in order of u, part by part as it is made: of a long one nothing is kept but what @p take keeps. Without points in the result.
+    /// @param take  (points, how many are to come with them, unless chords are cut)
+    template<class Take>
+    SampledArc in_parts(Take&& take)
+    {
+        ChordMeasure const measure = measured();
+        std::size_t const count = chords(measure);
+        std::size_t const longest = std::min(block, count);
+        std::vector<double> stations(longest + 1), errors(longest), bends(longest);
+        std::vector<EnvelopePoint> points(longest + 1);
+        SampledArc result;
+        make_room(result.points, longest + 1);
+        for (std::size_t first = 0; first < count; first += block)
+        {
+            std::size_t const size = std::min(block, count - first);
+            std::size_t const known = first == 0 ? 0 : 1;
+            if (first > 0)
+            {
+                stations.front() = stations[block];
+                points.front() = points[block];
+            }
+            place(measure, count, first + known, std::span(stations).subspan(known, size + 1 - known), std::span(points).subspan(known, size + 1 - known));
+            chord_errors(std::span(points).first(size + 1), std::span(errors).first(size), std::span(bends).first(size));
+            result.points.clear();
+            if (first == 0)
+                result.points.push_back(points.front());
+            cut_coarse_chords([&](double s) { return at(s); }, std::span(stations).first(size + 1), std::span(points).first(size + 1), std::span(errors).first(size), chord_,
+                              ChordTest::estimate, result);
+            take(std::span<EnvelopePoint const>(result.points), count - first + 1 - known);
+        }
+        evaluations_ += count + 1;
+        result.evaluations += evaluations_;
+        result.points.clear();
+        return result;
+    }
+
+  private:
+    static constexpr std::size_t block = 256;  // points; as many as stay, with their chords, in the nearest caches
+
+    [[nodiscard]] ChordMeasure measured()
+    {
         ChordMeasure measure = first_look();
         constexpr std::size_t closer = 256;
         constexpr double worth_a_closer_look = 4;   // chords a point of it
@@ -54,10 +106,15 @@ class ArcSampler
             look_(points_, threads_);
             measure = ChordMeasure(stations_, look_.errors, chord_);
         }
-        return polygon(measure);
+        return measure;
     }
 
-  private:
+    [[nodiscard]] static std::size_t chords(ChordMeasure const& measure)
+    {
+        constexpr double margin = 1.02;
+        return static_cast<std::size_t>(std::max(1.0, std::ceil(margin * measure.total())));
+    }
+
     [[nodiscard]] EnvelopePoint at(double s) const { return envelope_.point(arc_, arc_parameter_to_u(window_, s)); }
 
     ChordMeasure first_look()
@@ -114,31 +171,33 @@ class ArcSampler
     {
         stations_.resize(count + 1);
         points_.resize(count + 1);
-        // blocks of fixed size; with a batch no point depends on its block
-        constexpr std::size_t block = 256;
-        std::size_t const blocks_worth_a_thread = batch_ ? 64 : 32;
+        // no point depends on its block
+        std::size_t const blocks_worth_a_thread = batch_ ? 32 : 8;
         parallel_for((points_.size() + block - 1) / block, threads_, blocks_worth_a_thread, [&](std::size_t b) {
             std::size_t const first = b * block;
             std::size_t const size = std::min(block, points_.size() - first);
-            std::span<double> const stations = std::span(stations_).subspan(first, size);
-            std::span<EnvelopePoint> const points = std::span(points_).subspan(first, size);
-            measure.shares(count, first, stations);
-            if (!batch_)
-            {
-                std::transform(stations.begin(), stations.end(), points.begin(), [&](double s) { return at(s); });
-                return;
-            }
-            std::array<double, block> u;
-            std::transform(stations.begin(), stations.end(), u.begin(), [&](double s) { return arc_parameter_to_u(window_, s); });
-            point_batch(envelope_, arc_, *batch_, std::span(u).first(size), points);
+            place(measure, count, first, std::span(stations_).subspan(first, size), std::span(points_).subspan(first, size));
         });
         evaluations_ += points_.size();
     }
 
+    /// The same, of stations @p first, @p first + 1, ... only; no more than a block of them.
+    void place(ChordMeasure const& measure, std::size_t count, std::size_t first, std::span<double> stations, std::span<EnvelopePoint> points) const
+    {
+        measure.shares(count, first, stations);
+        if (!batch_)
+        {
+            std::transform(stations.begin(), stations.end(), points.begin(), [&](double s) { return at(s); });
+            return;
+        }
+        std::array<double, block + 1> u;
+        std::transform(stations.begin(), stations.end(), u.begin(), [&](double s) { return arc_parameter_to_u(window_, s); });
+        point_batch(envelope_, arc_, *batch_, std::span<double const>(u).first(stations.size()), points);
+    }
+
     [[nodiscard]] SampledArc polygon(ChordMeasure const& measure)
     {
-        constexpr double margin = 1.02;
-        auto count = static_cast<std::size_t>(std::max(1.0, std::ceil(margin * measure.total())));
+        std::size_t count = chords(measure);
         std::vector<double> const& errors = look_.errors;
         auto const point_at = [&](double s) { return at(s); };
         double worst = 0;
@@ -147,9 +206,6 @@ class ArcSampler
         {
             place(measure, count);
             look_(points_, threads_);
-            worst = *std::max_element(errors.begin(), errors.end());
-            if (test_ == ChordTest::estimate)
-                break;
             bound_chords(point_at, stations_, points_, look_, evaluations_);
             // where many chords are a little too coarse, a few more over the whole arc are fewer than a cut in each
             worst = *std::max_element(errors.begin(), errors.end());
@@ -168,6 +224,8 @@ class ArcSampler
         }
         else
         {
+            make_room(result.points, points_.size());
+            result.points.push_back(points_.front());
             cut_coarse_chords(point_at, stations_, points_, errors, chord_, test_, result);
         }
         return result;
@@ -192,6 +250,7 @@ class ArcSampler
 /// points possible up to higher order. Places that the looks before misjudged are cut again until every chord passes.
 ///
 /// @param from, to  interval of u inside the arc; from > to gives the points in reverse order
+/// @param threads   for chords that are bounded; estimated ones are looked at as they are made
 /// Accuracy: every point is an exact contact (not interpolated); `chord` is within a few per cent of the true chord error, and by default not below it.
 template<RelativeMotion Motion>
 [[nodiscard]] SampledArc sample_arc(Envelope<Motion> const& envelope, ContactArc const& arc, double from, double to, double chord,
@@ -203,6 +262,31 @@ template<RelativeMotion Motion>
     if (from > to)
         std::reverse(result.points.begin(), result.points.end());
     return result;
+}
+
+/// The points of sample_arc() over the whole arc with estimated chords, handed to @p take part by part: a long polygon costs no memory but what @p take keeps of it.
+/// @param take  (points, how many are to come with them, unless chords are cut)
+/// @returns what was asked of the chords, without points
+template<RelativeMotion Motion, class Take>
+SampledArc sample_arc_in_parts(Envelope<Motion> const& envelope, ContactArc const& arc, double chord, Take&& take)
+{
+    return detail::ArcSampler<Motion>(envelope, arc, arc.u_begin, arc.u_end, chord, 1, ChordTest::estimate).in_parts(take);
+}
+
+/// About how many chords sample_arc() takes for the whole arc, from eight of them: for sharing out work among threads.
+template<RelativeMotion Motion>
+[[nodiscard]] double expected_chords(Envelope<Motion> const& envelope, ContactArc const& arc, double chord)
+{
+    constexpr int parts = 8;
+    double total = 0;
+    EnvelopePoint before = envelope.point(arc, arc.u_begin);
+    for (int i = 1; i <= parts; ++i)
+    {
+        EnvelopePoint const after = envelope.point(arc, arc_parameter_to_u(arc, static_cast<double>(i) / parts));
+        total += std::sqrt(detail::chord_error(before, after) / chord);
+        before = after;
+    }
+    return std::max(1.0, total);
 }
 
 }  // namespace hdconj

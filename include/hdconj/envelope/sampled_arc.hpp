@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "hdconj/envelope/chord_bound.hpp"
@@ -30,17 +31,23 @@ enum class ChordTest
 
 namespace detail {
 
-/// Points of the chords of @p points that are short enough, and of the others cut in halves until they are, into @p result.
+/// Room in @p column for @p more and for some that are cut out of long chords.
+template<class Column>
+void make_room(Column& column, std::size_t more)
+{
+    constexpr std::size_t few = 16;
+    if (column.size() + more > column.capacity())
+        column.reserve(std::max(column.size() + more + more / few, 2 * column.capacity()));
+}
+
+/// Ends of the chords of @p points that are short enough, and of the others cut in halves until they are, added to @p result, which has the first of @p points.
 /// @param at      s -> EnvelopePoint
 /// @param errors  of the chords between @p stations
 template<class At>
-void cut_coarse_chords(At const& at, std::vector<double> const& stations, std::vector<EnvelopePoint> const& points, std::vector<double> const& errors, double chord,
-                       ChordTest test, SampledArc& result)
+void cut_coarse_chords(At const& at, std::span<double const> stations, std::span<EnvelopePoint const> points, std::span<double const> errors, double chord, ChordTest test,
+                       SampledArc& result)
 {
     constexpr int deepest = 40;
-    constexpr std::size_t few = 16;
-    result.points.reserve(points.size() + points.size() / few);
-    result.points.push_back(points.front());
     struct Open
     {
         double s0, s1;
