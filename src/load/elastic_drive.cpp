@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -62,6 +64,86 @@ std::vector<BearingNode> bearing_nodes(ElasticDrive const& drive)
         for (std::size_t j = 0; j < drive.stations.bearing; ++j)
             nodes.push_back({j, w, drive.bearing_steps[w]});
     return nodes;
+}
+
+/// Where a contact stands: in which row around the ring, and at which of its places.
+struct Site
+{
+    std::size_t row;
+    std::size_t place;
+};
+
+/// Contacts to begin with, and the points of the line of balls that stand off.
+struct Start
+{
+    std::vector<int> contacts;
+    std::vector<bool> off;
+};
+
+/// Those of the same problem with contacts at every other place only, each for its neighbours too, which begins with every fourth, and so on: each of these problems takes an eighth of
+/// the next one's time. What a start says wrong costs steps and changes no result. Empty where there are few places, or the thinned problem has no solution.
+/// @param first   contact that is the first of the bearing
+/// @param places  of the bearing around the sector
+/// @param turn    to begin with [rad]
+Start start_of(Complementarity const& problem, std::optional<BallLine> const& line, std::size_t first, std::vector<Site> const& sites, std::size_t places, double turn)
+{
+    constexpr std::size_t few = 32;
+    if (places < few)
+        return {};
+    std::vector<int> kept, of_bearing;
+    std::vector<Site> thinned;
+    for (std::size_t i = 0; i < sites.size(); ++i)
+    {
+        if (sites[i].place % 2 != 0)
+            continue;
+        kept.push_back(static_cast<int>(i));
+        if (i >= first)
+            of_bearing.push_back(static_cast<int>(i - first));
+        thinned.push_back({sites[i].row, sites[i].place / 2});
+    }
+    Complementarity thin{problem.compliance(kept, kept), problem.approach(kept), {}, problem.total};
+    if (problem.border.size() > 0)
+        thin.border = problem.border(kept);
+    std::optional<BallLine> balls;
+    if (line)
+        balls = BallLine{line->phi, line->held, line->stiffness, line->lift(of_bearing, Eigen::all)};
+    std::size_t const flanks = kept.size() - of_bearing.size();
+    Start result = start_of(thin, balls, flanks, thinned, (places + 1) / 2, turn);
+    ComplementarityOptions options;
+    options.scalar = turn;
+    options.start = std::move(result.contacts);
+    std::vector<int> contacts;
+    try
+    {
+        if (balls)
+        {
+            BallContact const found = solve_on_balls(thin, static_cast<Index>(flanks), *balls, options, result.off);
+            contacts = found.contacts.contacts;
+            result.off.clear();
+            for (double const force : found.force)
+                result.off.push_back(!(force > 0));
+        }
+        else
+            contacts = solve_complementarity(thin, options).contacts;
+    }
+    catch (NumericalError const&)
+    {
+        return {};  // the whole problem will say what is wrong, if it is its own
+    }
+    std::set<std::pair<std::size_t, std::size_t>> closed;
+    for (int const i : contacts)
+    {
+        auto const whole = static_cast<std::size_t>(kept[static_cast<std::size_t>(i)]);
+        auto const [row, place] = sites[whole];
+        std::size_t const around = whole < first ? std::numeric_limits<std::size_t>::max() : places;   // teeth about the minor axis are far from each other
+        for (std::size_t const near : {place, place + 1 < around ? place + 1 : 0, place > 0 ? place - 1 : around - 1})
+            closed.insert({row, near});
+    }
+    result.contacts.clear();
+    for (std::size_t i = 0; i < sites.size(); ++i)
+        if (closed.contains({sites[i].row, sites[i].place}))
+            result.contacts.push_back(static_cast<int>(i));
+    return result;
 }
 
 }  // namespace
@@ -204,6 +286,10 @@ Equilibrium equilibrium(ElasticDrive const& drive, LinearGaps const& gaps, std::
             if (guess->bearing(static_cast<Index>(nodes[i].height), static_cast<Index>(nodes[i].angle)) > 0)
                 options.start.push_back(static_cast<int>(flanks + i));
     }
+    std::vector<bool> off;   // balls that carried nothing in the like problem
+    if (guess != nullptr)
+        for (double const force : guess->balls)
+            off.push_back(!(force > 0));
     double const sectors = drive.response.sectors();
     if (torque)
     {
@@ -212,15 +298,29 @@ Equilibrium equilibrium(ElasticDrive const& drive, LinearGaps const& gaps, std::
         problem.border = lever;
         problem.total = *torque / sectors;
     }
+    // a start from which contacts on one side of the ring would have to find their way to all others
+    bool const loaded = flanks > 0 && *torque != 0 && guess != nullptr && std::none_of(guess->flank.begin(), guess->flank.end(), [](double force) { return force > 0; });
+    if (guess == nullptr || loaded)
+    {
+        std::vector<Site> sites;
+        for (std::size_t i = 0; i < flanks; ++i)
+        {
+            FlankContact const& c = gaps.contacts[i];
+            sites.push_back({drive.stations.bearing + 2 * c.slice + static_cast<std::size_t>(c.flank), c.space});
+        }
+        for (BearingNode const& node : nodes)
+            sites.push_back({node.height, node.angle});
+        Start start = start_of(problem, drive.balls, flanks, sites, drive.bearing_steps.size(), gaps.turn);
+        if (!start.contacts.empty())
+        {
+            options.start = std::move(start.contacts);
+            off = std::move(start.off);
+        }
+    }
     Equilibrium result;
     ComplementaritySolution solved;
     if (drive.balls)
     {
-        // balls that carried nothing in the like problem
-        std::vector<bool> off;
-        if (guess != nullptr)
-            for (double const force : guess->balls)
-                off.push_back(!(force > 0));
         BallContact balls = solve_on_balls(problem, static_cast<Index>(flanks), *drive.balls, options, off);
         result.balls.assign(balls.force.begin(), balls.force.end());
         solved = std::move(balls.contacts);

@@ -41,6 +41,33 @@ ElasticDrive small_drive()
     return drive;
 }
 
+/// The same ring with forty teeth and contacts of the bearing at every angle of a sector, on a cam that is not quite even.
+ElasticDrive round_drive(std::mt19937& random)
+{
+    constexpr int sectors = 1, highest = 40, grid = 80;
+    std::vector<HarmonicResponse> harmonics;
+    for (int n = 0; n <= highest; n += sectors)
+    {
+        double const order = std::max(n, 1), u = 1.0 / (order * order), v = n == 0 ? 0 : -u / n, w = u * u + 0.01;
+        Eigen::MatrixXd s = Eigen::MatrixXd::Zero(4, 4);
+        s << u + 0.02, u, v, 0, u, u + 0.02, v, 0, v, v, w, 0, 0, 0, 0, 0.1;
+        harmonics.push_back({n, 1e-4 * s});
+    }
+    add_turns(harmonics, {1}, {2}, 20.0);
+    std::vector<RingStation> const stations{{RingStation::Parity::cosine, 0.01}, {RingStation::Parity::cosine, 0.1}, {RingStation::Parity::sine, 0.1},
+                                            {RingStation::Parity::cosine, 0.1},  {RingStation::Parity::sine, 0.1}};
+    std::vector<int> steps;
+    for (int i = 0; i < grid; ++i)
+        steps.push_back(i);
+    ElasticDrive drive{{1, 1}, PointResponse(stations, harmonics, sectors, grid, 1), {}, {}, 2, steps, {}, 0, 40, {1.0}, {206e3, 0.3}, {206e3, 0.3}, 0.2, {}};
+    std::uniform_real_distribution<double> unit(-1, 1);
+    drive.needed.resize(1, grid);
+    for (Index i = 0; i < grid; ++i)
+        drive.needed(0, i) = 0.02 * std::cos(4 * std::numbers::pi * static_cast<double>(i) / grid) + 1e-4 * unit(random);
+    drive.bearing_compliance = bearing_compliance(drive, 1);
+    return drive;
+}
+
 struct Problem
 {
     ElasticDrive drive = small_drive();
@@ -232,5 +259,49 @@ TEST_CASE("a torque on flanks and bearing is carried as least squares say", "[lo
         ComplementaritySolution const slow = solve_complementarity(problem, projected);
         CHECK((slow.force - expected).cwiseAbs().maxCoeff() <= 1e-9 * expected.maxCoeff());
         CHECK(std::is_sorted(slow.energies.rbegin(), slow.energies.rend()));
+    }
+}
+
+TEST_CASE("what a problem begins with changes no bit of its answer", "[load]")
+{
+    std::mt19937 random(5050);
+    std::uniform_real_distribution<double> unit(0, 1);
+    for (int trial = 0; trial < 20; ++trial)
+    {
+        INFO("trial " << trial);
+        ElasticDrive const drive = round_drive(random);
+        Equilibrium const free = equilibrium(drive, {}, std::nullopt, nullptr, 1);
+        Equilibrium const again = equilibrium(drive, {}, std::nullopt, &free, 1);
+        CHECK(free.complementarity < kkt);
+        CHECK(free.bearing == again.bearing);
+        CHECK(again.steps == 1);
+
+        // teeth all around, nearest about the major axis; without forces to begin with, and with those of the answer
+        LinearGaps gaps;
+        for (int i = 0; i < 40; ++i)
+        {
+            FlankContact c;
+            c.space = static_cast<std::size_t>(i);
+            c.flank = 1;
+            c.tooth = i - 20;
+            c.c_t = 0.8;
+            c.c_r = 0.6;
+            c.lever = 16;
+            c.gap = 1e-5 * (i - 20) * (i - 20) + 1e-4 * unit(random);
+            c.curvature = 10;
+            gaps.contacts.push_back(c);
+            gaps.displacement.push_back(0);
+            gaps.compliance.own.push_back(1e-5);
+        }
+        Equilibrium unloaded = free;
+        unloaded.flank.assign(gaps.contacts.size(), 0);
+        Equilibrium const loaded = equilibrium(drive, gaps, 5000.0, &unloaded, 1);
+        Equilibrium const known = equilibrium(drive, gaps, 5000.0, &loaded, 1);
+        CHECK(loaded.complementarity < kkt);
+        CHECK(loaded.flank == known.flank);
+        CHECK(loaded.bearing == known.bearing);
+        CHECK(loaded.turn == known.turn);
+        CHECK(known.steps == 1);
+        CHECK(std::count_if(loaded.flank.begin(), loaded.flank.end(), [](double force) { return force > 0; }) > 3);
     }
 }
