@@ -37,9 +37,19 @@ VectorXd times(Eigen::MatrixXd const& compliance, VectorXd const& force)
     return result;
 }
 
+namespace {
+
+/// As allFinite(), of which no vector instructions are made: what is not finite is not zero less itself.
+bool all_finite(Eigen::MatrixXd const& m)
+{
+    return (m.array() - m.array()).sum() == 0;
+}
+
+}  // namespace
+
 ComplementaritySystem::ComplementaritySystem(Complementarity const& problem, double scalar) : s(problem.border.size() > 0 ? scalar : 0), problem_(problem), count_(problem.approach.size())
 {
-    if (!problem.compliance.allFinite() || !problem.approach.allFinite() || !problem.border.allFinite() || !std::isfinite(problem.total))
+    if (!all_finite(problem.compliance) || !problem.approach.allFinite() || !problem.border.allFinite() || !std::isfinite(problem.total))
         fail_complementarity("a compliance, an approach or the load is not a number");
     double const load = problem.total;
     if (has_border() && load != 0 && (problem.border * load).maxCoeff() <= 0)
