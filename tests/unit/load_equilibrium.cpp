@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <optional>
 #include <random>
 
@@ -19,10 +20,9 @@ namespace {
 
 constexpr double kkt = 1e-10;
 
-/// One slice and one circle of the bearing, eight teeth of which four are a sector; an inextensional ring with something of its own at each station.
-ElasticDrive small_drive()
+/// One slice and one circle of the bearing, at some of the angles of the grid; an inextensional ring with something of its own at each station.
+ElasticDrive small_ring(int sectors, int highest, int grid, int teeth, std::vector<int> const& bearing_steps)
 {
-    constexpr int sectors = 2, highest = 8, grid = 8;
     std::vector<HarmonicResponse> harmonics;
     for (int n = 0; n <= highest; n += sectors)
     {
@@ -35,36 +35,28 @@ ElasticDrive small_drive()
     add_turns(harmonics, {1}, {2}, 20.0);
     std::vector<RingStation> const stations{{RingStation::Parity::cosine, 0.01}, {RingStation::Parity::cosine, 0.1}, {RingStation::Parity::sine, 0.1},
                                             {RingStation::Parity::cosine, 0.1},  {RingStation::Parity::sine, 0.1}};
-    ElasticDrive drive{{1, 1}, PointResponse(stations, harmonics, sectors, grid, 1), {}, {}, 2, {0, 2, 4, 6}, {}, 0, 8, {1.0}, {206e3, 0.3}, {206e3, 0.3}, 0.2, {}};
-    drive.needed.resize(1, 4);
+    ElasticDrive drive{{1, 1}, PointResponse(stations, harmonics, sectors, grid, 1), {}, {}, grid * sectors / teeth, bearing_steps, {}, 0, teeth, {1.0}, {206e3, 0.3}, {206e3, 0.3}, 0.2, {}};
+    drive.needed = Eigen::MatrixXd::Zero(1, static_cast<Index>(bearing_steps.size()));
     drive.bearing_compliance = bearing_compliance(drive, 1);
     return drive;
 }
 
-/// The same ring with forty teeth and contacts of the bearing at every angle of a sector, on a cam that is not quite even.
+/// Eight teeth of which four are a sector.
+ElasticDrive small_drive()
+{
+    return small_ring(2, 8, 8, 8, {0, 2, 4, 6});
+}
+
+/// Forty teeth and contacts of the bearing at every angle of the whole turn, on a cam that is not quite even.
 ElasticDrive round_drive(std::mt19937& random)
 {
-    constexpr int sectors = 1, highest = 40, grid = 80;
-    std::vector<HarmonicResponse> harmonics;
-    for (int n = 0; n <= highest; n += sectors)
-    {
-        double const order = std::max(n, 1), u = 1.0 / (order * order), v = n == 0 ? 0 : -u / n, w = u * u + 0.01;
-        Eigen::MatrixXd s = Eigen::MatrixXd::Zero(4, 4);
-        s << u + 0.02, u, v, 0, u, u + 0.02, v, 0, v, v, w, 0, 0, 0, 0, 0.1;
-        harmonics.push_back({n, 1e-4 * s});
-    }
-    add_turns(harmonics, {1}, {2}, 20.0);
-    std::vector<RingStation> const stations{{RingStation::Parity::cosine, 0.01}, {RingStation::Parity::cosine, 0.1}, {RingStation::Parity::sine, 0.1},
-                                            {RingStation::Parity::cosine, 0.1},  {RingStation::Parity::sine, 0.1}};
-    std::vector<int> steps;
-    for (int i = 0; i < grid; ++i)
-        steps.push_back(i);
-    ElasticDrive drive{{1, 1}, PointResponse(stations, harmonics, sectors, grid, 1), {}, {}, 2, steps, {}, 0, 40, {1.0}, {206e3, 0.3}, {206e3, 0.3}, 0.2, {}};
+    constexpr int grid = 80;
+    std::vector<int> steps(grid);
+    std::iota(steps.begin(), steps.end(), 0);
+    ElasticDrive drive = small_ring(1, grid / 2, grid, grid / 2, steps);
     std::uniform_real_distribution<double> unit(-1, 1);
-    drive.needed.resize(1, grid);
     for (Index i = 0; i < grid; ++i)
         drive.needed(0, i) = 0.02 * std::cos(4 * std::numbers::pi * static_cast<double>(i) / grid) + 1e-4 * unit(random);
-    drive.bearing_compliance = bearing_compliance(drive, 1);
     return drive;
 }
 
