@@ -5,11 +5,63 @@
 #include <cmath>
 #include <utility>
 
+#include "hdconj/axial/cone.hpp"
 #include "hdconj/contact/gap_map.hpp"
 #include "hdconj/contact/hermite_between.hpp"
 #include "hdconj/contact/parallel_trim.hpp"
+#include "hdconj/numeric/bracketed_root.hpp"
 
 namespace hdconj {
+namespace {
+
+/// Points of a flank, from the land corner on, that lie within the circle @p tip come together where the flank crosses it.
+void cut_at_tip(std::vector<Vec2>& point, std::vector<Vec2>& normal, double tip)
+{
+    auto const outside = std::find_if(point.begin(), point.end(), [tip](Vec2 const& p) { return p.norm() >= tip; });
+    if (outside == point.begin() || outside == point.end())
+        return;
+    auto const first = static_cast<std::size_t>(outside - point.begin());
+    auto const at = [&, last = first](double t) { return hermite_between(point[last - 1], normal[last - 1], point[last], normal[last], t); };
+    double const t = bracketed_root([&](double s) { return at(s).norm() - tip; }, 0.0, 1.0, point[first - 1].norm() - tip, point[first].norm() - tip).x;
+    Vec2 const corner = at(t), its_normal = ((1 - t) * normal[first - 1] + t * normal[first]).normalized();
+    std::fill(point.begin(), outside, corner);
+    std::fill(normal.begin(), normal.begin() + static_cast<std::ptrdiff_t>(first), its_normal);
+}
+
+/// Moves points along their normals by @p offset, those that have been moved outward by @p shift before as they were without.
+void move(std::vector<Vec2>& points, std::vector<Vec2>& normals, double offset, double shift)
+{
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        Vec2& p = points[i];
+        Vec2& n = normals[i];
+        if (shift == 0 || offset == 0)
+        {
+            p += offset * n;
+            continue;
+        }
+        Vec2 const before = moved_radially(p, -shift), normal = normal_moved_radially(p, n, -shift), moved = before + offset * normal;
+        p = moved_radially(moved, shift);
+        n = normal_moved_radially(moved, normal, shift);
+    }
+}
+
+/// Shares of the length of the right flank in the middle slice.
+std::vector<double> stations_of(FlankGrid const& grid)
+{
+    std::size_t const k = grid.slices() / 2;
+    bool const whole = !grid.line[GapMap::right].empty();
+    std::vector<Vec2> const& line = whole ? grid.line[GapMap::right][k] : grid.point[GapMap::right][k];
+    std::vector<double> way{0};
+    for (std::size_t i = 1; i < line.size(); ++i)
+        way.push_back(way.back() + (line[i] - line[i - 1]).norm());
+    std::vector<double> station;
+    for (std::size_t j = 0; j < grid.points(); ++j)
+        station.push_back(way[whole ? grid.index[GapMap::right][j] : j] / way.back());
+    return station;
+}
+
+}  // namespace
 
 double FlankGrid::place(int flank, std::size_t j) const
 {
@@ -111,22 +163,25 @@ FlankGrid flank_grid(MatchedOutline const& outline, std::vector<double> const& z
 
 FlankGrid moved_into_material(FlankGrid grid, double offset)
 {
-    auto const moved = [offset](std::vector<Vec2> points, std::vector<Vec2> const& normals) {
-        for (std::size_t i = 0; i < points.size(); ++i)
-            points[i] += offset * normals[i];
-        return points;
-    };
     for (std::size_t f = 0; f < 2; ++f)
         for (std::size_t k = 0; k < grid.slices(); ++k)
         {
             bool const whole = !grid.line[f].empty();
             std::vector<Vec2>& line = whole ? grid.line[f][k] : grid.point[f][k];
             std::vector<Vec2>& normal = whole ? grid.line_normal[f][k] : grid.normal[f][k];
+            double const shift = grid.shift.empty() ? 0 : grid.shift[k];
             if (whole)
-                grid.point[f][k] = moved(std::move(grid.point[f][k]), grid.normal[f][k]);
-            std::vector<Vec2> const bare = std::exchange(line, moved(line, normal));
-            bool const curve = offset != 0 && grid.radius[f].empty();
-            if (!curve || !(trim_overlaps(bare, line, normal) > 0) || !whole)
+                move(grid.point[f][k], grid.normal[f][k], offset, shift);
+            std::vector<Vec2> const bare = line;
+            move(line, normal, offset, shift);
+            bool const curve = grid.radius[f].empty();
+            bool changed = curve && offset != 0 && trim_overlaps(bare, line, normal) > 0;
+            if (curve && !grid.tip.empty())
+            {
+                cut_at_tip(line, normal, grid.tip[k]);
+                changed = true;
+            }
+            if (!changed || !whole)
                 continue;
             for (std::size_t j = 0; j < grid.points(); ++j)
             {
@@ -134,6 +189,8 @@ FlankGrid moved_into_material(FlankGrid grid, double offset)
                 grid.normal[f][k][j] = normal[grid.index[f][j]];
             }
         }
+    if (!grid.tip.empty())
+        grid.station = stations_of(grid);
     return grid;
 }
 
@@ -143,6 +200,10 @@ FlankGrid slice_of(FlankGrid const& grid, std::size_t k)
     one.z = {grid.z[k]};
     one.station = grid.station;
     one.index = grid.index;
+    if (!grid.tip.empty())
+        one.tip = {grid.tip[k]};
+    if (!grid.shift.empty())
+        one.shift = {grid.shift[k]};
     auto const take = [k](auto const& all, auto& one_of_them) {
         for (std::size_t f = 0; f < 2; ++f)
             if (!all[f].empty())

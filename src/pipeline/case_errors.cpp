@@ -34,9 +34,10 @@ double distance_to(std::vector<Vec2> const& line, Vec2 const& p)
 std::vector<double> deviations(ContactBench const& bench, SurfaceMaker& maker, FlankGrid const& grid, double tip)
 {
     MatchedOutline const own = maker({"per-slice", "radial", 0}, tip, bench.tolerance.length, 0);
+    FlankGrid const to_tip = moved_into_material(grid, 0);
     std::vector<double> worst(grid.slices(), 0);
     parallel_for(grid.slices(), bench.threads, 1, [&](std::size_t k) {
-        for (auto const& flank : grid.point)
+        for (auto const& flank : to_tip.point)
             for (Vec2 const& p : flank[k])
                 worst[k] = std::max(worst[k], distance_to(own.points[k], p));
     });
@@ -52,29 +53,30 @@ void write_errors(ContactBench const& bench, SurfaceChoice const& choice, SliceT
     auto const write = [&](TurnWork const& as_made, SurfaceMaker& maker, FlankGrid const& cleared) {
         ClearanceErrors const errors = clearance_errors(bench, as_made, made.given, result.closest_flank(), closest_root->root);
         // planes between slices that are solved anew have their own chords, were made to clear a tooth by points, and have corners that move along the flank
-        bool const anew = choice.surface == "per-slice" && bench.scene.coning && made.grid.slices() > 1;
+        bool const anew = choice.surface == "per-slice" && bench.scene.coning && made.flanks.grid.slices() > 1;
         double const chords = anew ? 2 * bench.tolerance.length : 0;
-        result.clearance_error = errors.flank + chords + (anew ? overlap_at_ends(made.grid, made.given) : 0);
+        // a clearance falls no faster than the flank goes on
+        result.clearance_error = errors.flank + unseen_length(made.flanks.grid, made.given) + chords + (anew ? overlap_at_ends(made.flanks.grid, made.given) : 0);
         result.root_clearance_error = errors.root;
-        result.clearing_offset_error = clearing_error(bench, as_made.turns, flank_set(cleared, both), result.clearing_offset, false) + chords + (anew ? overlap_at_ends(made.cleared.grid, result.clearing_offset) : 0);
+        result.clearing_offset_error = clearing_error(bench, as_made.turns, flank_set(cleared, both), result.clearing_offset, false) + unseen_length(made.cleared.flanks.grid, result.clearing_offset) + chords + (anew ? overlap_at_ends(made.cleared.flanks.grid, result.clearing_offset) : 0);
         result.clearing_root_error = clearing_error(bench, as_made.turns, root_set(as_made.outline, bench.tolerance), result.clearing_root, true);
-        if (choice.surface != "ruled" || !bench.scene.coning || made.grid.slices() < 2)
+        if (choice.surface != "ruled" || !bench.scene.coning || made.flanks.grid.slices() < 2)
             return;
         // told in the slices of the scene, of which these are all or every so many
         std::vector<double> low = deviations(bench, maker, cleared, made.cleared.tip);
-        for (std::size_t k = 0; k < low.size(); k += (low.size() - 1) / (made.grid.slices() - 1))
+        for (std::size_t k = 0; k < low.size(); k += (low.size() - 1) / (made.flanks.grid.slices() - 1))
             result.ruled_deviation = std::max(result.ruled_deviation, low[k]);
         for (double& each : low)
             each = -each;
         // the distance is pointed where it is largest; an outline is known to its chords
         result.ruled_deviation_error = -least_between(low, pointed_function) - result.ruled_deviation + bench.tolerance.length;
     };
-    std::size_t const slices = made.grid.slices();
+    std::size_t const slices = made.flanks.grid.slices();
     bool const alike = slices == 1 || (!bench.scene.coning && choice.tilt == 0);
     std::size_t const fewest = choice.surface == "ruled" ? fewest_planes : fewest_turn_planes;
     if (alike || slices >= fewest)
     {
-        write({turns, made.outline, made.grid, &made.flank, &made.root}, bench.maker, made.cleared.grid);
+        write({turns, made.outline, made.flanks.grid, &made.flank, &made.root}, bench.maker, made.cleared.flanks.grid);
     }
     else
     {
@@ -84,16 +86,17 @@ void write_errors(ContactBench const& bench, SurfaceChoice const& choice, SliceT
         SliceTurns const finer_turns(bench, *maker);
         auto const surface = [&](double tip) { return surface_of(bench, *maker, choice, tip); };
         MatchedOutline const outline = surface(made.tip);
-        FlankGrid const grid = flank_grid(outline, maker->z(), bench.request.flank_points);
-        FlankGrid const cleared = made.cleared.tip == made.tip ? grid : flank_grid(surface(made.cleared.tip), maker->z(), bench.request.flank_points);
+        double const most = std::max(made.given, result.clearing_offset);
+        FlankGrid const grid = part_flanks(bench, *maker, choice, outline, made.tip, most).grid;
+        FlankGrid const cleared = made.cleared.tip == made.tip ? grid : part_flanks(bench, *maker, choice, surface(made.cleared.tip), made.cleared.tip, most).grid;
         write({finer_turns, outline, grid}, *maker, cleared);
     }
     // where flanks that are moved meet decides the tip circle, it follows
     double const pitch = 2 * std::numbers::pi / bench.scene.drive.circular_spline_teeth;
     double const offset = std::max(result.clearing_offset, made.given) + result.clearing_offset_error;
-    result.clearing_tip_error = bench.tolerance.length;
+    result.clearing_tip_error = bench.tolerance.length + (result.clearing_offset > 0 ? result.clearing_offset_error : 0);   // corners rise by less than they are moved
     for (std::size_t k = 0; k < slices; ++k)
-        if (double const meeting = meeting_radius(made.cleared.outline, k, offset, pitch); meeting > 0)
+        if (double const meeting = meeting_radius(made.cleared.flanks.outline, k, offset, pitch); meeting > 0)
             result.clearing_tip_error = std::max(result.clearing_tip_error,
                                                  meeting + least_land * bench.scene.drive.module - bench.maker.z()[k] * std::tan(choice.tilt) - made.cleared.tip);
 }

@@ -13,7 +13,7 @@ struct Surfaces
 {
     Cleared const& cleared;
     MatchedOutline const& outline;   ///< as made
-    FlankGrid const& grid;
+    PartFlanks const& flanks;        ///< of it
     double tip;     ///< as made
     double given;   ///< side clearance of the scene
     TurnMinima const& flank;   ///< of the flanks as made and that side clearance

@@ -19,12 +19,49 @@
 
 namespace hdconj::detail {
 
-double raised_for_map(ContactBench const& bench, FlankGrid const& grid, double offset, std::vector<double> const& phases)
+namespace {
+
+/// Has the flanks reach the tip circle when they are moved by @p distance.
+void reach(ContactBench const& bench, SurfaceChoice const& choice, Cleared& cleared, double distance)
+{
+    cleared.reach = distance;
+    cleared.flanks = part_flanks(bench, bench.maker, choice, cleared.outline, cleared.tip, distance);
+}
+
+/// Lifts the tip circle to where the flanks begin when they are moved by the offset with which they clear.
+void lift_tip(ContactBench const& bench, SliceTurns const& turns, SurfaceChoice const& choice, Cleared& cleared)
+{
+    constexpr double more = 1.25;
+    constexpr int budget = 8;
+    cleared.tip += lift_of_corners(cleared.flanks.grid, cleared.offset);
+    cleared.outline = surface_of(bench, choice, cleared.tip);
+    double further = std::max(cleared.reach, cleared.offset);
+    for (int i = 0; i < budget; ++i)
+    {
+        reach(bench, choice, cleared, further);
+        bench.clock.run(Stage::clearance, [&] {
+            ClearanceSet const set = flank_set(cleared.flanks.grid, !is_symmetric(bench));
+            // the same flanks as before, a little less of them in slices whose corners rise less
+            if (turns.worst(set, cleared.offset, turns(set, cleared.offset)) < -clearing_accuracy(bench.tolerance))
+                cleared.offset = least_clearing(turns, set, turns(set, 0), bench.tolerance);
+        });
+        if (cleared.offset <= cleared.reach)
+            return;
+        further = more * cleared.offset;
+    }
+    throw NumericalError("contact", "clearing offset", "what is left of the flanks at the tip circle asks for ever more side clearance");
+}
+
+}  // namespace
+
+double raised_for_map(ContactBench const& bench, SurfaceChoice const& choice, Cleared& cleared, double offset, std::vector<double> const& phases)
 {
     if (!bench.scene.coning || bench.scene.coning->axial_shift != "mapped")
         return offset;
     auto const smallest_at = [&](double distance) {
-        FlankGrid const moved = moved_into_material(grid, distance);
+        if (distance > cleared.reach)
+            reach(bench, choice, cleared, distance);
+        FlankGrid const moved = moved_into_material(cleared.flanks.grid, distance);
         double smallest = std::numeric_limits<double>::infinity();
         for (double const phase : phases)
         {
@@ -49,27 +86,42 @@ Cleared clear_flanks(ContactBench const& bench, SliceTurns const& turns, Surface
     double const pitch = 2 * std::numbers::pi / bench.scene.drive.circular_spline_teeth;
     double const least = least_land * bench.scene.drive.module;
     Cleared result;
+    result.reach = at_least;
     result.tip = bench.maker.needed_tip(choice);
+    // where moved flanks meet the tip circle has to follow until a land is left
+    auto const raise_tip = [&](MatchedOutline const& outline, double distance) {
+        double tip = result.tip;
+        for (std::size_t k = 0; k < bench.maker.z().size(); ++k)
+            if (double const meeting = meeting_radius(outline, k, distance, pitch); meeting > 0)
+                tip = std::max(tip, meeting + least - bench.maker.z()[k] * std::tan(choice.tilt));
+        return std::exchange(result.tip, tip) != tip;
+    };
     constexpr int budget = 12;
-    for (int i = 0; i < budget; ++i)
+    for (int i = 0;; ++i)
     {
         result.outline = surface_of(bench, choice, result.tip);
-        result.grid = flank_grid(result.outline, bench.maker.z(), bench.request.flank_points);
-        ClearanceSet const set = flank_set(result.grid, !is_symmetric(bench));
-        bench.clock.run(Stage::clearance, [&] { result.offset = least_clearing(turns, set, turns(set, 0), bench.tolerance); });
-        double tip = result.tip;
-        for (std::size_t k = 0; k < result.grid.slices(); ++k)
-        {
-            double const meeting = meeting_radius(result.outline, k, std::max(result.offset, at_least), pitch);
-            if (meeting > 0)
-                tip = std::max(tip, meeting + least - bench.maker.z()[k] * std::tan(choice.tilt));
-        }
-        if (tip == result.tip)
-            return result;
-        result.tip = tip;
+        result.flanks = part_flanks(bench, bench.maker, choice, result.outline, result.tip, 0);
+        bench.clock.run(Stage::clearance, [&] {
+            ClearanceSet const set = flank_set(result.flanks.grid, !is_symmetric(bench));
+            result.offset = least_clearing(turns, set, turns(set, 0), bench.tolerance);
+        });
+        if (!raise_tip(result.outline, std::max(result.offset, at_least)))
+            break;
+        if (i + 1 == budget)
+            throw NumericalError("contact", "clearing offset", "side clearance and tip circle did not settle at a tip circle of " + std::to_string(result.tip)
+                                                                   + " mm: the teeth become too short for this tilt");
     }
-    throw NumericalError("contact", "clearing offset", "side clearance and tip circle did not settle at a tip circle of " + std::to_string(result.tip)
-                                                           + " mm: the teeth become too short for this tilt");
+    if (result.offset > 0)
+        lift_tip(bench, turns, choice, result);
+    else if (result.reach > 0)
+        reach(bench, choice, result, result.reach);
+    // a given clearance has more of the surface reach the tip circle, whose land may be narrower there
+    for (int i = 0; i < budget && raise_tip(result.flanks.outline, std::max(result.offset, at_least)); ++i)
+    {
+        result.outline = surface_of(bench, choice, result.tip);
+        reach(bench, choice, result, result.reach);
+    }
+    return result;
 }
 
 void check_as_made(ContactBench const& bench, SurfaceChoice const& choice, Cleared const& cleared)
@@ -87,12 +139,12 @@ FlankSurface flank_surface(ContactBench const& bench, SurfaceChoice const& choic
         double const given = spline.automatic_backlash ? 0 : spline.backlash_offset;
         Cleared cleared = clear_flanks(bench, SliceTurns(bench), choice, given);
         double const offset = std::max(given, cleared.offset);
-        FlankGrid moved = moved_into_material(std::move(cleared.grid), offset);
+        FlankGrid moved = moved_into_material(std::move(cleared.flanks.grid), offset);
         return {std::move(cleared.outline), std::move(moved), offset, cleared.tip};
     }
     double const tip = bench.maker.own_tip(choice);
     MatchedOutline outline = surface_of(bench, choice, tip);
-    FlankGrid grid = moved_into_material(flank_grid(outline, bench.maker.z(), bench.request.flank_points), spline.backlash_offset);
+    FlankGrid grid = moved_into_material(part_flanks(bench, bench.maker, choice, outline, tip, spline.backlash_offset).grid, spline.backlash_offset);
     return {std::move(outline), std::move(grid), spline.backlash_offset, tip};
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hdconj/contact/flank_grid.hpp"
+#include "part_flanks.hpp"
 #include "slice_turns.hpp"
 
 namespace hdconj::detail {
@@ -14,7 +15,8 @@ namespace hdconj::detail {
 struct Cleared
 {
     MatchedOutline outline;   ///< with that tip circle, without the side clearance
-    FlankGrid grid;
+    PartFlanks flanks;        ///< of it, to be moved by up to `reach`
+    double reach = 0;         ///< [mm]
     double offset = 0;
     double tip = 0;
 };
@@ -22,7 +24,8 @@ struct Cleared
 /// Side clearance and tip circle of @p choice, whose land is left with a side clearance of @p at_least too [mm].
 ///
 /// Side clearance moves the flanks of neighbouring spaces towards each other, so the tip circle may have to follow until a land is left; what then
-/// is no flank any more needs no clearing. A larger tip circle never asks for more clearance: the loop ends.
+/// is no flank any more needs no clearing. A larger tip circle never asks for more clearance: the loop ends. It also lifts the land corners: the tip circle follows to where the
+/// moved flanks begin, since what the surface has beyond them would be entered and ask for far more clearance, and that for more of it again.
 /// @throws NumericalError where they do not settle
 [[nodiscard]] Cleared clear_flanks(ContactBench const& bench, SliceTurns const& turns, SurfaceChoice const& choice, double at_least);
 
@@ -30,7 +33,7 @@ struct Cleared
 /// @throws NumericalError where not, that of making it
 void check_as_made(ContactBench const& bench, SurfaceChoice const& choice, Cleared const& cleared);
 
-/// Offset that leaves no gap below zero where the map is looked at: beside the full turn, with the wall's axial shift. At least @p offset.
-[[nodiscard]] double raised_for_map(ContactBench const& bench, FlankGrid const& grid, double offset, std::vector<double> const& phases);
+/// Offset that leaves no gap below zero where the map is looked at: beside the full turn, with the wall's axial shift. At least @p offset; the flanks of @p cleared then reach as far.
+[[nodiscard]] double raised_for_map(ContactBench const& bench, SurfaceChoice const& choice, Cleared& cleared, double offset, std::vector<double> const& phases);
 
 }  // namespace hdconj::detail

@@ -56,14 +56,14 @@ double share_of(ContactBench const& bench, SurfaceChoice const& choice, bool as_
 {
     CircularSpline const& spline = bench.scene.circular_spline;
     double const given = spline.automatic_backlash ? 0 : spline.backlash_offset;
-    Cleared const cleared = clear_flanks(bench, SliceTurns(bench), choice, given);
+    Cleared cleared = clear_flanks(bench, SliceTurns(bench), choice, given);
     if (as_made)
         check_as_made(bench, choice, cleared);
     double const phase = phase_of(bench.scene, bench.request.wave_generator);
     bool const clears = given >= cleared.offset - clearing_accuracy(bench.tolerance);
-    double const offset = raised_for_map(bench, cleared.grid, clears ? given : cleared.offset, {phase});
-    FlankGrid const used = moved_into_material(cleared.grid, offset);
-    FinerSurface finer(bench, choice, cleared.grid, used, cleared.tip, offset);
+    double const offset = raised_for_map(bench, choice, cleared, clears ? given : cleared.offset, {phase});
+    FlankGrid const used = moved_into_material(cleared.flanks.grid, offset);
+    FinerSurface finer(bench, choice, cleared.flanks.grid, used, cleared.tip, offset);
     return contact_state({bench, finer, phase, 0, 0, 0, false}, used, nullptr).share;
 }
 
@@ -79,11 +79,12 @@ ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice,
     double const given = spline.automatic_backlash ? 0 : spline.backlash_offset;
 
     SliceTurns const turns(bench);
-    Cleared const cleared = clear_flanks(bench, turns, choice, given);
+    Cleared cleared = clear_flanks(bench, turns, choice, given);
     // clearances are those of the drive as the scene gives it, as far as its tip circle lets the surface exist
     double const own_tip = bench.maker.own_tip(choice);
     MatchedOutline const outline = own_tip == cleared.tip ? cleared.outline : surface_of(bench, choice, own_tip);
-    FlankGrid const own_grid = own_tip == cleared.tip ? cleared.grid : flank_grid(outline, bench.maker.z(), bench.request.flank_points);
+    PartFlanks const own_flanks = own_tip == cleared.tip ? cleared.flanks : part_flanks(bench, bench.maker, choice, outline, own_tip, given);
+    FlankGrid const& own_grid = own_flanks.grid;
     ClearanceSet const flanks = flank_set(own_grid, !is_symmetric(bench));
     ClearanceSet const root = root_set(outline, bench.tolerance);
     TurnMinima at_given, at_root;
@@ -98,10 +99,9 @@ ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice,
         result.slices[k].flank = closest(turns, flanks, k, given, at_given[k]);
         result.slices[k].root = closest(turns, root, k, 0, at_root[k]);
     });
-    FlankGrid const& grid = cleared.grid;
     result.clearing_offset = cleared.offset;
     result.clearing_tip = cleared.tip;
-    bench.clock.run(Stage::clearance, [&] { write_errors(bench, choice, turns, {cleared, outline, own_grid, own_tip, given, at_given, at_root}, result); });
+    bench.clock.run(Stage::clearance, [&] { write_errors(bench, choice, turns, {cleared, outline, own_flanks, own_tip, given, at_given, at_root}, result); });
 
     write_place(result);
     std::vector<double> phases;
@@ -114,7 +114,10 @@ ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice,
     // teeth that enter the flanks cannot be turned to first contact: what is missing of the clearing offset is added, and the case says so
     bool const clears = given >= result.clearing_offset - clearing_accuracy(bench.tolerance);
     result.backlash_offset = clears ? given : result.clearing_offset;
-    result.backlash_offset = raised_for_map(bench, grid, result.backlash_offset, phases);
+    result.backlash_offset = raised_for_map(bench, choice, cleared, result.backlash_offset, phases);
+    // what clears the slices but not the sections there has no play: as much is added as there
+    double const clearing = raised_for_map(bench, choice, cleared, result.clearing_offset, {own});
+    FlankGrid const& grid = cleared.flanks.grid;
     result.raised = !spline.automatic_backlash && result.backlash_offset > given;
     FlankGrid const used = moved_into_material(grid, result.backlash_offset);
     FinerSurface finer(bench, choice, grid, used, cleared.tip, result.backlash_offset);
@@ -141,8 +144,6 @@ ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice,
     result.state = result.revolution[least];
     if (revolution == 0)
         result.revolution.clear();
-    // what clears the slices but not the sections there has no play: as much is added as there
-    double const clearing = raised_for_map(bench, grid, result.clearing_offset, {own});
     if (clearing == result.backlash_offset)
     {
         result.backlash_of_clearing = result.state.backlash();

@@ -8,6 +8,7 @@
 #include "contact_error.hpp"
 #include "hdconj/axial/slice_places.hpp"
 #include "moved_outline.hpp"
+#include "part_flanks.hpp"
 
 namespace hdconj::detail {
 
@@ -63,19 +64,24 @@ FlankGrid FinerSurface::made(int parts) const
         for (int i = 1; i < parts; i *= 2)
             finer = &finer->refined();
         SurfaceMaker& maker = *finer;
-        return moved_into_material(flank_grid(surface_of(bench_, maker, choice_, tip_), maker.z(), bench_.request.flank_points), offset_);
+        return moved_into_material(part_flanks(bench_, maker, choice_, surface_of(bench_, maker, choice_, tip_), tip_, offset_).grid, offset_);
     }
     // straight between slices: one outline moved along its radii or its normals, or the lines that a ruled surface is made of; the normals turn, along
     // which the side clearance is laid
     FlankGrid finer = bare_;
     int const slices = static_cast<int>(bare_.slices());
     finer.z = slice_places((slices - 1) * parts + 1, bench_.width);
+    auto const interval = [&](std::size_t k, double& share) {
+        std::size_t const low = std::min(k / static_cast<std::size_t>(parts), bare_.slices() - 2);
+        share = static_cast<double>(k - low * static_cast<std::size_t>(parts)) / parts;
+        return low;
+    };
     auto const fill = [&](std::vector<std::vector<Vec2>> const& given, std::vector<std::vector<Vec2>>& filled, bool unit) {
         filled.clear();
         for (std::size_t k = 0; k < finer.z.size() && !given.empty(); ++k)
         {
-            std::size_t const low = std::min(k / static_cast<std::size_t>(parts), given.size() - 2);
-            double const share = static_cast<double>(k - low * static_cast<std::size_t>(parts)) / parts;
+            double share = 0;
+            std::size_t const low = interval(k, share);
             filled.push_back(share == 0 ? given[low] : given[low + 1]);
             for (std::size_t i = 0; i < given[low].size() && share != 0 && share != 1; ++i)
             {
@@ -91,6 +97,17 @@ FlankGrid FinerSurface::made(int parts) const
         fill(bare_.line[flank], finer.line[flank], false);
         fill(bare_.line_normal[flank], finer.line_normal[flank], true);
     }
+    auto const fill_numbers = [&](std::vector<double> const& given, std::vector<double>& filled) {
+        filled.clear();
+        for (std::size_t k = 0; k < finer.z.size() && !given.empty(); ++k)
+        {
+            double share = 0;
+            std::size_t const low = interval(k, share);
+            filled.push_back((1 - share) * given[low] + share * given[low + 1]);
+        }
+    };
+    fill_numbers(bare_.tip, finer.tip);
+    fill_numbers(bare_.shift, finer.shift);
     return moved_into_material(std::move(finer), offset_);
 }
 

@@ -3,11 +3,15 @@
 /// What a side clearance does to flanks that touched without one, corners of the outline included; and where a smallest value may lie.
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <string>
+#include <vector>
 
 #include "hdconj/pipeline/contact.hpp"
 #include "pipeline/place_range.hpp"
 #include "support/catch.hpp"
 #include "support/coned_drive.hpp"
+#include "support/oracle/touch.hpp"
 
 using namespace hdconj;
 using namespace hdconj::test;
@@ -35,6 +39,67 @@ TEST_CASE("contact law: conjugate flanks clear by their side clearance, however 
         CHECK(found.closest_z_to == 3.5);
         CHECK(found.state.smallest_z_from == -3.5);
         CHECK(found.state.smallest_spaces > 100);
+    }
+}
+
+TEST_CASE("contact law: of the part as written no tooth enters a flank, from its tip circle on", "[law][contact]")
+{
+    // side clearance lifts the land corner off the tip circle: what is cut between the two is entered first
+    struct Row
+    {
+        std::vector<std::string> keys;
+        double at_least;   // of the side clearance [mm]
+    };
+    for (Row const& row : {Row{coned("none"), 0.05}, Row{with(coned("none"), {"tilt.kind=radial", "tilt.angle_deg=0.8"}), 0.05}, Row{{"tilt.kind=radial", "tilt.angle_deg=0.2"}, 0.005},
+                           Row{{"tilt.kind=draft", "tilt.angle_deg=0.2"}, 0.005}})
+    {
+        Scene const scene = builtin_scene(with(row.keys, {"slices.surface=tilted", "slices.count=3", "circular_spline.backlash_offset=auto", "circular_spline.root_clearance=0"}));
+        ContactStudy const made = contact(scene);
+        CircularSplineOutline const& spline = made.solution.circular_spline;
+        ConedDrive drive(scene, 3);
+        INFO(row.keys.front() << ", " << row.keys.back() << ": side clearance " << made.side_clearance << " mm, tip circle " << made.cases.front().clearing_tip << " mm");
+        CHECK(made.side_clearance > row.at_least);
+        double least = 1;
+        for (std::size_t k = 0; k < 3; ++k)
+        {
+            oracle::TouchScan scan(drive.slice_scene(k), 1200);
+            auto const& points = spline.outline[k];
+            auto const land = static_cast<std::size_t>(spline.landmarks[4]), end = static_cast<std::size_t>(spline.landmarks[3]);
+            for (std::size_t i = end; i <= land; i += std::max<std::size_t>(1, std::min((land - end) / 40, land - i)))
+                least = std::min(least, scan.nearest({points[i].x(), points[i].y()}).distance);
+        }
+        // none enters, and one comes close to a point that is looked at: no more is taken away than that
+        CHECK(least > -2 * scene.solver.tolerance);
+        CHECK(least < 1e-4);
+    }
+}
+
+TEST_CASE("contact law: flank area is that of the part as written", "[law][contact]")
+{
+    for (std::vector<std::string> const& drive : {std::vector<std::string>{}, std::vector<std::string>{"circular_spline.backlash_offset=0.02"},
+                                                  with(coned("none"), {"slices.surface=tilted", "slices.count=3"}),
+                                                  std::vector<std::string>{"tilt.kind=radial", "tilt.angle_deg=0.2", "slices.surface=tilted", "slices.count=3"}})
+    {
+        std::vector<std::string> const keys = with(drive, {"contact.flank_points=50"});
+        Scene const scene = builtin_scene(keys);
+        ContactStudy const study = contact(scene);
+        CircularSplineOutline const& spline = study.solution.circular_spline;
+        REQUIRE(study.side_clearance == study.cases.front().backlash_offset);
+        std::vector<double> length;
+        for (auto const& points : spline.outline)
+        {
+            length.push_back(0);
+            for (auto i = static_cast<std::size_t>(spline.landmarks[3]); i < static_cast<std::size_t>(spline.landmarks[4]); ++i)
+                length.back() += (points[i + 1] - points[i]).norm();
+        }
+        double area = 0;
+        for (std::size_t k = 0; k + 1 < length.size(); ++k)
+            area += 0.5 * (length[k] + length[k + 1]) * *scene.circular_spline.width / static_cast<double>(length.size() - 1);
+        if (length.size() == 1)
+            area = length.front() * *scene.circular_spline.width;
+        INFO(keys.front() << ", side clearance " << study.side_clearance << " mm");
+        // of a tilted one lengths between the slices are nearly straight lines
+        CHECK(study.cases.front().state.flank_area == Approx(area * scene.drive.circular_spline_teeth).epsilon(3e-6));
     }
 }
 

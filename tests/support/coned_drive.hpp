@@ -15,6 +15,8 @@
 #include "hdconj/pipeline/solve.hpp"
 #include "pipeline/contact_case.hpp"
 #include "pipeline/drive.hpp"
+#include "pipeline/finer_surface.hpp"
+#include "pipeline/part_flanks.hpp"
 #include "pipeline/place_teeth.hpp"
 #include "support/oracle/motion.hpp"
 
@@ -69,6 +71,14 @@ class ConedDrive
         return (*maker)(choice, maker->needed_tip(choice), chord, intervals);
     }
     [[nodiscard]] FlankGrid flanks(MatchedOutline const& outline, int points = 200) const { return flank_grid(outline, z(), points); }
+
+    /// Flanks that reach the tip circle @p tip when they are moved by @p distance, at about @p points places.
+    [[nodiscard]] FlankGrid flanks_to_tip(detail::SurfaceChoice const& choice, double tip, double distance, int points)
+    {
+        detail::ContactBench fine = *bench;
+        fine.request.flank_points = points;
+        return detail::part_flanks(fine, *maker, choice, detail::surface_of(fine, choice, tip), tip, distance).grid;
+    }
 
     /// A slice as a drive of its own, for the oracle, whose motion and tooth are not the program's.
     [[nodiscard]] Scene slice_scene(std::size_t k) const

@@ -34,6 +34,12 @@ struct FlankGrid
     /// and less. Beside a corner, where only one piece's tangent is known, the other end's stands for it. Between centres of circles: the chord.
     [[nodiscard]] Vec2 between(int flank, std::size_t slice, double s) const;
 
+    /// (k) where not empty: tip circle of the part [mm]. The points above begin on it or beyond it, where the flank comes from that reaches it when it is moved into the material.
+    std::vector<double> tip;
+
+    /// (k) where not empty: how far a tilt of kind "radial" has moved the slice outward [mm]. Side clearance is laid before that, as it is in the outline that is written.
+    std::vector<double> shift;
+
     /// [flank][slice] where not empty: the points are centres of circles of this radius within the material, and gaps are those of the circles [mm]
     std::array<std::vector<double>, 2> radius;
 
@@ -46,7 +52,8 @@ struct FlankGrid
 [[nodiscard]] FlankGrid flank_grid(MatchedOutline const& outline, std::vector<double> const& z, int count);
 
 /// The grid moved along its normals into the material by the side clearance @p offset [mm], as a part that is made has it: where moved branches overlap at a corner or a tight bend
-/// they end at their crossing, in which the points of the overlap come together (trim_overlaps()). Centres of circles are moved alone.
+/// they end at their crossing, in which the points of the overlap come together (trim_overlaps()). Where the grid has a tip circle, what is left beyond it comes together on it, and
+/// `station` counts from there. Centres of circles are moved alone.
 [[nodiscard]] FlankGrid moved_into_material(FlankGrid grid, double offset);
 
 /// Slice @p k alone.

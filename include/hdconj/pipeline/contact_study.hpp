@@ -42,7 +42,7 @@ struct ContactState
     double share = 0;            ///< of the area of all flanks on that side, 0 ... 1
     double share_error = 0;      ///< estimated: what half as many points, fewer planes and the clearance's own error change, and patches that no plane meets, added up
     double share_error_along = 0;  ///< the part of it that the number of points along the flanks leaves open
-    double flank_area = 0;       ///< [mm^2] of all flanks on the driving side
+    double flank_area = 0;       ///< [mm^2] of all flanks on the driving side, of the part: from its tip circle on, side clearance included
     int teeth = 0;               ///< tooth spaces with any contact on the driving side
     int teeth_least = 0, teeth_most = 0;  ///< with those errors: spaces that are in contact in any case, and those that may be
     double smallest_gap = 0;     ///< before turning, either side [mm]
@@ -67,7 +67,7 @@ struct ContactCase
     bool raised = false;                  ///< it is more than the scene gives, because with that the teeth enter the flanks
     std::vector<SliceClearance> slices;   ///< with the side clearance that the scene gives; "auto": with none
     double clearing_offset = 0;           ///< least side clearance that leaves no interference on the flanks over a full turn, with that tip circle [mm]
-    double clearing_tip = 0;              ///< least tip circle at z = 0 that goes with it: every slice has a tip land and clears the rim [mm]
+    double clearing_tip = 0;              ///< least tip circle at z = 0 that goes with it: every slice has a tip land and clears the rim, and the cleared flanks begin on it [mm]
     double clearing_root = 0;             ///< least further root clearance, the same for the bottom [mm]
     double backlash_of_clearing = 0;      ///< play that the clearing offset alone would make [rad]
     ContactState state;                   ///< at the scene's angle of the wave generator; of a revolution the one with the least share

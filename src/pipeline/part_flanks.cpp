@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "part_flanks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "finer_surface.hpp"
+#include "hdconj/numeric/error.hpp"
+
+namespace hdconj::detail {
+namespace {
+
+/// What the moved flanks leave of the way down to their tip circles, the most of all slices [mm].
+struct Missing
+{
+    double radial = 0;
+    double length = 0;   ///< along the flank
+};
+
+Missing missing(FlankGrid const& grid, double distance)
+{
+    Missing most;
+    for (std::size_t f = 0; f < 2; ++f)
+        for (std::size_t k = 0; k < grid.slices(); ++k)
+        {
+            double const tip = grid.tip.empty() ? grid.point[f][k].front().norm() : grid.tip[k];
+            Vec2 const& normal = grid.normal[f][k].front();
+            Vec2 const corner = grid.point[f][k].front() + distance * normal;
+            double const radial = corner.norm() - tip, slope = std::abs(cross(corner, normal)) / corner.norm();
+            if (!(radial > 0))
+                continue;
+            most.radial = std::max(most.radial, radial);
+            most.length = std::max(most.length, radial / slope);
+        }
+    return most;
+}
+
+}  // namespace
+
+PartFlanks part_flanks(ContactBench const& bench, SurfaceMaker& maker, SurfaceChoice const& choice, MatchedOutline const& at_tip, double tip, double distance)
+{
+    int const points = bench.request.flank_points;
+    auto const grid_of = [&](MatchedOutline const& outline) {
+        FlankGrid grid = flank_grid(outline, maker.z(), points);
+        for (std::size_t k = 0; k < grid.slices() && choice.tilt != 0 && choice.kind == "radial"; ++k)
+            grid.shift.push_back(grid.z[k] * std::tan(choice.tilt));
+        return grid;
+    };
+    PartFlanks made{at_tip, grid_of(at_tip)};
+    if (!(distance > 0))
+        return made;
+    std::vector<double> tips;
+    for (auto const& slice : at_tip.points)
+        tips.push_back(slice[at_tip.landmarks[4]].norm());
+    made.grid.tip = tips;
+    constexpr int budget = 6;
+    double beyond = 0, step = 1.25;   // a little more than is missing, since the normal turns
+    Missing left = missing(made.grid, distance);
+    for (int i = 0; i < budget && left.radial > 0; ++i)
+    {
+        try
+        {
+            MatchedOutline further = surface_of(bench, maker, choice, tip - (beyond + step * left.radial));
+            beyond += step * left.radial;
+            made.grid = grid_of(further);
+            made.grid.tip = tips;
+            made.outline = std::move(further);
+            left = missing(made.grid, distance);
+        }
+        catch (NumericalError const&)
+        {
+            step *= 0.5;   // as far as there is a surface: see unseen_length()
+        }
+    }
+    return made;
+}
+
+double lift_of_corners(FlankGrid const& grid, double distance)
+{
+    return missing(grid, distance).radial;
+}
+
+double unseen_length(FlankGrid const& grid, double distance)
+{
+    return missing(grid, distance).length;
+}
+
+}  // namespace hdconj::detail
