@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <limits>
 #include <string>
 
 #include "hdconj/conjugate/crossing.hpp"
@@ -81,9 +81,8 @@ SpaceCurve SpaceCurve::moved_along_normal(double distance, Tolerance const& tole
     if (distance == 0)
         return moved;
     std::vector<BoundaryPiece> before;   // as they are here, those that are left
-    std::vector<BoundaryPiece>& after = moved.pieces_;
+    std::vector<BoundaryPiece> rests;    // what does not run backwards of them, not joined yet
     std::vector<std::uint8_t> cut;       // whether the end that faces the next piece was cut, or what lay there left out
-    after.clear();
     for (std::size_t i = 0; i < pieces_.size(); ++i)
     {
         BoundaryPiece const& piece = pieces_[i];
@@ -93,8 +92,8 @@ SpaceCurve SpaceCurve::moved_along_normal(double distance, Tolerance const& tole
         {
             // what is left of it may be cut off by its neighbour as well
             bool const begin = swallowed == Swallowed::begin;
-            bool const has_neighbour = begin ? !after.empty() : i + 1 < pieces_.size();
-            if (!has_neighbour || !moved.reaches(rest, begin, begin ? after.back() : pieces_[i + 1], std::abs(distance), tolerance))
+            bool const has_neighbour = begin ? !rests.empty() : i + 1 < pieces_.size();
+            if (!has_neighbour || !moved.reaches(rest, begin, begin ? rests.back() : pieces_[i + 1], std::abs(distance), tolerance))
                 swallowed = Swallowed::whole;
         }
         if (swallowed != Swallowed::nothing && made_by(piece).kind == OutlineKind::flank)
@@ -105,27 +104,77 @@ SpaceCurve SpaceCurve::moved_along_normal(double distance, Tolerance const& tole
         if (swallowed == Swallowed::whole)
             continue;
         before.push_back(piece);
-        after.push_back(rest);
+        rests.push_back(rest);
         cut.push_back(swallowed == Swallowed::end ? 1 : 0);
     }
+    std::vector<BoundaryPiece> gone;
+    while (auto const none = join(before, rests, cut, moved, distance, tolerance))
+    {
+        std::size_t const i = none->piece;
+        // between the tip circle and a neighbour these meet in its place, as they do where it becomes a point
+        bool const between = i > 0 && i + 1 < rests.size() && rests[i].arc >= 0;
+        bool const beside_tip = between && (rests[i - 1].arc < 0) != (rests[i + 1].arc < 0);
+        if (!beside_tip || made_by(rests[i]).kind == OutlineKind::bottom)
+            throw NumericalError("draft", near_text(at(before[i], before[i].begin).p),
+                                 "moved by " + std::to_string(distance) + " mm along its normal, " + none->why + "; write a smaller tilt.angle_deg");
+        auto const at_piece = static_cast<std::ptrdiff_t>(i);
+        gone.push_back(before[i]);
+        before.erase(before.begin() + at_piece);
+        rests.erase(rests.begin() + at_piece);
+        cut[i - 1] = 1;
+        cut.erase(cut.begin() + at_piece);
+    }
+    for (BoundaryPiece const& piece : gone)
+        if (moved.nearest_corner_of_land(sampled(piece, tolerance.length)) < std::abs(distance) - 2 * tolerance.length)
+            throw NumericalError("draft", near_text(at(piece, piece.begin).p), "moved by " + std::to_string(distance)
+                                                                                   + " mm along its normal, the stretch of outline beside the tip circle has no place; write another "
+                                                                                     "circular_spline.inner_radius or tilt.angle_deg");
+    return moved;
+}
+
+/// Cuts or extends the moved pieces to where they meet.
+std::optional<SpaceCurve::NoPlace> SpaceCurve::join(std::vector<BoundaryPiece> const& before, std::vector<BoundaryPiece> const& rests, std::vector<std::uint8_t> const& cut,
+                                                    SpaceCurve& moved, double distance, Tolerance const& tolerance) const
+{
+    std::vector<BoundaryPiece>& after = moved.pieces_;
+    after = rests;
+    auto const is_land = [&](std::size_t i) { return i < after.size() && after[i].arc < 0; };
     for (std::size_t i = 0; i + 1 < after.size(); ++i)
     {
         // normals that agree to this come from one contact that goes on over a joint of the profile, or from the cut at x = 0
         constexpr double smooth = 0x1p-20;
         Vec2 const n = at(before[i], before[i].end).n;
         Vec2 const next = at(before[i + 1], before[i + 1].begin).n;
-        if (cut[i] != 0 || std::abs(cross(n, next)) > smooth || n.dot(next) < 0)
-            moved.meet(after[i], after[i + 1], std::abs(distance), tolerance);
+        bool const corner = cut[i] != 0 || std::abs(cross(n, next)) > smooth || n.dot(next) < 0;
+        if (corner && !moved.meet(after[i], after[i + 1], std::abs(distance), tolerance))
+            return NoPlace{is_land(i) || (!is_land(i + 1) && is_land(i + 2)) ? i + 1 : i, "the stretches of outline that meet there no longer do"};
     }
     for (std::size_t i = 0; i < after.size(); ++i)
     {
         double const was = before[i].end - before[i].begin;
         double const is = after[i].end - after[i].begin;
         if (std::signbit(was) != std::signbit(is) && was != 0)
-            throw NumericalError("draft", near_text(at(before[i], before[i].begin).p),
-                                 "moved by " + std::to_string(distance) + " mm along its normal, a stretch of the outline vanishes; write a smaller tilt.angle_deg");
+            return NoPlace{i, "a stretch of the outline vanishes"};
     }
-    return moved;
+    return std::nullopt;
+}
+
+double SpaceCurve::nearest_corner_of_land(SampledArc const& from) const
+{
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i + 1 < pieces_.size(); ++i)
+    {
+        if ((pieces_[i].arc < 0) == (pieces_[i + 1].arc < 0))
+            continue;
+        Vec2 const corner = at(pieces_[i], pieces_[i].end).p;
+        for (std::size_t k = 0; k + 1 < from.points.size(); ++k)
+        {
+            Vec2 const a = from.points[k].p, along = from.points[k + 1].p - a;
+            double const share = along.squaredNorm() > 0 ? std::clamp((corner - a).dot(along) / along.squaredNorm(), 0.0, 1.0) : 0;
+            nearest = std::min(nearest, (corner - a - share * along).norm());
+        }
+    }
+    return nearest;
 }
 
 /// What runs backwards lies beyond a centre of curvature; @p piece is cut down to what does not.
@@ -172,30 +221,26 @@ bool SpaceCurve::reaches(BoundaryPiece& rest, bool begin, BoundaryPiece const& n
     return false;
 }
 
-void SpaceCurve::meet(BoundaryPiece& before, BoundaryPiece& after, double distance, Tolerance const& tolerance) const
+bool SpaceCurve::meet(BoundaryPiece& before, BoundaryPiece& after, double distance, Tolerance const& tolerance) const
 {
-    bool met = false;
     if (before.arc < 0 || after.arc < 0)
     {
         BoundaryPiece& flank = before.arc < 0 ? after : before;
         double& end = before.arc < 0 ? flank.begin : flank.end;
-        if (auto const u = crossing_with_circle(turned(flank), tip_radius_, end, distance))
-        {
-            end = *u;
-            Vec2 const p = at(flank, *u).p;
-            (before.arc < 0 ? before.end : after.begin) = std::atan2(p.x(), p.y());
-            met = true;
-        }
+        auto const u = crossing_with_circle(turned(flank), tip_radius_, end, distance);
+        if (!u)
+            return false;
+        end = *u;
+        Vec2 const p = at(flank, *u).p;
+        (before.arc < 0 ? before.end : after.begin) = std::atan2(p.x(), p.y());
+        return true;
     }
-    else if (auto const u = crossing_of_arcs(turned(before), before.end, turned(after), after.begin, distance, tolerance))
-    {
-        before.end = (*u)[0];
-        after.begin = (*u)[1];
-        met = true;
-    }
-    if (!met)
-        throw NumericalError("draft", near_text(at(before, before.end).p), "the stretches of outline that meet there no longer do after "
-                                                                               + std::to_string(distance) + " mm along their normals; write a smaller tilt.angle_deg");
+    auto const u = crossing_of_arcs(turned(before), before.end, turned(after), after.begin, distance, tolerance);
+    if (!u)
+        return false;
+    before.end = (*u)[0];
+    after.begin = (*u)[1];
+    return true;
 }
 
 }  // namespace hdconj

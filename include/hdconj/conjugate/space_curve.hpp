@@ -3,7 +3,10 @@
 /// The boundary of a tooth space as a curve of exact points, whatever motion it came from.
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "hdconj/conjugate/outline.hpp"
@@ -60,8 +63,10 @@ class SpaceCurve
     /// The same boundary moved by @p distance along its normal into the material (negative: out of it), tip circle too, its pieces cut or
     /// extended to where they meet then: corners stay sharp, as a constant-taper cut or a CAD draft leaves them.
     /// Paths of the tooth's corners and of its tip that turn more sharply than by this radius are swallowed: their neighbours meet instead.
+    /// So is a stretch beside the tip circle that vanishes between its neighbours: it has become a point before it is left out, and the corner in its place
+    /// is no nearer to where it was than @p distance.
     /// Exact: the contacts of an offset are those of the base.
-    /// @throws NumericalError where a flank would fold or a piece would vanish
+    /// @throws NumericalError where a flank would fold, or a piece would vanish elsewhere
     [[nodiscard]] SpaceCurve moved_along_normal(double distance, Tolerance const& tolerance) const;
 
   private:
@@ -76,7 +81,19 @@ class SpaceCurve
     [[nodiscard]] Swallowed swallow(SpaceCurve const& base, BoundaryPiece& piece) const;
     /// Whether what is left of a piece meets @p neighbour; cuts it there.
     [[nodiscard]] bool reaches(BoundaryPiece& rest, bool begin, BoundaryPiece const& neighbour, double distance, Tolerance const& tolerance) const;
-    void meet(BoundaryPiece& before, BoundaryPiece& after, double distance, Tolerance const& tolerance) const;
+    /// @return whether they do
+    bool meet(BoundaryPiece& before, BoundaryPiece& after, double distance, Tolerance const& tolerance) const;
+    /// A piece that is not left between its neighbours.
+    struct NoPlace
+    {
+        std::size_t piece = 0;
+        std::string why;
+    };
+    /// Writes @p rests into @p moved, each cut or extended to where it meets the next. @return the first that has no place
+    std::optional<NoPlace> join(std::vector<BoundaryPiece> const& before, std::vector<BoundaryPiece> const& rests, std::vector<std::uint8_t> const& cut, SpaceCurve& moved,
+                                double distance, Tolerance const& tolerance) const;
+    /// Distance of the nearest corner of a land [mm].
+    [[nodiscard]] double nearest_corner_of_land(SampledArc const& from) const;
     [[nodiscard]] TurnedArc<ErasedMotion> turned(BoundaryPiece const& piece) const { return {envelope_, arc(piece), piece.copy * pitch_}; }
 
     std::shared_ptr<void const> owner_;
