@@ -143,7 +143,7 @@ int run_contact(CommonOptions const& common, VerbOptions const& own)
 
 constexpr char const* footer =
     "A gap is the distance from a point of the circular spline's flank to the nearest tooth, in the plane of its slice.\n"
-    "The flexspline is turned until its teeth touch; where the gap is then no larger than contact.contact_gap there is contact.\n"
+    "The circular spline is turned, wave generator and flexspline held, until teeth touch; where the gap is then no larger than contact.contact_gap there is contact.\n"
     "Where the side clearance leaves interference, the least that clears is taken, and the table says so.\n"
     "Examples:\n"
     "  hdconj contact drive.toml --tilt 0,0.1,0.2,0.3 --picture tilt.svg\n"

@@ -39,6 +39,7 @@ struct VerbOptions
     std::string picture;   ///< empty: none
     std::string vtu;
     std::string measured;  ///< CSV file; empty: none
+    std::string output_member;  ///< of the rig: "cup", "circular-spline"; empty: the cup
     RigOptions rig;
 };
 
@@ -97,17 +98,20 @@ void check_options(VerbOptions const& own, Faults& faults)
             faults.push_back({option, 0, fmt::format("{:g}", *given), "there is no measured curve that it could be about", "write --measured with the name of a CSV file, or leave it out"});
         }
     };
+    if (own.measured.empty() && !own.output_member.empty()) {
+        faults.push_back({"--output-member", 0, own.output_member, "there is no measured curve that it could be about", "write --measured with the name of a CSV file, or leave it out"});
+    }
     needs_measured("--torque-constant", own.rig.torque_constant);
     needs_measured("--counts-per-turn", own.rig.counts_per_turn);
     needs_measured("--ratio", own.rig.ratio);
     needs_measured("--efficiency", own.rig.efficiency);
 }
 
-/// |z_f/(z_c - z_f)|, motor turns per turn of the output; of a scene with faults any number will do.
-double ratio_of(Scene const& scene)
+/// How often the wave generator turns for a turn of the output; of a scene with faults any number will do.
+double ratio_of(Scene const& scene, bool cup)
 {
-    int const difference = scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth;
-    return difference != 0 && scene.drive.flexspline_teeth > 0 ? std::abs(static_cast<double>(scene.drive.flexspline_teeth) / difference) : 1;
+    int const z_f = scene.drive.flexspline_teeth, z_c = scene.drive.circular_spline_teeth;
+    return z_c != z_f && z_f > 0 ? std::abs(static_cast<double>(cup ? z_f : z_c) / (z_c - z_f)) : 1;
 }
 
 std::optional<Measurement> measurement_of(VerbOptions const& own, Scene const& scene, Faults& faults)
@@ -115,10 +119,14 @@ std::optional<Measurement> measurement_of(VerbOptions const& own, Scene const& s
     if (own.measured.empty()) {
         return std::nullopt;
     }
-    auto reading = examine_measured(own.measured, own.rig, ratio_of(scene));
+    bool const cup = own.output_member != "circular-spline";
+    auto reading = examine_measured(own.measured, own.rig, ratio_of(scene, cup));
     if (!reading.faults.empty()) {
         faults.insert(faults.end(), reading.faults.begin(), reading.faults.end());
         return std::nullopt;
+    }
+    if (cup && scene.drive.flexspline_teeth > 0) {
+        reading.curve.rig.angle_per_spline = static_cast<double>(scene.drive.circular_spline_teeth) / scene.drive.flexspline_teeth;
     }
     // What is wrong with the loop stands beside what is wrong with the scene.
     try {
@@ -193,7 +201,8 @@ int run_load(CommonOptions const& common, VerbOptions const& own)
 
 constexpr char const* footer =
     "The cup is elastic, pressed on its wave generator without friction; teeth touch, part and share the torque as their gaps allow.\n"
-    "The wave generator is held and the torque runs 0, T, 0, -T: twist, backlash, two stages of stiffness, pressure, stress in the cup.\n"
+    "Wave generator and cup's flange are held, the torque on the circular spline runs 0, T, 0, -T: its twist, backlash, two stages of stiffness, pressure, stress.\n"
+    "Where the cup is the output, angles are z_c/z_f times as large, torques z_f/z_c.\n"
     "Absolute stiffness depends on how far the bearing gives way, which is a key of the scene and no more than its value is right.\n"
     "A measured curve is a CSV file whose first line names columns and units, such as\n"
     "  angle [arcmin], torque [N m]          angle deg, arcmin, arcsec, rad, mrad; torque N m, N mm, mN m\n"
@@ -216,7 +225,7 @@ void add_load(CLI::App& program, CommonOptions& common)
     auto* verb = program.add_subcommand("load", "the elastic cup and the teeth under torque: stiffness, pressure, stress");
     add_scene_options(*verb, common);
     auto own = std::make_shared<VerbOptions>();
-    verb->add_option("--torque", own->torque_nm, "largest torque on the output in N m [the scene's]")
+    verb->add_option("--torque", own->torque_nm, "largest torque on the circular spline in N m [the scene's]")
         ->check([](std::string const& given) { return positive_fault(given, "write a torque in N m such as --torque 28"); })
         ->type_name("NM");
     verb->add_option("--points", own->points, "torques on the way up [the scene's]")->check(CLI::Range(1, 1000))->type_name("N");
@@ -242,6 +251,9 @@ void add_load(CLI::App& program, CommonOptions& common)
         ->type_name("N");
     verb->add_option("--ratio", own->rig.ratio, "motor turns per turn of the output [the scene's]")->check(number_check("write a ratio such as --ratio 100"))->type_name("I");
     verb->add_option("--efficiency", own->rig.efficiency, "static efficiency between motor and output [1]")->check(number_check("write a share such as --efficiency 0.8"))->type_name("ETA");
+    verb->add_option("--output-member", own->output_member, "what turns at the rig's output: cup, circular-spline [cup]")
+        ->check([](std::string const& word) { return word_fault(word, {"cup", "circular-spline"}); })
+        ->type_name("WORD");
     verb->footer(footer);
     verb->callback([&common, own] { common.action = [&common, own] { return run_load(common, *own); }; });
 }

@@ -157,7 +157,7 @@ std::string flank_script(ContactStudy const& study, PictureFormat format)
     }
     picture::Words const words{
         shown_case(study),
-        fmt::format("{} flank of the tooth space at {:.2f}°, the one with {}; flexspline turned to first contact",
+        fmt::format("{} flank of the tooth space at {:.2f}°, the one with {}; circular spline turned to first contact",
                     flank.flank == GapMap::right ? "right" : "left", map.angle[flank.space] * degree_per_radian,
                     flank.in_contact ? "most contact" : "the smallest gap"),
         "", ""};

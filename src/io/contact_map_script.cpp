@@ -96,10 +96,10 @@ std::vector<double> z_borders(ContactStudy const& study)
     return z.size() == 1 ? borders(z, z[0] - half, z[0] + half) : borders(z, z.front(), z.back());
 }
 
-/// "flexspline turned to first contact, wave generator at 3°"
+/// "circular spline turned to first contact, wave generator at 3°"
 std::string shown_state(ContactStudy const& study)
 {
-    std::string const turned = "flexspline turned to first contact";
+    std::string const turned = "circular spline turned to first contact";
     if (study.shown >= study.cases.size()) {
         return turned;
     }

@@ -192,6 +192,7 @@ void write_measured(Writer const& place, Measurement const& measured)
     place.attribute("counts_per_turn", curve.rig.counts_per_turn);
     place.attribute("ratio", curve.rig.ratio);
     place.attribute("efficiency", curve.rig.efficiency);
+    place.attribute("angle_per_spline", curve.rig.angle_per_spline);
     place.attribute("cycles", found.cycles);
     place.attribute("straight_branches", found.straight);
     place.attribute("angle_step_rad", found.angle_step);

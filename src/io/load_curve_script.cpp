@@ -92,6 +92,17 @@ std::string stages_of(LoadCase const& each)
     return rows;
 }
 
+/// A measured point as one of the circular spline, whose curves it is laid over.
+double twist_on_spline(Measurement const& measured, std::size_t i)
+{
+    return (measured.curve.twist[i] - measured.found.middle) / measured.curve.rig.angle_per_spline;
+}
+
+double torque_on_spline(Measurement const& measured, std::size_t i)
+{
+    return measured.curve.torque[i] * measured.curve.rig.angle_per_spline;
+}
+
 /// Few enough for a picture that one can still open.
 std::string rows_of(Measurement const& measured)
 {
@@ -100,7 +111,7 @@ std::string rows_of(Measurement const& measured)
     std::size_t const step = curve.twist.size() / most + 1;
     std::string rows;
     for (std::size_t i = 0; i < curve.twist.size(); i += step) {
-        add_row(rows, curve.twist[i] - measured.found.middle, curve.torque[i]);
+        add_row(rows, twist_on_spline(measured, i), torque_on_spline(measured, i));
     }
     return rows;
 }
@@ -120,7 +131,7 @@ std::string words_of(LoadCase const& each)
 std::string words_of(Measurement const& measured)
 {
     auto const& found = measured.found;
-    std::string text = fmt::format("measured, {} cycle{}:  backlash {:.2f} ± {:.2f}′", found.cycles, found.cycles == 1 ? "" : "s", arcmin(found.backlash.value), arcmin(found.backlash.error));
+    std::string text = fmt::format("measured{}, {} cycle{}:  backlash {:.2f} ± {:.2f}′", measured.curve.rig.angle_per_spline != 1 ? " at the cup" : "", found.cycles, found.cycles == 1 ? "" : "s", arcmin(found.backlash.value), arcmin(found.backlash.error));
     if (found.first.count > 0) {
         text += fmt::format(",  {:.1f} ± {:.1f} and {:.1f} ± {:.1f} N m/°,  bend at {:.3g} N m", found.first.value * nm_per_deg, found.first.error * nm_per_deg,
                             found.second.value * nm_per_deg, found.second.error * nm_per_deg, nm(found.knee.value));
@@ -171,12 +182,12 @@ std::string load_curve_script(LoadStudy const& study, Measurement const* measure
         }
     }
     for (std::size_t i = 0; measured != nullptr && i < measured->curve.twist.size(); ++i) {
-        twist.take(arcmin(measured->curve.twist[i] - measured->found.middle));
-        torque.take(nm(measured->curve.torque[i]));
+        twist.take(arcmin(twist_on_spline(*measured, i)));
+        torque.take(nm(torque_on_spline(*measured, i)));
     }
     twist.widen();
     torque.widen();
-    picture::Words const words{study.solution.scene.drive.name, "torque on the output against its twist, wave generator held; dashed: the two stages by least squares", "", ""};
+    picture::Words const words{study.solution.scene.drive.name, "torque on the circular spline against its twist, wave generator and cup held; dashed: the two stages by least squares", "", ""};
     std::string script = picture::terminal(format, height) + picture::title(height, words) + picture::axes({.top = top, .bottom = top + panel_height}, height);
     script += fmt::format(
         "set xrange [{:.6g}:{:.6g}]\nset yrange [{:.6g}:{:.6g}]\nset xtics {:g}\nset ytics {:g}\nset xlabel 'twist [arcmin]' noenhanced\nset ylabel 'torque [N m]' noenhanced\n"

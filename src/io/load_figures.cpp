@@ -116,15 +116,15 @@ std::span<MeasuredFigure const> measured_figures()
     using Case = LoadCase const&;
     using Value = std::optional<double>;
     static constexpr std::array figures = {
-        MeasuredFigure{"backlash", "backlash", "rad", "arcmin", "arcmin", arcmin_per_radian, [](Found f) -> Estimate const& { return f.backlash; },
+        MeasuredFigure{"backlash", "backlash", "rad", "arcmin", "arcmin", arcmin_per_radian, [](Found f) -> Estimate const& { return f.backlash; }, 1,
                        [](Case c) { return Value(c.backlash); }},
-        MeasuredFigure{"first_stage", "first stage", "N mm/rad", "Nm_per_deg", "N m/deg", nm_per_deg, [](Found f) -> Estimate const& { return f.first; },
+        MeasuredFigure{"first_stage", "first stage", "N mm/rad", "Nm_per_deg", "N m/deg", nm_per_deg, [](Found f) -> Estimate const& { return f.first; }, -2,
                        [](Case c) { return c.stages.found ? Value(c.stages.first) : Value(); }},
-        MeasuredFigure{"second_stage", "second stage", "N mm/rad", "Nm_per_deg", "N m/deg", nm_per_deg, [](Found f) -> Estimate const& { return f.second; },
+        MeasuredFigure{"second_stage", "second stage", "N mm/rad", "Nm_per_deg", "N m/deg", nm_per_deg, [](Found f) -> Estimate const& { return f.second; }, -2,
                        [](Case c) { return c.stages.found ? Value(c.stages.second) : Value(); }},
-        MeasuredFigure{"knee", "knee between them", "N mm", "Nm", "N m", nm_per_nmm, [](Found f) -> Estimate const& { return f.knee; },
+        MeasuredFigure{"knee", "knee between them", "N mm", "Nm", "N m", nm_per_nmm, [](Found f) -> Estimate const& { return f.knee; }, -1,
                        [](Case c) { return c.stages.found ? Value(c.stages.knee) : Value(); }},
-        MeasuredFigure{"whole", "one line", "N mm/rad", "Nm_per_deg", "N m/deg", nm_per_deg, [](Found f) -> Estimate const& { return f.whole; },
+        MeasuredFigure{"whole", "one line", "N mm/rad", "Nm_per_deg", "N m/deg", nm_per_deg, [](Found f) -> Estimate const& { return f.whole; }, -2,
                        [](Case c) { return c.stages.found || c.stages.first == 0 ? Value() : Value(c.stages.first); }}};
     return figures;
 }

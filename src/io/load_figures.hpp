@@ -39,7 +39,8 @@ struct MeasuredFigure
     char const* text_units;
     double shown_per_stored;  ///< in JSON and text
     Estimate const& (*value)(MeasuredStiffness const&);
-    /// The same of the simulation; none where it has none.
+    int angles;               ///< power of the angle in it: 1 of an angle, -1 of a torque, -2 of torque over angle; work is the same at both members
+    /// The same of the simulation, on the circular spline; none where it has none.
     std::optional<double> (*simulated)(LoadCase const&);
 };
 

@@ -99,7 +99,8 @@ Json cup_object(AssembledCup const& cup, LoadStudy const& study)
 Json measured_object(Measurement const& measured)
 {
     auto const& [curve, found] = measured;
-    Json object = {{"path", curve.file}, {"columns", curve.columns}, {"samples", curve.twist.size()}, {"ratio", number(curve.rig.ratio)}};
+    Json object = {{"path", curve.file}, {"columns", curve.columns}, {"samples", curve.twist.size()}, {"ratio", number(curve.rig.ratio)},
+                   {"angle_per_spline", number(curve.rig.angle_per_spline)}};
     if (curve.rig.torque_constant != 0) {
         object["torque_constant_Nm_per_A"] = number(curve.rig.torque_constant);
         object["efficiency"] = number(curve.rig.efficiency);

@@ -213,13 +213,19 @@ void write_measured(Page& page, LoadStudy const& study, Measurement const& measu
     page.line("  {:<26}{:>24}{:>12}{}", "", "measured", "of", simulated != nullptr ? "   simulated: " + case_name(*simulated) : "");
     for (auto const& figure : measured_figures()) {
         Estimate const& estimate = figure.value(found);
-        auto const value = simulated != nullptr ? figure.simulated(*simulated) : std::nullopt;
+        auto value = simulated != nullptr ? figure.simulated(*simulated) : std::nullopt;
+        if (value) {
+            *value *= std::pow(curve.rig.angle_per_spline, figure.angles);
+        }
         if (estimate.count == 0 && !value) {
             continue;
         }
         std::string const label = fmt::format("{} [{}]", figure.words, figure.text_units);
         std::string const text = estimate.count == 0 ? "-" : fmt::format("{:.4g} +- {:.2g}", estimate.value * figure.shown_per_stored, estimate.error * figure.shown_per_stored);
         page.line("  {:<26}{:>24}{:>12}   {}", label, text, estimate.count, value ? fmt::format("{:.4g}", *value * figure.shown_per_stored) : "-");
+    }
+    if (curve.rig.angle_per_spline != 1) {
+        page.line("  at the output, the cup: it turns by {:.6g} times the angle of the circular spline, whose curve stands above", curve.rig.angle_per_spline);
     }
     if (found.straight > 0) {
         page.line("  {} of {} loading branches have no bend and are no part of the stages", found.straight, found.whole.count);

@@ -46,7 +46,7 @@ std::vector<std::size_t> spaces_near(GapMap const& map, int flank, double limit)
     return found;
 }
 
-/// The flexspline turned both ways until it touches.
+/// The circular spline turned both ways until it touches.
 struct Turned
 {
     GapMap rest;            ///< before

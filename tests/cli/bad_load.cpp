@@ -31,6 +31,8 @@ std::vector<BadCommand> const& commands()
         {"--surface perslice", "--surface", "unknown word 'perslice'", "write per-slice"},
         {"--kind drafted", "--kind", "unknown word 'drafted'", "write draft"},
         {"--ratio 100", "--ratio = 100", "no measured curve", "write --measured"},
+        {"--output-member cup", "--output-member = cup", "no measured curve", "write --measured"},
+        {"--measured loop.csv --output-member spline", "--output-member", "unknown word 'spline'", "circular-spline"},
         {"--torque-constant 0.119 --counts-per-turn 2000 --efficiency 0.9", "--efficiency = 0.9", "no measured curve", "leave it out"},
         {"--efficiency no", "--efficiency", "'no' is no finite number", "--efficiency 0.8"},
         {"--measured none.csv", "--measured = none.csv", "cannot be read", "a CSV file that is there"},

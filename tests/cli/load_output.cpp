@@ -103,10 +103,18 @@ TEST_CASE("load lays a measured curve over the simulation", "[load][measured]")
     REQUIRE(done.status == 0);
     json const measured = json::parse(done.out).at("load").at("measured");
     CHECK(measured.at("ratio") == 100);
+    CHECK(measured.at("angle_per_spline").get<double>() == Approx(1.01));
+    // the same counts and currents behind the circular spline: it turns less often, and nothing is to be carried over
+    auto const spline = load(run + "--json --output-member circular-spline", folder);
+    REQUIRE(spline.status == 0);
+    json const of_spline = json::parse(spline.out).at("load").at("measured");
+    CHECK(of_spline.at("ratio") == 101);
+    CHECK(of_spline.at("angle_per_spline") == 1);
+    CHECK(of_spline.at("backlash").at("value_arcmin").get<double>() == Approx(measured.at("backlash").at("value_arcmin").get<double>() / 1.01));
+    CHECK(of_spline.at("first_stage").at("value_Nm_per_deg").get<double>() == Approx(measured.at("first_stage").at("value_Nm_per_deg").get<double>() * 1.01 * 1.01));
     CHECK(measured.at("backlash").at("value_arcmin").get<double>() == Approx(6.2).epsilon(0.03));
     CHECK(measured.at("first_stage").at("value_Nm_per_deg").get<double>() == Approx(98.7).epsilon(0.02));
     CHECK(measured.at("second_stage").at("value_Nm_per_deg").get<double>() == Approx(182.8).epsilon(0.02));
     CHECK(measured.at("angle_step_arcmin").get<double>() == Approx(0.108));
     CHECK_THAT(load(run, folder).out, ContainsSubstring("measured: log.csv (current [A], position [counts], 0.119 N m/A, 2000 counts per turn, ratio 100)"));
 }
-

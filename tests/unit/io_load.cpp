@@ -212,6 +212,33 @@ TEST_CASE("text and JSON lay the measurement beside the simulation", "[load][mea
     CHECK(nlohmann::json::parse(summary_json(study, {}, &straight)).at("load").at("measured").at("first_stage").is_null());
 }
 
+TEST_CASE("a simulation is laid beside the loop of its own cup at the cup", "[load][measured]")
+{
+    auto const study = sample::load_study();
+    constexpr double cup = 32.0 / 30;  // z_c/z_f
+    sample::Rig rig;
+    rig.per_branch = 200;
+    auto const of_spline = sample::rig_loop(rig);
+    Measurement at_cup{of_spline, {}};
+    for (double& twist : at_cup.curve.twist) {
+        twist *= cup;
+    }
+    for (double& torque : at_cup.curve.torque) {
+        torque /= cup;
+    }
+    at_cup.curve.rig.angle_per_spline = cup;
+    at_cup.found = measured_stiffness(at_cup.curve);
+    auto const text = summary_text(study, {}, &at_cup);
+    INFO(text);
+    CHECK(at_cup.found.backlash.value == Approx(cup * study.cases[1].backlash).epsilon(1e-6));
+    CHECK(at_cup.found.first.value == Approx(study.cases[1].stages.first / cup / cup).epsilon(1e-6));
+    CHECK_THAT(text, Catch::Matchers::Matches("[^]*backlash \\[arcmin\\] +6\\.613 \\+-[^\n]* 6\\.613\n[^]*"));
+    CHECK_THAT(text, Catch::Matchers::Matches("[^]*first stage \\[N m/deg\\] +86\\.75 \\+-[^\n]* 86\\.75\n[^]*"));
+    CHECK_THAT(text, Catch::Matchers::Matches("[^]*knee between them \\[N m\\] +11\\.25 \\+-[^\n]* 11\\.25\n[^]*"));
+    CHECK_THAT(text, ContainsSubstring("at the output, the cup: it turns by 1.06667 times"));
+    CHECK(nlohmann::json::parse(summary_json(study, {}, &at_cup)).at("load").at("measured").at("angle_per_spline").get<double>() == cup);
+}
+
 TEST_CASE("JSON of a load study has the figures of the solution and of each case", "[load]")
 {
     auto const study = sample::load_study();

@@ -3,13 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <vector>
 
 #include "hdconj/contact/smallest_gap.hpp"
 #include "hdconj/numeric/error.hpp"
 #include "hdconj/numeric/tolerance.hpp"
 #include "support/catch.hpp"
 #include "support/coned_drive.hpp"
+#include "support/oracle/tooth.hpp"
 
 using namespace hdconj;
 using namespace hdconj::test;
@@ -51,7 +54,117 @@ struct Pair
 
 constexpr double enough = 1e-12;   // mm
 
+/// Few teeth, so that z_c/z_f is far from 1; 10 um of side clearance are laid on afterwards.
+constexpr char const* thirty_teeth = R"([drive]
+name = "thirty teeth"
+module = 0.5
+flexspline_teeth = 30
+circular_spline_teeth = 32
+[flexspline]
+wall = 0.6
+[flexspline.profile]
+family = "double-circular-arc"
+addendum = 0.35
+dedendum = 0.606
+convex_radius = 0.5402
+convex_offset = 0.1964
+concave_radius = 1.029
+concave_offset = "tangent"
+concave_rise = 0.1342
+[wave_generator]
+family = "cosine"
+radial_deformation = 0.5
+waves = 2
+[circular_spline]
+width = 5.0
+)";
+
+/// All teeth of the flexspline about a held wave generator, by the oracle's tooth and motion.
+class HeldWave
+{
+  public:
+    explicit HeldWave(Scene const& scene) : z_f_(scene.drive.flexspline_teeth), k_(static_cast<double>(z_f_) / scene.drive.circular_spline_teeth), tooth_(scene), motion_(scene) {}
+
+    /// The least distance of @p points [mm] with the flexspline turned so far that tooth 0 has the undeformed angle @p phase: its teeth have moved along the neutral curve.
+    [[nodiscard]] double least(std::vector<Vec2> const& points, double phase) const
+    {
+        double best = std::numeric_limits<double>::infinity();
+        for (int i = 0; i < z_f_; ++i)
+        {
+            double const phi = 2 * std::numbers::pi * i / z_f_ + phase;
+            oracle::Pose<double> pose = motion_.pose(oracle_parameter(motion_, phi), phi);
+            for (auto* v : {&pose.origin, &pose.along, &pose.outward})
+                *v = oracle::turned_clockwise(*v, k_ * phi);
+            for (Vec2 const& p : points)
+            {
+                oracle::Point<double> const x = pose.to_tooth({p.x(), p.y()});
+                if (x.y > 0 && std::abs(x.x) < 3 * tooth_.half_width)
+                    best = std::min(best, tooth_.distance(x));
+            }
+        }
+        return best;
+    }
+
+  private:
+    int z_f_;
+    double k_;
+    oracle::Tooth<double> tooth_;
+    oracle::Motion<double> motion_;
+};
+
+/// Right flanks of all spaces in the fixed frame, the circular spline turned clockwise by @p angle.
+std::vector<Vec2> right_flanks(GapField const& field, double angle)
+{
+    std::vector<Vec2> points;
+    for (std::size_t space = 0; space < field.spaces(); ++space)
+        for (Vec2 const& p : field.grid().point[GapMap::right][0])
+            points.push_back(turned_clockwise(p, field.space_angle(space) + angle));
+    return points;
+}
+
+/// Where @p gap, positive at 0, becomes zero.
+template<class Gap>
+double first_zero(Gap const& gap, double high)
+{
+    REQUIRE(gap(0.0) > 0);
+    REQUIRE(gap(high) < 0);
+    double low = 0;
+    for (int i = 0; i < 40; ++i)
+        (gap(0.5 * (low + high)) > 0 ? low : high) = 0.5 * (low + high);
+    return low;
+}
+
 }  // namespace
+
+TEST_CASE("take-up is the turn of the circular spline, and z_f/z_c times that of a flexspline that moves along its neutral curve", "[take_up]")
+{
+    ConedDrive drive(parse_scene(thirty_teeth, "thirty-teeth.toml", {}), 1, 1, 5.0);
+    FlankGrid const grid = moved_into_material(drive.flanks(drive.surface("tilted"), 400), 0.01);
+    HeldWave const teeth(drive.scene);
+    double const ratio = static_cast<double>(drive.z_c()) / drive.z_f();
+    constexpr double between_points = 3e-4;  // the flanks are points here
+    for (double const phase : {0.0, 0.03, -0.07})
+    {
+        INFO("phase " << phase);
+        auto const field_at = [&](ToothPlaces const& places, double at) { return GapField(drive.tooth, grid, places, drive.z_f(), drive.z_c(), at); };
+        ToothPlaces const places = detail::tooth_places(*drive.bench, phase);
+        GapField const field = field_at(places, phase);
+        double const turn = take_up(field, field.map(0, 1), GapMap::right, drive.pitch(), 1).turn;
+        // wave generator and flexspline held, the circular spline turned against the teeth
+        double const spline = first_zero([&](double x) { return teeth.least(right_flanks(field, -x), phase); }, 2 * turn);
+        CHECK(spline == Approx(turn).epsilon(between_points));
+        // wave generator and circular spline held, the flexspline turned: to first order at the same angle of the wave generator
+        std::vector<Vec2> const flanks = right_flanks(field, 0);
+        double const flexspline = first_zero([&](double x) { return teeth.least(flanks, phase + x); }, 2 * turn);
+        constexpr double first_order = 2e-3;
+        CHECK(flexspline == Approx(ratio * turn).epsilon(first_order));
+        // and exactly from where the wave generator stands as far back as the flexspline is turned
+        ToothPlaces const back = detail::tooth_places(*drive.bench, phase - ratio * turn);
+        GapField const before = field_at(back, phase - ratio * turn);
+        std::vector<Vec2> const held = right_flanks(before, 0);
+        CHECK(first_zero([&](double x) { return teeth.least(held, phase - ratio * turn + x); }, 2 * turn) == Approx(ratio * turn).epsilon(between_points));
+    }
+}
 
 TEST_CASE("take-up ends where the smallest gap is zero and not before", "[take_up]")
 {

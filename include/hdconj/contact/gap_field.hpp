@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Gaps of all flanks of the circular spline against all teeth, for any turn of the flexspline.
+/// Gaps of all flanks of the circular spline against all teeth, for any turn of the circular spline.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ namespace hdconj {
 /// Gap of any flank point, in the plane of its slice.
 ///
 /// The nearest tooth of a space is one of the three that are nearest in angle; its distance is exact (ToothDistance). Turning
-/// the flexspline clockwise by `turn` about the axis of the drive moves all its teeth alike.
+/// the circular spline counter-clockwise by `turn` is looked at from it: all teeth turn clockwise about the axis of the drive, the wave with them.
 class GapField
 {
   public:

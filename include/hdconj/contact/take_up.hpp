@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// How far the flexspline turns until its teeth touch.
+/// How far the circular spline turns against the teeth, wave generator and flexspline held, until they touch.
 #pragma once
 
 #include "hdconj/contact/smallest_gap.hpp"
@@ -10,7 +10,7 @@ namespace hdconj {
 /// First contact of the flanks on one side.
 struct TakeUp
 {
-    double turn = 0;            ///< [rad] clockwise for GapMap::right, counter-clockwise for left; negative: turned back out of interference
+    double turn = 0;            ///< [rad] of the teeth against the spaces: clockwise for GapMap::right, counter-clockwise for left; negative: turned back out of interference
     GapField::Index where{};    ///< the point that touches, or beside which the flank does
     double gap = 0;             ///< smallest gap there: zero to roundoff [mm]
     SmallestGap at_rest{};      ///< smallest gap of these flanks at turn 0

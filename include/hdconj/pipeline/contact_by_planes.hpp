@@ -31,7 +31,7 @@ struct AreaByPlanes
 /// A = int L(z) dz over the face width of surface "per-slice" without side clearance, on the driving side, at the scene's angle of the wave generator.
 ///
 /// L(z) is the length of all flanks in the plane z whose gap is within contact.contact_gap, times what they lean (area_per_length()). Each plane has the conjugate outline of its own motion, and
-/// the edges of contact are roots of the exact gap along it: nothing is interpolated between planes, and no cells are made. Conjugate flanks touch without a turn of the flexspline.
+/// the edges of contact are roots of the exact gap along it: nothing is interpolated between planes, and no cells are made. Conjugate flanks touch without a turn.
 ///
 /// The integral is the trapezoidal rule. In a space contact begins and ends along z like a square root or a straight line, so that the rule's error falls by
 /// 2^1.5 or 4 when planes double, with a sign that depends on where between two planes that is. With D_0, D_1, D_2 the last three differences of sums,

@@ -30,12 +30,13 @@ struct SliceClearance
     Closest root;          ///< around the bottom of the space
 };
 
-/// Contact at one angle of the wave generator, the flexspline turned until it touches.
+/// Contact at one angle of the wave generator. To first contact the circular spline is turned, wave generator and flexspline held; a cup that is turned in its place, wave generator and
+/// circular spline held, takes z_c/z_f times that angle (docs/theory.md, Take-up).
 struct ContactState
 {
     double wave_generator = 0;   ///< angle of the wave generator from a tooth space, in the frame of the circular spline [rad]
-    double take_up = 0;          ///< turn of the flexspline to first contact, clockwise [rad]; negative: it had to be turned back
-    double take_up_back = 0;     ///< the same for the other flanks, counter-clockwise [rad]
+    double take_up = 0;          ///< turn of the circular spline to first contact, counter-clockwise: teeth go clockwise in its spaces [rad]; negative: it had to be turned back
+    double take_up_back = 0;     ///< the same for the other flanks, clockwise [rad]
     double take_up_error = 0;    ///< estimated: what may enter between slices, and of a side clearance that was looked for its own error [rad]
     double take_up_back_error = 0;
     double contact_area = 0;     ///< [mm^2] of the flanks on the driving side with gap <= contact_gap
@@ -52,7 +53,7 @@ struct ContactState
     /// Where it may lie as well: from the first to the last plane with a gap as small within its error, and on to the planes beside them [mm].
     double smallest_z_from = 0, smallest_z_to = 0;
     int smallest_spaces = 0;     ///< tooth spaces with such a gap
-    /// Play in which the flexspline can be turned; negative: it is wedged.
+    /// Play in which the circular spline can be turned; negative: it is wedged.
     [[nodiscard]] double backlash() const { return take_up + take_up_back; }
     [[nodiscard]] double backlash_error() const { return take_up_error + take_up_back_error; }
 };

@@ -14,12 +14,13 @@ namespace hdconj {
 
 /// The drive at one torque, in equilibrium.
 ///
-/// The wave generator and the cup's flange are held; `twist` is the turn of the flexspline against the circular spline that the torque asks for,
-/// positive clockwise, counted from the middle of the play. A positive torque loads the right flanks of the tooth spaces (GapMap::right).
+/// The wave generator and the cup's flange are held; torque and `twist` are those of the circular spline, so that their product is work. They count positive where the
+/// teeth go clockwise in their spaces, the twist from the middle of the play. With a held circular spline the flange turns z_c/z_f as far, under z_f/z_c of the torque
+/// (docs/theory.md, Take-up). A positive torque loads the right flanks of the tooth spaces (GapMap::right).
 struct LoadedState
 {
     double torque = 0;              ///< [N mm] on the circular spline
-    double twist = 0;               ///< [rad]
+    double twist = 0;               ///< of the circular spline [rad]
     double stiffness = 0;           ///< dT/d(twist) with the contacts that are closed [N mm/rad]
     int teeth = 0;                  ///< tooth spaces that carry force
     double contact_area = 0;        ///< [mm^2] of flank under pressure: Hertz strips, cut where the force becomes zero between slices

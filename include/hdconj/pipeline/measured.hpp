@@ -15,6 +15,7 @@ struct RigInputs
     double counts_per_turn = 0;  ///< of the encoder on the motor shaft, after multiplication; 0: angles were read
     double ratio = 0;            ///< of the drive, without sign: motor turns per turn of the output
     double efficiency = 1;       ///< static, of the torque between motor and output
+    double angle_per_spline = 1; ///< angle of the output over that of a circular spline in the same contact, which a simulation turns; torques the other way round. Output cup: z_c/z_f
 };
 
 /// Samples in the order in which they were taken.
