@@ -138,13 +138,14 @@ int run_contact(CommonOptions const& common, VerbOptions const& own)
             std::cerr << "wrote " << each.file.string() << '\n';
         }
     }
-    return exit_done;
+    return status_of_cases(study.missing, study.cases.size());
 }
 
 constexpr char const* footer =
     "A gap is the distance from a point of the circular spline's flank to the nearest tooth, in the plane of its slice.\n"
     "The circular spline is turned, wave generator and flexspline held, until teeth touch; where the gap is then no larger than contact.contact_gap there is contact.\n"
     "Where the side clearance leaves interference, the least that clears is taken, and the table says so.\n"
+    "Of several surfaces, kinds or tilts those that cannot be made are named, the others written, and the exit status is 1.\n"
     "Examples:\n"
     "  hdconj contact drive.toml --tilt 0,0.1,0.2,0.3 --picture tilt.svg\n"
     "  hdconj contact --set coning.model=linear --set coning.bottom_to_middle=9 --surface tilted,ruled,per-slice\n"

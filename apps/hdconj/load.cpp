@@ -196,7 +196,7 @@ int run_load(CommonOptions const& common, VerbOptions const& own)
             std::cerr << "wrote " << each.file.string() << '\n';
         }
     }
-    return exit_done;
+    return status_of_cases(study.missing, study.cases.size());
 }
 
 constexpr char const* footer =
@@ -208,6 +208,7 @@ constexpr char const* footer =
     "  angle [arcmin], torque [N m]          angle deg, arcmin, arcsec, rad, mrad; torque N m, N mm, mN m\n"
     "  current [A], position [counts]        a motor with --torque-constant, its encoder with --counts-per-turn\n"
     "with one or more cycles 0, T, 0, -T, 0: its backlash is the width of the loop at zero torque, its stages two lines each.\n"
+    "Of several surfaces, kinds or tilts those that cannot be made are named, the others written, and the exit status is 1.\n"
     "Examples:\n"
     "  hdconj load drive.toml --picture drive.svg --vtu cup.vtu\n"
     "  hdconj load drive.toml --surface tilted --kind radial,draft --tilt 0,0.1,0.2 --no-curve\n"

@@ -8,6 +8,7 @@
 #include <chrono>
 #include <iostream>
 
+#include "cli.hpp"
 #include "hdconj/io/atomic_file.hpp"
 #include "hdconj/scene/fault.hpp"
 
@@ -87,6 +88,18 @@ WrittenFile timed(std::string const& kind, fs::path const& file, std::function<v
     write();
     std::chrono::duration<double> const taken = std::chrono::steady_clock::now() - begin;
     return {kind, file, taken.count()};
+}
+
+int status_of_cases(std::vector<std::string> const& missing, std::size_t written)
+{
+    if (missing.empty()) {
+        return exit_done;
+    }
+    std::cerr << "hdconj: " << missing.size() << " of " << missing.size() + written << " cases could not be computed; the others are written\n";
+    for (auto const& each : missing) {
+        std::cerr << "  " << each << '\n';
+    }
+    return exit_failed;
 }
 
 Progress::Progress(bool wanted) : shown_(wanted && ::isatty(STDERR_FILENO) == 1) {}

@@ -3,6 +3,7 @@
 /// What verbs that write files share: names, checks before the long work, progress on a terminal.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -33,6 +34,10 @@ void check_outputs(std::vector<OutputJob> const& jobs, std::string const& scene,
 
 /// Runs @p write and keeps its time.
 [[nodiscard]] WrittenFile timed(std::string const& kind, std::filesystem::path const& file, std::function<void()> const& write);
+
+/// What a verb with several cases ends with: done, or failed where some are @p missing, which is said on standard error.
+/// @param written  cases that were computed, and are written by now
+[[nodiscard]] int status_of_cases(std::vector<std::string> const& missing, std::size_t written);
 
 /// On a terminal, names the stage that runs, over and over in one line; where nobody looks it says nothing.
 class Progress

@@ -50,6 +50,9 @@ void write_provenance(Writer const& root, Solution const& solution)
         stages.push_back(to_string(planned.stage));
     }
     root.attribute("stages", stages);
+    if (!solution.notes.empty()) {
+        root.attribute("notes", solution.notes);
+    }
     root.flag("certified", solution.certificate.certified());
 }
 

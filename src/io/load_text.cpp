@@ -244,6 +244,9 @@ std::string summary_text(LoadStudy const& study, std::vector<WrittenFile> const&
     if (measured != nullptr) {
         write_measured(page, study, *measured);
     }
+    for (auto const& note : study.missing) {
+        page.line("  note: {}", note);
+    }
     if (auto const* shown = shown_case(study)) {
         page.line("\ncup and circular spline, as written: {}", case_name(*shown));
     }

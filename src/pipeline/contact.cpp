@@ -227,6 +227,7 @@ ContactStudy contact(Scene const& scene, ContactOptions const& options, StageObs
     study.pitch_radius = scene.drive.module * scene.drive.flexspline_teeth / 2;
     std::vector<SurfaceChoice> made;
     std::vector<std::string> left_out;
+    std::optional<NumericalError> first;
     auto const add = [&](SurfaceChoice const& choice) {
         GapMap map;
         ContactCase found = detail::contact_case(bench, choice, options.revolution, &map);
@@ -247,11 +248,17 @@ ContactStudy contact(Scene const& scene, ContactOptions const& options, StageObs
         }
         catch (NumericalError const& error)
         {
-            // an end of the interval that is searched need not make a surface
-            if (!options.best)
-                throw;
-            left_out.push_back("no row for a tilt of " + short_number(wanted[i].tilt / rad_per_deg) + " deg, " + wanted[i].kind + ": " + error.what());
+            left_out.push_back(detail::no_row(wanted[i], error.what()));
+            if (!first)
+                first.emplace(error);
         }
+    }
+    // an end of the interval that is searched need not make a surface
+    if (!options.best)
+    {
+        if (study.cases.empty())
+            throw NumericalError(*first);
+        study.missing = left_out;
     }
     for (std::string const& kind : kinds)
     {

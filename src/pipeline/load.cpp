@@ -244,8 +244,10 @@ LoadStudy load(Scene const& scene, LoadOptions const& options, StageObserver con
     std::vector<SurfaceChoice> const wanted = detail::surface_choices(asked, contact_options(options));
     double const total = static_cast<double>(wanted.size() * torques.size());
     double done = 0;
+    std::optional<NumericalError> first;
     for (std::size_t i = 0; i < wanted.size(); ++i)
     {
+        std::size_t const made_before = study.cases.size();
         detail::CaseReport report;
         report.on_play = [&](LoadCase const& known) {
             if (talk)
@@ -265,20 +267,36 @@ LoadStudy load(Scene const& scene, LoadOptions const& options, StageObserver con
                     estimate(study.cup, assembled(bench, coarse->model, coarse->start),
                              detail::ball_distance(detail::bearing_map(drive, start.state), detail::bearing_map(coarse->model.drive, coarse->start.state), drive.response.sectors()));
             }
-            study.cases.push_back(detail::load_case(bench, drive, start, coarse ? &*coarse : nullptr, wanted[i], torques, report));
+            try
+            {
+                study.cases.push_back(detail::load_case(bench, drive, start, coarse ? &*coarse : nullptr, wanted[i], torques, report));
+            }
+            catch (NumericalError const& error)
+            {
+                study.missing.push_back(detail::no_row(wanted[i], error.what()));
+                if (!first)
+                    first.emplace(error);
+            }
         });
+        done = static_cast<double>((i + 1) * torques.size());
+        if (study.cases.size() == made_before)
+            continue;
+        std::size_t const last = study.cases.size() - 1;
         auto const pressure = [](LoadCase const& c) { return c.curve[c.rated].largest_pressure; };
-        if (i == 0 || pressure(study.cases[i]) < pressure(study.cases[study.shown]))
-            study.shown = i;
+        if (last == 0 || pressure(study.cases[last]) < pressure(study.cases[study.shown]))
+            study.shown = last;
         // stresses are looked for at the largest torque of every case
         HarmonicField const field = detail::cup_field(*model, report.rated, bench.threads);
-        add_stress(bench, *model, field, coarse ? &*coarse : nullptr, report, study.cases[i]);
-        if (i == study.shown)
+        add_stress(bench, *model, field, coarse ? &*coarse : nullptr, report, study.cases[last]);
+        if (last == study.shown)
             study.shape = detail::cup_shape(*model, field, shape_angles, bench.threads);
     }
+    if (study.cases.empty())
+        throw NumericalError(*first);
     study.solution = owned.middle;
     study.solution.scene = scene;
     study.solution.plan = owned.plan;
+    study.solution.notes.insert(study.solution.notes.end(), study.missing.begin(), study.missing.end());
     study.harmonics = drive.response.harmonics().back().n;
     study.sectors = drive.response.sectors();
     study.contact_gap = bench.request.gap;

@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "hdconj/pipeline/contact.hpp"
+#include "hdconj/profile/builder.hpp"
+#include "hdconj/scene/schema.hpp"
 #include "spline_surface.hpp"
 
 namespace hdconj::detail {
@@ -27,6 +29,12 @@ namespace hdconj::detail {
                 if (surface == "tilted" || kind == "radial" || tilt == 0)
                     result.push_back({surface, kind, tilt});
     return result;
+}
+
+/// Why one of them is not there.
+[[nodiscard]] inline std::string no_row(SurfaceChoice const& choice, std::string const& why)
+{
+    return "no row for a tilt of " + short_number(choice.tilt / rad_per_deg) + " deg, " + choice.kind + ", surface \"" + choice.surface + "\": " + why;
 }
 
 }  // namespace hdconj::detail

@@ -2,6 +2,7 @@
 // `hdconj contact` as a user meets it: the same figures in all that it writes. What holds for other verbs too: every_verb.cpp.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -126,4 +127,38 @@ TEST_CASE("contact: --best answers for each kind and says where it looked", "[co
             }
         }
     }
+}
+
+TEST_CASE("contact: a case that cannot be made is named and leaves the others as they are", "[contact]")
+{
+    TemporaryFolder const folder;
+    std::string const run = coned + "--surface tilted --kind radial,draft --tilt 0,4 -o a.h5 ";
+    auto const done = contact(run + "--json", folder);
+    INFO(done.err);
+    CHECK(done.status == 1);
+    std::string const reason = "no row for a tilt of 4 deg, draft, surface \"tilted\": ";
+    CHECK_THAT(done.err, ContainsSubstring("hdconj: 1 of 4 cases could not be computed") && ContainsSubstring(reason));
+    json const summary = json::parse(done.out);
+    json const& cases = summary.at("contact").at("cases");
+    REQUIRE(cases.size() == 3);
+    std::string notes;
+    for (auto const& note : summary.at("notes")) {
+        notes += note.get<std::string>();
+    }
+    CHECK_THAT(notes, ContainsSubstring(reason));
+    auto const file = hdconj::test::open_file(folder / "a.h5");
+    CHECK(hdconj::test::read(file, "/contact/tilt").values.size() == 3);
+    CHECK(H5Aexists_by_name(file, "/", "notes", H5P_DEFAULT) > 0);
+    // the others are those of a run without it
+    auto const without = contact(coned + "--surface tilted --kind radial --tilt 0,4 -o b.h5 --json", folder);
+    REQUIRE(without.status == 0);
+    json const alone = json::parse(without.out).at("contact").at("cases").back();
+    for (auto const* key : {"tilt_deg", "backlash_offset_um", "clearing_offset_um", "state"}) {
+        CHECK(alone.at(key) == cases[1].at(key));
+    }
+    // none at all is an error, and leaves nothing behind
+    auto const none = contact(coned + "--surface tilted --kind draft --tilt 4,5 -o none.h5", folder);
+    CHECK(none.status == 1);
+    CHECK_THAT(none.err, ContainsSubstring("draft"));
+    CHECK_FALSE(std::filesystem::exists(folder / "none.h5"));
 }

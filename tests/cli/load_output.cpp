@@ -2,6 +2,7 @@
 // `hdconj load` as a user meets it: the same figures in all that it writes. What holds for other verbs too: every_verb.cpp.
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -117,4 +118,38 @@ TEST_CASE("load lays a measured curve over the simulation", "[load][measured]")
     CHECK(measured.at("second_stage").at("value_Nm_per_deg").get<double>() == Approx(182.8).epsilon(0.02));
     CHECK(measured.at("angle_step_arcmin").get<double>() == Approx(0.108));
     CHECK_THAT(load(run, folder).out, ContainsSubstring("measured: log.csv (current [A], position [counts], 0.119 N m/A, 2000 counts per turn, ratio 100)"));
+}
+
+TEST_CASE("load: a case that cannot be made is named and leaves the others as they are", "[load]")
+{
+    TemporaryFolder const folder;
+    std::string const run = one_torque + "--surface tilted --kind draft --tilt 0,4 -o a.h5 ";
+    auto const done = load(run + "--json", folder);
+    INFO(done.err);
+    CHECK(done.status == 1);
+    std::string const reason = "no row for a tilt of 4 deg, draft, surface \"tilted\": ";
+    CHECK_THAT(done.err, ContainsSubstring("hdconj: 1 of 2 cases could not be computed") && ContainsSubstring(reason));
+    json const summary = json::parse(done.out);
+    json const& cases = summary.at("load").at("cases");
+    REQUIRE(cases.size() == 1);
+    std::string notes;
+    for (auto const& note : summary.at("notes")) {
+        notes += note.get<std::string>();
+    }
+    CHECK_THAT(notes, ContainsSubstring(reason));
+    auto const file = hdconj::test::open_file(folder / "a.h5");
+    CHECK(hdconj::test::read(file, "/load/tilt").values.size() == 1);
+    CHECK(H5Aexists_by_name(file, "/", "notes", H5P_DEFAULT) > 0);
+    // the others are those of a run without it
+    auto const without = load(one_torque + "--surface tilted --kind draft --tilt 0 -o b.h5 --json", folder);
+    REQUIRE(without.status == 0);
+    json const alone = json::parse(without.out).at("load").at("cases").back();
+    for (auto const* key : {"tilt_deg", "backlash_offset_um", "backlash_arcmin", "rated"}) {
+        CHECK(alone.at(key) == cases[0].at(key));
+    }
+    // none at all is an error, and leaves nothing behind
+    auto const none = load(one_torque + "--surface tilted --kind draft --tilt 4,5 -o none.h5", folder);
+    CHECK(none.status == 1);
+    CHECK_THAT(none.err, ContainsSubstring("draft"));
+    CHECK_FALSE(std::filesystem::exists(folder / "none.h5"));
 }

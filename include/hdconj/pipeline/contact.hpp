@@ -38,8 +38,8 @@ inline constexpr int standard_slices = 17;
 ///
 /// Gaps are distances in the planes of the slices, from exact points of the circular spline to exact teeth. With [coning] and
 /// axial_shift = "mapped" the teeth in a plane are those parts of the cup that have moved into it, for gaps and for full turns (SurfaceMaker::follows_sections() says where not).
-/// Same bits for any number of threads.
-/// @throws InputError for a scene or options that cannot be computed; NumericalError with stage, place and cause
+/// Same bits for any number of threads. A case that cannot be made leaves the others as they are and is named in ContactStudy::missing.
+/// @throws InputError for a scene or options that cannot be computed; NumericalError with stage, place and cause where no case can be made
 [[nodiscard]] ContactStudy contact(Scene const& scene, ContactOptions const& options = {}, StageObserver const& on_stage = {}, Progress const& progress = {});
 
 }  // namespace hdconj

@@ -110,7 +110,8 @@ struct BestTilt
 struct ContactStudy
 {
     Solution solution;               ///< of the scene, its circular spline with the surface and slices of cases[shown]
-    std::vector<ContactCase> cases;  ///< in the order asked for
+    std::vector<ContactCase> cases;  ///< in the order asked for, without those that are missing
+    std::vector<std::string> missing;  ///< cases asked for that could not be made, each with the reason; solution.notes have them too
     std::vector<BestTilt> best;      ///< with --best
     std::size_t shown = 0;           ///< case that map and solution are of
     double side_clearance = 0;       ///< that its outline includes: that of the case, or 0 where solution.notes say that it cannot be made with it [mm]

@@ -36,7 +36,7 @@ struct LoadOptions
 /// and normals are taken again in the loaded shape until the linear model and the geometry agree. Small displacements of the cup about its
 /// undeformed shape; no friction. Same bits for any number of threads.
 /// @param talk  told the first figures in words as soon as they are known: force and coning of the assembled cup, then play of each surface
-/// @throws InputError for a scene or options that cannot be computed; NumericalError with stage, place and cause
+/// @throws InputError for a scene or options that cannot be computed; NumericalError with stage, place and cause where no case can be (LoadStudy::missing)
 [[nodiscard]] LoadStudy load(Scene const& scene, LoadOptions const& options = {}, StageObserver const& on_stage = {}, Progress const& progress = {},
                              std::function<void(std::string const&)> const& talk = {});
 

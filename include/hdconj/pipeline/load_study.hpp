@@ -148,7 +148,8 @@ struct LoadStudy
 {
     Solution solution;            ///< of the scene; its circular spline with the surface and slices of cases[shown]
     AssembledCup cup;
-    std::vector<LoadCase> cases;  ///< in the order asked for
+    std::vector<LoadCase> cases;  ///< in the order asked for, without those that are missing
+    std::vector<std::string> missing;  ///< as in ContactStudy
     std::size_t shown = 0;        ///< case of least largest pressure, which `shape` is of
     CupShape shape;
     int harmonics = 0;            ///< largest circumferential harmonic
