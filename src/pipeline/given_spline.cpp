@@ -161,7 +161,7 @@ void publish_given_spline(Solution& out, Profile const& tooth, CentredOutline co
     std::size_t const right_land = outline.stretches.back().kind == OutlineKind::land ? outline.stretches.back().first : outline.points.size() - 1;
     for (std::size_t index : {left_land, bottom->first, spline.middle, bottom->last, right_land})
         cs.landmarks.push_back(static_cast<int>(index));
-    measure_space(outline, right_land, pitch, out.geometry, out.error);
+    measure_space(outline, left_land, right_land, pitch, out.geometry, out.error);
 }
 
 }  // namespace hdconj::detail

@@ -209,7 +209,7 @@ class SolveJob
         std::size_t const right_land = outline.stretches.back().first;
         for (std::size_t index : {left_land, bottom.first, outline_.middle, bottom.last, right_land})
             cs.landmarks.push_back(static_cast<int>(index));
-        measure_space(outline, right_land, pitch_, out_.geometry, out_.error);
+        measure_space(outline, left_land, right_land, pitch_, out_.geometry, out_.error);
         out_.error.chord = outline.chord;
         out_.error.point = outline.error;
         out_.error.clearance = out_.error.point + tolerance_.roundoff();

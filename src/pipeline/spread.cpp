@@ -49,10 +49,10 @@ void take_tip(Solution& out, MatchedOutline const& outline, double tip, std::str
         return;
     out.notes.push_back("tip circle widened from " + short_number(out.geometry.circular_spline_inner_radius) + " to " + short_number(tip) + " mm: " + why);
     auto const& middle = outline.points[outline.points.size() / 2];
-    Vec2 const corner = middle[outline.landmarks[4]];
     out.geometry.space_depth += out.geometry.circular_spline_inner_radius - tip;
     out.geometry.circular_spline_inner_radius = tip;
-    out.geometry.land_half_angle = std::numbers::pi / out.scene.drive.circular_spline_teeth - std::atan2(corner.x(), corner.y());
+    double const pitch = 2 * std::numbers::pi / out.scene.drive.circular_spline_teeth;
+    out.geometry.land_half_angle = land_half_angle(middle[outline.landmarks[0]], middle[outline.landmarks[4]], pitch);
 }
 
 }  // namespace

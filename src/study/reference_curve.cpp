@@ -72,6 +72,16 @@ std::vector<Vec2> dense(std::vector<ReferencePatch> const& patches)
     return points;
 }
 
+/// The first patch of a stretch and the one after its last.
+std::pair<std::size_t, std::size_t> patches_of(std::vector<ReferencePatch> const& patches, int stretch)
+{
+    auto const first = std::find_if(patches.begin(), patches.end(), [&](ReferencePatch const& patch) { return patch.stretch == stretch; });
+    if (first == patches.end())
+        throw NumericalError("reference", "stretch " + std::to_string(stretch), "there is no such stretch of boundary");
+    auto const after = std::find_if(first, patches.end(), [&](ReferencePatch const& patch) { return patch.stretch != stretch; });
+    return {static_cast<std::size_t>(first - patches.begin()), static_cast<std::size_t>(after - patches.begin())};
+}
+
 }  // namespace
 
 ReferenceCurve::ReferenceCurve(std::vector<ReferencePatch> patches, double error)
@@ -184,10 +194,12 @@ double ReferenceCurve::largest_radius() const
 
 Vec2 ReferenceCurve::start_of(int stretch) const
 {
-    auto const first = std::find_if(patches_.begin(), patches_.end(), [&](ReferencePatch const& patch) { return patch.stretch == stretch; });
-    if (first == patches_.end())
-        throw NumericalError("reference", "stretch " + std::to_string(stretch), "there is no such stretch of boundary");
-    return points_[static_cast<std::size_t>(first - patches_.begin()) * steps];
+    return points_[patches_of(patches_, stretch).first * steps];
+}
+
+Vec2 ReferenceCurve::end_of(int stretch) const
+{
+    return points_[patches_of(patches_, stretch).second * steps];
 }
 
 double ReferenceCurve::largest_distance(std::vector<Vec2> const& points) const

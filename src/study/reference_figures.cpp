@@ -50,12 +50,12 @@ ReferenceFigures reference_figures(Scene const& scene, ReferenceCurve const& tru
 {
     StudyDrive const drive = drive_parts(scene);
     double const tip = drive.geometry.circular_spline_inner_radius;
-    // mirror images are not assumed: the right land's corner, as the program takes it
-    Vec2 const corner = truth.start_of(truth.patches().back().stretch);
-    double const half_land = std::numbers::pi / scene.drive.circular_spline_teeth - std::atan2(corner.x(), corner.y());
+    // mirror images are not assumed: the land between the right corner of one space and the left one of the next
+    Vec2 const left = truth.end_of(truth.patches().front().stretch), right = truth.start_of(truth.patches().back().stretch);
+    double const land = 2 * std::numbers::pi / scene.drive.circular_spline_teeth - (std::atan2(right.x(), right.y()) - std::atan2(left.x(), left.y()));
     // the linear models measure w from the undeformed circle
     bool const exact = scene.solver.kinematics == Kinematics::exact;
-    return {exact ? static_cast<double>(GivenCurve<Fifty>(drive.given()).mean_radius()) : drive.geometry.r_m, truth.largest_radius() - tip, 2 * half_land * tip};
+    return {exact ? static_cast<double>(GivenCurve<Fifty>(drive.given()).mean_radius()) : drive.geometry.r_m, truth.largest_radius() - tip, land * tip};
 }
 
 std::vector<ZoneEndCheck> check_zone_ends(Solution const& solution)

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `hdconj solve` as a user meets it: files, exit statuses, kills. What holds for other verbs too: every_verb.cpp.
+#include <cmath>
 #include <csignal>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <numbers>
 #include <random>
 #include <thread>
 
 #include "cli/hdconj_run.hpp"
 #include "support/catch.hpp"
+#include "support/read_hdf5.hpp"
 
 using hdconj::test::content;
 using hdconj::test::is_missing;
@@ -36,6 +41,45 @@ TEST_CASE("solve names the file after any drive")
     TemporaryFolder const folder;
     CHECK(solve("--set 'drive.name=\"../a b\"'", folder).status == 0);
     CHECK(folder.names() == std::vector<std::string>{"a-b.h5"});
+}
+
+TEST_CASE("the land lies between one space and the next, whether or not the cam is its own mirror image")
+{
+    auto const [second, axial] = GENERATE(table<double, std::string>({
+        {0, ""},
+        {0.01, ""},
+        {-0.01, ""},
+        {0.01, "--set coning.model=linear --set coning.bottom_to_middle=9 --set slices.count=3 --set slices.surface=per-slice"},
+    }));
+    TemporaryFolder const folder;
+    std::filesystem::copy_file(HDCONJ_SOURCE_DIR "/data/scenes/cam-table.toml", folder / "cam.toml");
+    std::ofstream table(folder / "cam-table.csv");
+    constexpr double rad = std::numbers::pi / 180;
+    for (int degrees = 0; degrees < 180; degrees += 5) {
+        table << degrees << ',' << 0.25 * std::cos(2 * degrees * rad) + second * std::sin(4 * degrees * rad) << '\n';
+    }
+    table.close();
+    auto const done = solve("cam.toml -o a.h5 --json " + axial, folder);
+    INFO(done.err);
+    REQUIRE(done.status == 0);
+    auto const summary = nlohmann::json::parse(done.out);
+    auto const& geometry = summary.at("geometry");
+    auto const file = hdconj::test::open_file(folder / "a.h5");
+    auto const outline = hdconj::test::read(file, "/circular_spline/outline");
+    auto const marks = hdconj::test::read(file, "/circular_spline/landmarks").values;
+    std::size_t const middle = outline.shape[0] / 2;
+    auto const angle = [&](double mark) {
+        std::size_t const at = 2 * (middle * outline.shape[1] + static_cast<std::size_t>(mark));
+        return std::atan2(outline.values[at], outline.values[at + 1]);
+    };
+    double const pitch = 2 * std::numbers::pi / 202, tip = geometry.at("tip_radius_mm").get<double>();
+    double const left = tip * (pitch / 2 + angle(marks.front())), right = tip * (pitch / 2 - angle(marks.back()));
+    double const stated = geometry.at("land_width_mm").get<double>(), error = summary.at("error").at("error_land_width_mm").get<double>();
+    constexpr double written = 1e-13;  // rounding of the points
+    INFO("halves " << left << " and " << right);
+    CHECK((second == 0) == (std::abs(left - right) < 1e-6));
+    CHECK(std::abs(stated - (left + right)) <= error + written);
+    CHECK(std::abs(geometry.at("land_half_angle_deg").get<double>() * rad * 2 * tip - stated) <= written);
 }
 
 TEST_CASE("targets that are bad input are refused with 2, before anything is written")
