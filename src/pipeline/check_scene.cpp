@@ -18,7 +18,7 @@ Faults check_scene(Scene const& scene)
         detail::judge_cup(scene, detail::ring_geometry(scene, tooth).flexspline_inner_radius, faults);
     else if (!scene.is_elastic())
         detail::judge_kinematics(scene, shape, faults);
-    detail::judge_curvature(scene, shape, detail::ring_geometry(scene, tooth).r_m, faults);
+    detail::judge_curvature(scene, tooth, shape, detail::ring_geometry(scene, tooth).r_m, faults);
     if (faults.empty())
         detail::judge_geometry(scene, tooth, detail::pair_geometry(scene, tooth, shape.amplitude()), faults);
     return faults;

@@ -2,6 +2,7 @@
 #include "drive.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -178,29 +179,70 @@ void judge_geometry(Scene const& scene, Profile const& tooth, PairGeometry const
                           "leave root_clearance out, or give the tooth a tip land"});
 }
 
-void judge_curvature(Scene const& scene, AnyWaveShape const& shape, double r_m, Faults& faults)
+namespace {
+
+/// Where the neutral curve bends least.
+struct Flattest
+{
+    double bend = std::numeric_limits<double>::infinity();  ///< curvature times a positive length squared; not above 0: hollow
+    double where = 0;                                       ///< [rad]
+};
+
+Flattest flattest_place(AnyWaveShape const& shape, double r_m)
 {
     constexpr int probes = 1440;
     double const half_lobe = std::numbers::pi / shape.waves();
-    double flattest = std::numeric_limits<double>::infinity();
-    double where = 0;
+    Flattest found;
     for (int i = 0; i <= probes; ++i)
     {
         double const u = half_lobe * (2.0 * i / probes - 1);
         RadialDisplacement const d = shape(u);
         double const rho = r_m + d.w;
-        // curvature times a positive length squared
         double const bend = rho * rho + 2 * d.w1 * d.w1 - rho * d.w2;
-        if (!(bend >= flattest))
-        {
-            flattest = bend;
-            where = u;
-        }
+        if (!(bend >= found.bend))
+            found = {bend, u};
     }
-    if (!(flattest > 0))
-        faults.push_back({scene.wave_generator.shape.path, scene.wave_generator.shape.line, scene.wave_generator.shape.family,
-                          "the neutral curve would be hollow at " + short_number(where * 180 / std::numbers::pi) + " degrees from the major axis",
-                          "write a smaller radial deformation, or smooth the table it comes from"});
+    return found;
+}
+
+/// The largest radial deformation below the scene's that leaves no hollow, by halving, rounded down to what a user types; 0 where there is none.
+double largest_deformation(Scene scene, Profile const& tooth, double r_m)
+{
+    constexpr std::string_view key = "radial_deformation";
+    constexpr int halvings = 40;
+    double low = 0, high = scene.wave_generator.shape.number(key).value_or(0);
+    for (int i = 0; i < halvings; ++i)
+    {
+        double const middle = (low + high) / 2;
+        scene.wave_generator.shape.given.find(key)->second.value = middle;
+        Faults faults;
+        AnyWaveShape const shape = wave_shape(scene, tooth, faults);
+        bool const convex = faults.empty() && flattest_place(shape, r_m).bend > 0;
+        (convex ? low : high) = middle;
+    }
+    if (!(low > 0))
+        return 0;
+    double const step = std::pow(10.0, std::floor(std::log10(low)) - 3);
+    return std::floor(low / step) * step;
+}
+
+}  // namespace
+
+void judge_curvature(Scene const& scene, Profile const& tooth, AnyWaveShape const& shape, double r_m, Faults& faults)
+{
+    Flattest const flattest = flattest_place(shape, r_m);
+    if (flattest.bend > 0)
+        return;
+    FamilyChoice const& choice = scene.wave_generator.shape;
+    std::string const reason = "the neutral curve would be hollow at " + short_number(flattest.where * 180 / std::numbers::pi) + " degrees from the major axis";
+    if (!choice.has("radial_deformation"))
+    {
+        faults.push_back({choice.path + ".file", choice.line_of("file"), choice.text_of("file"), reason, "write smaller radial displacements, or smooth them"});
+        return;
+    }
+    double const largest = largest_deformation(scene, tooth, r_m);
+    faults.push_back({choice.path + ".radial_deformation", choice.line_of("radial_deformation"), choice.text_of("radial_deformation"), reason,
+                      largest > 0 ? "write at most " + short_number(largest) + ", usually about one module" : "write a smaller one, usually about one module"});
 }
 
 void judge_kinematics(Scene const& scene, AnyWaveShape const& shape, Faults& faults)

@@ -35,7 +35,7 @@ namespace hdconj::detail {
 void judge_geometry(Scene const& scene, Profile const& tooth, PairGeometry const& g, Faults& faults);
 
 /// The deformed neutral curve must be convex: a ring on a wave generator never bends inwards.
-void judge_curvature(Scene const& scene, AnyWaveShape const& shape, double r_m, Faults& faults);
+void judge_curvature(Scene const& scene, Profile const& tooth, AnyWaveShape const& shape, double r_m, Faults& faults);
 
 /// Motion model against wave generator: "material" needs a shape that a Fourier series follows.
 void judge_kinematics(Scene const& scene, AnyWaveShape const& shape, Faults& faults);
