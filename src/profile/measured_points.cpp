@@ -34,7 +34,7 @@ struct FreeMatrix
 std::vector<Vec2> read_points(FamilyChoice const& c, std::string const& folder, Faults& faults)
 {
     std::size_t const before = faults.size();
-    NumberPairs const table = read_number_pairs(c, "file", folder, "x,y in mm", faults);
+    NumberPairs const table = read_number_pairs(c, "file", folder, {ColumnQuantity::length, ColumnQuantity::length}, "x,y in mm", faults);
     if (faults.size() > before)
         return {};
     std::vector<Vec2> points;

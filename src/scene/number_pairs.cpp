@@ -8,6 +8,7 @@
 #include <fstream>
 #include <utility>
 
+#include "column_units.hpp"
 #include "hdconj/scene/parameter_fault.hpp"
 
 namespace hdconj {
@@ -37,15 +38,20 @@ bool read_pair(std::string_view line, std::array<double, 2>& p)
 
 }  // namespace
 
-NumberPairs read_number_pairs(FamilyChoice const& choice, std::string_view key, std::string const& folder, std::string_view what, Faults& faults)
+std::filesystem::path number_file(FamilyChoice const& choice, std::string_view key, std::filesystem::path const& folder)
+{
+    std::filesystem::path const file = choice.word(key).value_or("");
+    return file.is_relative() ? folder / file : file;
+}
+
+NumberPairs read_number_pairs(FamilyChoice const& choice, std::string_view key, std::string const& folder, std::array<ColumnQuantity, 2> const& columns,
+                              std::string_view what, Faults& faults)
 {
     auto const refuse = [&](std::string reason, std::string remedy) {
         faults.push_back(parameter_fault(choice, key, std::move(reason), std::move(remedy)));
         return NumberPairs{};
     };
-    std::filesystem::path file = choice.word(key).value_or("");
-    if (file.is_relative())
-        file = std::filesystem::path(folder) / file;
+    std::filesystem::path const file = number_file(choice, key, folder);
     NumberPairs pairs{file.string(), {}};
     std::error_code ignored;
     std::ifstream in(file);
@@ -60,9 +66,13 @@ NumberPairs read_number_pairs(FamilyChoice const& choice, std::string_view key, 
     std::string line;
     int number = 0;
     bool header_seen = false;
+    detail::ColumnUnits units;
+    constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";
     while (std::getline(in, line))
     {
         ++number;
+        if (number == 1 && line.starts_with(byte_order_mark))
+            line.erase(0, byte_order_mark.size());
         line.erase(std::find(line.begin(), line.end(), '#'), line.end());
         if (line.find_first_not_of(" \t\r") == std::string::npos)
             continue;
@@ -71,8 +81,13 @@ NumberPairs read_number_pairs(FamilyChoice const& choice, std::string_view key, 
         if (!ok && pairs.rows.empty() && !header_seen)
         {
             header_seen = true;
+            units = detail::column_units(line, columns);
+            if (!units.reason.empty())
+                return refuse("line " + std::to_string(number) + " of " + pairs.file + ": " + units.reason, units.remedy);
             continue;
         }
+        for (std::size_t k = 0; k < row.value.size(); ++k)
+            row.value[k] *= units.factor[k];
         if (!ok || !std::isfinite(row.value[0]) || !std::isfinite(row.value[1]))
             return refuse("line " + std::to_string(number) + " of " + pairs.file + " is not a pair of finite numbers",
                           "write two numbers " + std::string(what) + " on each line");

@@ -57,7 +57,7 @@ GivenShape given_shape(std::string const& family)
 std::vector<std::array<double, 2>> rows_of(Scene const& scene)
 {
     Faults faults;
-    NumberPairs const table = read_number_pairs(scene.wave_generator.shape, "file", scene.folder.string(), "angle in degrees, radial displacement in mm", faults);
+    NumberPairs const table = read_number_pairs(scene.wave_generator.shape, "file", scene.folder.string(), {ColumnQuantity::angle, ColumnQuantity::length}, "angle in degrees, radial displacement in mm", faults);
     if (!faults.empty())
         throw InputError(faults);
     std::vector<std::array<double, 2>> rows;

@@ -118,7 +118,7 @@ RadialDisplacement TableCam::operator()(double u) const
 TableCam TableCam::build(FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults& faults)
 {
     std::size_t const before = faults.size();
-    NumberPairs const table = read_number_pairs(choice, "file", place.folder, "angle in degrees, radial displacement in mm", faults);
+    NumberPairs const table = read_number_pairs(choice, "file", place.folder, {ColumnQuantity::angle, ColumnQuantity::length}, "angle in degrees, radial displacement in mm", faults);
     if (faults.size() > before)
         return {};
     auto const refuse = [&](std::string reason, std::string remedy) {

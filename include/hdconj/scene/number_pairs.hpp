@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstddef>
+#include <filesystem>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,13 @@ namespace hdconj {
 inline constexpr std::size_t most_number_pairs = 10000;
 /// A larger file is no such table; it is refused before it is read. [bytes]
 inline constexpr std::size_t largest_number_file = std::size_t{16} << 20;
+
+/// What a column holds, and so which units its heading may name.
+enum class ColumnQuantity
+{
+    length,  ///< read in mm
+    angle    ///< read in degrees
+};
 
 /// A pair of numbers and the line of the file it stands on.
 struct NumberPair
@@ -33,11 +41,15 @@ struct NumberPairs
     std::vector<NumberPair> rows;
 };
 
+/// The file that @p choice names under @p key. @param folder  where a relative name starts
+[[nodiscard]] std::filesystem::path number_file(FamilyChoice const& choice, std::string_view key, std::filesystem::path const& folder);
+
 /// Reads the CSV file that @p choice names under @p key: two finite numbers a line, separated by comma, semicolon, tab or blanks;
-/// '#' starts a comment, one header line is allowed. At most most_number_pairs rows of a regular file. Nothing is read when there are faults.
+/// '#' starts a comment, one header line is allowed, which may name units: "x [inch]"; without them the columns are in mm and degrees. At most most_number_pairs rows of a regular file. Nothing is read when there are faults.
 /// @param folder  where a relative name starts
+/// @param columns what the two hold; they are returned in mm and degrees
 /// @param what    the columns, for messages: "x,y in mm"
-[[nodiscard]] NumberPairs read_number_pairs(FamilyChoice const& choice, std::string_view key, std::string const& folder, std::string_view what,
-                                            Faults& faults);
+[[nodiscard]] NumberPairs read_number_pairs(FamilyChoice const& choice, std::string_view key, std::string const& folder, std::array<ColumnQuantity, 2> const& columns,
+                                            std::string_view what, Faults& faults);
 
 }  // namespace hdconj
