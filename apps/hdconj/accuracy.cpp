@@ -14,7 +14,9 @@
 #include "cli.hpp"
 #include "hdconj/io/accuracy_files.hpp"
 #include "hdconj/io/atomic_file.hpp"
+#include "lists.hpp"
 #include "outputs.hpp"
+#include "words.hpp"
 
 namespace hdconj::cli {
 namespace {
@@ -67,10 +69,11 @@ StoredAccuracy measured(CommonOptions const& common, AccuracyVerb const& own)
     }
     fs::path const folder = own.output.empty() ? fs::path(file_name(scene.drive.name) + "-accuracy") : fs::path(own.output);
     std::vector<OutputJob> jobs = {{"folder", "--output", folder, [folder] { check_accuracy_folder(folder); }}};
+    jobs.back().is_folder = true;
     if (!own.page.empty()) {
         jobs.push_back({"page", "--page", own.page, [&own] { check_target(own.page); }});
     }
-    check_outputs(jobs, common.scene);
+    check_outputs(jobs, inputs_of(common, scene));
     Progress const progress(!common.quiet);
     AccuracyOptions options = own.study;
     constexpr int sample_of_quick = 3;
@@ -97,7 +100,8 @@ StoredAccuracy stored(CommonOptions const& common, AccuracyVerb const& own)
     if (!own.page.empty()) {
         jobs.push_back({"page", "--page", own.page, [&own] { check_target(own.page); }});
     }
-    check_outputs(jobs, own.from);
+    // the folder of the records may be named: they are written again, the same
+    check_outputs(jobs, input_of("--from", own.from));
     return read_accuracy(own.from);
 }
 
@@ -144,19 +148,19 @@ void add_accuracy(CLI::App& program, CommonOptions& common)
     auto* verb = program.add_subcommand("accuracy", "what accuracy costs in time: error against time of every method and knob");
     add_scene_options(*verb, common);
     auto own = std::make_shared<AccuracyVerb>();
-    verb->add_option("--study", own->study.studies, "studies to run, see below [all]")->delimiter(',')->type_name("NAME,...");
-    verb->add_option("-o,--output", own->output, "folder to make [the drive's name and -accuracy, in this folder; with --from none]")->type_name("DIR");
+    add_list(*verb, "--study", [own](std::string const& given) { own->study.studies.push_back(given); }, {}, "studies to run, see below [all]")->type_name("NAME,...");
+    verb->add_option("-o,--output", own->output, "folder to make [the drive's name and -accuracy, in this folder; with --from none]")->check(name_fault)->type_name("DIR");
     auto* sample = verb->add_option("--sample", own->study.sample, "designs about the scene whose worst is shown beside it [64]")->check(CLI::Range(0, 1000))->type_name("N");
     verb->add_option("--repeats", own->study.repeats, "runs of each setting; the median counts [5]")->check(CLI::Range(1, 1000))->type_name("N");
     verb->add_flag("--quick", own->study.quick, "short ladders, one run of each setting, 3 designs: some seconds");
-    verb->add_option("--from", own->from, "take records that were measured before in place of measuring")->type_name("DIR/records.h5");
+    verb->add_option("--from", own->from, "take records that were measured before in place of measuring")->check(name_fault)->type_name("DIR/records.h5");
     verb->add_option("--budget", own->budget, "advise the most accurate setting within a time, such as 10ms, 0.5s, 800us")
         ->check([](std::string const& text) { return seconds_of(text) ? "" : "'" + text + "' is no time (write a number with s, ms or us, such as 10ms)"; })
         ->type_name("TIME");
     verb->add_option("--error", own->error, "advise the fastest setting with this error or less, in mm, or such as 1um, 5nm")
         ->check([](std::string const& text) { return millimetres_of(text) ? "" : "'" + text + "' is no length (write a number above 0 in mm, or with um or nm)"; })
         ->type_name("LENGTH");
-    verb->add_option("--page", own->page, "write the report as a page, its pictures into figures/ beside it")->type_name("FILE.md");
+    verb->add_option("--page", own->page, "write the report as a page, its pictures into figures/ beside it")->check(name_fault)->type_name("FILE.md");
     verb->footer(studies_text() +
                  "Errors are distances in mm from a reference in 50 digits that is computed by another path: of the scene's own wave generator, motion model and tooth,\n"
                  "and of the flexspline where the circular spline is given, which has no union, contact-area and load. Motion models are compared with the exact one.\n"

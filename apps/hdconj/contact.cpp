@@ -13,6 +13,7 @@
 #include "hdconj/io/contact_files.hpp"
 #include "hdconj/io/surface_files.hpp"
 #include "hdconj/scene/schema.hpp"
+#include "lists.hpp"
 #include "outputs.hpp"
 #include "words.hpp"
 
@@ -68,6 +69,9 @@ std::vector<Job> jobs_of(VerbOptions const& own, Scene const& scene)
                 write_xdmf(study.solution, file, result);
             }
         }));
+        if (whole) {
+            jobs.back().output.members = {own.xdmf + ".h5"};
+        }
     }
     if (!own.stl.empty()) {
         jobs.push_back(single("stl", own.stl, [surface](ContactStudy const& study, fs::path const& file) { write_stl(study.solution, file, surface); }));
@@ -79,6 +83,8 @@ std::vector<Job> jobs_of(VerbOptions const& own, Scene const& scene)
         fs::path const picture = own.picture;
         jobs.push_back({{"picture", "--picture", picture, [picture] { check_contact_pictures(picture); }},
                         [picture](ContactStudy const& study) { return write_contact_pictures(study, picture); }});
+        auto const [tilt, map, flank] = contact_picture_names(picture);
+        jobs.back().output.members = {tilt, map, flank};
     }
     return jobs;
 }
@@ -117,7 +123,7 @@ int run_contact(CommonOptions const& common, VerbOptions const& own)
     for (auto const& job : jobs) {
         outputs.push_back(job.output);
     }
-    check_outputs(outputs, common.scene);
+    check_outputs(outputs, inputs_of(common, scene));
     hdconj::cli::Progress const progress(!common.quiet);
     ContactStudy const study = contact(scene, options, [&](Stage stage) { progress.say(to_string(stage)); },
                                        [&](std::string const& what, double share) { progress.say(what, share); });
@@ -159,27 +165,25 @@ void add_contact(CLI::App& program, CommonOptions& common)
     auto* verb = program.add_subcommand("contact", "contact area, clearance and play, against tilt and surface");
     add_scene_options(*verb, common);
     auto own = std::make_shared<VerbOptions>();
-    verb->add_option("--tilt", own->tilts_deg, "tilt angles in degrees, such as 0,0.1,0.2; with --best the interval searched [the scene's]")
-        ->delimiter(',')
-        ->check([](std::string const& given) { return angle_fault(given); })
+    add_list(*verb, "--tilt", [own](std::string const& given) { own->tilts_deg.push_back(angle_deg(given)); }, [](std::string const& given) { return angle_fault(given); },
+             "tilt angles in degrees, such as 0,0.1,0.2; with --best the interval searched [the scene's]")
         ->type_name("DEG,...");
-    verb->add_option("--surface", own->surfaces, "how the teeth of the circular spline are made: tilted, ruled, per-slice [the scene's, or tilted]")
-        ->delimiter(',')
-        ->check([](std::string const& given) { return word_fault(given, {"tilted", "ruled", "per-slice"}); })
+    add_list(*verb, "--surface", [own](std::string const& given) { own->surfaces.push_back(given); },
+             [](std::string const& given) { return word_fault(given, {"tilted", "ruled", "per-slice"}); },
+             "how the teeth of the circular spline are made: tilted, ruled, per-slice [the scene's, or tilted]")
         ->type_name("WORD,...");
-    verb->add_option("--kind", own->kinds, "what tilt means: radial, outline moved along its radii, or draft, along its normal [the scene's, or radial]")
-        ->delimiter(',')
-        ->check([](std::string const& given) { return word_fault(given, {"radial", "draft"}); })
+    add_list(*verb, "--kind", [own](std::string const& given) { own->kinds.push_back(given); }, [](std::string const& given) { return word_fault(given, {"radial", "draft"}); },
+             "what tilt means: radial, outline moved along its radii, or draft, along its normal [the scene's, or radial]")
         ->type_name("WORD,...");
     verb->add_flag("--best", own->best, "search the tilt of largest contact area, and that of least clearing offset");
     verb->add_option("--revolution", own->revolution, "angles of the wave generator over a revolution; the one with least contact counts")
         ->check(CLI::Range(1, 10000))
         ->type_name("N");
-    verb->add_option("-o,--output", own->output, "result file, HDF5 [the drive's name and -contact.h5, in this folder]")->type_name("FILE");
-    verb->add_option("--picture", own->picture, "drawings NAME-tilt, NAME-map, NAME-flank; needs gnuplot")->type_name("NAME.svg|NAME.png");
-    verb->add_option("--xdmf", own->xdmf, "toothed surface for ParaView")->type_name("FILE");
-    verb->add_option("--stl", own->stl, "toothed surface as triangles")->type_name("FILE");
-    verb->add_option("--vtk", own->vtk, "toothed surface with the gap on its flanks")->type_name("FILE");
+    verb->add_option("-o,--output", own->output, "result file, HDF5 [the drive's name and -contact.h5, in this folder]")->check(name_fault)->type_name("FILE");
+    verb->add_option("--picture", own->picture, "drawings NAME-tilt, NAME-map, NAME-flank; needs gnuplot")->check(name_fault)->type_name("NAME.svg|NAME.png");
+    verb->add_option("--xdmf", own->xdmf, "toothed surface for ParaView")->check(name_fault)->type_name("FILE");
+    verb->add_option("--stl", own->stl, "toothed surface as triangles")->check(name_fault)->type_name("FILE");
+    verb->add_option("--vtk", own->vtk, "toothed surface with the gap on its flanks")->check(name_fault)->type_name("FILE");
     verb->add_flag("--ring", own->ring, "surfaces of the whole ring in place of one tooth space");
     verb->footer(footer);
     verb->callback([&common, own] { common.action = [&common, own] { return run_contact(common, *own); }; });

@@ -10,6 +10,8 @@
 #include "hdconj/io/cup_files.hpp"
 #include "hdconj/pipeline/elastic_cup.hpp"
 #include "hdconj/scene/fault.hpp"
+#include "outputs.hpp"
+#include "words.hpp"
 
 namespace hdconj::cli {
 namespace {
@@ -48,9 +50,15 @@ int run_export(CommonOptions const& common, ExportOptions const& own)
     if (own.contact && scene.bearing) {
         refuse_contact(*scene.bearing);
     }
-    if (!own.vtu.empty()) {
-        check_target(own.vtu);
+    std::vector<OutputJob> jobs;
+    if (!own.calculix.empty()) {
+        jobs.push_back({"calculix", "--calculix", own.calculix, [&own] { check_calculix(own.calculix); }});
+        jobs.back().is_folder = true;
     }
+    if (!own.vtu.empty()) {
+        jobs.push_back({"vtu", "--vtu", own.vtu, [&own] { check_target(own.vtu); }});
+    }
+    check_outputs(jobs, inputs_of(common, scene));
     auto const cup = elastic_cup(scene);
     if (!own.calculix.empty()) {
         write_calculix(*cup, own.calculix, own.steps, own.contact);
@@ -74,9 +82,9 @@ void add_export(CLI::App& program, CommonOptions& common)
     auto* const verb = program.add_subcommand("export", "the elastic cup for CalculiX and ParaView");
     auto const own = std::make_shared<ExportOptions>();
     add_scene_options(*verb, common);
-    verb->add_option("--calculix", own->calculix, "folder for a CalculiX deck of the cup under its bearing's forces, and what it must come to");
+    verb->add_option("--calculix", own->calculix, "folder for a CalculiX deck of the cup under its bearing's forces, and what it must come to")->check(name_fault);
     verb->add_flag("--contact", own->contact, "with --calculix: a second deck, cup and bearing as two bodies in contact");
-    verb->add_option("--vtu", own->vtu, "file for ParaView: the cup with displacements and stress");
+    verb->add_option("--vtu", own->vtu, "file for ParaView: the cup with displacements and stress")->check(name_fault);
     verb->add_option("--steps", own->steps, "elements round half a lobe (deck), and twice as many round the whole (vtu) [48]")->check(CLI::Range(4, 720));
     verb->footer("The scene needs [coning] model = \"elastic\".\n"
                  "Examples:\n"

@@ -8,6 +8,7 @@
 #include "cli.hpp"
 #include "hdconj/io/atomic_file.hpp"
 #include "hdconj/io/scene_toml.hpp"
+#include "words.hpp"
 
 namespace hdconj::cli {
 namespace {
@@ -44,7 +45,7 @@ void add_init(CLI::App& program, CommonOptions& common)
 {
     auto* const verb = program.add_subcommand("init", "write the built-in scene to edit");
     auto const own = std::make_shared<InitOptions>();
-    verb->add_option("FILE", own->file, "where to; - for standard output")->capture_default_str();
+    verb->add_option("FILE", own->file, "where to; - for standard output")->check(name_fault)->capture_default_str();
     verb->add_flag("--force", own->force, "write over a file that is there");
     verb->add_flag("--quiet", common.quiet, "no talk on standard error");
     verb->callback([&common, own] { common.action = [&common, own] { return run_init(common, *own); }; });

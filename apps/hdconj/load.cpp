@@ -16,6 +16,7 @@
 #include "hdconj/io/load_files.hpp"
 #include "hdconj/io/measured_file.hpp"
 #include "hdconj/scene/schema.hpp"
+#include "lists.hpp"
 #include "outputs.hpp"
 #include "words.hpp"
 
@@ -67,6 +68,8 @@ std::vector<Job> jobs_of(VerbOptions const& own, Scene const& scene)
         fs::path const picture = own.picture;
         jobs.push_back({{"picture", "--picture", picture, [picture] { check_load_pictures(picture); }},
                         [picture](LoadStudy const& study, Measurement const* measured) { return write_load_pictures(study, picture, measured); }});
+        auto const [curve, pressure, cup, stress, balls] = load_picture_names(picture);
+        jobs.back().output.members = {curve, pressure, cup, stress, balls};
     }
     return jobs;
 }
@@ -174,7 +177,11 @@ int run_load(CommonOptions const& common, VerbOptions const& own)
     for (auto const& job : jobs) {
         outputs.push_back(job.output);
     }
-    check_outputs(outputs, common.scene, own.measured.empty() ? std::vector<std::string>{} : std::vector<std::string>{own.measured});
+    auto inputs = inputs_of(common, start.scene);
+    for (auto const& input : input_of("--measured", own.measured)) {
+        inputs.push_back(input);
+    }
+    check_outputs(outputs, inputs);
     hdconj::cli::Progress const progress(!common.quiet);
     LoadStudy const study = load(start.scene, start.options, [&](Stage stage) { progress.say(to_string(stage)); },
                                  [&](std::string const& what, double share) { progress.say(what, share); }, [&](std::string const& line) { progress.keep(line); });
@@ -230,20 +237,21 @@ void add_load(CLI::App& program, CommonOptions& common)
         ->check([](std::string const& given) { return positive_fault(given, "write a torque in N m such as --torque 28"); })
         ->type_name("NM");
     verb->add_option("--points", own->points, "torques on the way up [the scene's]")->check(CLI::Range(1, 1000))->type_name("N");
-    verb->add_option("--tilt", own->tilts_deg, "tilt angles in degrees, such as 0,0.1,0.2 [the scene's]")->delimiter(',')->check([](std::string const& given) { return angle_fault(given); })->type_name("DEG,...");
-    verb->add_option("--surface", own->surfaces, "how the teeth of the circular spline are made: tilted, ruled, per-slice [the scene's, or tilted]")
-        ->delimiter(',')
-        ->check([](std::string const& word) { return word_fault(word, {"tilted", "ruled", "per-slice"}); })
+    add_list(*verb, "--tilt", [own](std::string const& given) { own->tilts_deg.push_back(angle_deg(given)); }, [](std::string const& given) { return angle_fault(given); },
+             "tilt angles in degrees, such as 0,0.1,0.2 [the scene's]")
+        ->type_name("DEG,...");
+    add_list(*verb, "--surface", [own](std::string const& given) { own->surfaces.push_back(given); },
+             [](std::string const& given) { return word_fault(given, {"tilted", "ruled", "per-slice"}); },
+             "how the teeth of the circular spline are made: tilted, ruled, per-slice [the scene's, or tilted]")
         ->type_name("WORD,...");
-    verb->add_option("--kind", own->kinds, "what tilt means: radial, outline moved along its radii, or draft, along its normal [the scene's, or radial]")
-        ->delimiter(',')
-        ->check([](std::string const& word) { return word_fault(word, {"radial", "draft"}); })
+    add_list(*verb, "--kind", [own](std::string const& given) { own->kinds.push_back(given); }, [](std::string const& given) { return word_fault(given, {"radial", "draft"}); },
+             "what tilt means: radial, outline moved along its radii, or draft, along its normal [the scene's, or radial]")
         ->type_name("WORD,...");
     verb->add_flag("--no-curve", own->no_curve, "the largest torque only: no curve, no stages");
-    verb->add_option("-o,--output", own->output, "result file, HDF5 [the drive's name and -load.h5, in this folder]")->type_name("FILE");
-    verb->add_option("--picture", own->picture, "drawings NAME-curve, NAME-pressure, NAME-cup, NAME-stress and, of single balls, NAME-balls; needs gnuplot")->type_name("NAME.svg|NAME.png");
-    verb->add_option("--vtu", own->vtu, "the deformed cup with its stress, for ParaView")->type_name("FILE.vtu");
-    verb->add_option("--measured", own->measured, "torque-angle curve of a test rig, to be laid over the simulation")->type_name("FILE.csv");
+    verb->add_option("-o,--output", own->output, "result file, HDF5 [the drive's name and -load.h5, in this folder]")->check(name_fault)->type_name("FILE");
+    verb->add_option("--picture", own->picture, "drawings NAME-curve, NAME-pressure, NAME-cup, NAME-stress and, of single balls, NAME-balls; needs gnuplot")->check(name_fault)->type_name("NAME.svg|NAME.png");
+    verb->add_option("--vtu", own->vtu, "the deformed cup with its stress, for ParaView")->check(name_fault)->type_name("FILE.vtu");
+    verb->add_option("--measured", own->measured, "torque-angle curve of a test rig, to be laid over the simulation")->check(name_fault)->type_name("FILE.csv");
     verb->add_option("--torque-constant", own->rig.torque_constant, "of the rig's motor in N m/A; negative where current and angle count in opposite senses")
         ->check(number_check("write N m per A such as --torque-constant 0.119"))
         ->type_name("NM/A");

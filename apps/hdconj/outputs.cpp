@@ -10,7 +10,10 @@
 
 #include "cli.hpp"
 #include "hdconj/io/atomic_file.hpp"
+#include "hdconj/profile/registry.hpp"
 #include "hdconj/scene/fault.hpp"
+#include "hdconj/scene/number_pairs.hpp"
+#include "hdconj/wavegen/registry.hpp"
 
 namespace hdconj::cli {
 
@@ -25,12 +28,72 @@ constexpr char const* erase_line = "\r\033[K";
     throw InputError(Fault{job.option, 0, job.file.string(), reason, "write " + remedy});
 }
 
-/// Both names stand for one file, whether it exists or not.
+/// The file that a name stands for, through links, whether it exists or not.
+fs::path real(fs::path const& name)
+{
+    std::error_code error;
+    return fs::weakly_canonical(fs::absolute(name), error);
+}
+
 bool same_file(fs::path const& a, fs::path const& b)
 {
     std::error_code error;
-    return fs::equivalent(a, b, error) ||
-           fs::weakly_canonical(fs::absolute(a), error) == fs::weakly_canonical(fs::absolute(b), error);
+    return fs::equivalent(a, b, error) || real(a) == real(b);
+}
+
+/// @p folder is one of those that @p file lies in.
+bool holds(fs::path const& folder, fs::path const& file)
+{
+    std::error_code error;
+    for (fs::path inner = real(file), outer = inner.parent_path(); outer != inner; inner = outer, outer = inner.parent_path()) {
+        if (same_file(outer, folder)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void refuse_to_replace(OutputJob const& job, InputFile const& input)
+{
+    constexpr char const* loss = ", the result would replace it";
+    if (same_file(job.file, input.file)) {
+        refuse(job, input.what + loss, "another name");
+    }
+    for (auto const& member : job.members) {
+        if (same_file(member, input.file)) {
+            refuse(job, "writes " + member.string() + " too: " + input.what + loss, "another name");
+        }
+    }
+    if (job.is_folder && holds(job.file, input.file)) {
+        refuse(job, "holds " + input.file.string() + ": " + input.what + loss, "the name of a new folder");
+    }
+}
+
+void refuse_to_share(OutputJob const& job, OutputJob const& other)
+{
+    if (same_file(other.file, job.file)) {
+        refuse(job, "is given to " + other.option + " too", "another name");
+    }
+    for (auto const& member : other.members) {
+        if (same_file(member, job.file)) {
+            refuse(job, "is written by " + other.option + " too", "another name");
+        }
+    }
+}
+
+/// Files that the keys of one family name.
+void append_files(FamilyChoice const& choice, std::vector<FamilyDescription> const& families, fs::path const& folder, std::vector<InputFile>& files)
+{
+    for (auto const& family : families) {
+        if (family.name != choice.family) {
+            continue;
+        }
+        for (auto const& parameter : family.parameters) {
+            if (parameter.quantity == Quantity::file && choice.has(parameter.key)) {
+                files.push_back({number_file(choice, parameter.key, folder), "this file is read by " + choice.path + "." + std::string(parameter.key)});
+            }
+        }
+    }
 }
 
 }  // namespace
@@ -56,24 +119,35 @@ std::string file_name(std::string const& drive)
     return name.empty() ? "drive" : name;
 }
 
-void check_outputs(std::vector<OutputJob> const& jobs, std::string const& scene, std::vector<std::string> const& read)
+std::vector<InputFile> inputs_of(CommonOptions const& common, Scene const& scene)
+{
+    std::vector<InputFile> files;
+    if (!common.scene.empty() && common.scene != "-") {
+        files.push_back({common.scene, "this is the scene file"});
+    }
+    append_files(scene.given_profile(), profile_families(), scene.folder, files);
+    append_files(scene.wave_generator.shape, wave_generator_families(), scene.folder, files);
+    return files;
+}
+
+std::vector<InputFile> input_of(std::string const& option, std::string const& file)
+{
+    return file.empty() ? std::vector<InputFile>{} : std::vector<InputFile>{{file, "this file is read by " + option}};
+}
+
+void check_outputs(std::vector<OutputJob> const& jobs, std::vector<InputFile> const& read)
 {
     for (auto const& job : jobs) {
         if (job.file == "-") {
             refuse(job, "results are files and do not go to standard output",
                    "a file name; --json prints the figures to standard output");
         }
-        if (!scene.empty() && scene != "-" && same_file(job.file, scene)) {
-            refuse(job, "this is the scene file, the result would replace it", "another name");
-        }
         for (auto const& input : read) {
-            if (same_file(job.file, input)) {
-                refuse(job, "this file is read, the result would replace it", "another name");
-            }
+            refuse_to_replace(job, input);
         }
         for (auto const& other : jobs) {
-            if (&other != &job && same_file(other.file, job.file)) {
-                refuse(job, "is given to " + other.option + " too", "another name");
+            if (&other != &job) {
+                refuse_to_share(job, other);
             }
         }
     }

@@ -14,6 +14,21 @@
 
 namespace hdconj::cli {
 
+struct CommonOptions;
+
+/// A file that is read, which no result may replace.
+struct InputFile
+{
+    std::filesystem::path file;
+    std::string what;  ///< "this is the scene file", "this file is read by --measured"
+};
+
+/// The files that @p scene was read from: its own, and those that its keys name.
+[[nodiscard]] std::vector<InputFile> inputs_of(CommonOptions const& common, Scene const& scene);
+
+/// What is read by an option; nothing where it is not given.
+[[nodiscard]] std::vector<InputFile> input_of(std::string const& option, std::string const& file);
+
 /// One file, or one family of files, to write.
 struct OutputJob
 {
@@ -21,13 +36,14 @@ struct OutputJob
     std::string option;           ///< for messages
     std::filesystem::path file;
     std::function<void()> check;  ///< what can be known about the target before the long work; throws
+    std::vector<std::filesystem::path> members{};  ///< files that are written beside or in place of it
+    bool is_folder = false;  ///< all that lies in it is replaced
 };
 
 /// Everything about the targets that can be known before the long work.
-/// @param scene  scene file given, which no result may replace
-/// @param read  further files that are read
+/// @param read  files that no result may replace
 /// @throws InputError, FileError
-void check_outputs(std::vector<OutputJob> const& jobs, std::string const& scene, std::vector<std::string> const& read = {});
+void check_outputs(std::vector<OutputJob> const& jobs, std::vector<InputFile> const& read);
 
 /// A file name made of a drive's name: letters of any script, digits, and "._-" stay.
 [[nodiscard]] std::string file_name(std::string const& drive);

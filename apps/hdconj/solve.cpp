@@ -12,6 +12,7 @@
 #include "hdconj/io/atomic_file.hpp"
 #include "hdconj/io/result_files.hpp"
 #include "outputs.hpp"
+#include "words.hpp"
 
 namespace hdconj::cli {
 namespace {
@@ -58,7 +59,7 @@ int run_solve(CommonOptions const& common, SolveOptions const& own)
     for (auto const& job : jobs) {
         outputs.push_back(job.output);
     }
-    check_outputs(outputs, common.scene);
+    check_outputs(outputs, inputs_of(common, scene));
     Progress const progress(!common.quiet);
     Solution const solution = solve(scene, [&](Stage stage) { progress.say(to_string(stage)); });
     std::vector<WrittenFile> written;
@@ -89,9 +90,11 @@ void add_solve(CLI::App& program, CommonOptions& common)
     add_scene_options(*verb, common);
     auto own = std::make_shared<SolveOptions>();
     verb->add_option("-o,--output", own->output, "result file, HDF5 [the drive's name and .h5, in this folder]")
+        ->check(name_fault)
         ->type_name("FILE");
-    verb->add_option("--dxf", own->dxf, "outlines for CAD and wire machines, DXF R12")->type_name("FILE");
+    verb->add_option("--dxf", own->dxf, "outlines for CAD and wire machines, DXF R12")->check(name_fault)->type_name("FILE");
     verb->add_option("--picture", own->picture, "drawing of the tooth space, needs gnuplot")
+        ->check(name_fault)
         ->type_name("FILE.svg|FILE.png");
     verb->callback([&common, own] { common.action = [&common, own] { return run_solve(common, *own); }; });
 }

@@ -16,6 +16,7 @@
 #include "hdconj/io/scene_reading.hpp"
 #include "hdconj/io/stored_outline.hpp"
 #include "hdconj/io/wire_files.hpp"
+#include "lists.hpp"
 #include "outputs.hpp"
 #include "words.hpp"
 
@@ -111,15 +112,19 @@ bool cuts_flexspline(Scene const& scene)
     return scene.wedm->part == WirePart::flexspline;
 }
 
-void check_targets(WireOptions const& own, fs::path const& folder, std::vector<std::string> const& dialects, Scene const& scene, std::string const& scene_file)
+void check_targets(WireOptions const& own, fs::path const& folder, std::vector<std::string> const& dialects, Scene const& scene, std::vector<InputFile> const& read)
 {
     std::string const place = own.dialects.empty() ? "wedm.dialects" : "--dialect";
     std::size_t const set_ups = cuts_flexspline(scene) ? 2 : 1;
     std::vector<OutputJob> jobs = {{"wire", "--output", folder, [&] { check_wire_files(folder, dialects, place); }}};
+    jobs.back().is_folder = true;
     if (!own.picture.empty()) {
         jobs.push_back({"picture", "--picture", own.picture, [&] { check_wire_pictures(own.picture, set_ups); }});
+        auto const names = wire_picture_names(own.picture, set_ups);
+        jobs.back().members = names.rings;
+        jobs.back().members.insert(jobs.back().members.end(), {names.tooth, names.residual});
     }
-    check_outputs(jobs, scene_file);
+    check_outputs(jobs, read);
 }
 
 int run_wedm(CommonOptions const& common, WireOptions const& own)
@@ -129,7 +134,11 @@ int run_wedm(CommonOptions const& common, WireOptions const& own)
     auto const dialects = dialects_of(own, start.scene);
     bool const flexspline = cuts_flexspline(start.scene);
     fs::path const folder = own.output.empty() ? fs::path(file_name(start.scene.drive.name) + (flexspline ? "-flexspline" : "") + "-wedm") : fs::path(own.output);
-    check_targets(own, folder, dialects, start.scene, common.scene);
+    auto inputs = inputs_of(common, start.scene);
+    for (auto const& input : input_of("--from", own.from)) {
+        inputs.push_back(input);
+    }
+    check_targets(own, folder, dialects, start.scene, inputs);
     Progress const progress(!common.quiet);
     WireSetUps const programs = start.outline && !flexspline ? WireSetUps{wire_program(start.scene, *start.outline)}
                                                              : wire_set_ups(start.scene, [&](Stage stage) { progress.say(to_string(stage)); });
@@ -174,21 +183,20 @@ void add_wedm(CLI::App& program, CommonOptions& common)
     auto* verb = program.add_subcommand("wedm", "coordinate files for cutting the circular spline, or the flexspline, by wire");
     add_scene_options(*verb, common);
     auto own = std::make_shared<WireOptions>();
-    auto const not_empty = [](std::string const& name) { return name.empty() ? std::string("an empty name (write a name, or leave the option out)") : ""; };
     verb->add_option("--part", own->part, "circular-spline or flexspline, key wedm.part [the scene's, or circular-spline]")
         ->check([](std::string const& given) { return word_fault(given, {"circular-spline", "flexspline"}); })
         ->type_name("WORD");
     verb->add_option("--tilt", own->tilt_deg, "tilt of the circular spline's teeth, key tilt.angle_deg [the scene's, or 0]")
         ->check([](std::string const& given) { return angle_fault(given, "an angle in degrees such as 0.2"); })
         ->type_name("DEG");
-    verb->add_option("-o,--output", own->output, "folder to make [the drive's name and -wedm, in this folder]")->check(not_empty)->type_name("DIR");
-    verb->add_option("--from", own->from, "take scene and outline from a result file in place of solving")->check(not_empty)->type_name("FILE.h5");
-    verb->add_option("--dialect", own->dialects, "files to write, see below [the scene's, or all that fit]")->delimiter(',')->type_name("NAME,...");
+    verb->add_option("-o,--output", own->output, "folder to make [the drive's name and -wedm, in this folder]")->check(name_fault)->type_name("DIR");
+    verb->add_option("--from", own->from, "take scene and outline from a result file in place of solving")->check(name_fault)->type_name("FILE.h5");
+    add_list(*verb, "--dialect", [own](std::string const& given) { own->dialects.push_back(given); }, {}, "files to write, see below [the scene's, or all that fit]")->type_name("NAME,...");
     verb->add_option("--decimals", own->decimals, "of coordinates in mm, key wedm.decimals [the scene's, or 4]")
         ->check([](std::string const& given) { return number_fault(given, "write a whole number such as 4"); })
         ->type_name("N");
     verb->add_option("--picture", own->picture, "drawings NAME-tooth, NAME-ring, NAME-residual; needs gnuplot")
-        ->check(not_empty)
+        ->check(name_fault)
         ->type_name("NAME.svg|NAME.png");
     verb->footer(dialects_text() +
                  "The wire's diameter and spark gap stand in the scene, table [wedm]; there is no default for them.\n"

@@ -19,6 +19,11 @@ bool is_number(std::string const& given, double& value)
 
 }  // namespace
 
+std::string name_fault(std::string const& given)
+{
+    return given.empty() ? "an empty name (write a name, or leave the option out)" : "";
+}
+
 std::string word_fault(std::string const& given, std::vector<std::string_view> const& words)
 {
     if (std::find(words.begin(), words.end(), given) != words.end()) {
@@ -41,6 +46,11 @@ std::string angle_fault(std::string const& given, std::string const& remedy)
 std::string angle_fault(std::string const& given)
 {
     return angle_fault(given, "angles in degrees such as 0,0.1,0.2");
+}
+
+double angle_deg(std::string const& given)
+{
+    return std::strtod(given.c_str(), nullptr);
 }
 
 std::string number_fault(std::string const& given, std::string const& remedy)

@@ -77,6 +77,11 @@ std::string expected_displacements(BentCup const& cup, DeckBody const& body, std
 
 }  // namespace
 
+void check_calculix(std::filesystem::path const& folder)
+{
+    AtomicFolder::check(folder, AtomicFolder::calculix_deck);
+}
+
 void write_calculix(BentCup const& cup, std::filesystem::path const& folder, int steps, bool contact)
 {
     DeckBody const body = deck_body(cup.solid().mesh(), cup.cam(), steps);

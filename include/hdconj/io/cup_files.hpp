@@ -32,4 +32,7 @@ void write_vtu(BentCup const& cup, std::filesystem::path const& file, int steps 
 /// @throws FileError where the folder cannot be made or holds other files
 void write_calculix(BentCup const& cup, std::filesystem::path const& folder, int steps = 48, bool contact = false);
 
+/// What can be known about that folder before the long work. @throws FileError
+void check_calculix(std::filesystem::path const& folder);
+
 }  // namespace hdconj
