@@ -130,7 +130,7 @@ std::string load_pressure_script(LoadStudy const& study, PictureFormat format)
                           air * least, air * most + (most > 0 ? 0 : range), picture::tic_step(range * 2), forces);
     if (least < 0) {
         script += ", \\\n    $forces using 1:3 with boxes linecolor rgb '#d55e00' fillstyle solid 1 noborder notitle";
-        script = script.insert(script.rfind("plot $forces"), "set label 'downwards: on the other flanks' at graph 0.99,0.08 right noenhanced textcolor rgb '#d55e00'\n");
+        script = script.insert(script.rfind("plot $forces"), "set label 'downwards: on the other flanks' at graph 0.0, graph 1.07 left noenhanced textcolor rgb '#d55e00'\n");
     }
     return script + "\nunset multiplot\n";
 }

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 
 #include "cli/hdconj_run.hpp"
 #include "support/catch.hpp"
@@ -152,4 +153,32 @@ TEST_CASE("load: a case that cannot be made is named and leaves the others as th
     CHECK(none.status == 1);
     CHECK_THAT(none.err, ContainsSubstring("draft"));
     CHECK_FALSE(std::filesystem::exists(folder / "none.h5"));
+}
+
+TEST_CASE("load: words about the other flanks stand above every bar", "[load][picture]")
+{
+    if (hdconj::test::is_missing("gnuplot")) {
+        return;
+    }
+    TemporaryFolder const folder;
+    auto const done = load("'" HDCONJ_SOURCE_DIR "/data/scenes/type-50-elastic.toml' --torque 28 --no-curve --quiet -o a.h5 --picture a.svg", folder);
+    INFO(done.err);
+    REQUIRE(done.status == 0);
+    std::string const svg = hdconj::test::content(folder / "a-pressure.svg");
+    auto const words = svg.find("downwards: on the other flanks");
+    REQUIRE(words != std::string::npos);
+    auto const place = svg.rfind("translate(", words);
+    double const baseline = std::stod(svg.substr(svg.find(',', place) + 1));
+    double highest = 1e9;
+    std::string const bar = "<polygon fill = 'rgb(  0, 114, 178)' points = '";
+    for (auto at = svg.find(bar); at != std::string::npos; at = svg.find(bar, at + 1)) {
+        std::istringstream corners(svg.substr(at + bar.size(), svg.find(" '", at + bar.size()) - at - bar.size()));
+        double x = 0, y = 0;
+        char comma = 0;
+        while (corners >> x >> comma >> y) {
+            highest = std::min(highest, y);
+        }
+    }
+    CHECK(highest < 1e9);
+    CHECK(baseline < highest);
 }
