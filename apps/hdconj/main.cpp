@@ -4,12 +4,14 @@
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <csignal>
 #include <iostream>
 #include <new>
 
 #include "cli.hpp"
 #include "hdconj/io/version.hpp"
+#include "hdconj/scene/schema.hpp"
 #include "hdconj/scene/suggest.hpp"
 #include "heap.hpp"
 
@@ -100,6 +102,42 @@ bool is_known_verb(CLI::App const& program, std::string_view word)
     return false;
 }
 
+/// Says what options that nobody knows might have meant: one of the verb's, or a key of the scene.
+void suggest_options(CLI::App const& program)
+{
+    auto const chosen = program.get_subcommands();
+    CLI::App const& verb = chosen.empty() ? program : *chosen.front();
+    std::vector<std::string_view> options, keys;
+    for (auto const* const option : verb.get_options()) {
+        for (auto const& name : option->get_lnames()) {
+            options.emplace_back(name);
+        }
+    }
+    bool const has_scene = std::find(options.begin(), options.end(), "set") != options.end();
+    for (auto const& table : scene_schema()) {
+        for (auto const& key : table.keys) {
+            keys.emplace_back(key.spec.key);
+        }
+    }
+    for (std::string const& given : program.remaining(true)) {
+        if (!given.starts_with("--")) {
+            continue;
+        }
+        std::string const word = given.substr(2, given.find('=') - 2);
+        if (auto const meant = nearest(word, options)) {
+            std::cerr << "Did you mean --" << *meant << "?\n";
+        } else if (auto const key = nearest(word, keys); key && has_scene) {
+            for (auto const& table : scene_schema()) {
+                for (auto const& each : table.keys) {
+                    if (each.spec.key == *key) {
+                        std::cerr << "Did you mean the key " << table.path << '.' << *key << " of the scene, such as --set " << table.path << '.' << *key << "=VALUE?\n";
+                    }
+                }
+            }
+        }
+    }
+}
+
 void describe_program(CLI::App& program)
 {
     program.name("hdconj");
@@ -137,7 +175,11 @@ int run(int argc, char** argv)
     try {
         program.parse(argc, argv);
     } catch (CLI::ParseError const& stop) {
-        return program.exit(stop) == 0 ? exit_done : exit_input;
+        bool const done = program.exit(stop) == 0;
+        if (dynamic_cast<CLI::ExtrasError const*>(&stop) != nullptr) {
+            suggest_options(program);
+        }
+        return done ? exit_done : exit_input;
     }
     return common.action ? run_action(common) : exit_input;
 }

@@ -73,6 +73,13 @@ TEST_CASE("a wrong command line is refused", "[program]")
     check_refused(hdconj_run("check --threads -3"), "--threads");
     check_refused(hdconj_run("check --threads many"), "--threads");
     check_refused(hdconj_run("--bogus"), "--bogus");
+    check_refused(hdconj_run("solve --pictur a.svg"), "Did you mean --picture?");
+    check_refused(hdconj_run("solve --qiet"), "Did you mean --quiet?");
+    check_refused(hdconj_run("contact --tlit=0.1"), "Did you mean --tilt?");
+    check_refused(hdconj_run("solve --tolerence 1e-7"), "--set solver.tolerance=VALUE");
+    check_refused(hdconj_run("check --for load --treads 1"), "Did you mean --threads?");
+    check_refused(hdconj_run("--versoin"), "Did you mean --version?");
+    CHECK_FALSE(contains(hdconj_run("check --bogus").err, "Did you mean"));
 }
 
 TEST_CASE("init writes the built-in scene and never over a file", "[program]")
