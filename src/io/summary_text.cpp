@@ -29,8 +29,8 @@ void write_geometry(Page& page, Solution const& solution)
     }
     page.line("\ngeometry");
     page.figure("neutral radius r_m", mm(geometry.r_m), "undeformed");
-    page.figure("mean radius r_0", mm(geometry.r_0),
-                fmt::format("deformed; r_0 - r_m = {:+.3f} um +- {:.1e}", (geometry.r_0 - geometry.r_m) * um_per_mm, error.r_0 * um_per_mm));
+    page.figure("base radius r_0", mm(geometry.r_0),
+                fmt::format("deformed, w is counted from it; r_0 - r_m = {:+.3f} um +- {:.1e}", (geometry.r_0 - geometry.r_m) * um_per_mm, error.r_0 * um_per_mm));
     page.figure("radial deformation w0", mm(geometry.w0));
     page.figure("pitch line", mm(geometry.pitch_line), "above the neutral curve");
     page.figure("flexspline inner radius", mm(geometry.flexspline_inner_radius));

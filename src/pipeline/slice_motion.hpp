@@ -19,7 +19,7 @@ struct SliceMotion
     std::shared_ptr<void const> owner;
     ErasedMotion motion;
     Profile const* tooth;      ///< the given tooth, clear of rest under this motion
-    double r_0 = 0;            ///< mean radius of the deformed neutral curve [mm]
+    double r_0 = 0;            ///< base radius of the deformed neutral curve, rho = r_0 + w(u) [mm]
     double amplitude = 0;      ///< w0(z) [mm]
 };
 

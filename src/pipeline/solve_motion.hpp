@@ -19,7 +19,7 @@ void solve_material(AnyWaveShape const& shape, Solution& out, Profile const& too
 /// With the displacements of the elastic cup at z = 0.
 void solve_elastic(Solution& out, Profile const& tooth, StageClock& clock);
 
-/// One turn of the neutral curve rho = mean radius + w in the fixed frame; every point is on the curve.
+/// One turn of the neutral curve rho = r_0 + w in the fixed frame; every point is on the curve.
 template<WaveShape Shape>
 [[nodiscard]] std::vector<Vec2> sampled_neutral_curve(Shape const& shape, double mean_radius)
 {

@@ -19,7 +19,7 @@ namespace hdconj {
 struct PairGeometry
 {
     double r_m = 0;            ///< radius of the undeformed neutral curve
-    double r_0 = 0;            ///< mean radius of the deformed one
+    double r_0 = 0;            ///< base radius of the deformed one, rho = r_0 + w(u): what w is counted from, by family in docs/wave-generators.md; linear models: r_m
     double w0 = 0;             ///< largest radial deformation
     double pitch_line = 0;     ///< height of the tooth's pitch line above the neutral curve
     double addendum = 0;       ///< h_a
@@ -99,7 +99,7 @@ struct ErrorEstimate
     double chord = 0;          ///< outline polygon against the true curve [mm]
     double point = 0;          ///< written points against the true curve [mm]
     double arc_length = 0;     ///< closed length of the neutral curve, relative
-    double r_0 = 0;            ///< mean radius of the deformed neutral curve [mm]
+    double r_0 = 0;            ///< of PairGeometry::r_0 [mm]
     double space_depth = 0;    ///< of PairGeometry::space_depth [mm]
     double land = 0;           ///< of the land's length along the tip circle [mm]
     double clearance = 0;      ///< of PairCheck::smallest_clearance as the least of the points and positions looked at [mm]

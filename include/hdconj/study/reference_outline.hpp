@@ -23,7 +23,7 @@ namespace hdconj {
 /// Figures of a drive by the same path.
 struct ReferenceFigures
 {
-    double r_0 = 0;          ///< mean radius of the deformed neutral curve, of the linear models that of the undeformed one [mm]
+    double r_0 = 0;          ///< base radius of the deformed neutral curve, as PairGeometry::r_0 [mm]
     double space_depth = 0;  ///< from the tip circle [mm]
     double land = 0;         ///< along the tip circle [mm]
 };
