@@ -67,16 +67,16 @@ Json best_object(BestTilt const& best)
     bool const area = best.what == "area";
     return {{"what", best.what},
             {"kind", best.kind},
-            {"tilt_deg", number(best.tilt * degree_per_radian)},
+            {"tilt_deg", number(degrees_of(best.tilt))},
             {"tolerance_deg", number(best.tolerance * degree_per_radian)},
             {area ? "share" : "clearing_offset_um", number(area ? best.value : best.value * um_per_mm)},
             {area ? "share_error" : "clearing_offset_error_um", number(area ? best.value_error : best.value_error * um_per_mm)},
             {"on_bound", best.on_bound},
             {"refused", best.refused},
-            {"possible_from_deg", number(best.possible_from * degree_per_radian)},
-            {"possible_to_deg", number(best.possible_to * degree_per_radian)},
-            {"from_deg", number(best.from * degree_per_radian)},
-            {"to_deg", number(best.to * degree_per_radian)}};
+            {"possible_from_deg", number(degrees_of(best.possible_from))},
+            {"possible_to_deg", number(degrees_of(best.possible_to))},
+            {"from_deg", number(degrees_of(best.from))},
+            {"to_deg", number(degrees_of(best.to))}};
 }
 
 }  // namespace

@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "summary_figures.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <string>
+
+#include "hdconj/scene/schema.hpp"
 
 namespace hdconj {
 
@@ -73,6 +81,23 @@ double total_seconds(Solution const& solution)
         total += entry.seconds;
     }
     return total;
+}
+
+double degrees_of(double angle)
+{
+    double const degrees = angle * degree_per_radian;
+    if (!std::isfinite(degrees)) {
+        return degrees;
+    }
+    for (int digits = 0; digits < std::numeric_limits<double>::digits10; ++digits) {
+        std::string const text = fmt::format("{:.{}e}", degrees, digits);
+        double given = 0;
+        std::from_chars(text.data(), text.data() + text.size(), given);
+        if (given * rad_per_deg == angle) {
+            return given;
+        }
+    }
+    return degrees;
 }
 
 double land_width(PairGeometry const& geometry)

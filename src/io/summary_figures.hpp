@@ -19,6 +19,9 @@ struct Figure
 
 /// Degrees per radian.
 inline constexpr double degree_per_radian = 57.295779513082320877;
+/// An angle [rad] in degrees: where a decimal number of at most 15 digits is this very angle, as a scene's or an option's 1.15 is, that number, without
+/// the roundings of there and back; else the product.
+[[nodiscard]] double degrees_of(double angle);
 /// Micrometres per millimetre.
 inline constexpr double um_per_mm = 1000;
 

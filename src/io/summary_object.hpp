@@ -8,6 +8,7 @@
 
 #include "figure_of.hpp"
 #include "hdconj/io/result_files.hpp"
+#include "summary_figures.hpp"
 
 namespace hdconj {
 
@@ -21,7 +22,8 @@ template <class Record>
 void add_figures(Json& object, std::span<FigureOf<Record> const> figures, Record const& record)
 {
     for (auto const& figure : figures) {
-        object[figure.key] = number(figure.value(record) * figure.json_per_stored);
+        double const stored = figure.value(record);
+        object[figure.key] = number(figure.json_per_stored == degree_per_radian ? degrees_of(stored) : stored * figure.json_per_stored);
     }
 }
 

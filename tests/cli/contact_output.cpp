@@ -6,12 +6,15 @@
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <random>
 #include <sstream>
 
 #include "cli/hdconj_run.hpp"
+#include "io/summary_figures.hpp"
 #include "support/catch.hpp"
 #include "support/read_hdf5.hpp"
 
+using hdconj::degrees_of;
 using hdconj::test::Outcome;
 using hdconj::test::TemporaryFolder;
 using nlohmann::json;
@@ -83,6 +86,32 @@ TEST_CASE("contact: JSON text and HDF5 say the same", "[contact]")
     auto const gap = doubles("/contact/map/gap");
     CHECK(gap.size() == doubles("/contact/map/angle").size() * 2 * 3 * doubles("/contact/map/station").size());
     CHECK(*std::min_element(gap.begin(), gap.end()) == Approx(0).margin(1e-9));
+}
+
+TEST_CASE("contact: a tilt comes back as it was asked", "[contact]")
+{
+    TemporaryFolder const folder;
+    auto const summary = contact(coned + "--surface tilted --tilt 0.07,0.29,1.15 -o a.h5 --json", folder);
+    INFO(summary.err);
+    REQUIRE(summary.status == 0);
+    std::vector<std::string> found;
+    json const study = json::parse(summary.out).at("contact");
+    for (auto const& each : study.at("cases")) {
+        found.push_back(each.at("tilt_deg").dump());
+    }
+    CHECK(found == std::vector<std::string>{"0.07", "0.29", "1.15"});
+    // every number that a user types, and no digit of one that nobody did
+    constexpr double rad_per_deg = std::numbers::pi / 180;
+    std::mt19937_64 draw(7);
+    std::uniform_real_distribution<double> angles(-0.7, 0.7);
+    for (int i = -4500; i <= 4500; ++i) {
+        double const typed = i / 100.0;
+        CHECK(degrees_of(typed * rad_per_deg) == typed);
+    }
+    for (int i = 0; i < 1000; ++i) {
+        double const angle = angles(draw);
+        CHECK(std::abs(degrees_of(angle) * rad_per_deg - angle) <= 0x1p-52 * std::abs(angle));
+    }
 }
 
 TEST_CASE("contact of a drive without axial effects is one slice", "[contact]")
