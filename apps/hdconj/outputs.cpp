@@ -41,16 +41,10 @@ bool same_file(fs::path const& a, fs::path const& b)
     return fs::equivalent(a, b, error) || real(a) == real(b);
 }
 
-/// @p folder is one of those that @p file lies in.
+/// @p file lies in @p folder itself: one with folders in it is no result, which is said elsewhere.
 bool holds(fs::path const& folder, fs::path const& file)
 {
-    std::error_code error;
-    for (fs::path inner = real(file), outer = inner.parent_path(); outer != inner; inner = outer, outer = inner.parent_path()) {
-        if (same_file(outer, folder)) {
-            return true;
-        }
-    }
-    return false;
+    return same_file(real(file).parent_path(), folder);
 }
 
 void refuse_to_replace(OutputJob const& job, InputFile const& input)

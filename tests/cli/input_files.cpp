@@ -116,10 +116,11 @@ TEST_CASE("a hollow neutral curve names its key, and the limit that it tells is 
         {"--set wave_generator.family=four-roller --set wave_generator.roller_angle_deg=25 --set '!circular_spline.inner_radius'", 4.99},
         {"--set wave_generator.family=two-disc --set wave_generator.wrap_angle_deg=30 --set '!circular_spline.inner_radius'", 4.99},
     }));
-    auto const checked = [&family](double w0) {
+    std::string const keys = family;
+    auto const checked = [&keys](double w0) {
         std::ostringstream text;
         text.precision(17);
-        text << "check " << family << " --set wave_generator.radial_deformation=" << w0;
+        text << "check " << keys << " --set wave_generator.radial_deformation=" << w0;
         return hdconj_run(text.str()).err;
     };
     std::string const said = checked(large);
