@@ -23,6 +23,13 @@ struct FreeSpline
 
 constexpr std::size_t fewest = 4;
 
+/// Whether an angle is the seam of the wave but for what typing it in some unit does to it.
+bool is_seam(double off)
+{
+    constexpr double rounding = 0x1p-40;   // rad
+    return std::abs(off) <= rounding;
+}
+
 }  // namespace
 
 TableCam::TableCam(std::vector<double> const& angles, std::vector<double> const& values, int n) : n_(n)
@@ -34,8 +41,11 @@ TableCam::TableCam(std::vector<double> const& angles, std::vector<double> const&
     for (std::size_t i = 0; i < angles.size(); ++i)
     {
         double u = angles[i] - period * std::round(angles[i] / period);
-        if (u <= -period / 2)
+        if (u <= -period / 2 || is_seam(u + period / 2))
             u += period;
+        // an angle that conversion between units has moved: no stretch of its own, which no contact could be followed through
+        if (is_seam(u - period / 2))
+            u = period / 2;
         rows.emplace_back(u, values[i]);
     }
     std::sort(rows.begin(), rows.end());

@@ -303,3 +303,23 @@ TEST_CASE("table: the spline tends to its cam with h^4 and its curvature with h^
     CHECK(cosine_table(80, 2, type50_w0).even());
     CHECK(cosine_table(80, 3, type50_w0).breaks().size() == 80);
 }
+
+TEST_CASE("table: a row at the seam of the wave that conversion between units has moved stays there", "[wavegen]")
+{
+    double const seam = std::numbers::pi / 2;
+    for (double const off : {0.0, 4e-16, -4e-16, 5e-13, -5e-13}) {
+        INFO(off);
+        std::vector<double> angles, values;
+        for (int i = 0; i < 36; ++i) {
+            double const angle = i * std::numbers::pi / 36;
+            angles.push_back(i == 18 ? seam + off : angle);
+            values.push_back(0.25 * std::cos(2 * angle));
+        }
+        TableCam const cam(angles, values, 2);
+        auto const breaks = cam.breaks();
+        REQUIRE(breaks.size() == angles.size());
+        // none makes a stretch that is no longer than a rounding
+        CHECK(breaks.back() == seam);
+        CHECK(breaks.front() > -seam + 0.08);
+    }
+}
