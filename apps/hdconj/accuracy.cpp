@@ -152,7 +152,7 @@ void add_accuracy(CLI::App& program, CommonOptions& common)
     verb->add_option("-o,--output", own->output, "folder to make [the drive's name and -accuracy, in this folder; with --from none]")->check(name_fault)->type_name("DIR");
     auto* sample = verb->add_option("--sample", own->study.sample, "designs about the scene whose worst is shown beside it [64]")->check(CLI::Range(0, 1000))->type_name("N");
     verb->add_option("--repeats", own->study.repeats, "runs of each setting; the median counts [5]")->check(CLI::Range(1, 1000))->type_name("N");
-    verb->add_flag("--quick", own->study.quick, "short ladders, one run of each setting, 3 designs: some seconds");
+    verb->add_flag("--quick", own->study.quick, "short ladders, one run of each setting, 3 designs: some seconds in place of ten minutes (one without the sample)");
     verb->add_option("--from", own->from, "take records that were measured before in place of measuring")->check(name_fault)->type_name("DIR/records.h5");
     verb->add_option("--budget", own->budget, "advise the most accurate setting within a time, such as 10ms, 0.5s, 800us")
         ->check([](std::string const& text) { return seconds_of(text) ? "" : "'" + text + "' is no time (write a number with s, ms or us, such as 10ms)"; })

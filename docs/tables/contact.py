@@ -6,6 +6,7 @@ TABLE is any of: surfaces, slices, tilt, best, thesis, clearances, liu; all of t
 """
 import json
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -42,7 +43,7 @@ def share(state):
 
 def row(*cells):
     """Zeros of rounding have no sign."""
-    print("| " + " | ".join({"-0.0": "0.0", "-0.00": "0.00"}.get(str(cell), str(cell)) for cell in cells) + " |")
+    print("| " + " | ".join(re.sub(r"^-(0\.0+)(?= |$)", r"\1", str(cell)) for cell in cells) + " |")
 
 
 def head(*cells):

@@ -176,12 +176,15 @@ std::vector<StudyLadder> ladders_of(AccuracyReport const& report)
     return ladders;
 }
 
+/// Errors are told with three digits: chords that are exactly as long as allowed, and the rounding of their ends, still keep what was asked.
+constexpr double as_printed = 1.005;
+
 std::optional<Recommendation> fastest_within(std::vector<StudyLadder> const& ladders, double error)
 {
     std::optional<Recommendation> best;
     for (Recommendation setting : settings(ladders))
     {
-        setting.reaches = worst_error(setting) <= error;
+        setting.reaches = worst_error(setting) <= as_printed * error;
         bool const better = !best || (setting.reaches && !best->reaches)
                             || (setting.reaches == best->reaches
                                 && (setting.reaches ? setting.rung.median < best->rung.median : worst_error(setting) < worst_error(*best)));

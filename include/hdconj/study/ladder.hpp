@@ -25,7 +25,7 @@ struct Recommendation
     double sample_error = not_measured;  ///< the worst of the sample with the same setting
 };
 
-/// The fastest setting of the whole program with an error of @p error [mm] or less, on the scene and on the sample.
+/// The fastest setting of the whole program with an error of @p error [mm] or less in the three digits that are told, on the scene and on the sample.
 [[nodiscard]] std::optional<Recommendation> fastest_within(std::vector<StudyLadder> const& ladders, double error);
 
 /// The most accurate setting of the whole program that takes @p seconds or less.
