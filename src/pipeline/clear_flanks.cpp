@@ -96,7 +96,12 @@ Cleared clear_flanks(ContactBench const& bench, SliceTurns const& turns, Surface
                 tip = std::max(tip, meeting + least - bench.maker.z()[k] * std::tan(choice.tilt));
         return std::exchange(result.tip, tip) != tip;
     };
-    constexpr int budget = 12;
+    auto const in_budget = [&](int round) {
+        constexpr int budget = 12;
+        if (round + 1 == budget)
+            throw NumericalError("contact", "clearing offset", "side clearance and tip circle did not settle at a tip circle of " + std::to_string(result.tip)
+                                                                   + " mm: the teeth become too short for this tilt");
+    };
     for (int i = 0;; ++i)
     {
         result.outline = surface_of(bench, choice, result.tip);
@@ -107,17 +112,16 @@ Cleared clear_flanks(ContactBench const& bench, SliceTurns const& turns, Surface
         });
         if (!raise_tip(result.outline, std::max(result.offset, at_least)))
             break;
-        if (i + 1 == budget)
-            throw NumericalError("contact", "clearing offset", "side clearance and tip circle did not settle at a tip circle of " + std::to_string(result.tip)
-                                                                   + " mm: the teeth become too short for this tilt");
+        in_budget(i);
     }
     if (result.offset > 0)
         lift_tip(bench, turns, choice, result);
     else if (result.reach > 0)
         reach(bench, choice, result, result.reach);
     // a given clearance has more of the surface reach the tip circle, whose land may be narrower there
-    for (int i = 0; i < budget && raise_tip(result.flanks.outline, std::max(result.offset, at_least)); ++i)
+    for (int i = 0; raise_tip(result.flanks.outline, std::max(result.offset, at_least)); ++i)
     {
+        in_budget(i);
         result.outline = surface_of(bench, choice, result.tip);
         reach(bench, choice, result, result.reach);
     }
