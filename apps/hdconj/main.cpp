@@ -11,6 +11,7 @@
 
 #include "cli.hpp"
 #include "hdconj/io/version.hpp"
+#include "hdconj/numeric/parallel.hpp"
 #include "hdconj/scene/schema.hpp"
 #include "hdconj/scene/suggest.hpp"
 #include "heap.hpp"
@@ -53,6 +54,7 @@ int fail(std::string const& cause)
 int run_action(CommonOptions const& common)
 {
     prepare_heap();
+    at_thread_start(prepare_heap_of_thread);
     try {
         return common.action();
     } catch (InputError const& error) {

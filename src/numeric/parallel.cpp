@@ -8,6 +8,8 @@
 
 #ifdef _OPENMP
 #include <omp.h>
+
+#include "separate_processors.hpp"
 #endif
 
 namespace hdconj {
@@ -23,6 +25,8 @@ int thread_count(int requested)
 }
 
 namespace {
+
+void (*prepare_thread)() noexcept = nullptr;
 
 /// What one thread does: it takes the next block of the loop until there is none; stops at its first exception. Blocks are taken in order, so all
 /// iterations before the lowest exception have been taken, and run up to exceptions of their own: the lowest of all is among those kept.
@@ -50,6 +54,28 @@ struct Worker
 
 }  // namespace
 
+void at_thread_start(void (*prepare)() noexcept)
+{
+    prepare_thread = prepare;
+}
+
+#ifdef _OPENMP
+namespace {
+
+/// A thread of the team that is not the one that begins the loop, before its first iteration.
+void begin_thread(detail::SeparateProcessors& processors) noexcept
+{
+    processors.settle();
+    thread_local bool prepared = false;
+    if (prepared || prepare_thread == nullptr)
+        return;
+    prepare_thread();
+    prepared = true;
+}
+
+}  // namespace
+#endif
+
 void parallel_for(std::size_t count, int threads, std::size_t grain, std::function<void(std::size_t)> const& body)
 {
     std::size_t const worth = std::max<std::size_t>(1, count / std::max<std::size_t>(1, grain));
@@ -67,10 +93,17 @@ void parallel_for(std::size_t count, int threads, std::size_t grain, std::functi
         std::size_t const block = std::max<std::size_t>(1, count / (team * blocks_a_thread));
         auto const n = static_cast<int>(team);
 #ifdef _OPENMP
+        detail::SeparateProcessors processors;
 #pragma omp parallel for num_threads(n) schedule(static, 1)
 #endif
         for (int k = 0; k < n; ++k)
+        {
+#ifdef _OPENMP
+            if (omp_get_thread_num() > 0)
+                begin_thread(processors);
+#endif
             workers[static_cast<std::size_t>(k)].run(count, block, next, body);
+        }
     }
     Worker const* first = nullptr;
     for (Worker const& worker : workers)

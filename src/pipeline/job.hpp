@@ -67,6 +67,7 @@ class SolveJob
     /// Second half: the boundary down to the tip circle of `out`.geometry, checked over a full turn.
     void find_boundary()
     {
+        clock_.run(Stage::backlash, [&] { trace_moved(); });
         auto const wanted = [&] { return out_.scene.circular_spline.backlash_offset - tolerance_.coincidence(); };
         assemble_until_clear(out_, first_chord(), [&](double c) { assemble(c); }, wanted, "");
     }
@@ -93,6 +94,7 @@ class SolveJob
 
   private:
     [[nodiscard]] double first_chord() const { return (tooth_.addendum + tooth_.dedendum) * 0x1p-12; }
+    [[nodiscard]] bool moved() const { return out_.plan.has(Stage::backlash); }
     [[nodiscard]] Envelope<Motion> final_envelope() const { return {tooth_, motion_, out_.scene.circular_spline.backlash_offset}; }
 
     void trace()
@@ -105,7 +107,15 @@ class SolveJob
         out_.work.envelope_points += set.record.evaluations;
     }
 
-    /// The points of all branches, and @p work, which one thread does beside them: whatever of it is not in loops, the others have something to do.
+    /// The branches of the tooth with the side clearance on it.
+    void trace_moved()
+    {
+        BranchSet set = find_branches(final_envelope(), out_.threads);
+        refuse_lost_branches(set.record, tolerance_.length);
+        moved_branches_ = std::move(set.branches);
+    }
+
+    /// The points of all branches, and @p work, which one thread does beside them: it has little in loops, and the others have something to do meanwhile.
     template<class Work>
     void with_records(Work&& work)
     {
@@ -146,30 +156,30 @@ class SolveJob
     /// Region, backlash, outline, root clearance and check, with polygons of the given chord error.
     void assemble(double chord)
     {
-        Scene const& scene = out_.scene;
-        double const offset = scene.circular_spline.backlash_offset;
-        TracedSpace base;
-        clock_.run(Stage::region, [&] { base = space_at(base_, branches_, chord); });
-        Envelope<Motion> const moved(tooth_, motion_, offset);
-        TracedSpace shifted;
-        bool const has_offset = clock_.run(Stage::backlash, [&] {
-            BranchSet const set = find_branches(moved, out_.threads);
-            refuse_lost_branches(set.record, tolerance_.length);
-            shifted = space_at(moved, set.branches, chord);
-            refuse_swallowed(base_, base.arcs, base.space, shifted.arcs, shifted.space, pitch_, offset, tolerance_.length);
-        });
-        final_ = has_offset ? std::move(shifted) : std::move(base);
-        clock_.run(Stage::outline, [&] {
-            auto const sample = [&] { outline_ = centred(has_offset ? moved : base_); };
-            records_wanted_ ? with_records(sample) : sample();
-            out_.work.envelope_points += outline_.outline.evaluations;
-        });
+        auto const boundary = [&] { trace_boundary(chord); };
+        records_wanted_ ? clock_.run_rest(Stage::outline, [&] { with_records(boundary); }) : boundary();
         clock_.run(Stage::root_clearance, [&] {
             std::size_t const before = outline_.outline.points.size();
-            deepen(outline_.outline, outline_.middle, scene.circular_spline.root_clearance);
+            deepen(outline_.outline, outline_.middle, out_.scene.circular_spline.root_clearance);
             outline_.middle += (outline_.outline.points.size() - before) / 2;
         });
         clock_.run(Stage::interference, [&] { check(); });
+    }
+
+    void trace_boundary(double chord)
+    {
+        clock_.run(Stage::region, [&] {
+            final_ = space_at(base_, branches_, chord);
+            if (!moved())
+                return;
+            TracedSpace shifted = space_at(final_envelope(), moved_branches_, chord);
+            refuse_swallowed(base_, final_.arcs, final_.space, shifted.arcs, shifted.space, pitch_, out_.scene.circular_spline.backlash_offset, tolerance_.length);
+            final_ = std::move(shifted);
+        });
+        clock_.run(Stage::outline, [&] {
+            outline_ = centred(moved() ? final_envelope() : base_);
+            out_.work.envelope_points += outline_.outline.evaluations;
+        });
     }
 
     [[nodiscard]] TracedSpace space_at(Envelope<Motion> const& envelope, std::vector<Branch> const& branches, double chord)
@@ -246,6 +256,7 @@ class SolveJob
     double pitch_;
     Tolerance tolerance_;
     std::vector<Branch> branches_;
+    std::vector<Branch> moved_branches_;
     TracedSpace final_;
     CentredOutline outline_;
     bool records_wanted_ = false;   ///< points of the branches themselves, which the boundary does without

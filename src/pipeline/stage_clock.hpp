@@ -3,7 +3,9 @@
 /// Runs the stages that a plan names, and keeps their times.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
+#include <numeric>
 #include <vector>
 
 #include "hdconj/pipeline/solution.hpp"
@@ -25,24 +27,44 @@ class StageClock
             return false;
         if (observer_)
             observer_(stage);
-        auto const start = std::chrono::steady_clock::now();
-        body();
-        double const seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-        for (StageTime& time : times_)
-        {
-            if (time.stage == to_string(stage))
-            {
-                time.seconds += seconds;
-                return true;
-            }
-        }
-        times_.push_back({to_string(stage), seconds});
+        add(stage, seconds_of(body));
         return true;
+    }
+
+    /// Runs @p body, which runs stages itself; what of its time is none of theirs is added to @p stage's.
+    template<class Body>
+    void run_rest(Stage stage, Body&& body)
+    {
+        double const before = total();
+        double const seconds = seconds_of(body);
+        add(stage, std::max(0.0, seconds - (total() - before)));
     }
 
     [[nodiscard]] std::vector<StageTime> const& times() const { return times_; }
 
   private:
+    template<class Body>
+    [[nodiscard]] static double seconds_of(Body&& body)
+    {
+        auto const start = std::chrono::steady_clock::now();
+        body();
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+
+    void add(Stage stage, double seconds)
+    {
+        auto const same = std::find_if(times_.begin(), times_.end(), [&](StageTime const& time) { return time.stage == to_string(stage); });
+        if (same == times_.end())
+            times_.push_back({to_string(stage), seconds});
+        else
+            same->seconds += seconds;
+    }
+
+    [[nodiscard]] double total() const
+    {
+        return std::accumulate(times_.begin(), times_.end(), 0.0, [](double sum, StageTime const& time) { return sum + time.seconds; });
+    }
+
     Plan const& plan_;
     StageObserver const& observer_;
     std::vector<StageTime> times_;

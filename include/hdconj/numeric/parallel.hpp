@@ -11,6 +11,10 @@ namespace hdconj {
 /// Number of threads meant by @p requested; 0 means all cores.
 [[nodiscard]] int thread_count(int requested);
 
+/// What every thread that a loop starts does first, once; of a program that has something to prepare for its threads. Absent: nothing.
+/// To be set before the first loop, by one thread. @p prepare must not throw.
+void at_thread_start(void (*prepare)() noexcept);
+
 /// Calls @p body(i) for i = 0 ... count - 1. Slot i belongs to iteration i: a body that writes only there gives the
 /// same bits for any number of threads. Exceptions do not cross the parallel region: the one of the lowest i is
 /// thrown again after the loop.

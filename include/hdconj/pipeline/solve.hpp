@@ -16,7 +16,7 @@ namespace hdconj {
 /// pitch, a tip circle outside the tooth space. Builds the profile and the wave shape, solves nothing.
 [[nodiscard]] Faults check_scene(Scene const& scene);
 
-/// Called at the start of each stage that runs; for progress and for tests that count stages.
+/// Called at the start of each stage that runs, by any of the threads but never by two at once; for progress and for tests that count stages.
 using StageObserver = std::function<void(Stage)>;
 
 /// Runs the plan of @p scene, stage by stage; a stage that is not in the plan is never entered.
