@@ -155,7 +155,7 @@ void run_ladders(StudyRun const& bench)
     }
     if (bench.sampled)
     {
-        constexpr int planes = 385, few = 50, many = 2500;
+        constexpr int planes = 513, few = 50, many = 2500;
         measure(bench, scene, {"slices", "slices.count", {3, 9}, true, 50, by_planes(bench, scene, planes, few)});
         measure(bench, scene, {"flank points", "contact.flank_points", {12, 25, 50}, false, 3, by_points(bench, scene, 3, many)});
         return;

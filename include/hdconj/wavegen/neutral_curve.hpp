@@ -70,12 +70,12 @@ class NeutralCurve
             double const step = excess / slope;
             r_0 -= step;
             if (!(r_0 > shape_.amplitude()))
-                throw NumericalError("neutral curve", "closed length", "no mean radius closes a curve that is deformed this much");
+                throw NumericalError("neutral curve", "closed length", "no base radius closes a curve that is deformed this much");
             if (std::abs(step) <= 4 * unit_roundoff * r_m_ || (std::abs(step) >= std::abs(last_step) && std::abs(step) < noise * r_m_))
                 return r_0;
             last_step = step;
         }
-        throw NumericalError("neutral curve", "closed length", "the mean radius did not converge");
+        throw NumericalError("neutral curve", "closed length", "the base radius did not converge");
     }
 
     static constexpr double slope_step = 0x1p-12;
