@@ -61,6 +61,8 @@ std::span<FigureOf<ContactCase> const> case_figures()
                               [](Case each) { return each.clearing_offset; }},
         FigureOf<ContactCase>{"clearing_offset_error", "mm", "clearing_offset_error_um", um_per_mm,
                               [](Case each) { return each.clearing_offset_error; }},
+        FigureOf<ContactCase>{"tip_radius", "mm", "tip_radius_mm", as_stored,
+                              [](Case each) { return each.tip; }},
         FigureOf<ContactCase>{"clearing_tip", "mm", "clearing_tip_mm", as_stored,
                               [](Case each) { return each.clearing_tip; }},
         FigureOf<ContactCase>{"clearing_tip_error", "mm", "clearing_tip_error_mm", as_stored,

@@ -117,8 +117,11 @@ void write_needs(Page& page, ContactStudy const& study, ContactCase const& each)
 {
     double const tip = study.solution.geometry.circular_spline_inner_radius;
     std::vector<std::string> needs;
-    if (each.clearing_tip > tip + study.solution.scene.solver.tolerance) {
-        needs.push_back(fmt::format("needs the tip circle {:.4f} {} mm instead of {:.4f} mm", each.clearing_tip, error_text(each.clearing_tip_error), tip));
+    double const tolerance = study.solution.scene.solver.tolerance;
+    if (each.tip > tip + tolerance) {
+        // a land that the given side clearance leaves is known as well as the outline
+        double const error = each.tip == each.clearing_tip ? each.clearing_tip_error : tolerance;
+        needs.push_back(fmt::format("needs the tip circle {:.4f} {} mm instead of {:.4f} mm", each.tip, error_text(error), tip));
     }
     if (each.clearing_root > 0) {
         needs.push_back(fmt::format("needs {:.3g} {} um more root clearance", each.clearing_root * um_per_mm, error_text(each.clearing_root_error * um_per_mm)));

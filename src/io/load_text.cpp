@@ -118,7 +118,7 @@ void write_table(Page& page, LoadStudy const& study)
     }
     bool const any_moved = std::any_of(study.cases.begin(), study.cases.end(), [](auto const& each) { return each.raised || each.tip_change > 0; });
     if (any_moved) {
-        page.line("  *: with what the scene gives the assembled teeth press on both flanks; this surface has what clears over a full turn:");
+        page.line("  *: with what the scene gives the assembled teeth press on both flanks, and this surface has what clears over a full turn; or the side clearance leaves no land, and the tip circle follows:");
         for (auto const& each : study.cases) {
             if (each.raised || each.tip_change > 0) {
                 page.line("    {}{:>9} um side clearance, tip circle {:.6f} mm, {:.2f} um wider than its own", begin_row(each), fixed(each.backlash_offset * um_per_mm, 2), each.tip,

@@ -21,6 +21,26 @@ namespace hdconj::detail {
 
 namespace {
 
+/// The tip circle of z = 0 that leaves every slice of @p outline a land when its flanks are moved by @p distance; at least @p tip.
+double tip_with_land(ContactBench const& bench, SurfaceChoice const& choice, MatchedOutline const& outline, double distance, double tip)
+{
+    double const pitch = 2 * std::numbers::pi / bench.scene.drive.circular_spline_teeth;
+    double const least = least_land * bench.scene.drive.module;
+    for (std::size_t k = 0; k < bench.maker.z().size(); ++k)
+        if (double const meeting = meeting_radius(outline, k, distance, pitch); meeting > 0)
+            tip = std::max(tip, meeting + least - bench.maker.z()[k] * std::tan(choice.tilt));
+    return tip;
+}
+
+/// To be called before the tip circle is lifted once more.
+void refuse_to_lift_for_ever(int round, double tip)
+{
+    constexpr int budget = 12;
+    if (round + 1 == budget)
+        throw NumericalError("contact", "clearing offset",
+                             "side clearance and tip circle did not settle at a tip circle of " + std::to_string(tip) + " mm: the teeth become too short for this tilt");
+}
+
 /// Has the flanks reach the tip circle when they are moved by @p distance.
 void reach(ContactBench const& bench, SurfaceChoice const& choice, Cleared& cleared, double distance)
 {
@@ -83,24 +103,13 @@ double raised_for_map(ContactBench const& bench, SurfaceChoice const& choice, Cl
 
 Cleared clear_flanks(ContactBench const& bench, SliceTurns const& turns, SurfaceChoice const& choice, double at_least)
 {
-    double const pitch = 2 * std::numbers::pi / bench.scene.drive.circular_spline_teeth;
-    double const least = least_land * bench.scene.drive.module;
     Cleared result;
     result.reach = at_least;
     result.tip = bench.maker.needed_tip(choice);
     // where moved flanks meet the tip circle has to follow until a land is left
     auto const raise_tip = [&](MatchedOutline const& outline, double distance) {
-        double tip = result.tip;
-        for (std::size_t k = 0; k < bench.maker.z().size(); ++k)
-            if (double const meeting = meeting_radius(outline, k, distance, pitch); meeting > 0)
-                tip = std::max(tip, meeting + least - bench.maker.z()[k] * std::tan(choice.tilt));
+        double const tip = tip_with_land(bench, choice, outline, distance, result.tip);
         return std::exchange(result.tip, tip) != tip;
-    };
-    auto const in_budget = [&](int round) {
-        constexpr int budget = 12;
-        if (round + 1 == budget)
-            throw NumericalError("contact", "clearing offset", "side clearance and tip circle did not settle at a tip circle of " + std::to_string(result.tip)
-                                                                   + " mm: the teeth become too short for this tilt");
     };
     for (int i = 0;; ++i)
     {
@@ -112,7 +121,7 @@ Cleared clear_flanks(ContactBench const& bench, SliceTurns const& turns, Surface
         });
         if (!raise_tip(result.outline, std::max(result.offset, at_least)))
             break;
-        in_budget(i);
+        refuse_to_lift_for_ever(i, result.tip);
     }
     if (result.offset > 0)
         lift_tip(bench, turns, choice, result);
@@ -121,11 +130,48 @@ Cleared clear_flanks(ContactBench const& bench, SliceTurns const& turns, Surface
     // a given clearance has more of the surface reach the tip circle, whose land may be narrower there
     for (int i = 0; raise_tip(result.flanks.outline, std::max(result.offset, at_least)); ++i)
     {
-        in_budget(i);
+        refuse_to_lift_for_ever(i, result.tip);
         result.outline = surface_of(bench, choice, result.tip);
         reach(bench, choice, result, result.reach);
     }
     return result;
+}
+
+Cleared part_as_given(ContactBench const& bench, SurfaceChoice const& choice, double given, double tip)
+{
+    Cleared result;
+    result.offset = given;
+    result.tip = tip;
+    for (int i = 0;; ++i)
+    {
+        result.outline = surface_of(bench, choice, result.tip);
+        reach(bench, choice, result, given);
+        double const with_land = given > 0 ? tip_with_land(bench, choice, result.flanks.outline, given, result.tip) : result.tip;
+        if (with_land == result.tip)
+            return result;
+        refuse_to_lift_for_ever(i, result.tip);
+        result.tip = with_land;
+    }
+}
+
+std::optional<Cleared> kept_as_given(ContactBench const& bench, SliceTurns const& turns, SurfaceChoice const& choice, Cleared const& made, Cleared const& cleared,
+                                     TurnMinima const* at_given)
+{
+    CircularSpline const& spline = bench.scene.circular_spline;
+    double const enough = clearing_accuracy(bench.tolerance);
+    // with a smaller tip circle there is more to clear, not less
+    if (spline.automatic_backlash || spline.backlash_offset < cleared.offset - enough || made.tip >= cleared.tip)
+        return std::nullopt;
+    double const needed = bench.maker.needed_tip(choice);
+    bool const own = bench.maker.own_tip(choice) >= needed;
+    Cleared part = own ? made : part_as_given(bench, choice, spline.backlash_offset, needed);
+    if (part.tip >= cleared.tip)
+        return std::nullopt;
+    ClearanceSet const set = flank_set(part.flanks.grid, !is_symmetric(bench));
+    TurnMinima const minima = own && at_given != nullptr ? *at_given : turns(set, spline.backlash_offset);
+    if (turns.worst(set, spline.backlash_offset, minima) < -enough)
+        return std::nullopt;
+    return part;
 }
 
 void check_as_made(ContactBench const& bench, SurfaceChoice const& choice, Cleared const& cleared)
@@ -146,10 +192,10 @@ FlankSurface flank_surface(ContactBench const& bench, SurfaceChoice const& choic
         FlankGrid moved = moved_into_material(std::move(cleared.flanks.grid), offset);
         return {std::move(cleared.outline), std::move(moved), offset, cleared.tip};
     }
-    double const tip = bench.maker.own_tip(choice);
-    MatchedOutline outline = surface_of(bench, choice, tip);
-    FlankGrid grid = moved_into_material(part_flanks(bench, bench.maker, choice, outline, tip, spline.backlash_offset).grid, spline.backlash_offset);
-    return {std::move(outline), std::move(grid), spline.backlash_offset, tip};
+    double const own = bench.maker.own_tip(choice);
+    Cleared made = part_as_given(bench, choice, spline.backlash_offset, std::max(own, bench.maker.needed_tip(choice)));
+    FlankGrid grid = moved_into_material(std::move(made.flanks.grid), made.offset);
+    return {std::move(made.outline), std::move(grid), made.offset, made.tip};
 }
 
 double clearing_offset_of(ContactBench const& bench, SurfaceChoice const& choice, bool as_made)

@@ -3,6 +3,7 @@
 /// Side clearance and tip circle with which the flanks of a surface clear.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "hdconj/contact/flank_grid.hpp"
@@ -28,6 +29,17 @@ struct Cleared
 /// moved flanks begin, since what the surface has beyond them would be entered and ask for far more clearance, and that for more of it again.
 /// @throws NumericalError where they do not settle
 [[nodiscard]] Cleared clear_flanks(ContactBench const& bench, SliceTurns const& turns, SurfaceChoice const& choice, double at_least);
+
+/// The part that the scene gives: side clearance @p given and the tip circle @p tip, which is lifted only where the moved flanks would leave no land.
+/// @throws NumericalError where it cannot be made
+[[nodiscard]] Cleared part_as_given(ContactBench const& bench, SurfaceChoice const& choice, double given, double tip);
+
+/// The part with the side clearance that the scene gives, where nothing enters its flanks over a full turn: with the tip circle of @p made, larger only where every slice's land and rim
+/// ask for it. Absent where @p cleared takes its place, or has the same tip circle.
+/// @param made      part_as_given() with the surface's own tip circle
+/// @param at_given  of the flanks of @p made with the scene's side clearance, where they are known
+[[nodiscard]] std::optional<Cleared> kept_as_given(ContactBench const& bench, SliceTurns const& turns, SurfaceChoice const& choice, Cleared const& made, Cleared const& cleared,
+                                                   TurnMinima const* at_given);
 
 /// Whether the surface can also be made with the tip circle that the scene gives, not only with the one that clears: a case tells of both.
 /// @throws NumericalError where not, that of making it

@@ -300,14 +300,14 @@ ContactStudy contact(Scene const& scene, ContactOptions const& options, StageObs
     ContactCase const& best_share = study.cases[study.shown];
     try
     {
-        write_part(study.solution.circular_spline, owned, shown, best_share.clearing_tip, best_share.backlash_offset);
+        write_part(study.solution.circular_spline, owned, shown, best_share.tip, best_share.backlash_offset);
         study.side_clearance = best_share.backlash_offset;
     }
     catch (NumericalError const& error)
     {
         if (best_share.backlash_offset == 0)
             throw;
-        write_part(study.solution.circular_spline, owned, shown, best_share.clearing_tip, 0);
+        write_part(study.solution.circular_spline, owned, shown, best_share.tip, 0);
         study.solution.notes.push_back("the written outline is without the side clearance of " + short_number(best_share.backlash_offset) + " mm, with which it cannot be made: " + error.what());
     }
     std::vector<StageTime> const times = owned.clock.times();

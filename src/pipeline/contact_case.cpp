@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -34,6 +35,14 @@ double largest_lever(FlankGrid const& grid)
     return largest;
 }
 
+/// The part as the scene gives it. Clearances are told of it, as far as its tip circle lets the surface exist.
+Cleared made_part(ContactBench const& bench, SurfaceChoice const& choice, Cleared const& cleared)
+{
+    CircularSpline const& spline = bench.scene.circular_spline;
+    double const own_tip = bench.maker.own_tip(choice);
+    return own_tip == cleared.tip ? cleared : part_as_given(bench, choice, spline.automatic_backlash ? 0 : spline.backlash_offset, own_tip);
+}
+
 /// The planes that closest_flank() may lie in.
 void write_place(ContactCase& result)
 {
@@ -56,14 +65,17 @@ double share_of(ContactBench const& bench, SurfaceChoice const& choice, bool as_
 {
     CircularSpline const& spline = bench.scene.circular_spline;
     double const given = spline.automatic_backlash ? 0 : spline.backlash_offset;
-    Cleared cleared = clear_flanks(bench, SliceTurns(bench), choice, given);
+    SliceTurns const turns(bench);
+    Cleared cleared = clear_flanks(bench, turns, choice, given);
     if (as_made)
         check_as_made(bench, choice, cleared);
     double const phase = phase_of(bench.scene, bench.request.wave_generator);
+    std::optional<Cleared> kept = kept_as_given(bench, turns, choice, made_part(bench, choice, cleared), cleared, nullptr);
+    Cleared& part = kept ? *kept : cleared;
     bool const clears = given >= cleared.offset - clearing_accuracy(bench.tolerance);
-    double const offset = raised_for_map(bench, choice, cleared, clears ? given : cleared.offset, {phase});
-    FlankGrid const used = moved_into_material(cleared.flanks.grid, offset);
-    FinerSurface finer(bench, choice, cleared.flanks.grid, used, cleared.tip, offset);
+    double const offset = raised_for_map(bench, choice, part, clears ? given : cleared.offset, {phase});
+    FlankGrid const used = moved_into_material(part.flanks.grid, offset);
+    FinerSurface finer(bench, choice, part.flanks.grid, used, part.tip, offset);
     return contact_state({bench, finer, phase, 0, 0, 0, false}, used, nullptr).share;
 }
 
@@ -80,13 +92,10 @@ ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice,
 
     SliceTurns const turns(bench);
     Cleared cleared = clear_flanks(bench, turns, choice, given);
-    // clearances are those of the drive as the scene gives it, as far as its tip circle lets the surface exist
-    double const own_tip = bench.maker.own_tip(choice);
-    MatchedOutline const outline = own_tip == cleared.tip ? cleared.outline : surface_of(bench, choice, own_tip);
-    PartFlanks const own_flanks = own_tip == cleared.tip ? cleared.flanks : part_flanks(bench, bench.maker, choice, outline, own_tip, given);
-    FlankGrid const& own_grid = own_flanks.grid;
+    Cleared const made = made_part(bench, choice, cleared);
+    FlankGrid const& own_grid = made.flanks.grid;
     ClearanceSet const flanks = flank_set(own_grid, !is_symmetric(bench));
-    ClearanceSet const root = root_set(outline, bench.tolerance);
+    ClearanceSet const root = root_set(made.outline, bench.tolerance);
     TurnMinima at_given, at_root;
     bench.clock.run(Stage::clearance, [&] {
         at_given = turns(flanks, given);
@@ -101,7 +110,7 @@ ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice,
     });
     result.clearing_offset = cleared.offset;
     result.clearing_tip = cleared.tip;
-    bench.clock.run(Stage::clearance, [&] { write_errors(bench, choice, turns, {cleared, outline, own_flanks, own_tip, given, at_given, at_root}, result); });
+    bench.clock.run(Stage::clearance, [&] { write_errors(bench, choice, turns, {cleared, made.outline, made.flanks, made.tip, given, at_given, at_root}, result); });
 
     write_place(result);
     std::vector<double> phases;
@@ -112,15 +121,17 @@ ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice,
     if (phases.empty())
         phases.push_back(own);
     // teeth that enter the flanks cannot be turned to first contact: what is missing of the clearing offset is added, and the case says so
+    std::optional<Cleared> kept = kept_as_given(bench, turns, choice, made, cleared, &at_given);
     bool const clears = given >= result.clearing_offset - clearing_accuracy(bench.tolerance);
-    result.backlash_offset = clears ? given : result.clearing_offset;
-    result.backlash_offset = raised_for_map(bench, choice, cleared, result.backlash_offset, phases);
+    Cleared& part = kept ? *kept : cleared;
+    result.tip = part.tip;
+    result.backlash_offset = raised_for_map(bench, choice, part, clears ? given : result.clearing_offset, phases);
     // what clears the slices but not the sections there has no play: as much is added as there
     double const clearing = raised_for_map(bench, choice, cleared, result.clearing_offset, {own});
-    FlankGrid const& grid = cleared.flanks.grid;
+    FlankGrid const& grid = part.flanks.grid;
     result.raised = !spline.automatic_backlash && result.backlash_offset > given;
     FlankGrid const used = moved_into_material(grid, result.backlash_offset);
-    FinerSurface finer(bench, choice, grid, used, cleared.tip, result.backlash_offset);
+    FinerSurface finer(bench, choice, grid, used, part.tip, result.backlash_offset);
     // a side clearance that is given is what it is
     bool const as_given = result.backlash_offset == given && !spline.automatic_backlash;
     double const chords = finer.solved_anew() && grid.slices() > 1 ? 2 * bench.tolerance.length : 0;
@@ -144,15 +155,15 @@ ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice,
     result.state = result.revolution[least];
     if (revolution == 0)
         result.revolution.clear();
-    if (clearing == result.backlash_offset)
+    if (clearing == result.backlash_offset && part.tip == cleared.tip)
     {
         result.backlash_of_clearing = result.state.backlash();
         result.backlash_of_clearing_error = result.state.backlash_error();
     }
     else
     {
-        FlankGrid const cleared_flanks = moved_into_material(grid, clearing);
-        FinerSurface cleared_finer(bench, choice, grid, cleared_flanks, cleared.tip, clearing);
+        FlankGrid const cleared_flanks = moved_into_material(cleared.flanks.grid, clearing);
+        FinerSurface cleared_finer(bench, choice, cleared.flanks.grid, cleared_flanks, cleared.tip, clearing);
         Play const play_of_clearing = play({bench, cleared_finer, own, result.clearing_offset_error, turns_tell ? -result.clearing_offset_error : unknown, lever}, cleared_flanks);
         result.backlash_of_clearing = play_of_clearing.turn;
         result.backlash_of_clearing_error = play_of_clearing.error;

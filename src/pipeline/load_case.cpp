@@ -245,15 +245,16 @@ LoadCase load_case(ContactBench const& bench, ElasticDrive const& drive, Assembl
     bool const clear = play && play->right + play->left >= 0;
     if (!clear && !bench.scene.circular_spline.automatic_backlash)
     {
-        double const given = surface.offset, own_tip = surface.tip;
+        double const given = surface.offset;
         surface = flank_surface(bench, choice, true);
         result.raised = surface.offset > given;
-        result.tip_change = surface.tip - own_tip;
         play = play_of({bench, drive, surface.grid}, free.shape);
     }
     LoadWork const work{bench, drive, surface.grid};
     result.backlash_offset = surface.offset;
     result.tip = surface.tip;
+    if (!bench.scene.circular_spline.automatic_backlash)
+        result.tip_change = surface.tip - bench.maker.own_tip(choice);
     if (!play)
         throw NumericalError("load", "assembly", "the teeth of the bent cup stand in the way of those of the circular spline at every turn, with a side clearance of "
                                                      + std::to_string(surface.offset * 1e3) + " um: widen circular_spline.inner_radius, or write surface = \"per-slice\" in [slices]");

@@ -10,6 +10,8 @@
 
 #include "hdconj/io/scene_toml.hpp"
 #include "hdconj/numeric/error.hpp"
+#include "hdconj/pipeline/contact.hpp"
+#include "hdconj/pipeline/solve.hpp"
 #include "support/catch.hpp"
 
 using namespace hdconj;
@@ -301,4 +303,42 @@ TEST_CASE("a tip circle that nobody gave does not make a load fail", "[load]")
     CHECK(only(study).residual < 1e-6);
     CHECK_THROWS_WITH(load(quick(narrow), at_torque(10 * newton_metre)), ContainsSubstring("inner_radius above 30.02"));
     CHECK(load(quick(), at_torque(newton_metre)).tip_widened == 0);
+}
+
+TEST_CASE("contact and load take the same part: the scene's own where nothing enters it", "[load][contact]")
+{
+    constexpr double arcmin = std::numbers::pi / (180 * 60);
+    // the same grid of the bearing for both
+    Keys const coned{"coning.model=elastic", "coning.bottom_to_middle=9", "slices.surface=tilted", "bearing.circles=13"};
+    struct Row
+    {
+        Keys more;
+        double least_tip, largest_tip;   // [mm]
+    };
+    // the scene's tip circle though another, wider one goes with the least clearing offset; and where the side clearance leaves no land, one that does
+    for (Row const& row : std::vector<Row>{{{"circular_spline.inner_radius=25.2", "tilt.angle_deg=0.3"}, 25.2, 25.2}, {{"circular_spline.backlash_offset=0.08"}, 25.1023, 25.12}, {{}, 25.1127, 25.13}})
+    {
+        Keys keys = coned;
+        keys.insert(keys.end(), row.more.begin(), row.more.end());
+        INFO(row.more.size() << " more keys, tip circle from " << row.least_tip << " mm");
+        ContactCase const rigid = contact(quick(keys)).cases.front();
+        CHECK(rigid.tip >= row.least_tip);
+        CHECK(rigid.tip <= row.largest_tip);
+        CHECK(rigid.tip < rigid.clearing_tip);
+        CHECK_FALSE(rigid.raised);
+        CHECK(rigid.closest_flank().clearance > 0);
+        CHECK(rigid.clearance_error < 1e-3);
+        // edges that are round under load are sharp in contact; three slices know the bent cup to about a twentieth of a minute
+        constexpr double alike = 0.1 * arcmin;
+        keys.push_back("load.edge_radius=0.001");
+        LoadCase const loaded = load(quick(keys), at_torque(1e-4 * newton_metre)).cases.front();
+        CHECK(loaded.tip == Approx(rigid.tip).epsilon(1e-12));
+        CHECK(loaded.backlash_offset == rigid.backlash_offset);
+        CHECK_FALSE(loaded.raised);
+        CHECK(loaded.backlash == Approx(rigid.state.backlash()).margin(alike));
+        if (row.least_tip == row.largest_tip)
+            CHECK(solve(quick(keys)).geometry.circular_spline_inner_radius == rigid.tip);
+        else
+            CHECK_THROWS_WITH(solve(quick(keys)), ContainsSubstring("inner_radius above " + std::to_string(row.least_tip).substr(0, 6)));
+    }
 }

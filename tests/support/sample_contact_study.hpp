@@ -119,6 +119,7 @@ inline ContactCase contact_case(std::string const& surface, std::string const& k
     result.clearing_offset = result.backlash_offset = offset;
     result.raised = off > 1.5;
     result.clearing_tip = tip_radius + (off > 1 ? 0.02 : 0);
+    result.tip = tip_radius + (off > 1 ? 0.01 : 0);
     result.backlash_of_clearing = 2.1 * offset / 25.25;
     for (double const height : z) {
         SliceClearance slice;

@@ -42,6 +42,7 @@ TEST_CASE("contact numbers come back from HDF5 bit for bit, one row per case")
              {"backlash_offset", [](auto const& c) { return c.backlash_offset; }},
              {"clearing_offset", [](auto const& c) { return c.clearing_offset; }},
              {"raised", [](auto const& c) { return c.raised ? 1.0 : 0.0; }},
+             {"tip_radius", [](auto const& c) { return c.tip; }},
              {"clearing_tip", [](auto const& c) { return c.clearing_tip; }},
              {"clearing_root", [](auto const& c) { return c.clearing_root; }},
              {"backlash_of_clearing", [](auto const& c) { return c.backlash_of_clearing; }},
@@ -193,7 +194,7 @@ TEST_CASE("a row of the contact table is in the units of its heading")
     CHECK_THAT(summary_text(study), ContainsSubstring("     0.00     12.34     90.00      0.00     0.00     17"));
     study.cases[0].state.take_up = 11 * arcmin;
     study.cases[0].raised = true;
-    study.cases[0].clearing_tip = 25.1;
+    study.cases[0].clearing_tip = study.cases[0].tip = 25.1;
     study.cases[0].clearing_tip_error = 1e-6;
     study.solution.geometry.circular_spline_inner_radius = 25;
     CHECK_THAT(summary_text(study), ContainsSubstring("12.34     90.00*    11.00") && ContainsSubstring("more than the scene gives") &&

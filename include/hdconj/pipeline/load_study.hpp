@@ -97,7 +97,7 @@ struct LoadCase
     double backlash_offset = 0;   ///< side clearance [mm]
     bool raised = false;          ///< it is more than the scene gives, because with that the assembled teeth press on both flanks
     double tip = 0;               ///< tip circle at z = 0 [mm]
-    double tip_change = 0;        ///< how much wider than the surface's own it was made for the same reason [mm]
+    double tip_change = 0;        ///< how much wider than the surface's own it was made, for the same reason or for a land that the side clearance leaves [mm]
     double backlash = 0;          ///< play without torque [rad]; negative: the assembled teeth press on both flanks
     std::vector<LoadedState> curve;  ///< in the order of loading: 0 to T, back to 0, to -T
     std::size_t rated = 0;        ///< index of the largest torque in curve
