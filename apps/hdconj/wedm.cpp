@@ -16,6 +16,7 @@
 #include "hdconj/io/scene_reading.hpp"
 #include "hdconj/io/stored_outline.hpp"
 #include "hdconj/io/wire_files.hpp"
+#include "hdconj/numeric/error.hpp"
 #include "lists.hpp"
 #include "outputs.hpp"
 #include "words.hpp"
@@ -127,6 +128,53 @@ void check_targets(WireOptions const& own, fs::path const& folder, std::vector<s
     check_outputs(jobs, read);
 }
 
+/// The wire of @p scene; of the outline @p start where it is solved.
+WireSetUps programs_of(Scene const& scene, std::optional<CircularSplineOutline> const& outline, StageObserver const& on_stage)
+{
+    return outline && !cuts_flexspline(scene) ? WireSetUps{wire_program(scene, *outline)} : wire_set_ups(scene, on_stage);
+}
+
+/// The least of some coarser tolerances with which @p dialect holds the program; nothing where none does.
+std::optional<double> fitting_tolerance(Given const& given, std::string const& dialect)
+{
+    Scene scene = given.scene;
+    auto outline = given.outline;
+    if (!outline && !cuts_flexspline(scene)) {
+        outline = solve(wire_scene(scene)).circular_spline;
+    }
+    double const first = scene.wedm->tolerance;
+    for (double power = 1e-6; power < scene.drive.module; power *= 10) {
+        for (double const digit : {1.0, 2.0, 4.0, 6.0, 8.0}) {
+            scene.wedm->tolerance = digit * power;
+            if (scene.wedm->tolerance <= first || !check_wedm(scene).empty()) {
+                continue;
+            }
+            try {
+                if (unfit_dialects(programs_of(scene, outline, {}), {dialect}).empty()) {
+                    return scene.wedm->tolerance;
+                }
+            } catch (std::runtime_error const&) {
+                continue;  // a program that fails its checks helps nobody
+            }
+        }
+    }
+    return {};
+}
+
+/// What was asked for by name is an error; what was not is left out, and said.
+void judge_unfit(Given const& given, std::vector<std::string> const& dialects, WireSetUps& programs)
+{
+    for (auto const& unfit : unfit_dialects(programs, dialects)) {
+        if (dialects.empty()) {
+            programs.front().warnings.push_back(fmt::format("dialect {} is left out: {}: {}", unfit.name, unfit.place, unfit.cause));
+            continue;
+        }
+        auto const tolerance = fitting_tolerance(given, unfit.name);
+        throw NumericalError("wire files", fmt::format("{}, {}", unfit.name, unfit.place),
+                             unfit.cause + "; " + (tolerance ? fmt::format("write wedm.tolerance = {:g}, or another dialect", *tolerance) : "write another dialect"));
+    }
+}
+
 int run_wedm(CommonOptions const& common, WireOptions const& own)
 {
     std::signal(SIGXFSZ, SIG_IGN);  // a limit on file size becomes a failed write, with its reason
@@ -140,9 +188,9 @@ int run_wedm(CommonOptions const& common, WireOptions const& own)
     }
     check_targets(own, folder, dialects, start.scene, inputs);
     Progress const progress(!common.quiet);
-    WireSetUps const programs = start.outline && !flexspline ? WireSetUps{wire_program(start.scene, *start.outline)}
-                                                             : wire_set_ups(start.scene, [&](Stage stage) { progress.say(to_string(stage)); });
+    WireSetUps programs = programs_of(start.scene, start.outline, [&](Stage stage) { progress.say(to_string(stage)); });
     progress.say("wire files");
+    judge_unfit(start, dialects, programs);
     auto const files = write_wire_files(programs, folder, dialects);
     std::vector<WrittenFile> pictures;
     if (!own.picture.empty()) {

@@ -117,6 +117,7 @@ WirePost three_b_post()
     WirePost post;
     post.dialect = {"3b", "3B in whole micrometres, one file for each face", ""};
     post.alphabet = "BGXYLD0123456789 ";
+    post.own_limits = true;
     post.unit = [](WireProgram const&) { return WireGrid(decimals_of_um).unit(); };
     post.write = write;
     post.exact = exact_passes;

@@ -41,10 +41,7 @@ std::vector<WireText> write(WireProgram const& program, std::string const& stem)
     auto files = write_each(program, stem, "twoplane", "nc", text_of);
     for (auto const& file : files) {
         if (file.blocks > most_blocks || file.text.size() > most_bytes) {
-            throw NumericalError("wire files", file.name,
-                                 fmt::format("{} blocks, {} bytes; controllers of this dialect take {} and {}: take a coarser "
-                                             "wedm.tolerance, or leave the dialect out",
-                                             file.blocks, file.text.size(), most_blocks, most_bytes));
+            throw NoRoom(file.name, fmt::format("{} blocks, {} bytes; controllers of this dialect take {} and {}", file.blocks, file.text.size(), most_blocks, most_bytes));
         }
     }
     return files;
@@ -94,6 +91,7 @@ WirePost colon_post()
     WirePost post;
     post.dialect = {"two-plane", "blocks lower:upper, incremental, as Chinese slow and medium wire controllers take them", ""};
     post.alphabet = "GXYM0123456789.-:; ";
+    post.own_limits = true;
     post.unit = program_unit;
     post.write = write;
     post.exact = exact_passes;

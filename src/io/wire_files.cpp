@@ -4,12 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "atomic_folder.hpp"
 #include "hdconj/numeric/error.hpp"
 #include "hdconj/scene/fault.hpp"
 #include "hdconj/scene/suggest.hpp"
 #include "wire_checks.hpp"
+#include "wire_grid.hpp"
 #include "wire_post.hpp"
 
 namespace hdconj {
@@ -36,13 +38,20 @@ void check_names(std::vector<std::string> const& dialects, std::string const& pl
     }
 }
 
-std::vector<WirePost> chosen(WireProgram const& program, std::vector<std::string> const& dialects)
+bool is_in(std::vector<std::string> const& names, std::string_view name)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::vector<WirePost> chosen(WireSetUps const& programs, std::vector<std::string> const& dialects)
 {
     check_names(dialects, "--dialect");
-    auto const fitting = fitting_dialects(program);
-    auto const is_in = [](std::vector<std::string> const& names, std::string_view name) {
-        return std::find(names.begin(), names.end(), name) != names.end();
-    };
+    auto fitting = fitting_dialects(programs.front());
+    if (dialects.empty()) {
+        for (auto const& unfit : unfit_dialects(programs)) {
+            std::erase(fitting, unfit.name);
+        }
+    }
     std::vector<WirePost> posts;
     for (auto const& post : wire_posts()) {
         if (!is_in(dialects.empty() ? fitting : dialects, post.dialect.name)) {
@@ -55,6 +64,33 @@ std::vector<WirePost> chosen(WireProgram const& program, std::vector<std::string
         posts.push_back(post);
     }
     return posts;
+}
+
+/// The least wedm.decimals above those of @p program with which @p post holds it; nothing where none does.
+std::optional<int> fitting_decimals(WirePost const& post, WireProgram program, std::string const& stem)
+{
+    constexpr int most = 9;
+    for (++program.decimals; program.decimals <= most; ++program.decimals) {
+        try {
+            (void)post.write(program, stem);
+            return program.decimals;
+        } catch (NoRoom const&) {
+            continue;
+        }
+    }
+    return {};
+}
+
+/// Files of one dialect. @throws NumericalError that names it, with what helps
+std::vector<WireText> texts_of(WirePost const& post, WireProgram const& program, std::string const& stem)
+{
+    try {
+        return post.write(program, stem);
+    } catch (NoRoom const& unfit) {
+        auto const decimals = fitting_decimals(post, program, stem);
+        throw NumericalError("wire files", fmt::format("{}, {}", post.dialect.name, unfit.place()),
+                             unfit.cause() + "; " + (decimals ? fmt::format("write wedm.decimals = {}", *decimals) : "take a coarser wedm.tolerance") + ", or another dialect");
+    }
 }
 
 /// Letters, digits, "._-": what every control takes for a name.
@@ -73,7 +109,7 @@ std::string stem_of(std::string const& part)
 /// Writes the files of one dialect, reads them from the disk and compares.
 std::vector<WireFile> write_one(AtomicFolder const& folder, WirePost const& post, WireProgram const& program, std::string const& stem)
 {
-    auto const made = post.write(program, stem);
+    auto const made = texts_of(post, program, stem);
     std::vector<WireText> on_disk = made;
     for (std::size_t i = 0; i < made.size(); ++i) {
         check_text(post, made[i]);
@@ -104,15 +140,36 @@ void check_wire_files(std::filesystem::path const& folder, std::vector<std::stri
     AtomicFolder::check(folder, AtomicFolder::wire_program);
 }
 
+std::vector<UnfitDialect> unfit_dialects(WireSetUps const& programs, std::vector<std::string> const& dialects)
+{
+    std::vector<UnfitDialect> unfit;
+    for (auto const& post : wire_posts()) {
+        if (!post.own_limits || (!dialects.empty() && !is_in(dialects, post.dialect.name))) {
+            continue;
+        }
+        for (auto const& program : programs) {
+            try {
+                (void)post.write(program, stem_of(program.name));
+            } catch (NoRoom const& cause) {
+                if (!fitting_decimals(post, program, stem_of(program.name))) {
+                    unfit.push_back({std::string(post.dialect.name), cause.place(), cause.cause()});
+                    break;
+                }
+            }
+        }
+    }
+    return unfit;
+}
+
 std::vector<WireFile> write_wire_files(WireSetUps const& programs, std::filesystem::path const& folder, std::vector<std::string> const& dialects)
 {
     if (programs.empty()) {
         throw NumericalError("wire files", "set-ups", "there is none: nothing was written");
     }
-    auto const posts = chosen(programs.front(), dialects);
     for (auto const& program : programs) {
         check_program(program);
     }
+    auto const posts = chosen(programs, dialects);
     std::string const stem = stem_of(programs.front().name);
     AtomicFolder target(folder, AtomicFolder::wire_program);
     std::vector<WireFile> files;

@@ -17,10 +17,13 @@ constexpr double largest = 1e6;  // [mm]
 void refuse_nothing(WirePass const& pass, std::size_t i, char const* plane, double unit)
 {
     auto const& move = pass.moves[i];
-    throw NumericalError("wire files", fmt::format("pass {}, block {} ({}, tooth {})", pass.number, i, to_string(move.tag), move.tooth),
-                         fmt::format("the block has no length in the {} plane when rounded to {:g} mm; write more decimals, or a "
-                                     "coarser wedm.tolerance",
-                                     plane, unit));
+    std::string const place = fmt::format("pass {}, block {} ({}, tooth {})", pass.number, i, to_string(move.tag), move.tooth);
+    std::string const cause = fmt::format("the block has no length in the {} plane", plane);
+    auto const& before = pass.moves[i - 1];
+    if (move.lower == before.lower || move.upper == before.upper) {
+        throw NumericalError("wire files", place, cause + ": nothing was written");
+    }
+    throw NoRoom(place, fmt::format("{} when rounded to {:g} mm", cause, unit));
 }
 
 }  // namespace

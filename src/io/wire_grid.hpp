@@ -8,11 +8,28 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "hdconj/numeric/error.hpp"
 #include "hdconj/wedm/wire_program.hpp"
 
 namespace hdconj {
+
+/// A program that a dialect cannot hold: a block that its grid loses, or more blocks than its controllers take.
+class NoRoom : public NumericalError
+{
+  public:
+    NoRoom(std::string place, std::string cause)
+        : NumericalError("wire files", place, cause), place_(std::move(place)), cause_(std::move(cause))
+    {
+    }
+    [[nodiscard]] std::string const& place() const { return place_; }
+    [[nodiscard]] std::string const& cause() const { return cause_; }
+
+  private:
+    std::string place_, cause_;
+};
 
 /// A point in units of the last digit.
 struct UnitPoint
@@ -56,7 +73,7 @@ struct WireBlock
 };
 
 /// The moves of a pass on @p grid, coordinates from @p origin.
-/// @throws NumericalError where a block has no length in one of the planes: controllers refuse or misread it
+/// @throws NoRoom where a block has no length in one of the planes once it is rounded: controllers refuse or misread it; NumericalError where it has none at all
 [[nodiscard]] std::vector<WireBlock> blocks_of(WireProgram const& program, WirePass const& pass, WirePlanes planes,
                                                WireGrid const& grid, Vec2 const& origin = Vec2::Zero());
 

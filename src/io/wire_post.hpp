@@ -59,6 +59,7 @@ struct WirePost
     WireDialect dialect;
     std::size_t longest_line = 80;                 ///< that a file may have
     std::string_view alphabet;                     ///< characters outside comments; empty: all that can be printed
+    bool own_limits = false;                       ///< a grid, or longest files, that no key of the scene changes
     double (*unit)(WireProgram const&) = nullptr;  ///< last digit [mm]
     double (*allowed)(WireProgram const&) = nullptr;  ///< distance of what is read back from the exact [mm]; none: one unit
     /// Files of @p program; names begin with @p stem.

@@ -215,6 +215,46 @@ TEST_CASE("wedm tells a pass that leaves more than the next one takes", "[wedm]"
     CHECK(fine.out.find("WARNING") == std::string::npos);
 }
 
+TEST_CASE("wedm leaves out a dialect with a grid of its own that loses a block unless it was asked for by name", "[wedm]")
+{
+    TemporaryFolder const folder;
+    // a drafted corner is a point in the lower face and an arc in the upper one
+    std::string const drafted = "--tilt 0.1 --set tilt.kind=draft --set circular_spline.root_clearance=0.02 --set wedm.residual_limit=0.06 ";
+    auto const all = wedm(drafted + "--json --quiet -o a", folder);
+    REQUIRE(all.status == 0);
+    CHECK(all.err.empty());
+    auto const summary = json::parse(all.out);
+    REQUIRE(summary.at("warnings").size() == 1);
+    CHECK_THAT(summary.at("warnings")[0].get<std::string>(),
+               ContainsSubstring("dialect 3b is left out: pass 1, block ") && ContainsSubstring("no length in the lower plane when rounded to 0.001 mm"));
+    CHECK(summary.at("files").size() == 7);  // of 9
+    CHECK(std::filesystem::exists(folder / "a" / "type-50_twoplane_pass1.nc"));
+    CHECK_FALSE(std::filesystem::exists(folder / "a" / "type-50_lower_pass1.3b"));
+    CHECK_THAT(content(folder / "a" / "type-50_summary.txt"), ContainsSubstring("WARNING: dialect 3b is left out"));
+    // by name: an error, and the tolerance that it advises is one that works
+    auto const named = wedm(drafted + "--dialect csv,3b --quiet -o b", folder);
+    CHECK(named.status == 1);
+    CHECK_THAT(named.err, ContainsSubstring("3b, pass 1, block ") && ContainsSubstring("write wedm.tolerance = ") && ContainsSubstring("or another dialect"));
+    CHECK(named.err.find("decimals") == std::string::npos);
+    CHECK(folder.names() == std::vector<std::string>{"a"});
+    auto const from = named.err.find("wedm.tolerance = ");
+    REQUIRE(from != std::string::npos);
+    auto const advice = named.err.substr(from, named.err.find(',', from) - from);
+    CHECK(wedm(drafted + "--dialect csv,3b --quiet -o b --set '" + advice + "'", folder).status == 0);
+    CHECK(std::filesystem::exists(folder / "b" / "type-50_lower_pass1.3b"));
+}
+
+TEST_CASE("wedm: where more decimals keep a block the message says how many", "[wedm]")
+{
+    TemporaryFolder const folder;
+    std::string const drafted = "--tilt 0.8 --set tilt.kind=draft --set wedm.surface_limit=0.005 --set wedm.wire_diameter=0.07 --dialect xyuv-face --quiet -o a ";
+    auto const few = wedm(drafted, folder);
+    CHECK(few.status == 1);
+    CHECK_THAT(few.err, ContainsSubstring("xyuv-face, pass 1, block ") && ContainsSubstring("rounded to 0.0001 mm; write wedm.decimals = 5, or another dialect"));
+    CHECK(folder.names().empty());
+    CHECK(wedm(drafted + "--decimals 5", folder).status == 0);
+}
+
 TEST_CASE("wedm that fails leaves the folder as it was", "[wedm]")
 {
     TemporaryFolder const folder;

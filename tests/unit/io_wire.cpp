@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files of a wire program, read back here without the program's own readers; tests/cli/wire_readers.cpp has other people's.
+#include <algorithm>
 #include <fstream>
 #include <limits>
 #include <map>
@@ -189,6 +190,20 @@ TEST_CASE("what may not reach a machine is refused and nothing is written", "[wi
     check_refused(broken([](auto& p) { p.passes[1].moves[9].upper = p.passes[1].moves[8].upper; }), "no length in the upper plane");
     check_refused(broken([](auto& p) { p.decimals = 1; }), "no length");
     check_refused(broken([](auto& p) { p.passes[0].moves[3].lower.x() = 1e9; }), "no machine reaches so far");
+}
+
+TEST_CASE("a file longer than its controllers take is left out, and refused where it is asked for by name", "[wire]")
+{
+    // 24 spaces of 4000 blocks, each with four words: more than 5 000 000 bytes
+    auto const long_ring = sample::wire_ring(sample::wire_tilt, 6000, {0});
+    auto const unfit = unfit_dialects({long_ring});
+    CHECK(std::any_of(unfit.begin(), unfit.end(), [](auto const& each) { return each.name == "two-plane"; }));
+    CHECK(unfit_dialects({long_ring}, {"csv", "xyuv-face"}).empty());
+    auto const texts = texts_of(long_ring);
+    CHECK(texts.count("ring_twoplane_pass1.nc") == 0);
+    CHECK(texts.count("ring_rel_pass1.iso") == 1);
+    CHECK_THROWS_WITH(texts_of(long_ring, {"two-plane"}), ContainsSubstring("two-plane, ring_twoplane_pass1.nc: ") && ContainsSubstring("take 200000 and 5000000; take a coarser wedm.tolerance, or another dialect"));
+    CHECK(unfit_dialects({sample::wire_ring()}).empty());
 }
 
 TEST_CASE("a text of a part's name cannot break out of its comment", "[wire]")

@@ -30,6 +30,18 @@ struct WireDialect
 /// Those that can be written of @p program.
 [[nodiscard]] std::vector<std::string> fitting_dialects(WireProgram const& program);
 
+/// A dialect whose own grid or lengths of files, which no key of the scene changes, have no room for a program.
+struct UnfitDialect
+{
+    std::string name;
+    std::string place;  ///< "pass 1, block 67 (contour, tooth 151)"
+    std::string cause;
+};
+
+/// Those of @p dialects (empty: of all) that cannot hold all of @p programs. Blocks that a grid loses cannot be joined to their neighbours: moves are already
+/// as long as the tolerance lets them be.
+[[nodiscard]] std::vector<UnfitDialect> unfit_dialects(WireSetUps const& programs, std::vector<std::string> const& dialects = {});
+
 /// A file of a wire program.
 struct WireFile
 {
@@ -55,6 +67,7 @@ void check_wire_files(std::filesystem::path const& folder, std::vector<std::stri
 ///
 /// Checked before: pairing, finite numbers, closed paths from and to a vertical wire, no block of length zero in either plane after
 /// rounding; of the texts: characters, line lengths, no exponent, no negative zero; equal faces give equal words.
+/// @param dialects  empty: all that fit, @ref unfit_dialects left out
 /// @throws NumericalError with file, line and cause where a check fails; InputError, FileError. Nothing is written then.
 std::vector<WireFile> write_wire_files(WireSetUps const& programs, std::filesystem::path const& folder,
                                        std::vector<std::string> const& dialects = {});
