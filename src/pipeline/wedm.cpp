@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
+#include <stdexcept>
 #include <utility>
 
 #include "hdconj/numeric/error.hpp"
@@ -29,6 +31,10 @@ constexpr double share_of_arcs = 1.0 / 16;
 
 /// Fewest slices that have one between the faces.
 constexpr int with_middle = 3;
+
+/// Wires that are sold: multiples of this, none thinner than that [mm].
+constexpr double wire_step = 0.01;
+constexpr double thinnest_wire = 0.02;
 
 /// Where the wire of one pass cannot follow, on one pitch.
 struct UncutOfPass
@@ -71,7 +77,7 @@ void widen(std::vector<char>& at)
         at[i] = narrow[i - 1] != 0 || narrow[i] != 0 || narrow[i + 1] != 0 ? 1 : 0;
 }
 
-UncutOfPass uncut_of(WireFaces const& faces, PairedPath const& wire, double offset, double stock, double tolerance)
+UncutOfPass uncut_of(WireFaces const& faces, PairedPath const& wire, double offset, double tolerance)
 {
     UncutOfPass uncut;
     uncut.at.assign(faces.pitch.size(), 0);
@@ -79,7 +85,7 @@ UncutOfPass uncut_of(WireFaces const& faces, PairedPath const& wire, double offs
     {
         std::vector<Vec2> const& points = upper ? faces.pitch.upper : faces.pitch.lower;
         std::vector<Vec2> const& path = upper ? wire.upper : wire.lower;
-        auto const heights = uncut_heights(with_neighbours(points, faces, 1), with_neighbours(path, faces, path.size() - 1), offset, stock, tolerance);
+        auto const heights = uncut_heights(with_neighbours(points, faces, 1), with_neighbours(path, faces, path.size() - 1), offset, tolerance);
         add_runs(faces, heights, upper, uncut);
     }
     widen(uncut.at);
@@ -98,26 +104,6 @@ struct PassOnPitch
 PairedPath with_ends(WireFaces const& faces)
 {
     return {with_neighbours(faces.pitch.lower, faces, 1), with_neighbours(faces.pitch.upper, faces, 1)};
-}
-
-void refuse_residual(Scene const& scene, WireProgram const& program)
-{
-    WireRequest const& wedm = *scene.wedm;
-    if (program.figures.residual <= wedm.residual_limit)
-        return;
-    int const last = program.passes.back().number;
-    auto const worst = std::max_element(program.residuals.begin(), program.residuals.end(), [&](Residual const& a, Residual const& b) {
-        return (a.pass == last ? a.height : 0) < (b.pass == last ? b.height : 0);
-    });
-    std::string const place = "(" + std::to_string(worst->where.x()) + ", " + std::to_string(worst->where.y()) + ") mm of the " + (worst->upper ? "upper" : "lower") + " face, "
-                              + (worst->meshing ? "on a flank" : "in the root");
-    Faults faults{fault_at("wedm.wire_diameter",
-                           "wire and gap are too wide to follow the contour: they leave " + short_number(worst->height) + " mm at " + place + " of every tooth space, and residual_limit is "
-                               + short_number(wedm.residual_limit) + " mm",
-                           std::string("write a thinner wire, a larger residual_limit")
-                               + (program.external ? "" : ", or give the root room with circular_spline.root_clearance"))};
-    locate(faults, scene);
-    throw InputError(faults);
 }
 
 std::string in_ascii(std::string const& name)
@@ -185,25 +171,99 @@ void refuse_faults(Scene const& scene)
         throw InputError(faults);
 }
 
-std::vector<PassOnPitch> passes_on_pitch(Scene const& scene, WireFaces const& faces)
+PassOnPitch pass_on_pitch(Scene const& scene, WireFaces const& faces, double wire_diameter, double stock)
 {
     WireRequest const& wedm = *scene.wedm;
     WireMachine const machine{thickness_of(scene), wedm.lower_guide, wedm.upper_guide};
-    PairedPath const with_guards = with_ends(faces);
+    PassOnPitch pass;
+    pass.stock = stock;
+    pass.offset = wire_diameter / 2 + wedm.spark_gap + stock;
+    PairedPath const fine = offset_path(with_ends(faces), pass.offset, share_of_arcs * wedm.tolerance);
+    std::vector<std::size_t> const kept = thinned(fine, share_of_moves * wedm.tolerance);
+    pass.path = taken(fine, kept);
+    pass.guide_chord = guide_chord_error(fine, kept, machine);
+    pass.uncut = uncut_of(faces, pass.path, pass.offset, wedm.tolerance);
+    return pass;
+}
+
+std::vector<PassOnPitch> passes_on_pitch(Scene const& scene, WireFaces const& faces)
+{
+    WireRequest const& wedm = *scene.wedm;
     std::vector<PassOnPitch> passes;
     for (double const stock : wedm.stock.empty() ? std::vector<double>{0.0} : wedm.stock)
-    {
-        PassOnPitch pass;
-        pass.stock = stock;
-        pass.offset = wedm.wire_diameter / 2 + wedm.spark_gap + stock;
-        PairedPath const fine = offset_path(with_guards, pass.offset, share_of_arcs * wedm.tolerance);
-        std::vector<std::size_t> const kept = thinned(fine, share_of_moves * wedm.tolerance);
-        pass.path = taken(fine, kept);
-        pass.guide_chord = guide_chord_error(fine, kept, machine);
-        pass.uncut = uncut_of(faces, pass.path, pass.offset, stock, wedm.tolerance);
-        passes.push_back(std::move(pass));
-    }
+        passes.push_back(pass_on_pitch(scene, faces, wedm.wire_diameter, stock));
     return passes;
+}
+
+/// The thickest wire of those sold that leaves no more than the limit; nothing where none does.
+std::optional<double> fitting_wire(Scene const& scene, WireFaces const& faces)
+{
+    WireRequest const& wedm = *scene.wedm;
+    Scene thinner = scene;
+    for (int k = static_cast<int>(std::ceil(wedm.wire_diameter / wire_step)) - 1; k * wire_step >= thinnest_wire; --k)
+    {
+        thinner.wedm->wire_diameter = std::min(k * wire_step, wedm.wire_diameter);
+        if (thinner.wedm->spark_gap > thinner.wedm->wire_diameter)
+            break;
+        std::vector<Residual> const left = pass_on_pitch(thinner, faces, thinner.wedm->wire_diameter, 0).uncut.residuals;
+        if (std::all_of(left.begin(), left.end(), [&](Residual const& each) { return each.height <= wedm.residual_limit; }))
+            return thinner.wedm->wire_diameter;
+    }
+    return {};
+}
+
+/// Least distance of what the pass leaves, above the tolerance, from where the flexspline's teeth come without load: that is the circular spline without root
+/// clearance. Nothing where they come to it, or where that cannot be told.
+std::optional<double> way_of_teeth(Scene const& scene, WireFaces const& faces, PassOnPitch const& pass)
+{
+    if (faces.external || scene.circular_spline.root_clearance <= 0)
+        return {};
+    Scene plain = scene;
+    plain.circular_spline.root_clearance = 0;
+    WireFaces reached;
+    try
+    {
+        reached = wire_faces(solve(wire_scene(plain)).circular_spline, faces.teeth);
+    }
+    catch (std::runtime_error const&)
+    {
+        return {};  // the refusal that asks stands without it
+    }
+    double way = std::numeric_limits<double>::infinity();
+    for (bool const upper : {false, true})
+    {
+        std::vector<Vec2> const& points = upper ? faces.pitch.upper : faces.pitch.lower;
+        std::vector<Vec2> const& path = upper ? pass.path.upper : pass.path.lower;
+        std::vector<Vec2> const& teeth = upper ? reached.pitch.upper : reached.pitch.lower;
+        auto const wire = with_neighbours(path, faces, path.size() - 1);
+        auto const line = with_neighbours(points, faces, 1);
+        way = std::min(way, way_to_residual(line, uncut_heights(line, wire, pass.offset, scene.wedm->tolerance), with_neighbours(teeth, faces, teeth.size() - 1)));
+    }
+    return way > scene.wedm->tolerance ? std::optional(way) : std::nullopt;
+}
+
+/// Of lengths in advice [1/mm].
+constexpr double told_per_mm = 1e4;
+
+void refuse_residual(Scene const& scene, WireFaces const& faces, PassOnPitch const& pass, WireProgram const& program)
+{
+    WireRequest const& wedm = *scene.wedm;
+    if (program.figures.residual <= wedm.residual_limit)
+        return;
+    std::vector<Residual> const& left = pass.uncut.residuals;
+    auto const worst = std::max_element(left.begin(), left.end(), [](Residual const& a, Residual const& b) { return a.height < b.height; });
+    std::string const place = "(" + std::to_string(worst->where.x()) + ", " + std::to_string(worst->where.y()) + ") mm of the " + (worst->upper ? "upper" : "lower") + " face, "
+                              + (worst->meshing ? "on a flank" : "in the root");
+    auto const wire = fitting_wire(scene, faces);
+    auto const way = way_of_teeth(scene, faces, pass);
+    Faults faults{fault_at("wedm.wire_diameter",
+                           "wire and gap are too wide to follow the contour: they leave " + short_number(worst->height) + " mm at " + place + " of every tooth space, and residual_limit is "
+                               + short_number(wedm.residual_limit) + " mm",
+                           (wire ? "write wire_diameter = " + short_number(*wire) + ", a thinner wire that leaves no more than that, or" : std::string("no thinner wire that is sold leaves so little; write"))
+                               + " residual_limit = " + short_number(std::ceil(worst->height * told_per_mm) / told_per_mm)
+                               + (way ? ": the teeth of the unloaded flexspline stay " + short_number(std::floor(*way * told_per_mm) / told_per_mm) + " mm clear of what is left" : ""))};
+    locate(faults, scene);
+    throw InputError(faults);
 }
 
 /// What the scene says, and the part; no passes yet.
@@ -265,7 +325,7 @@ WireProgram set_up_program(Scene const& scene, WireFaces const& faces, std::vect
         program.passes.push_back(std::move(pass));
     }
     program.figures = measured(program);
-    refuse_residual(scene, program);
+    refuse_residual(scene, faces, passes.back(), program);
     check_program(scene, faces, passes, program);
     program.warnings = skim_warnings(program);
     return program;

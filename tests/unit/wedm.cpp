@@ -167,16 +167,15 @@ TEST_CASE("in a slot narrower than the wire it goes as deep as two corners let i
     }
     // the centre hangs between the two edges, at distance d from both
     CHECK(highest == Approx(-std::sqrt(d * d - width * width / 4)).margin(1e-6));
-    std::vector<double> const heights = uncut_heights(line, path.lower, d, 0, 1e-6);
-    // along the bottom's normal the cut begins where the circle around that centre ends
+    std::vector<double> const heights = uncut_heights(line, path.lower, d, 1e-6);
+    // the cut is the circle around that centre, for every point of the slot
     auto const middle = std::find_if(line.begin(), line.end(), [](Vec2 const& p) { return p.y() == 0.6 && std::abs(p.x()) < 1e-9; });
     REQUIRE(middle != line.end());
     double const top = d - std::sqrt(d * d - width * width / 4);
     CHECK(heights[static_cast<std::size_t>(middle - line.begin())] == Approx(0.6 - top).margin(2e-6));
-    // along a wall's normal nothing is cut where the wall is deeper than that
     auto const wall = std::find_if(line.begin(), line.end(), [](Vec2 const& p) { return std::abs(p.y() - 0.3) < 1e-9 && p.x() > 0; });
     REQUIRE(wall != line.end());
-    CHECK(heights[static_cast<std::size_t>(wall - line.begin())] == Approx(width).margin(1e-9));
+    CHECK(heights[static_cast<std::size_t>(wall - line.begin())] == Approx((*wall - Vec2(0, highest)).norm() - d).margin(2e-6));
 }
 
 TEST_CASE("in a square corner the residual is that of a circle between two walls", "[wedm]")
@@ -186,17 +185,61 @@ TEST_CASE("in a square corner the residual is that of a circle between two walls
     for (double const stock : {0.0, 0.01})
     {
         PairedPath const path = offset_path({line, line}, d + stock, 1e-7);
-        std::vector<double> const heights = uncut_heights(line, path.lower, d + stock, stock, 1e-7);
+        std::vector<double> const heights = uncut_heights(line, path.lower, d + stock, 1e-7);
         for (std::size_t i = 5; i + 5 < line.size(); ++i)
         {
             double const x = std::max(std::abs(line[i].x()), std::abs(line[i].y()));
             double const off = std::max(0.0, d + stock - x);  // of the foot from the circle's centre
-            double const expected = d - std::sqrt(std::max(0.0, d * d - off * off));
             INFO("stock " << stock << " at " << x << " mm from the corner");
-            // at off = d the normal only touches the cut
-            if (x > 0 && off < 0.99 * d)
-                CHECK(heights[i] == Approx(expected).margin(3e-7));
+            CHECK(heights[i] == Approx(std::hypot(off, d + stock) - (d + stock)).margin(3e-7));
         }
+    }
+}
+
+TEST_CASE("a residual is the distance of the contour from the cut whatever the walls beside the corner", "[wedm]")
+{
+    // a flank, a short wall behind it as root clearance makes it, and the root: what is left grows with the wall to that of the square corner, never beyond
+    double const d = 0.056;
+    double const slope = pi / 4;
+    double before = 0;
+    for (double const wall : {0.0, 0.006, 0.02, 0.05, 0.1})
+    {
+        Vec2 const edge(0.15, -wall);
+        Vec2 const other(-0.15, -wall);
+        Vec2 const first = edge + 0.15 * Vec2(std::cos(slope), -std::sin(slope));
+        Vec2 const last = other - 0.15 * Vec2(std::cos(slope), std::sin(slope));
+        std::vector<Vec2> const reached = drawn({first, edge, other, last}, 0.0007);  // by a tooth that ends where the wall begins
+        std::vector<Vec2> const line = wall > 0 ? drawn({first, edge, {0.15, 0}, {-0.15, 0}, other, last}, 0.0007) : reached;
+        PairedPath const path = offset_path({line, line}, d, 1e-7);
+        std::vector<double> const heights = uncut_heights(line, path.lower, d, 1e-7);
+        double highest = 0;
+        for (std::size_t i = 1; i + 1 < line.size(); ++i)
+        {
+            // the cut by brute force: discs so dense on the path that no point of it is further than 0.1 um from the centre of one
+            double nearest = 1e300;
+            for (std::size_t k = 1; k < path.size(); ++k)
+                for (double const share : {0.0, 0.25, 0.5, 0.75, 1.0})
+                    nearest = std::min(nearest, (line[i] - path.lower[k - 1] - share * (path.lower[k] - path.lower[k - 1])).norm());
+            CHECK(heights[i] == Approx(std::max(0.0, nearest - d)).margin(4e-7));
+            highest = std::max(highest, heights[i]);
+        }
+        INFO("wall " << wall);
+        CHECK(highest > before - 1e-6);
+        CHECK(highest < d * (std::sqrt(2.0) - 1) + 1e-6);
+        if (wall == 0)
+            CHECK(highest == Approx(d * (1 / std::cos(pi / 8) - 1)).margin(1e-6));
+        if (wall > d)
+            CHECK(highest == Approx(d * (std::sqrt(2.0) - 1)).margin(1e-6));
+        before = highest;
+        // the tooth stays clear of what is left where the wall is longer than that, by the rest of the wall
+        double const way = way_to_residual(line, heights, reached);
+        if (wall > d)
+            CHECK(way == Approx(wall - d).margin(0.001));
+        if (wall == 0)
+            CHECK(way <= 0);
+        // where it says that they do not meet the wire has cut all that the tooth reaches
+        if (way > 0)
+            CHECK(std::all_of(reached.begin() + 1, reached.end() - 1, [&](Vec2 const& p) { return distance(p, path.lower) <= d + 1e-6; }));
     }
 }
 
@@ -212,7 +255,7 @@ TEST_CASE("in a bore wider than the wire nothing is left", "[wedm]")
         REQUIRE(path.size() > 400);
         for (Vec2 const& p : path.lower)
             CHECK(p.norm() == Approx(radius - d).margin(1e-5));
-        std::vector<double> const heights = uncut_heights(bore, path.lower, d, 0, 1e-5);
+        std::vector<double> const heights = uncut_heights(bore, path.lower, d, 1e-5);
         CHECK(*std::max_element(heights.begin() + 2, heights.end() - 2) == 0);
     }
 }

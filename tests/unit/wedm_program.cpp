@@ -60,9 +60,9 @@ TEST_CASE("type-50 tilted by 0.2 degrees is cut to the tolerance and its numbers
     CHECK(figures.ruling_error < 1e-12);
     // a constant taper moves the steepest flank point, 11.9 degrees from the radius, by shift (1 - sin 11.9 deg) too far
     CHECK(figures.constant_taper_error == Approx(shift * (1 - std::sin(11.9 * pi / 180))).epsilon(0.02));
-    // the corner of the root is near 45 degrees: d (1 - sqrt(1 - tan^2 22.5 deg))
+    // the contour turns by near 45 degrees in the corner of the root
     double const d = 0.056;
-    double const corner = d * (1 - std::sqrt(1 - std::pow(std::tan(pi / 8), 2)));
+    double const corner = d * (1 / std::cos(pi / 8) - 1);
     CHECK(figures.residual == Approx(corner).epsilon(0.05));
     CHECK(program.residuals.size() % 202 == 0);
     CHECK(program.nominal.sync.size() == 5 * 202);
@@ -148,6 +148,41 @@ TEST_CASE("a wire too wide for the root is refused and a wider limit tells the r
     WireProgram const program = wire_program(builtin_scene({"wedm.wire_diameter=0.3", "wedm.residual_limit=1"}));
     CHECK(program.figures.residual > 0.01);
     CHECK(program.figures.residual < 0.05);
+}
+
+TEST_CASE("what is advised against a residual keeps the limit", "[wedm]")
+{
+    // without root clearance, with some, and with so much that the teeth stay clear of the corner behind it
+    for (auto const& [sets, clear] : {std::pair<std::vector<std::string>, bool>{{"wedm.residual_limit=0.003"}, false},
+                                      {{"wedm.residual_limit=0.003", "circular_spline.root_clearance=0.002"}, false},
+                                      {{"circular_spline.root_clearance=0.02"}, true},
+                                      {{"circular_spline.root_clearance=0.1"}, true},
+                                      {{"wedm.part=flexspline", "wedm.wire_diameter=0.25"}, false}})
+    {
+        INFO(sets.front());
+        std::string remedy;
+        try
+        {
+            (void)wire_set_ups(builtin_scene(sets));
+            FAIL("was accepted");
+        }
+        catch (InputError const& error)
+        {
+            REQUIRE(error.faults().size() == 1);
+            remedy = error.faults().front().remedy;
+        }
+        INFO(remedy);
+        CHECK(remedy.find("root_clearance") == std::string::npos);
+        CHECK((remedy.find("flexspline stay 0.0") != std::string::npos) == clear);
+        for (std::string const key : {"wire_diameter", "residual_limit"})
+        {
+            auto const at = remedy.find(key + " = ");
+            REQUIRE(at != std::string::npos);
+            std::vector<std::string> with = sets;
+            with.push_back("wedm." + key + "=" + std::to_string(std::stod(remedy.substr(at + key.size() + 3))));
+            CHECK_NOTHROW(wire_set_ups(builtin_scene(with)));
+        }
+    }
 }
 
 TEST_CASE("an outline solved before gives the same program", "[wedm]")

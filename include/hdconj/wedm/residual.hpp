@@ -9,14 +9,22 @@
 
 namespace hdconj {
 
-/// Height of what is left on each point of @p nominal, measured along the normals of both its edges into the void; the larger counts [mm].
+/// Distance of each point of @p nominal from what the wire cuts, less the stock that it is to leave there [mm].
 ///
-/// Left is what is further than @p offset - @p stock from the path of the wire's centre and lies beyond the stock. Found by steps along the
-/// normal that never pass the surface, until they are shorter than a share of @p tolerance; heights within @p tolerance are 0.
-/// @param nominal  first and last point only give the direction of their edges: their height is 0
-/// @param wire     path of the wire's centre, at least 2 points, reaching beyond both ends of @p nominal
-/// A height ends where the normal meets @p nominal again: nothing is cut along it at all.
-[[nodiscard]] std::vector<double> uncut_heights(std::vector<Vec2> const& nominal, std::vector<Vec2> const& wire, double offset, double stock,
-                                                double tolerance);
+/// The cut is all within @p offset - stock of the path, so that a point p is dist(p, path) - (offset - stock) away from it: the height is
+/// dist(p, path) - offset, exact to the error of the path. In a corner of the void where the contour turns by the angle a, between sides longer than
+/// offset tan(a/2), it is offset (1/cos(a/2) - 1).
+/// @param nominal    first and last point belong to the neighbours: their height is 0
+/// @param wire       path of the wire's centre, at least 2 points, reaching beyond both ends of @p nominal
+/// @param offset     of the path from @p nominal: wire radius, spark gap and stock
+/// @param tolerance  heights within it are 0
+[[nodiscard]] std::vector<double> uncut_heights(std::vector<Vec2> const& nominal, std::vector<Vec2> const& wire, double offset, double tolerance);
+
+/// Least distance of what is left, where @p heights are not 0, from the line @p reached [mm]: a lower bound. Infinity where nothing is left, not above 0 where
+/// they may meet.
+///
+/// What is left at a point lies within its height of it, as each point of the cut's arc in a corner is the nearest one of some point of the contour.
+/// @param heights  of @p nominal, as uncut_heights finds them
+[[nodiscard]] double way_to_residual(std::vector<Vec2> const& nominal, std::vector<double> const& heights, std::vector<Vec2> const& reached);
 
 }  // namespace hdconj

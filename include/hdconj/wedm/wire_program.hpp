@@ -65,7 +65,7 @@ struct Residual
     int tooth = 0;
     Vec2 where = Vec2::Zero();  ///< nominal point, lower or upper face [mm]
     bool upper = false;
-    double height = 0;          ///< left on the nominal contour, along its normal [mm]
+    double height = 0;          ///< distance of the nominal point from the cut, less the stock [mm]
     bool meshing = false;       ///< in a zone that meshes (a flank), not in the root
 };
 
