@@ -66,13 +66,15 @@ std::vector<WirePost> chosen(WireSetUps const& programs, std::vector<std::string
     return posts;
 }
 
-/// The least wedm.decimals above those of @p program with which @p post holds it; nothing where none does.
-std::optional<int> fitting_decimals(WirePost const& post, WireProgram program, std::string const& stem)
+/// The least wedm.decimals above those of @p program with which all @p posts hold it; nothing where none does.
+std::optional<int> fitting_decimals(std::vector<WirePost> const& posts, WireProgram program, std::string const& stem)
 {
     constexpr int most = 9;
     for (++program.decimals; program.decimals <= most; ++program.decimals) {
         try {
-            (void)post.write(program, stem);
+            for (auto const& post : posts) {
+                (void)post.write(program, stem);
+            }
             return program.decimals;
         } catch (NoRoom const&) {
             continue;
@@ -81,13 +83,13 @@ std::optional<int> fitting_decimals(WirePost const& post, WireProgram program, s
     return {};
 }
 
-/// Files of one dialect. @throws NumericalError that names it, with what helps
-std::vector<WireText> texts_of(WirePost const& post, WireProgram const& program, std::string const& stem)
+/// Files of one of @p posts. @throws NumericalError that names it, with what helps all of them
+std::vector<WireText> texts_of(WirePost const& post, std::vector<WirePost> const& posts, WireProgram const& program, std::string const& stem)
 {
     try {
         return post.write(program, stem);
     } catch (NoRoom const& unfit) {
-        auto const decimals = fitting_decimals(post, program, stem);
+        auto const decimals = fitting_decimals(posts, program, stem);
         throw NumericalError("wire files", fmt::format("{}, {}", post.dialect.name, unfit.place()),
                              unfit.cause() + "; " + (decimals ? fmt::format("write wedm.decimals = {}", *decimals) : "take a coarser wedm.tolerance") + ", or another dialect");
     }
@@ -106,10 +108,10 @@ std::string stem_of(std::string const& part)
     return stem.empty() ? "part" : stem;
 }
 
-/// Writes the files of one dialect, reads them from the disk and compares.
-std::vector<WireFile> write_one(AtomicFolder const& folder, WirePost const& post, WireProgram const& program, std::string const& stem)
+/// Writes the files of one of @p posts, reads them from the disk and compares.
+std::vector<WireFile> write_one(AtomicFolder const& folder, WirePost const& post, std::vector<WirePost> const& posts, WireProgram const& program, std::string const& stem)
 {
-    auto const made = texts_of(post, program, stem);
+    auto const made = texts_of(post, posts, program, stem);
     std::vector<WireText> on_disk = made;
     for (std::size_t i = 0; i < made.size(); ++i) {
         check_text(post, made[i]);
@@ -151,7 +153,7 @@ std::vector<UnfitDialect> unfit_dialects(WireSetUps const& programs, std::vector
             try {
                 (void)post.write(program, stem_of(program.name));
             } catch (NoRoom const& cause) {
-                if (!fitting_decimals(post, program, stem_of(program.name))) {
+                if (!fitting_decimals({post}, program, stem_of(program.name))) {
                     unfit.push_back({std::string(post.dialect.name), cause.place(), cause.cause()});
                     break;
                 }
@@ -176,7 +178,7 @@ std::vector<WireFile> write_wire_files(WireSetUps const& programs, std::filesyst
     for (auto const& program : programs) {
         std::string const name = program.closed() ? stem : fmt::format("{}_setup{}", stem, program.set_up.number);
         for (auto const& post : posts) {
-            auto const written = write_one(target, post, program, name);
+            auto const written = write_one(target, post, posts, program, name);
             files.insert(files.end(), written.begin(), written.end());
         }
     }

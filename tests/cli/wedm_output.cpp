@@ -253,6 +253,11 @@ TEST_CASE("wedm: where more decimals keep a block the message says how many", "[
     CHECK_THAT(few.err, ContainsSubstring("xyuv-face, pass 1, block ") && ContainsSubstring("rounded to 0.0001 mm; write wedm.decimals = 5, or another dialect"));
     CHECK(folder.names().empty());
     CHECK(wedm(drafted + "--decimals 5", folder).status == 0);
+    // of several dialects the message says how many keep the blocks of all
+    std::string const all = "--tilt 0.8 --set tilt.kind=draft --set wedm.surface_limit=0.005 --set wedm.wire_diameter=0.05 --quiet -o b ";
+    CHECK_THAT(wedm(all, folder).err, ContainsSubstring("xyuv-guide, pass 1, block ") && ContainsSubstring("write wedm.decimals = 6, or another dialect"));
+    CHECK(wedm(all + "--decimals 5", folder).status == 1);
+    CHECK(wedm(all + "--decimals 6", folder).status == 0);
 }
 
 TEST_CASE("wedm that fails leaves the folder as it was", "[wedm]")
