@@ -20,13 +20,22 @@ namespace {
 
 constexpr double search_share = 0.15;      // of the module: contacts with a smaller gap are in the problem
 constexpr double settled_share = 4e-6;     // of the module: gap of the loaded shape against that of the linear model (1 nm on type-50)
-constexpr int most_rounds = 25;             // at one depth of strips
-constexpr double depths[] = {1, 0.5, 2, 0.25};  // of the standard one
-constexpr int first_mixing = 3;             // round: contacts have been found by then
 constexpr double near_share = 3;           // of the aim
 constexpr double worse = 3;                // mismatch against that of the round before: contacts have changed, what was before says nothing
 constexpr int first_look_at_turn = 6;      // round: the first ones may overshoot, with few contacts
 constexpr double depth_share = 4e-4;       // of the module: depth of a strip (0.1 um on type-50, where Hertz strips have it at 18 N/mm)
+
+/// A way to go through rounds.
+struct Attempt
+{
+    double depth;      ///< of strips, by the standard one
+    int first_mixing;  ///< round from which on the next one is guessed from several: contacts have been found by then
+    int most_rounds;
+};
+
+/// Where two strips of a flank are just about to be one, rounds go to and fro between one and two: at another depth they are not. And a balance that is not stable,
+/// such as a tip about to snap over an edge, draws guessed rounds back to it for ever: plain ones leave it for the next that is.
+constexpr Attempt attempts[] = {{1, 3, 25}, {0.5, 3, 25}, {1, 40, 60}, {2, 3, 25}, {0.25, 3, 25}};
 
 std::string place_of(double torque)
 {
@@ -132,24 +141,24 @@ class Rounds
     std::vector<Eigen::VectorXd> change_;
 };
 
-/// Rounds with one depth of strips: whether @p now is settled, else what gaps still differ by [mm].
+/// Rounds of one attempt: whether @p now is settled, else what gaps still differ by [mm].
 struct Outcome
 {
     bool settled;
     double mismatch;
 };
 
-Outcome settle(LoadWork const& work, double torque, double depth, Loaded& now)
+Outcome settle(LoadWork const& work, double torque, Attempt const& attempt, Loaded& now)
 {
     double last = std::numeric_limits<double>::infinity();
     bool mixes = false;
     Rounds rounds;
-    for (int round = 0; round <= most_rounds; ++round)
+    for (int round = 0; round <= attempt.most_rounds; ++round)
     {
         LinearGaps gaps;
         gaps.turn = now.state.turn;
         GapField const field = work.field(now.shape, work.edges);
-        gaps.contacts = flank_contacts(field, work.search(gaps.turn, work.reach(), depth), work.bench.threads);
+        gaps.contacts = flank_contacts(field, work.search(gaps.turn, work.reach(), attempt.depth), work.bench.threads);
         std::vector<double> const force = handed_on(now.contacts, now.state.flank, gaps.contacts);
         gaps.compliance = local_compliance(work.drive, gaps.contacts, force);
         if (round > 0)
@@ -161,7 +170,7 @@ Outcome settle(LoadWork const& work, double torque, double depth, Loaded& now)
                 return {true, here};
             }
             // only forces whose own shape was looked at are a result: near the end every other round goes to it
-            mixes = round >= first_mixing && !(mixes && here <= near_share * work.settled());
+            mixes = round >= attempt.first_mixing && !(mixes && here <= near_share * work.settled());
             if (here > last * worse)
                 rounds.forget();
             last = here;
@@ -180,7 +189,7 @@ Outcome settle(LoadWork const& work, double torque, double depth, Loaded& now)
         now.steps += now.state.steps;
         now.contacts = std::move(gaps.contacts);
         now.forces = forces_on_cup(work.drive, now.contacts, now.state);
-        if (round >= first_mixing - 1)
+        if (round >= attempt.first_mixing - 1)
             rounds.add(work, now.shape, gaps.turn, now.forces, now.state.turn);
         if (mixes)
             std::tie(now.forces, now.state.turn) = rounds.mixed();
@@ -234,10 +243,9 @@ Loaded settled_at(LoadWork const& work, double torque, Loaded const& start)
     double mismatch = 0;
     try
     {
-        // where two strips of a flank are just about to be one, rounds go to and fro between one and two: at another depth they are not
-        for (double const depth : depths)
+        for (Attempt const& attempt : attempts)
         {
-            Outcome const outcome = settle(work, torque, depth, now);
+            Outcome const outcome = settle(work, torque, attempt, now);
             if (outcome.settled)
                 return now;
             mismatch = outcome.mismatch;

@@ -75,6 +75,13 @@ HARD_ROW("every tooth that is near", "a torque of 1000 N m", "balance")
     say(told(c));
 }
 
+HARD_ROW("a tip about to snap over the edge of a land", "2.8 N m with 75 um of side clearance: guesses are drawn back to a balance that is not stable", "the balance that is")
+{
+    LoadCase const c = loaded({"slices.count=9", "contact.flank_points=200", "bearing.circles=13", "circular_spline.backlash_offset=0.075"}, 2.8);
+    check_laws(c);
+    say(told(c));
+}
+
 HARD_ROW("more than the teeth can carry", "a torque of 1e7 N m", "an error that names the torque")
 {
     try
