@@ -9,7 +9,7 @@ namespace hdconj::cli {
 /// system or the C library knows no such thing nothing happens. To be called before the first thread starts.
 void prepare_heap();
 
-/// The same for the heap of the thread that calls it; its first 2 to 4 MB stay in small pages, which is all that a coarse tolerance takes. A heap for each thread:
+/// The same for the heap of the thread that calls it; its first 2 MB stay in small pages, which is all that a coarse tolerance takes. A heap for each thread:
 /// of one for all, small pieces are waited for, and a thread that waits sleeps.
 void prepare_heap_of_thread() noexcept;
 

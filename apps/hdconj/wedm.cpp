@@ -134,8 +134,8 @@ WireSetUps programs_of(Scene const& scene, std::optional<CircularSplineOutline> 
     return outline && !cuts_flexspline(scene) ? WireSetUps{wire_program(scene, *outline)} : wire_set_ups(scene, on_stage);
 }
 
-/// The least of some coarser tolerances with which @p dialect holds the program; nothing where none does.
-std::optional<double> fitting_tolerance(Given const& given, std::string const& dialect)
+/// The least of some coarser tolerances with which @p dialects hold the program; nothing where none does.
+std::optional<double> fitting_tolerance(Given const& given, std::vector<std::string> const& dialects)
 {
     Scene scene = given.scene;
     auto outline = given.outline;
@@ -150,7 +150,7 @@ std::optional<double> fitting_tolerance(Given const& given, std::string const& d
                 continue;
             }
             try {
-                if (unfit_dialects(programs_of(scene, outline, {}), {dialect}).empty()) {
+                if (unfit_dialects(programs_of(scene, outline, {}), dialects).empty()) {
                     return scene.wedm->tolerance;
                 }
             } catch (std::runtime_error const&) {
@@ -169,7 +169,7 @@ void judge_unfit(Given const& given, std::vector<std::string> const& dialects, W
             programs.front().warnings.push_back(fmt::format("dialect {} is left out: {}: {}", unfit.name, unfit.place, unfit.cause));
             continue;
         }
-        auto const tolerance = fitting_tolerance(given, unfit.name);
+        auto const tolerance = fitting_tolerance(given, dialects);
         throw NumericalError("wire files", fmt::format("{}, {}", unfit.name, unfit.place),
                              unfit.cause + "; " + (tolerance ? fmt::format("write wedm.tolerance = {:g}, or another dialect", *tolerance) : "write another dialect"));
     }

@@ -119,7 +119,7 @@ void write_needs(Page& page, ContactStudy const& study, ContactCase const& each)
     std::vector<std::string> needs;
     double const tolerance = study.solution.scene.solver.tolerance;
     if (each.tip > tip + tolerance) {
-        // a land that the given side clearance leaves is known as well as the outline
+        // where moved flanks meet is known as well as they are
         double const error = each.tip == each.clearing_tip ? each.clearing_tip_error : tolerance;
         needs.push_back(fmt::format("needs the tip circle {:.4f} {} mm instead of {:.4f} mm", each.tip, error_text(error), tip));
     }

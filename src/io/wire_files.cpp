@@ -66,35 +66,6 @@ std::vector<WirePost> chosen(WireSetUps const& programs, std::vector<std::string
     return posts;
 }
 
-/// The least wedm.decimals above those of @p program with which all @p posts hold it; nothing where none does.
-std::optional<int> fitting_decimals(std::vector<WirePost> const& posts, WireProgram program, std::string const& stem)
-{
-    constexpr int most = 9;
-    for (++program.decimals; program.decimals <= most; ++program.decimals) {
-        try {
-            for (auto const& post : posts) {
-                (void)post.write(program, stem);
-            }
-            return program.decimals;
-        } catch (NoRoom const&) {
-            continue;
-        }
-    }
-    return {};
-}
-
-/// Files of one of @p posts. @throws NumericalError that names it, with what helps all of them
-std::vector<WireText> texts_of(WirePost const& post, std::vector<WirePost> const& posts, WireProgram const& program, std::string const& stem)
-{
-    try {
-        return post.write(program, stem);
-    } catch (NoRoom const& unfit) {
-        auto const decimals = fitting_decimals(posts, program, stem);
-        throw NumericalError("wire files", fmt::format("{}, {}", post.dialect.name, unfit.place()),
-                             unfit.cause() + "; " + (decimals ? fmt::format("write wedm.decimals = {}", *decimals) : "take a coarser wedm.tolerance") + ", or another dialect");
-    }
-}
-
 /// Letters, digits, "._-": what every control takes for a name.
 std::string stem_of(std::string const& part)
 {
@@ -108,10 +79,42 @@ std::string stem_of(std::string const& part)
     return stem.empty() ? "part" : stem;
 }
 
-/// Writes the files of one of @p posts, reads them from the disk and compares.
-std::vector<WireFile> write_one(AtomicFolder const& folder, WirePost const& post, std::vector<WirePost> const& posts, WireProgram const& program, std::string const& stem)
+/// The least wedm.decimals above those of @p programs with which all @p posts hold them all; nothing where none does.
+std::optional<int> fitting_decimals(std::vector<WirePost> const& posts, WireSetUps programs)
 {
-    auto const made = texts_of(post, posts, program, stem);
+    constexpr int most = 9;
+    for (int decimals = programs.front().decimals + 1; decimals <= most; ++decimals) {
+        try {
+            for (auto& program : programs) {
+                program.decimals = decimals;
+                for (auto const& post : posts) {
+                    (void)post.write(program, stem_of(program.name));
+                }
+            }
+            return decimals;
+        } catch (NoRoom const&) {
+            continue;
+        }
+    }
+    return {};
+}
+
+/// Files of one of @p posts. @throws NumericalError that names it, with what helps all of them
+std::vector<WireText> texts_of(WirePost const& post, std::vector<WirePost> const& posts, WireProgram const& program, WireSetUps const& programs, std::string const& stem)
+{
+    try {
+        return post.write(program, stem);
+    } catch (NoRoom const& unfit) {
+        auto const decimals = fitting_decimals(posts, programs);
+        throw NumericalError("wire files", fmt::format("{}, {}", post.dialect.name, unfit.place()),
+                             unfit.cause() + "; " + (decimals ? fmt::format("write wedm.decimals = {}", *decimals) : "take a coarser wedm.tolerance") + ", or another dialect");
+    }
+}
+
+/// Writes the files of one of @p posts, reads them from the disk and compares.
+std::vector<WireFile> write_one(AtomicFolder const& folder, WirePost const& post, std::vector<WirePost> const& posts, WireProgram const& program, WireSetUps const& programs, std::string const& stem)
+{
+    auto const made = texts_of(post, posts, program, programs, stem);
     std::vector<WireText> on_disk = made;
     for (std::size_t i = 0; i < made.size(); ++i) {
         check_text(post, made[i]);
@@ -153,7 +156,7 @@ std::vector<UnfitDialect> unfit_dialects(WireSetUps const& programs, std::vector
             try {
                 (void)post.write(program, stem_of(program.name));
             } catch (NoRoom const& cause) {
-                if (!fitting_decimals({post}, program, stem_of(program.name))) {
+                if (!fitting_decimals({post}, programs)) {
                     unfit.push_back({std::string(post.dialect.name), cause.place(), cause.cause()});
                     break;
                 }
@@ -178,7 +181,7 @@ std::vector<WireFile> write_wire_files(WireSetUps const& programs, std::filesyst
     for (auto const& program : programs) {
         std::string const name = program.closed() ? stem : fmt::format("{}_setup{}", stem, program.set_up.number);
         for (auto const& post : posts) {
-            auto const written = write_one(target, post, posts, program, name);
+            auto const written = write_one(target, post, posts, program, programs, name);
             files.insert(files.end(), written.begin(), written.end());
         }
     }

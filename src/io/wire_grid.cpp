@@ -20,8 +20,9 @@ void refuse_nothing(WirePass const& pass, std::size_t i, char const* plane, doub
     std::string const place = fmt::format("pass {}, block {} ({}, tooth {})", pass.number, i, to_string(move.tag), move.tooth);
     std::string const cause = fmt::format("the block has no length in the {} plane", plane);
     auto const& before = pass.moves[i - 1];
-    if (move.lower == before.lower || move.upper == before.upper) {
-        throw NumericalError("wire files", place, cause + ": nothing was written");
+    bool const lower = move.lower == before.lower;
+    if (lower || move.upper == before.upper) {
+        throw NumericalError("wire files", place, fmt::format("the block has no length in the {} plane: nothing was written", lower ? "lower" : "upper"));
     }
     throw NoRoom(place, fmt::format("{} when rounded to {:g} mm", cause, unit));
 }

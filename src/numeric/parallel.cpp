@@ -99,7 +99,8 @@ void parallel_for(std::size_t count, int threads, std::size_t grain, std::functi
         for (int k = 0; k < n; ++k)
         {
 #ifdef _OPENMP
-            if (omp_get_thread_num() > 0)
+            // its first share: a thread gets several where there are fewer than were asked for
+            if (k > 0 && k == omp_get_thread_num())
                 begin_thread(processors);
 #endif
             workers[static_cast<std::size_t>(k)].run(count, block, next, body);

@@ -26,10 +26,13 @@ SeparateProcessors::SeparateProcessors() noexcept
 void SeparateProcessors::settle() noexcept
 {
     cpu_set_t allowed;
-    if (take(sched_getcpu()) || sched_getaffinity(0, sizeof allowed, &allowed) != 0)
+    int const here = sched_getcpu();
+    if (take(here) || sched_getaffinity(0, sizeof allowed, &allowed) != 0)
         return;
-    for (int processor = 0; processor < CPU_SETSIZE; ++processor)
+    // from here on: programs side by side begin at different ones
+    for (int i = 1; i < CPU_SETSIZE; ++i)
     {
+        int const processor = (here + i) % CPU_SETSIZE;
         if (!CPU_ISSET(processor, &allowed) || !take(processor))
             continue;
         cpu_set_t there;

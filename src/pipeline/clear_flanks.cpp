@@ -37,7 +37,7 @@ void refuse_to_lift_for_ever(int round, double tip)
 {
     constexpr int budget = 12;
     if (round + 1 == budget)
-        throw NumericalError("contact", "clearing offset",
+        throw NumericalError("contact", "tip circle",
                              "side clearance and tip circle did not settle at a tip circle of " + std::to_string(tip) + " mm: the teeth become too short for this tilt");
 }
 
@@ -154,24 +154,38 @@ Cleared part_as_given(ContactBench const& bench, SurfaceChoice const& choice, do
     }
 }
 
-std::optional<Cleared> kept_as_given(ContactBench const& bench, SliceTurns const& turns, SurfaceChoice const& choice, Cleared const& made, Cleared const& cleared,
-                                     TurnMinima const* at_given)
+bool is_enough(ContactBench const& bench, Cleared const& cleared)
 {
     CircularSpline const& spline = bench.scene.circular_spline;
-    double const enough = clearing_accuracy(bench.tolerance);
+    return (spline.automatic_backlash ? 0 : spline.backlash_offset) >= cleared.offset - clearing_accuracy(bench.tolerance);
+}
+
+std::optional<Cleared> kept_as_given(ContactBench const& bench, SliceTurns const& turns, SurfaceChoice const& choice, Cleared const& cleared, std::vector<double> const& phases,
+                                     MadePart const* made)
+{
+    CircularSpline const& spline = bench.scene.circular_spline;
+    double const given = spline.backlash_offset;
     // with a smaller tip circle there is more to clear, not less
-    if (spline.automatic_backlash || spline.backlash_offset < cleared.offset - enough || made.tip >= cleared.tip)
+    if (spline.automatic_backlash || !is_enough(bench, cleared) || bench.maker.own_tip(choice) == cleared.tip)
         return std::nullopt;
-    double const needed = bench.maker.needed_tip(choice);
-    bool const own = bench.maker.own_tip(choice) >= needed;
-    Cleared part = own ? made : part_as_given(bench, choice, spline.backlash_offset, needed);
-    if (part.tip >= cleared.tip)
-        return std::nullopt;
-    ClearanceSet const set = flank_set(part.flanks.grid, !is_symmetric(bench));
-    TurnMinima const minima = own && at_given != nullptr ? *at_given : turns(set, spline.backlash_offset);
-    if (turns.worst(set, spline.backlash_offset, minima) < -enough)
-        return std::nullopt;
-    return part;
+    double const needed = bench.maker.needed_tip(choice), own = bench.maker.own_tip(choice);
+    try
+    {
+        bool const known = made != nullptr && own >= needed;
+        Cleared part = known ? made->part : part_as_given(bench, choice, given, std::max(own, needed));
+        if (part.tip >= cleared.tip)
+            return std::nullopt;
+        ClearanceSet const set = flank_set(part.flanks.grid, !is_symmetric(bench));
+        TurnMinima minima;
+        if (!known)
+            bench.clock.run(Stage::clearance, [&] { minima = turns(set, given); });
+        bool const clears = turns.worst(set, given, known ? made->at_given : minima) >= -clearing_accuracy(bench.tolerance);
+        return clears && raised_for_map(bench, choice, part, given, phases) == given ? std::optional(std::move(part)) : std::nullopt;
+    }
+    catch (NumericalError const&)
+    {
+        return std::nullopt;  // a part that cannot be made is not kept
+    }
 }
 
 void check_as_made(ContactBench const& bench, SurfaceChoice const& choice, Cleared const& cleared)

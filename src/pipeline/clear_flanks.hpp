@@ -34,12 +34,21 @@ struct Cleared
 /// @throws NumericalError where it cannot be made
 [[nodiscard]] Cleared part_as_given(ContactBench const& bench, SurfaceChoice const& choice, double given, double tip);
 
-/// The part with the side clearance that the scene gives, where nothing enters its flanks over a full turn: with the tip circle of @p made, larger only where every slice's land and rim
-/// ask for it. Absent where @p cleared takes its place, or has the same tip circle.
-/// @param made      part_as_given() with the surface's own tip circle
-/// @param at_given  of the flanks of @p made with the scene's side clearance, where they are known
-[[nodiscard]] std::optional<Cleared> kept_as_given(ContactBench const& bench, SliceTurns const& turns, SurfaceChoice const& choice, Cleared const& made, Cleared const& cleared,
-                                                   TurnMinima const* at_given);
+/// part_as_given() with the surface's own tip circle, and what is known of it.
+struct MadePart
+{
+    Cleared part;
+    TurnMinima at_given;   ///< of its flanks with the scene's side clearance
+};
+
+/// Whether the side clearance that the scene gives is no less than that of @p cleared; "auto" gives none.
+[[nodiscard]] bool is_enough(ContactBench const& bench, Cleared const& cleared);
+
+/// The part with the side clearance that the scene gives, where nothing enters its flanks over a full turn, nor in the map at @p phases: with the surface's own tip circle, larger only where
+/// every slice's land and rim ask for it. Absent where @p cleared takes its place, or has the same tip circle.
+/// @param made  where it is known
+[[nodiscard]] std::optional<Cleared> kept_as_given(ContactBench const& bench, SliceTurns const& turns, SurfaceChoice const& choice, Cleared const& cleared, std::vector<double> const& phases,
+                                                   MadePart const* made);
 
 /// Whether the surface can also be made with the tip circle that the scene gives, not only with the one that clears: a case tells of both.
 /// @throws NumericalError where not, that of making it

@@ -70,10 +70,9 @@ double share_of(ContactBench const& bench, SurfaceChoice const& choice, bool as_
     if (as_made)
         check_as_made(bench, choice, cleared);
     double const phase = phase_of(bench.scene, bench.request.wave_generator);
-    std::optional<Cleared> kept = kept_as_given(bench, turns, choice, made_part(bench, choice, cleared), cleared, nullptr);
+    std::optional<Cleared> kept = kept_as_given(bench, turns, choice, cleared, {phase}, nullptr);
     Cleared& part = kept ? *kept : cleared;
-    bool const clears = given >= cleared.offset - clearing_accuracy(bench.tolerance);
-    double const offset = raised_for_map(bench, choice, part, clears ? given : cleared.offset, {phase});
+    double const offset = raised_for_map(bench, choice, part, is_enough(bench, cleared) ? given : cleared.offset, {phase});
     FlankGrid const used = moved_into_material(part.flanks.grid, offset);
     FinerSurface finer(bench, choice, part.flanks.grid, used, part.tip, offset);
     return contact_state({bench, finer, phase, 0, 0, 0, false}, used, nullptr).share;
@@ -92,11 +91,13 @@ ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice,
 
     SliceTurns const turns(bench);
     Cleared cleared = clear_flanks(bench, turns, choice, given);
-    Cleared const made = made_part(bench, choice, cleared);
+    MadePart known{made_part(bench, choice, cleared), {}};
+    Cleared const& made = known.part;
+    TurnMinima& at_given = known.at_given;
     FlankGrid const& own_grid = made.flanks.grid;
     ClearanceSet const flanks = flank_set(own_grid, !is_symmetric(bench));
     ClearanceSet const root = root_set(made.outline, bench.tolerance);
-    TurnMinima at_given, at_root;
+    TurnMinima at_root;
     bench.clock.run(Stage::clearance, [&] {
         at_given = turns(flanks, given);
         at_root = turns(root, 0);
@@ -121,11 +122,10 @@ ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice,
     if (phases.empty())
         phases.push_back(own);
     // teeth that enter the flanks cannot be turned to first contact: what is missing of the clearing offset is added, and the case says so
-    std::optional<Cleared> kept = kept_as_given(bench, turns, choice, made, cleared, &at_given);
-    bool const clears = given >= result.clearing_offset - clearing_accuracy(bench.tolerance);
+    std::optional<Cleared> kept = kept_as_given(bench, turns, choice, cleared, phases, &known);
     Cleared& part = kept ? *kept : cleared;
     result.tip = part.tip;
-    result.backlash_offset = raised_for_map(bench, choice, part, clears ? given : result.clearing_offset, phases);
+    result.backlash_offset = raised_for_map(bench, choice, part, is_enough(bench, cleared) ? given : result.clearing_offset, phases);
     // what clears the slices but not the sections there has no play: as much is added as there
     double const clearing = raised_for_map(bench, choice, cleared, result.clearing_offset, {own});
     FlankGrid const& grid = part.flanks.grid;

@@ -12,7 +12,7 @@ namespace hdconj::detail {
 /// Everything about one surface. @p revolution angles beside the scene's own. @p map gets the gaps after take-up.
 [[nodiscard]] ContactCase contact_case(ContactBench const& bench, SurfaceChoice const& choice, int revolution, GapMap* map);
 
-/// The flanks of one surface with the scene's side clearance; "auto": with the least that clears, and the tip circle that goes with it.
+/// The flanks of one surface with the scene's side clearance, and its tip circle, as much wider as every slice's land and rim ask for; "auto": with the least that clears, and the tip circle that goes with it.
 struct FlankSurface
 {
     MatchedOutline outline;  ///< without side clearance

@@ -67,7 +67,8 @@ class SolveJob
     /// Second half: the boundary down to the tip circle of `out`.geometry, checked over a full turn.
     void find_boundary()
     {
-        clock_.run(Stage::backlash, [&] { trace_moved(); });
+        if (moved())
+            clock_.run_rest(Stage::backlash, [&] { trace_moved(); });
         auto const wanted = [&] { return out_.scene.circular_spline.backlash_offset - tolerance_.coincidence(); };
         assemble_until_clear(out_, first_chord(), [&](double c) { assemble(c); }, wanted, "");
     }
@@ -153,7 +154,7 @@ class SolveJob
         return order;
     }
 
-    /// Region, backlash, outline, root clearance and check, with polygons of the given chord error.
+    /// Region, side clearance, outline, root clearance and check, with polygons of the given chord error.
     void assemble(double chord)
     {
         auto const boundary = [&] { trace_boundary(chord); };
@@ -168,10 +169,8 @@ class SolveJob
 
     void trace_boundary(double chord)
     {
-        clock_.run(Stage::region, [&] {
-            final_ = space_at(base_, branches_, chord);
-            if (!moved())
-                return;
+        clock_.run(Stage::region, [&] { final_ = space_at(base_, branches_, chord); });
+        clock_.run(Stage::backlash, [&] {
             TracedSpace shifted = space_at(final_envelope(), moved_branches_, chord);
             refuse_swallowed(base_, final_.arcs, final_.space, shifted.arcs, shifted.space, pitch_, out_.scene.circular_spline.backlash_offset, tolerance_.length);
             final_ = std::move(shifted);

@@ -62,17 +62,20 @@ double meeting_radius(MatchedOutline const& outline, std::size_t k, double dista
         Vec2 const p = outline.points[k][i] + distance * outline.normals[k][i];
         return 0.5 * pitch - std::abs(std::atan2(p.x(), p.y()));
     };
+    auto const radius = [&](std::size_t i) { return (outline.points[k][i] + distance * outline.normals[k][i]).norm(); };
     double meeting = 0;
     // from the land corners down both flanks
     for (auto const& [from, to, step] : {std::tuple(outline.landmarks[4], outline.landmarks[3], -1), std::tuple(outline.landmarks[0], outline.landmarks[1], 1)})
     {
         for (std::size_t i = from; i != to; i += static_cast<std::size_t>(step))
         {
-            if (angle_left(i) > 0)
+            double const here = angle_left(i);
+            if (here > 0)
                 continue;
             std::size_t const next = i + static_cast<std::size_t>(step);
-            Vec2 const p = outline.points[k][next] + distance * outline.normals[k][next];
-            meeting = std::max(meeting, p.norm());
+            double const there = angle_left(next);
+            double const share = there > 0 ? here / (here - there) : 1;
+            meeting = std::max(meeting, (1 - share) * radius(i) + share * radius(next));
         }
     }
     return meeting;

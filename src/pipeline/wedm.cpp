@@ -212,6 +212,9 @@ std::optional<double> fitting_wire(Scene const& scene, WireFaces const& faces)
     return {};
 }
 
+/// Of lengths in advice [1/mm].
+constexpr double told_per_mm = 1e4;
+
 /// Least distance of what the pass leaves, above the tolerance, from where the flexspline's teeth come without load: that is the circular spline without root
 /// clearance. Nothing where they come to it, or where that cannot be told.
 std::optional<double> way_of_teeth(Scene const& scene, WireFaces const& faces, PassOnPitch const& pass)
@@ -239,11 +242,9 @@ std::optional<double> way_of_teeth(Scene const& scene, WireFaces const& faces, P
         auto const line = with_neighbours(points, faces, 1);
         way = std::min(way, way_to_residual(line, uncut_heights(line, wire, pass.offset, scene.wedm->tolerance), with_neighbours(teeth, faces, teeth.size() - 1)));
     }
-    return way > scene.wedm->tolerance ? std::optional(way) : std::nullopt;
+    double const told = std::floor(way * told_per_mm) / told_per_mm;
+    return told > scene.wedm->tolerance ? std::optional(told) : std::nullopt;
 }
-
-/// Of lengths in advice [1/mm].
-constexpr double told_per_mm = 1e4;
 
 void refuse_residual(Scene const& scene, WireFaces const& faces, PassOnPitch const& pass, WireProgram const& program)
 {
@@ -261,7 +262,7 @@ void refuse_residual(Scene const& scene, WireFaces const& faces, PassOnPitch con
                                + short_number(wedm.residual_limit) + " mm",
                            (wire ? "write wire_diameter = " + short_number(*wire) + ", a thinner wire that leaves no more than that, or" : std::string("no thinner wire that is sold leaves so little; write"))
                                + " residual_limit = " + short_number(std::ceil(worst->height * told_per_mm) / told_per_mm)
-                               + (way ? ": the teeth of the unloaded flexspline stay " + short_number(std::floor(*way * told_per_mm) / told_per_mm) + " mm clear of what is left" : ""))};
+                               + (way ? ": the teeth of the unloaded flexspline stay " + short_number(*way) + " mm clear of what is left" : ""))};
     locate(faults, scene);
     throw InputError(faults);
 }

@@ -166,11 +166,11 @@ Plan make_plan(Scene const& scene, Verb verb)
     if (spline.backlash_offset > 0) {
         plan.stages.push_back({Stage::backlash, "circular_spline.backlash_offset = " + in_mm(spline.backlash_offset)});
     }
+    plan.stages.push_back({Stage::outline, "solver.tolerance = " + in_mm(scene.solver.tolerance)});
     if (spline.root_clearance > 0) {
         plan.stages.push_back(
             {Stage::root_clearance, "circular_spline.root_clearance = " + in_mm(spline.root_clearance)});
     }
-    plan.stages.push_back({Stage::outline, "solver.tolerance = " + in_mm(scene.solver.tolerance)});
     plan.stages.push_back({Stage::interference, "always: the finished pair over a full turn"});
     if (cones(scene, verb)) {
         plan.stages.push_back({Stage::coning, "coning.model = " + in_quotes(scene.coning->model)});

@@ -43,7 +43,7 @@ TEST_CASE("the plan of the base case has no effect in it", "[scene]")
     CHECK(plan.has(Stage::region));
 }
 
-TEST_CASE("clearances come between region and outline, with their reason", "[scene]")
+TEST_CASE("clearances come after what they change, with their reason", "[scene]")
 {
     auto const plan =
         make_plan(builtin_scene({"circular_spline.backlash_offset=0.02", "circular_spline.root_clearance=0.05"}));
@@ -51,8 +51,8 @@ TEST_CASE("clearances come between region and outline, with their reason", "[sce
     auto const region = std::find(stages.begin(), stages.end(), Stage::region);
     REQUIRE(stages.end() - region == 5);
     CHECK(region[1] == Stage::backlash);
-    CHECK(region[2] == Stage::root_clearance);
-    CHECK(region[3] == Stage::outline);
+    CHECK(region[2] == Stage::outline);
+    CHECK(region[3] == Stage::root_clearance);
     auto const& backlash = plan.stages[static_cast<std::size_t>(region - stages.begin()) + 1];
     CHECK(backlash.reason == "circular_spline.backlash_offset = 0.02 mm");
     CHECK(absent_in(plan) == std::vector<std::string>{"coning", "tilt", "slices", "contact", "load"});

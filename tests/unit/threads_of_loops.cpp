@@ -65,20 +65,22 @@ TEST_CASE("a thread on a processor that is taken moves to another, and is bound 
     {
         detail::SeparateProcessors processors;
         int const first = sched_getcpu();
+        bool ready = false;
+        cpu_set_t after;
+        CPU_ZERO(&after);
         std::thread([&] {
             // to where the loop began, as a kernel may wake it
             cpu_set_t there;
             CPU_ZERO(&there);
             CPU_SET(first, &there);
-            REQUIRE(sched_setaffinity(0, sizeof there, &there) == 0);
-            REQUIRE(sched_setaffinity(0, sizeof allowed, &allowed) == 0);
+            ready = sched_setaffinity(0, sizeof there, &there) == 0 && sched_setaffinity(0, sizeof allowed, &allowed) == 0;
             bool const taken = sched_getcpu() == first;
             processors.settle();
             moved += taken && sched_getcpu() != first ? 1 : 0;
-            cpu_set_t after;
-            REQUIRE(sched_getaffinity(0, sizeof after, &after) == 0);
-            CHECK(CPU_EQUAL(&after, &allowed));
+            ready = ready && sched_getaffinity(0, sizeof after, &after) == 0;
         }).join();
+        REQUIRE(ready);
+        CHECK(CPU_EQUAL(&after, &allowed));
     }
     if (CPU_COUNT(&allowed) > 1)
         CHECK(moved > 0);
@@ -90,17 +92,22 @@ TEST_CASE("a thread that its user has bound stays", "[numeric][parallel]")
 {
     detail::SeparateProcessors processors;
     int const first = sched_getcpu();
+    bool ready = false, same = false;
+    int last = -1;
     std::thread([&] {
-        cpu_set_t there;
+        cpu_set_t there, after;
         CPU_ZERO(&there);
+        CPU_ZERO(&after);
         CPU_SET(first, &there);
-        REQUIRE(sched_setaffinity(0, sizeof there, &there) == 0);
+        ready = sched_setaffinity(0, sizeof there, &there) == 0;
         processors.settle();
-        cpu_set_t after;
-        REQUIRE(sched_getaffinity(0, sizeof after, &after) == 0);
-        CHECK(CPU_EQUAL(&after, &there));
-        CHECK(sched_getcpu() == first);
+        ready = ready && sched_getaffinity(0, sizeof after, &after) == 0;
+        same = CPU_EQUAL(&after, &there);
+        last = sched_getcpu();
     }).join();
+    REQUIRE(ready);
+    CHECK(same);
+    CHECK(last == first);
 }
 
 #endif

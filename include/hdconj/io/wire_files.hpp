@@ -67,7 +67,7 @@ void check_wire_files(std::filesystem::path const& folder, std::vector<std::stri
 ///
 /// Checked before: pairing, finite numbers, closed paths from and to a vertical wire, no block of length zero in either plane after
 /// rounding; of the texts: characters, line lengths, no exponent, no negative zero; equal faces give equal words.
-/// @param dialects  empty: all that fit, @ref unfit_dialects left out
+/// @param dialects  empty: all that fit, @ref unfit_dialects left out; to say so is the caller's, in the warnings of the programs
 /// @throws NumericalError with file, line and cause where a check fails; InputError, FileError. Nothing is written then.
 std::vector<WireFile> write_wire_files(WireSetUps const& programs, std::filesystem::path const& folder,
                                        std::vector<std::string> const& dialects = {});

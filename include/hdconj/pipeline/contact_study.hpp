@@ -66,7 +66,7 @@ struct ContactCase
     double tilt = 0;      ///< [rad]
     double backlash_offset = 0;           ///< side clearance that the contact is computed with [mm]
     bool raised = false;                  ///< it is more than the scene gives, because with that the teeth enter the flanks
-    double tip = 0;                       ///< and tip circle at z = 0: the scene's where with that nothing enters the flanks, every slice has a tip land and clears the rim; else clearing_tip [mm]
+    double tip = 0;                       ///< and tip circle at z = 0: where nothing enters the flanks then the scene's, as much wider as every slice's land and rim ask for; else clearing_tip [mm]
     std::vector<SliceClearance> slices;   ///< with the side clearance that the scene gives; "auto": with none. The tip circle is the scene's, or as large as leaves a land
     double clearing_offset = 0;           ///< least side clearance that leaves no interference on the flanks over a full turn, with that tip circle [mm]
     double clearing_tip = 0;              ///< least tip circle at z = 0 that goes with it: every slice has a tip land and clears the rim, and the cleared flanks begin on it [mm]
