@@ -166,9 +166,11 @@ std::optional<Cleared> kept_as_given(ContactBench const& bench, SliceTurns const
     CircularSpline const& spline = bench.scene.circular_spline;
     double const given = spline.backlash_offset;
     // with a smaller tip circle there is more to clear, not less
-    if (spline.automatic_backlash || !is_enough(bench, cleared) || bench.maker.own_tip(choice) == cleared.tip)
+    if (spline.automatic_backlash || !is_enough(bench, cleared))
         return std::nullopt;
-    double const needed = bench.maker.needed_tip(choice), own = bench.maker.own_tip(choice);
+    double const own = bench.maker.own_tip(choice), needed = bench.maker.needed_tip(choice);
+    if (std::max(own, needed) >= cleared.tip)
+        return std::nullopt;
     try
     {
         bool const known = made != nullptr && own >= needed;
