@@ -175,7 +175,9 @@ TEST_CASE("in a slot narrower than the wire it goes as deep as two corners let i
     CHECK(heights[static_cast<std::size_t>(middle - line.begin())] == Approx(0.6 - top).margin(2e-6));
     auto const wall = std::find_if(line.begin(), line.end(), [](Vec2 const& p) { return std::abs(p.y() - 0.3) < 1e-9 && p.x() > 0; });
     REQUIRE(wall != line.end());
-    CHECK(heights[static_cast<std::size_t>(wall - line.begin())] == Approx((*wall - Vec2(0, highest)).norm() - d).margin(2e-6));
+    double const on_wall = heights[static_cast<std::size_t>(wall - line.begin())];
+    CHECK(on_wall == Approx(distance(*wall, path.lower) - d).margin(1e-9));
+    CHECK(on_wall == Approx((*wall - Vec2(0, highest)).norm() - d).margin(2e-6));  // the path's own chords
 }
 
 TEST_CASE("in a square corner the residual is that of a circle between two walls", "[wedm]")
