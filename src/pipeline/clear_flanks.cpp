@@ -2,10 +2,7 @@
 #include "clear_flanks.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
-#include <numbers>
-#include <string>
 #include <utility>
 
 #include "clearing_search.hpp"
@@ -14,39 +11,11 @@
 #include "hdconj/contact/gap_field.hpp"
 #include "hdconj/contact/smallest_gap.hpp"
 #include "hdconj/numeric/error.hpp"
-#include "moved_outline.hpp"
 #include "place_teeth.hpp"
 
 namespace hdconj::detail {
 
 namespace {
-
-/// The tip circle of z = 0 that leaves every slice of @p outline a land when its flanks are moved by @p distance; at least @p tip.
-double tip_with_land(ContactBench const& bench, SurfaceChoice const& choice, MatchedOutline const& outline, double distance, double tip)
-{
-    double const pitch = 2 * std::numbers::pi / bench.scene.drive.circular_spline_teeth;
-    double const least = least_land * bench.scene.drive.module;
-    for (std::size_t k = 0; k < bench.maker.z().size(); ++k)
-        if (double const meeting = meeting_radius(outline, k, distance, pitch); meeting > 0)
-            tip = std::max(tip, meeting + least - bench.maker.z()[k] * std::tan(choice.tilt));
-    return tip;
-}
-
-/// To be called before the tip circle is lifted once more.
-void refuse_to_lift_for_ever(int round, double tip)
-{
-    constexpr int budget = 12;
-    if (round + 1 == budget)
-        throw NumericalError("contact", "tip circle",
-                             "side clearance and tip circle did not settle at a tip circle of " + std::to_string(tip) + " mm: the teeth become too short for this tilt");
-}
-
-/// Has the flanks reach the tip circle when they are moved by @p distance.
-void reach(ContactBench const& bench, SurfaceChoice const& choice, Cleared& cleared, double distance)
-{
-    cleared.reach = distance;
-    cleared.flanks = part_flanks(bench, bench.maker, choice, cleared.outline, cleared.tip, distance);
-}
 
 /// Lifts the tip circle to where the flanks begin when they are moved by the offset with which they clear.
 void lift_tip(ContactBench const& bench, SliceTurns const& turns, SurfaceChoice const& choice, Cleared& cleared)
@@ -137,81 +106,11 @@ Cleared clear_flanks(ContactBench const& bench, SliceTurns const& turns, Surface
     return result;
 }
 
-Cleared part_as_given(ContactBench const& bench, SurfaceChoice const& choice, double given, double tip)
-{
-    Cleared result;
-    result.offset = given;
-    result.tip = tip;
-    for (int i = 0;; ++i)
-    {
-        result.outline = surface_of(bench, choice, result.tip);
-        reach(bench, choice, result, given);
-        double const with_land = given > 0 ? tip_with_land(bench, choice, result.flanks.outline, given, result.tip) : result.tip;
-        if (with_land == result.tip)
-            return result;
-        refuse_to_lift_for_ever(i, result.tip);
-        result.tip = with_land;
-    }
-}
-
-bool is_enough(ContactBench const& bench, Cleared const& cleared)
-{
-    CircularSpline const& spline = bench.scene.circular_spline;
-    return (spline.automatic_backlash ? 0 : spline.backlash_offset) >= cleared.offset - clearing_accuracy(bench.tolerance);
-}
-
-std::optional<Cleared> kept_as_given(ContactBench const& bench, SliceTurns const& turns, SurfaceChoice const& choice, Cleared const& cleared, std::vector<double> const& phases,
-                                     MadePart const* made)
-{
-    CircularSpline const& spline = bench.scene.circular_spline;
-    double const given = spline.backlash_offset;
-    // with a smaller tip circle there is more to clear, not less
-    if (spline.automatic_backlash || !is_enough(bench, cleared))
-        return std::nullopt;
-    double const own = bench.maker.own_tip(choice), needed = bench.maker.needed_tip(choice);
-    if (std::max(own, needed) >= cleared.tip)
-        return std::nullopt;
-    try
-    {
-        bool const known = made != nullptr && own >= needed;
-        Cleared part = known ? made->part : part_as_given(bench, choice, given, std::max(own, needed));
-        if (part.tip >= cleared.tip)
-            return std::nullopt;
-        ClearanceSet const set = flank_set(part.flanks.grid, !is_symmetric(bench));
-        TurnMinima minima;
-        if (!known)
-            bench.clock.run(Stage::clearance, [&] { minima = turns(set, given); });
-        bool const clears = turns.worst(set, given, known ? made->at_given : minima) >= -clearing_accuracy(bench.tolerance);
-        return clears && raised_for_map(bench, choice, part, given, phases) == given ? std::optional(std::move(part)) : std::nullopt;
-    }
-    catch (NumericalError const&)
-    {
-        return std::nullopt;  // a part that cannot be made is not kept
-    }
-}
-
 void check_as_made(ContactBench const& bench, SurfaceChoice const& choice, Cleared const& cleared)
 {
     double const own_tip = bench.maker.own_tip(choice);
     if (own_tip != cleared.tip)
         (void)surface_of(bench, choice, own_tip);
-}
-
-FlankSurface flank_surface(ContactBench const& bench, SurfaceChoice const& choice, bool clearing)
-{
-    CircularSpline const& spline = bench.scene.circular_spline;
-    if (spline.automatic_backlash || clearing)
-    {
-        double const given = spline.automatic_backlash ? 0 : spline.backlash_offset;
-        Cleared cleared = clear_flanks(bench, SliceTurns(bench), choice, given);
-        double const offset = std::max(given, cleared.offset);
-        FlankGrid moved = moved_into_material(std::move(cleared.flanks.grid), offset);
-        return {std::move(cleared.outline), std::move(moved), offset, cleared.tip};
-    }
-    double const own = bench.maker.own_tip(choice);
-    Cleared made = part_as_given(bench, choice, spline.backlash_offset, std::max(own, bench.maker.needed_tip(choice)));
-    FlankGrid grid = moved_into_material(std::move(made.flanks.grid), made.offset);
-    return {std::move(made.outline), std::move(grid), made.offset, made.tip};
 }
 
 double clearing_offset_of(ContactBench const& bench, SurfaceChoice const& choice, bool as_made)

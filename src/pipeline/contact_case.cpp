@@ -17,6 +17,7 @@
 #include "finer_surface.hpp"
 #include "hdconj/contact/parallel_trim.hpp"
 #include "hdconj/numeric/parallel.hpp"
+#include "part_as_given.hpp"
 #include "place_range.hpp"
 #include "place_teeth.hpp"
 #include "slice_turns.hpp"
