@@ -5,10 +5,11 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <utility>
 #include <vector>
 
-#include "hdconj/conjugate/outline.hpp"
+#include "hdconj/conjugate/outline_sampler.hpp"
 #include "hdconj/numeric/bracketed_root.hpp"
 #include "hdconj/numeric/error.hpp"
 
@@ -91,34 +92,53 @@ template<RelativeMotion Motion>
     return image;
 }
 
-/// Samples the boundary of one pitch; a symmetric pair's right half is mirrored, bit for bit.
+/// Samples the boundary of one pitch, piece by piece in any order; a symmetric pair's right half is mirrored, bit for bit.
+/// What it is made of must outlive it.
 template<RelativeMotion Motion>
-[[nodiscard]] CentredOutline centred_outline(Envelope<Motion> const& envelope, std::vector<ContactArc> const& arcs,
-                                             std::vector<BoundaryPiece> const& pieces, double tip_radius, double pitch,
-                                             Tolerance const& tolerance, int threads)
+class CentredOutlineSampler
 {
-    Halves const halves = cut_at_centre_line(envelope, arcs, pieces, pitch, tolerance);
-    auto const sampled = [&](std::vector<BoundaryPiece> const& half) {
-        return sample_outline(envelope, arcs, half, tip_radius, pitch, tolerance.length, threads);
-    };
-    Outline right = sampled(halves.right);
-    right.points.front().x() = 0;
-    bool const symmetric = envelope.profile().mirror_symmetric && envelope.motion().symmetric();
-    CentredOutline result{symmetric ? mirrored(right, envelope.profile()) : sampled(halves.left), 0};
-    Outline& whole = result.outline;
-    result.middle = whole.points.size() - 1;
-    whole.points.pop_back();
-    whole.points.insert(whole.points.end(), right.points.begin(), right.points.end());
-    for (OutlineStretch stretch : right.stretches)
+  public:
+    /// @throws NumericalError when the boundary does not cross x = 0
+    CentredOutlineSampler(Envelope<Motion> const& envelope, std::vector<ContactArc> const& arcs, std::vector<BoundaryPiece> const& pieces, double tip_radius, double pitch,
+                          Tolerance const& tolerance)
+        : profile_(envelope.profile()), tip_radius_(tip_radius)
     {
-        stretch.first += result.middle;
-        stretch.last += result.middle;
-        whole.stretches.push_back(stretch);
+        Halves halves = cut_at_centre_line(envelope, arcs, pieces, pitch, tolerance);
+        right_.emplace(envelope, arcs, std::move(halves.right), pitch, tolerance.length);
+        if (!(profile_.mirror_symmetric && envelope.motion().symmetric()))
+            left_.emplace(envelope, arcs, std::move(halves.left), pitch, tolerance.length);
     }
-    whole.chord = std::max(whole.chord, right.chord);
-    whole.error = std::max(whole.error, right.error);
-    whole.evaluations += right.evaluations;
-    return result;
-}
+
+    [[nodiscard]] std::size_t count() const { return right_->count() + (left_ ? left_->count() : 0); }
+    [[nodiscard]] double expected(std::size_t i) const { return i < right_->count() ? right_->expected(i) : left_->expected(i - right_->count()); }
+    void sample(std::size_t i, int threads) { i < right_->count() ? right_->sample(i, threads) : left_->sample(i - right_->count(), threads); }
+
+    [[nodiscard]] CentredOutline joined() const
+    {
+        Outline right = right_->joined(tip_radius_);
+        right.points.front().x() = 0;
+        CentredOutline result{left_ ? left_->joined(tip_radius_) : mirrored(right, profile_), 0};
+        Outline& whole = result.outline;
+        result.middle = whole.points.size() - 1;
+        whole.points.pop_back();
+        whole.points.insert(whole.points.end(), right.points.begin(), right.points.end());
+        for (OutlineStretch stretch : right.stretches)
+        {
+            stretch.first += result.middle;
+            stretch.last += result.middle;
+            whole.stretches.push_back(stretch);
+        }
+        whole.chord = std::max(whole.chord, right.chord);
+        whole.error = std::max(whole.error, right.error);
+        whole.evaluations += right.evaluations;
+        return result;
+    }
+
+  private:
+    Profile const& profile_;
+    double tip_radius_;
+    std::optional<OutlineSampler<Motion>> right_;
+    std::optional<OutlineSampler<Motion>> left_;   ///< absent: the mirror image of the right one
+};
 
 }  // namespace hdconj::detail

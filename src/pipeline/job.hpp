@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <numbers>
 #include <numeric>
+#include <optional>
 #include <utility>
+#include <vector>
 
 #include "assemble_until_clear.hpp"
 #include "centred_outline.hpp"
@@ -14,6 +16,7 @@
 #include "drive.hpp"
 #include "hdconj/conjugate/space_curve.hpp"
 #include "hdconj/numeric/parallel.hpp"
+#include "late_jobs.hpp"
 #include "outline_records.hpp"
 #include "records.hpp"
 #include "root_clearance.hpp"
@@ -30,6 +33,15 @@ namespace hdconj::detail {
     for (Branch const& branch : branches)
         arcs.insert(arcs.end(), branch.arcs.begin(), branch.arcs.end());
     return arcs;
+}
+
+/// Indices of @p sizes from the largest on, equal ones in their order.
+[[nodiscard]] inline std::vector<std::size_t> largest_first(std::vector<double> const& sizes)
+{
+    std::vector<std::size_t> order(sizes.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
+    return order;
 }
 
 /// A tooth space and the arcs that its pieces index.
@@ -67,7 +79,7 @@ class SolveJob
     /// Second half: the boundary down to the tip circle of `out`.geometry, checked over a full turn.
     void find_boundary()
     {
-        if (moved())
+        if (is_moved())
             clock_.run_rest(Stage::backlash, [&] { trace_moved(); });
         auto const wanted = [&] { return out_.scene.circular_spline.backlash_offset - tolerance_.coincidence(); };
         assemble_until_clear(out_, first_chord(), [&](double c) { assemble(c); }, wanted, "");
@@ -95,7 +107,7 @@ class SolveJob
 
   private:
     [[nodiscard]] double first_chord() const { return (tooth_.addendum + tooth_.dedendum) * 0x1p-12; }
-    [[nodiscard]] bool moved() const { return out_.plan.has(Stage::backlash); }
+    [[nodiscard]] bool is_moved() const { return out_.plan.has(Stage::backlash); }
     [[nodiscard]] Envelope<Motion> final_envelope() const { return {tooth_, motion_, out_.scene.circular_spline.backlash_offset}; }
 
     void trace()
@@ -116,49 +128,78 @@ class SolveJob
         moved_branches_ = std::move(set.branches);
     }
 
-    /// The points of all branches, and @p work, which one thread does beside them: it has little in loops, and the others have something to do meanwhile.
-    template<class Work>
-    void with_records(Work&& work)
+    /// Boundary and outline, and the points of all branches. One thread arranges the boundary's polygons, which has little in loops; the others take branches meanwhile, and
+    /// then pieces of the outline with it.
+    void trace_with_records(double chord)
     {
         records_wanted_ = false;
         std::vector<BranchRecord> records(branches_.size());
         std::vector<std::size_t> evaluations(branches_.size(), 0);
         // a branch about as long as the tooth is high has this many chords
         double const chords = std::sqrt((tooth_.addendum + tooth_.dedendum) / tolerance_.length);
-        constexpr double chords_worth_a_thread = 8192;
+        double const chords_worth_a_thread = batch_motion(motion_) ? 8192 : 1024;
         auto const grain = static_cast<std::size_t>(std::ceil(chords_worth_a_thread / chords));
         std::vector<std::size_t> const order = longest_first();
-        parallel_for(order.size() + 1, out_.threads, grain, [&](std::size_t k) {
+        LateJobs pieces;
+        auto const helpers = static_cast<std::size_t>(out_.threads) - 1;
+        parallel_for(1 + order.size() + helpers, out_.threads, grain, [&](std::size_t k) {
             if (k == 0)
-                return work();
+                return find_pieces(chord, pieces);
+            if (k > order.size())
+                return pieces.help();
             std::size_t const i = order[k - 1];
             records[i] = branch_record(base_, branches_[i], tolerance_.length, evaluations[i]);
         });
+        pieces.finish();
         for (std::size_t count : evaluations)
             out_.work.envelope_points += count;
         out_.branches = std::move(records);
     }
 
+    /// Finds the boundary, and leaves its pieces to be sampled to @p jobs.
+    void find_pieces(double chord, LateJobs& jobs)
+    {
+        try
+        {
+            trace_boundary(chord);
+            std::vector<double> chords;
+            for (std::size_t i = 0; i < sampler_->count(); ++i)
+                chords.push_back(sampler_->expected(i));
+            jobs.open(chords.size(), [this, order = largest_first(chords)](std::size_t k) { sampler_->sample(order[k], 1); });
+        }
+        catch (...)
+        {
+            jobs.close();
+            throw;
+        }
+        jobs.help();
+    }
+
     /// Branches in the order of their work: a long one taken last is waited for.
     [[nodiscard]] std::vector<std::size_t> longest_first() const
     {
-        std::vector<std::size_t> order(branches_.size());
-        std::iota(order.begin(), order.end(), std::size_t{0});
-        if (out_.threads == 1)
-            return order;
-        std::vector<double> chords;
-        for (Branch const& branch : branches_)
-            chords.push_back(std::accumulate(branch.arcs.begin(), branch.arcs.end(), 0.0,
-                                             [&](double sum, ContactArc const& arc) { return sum + expected_chords(base_, arc, tolerance_.length); }));
-        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return chords[a] > chords[b]; });
-        return order;
+        std::vector<double> chords(branches_.size(), 0);
+        for (std::size_t i = 0; out_.threads > 1 && i < chords.size(); ++i)
+            for (ContactArc const& arc : branches_[i].arcs)
+                chords[i] += expected_chords(base_, arc, tolerance_.length);
+        return largest_first(chords);
     }
 
     /// Region, side clearance, outline, root clearance and check, with polygons of the given chord error.
     void assemble(double chord)
     {
-        auto const boundary = [&] { trace_boundary(chord); };
-        records_wanted_ ? clock_.run_rest(Stage::outline, [&] { with_records(boundary); }) : boundary();
+        clock_.run_rest(Stage::outline, [&] {
+            if (records_wanted_)
+                trace_with_records(chord);
+            else
+            {
+                trace_boundary(chord);
+                for (std::size_t i = 0; i < sampler_->count(); ++i)
+                    sampler_->sample(i, out_.threads);
+            }
+            outline_ = sampler_->joined();
+            out_.work.envelope_points += outline_.outline.evaluations;
+        });
         clock_.run(Stage::root_clearance, [&] {
             std::size_t const before = outline_.outline.points.size();
             deepen(outline_.outline, outline_.middle, out_.scene.circular_spline.root_clearance);
@@ -167,6 +208,7 @@ class SolveJob
         clock_.run(Stage::interference, [&] { check(); });
     }
 
+    /// The boundary's pieces, ready to be sampled.
     void trace_boundary(double chord)
     {
         clock_.run(Stage::region, [&] { final_ = space_at(base_, branches_, chord); });
@@ -176,8 +218,9 @@ class SolveJob
             final_ = std::move(shifted);
         });
         clock_.run(Stage::outline, [&] {
-            outline_ = centred(moved() ? final_envelope() : base_);
-            out_.work.envelope_points += outline_.outline.evaluations;
+            if (is_moved())
+                moved_.emplace(final_envelope());
+            sampler_.emplace(moved_ ? *moved_ : base_, final_.arcs, final_.space.pieces, out_.geometry.circular_spline_inner_radius, pitch_, tolerance_);
         });
     }
 
@@ -190,12 +233,6 @@ class SolveJob
         traced.space = find();
         out_.work.arrangement_edges += traced.space.segments;
         return traced;
-    }
-
-    [[nodiscard]] CentredOutline centred(Envelope<Motion> const& envelope)
-    {
-        return centred_outline(envelope, final_.arcs, final_.space.pieces, out_.geometry.circular_spline_inner_radius, pitch_, tolerance_,
-                               out_.threads);
     }
 
     /// Every outline point against every position of every tooth. A symmetric pair's left half is the image of its right one.
@@ -256,7 +293,9 @@ class SolveJob
     Tolerance tolerance_;
     std::vector<Branch> branches_;
     std::vector<Branch> moved_branches_;
+    std::optional<Envelope<Motion>> moved_;   ///< of the tooth with the side clearance on it
     TracedSpace final_;
+    std::optional<CentredOutlineSampler<Motion>> sampler_;   ///< of the boundary in final_
     CentredOutline outline_;
     bool records_wanted_ = false;   ///< points of the branches themselves, which the boundary does without
 };

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Points of the circular spline's toothed boundary over one pitch, from the pieces that bound its tooth space.
+/// The circular spline's toothed boundary over one pitch, as points.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <string>
 #include <vector>
 
-#include "hdconj/conjugate/tooth_space.hpp"
-#include "hdconj/envelope/smooth_ranges.hpp"
+#include "hdconj/profile/profile.hpp"
 
 namespace hdconj {
 
@@ -73,52 +71,5 @@ inline void append_land(Outline& outline, double radius, double from, double to,
 }
 
 }  // namespace detail
-
-/// Samples every piece to the chord error; neighbours share their common point.
-template<RelativeMotion Motion>
-[[nodiscard]] Outline sample_outline(Envelope<Motion> const& envelope, std::vector<ContactArc> const& arcs, std::vector<BoundaryPiece> const& pieces,
-                                     double tip_radius, double pitch, double chord, int threads)
-{
-    Outline outline;
-    Profile const& profile = envelope.profile();
-    BoundaryPiece const* before = nullptr;   // the one that ends where this one begins, unless it is land
-    for (BoundaryPiece const& piece : pieces)
-    {
-        if (piece.arc < 0)
-        {
-            detail::append_land(outline, tip_radius, piece.begin, piece.end, chord);
-            before = nullptr;
-            continue;
-        }
-        ContactArc const& arc = arcs[static_cast<std::size_t>(piece.arc)];
-        ProfilePiece const& made_by = profile.pieces[static_cast<std::size_t>(arc.piece)];
-        SampledArc const sampled = sample_arc(envelope, arc, piece.begin, piece.end, chord, threads);
-        outline.chord = std::max(outline.chord, sampled.chord);
-        outline.error = std::max(outline.error, sampled.error);
-        outline.evaluations += sampled.evaluations;
-        std::size_t const first = outline.points.empty() ? 0 : outline.points.size() - 1;
-        for (std::size_t k = outline.points.empty() ? 0 : 1; k < sampled.points.size(); ++k)
-        {
-            Vec2 const& p = sampled.points[k].p;
-            outline.points.push_back(piece.copy == 0 ? p : turned_clockwise(p, piece.copy * pitch));
-        }
-        OutlineKind const kind = made_by.corner ? OutlineKind::corner
-                                 : detail::is_tip(profile, arc.piece) ? OutlineKind::bottom
-                                                                      : OutlineKind::flank;
-        // pieces that follow each other inside a segment make one stretch, and so do both sides of a break of the motion
-        int const step = before == nullptr ? 0 : std::abs(arc.piece - arcs[static_cast<std::size_t>(before->arc)].piece);
-        bool const next_piece = before != nullptr && step == 1 && !made_by.corner;
-        bool const across_break = before != nullptr && step == 0 && before->copy == piece.copy
-                                  && same_instant(std::min(before->end, piece.begin), std::max(before->end, piece.begin));
-        bool const goes_on = (next_piece || across_break) && outline.stretches.back().kind == kind
-                             && outline.stretches.back().segment == made_by.segment;
-        if (goes_on)
-            outline.stretches.back().last = outline.points.size() - 1;
-        else
-            outline.stretches.push_back({kind, made_by.segment, first, outline.points.size() - 1});
-        before = &piece;
-    }
-    return outline;
-}
 
 }  // namespace hdconj

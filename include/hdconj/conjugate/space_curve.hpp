@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hdconj/conjugate/outline.hpp"
+#include "hdconj/conjugate/tooth_space.hpp"
 #include "hdconj/motion/erased_motion.hpp"
 
 namespace hdconj {
