@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <map>
 #include <numbers>
+#include <utility>
 
 #include "hdconj/numeric/fourier.hpp"
 
@@ -20,28 +22,50 @@ SectionDisplacement::SectionDisplacement(double low, double high, DisplacementOf
     }
 }
 
-PointDisplacement SectionDisplacement::operator()(double phi, double height) const
+SectionDisplacement::Line SectionDisplacement::line(double phi) const
 {
+    std::vector<PointDisplacement> at;
+    at.reserve(slice_.size());
+    for (MaterialDisplacement const& slice : slice_)
+        at.push_back(displacement_at(slice, phi));
+    return {height_, std::move(at)};
+}
+
+PointDisplacement SectionDisplacement::Line::operator()(double height) const
+{
+    std::vector<double> const& node = *height_;
     PointDisplacement sum;
-    for (std::size_t j = 0; j < height_.size(); ++j)
+    for (std::size_t j = 0; j < node.size(); ++j)
     {
         double weight = 1;
-        for (std::size_t i = 0; i < height_.size(); ++i)
+        for (std::size_t i = 0; i < node.size(); ++i)
             if (i != j)
-                weight *= (height - height_[i]) / (height_[j] - height_[i]);
-        PointDisplacement const at = displacement_at(slice_[j], phi);
-        sum.w[0] += weight * at.w[0];
-        sum.v[0] += weight * at.v[0];
+                weight *= (height - node[i]) / (node[j] - node[i]);
+        sum.w[0] += weight * at_[j].w[0];
+        sum.v[0] += weight * at_[j].v[0];
     }
     return sum;
+}
+
+PointDisplacement SectionDisplacement::operator()(double phi, double height) const
+{
+    return line(phi)(height);
 }
 
 std::optional<MaterialDisplacement> SectionDisplacement::along(HeightOf const& height_of) const
 {
     int const waves = slice_.front().waves;
     double const period = 2 * std::numbers::pi / waves;
-    FourierSeries const w([&](double phi) { return (*this)(phi, height_of(phi)).w[0]; }, period);
-    FourierSeries const v([&](double phi) { return (*this)(phi, height_of(phi)).v[0]; }, period);
+    // both series are sampled at the same angles
+    std::map<double, PointDisplacement> known;
+    auto const at = [&](double phi) -> PointDisplacement const& {
+        auto const [place, fresh] = known.try_emplace(phi);
+        if (fresh)
+            place->second = (*this)(phi, height_of(phi));
+        return place->second;
+    };
+    FourierSeries const w([&](double phi) { return at(phi).w[0]; }, period);
+    FourierSeries const v([&](double phi) { return at(phi).v[0]; }, period);
     if (!w.resolved() || !v.resolved())
         return std::nullopt;
     // of both together: one of them may be all rounding

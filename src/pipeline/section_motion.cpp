@@ -85,10 +85,11 @@ Sections sections_of_cup(Solution const& base, std::vector<double> const& z, int
     SectionDisplacement const along(low, high, [&](double height) { return cup.axial_displacement(middle + height, r_m); }, nodes);
     auto const height_of = [&](double phi, double plane) {
         constexpr int budget = 32;  // each step gains two digits: u_z hardly depends on the height
+        SectionDisplacement::Line const line = along.line(phi);
         double height = plane;
         for (int i = 0; i < budget; ++i)
         {
-            double const next = plane - along(phi, height).w[0];
+            double const next = plane - line(height).w[0];
             double const step = std::abs(next - height);
             height = next;
             if (step <= unit_roundoff * r_m)

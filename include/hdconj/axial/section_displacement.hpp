@@ -5,6 +5,7 @@
 
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "hdconj/wavegen/material_displacement.hpp"
@@ -28,6 +29,22 @@ class SectionDisplacement
     /// @param displacement_of  the wall's slice at a height
     /// @param nodes            Chebyshev nodes
     SectionDisplacement(double low, double high, DisplacementOf const& displacement_of, int nodes);
+
+    /// w and v [mm] of the wall at one angle, at any height; derivatives are not given.
+    class Line
+    {
+      public:
+        [[nodiscard]] PointDisplacement operator()(double height) const;
+
+      private:
+        friend SectionDisplacement;
+        Line(std::vector<double> const& height, std::vector<PointDisplacement> at) : height_(&height), at_(std::move(at)) {}
+
+        std::vector<double> const* height_;
+        std::vector<PointDisplacement> at_;  ///< each node
+    };
+    /// The line at @p phi; this must outlive it.
+    [[nodiscard]] Line line(double phi) const;
 
     /// w and v [mm] of the wall at @p phi and @p height; derivatives are not given.
     [[nodiscard]] PointDisplacement operator()(double phi, double height) const;
