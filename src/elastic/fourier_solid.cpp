@@ -2,8 +2,10 @@
 #include "hdconj/elastic/fourier_solid.hpp"
 
 #include <Eigen/LU>
+#include <Eigen/OrderingMethods>
 #include <Eigen/SparseCholesky>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -32,6 +34,21 @@ std::vector<GaussPoint> gauss(Quadrature quadrature)
 Eigen::Index unknown(int node, Direction direction)
 {
     return 3 * static_cast<Eigen::Index>(node) + static_cast<Eigen::Index>(direction);
+}
+
+/// Nodes that share an element are neighbours: each node's, in increasing order.
+std::vector<std::vector<int>> neighbours_of(SectionMesh const& mesh)
+{
+    std::vector<std::vector<int>> neighbours(mesh.nodes.size());
+    for (QuadraticElement const& element : mesh.elements)
+        for (int const a : element)
+            neighbours[static_cast<std::size_t>(a)].insert(neighbours[static_cast<std::size_t>(a)].end(), element.begin(), element.end());
+    for (auto& near : neighbours)
+    {
+        std::sort(near.begin(), near.end());
+        near.erase(std::unique(near.begin(), near.end()), near.end());
+    }
+    return neighbours;
 }
 
 }  // namespace
@@ -75,13 +92,39 @@ StrainMatrices strain_matrices(SectionMesh const& mesh, SectionPoint const& poin
     return b;
 }
 
+/// The pattern that all harmonics share, with values 0, and its order of elimination.
+void FourierSolid::lay_out()
+{
+    std::vector<std::vector<int>> const neighbours = neighbours_of(mesh_);
+    std::size_t entries = 0;
+    for (auto const& near : neighbours)
+        entries += 9 * near.size();
+    pattern_.resize(unknowns(), unknowns());
+    pattern_.reserve(static_cast<Eigen::Index>(entries));
+    for (std::size_t node = 0; node < neighbours.size(); ++node)
+        for (Eigen::Index d = 0; d < 3; ++d)
+        {
+            Eigen::Index const column = 3 * static_cast<Eigen::Index>(node) + d;
+            pattern_.startVec(column);
+            for (int const near : neighbours[node])
+                for (Direction const direction : {Direction::radial, Direction::axial, Direction::tangential})
+                    pattern_.insertBack(unknown(near, direction), column) = 0;
+        }
+    pattern_.finalize();
+    for (Eigen::VectorXd& values : power_)
+        values = Eigen::VectorXd::Zero(pattern_.nonZeros());
+    Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
+    Eigen::AMDOrdering<int>()(pattern_, order);
+    elimination_.assign(order.indices().begin(), order.indices().end());
+}
+
 FourierSolid::FourierSolid(SectionMesh mesh, Quadrature quadrature) : mesh_(std::move(mesh))
 {
+    lay_out();
     // with four points a single element can be bent into an hourglass for nothing; two elements that share a side cannot
     auto const of_wall = gauss(mesh_.elements.size() == 1 ? Quadrature::full : quadrature);
     // nor does a layer of teeth, which lacks two of the six stresses, do without all points
     auto const of_layer = gauss(Quadrature::full);
-    std::array<std::vector<Eigen::Triplet<double>>, 3> entries;
     for (std::size_t e = 0; e < mesh_.elements.size(); ++e)
     {
         StressMatrix const d = mesh_.stress(e);
@@ -104,27 +147,29 @@ FourierSolid::FourierSolid(SectionMesh mesh, Quadrature quadrature) : mesh_(std:
                 k[2] += b.per_harmonic.transpose() * s1;
             }
         }
-        for (std::size_t power = 0; power < k.size(); ++power)
-            for (std::size_t a = 0; a < 24; ++a)
-                for (std::size_t c = 0; c < 24; ++c)
-                {
-                    auto const row = static_cast<Eigen::Index>(a), column = static_cast<Eigen::Index>(c);
-                    auto const& nodes = mesh_.elements[e];
-                    entries[power].emplace_back(static_cast<int>(unknown(nodes[a / 3], static_cast<Direction>(a % 3))),
-                                                static_cast<int>(unknown(nodes[c / 3], static_cast<Direction>(c % 3))), k[power](row, column));
-                }
-    }
-    for (std::size_t power = 0; power < power_.size(); ++power)
-    {
-        power_[power].resize(unknowns(), unknowns());
-        power_[power].setFromTriplets(entries[power].begin(), entries[power].end());
+        auto const& nodes = mesh_.elements[e];
+        for (std::size_t c = 0; c < 24; ++c)
+        {
+            Eigen::Index const column = unknown(nodes[c / 3], static_cast<Direction>(c % 3));
+            int const* const begin = pattern_.innerIndexPtr() + pattern_.outerIndexPtr()[column];
+            int const* const end = pattern_.innerIndexPtr() + pattern_.outerIndexPtr()[column + 1];
+            for (std::size_t a = 0; a < 8; ++a)
+            {
+                auto const first = static_cast<int>(unknown(nodes[a], Direction::radial));
+                Eigen::Index const entry = std::lower_bound(begin, end, first) - pattern_.innerIndexPtr();
+                for (std::size_t power = 0; power < k.size(); ++power)
+                    power_[power].segment<3>(entry) += k[power].block<3, 1>(static_cast<Eigen::Index>(3 * a), static_cast<Eigen::Index>(c));
+            }
+        }
     }
 }
 
 Eigen::SparseMatrix<double> FourierSolid::stiffness(int harmonic) const
 {
     double const n = harmonic;
-    return power_[0] + n * power_[1] + (n * n) * power_[2];
+    Eigen::SparseMatrix<double> sum = pattern_;
+    Eigen::Map<Eigen::VectorXd>(sum.valuePtr(), sum.nonZeros()) = power_[0] + n * power_[1] + (n * n) * power_[2];
+    return sum;
 }
 
 namespace {
@@ -161,10 +206,10 @@ void require_held(SectionMesh const& mesh, Supports const& supports, int harmoni
 
 struct HarmonicSolver::Factors
 {
-    std::vector<Eigen::Index> place;  ///< of each unknown among the free ones; -1: fixed
+    std::vector<Eigen::Index> place;  ///< of each unknown among the free ones, in the order of their elimination; -1: fixed
     Eigen::Index free = 0;
     Eigen::SparseMatrix<double> stiffness;  ///< of all unknowns, without springs
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> ldlt;
+    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>> ldlt;
 };
 
 HarmonicSolver::HarmonicSolver(FourierSolid const& solid, Supports const& supports, int harmonic) : harmonic_(harmonic)
@@ -187,19 +232,20 @@ HarmonicSolver::HarmonicSolver(FourierSolid const& solid, Supports const& suppor
         else
             spring[i] += support.stiffness;
     }
-    for (auto& p : place)
-        p = p < 0 ? -1 : factors->free++;
+    for (int const i : solid.elimination())
+        if (Eigen::Index& p = place[static_cast<std::size_t>(i)]; p >= 0)
+            p = factors->free++;
 
     factors->stiffness = solid.stiffness(harmonic);
     auto const& all = factors->stiffness;
     std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(static_cast<std::size_t>(all.nonZeros()));
+    entries.reserve(static_cast<std::size_t>(all.nonZeros() + all.rows()) / 2);
     for (Eigen::Index column = 0; column < all.outerSize(); ++column)
         for (Eigen::SparseMatrix<double>::InnerIterator it(all, column); it; ++it)
         {
             Eigen::Index const i = place[static_cast<std::size_t>(it.row())], j = place[static_cast<std::size_t>(it.col())];
-            if (i < 0 || j < 0)
-                continue;
+            if (j < 0 || i < j)
+                continue;  // fixed, or said by symmetry
             double const value = it.value() + (it.row() == it.col() ? spring[static_cast<std::size_t>(it.row())] : 0);
             entries.emplace_back(static_cast<int>(i), static_cast<int>(j), value);
         }

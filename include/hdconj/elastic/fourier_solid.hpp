@@ -57,10 +57,16 @@ class FourierSolid
     [[nodiscard]] SectionMesh const& mesh() const { return mesh_; }
     [[nodiscard]] Eigen::Index unknowns() const { return static_cast<Eigen::Index>(3 * mesh_.nodes.size()); }
     [[nodiscard]] Eigen::SparseMatrix<double> stiffness(int harmonic) const;
+    /// All unknowns in an order that keeps Cholesky factors sparse (minimum degree), for every harmonic.
+    [[nodiscard]] std::vector<int> const& elimination() const { return elimination_; }
 
   private:
+    void lay_out();
+
     SectionMesh mesh_;
-    std::array<Eigen::SparseMatrix<double>, 3> power_;  ///< of n
+    Eigen::SparseMatrix<double> pattern_;         ///< of every harmonic's stiffness
+    std::array<Eigen::VectorXd, 3> power_;        ///< of n: K_0, K_1, K_2, the pattern's values
+    std::vector<int> elimination_;
 };
 
 /// A spring from one component of a node to the ground, or a fixed component.
