@@ -82,12 +82,17 @@ TakeUp take_up(GapField const& field, GapMap const& at_rest, int flank, double l
     std::size_t const slices = at_rest.z.size();
     std::size_t const points = at_rest.station.size();
     auto const rivals_within = [&](double turn) {
-        Rivals rivals;
-        for (std::size_t space = 0; space < at_rest.angle.size(); ++space)
+        std::vector<std::vector<GapField::Index>> found(at_rest.angle.size());
+        constexpr std::size_t gaps_worth_a_thread = 1 << 16;
+        parallel_for(found.size(), threads, std::max<std::size_t>(1, gaps_worth_a_thread / (slices * points)), [&](std::size_t space) {
             for (std::size_t k = 0; k < slices; ++k)
                 for (std::size_t i = 0; i < points; ++i)
                     if (at_rest.at(space, flank, k, i) <= reach * turn + between)
-                        rivals.index.push_back({space, flank, k, i});
+                        found[space].push_back({space, flank, k, i});
+        });
+        Rivals rivals;
+        for (auto const& each : found)
+            rivals.index.insert(rivals.index.end(), each.begin(), each.end());
         return rivals;
     };
     SmallestGap const resting = smallest_gap(field, at_rest, 0, flank, threads);

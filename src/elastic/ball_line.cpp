@@ -11,6 +11,7 @@
 
 #include "hdconj/elastic/bearing.hpp"
 #include "hdconj/numeric/error.hpp"
+#include "hdconj/numeric/parallel.hpp"
 #include "mean_of_cosine.hpp"
 
 namespace hdconj {
@@ -36,7 +37,7 @@ std::vector<int> released(std::vector<bool> const& off)
 
 }  // namespace
 
-BallLine ball_line(BearingSurface const& surface, int waves, BearingContacts const& contacts, int points, bool mirrored)
+BallLine ball_line(BearingSurface const& surface, int waves, BearingContacts const& contacts, int points, bool mirrored, int threads)
 {
     if (!surface.compliance)
         refuse("a rigid bearing has no balls");
@@ -55,6 +56,8 @@ BallLine ball_line(BearingSurface const& surface, int waves, BearingContacts con
     VectorXd share = VectorXd::Ones(count);
     if (mirrored)
         share[0] = share[count - 1] = 0.5;
+    MatrixXd cosine = MatrixXd::Zero(count, terms), sine = MatrixXd::Zero(count, terms);
+    VectorXd rise(terms), mean(terms);
     for (int k = 0; k < terms; ++k)
     {
         auto const column = static_cast<Index>(k);
@@ -63,26 +66,33 @@ BallLine ball_line(BearingSurface const& surface, int waves, BearingContacts con
         double const coefficient = (mirrored ? 2.0 : 1.0) * (k == 0 || alternating ? 1.0 : 2.0) / points;
         // of an amplitude at a point: the work of +-1 at the points is twice that of the cosine through them
         double const felt = alternating ? 0.5 : 1.0;
-        VectorXd cosine(count), sine(count);
         for (Index m = 0; m < count; ++m)
         {
             double const angle = n * line.phi[static_cast<std::size_t>(m)];
-            cosine[m] = std::cos(angle);
-            sine[m] = mirrored || alternating ? 0 : std::sin(angle);
+            cosine(m, column) = share[m] * std::cos(angle);
+            sine(m, column) = mirrored || alternating ? 0 : share[m] * std::sin(angle);
         }
-        cosine = cosine.cwiseProduct(share);
-        sine = sine.cwiseProduct(share);
-        line.held += arc * felt * (surface.reaction_cosine[column] * cosine + surface.reaction_sine[column] * sine);
-        line.stiffness += arc * felt * coefficient * surface.reaction_to_lift[column] * (cosine * cosine.transpose() + sine * sine.transpose());
-        double const mean = coefficient * mean_of_cosine(n, contacts.spread);
-        for (Index i = 0; i < rows; ++i)
-        {
-            double const angle = n * contacts.phi[static_cast<std::size_t>(i)];
-            // Betti: the surface rises by as much as a force on it unloads the balls
-            double const rise = -mean * surface.reaction_to_load(column, contacts.z[static_cast<std::size_t>(i)]);
-            line.lift.row(i) += rise * (std::cos(angle) * cosine + std::sin(angle) * sine).transpose();
-        }
+        line.held += arc * felt * (surface.reaction_cosine[column] * cosine.col(column) + surface.reaction_sine[column] * sine.col(column));
+        rise[column] = arc * felt * coefficient * surface.reaction_to_lift[column];
+        mean[column] = coefficient * mean_of_cosine(n, contacts.spread);
     }
+    constexpr std::size_t points_worth_a_thread = 16, rows_worth_a_thread = 64;
+    parallel_for(static_cast<std::size_t>(count), threads, points_worth_a_thread, [&](std::size_t point) {
+        auto const m = static_cast<Index>(point);
+        for (Index k = 0; k < terms; ++k)
+            line.stiffness.col(m) += rise[k] * (cosine(m, k) * cosine.col(k) + sine(m, k) * sine.col(k));
+    });
+    parallel_for(static_cast<std::size_t>(rows), threads, rows_worth_a_thread, [&](std::size_t row) {
+        VectorXd lift = VectorXd::Zero(count);
+        for (Index k = 0; k < terms; ++k)
+        {
+            double const angle = static_cast<double>(k) * waves * contacts.phi[row];
+            // Betti: the surface rises by as much as a force on it unloads the balls
+            double const risen = -mean[k] * surface.reaction_to_load(k, contacts.z[row]);
+            lift += risen * (std::cos(angle) * cosine.col(k) + std::sin(angle) * sine.col(k));
+        }
+        line.lift.row(static_cast<Index>(row)) = lift.transpose();
+    });
     return line;
 }
 

@@ -6,19 +6,16 @@
 #include <utility>
 
 #include "complementarity_system.hpp"
+#include "hdconj/numeric/dense.hpp"
 
 namespace hdconj {
 
-using detail::times;
 using Eigen::Index;
 using Eigen::VectorXd;
 
-double complementarity_residual(Complementarity const& problem, VectorXd const& force, double scalar)
+double detail::residual_of(Complementarity const& problem, VectorXd const& force, VectorXd const& elastic, double scalar)
 {
-    if (force.size() == 0)
-        return 0;
     bool const bordered = problem.border.size() > 0;
-    VectorXd const elastic = times(problem.compliance, force);
     VectorXd rigid = problem.approach;
     if (bordered)
         rigid += problem.border * scalar;
@@ -40,9 +37,14 @@ double complementarity_residual(Complementarity const& problem, VectorXd const& 
     return residual;
 }
 
+double complementarity_residual(Complementarity const& problem, VectorXd const& force, double scalar, int threads)
+{
+    return force.size() == 0 ? 0 : detail::residual_of(problem, force, times(problem.compliance, force, threads), scalar);
+}
+
 ComplementaritySolution solve_complementarity(Complementarity const& problem, ComplementarityOptions const& options)
 {
-    detail::ComplementaritySystem system(problem, options.scalar);
+    detail::ComplementaritySystem system(problem, options.scalar, options.threads);
     if (system.count() == 0)
         return {};
     if (options.first == ContactMethod::active_set)

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "complementarity_system.hpp"
 
-#include <Eigen/Cholesky>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <limits>
 #include <utility>
 
+#include "hdconj/numeric/dense.hpp"
 #include "hdconj/numeric/error.hpp"
 
 namespace hdconj::detail {
@@ -28,28 +27,28 @@ void fail_complementarity(std::string const& cause)
     throw NumericalError("contact of elastic bodies", "complementarity problem", cause);
 }
 
-VectorXd times(Eigen::MatrixXd const& compliance, VectorXd const& force)
+double work_of(Eigen::MatrixXd const& compliance, VectorXd const& force)
 {
-    VectorXd result = VectorXd::Zero(compliance.rows());
-    for (Index j = 0; j < force.size(); ++j)
-        if (force[j] != 0)
-            result += force[j] * compliance.col(j);
-    return result;
+    std::vector<Index> on;
+    for (Index i = 0; i < force.size(); ++i)
+        if (force[i] != 0)
+            on.push_back(i);
+    double work = 0;
+    for (std::size_t j = 0; j < on.size(); ++j)
+    {
+        auto const column = compliance.col(on[j]);
+        double below = 0;
+        for (std::size_t i = j + 1; i < on.size(); ++i)
+            below += column[on[i]] * force[on[i]];
+        work += force[on[j]] * (2 * below + column[on[j]] * force[on[j]]);
+    }
+    return work;
 }
 
-namespace {
-
-/// As allFinite(), of which no vector instructions are made: what is not finite is not zero less itself.
-bool all_finite(Eigen::MatrixXd const& m)
+ComplementaritySystem::ComplementaritySystem(Complementarity const& problem, double scalar, int threads)
+    : s(problem.border.size() > 0 ? scalar : 0), problem_(problem), count_(problem.approach.size()), threads_(threads)
 {
-    return (m.array() - m.array()).sum() == 0;
-}
-
-}  // namespace
-
-ComplementaritySystem::ComplementaritySystem(Complementarity const& problem, double scalar) : s(problem.border.size() > 0 ? scalar : 0), problem_(problem), count_(problem.approach.size())
-{
-    if (!all_finite(problem.compliance) || !problem.approach.allFinite() || !problem.border.allFinite() || !std::isfinite(problem.total))
+    if (!all_finite(problem.compliance, threads) || !problem.approach.allFinite() || !problem.border.allFinite() || !std::isfinite(problem.total))
         fail_complementarity("a compliance, an approach or the load is not a number");
     double const load = problem.total;
     if (has_border() && load != 0 && (problem.border * load).maxCoeff() <= 0)
@@ -65,12 +64,12 @@ bool ComplementaritySystem::on_border(std::vector<int> const& contacts) const
 
 VectorXd ComplementaritySystem::gaps(VectorXd const& f) const
 {
-    return times(problem_.compliance, f) - problem_.approach - closed_by_s();
+    return times(problem_.compliance, f, threads_) - problem_.approach - closed_by_s();
 }
 
 double ComplementaritySystem::energy_at_s(VectorXd const& f) const
 {
-    return f.dot(times(problem_.compliance, f)) / 2 - f.dot(problem_.approach + closed_by_s());
+    return work_of(problem_.compliance, f) / 2 - f.dot(problem_.approach + closed_by_s());
 }
 
 std::vector<int> ComplementaritySystem::overlapping() const
@@ -102,17 +101,17 @@ VectorXd ComplementaritySystem::close(std::vector<int> const& contacts, bool kee
     VectorXd f = VectorXd::Zero(count_);
     if (contacts.empty())
         return f;
-    Eigen::LLT<Eigen::MatrixXd> const llt(problem_.compliance(contacts, contacts));
-    if (llt.info() != Eigen::Success)
+    Cholesky const factor(principal_part(problem_.compliance, contacts, threads_), threads_);
+    if (!factor.found())
         fail_complementarity("the compliance matrix is not positive definite");
-    VectorXd const x = llt.solve(problem_.approach(contacts));
+    VectorXd const x = factor.solve(problem_.approach(contacts));
     if (!has_border())
     {
         f(contacts) = x;
         return f;
     }
     VectorXd const b = problem_.border(contacts);
-    VectorXd const y = llt.solve(b);
+    VectorXd const y = factor.solve(b);
     slope_ = b.dot(y);
     if (!keep_s && slope_ > 0)
         s = (problem_.total - b.dot(x)) / slope_;
@@ -138,9 +137,10 @@ ComplementaritySolution ComplementaritySystem::solution(VectorXd f, ContactMetho
         else
             f[i] = 0;
     }
-    result.gap = gaps(f);
-    result.residual = complementarity_residual(problem_, f, s);
-    result.energy = f.dot(times(problem_.compliance, f)) / 2 - f.dot(problem_.approach);
+    VectorXd const elastic = times(problem_.compliance, f, threads_);
+    result.gap = elastic - problem_.approach - closed_by_s();
+    result.residual = residual_of(problem_, f, elastic, s);
+    result.energy = f.dot(elastic) / 2 - f.dot(problem_.approach);
     result.force = std::move(f);
     result.scalar = s;
     result.slope = slope_;

@@ -16,10 +16,11 @@ class ComplementaritySystem
 {
   public:
     /// @throws NumericalError for a problem that is not finite, or whose load nothing can carry
-    ComplementaritySystem(Complementarity const& problem, double scalar);
+    ComplementaritySystem(Complementarity const& problem, double scalar, int threads);
 
     [[nodiscard]] Complementarity const& problem() const { return problem_; }
     [[nodiscard]] Eigen::Index count() const { return count_; }
+    [[nodiscard]] int threads() const { return threads_; }
     [[nodiscard]] bool has_border() const { return problem_.border.size() > 0; }
     [[nodiscard]] bool on_border(std::vector<int> const& contacts) const;
     /// b s
@@ -41,6 +42,7 @@ class ComplementaritySystem
   private:
     Complementarity const& problem_;
     Eigen::Index count_;
+    int threads_;
     double slope_ = 0;  ///< d(b . f)/ds of the last contacts
     int iterations_ = 0;
 };
@@ -52,8 +54,11 @@ class ComplementaritySystem
 /// @throws NumericalError where rounding leaves more than @p tolerance
 [[nodiscard]] ComplementaritySolution projected(ComplementaritySystem& system, double tolerance);
 
-/// Columns of a list of contacts only: G f costs their number times that of the gaps.
-[[nodiscard]] Eigen::VectorXd times(Eigen::MatrixXd const& compliance, Eigen::VectorXd const& force);
+/// complementarity_residual() where G f is known.
+[[nodiscard]] double residual_of(Complementarity const& problem, Eigen::VectorXd const& force, Eigen::VectorXd const& elastic, double scalar);
+
+/// f'G f
+[[nodiscard]] double work_of(Eigen::MatrixXd const& compliance, Eigen::VectorXd const& force);
 
 [[noreturn]] void fail_complementarity(std::string const& cause);
 

@@ -89,7 +89,7 @@ ComplementaritySolution projected(ComplementaritySystem& system, double toleranc
             found->method = ContactMethod::projected;
             return *std::move(found);
         }
-        residual = std::min(residual, complementarity_residual(problem, f, s));
+        residual = std::min(residual, complementarity_residual(problem, f, s, system.threads()));
         system.s = s;
         if (!system.has_border())
             break;

@@ -119,6 +119,8 @@ WaveGeneratorContact solve_wave_generator(FourierSolid const& cup, double inner_
         }
         contact.approach.segment(i * circles, circles) = surface.cosine * cosine + surface.sine * sine;
     }
+    ComplementarityOptions options;
+    options.threads = threads;
     ComplementaritySolution solved;
     if (surface.compliance)
     {
@@ -128,8 +130,8 @@ WaveGeneratorContact solve_wave_generator(FourierSolid const& cup, double inner_
             places.phi.push_back(point.phi);
             places.z.push_back(static_cast<Index>(point.station));
         }
-        BallLine const line = ball_line(surface, waves, places, 2 * half, mirrored);
-        BallContact balls = solve_on_balls(contact, 0, line);
+        BallLine const line = ball_line(surface, waves, places, 2 * half, mirrored, threads);
+        BallContact balls = solve_on_balls(contact, 0, line, options);
         // a force on a mirror plane stands for two at the same point
         if (mirrored)
             for (Index const m : {Index(0), balls.force.size() - 1})
@@ -140,7 +142,7 @@ WaveGeneratorContact solve_wave_generator(FourierSolid const& cup, double inner_
         solved = std::move(balls.contacts);
     }
     else
-        solved = solve_complementarity(contact);
+        solved = solve_complementarity(contact, options);
     out.iterations = solved.iterations;
     out.residual = solved.residual;
     out.method = solved.method;

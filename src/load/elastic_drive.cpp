@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "hdconj/elastic/complementarity.hpp"
+#include "hdconj/numeric/dense.hpp"
 #include "hdconj/numeric/error.hpp"
 #include "hdconj/numeric/parallel.hpp"
 
@@ -85,7 +86,7 @@ struct Start
 /// @param first   contact that is the first of the bearing
 /// @param places  of the bearing around the sector
 /// @param turn    to begin with [rad]
-Start start_of(Complementarity const& problem, std::optional<BallLine> const& line, std::size_t first, std::vector<Site> const& sites, std::size_t places, double turn)
+Start start_of(Complementarity const& problem, std::optional<BallLine> const& line, std::size_t first, std::vector<Site> const& sites, std::size_t places, double turn, int threads)
 {
     constexpr std::size_t few = 32;
     if (places < few)
@@ -101,16 +102,17 @@ Start start_of(Complementarity const& problem, std::optional<BallLine> const& li
             of_bearing.push_back(static_cast<int>(i - first));
         thinned.push_back({sites[i].row, sites[i].place / 2});
     }
-    Complementarity thin{problem.compliance(kept, kept), problem.approach(kept), {}, problem.total};
+    Complementarity thin{principal_part(problem.compliance, kept, threads), problem.approach(kept), {}, problem.total};
     if (problem.border.size() > 0)
         thin.border = problem.border(kept);
     std::optional<BallLine> balls;
     if (line)
         balls = BallLine{line->phi, line->held, line->stiffness, line->lift(of_bearing, Eigen::all)};
     std::size_t const flanks = kept.size() - of_bearing.size();
-    Start result = start_of(thin, balls, flanks, thinned, (places + 1) / 2, turn);
+    Start result = start_of(thin, balls, flanks, thinned, (places + 1) / 2, turn, threads);
     ComplementarityOptions options;
     options.scalar = turn;
+    options.threads = threads;
     options.start = std::move(result.contacts);
     std::vector<int> contacts;
     try
@@ -276,6 +278,7 @@ Equilibrium equilibrium(ElasticDrive const& drive, LinearGaps const& gaps, std::
 
     ComplementarityOptions options;
     options.scalar = gaps.turn;
+    options.threads = threads;
     if (guess != nullptr)
     {
         if (guess->flank.size() == flanks)
@@ -310,7 +313,7 @@ Equilibrium equilibrium(ElasticDrive const& drive, LinearGaps const& gaps, std::
         }
         for (BearingNode const& node : nodes)
             sites.push_back({node.height, node.angle});
-        Start start = start_of(problem, drive.balls, flanks, sites, drive.bearing_steps.size(), gaps.turn);
+        Start start = start_of(problem, drive.balls, flanks, sites, drive.bearing_steps.size(), gaps.turn, threads);
         if (!start.contacts.empty())
         {
             options.start = std::move(start.contacts);

@@ -46,7 +46,7 @@ PointResponse::PointResponse(std::vector<RingStation> stations, std::vector<Harm
         sine[i] = std::sin(angle);
     }
     table_.assign(count * count * points, 0);
-    constexpr std::size_t grain = 16;
+    constexpr std::size_t grain = 4;
     parallel_for(count, threads, grain, [&](std::size_t a) {
         for (std::size_t b = 0; b < count; ++b)
         {

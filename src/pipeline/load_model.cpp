@@ -139,8 +139,9 @@ LoadModel load_model(ContactBench const& bench, LoadGrid const& resolution, Load
     }
     double const middle = bearing.middle;
     std::vector<double> const circles = bearing_circles(bearing, resolution.circles);
-    SectionMesh const mesh = section_mesh(section, contact_mesh_size(bearing, scene.bearing->circles));
-    FourierSolid const solid(mesh);
+    // the mesh is that of the scene, whatever the resolution
+    FourierSolid const solid = finer != nullptr ? finer->solid : FourierSolid(section_mesh(section, contact_mesh_size(bearing, scene.bearing->circles)));
+    SectionMesh const& mesh = solid.mesh();
 
     std::vector<double> z;
     for (std::size_t const k : resolution.slices)
@@ -221,7 +222,7 @@ LoadModel load_model(ContactBench const& bench, LoadGrid const& resolution, Load
         }
         else
         {
-            drive.balls = ball_line(surface, sectors, contacts, std::min(samples, most_angles), false);
+            drive.balls = ball_line(surface, sectors, contacts, std::min(samples, most_angles), false, bench.threads);
             drive.ball_arc = 2 * std::numbers::pi * (section.inner_radius - bearing.ring->thickness) / (sectors * static_cast<double>(drive.balls->phi.size()));
         }
         drive.outer_ring.emplace(std::vector<RingStation>(circles.size(), {RingStation::Parity::cosine, bearing_spread}), std::move(ring), sectors, grid, bench.threads);

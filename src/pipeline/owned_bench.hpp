@@ -49,10 +49,7 @@ struct OwnedBench
         maker.emplace(middle, tooth, shape, slice_places(slices, width), threads);
         bench.emplace(ContactBench{scene, tooth, shape, g, *maker, scene.contact.value_or(standard_contact), threads, width,
                                    {scene.solver.tolerance, g.r_m + g.w0 + tooth.pitch_line + tooth.addendum}, clock, places, middle.cup.get()});
-        clock.run(Stage::coning, [&] {
-            for (std::size_t k = 0; k < maker->z().size(); ++k)
-                (void)maker->motion(k);
-        });
+        clock.run(Stage::coning, [&] { maker->find_motions(maker->z().size()); });
     }
     OwnedBench(OwnedBench const&) = delete;
     OwnedBench& operator=(OwnedBench const&) = delete;

@@ -35,8 +35,7 @@ SliceTurns::SliceTurns(ContactBench const& bench, SurfaceMaker& maker) : bench_(
     std::size_t const slices = maker.z().size();
     // slices that do not cone have one motion
     std::size_t const different = bench.scene.coning ? slices : 1;
-    for (std::size_t k = 0; k < different; ++k)
-        (void)maker.motion(k);
+    maker.find_motions(different);
     turns_.resize(different);
     parallel_for(different, bench.threads, 4, [&](std::size_t k) {
         turns_[k] = std::make_unique<FullTurnClearance<ErasedMotion>>(bench_.tooth, maker_.motion(k).motion, pitch_, pitches_per_lobe(bench_.scene));

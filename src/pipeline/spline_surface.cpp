@@ -2,6 +2,7 @@
 #include "spline_surface.hpp"
 
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "hdconj/axial/coning.hpp"
@@ -120,11 +121,24 @@ SliceMotion SurfaceMaker::motion_at(double z) const
     return slice_motion(base_->scene, *tooth_, shape_, factor(z), base_->geometry.r_m);
 }
 
+void SurfaceMaker::find_motions(std::vector<std::size_t> const& wanted)
+{
+    (void)follows_sections();
+    constexpr std::size_t grain = 2;
+    parallel_for(wanted.size(), threads_, grain, [&](std::size_t i) { (void)motion(wanted[i]); });
+}
+
+void SurfaceMaker::find_motions(std::size_t count)
+{
+    std::vector<std::size_t> first(count);
+    std::iota(first.begin(), first.end(), std::size_t{0});
+    find_motions(first);
+}
+
 /// Motions, branches and pointed radii of the slices @p wanted.
 void SurfaceMaker::prepare(std::vector<std::size_t> const& wanted)
 {
-    for (std::size_t k : wanted)
-        (void)motion(k);
+    find_motions(wanted);
     parallel_for(wanted.size(), threads_, 1, [&](std::size_t i) {
         std::size_t const k = wanted[i];
         if (jobs_[k])

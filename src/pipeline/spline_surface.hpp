@@ -41,6 +41,9 @@ class SurfaceMaker
     [[nodiscard]] std::vector<double> const& z() const { return z_; }
     /// Motion of the teeth's sections by the plane of slice @p k: where coning.axial_shift is "mapped", of those parts of the wall that have moved into it.
     [[nodiscard]] SliceMotion const& motion(std::size_t k);
+    /// Finds those of slices @p wanted, each once, or of the first @p count: whoever asks next has not to wait.
+    void find_motions(std::vector<std::size_t> const& wanted);
+    void find_motions(std::size_t count);
 
     /// The same for any other planes [mm].
     [[nodiscard]] std::vector<SliceMotion> motions_at(std::vector<double> const& planes);

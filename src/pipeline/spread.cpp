@@ -72,10 +72,7 @@ void spread_over_width(Solution& out, Profile const& tooth, AnyWaveShape const& 
     }
     Solution const base = out;
     SurfaceMaker maker(base, tooth, shape, z, out.threads);
-    clock.run(Stage::coning, [&] {
-        for (std::size_t k = 0; k < z.size(); ++k)
-            (void)maker.motion(k);
-    });
+    clock.run(Stage::coning, [&] { maker.find_motions(z.size()); });
     MatchedOutline outline;
     SurfaceChoice const flat{scene.slices->surface, "radial", 0};
     SurfaceChoice const choice{scene.slices->surface, draft ? "draft" : "radial", tilt};

@@ -41,7 +41,7 @@ struct BearingContacts
 /// @param points  in a lobe, even; at most twice the harmonics of @p surface
 /// @param mirrored  for an even cam and contacts of half a lobe: points of half a lobe, both ends included
 /// @throws NumericalError for a rigid bearing, or points that the harmonics cannot tell apart
-[[nodiscard]] BallLine ball_line(BearingSurface const& surface, int waves, BearingContacts const& contacts, int points, bool mirrored);
+[[nodiscard]] BallLine ball_line(BearingSurface const& surface, int waves, BearingContacts const& contacts, int points, bool mirrored, int threads = 1);
 
 /// Contacts and balls in equilibrium.
 struct BallContact

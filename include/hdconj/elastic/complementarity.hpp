@@ -41,6 +41,7 @@ struct ComplementarityOptions
     double tolerance = contact_tolerance;             ///< largest residual
     std::vector<int> start;                           ///< contacts to begin with, of a neighbouring problem; empty: those of f = 0
     double scalar = 0;                                ///< s to begin with
+    int threads = 1;
 };
 
 struct ComplementaritySolution
@@ -65,6 +66,6 @@ struct ComplementaritySolution
 [[nodiscard]] ComplementaritySolution solve_complementarity(Complementarity const& problem, ComplementarityOptions const& options = {});
 
 /// The residual of ComplementaritySolution, of any f and s.
-[[nodiscard]] double complementarity_residual(Complementarity const& problem, Eigen::VectorXd const& force, double scalar);
+[[nodiscard]] double complementarity_residual(Complementarity const& problem, Eigen::VectorXd const& force, double scalar, int threads = 1);
 
 }  // namespace hdconj

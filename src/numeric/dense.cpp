@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/numeric/dense.hpp"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+#include "hdconj/numeric/parallel.hpp"
+
+namespace hdconj {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double tenth_of_a_millisecond = 1 << 17;  // elements touched, about: in these loops the other threads are still awake from the last one
+
+/// Fewest of a loop's iterations that are worth a thread, where each touches so many elements.
+std::size_t grain_of(double elements)
+{
+    return static_cast<std::size_t>(std::max(1.0, tenth_of_a_millisecond / std::max(1.0, elements)));
+}
+
+std::size_t tiles_of(Index length, Index tile)
+{
+    return static_cast<std::size_t>((length + tile - 1) / tile);
+}
+
+}  // namespace
+
+MatrixXd principal_part(MatrixXd const& a, std::vector<int> const& which, int threads)
+{
+    auto const count = static_cast<Index>(which.size());
+    MatrixXd part(count, count);
+    parallel_for(which.size(), threads, grain_of(static_cast<double>(count)), [&](std::size_t j) {
+        double const* const from = a.col(which[j]).data();
+        double* const to = part.col(static_cast<Index>(j)).data();
+        for (std::size_t i = 0; i < which.size(); ++i)
+            to[i] = from[which[i]];
+    });
+    return part;
+}
+
+VectorXd times(MatrixXd const& a, VectorXd const& x, int threads)
+{
+    constexpr Index tile = 128;
+    std::vector<Index> columns;
+    for (Index j = 0; j < x.size(); ++j)
+        if (x[j] != 0)
+            columns.push_back(j);
+    VectorXd result = VectorXd::Zero(a.rows());
+    parallel_for(tiles_of(a.rows(), tile), threads, grain_of(static_cast<double>(tile) * static_cast<double>(columns.size())), [&](std::size_t t) {
+        Index const first = static_cast<Index>(t) * tile, size = std::min(tile, a.rows() - first);
+        auto sum = result.segment(first, size);
+        for (Index const j : columns)
+            sum += x[j] * a.col(j).segment(first, size);
+    });
+    return result;
+}
+
+bool all_finite(MatrixXd const& a, int threads)
+{
+    std::vector<unsigned char> finite(static_cast<std::size_t>(a.cols()));
+    // what is not finite is not zero less itself; of allFinite() no vector instructions are made
+    parallel_for(finite.size(), threads, grain_of(static_cast<double>(a.rows())), [&](std::size_t j) {
+        auto const column = a.col(static_cast<Index>(j)).array();
+        finite[j] = (column - column).sum() == 0;
+    });
+    return std::all_of(finite.begin(), finite.end(), [](unsigned char f) { return f != 0; });
+}
+
+Cholesky::Cholesky(MatrixXd a, int threads) : factor_(std::move(a))
+{
+    constexpr Index tile = 48;
+    constexpr std::size_t tiles_worth_a_thread = 2;
+    Index const n = factor_.rows();
+    for (Index k = 0; k < n; k += tile)
+    {
+        Index const width = std::min(tile, n - k), below = k + width;
+        auto corner = factor_.block(k, k, width, width);
+        Eigen::LLT<Eigen::Ref<MatrixXd>> const in_place(corner);
+        found_ = in_place.info() == Eigen::Success;
+        if (!found_)
+            return;
+        std::size_t const tiles = tiles_of(n - below, tile);
+        parallel_for(tiles, threads, tiles_worth_a_thread, [&](std::size_t t) {
+            Index const first = below + static_cast<Index>(t) * tile;
+            auto rows = factor_.block(first, k, std::min(tile, n - first), width);
+            corner.triangularView<Eigen::Lower>().transpose().solveInPlace<Eigen::OnTheRight>(rows);
+        });
+        // what these columns take from all that follow, from the longest on
+        parallel_for(tiles, threads, tiles_worth_a_thread, [&](std::size_t t) {
+            Index const first = below + static_cast<Index>(t) * tile, size = std::min(tile, n - first);
+            factor_.block(first, first, n - first, size).noalias() -= factor_.block(first, k, n - first, width) * factor_.block(first, k, size, width).transpose();
+        });
+    }
+}
+
+VectorXd Cholesky::solve(VectorXd const& b) const
+{
+    VectorXd x = b;
+    factor_.triangularView<Eigen::Lower>().solveInPlace(x);
+    factor_.triangularView<Eigen::Lower>().adjoint().solveInPlace(x);
+    return x;
+}
+
+}  // namespace hdconj

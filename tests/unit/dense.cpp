@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/numeric/dense.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <catch2/catch.hpp>
+#include <limits>
+#include <random>
+#include <vector>
+
+#include "hdconj/numeric/tolerance.hpp"
+
+using namespace hdconj;
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+MatrixXd random_matrix(Index rows, Index columns, unsigned seed)
+{
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> even(-1, 1);
+    MatrixXd m(rows, columns);
+    for (Index j = 0; j < columns; ++j)
+        for (Index i = 0; i < rows; ++i)
+            m(i, j) = even(random);
+    return m;
+}
+
+MatrixXd positive_definite(Index n, unsigned seed)
+{
+    MatrixXd const m = random_matrix(n, n + 3, seed);
+    return m * m.transpose();
+}
+
+}  // namespace
+
+TEST_CASE("dense: a Cholesky factor solves to rounding, of any size, with the same bits for every number of threads", "[dense]")
+{
+    for (Index const n : {1, 2, 47, 48, 49, 96, 200, 403})
+    {
+        MatrixXd const a = positive_definite(n, static_cast<unsigned>(n));
+        VectorXd const b = random_matrix(n, 1, 7).col(0);
+        Cholesky const one(a, 1);
+        REQUIRE(one.found());
+        VectorXd const x = one.solve(b);
+        // backward error of a stable solver
+        double const residual = (a * x - b).norm() / (a.norm() * x.norm() + b.norm());
+        CHECK(residual < 8 * static_cast<double>(n) * unit_roundoff);
+        for (int const threads : {2, 3, 5})
+            CHECK(Cholesky(a, threads).solve(b) == x);
+    }
+}
+
+TEST_CASE("dense: a Cholesky factor looks at the lower triangle only", "[dense]")
+{
+    MatrixXd const a = positive_definite(130, 3);
+    MatrixXd lower = a;
+    lower.triangularView<Eigen::StrictlyUpper>().setConstant(std::numeric_limits<double>::quiet_NaN());
+    VectorXd const b = VectorXd::Ones(130);
+    CHECK(Cholesky(lower, 2).solve(b) == Cholesky(a, 1).solve(b));
+}
+
+TEST_CASE("dense: what is not positive definite has no factor, wherever it shows", "[dense]")
+{
+    MatrixXd const a = positive_definite(150, 11);
+    for (Index const i : {0, 60, 149})
+    {
+        MatrixXd bad = a;
+        bad(i, i) = -1;
+        CHECK(!Cholesky(bad, 1).found());
+        CHECK(!Cholesky(bad, 2).found());
+    }
+    CHECK(Cholesky(MatrixXd(0, 0), 2).found());
+}
+
+TEST_CASE("dense: parts, products and the search for what is not finite are the plain ones, with the same bits for every number of threads", "[dense]")
+{
+    Index const n = 700;
+    MatrixXd const a = random_matrix(n, n, 5);
+    std::vector<int> which;
+    for (int i = 0; i < n; i += 2)
+        which.push_back(i);
+    VectorXd x = random_matrix(n, 1, 6).col(0);
+    for (Index i = 0; i < n; i += 3)
+        x[i] = 0;
+    MatrixXd const part = a(which, which);
+    VectorXd const product = times(a, x, 1);
+    CHECK((product - a * x).norm() <= static_cast<double>(n) * unit_roundoff * a.norm() * x.norm());
+    for (int const threads : {1, 2, 4})
+    {
+        CHECK(principal_part(a, which, threads) == part);
+        CHECK(times(a, x, threads) == product);
+        CHECK(all_finite(a, threads));
+        for (double const bad : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})
+        {
+            MatrixXd broken = a;
+            broken(n - 1, 351) = bad;
+            CHECK(!all_finite(broken, threads));
+        }
+    }
+}
