@@ -238,7 +238,12 @@ void conclude_threads(Page& page, Ladders const& ladders)
     for (std::size_t i = 0; sample != nullptr && i < sample->rungs.size(); ++i) {
         differ = std::max(differ, sample->rungs[i].extra);
     }
-    page.line("{:.0f} threads are {:.2f} times as fast as one; {}.", last.value, one.median / last.median,
+    auto const* apart = find(ladders, "threads", "solves side by side");
+    std::string const given = apart == nullptr || apart->rungs.size() < 2
+        ? std::string()
+        : fmt::format(", where the machine gave {:.2f}: so much more was done in the same minutes by {:.0f} solves side by side, which share nothing else",
+                      apart->rungs.front().median / apart->rungs.back().median, last.value);
+    page.line("{:.0f} threads are {:.2f} times as fast as one{}; {}.", last.value, one.median / last.median, given,
               differ > 0 ? fmt::format("{} points differ", differ) : fmt::format("no bit of the outline differs{}", sample == nullptr ? "" : ", of this drive or any design of the sample"));
 }
 

@@ -57,30 +57,34 @@ struct StudyRun
         report.records.push_back(std::move(record));
     }
 
-    /// Runs @p run, which returns nothing, for every repeat of a record. Runs shorter than some milliseconds are repeated within one
-    /// timing, so that a tick of the clock does not count.
+    /// Runs @p run, which returns nothing, for every repeat of a record.
     template<class Run>
-    void measure(StudyRecord record, Run const& run) const
+    void measure(StudyRecord const& record, Run const& run) const
     {
-        record.drive = name;
         for (int repeat = 0; repeat < repeats; ++repeat)
+            measure_once(record, repeat, run);
+    }
+
+    /// The same for one repeat. Runs shorter than some milliseconds are repeated within one timing, so that a tick of the clock does not count.
+    /// @param jobs  that a run does
+    template<class Run>
+    void measure_once(StudyRecord record, int repeat, Run const& run, int jobs = 1) const
+    {
+        record.repeat = repeat;
+        reset_peak_memory();
+        constexpr double long_enough = 3e-3;   // s
+        long runs = 0;
+        double seconds = 0;
+        auto const start = std::chrono::steady_clock::now();
+        do
         {
-            record.repeat = repeat;
-            reset_peak_memory();
-            constexpr double long_enough = 3e-3;   // s
-            long runs = 0;
-            double seconds = 0;
-            auto const start = std::chrono::steady_clock::now();
-            do
-            {
-                run();
-                ++runs;
-                seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-            } while (seconds < long_enough && !quick);
-            record.seconds = seconds / static_cast<double>(runs);
-            record.memory = peak_memory();
-            report.records.push_back(record);
-        }
+            run();
+            ++runs;
+            seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        } while (seconds < long_enough && !quick);
+        record.seconds = seconds / (static_cast<double>(runs) * jobs);
+        record.memory = peak_memory();
+        keep(record);
     }
 };
 

@@ -79,39 +79,60 @@ void study_motion_model(StudyBench const& bench)
     tolerance_ladder(bench, "motion-model", "material", Kinematics::material, to);
 }
 
+namespace {
+
+/// solve() on so many threads. A point that differs in any bit from that of one thread is an extra one.
+StudyRecord on_threads(StudyBench const& bench, Scene const& scene, std::vector<Vec2>& single)
+{
+    StudyRecord record;
+    record.study = "threads";
+    record.method = "solve";
+    record.knob = "solver.threads";
+    record.value = record.threads = scene.solver.threads;
+    Solution const solution = solve(scene);
+    auto const& outline = outline_of(solution);
+    if (single.empty())
+        single = outline;
+    CurveDifference const difference = bench.reference.compare(outline, scene.solver.tolerance);
+    record.error = difference.points;
+    record.hausdorff = difference.hausdorff;
+    record.estimate = solution.error.chord + solution.error.point;
+    record.branches = static_cast<int>(solution.branches.size());
+    record.extra = static_cast<int>(outline.size() != single.size());
+    for (std::size_t i = 0; i < std::min(outline.size(), single.size()); ++i)
+        record.extra += outline[i] != single[i];
+    record.evaluations = static_cast<double>(solution.work.envelope_points);
+    record.points = static_cast<double>(outline.size());
+    return record;
+}
+
+}  // namespace
+
 void study_threads(StudyBench const& bench)
 {
     constexpr int digits = 9, digits_of_quick = 6;
     Scene scene = bench.drive.scene;
     scene.solver.tolerance = power_of_ten(bench.quick ? digits_of_quick : digits);
-    int const cores = thread_count(0);
+    Scene alone = scene;
+    alone.solver.threads = 1;
     std::vector<Vec2> single;
-    for (int threads = 1; threads <= std::max(2, cores); threads *= 2)
+    std::vector<StudyRecord> shared;
+    for (int threads = 1; threads <= std::max(2, thread_count(0)); threads *= 2)
     {
         scene.solver.threads = threads;
-        StudyRecord record;
-        record.study = "threads";
-        record.method = "solve";
-        record.knob = "solver.threads";
-        record.value = threads;
-        Solution const solution = solve(scene);
-        auto const& outline = outline_of(solution);
-        if (single.empty())
-            single = outline;
-        CurveDifference const difference = bench.reference.compare(outline, scene.solver.tolerance);
-        record.error = difference.points;
-        record.hausdorff = difference.hausdorff;
-        record.estimate = solution.error.chord + solution.error.point;
-        record.branches = static_cast<int>(solution.branches.size());
-        // a point that differs in any bit from that of one thread is an extra one
-        record.extra = static_cast<int>(outline.size() != single.size());
-        for (std::size_t i = 0; i < std::min(outline.size(), single.size()); ++i)
-            record.extra += outline[i] != single[i];
-        record.evaluations = static_cast<double>(solution.work.envelope_points);
-        record.points = static_cast<double>(outline.size());
-        record.threads = threads;
-        bench.measure(record, [&] { (void)solve(scene); });
+        shared.push_back(on_threads(bench, scene, single));
     }
+    // by turns: what a machine gives changes from minute to minute
+    for (int repeat = 0; repeat < bench.repeats; ++repeat)
+        for (StudyRecord const& record : shared)
+        {
+            scene.solver.threads = record.threads;
+            bench.measure_once(record, repeat, [&] { (void)solve(scene); });
+            // as many solves at once, each on a thread of its own: nothing is shared but the machine
+            StudyRecord apart = record;
+            apart.method = "solves side by side";
+            bench.measure_once(apart, repeat, [&] { parallel_for(static_cast<std::size_t>(record.threads), record.threads, 1, [&](std::size_t) { (void)solve(alone); }); }, record.threads);
+        }
 }
 
 }  // namespace hdconj::detail

@@ -136,6 +136,13 @@ TEST_CASE("accuracy: negative controls", "[accuracy]")
     REQUIRE(threads.rungs.size() >= 2);
     CHECK(threads.rungs[0].error == threads.rungs[1].error);
     CHECK(threads.rungs[1].extra == 0);
+    // beside what the machine gives to solves that share nothing else, repeat by repeat
+    auto const& apart = ladder(all, "solves side by side");
+    REQUIRE(apart.rungs.size() == threads.rungs.size());
+    for (std::size_t i = 0; i < threads.rungs.size(); ++i) {
+        CHECK(apart.rungs[i].value == threads.rungs[i].value);
+        CHECK(apart.rungs[i].median > 0);
+    }
     // and an outline that is wrong is seen to be: by a point, and by a stretch left out
     Scene scene = oracle::type_50();
     ReferenceCurve const truth = reference_outline(scene);
