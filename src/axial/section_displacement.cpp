@@ -9,17 +9,20 @@
 #include <utility>
 
 #include "hdconj/numeric/fourier.hpp"
+#include "hdconj/numeric/parallel.hpp"
 
 namespace hdconj {
 
-SectionDisplacement::SectionDisplacement(double low, double high, DisplacementOf const& displacement_of, int nodes)
+SectionDisplacement::SectionDisplacement(double low, double high, DisplacementOf const& displacement_of, int nodes, int threads)
 {
     for (int j = 0; j < nodes; ++j)
     {
         double const x = std::cos(std::numbers::pi * (j + 0.5) / nodes);
         height_.push_back(0.5 * (low + high) + 0.5 * (high - low) * x);
-        slice_.push_back(displacement_of(height_.back()));
     }
+    slice_.resize(height_.size());
+    constexpr std::size_t grain = 4;
+    parallel_for(height_.size(), threads, grain, [&](std::size_t j) { slice_[j] = displacement_of(height_[j]); });
 }
 
 SectionDisplacement::Line SectionDisplacement::line(double phi) const

@@ -43,17 +43,17 @@ Influence influence(FourierSolid const& solid, UnitFields const& unit, std::vect
     return {std::move(directions), unit.harmonics, std::move(compliance)};
 }
 
-HarmonicField harmonic_field(UnitFields const& unit, Eigen::MatrixXd const& even, Eigen::MatrixXd const& odd)
+HarmonicField harmonic_field(UnitFields const& unit, Eigen::MatrixXd const& even, Eigen::MatrixXd const& odd, int threads)
 {
     auto const terms = static_cast<Index>(unit.harmonics.size());
     Index const unknowns = unit.moved.empty() ? 0 : unit.moved.front().rows();
     HarmonicField field{unit.harmonics, Eigen::MatrixXd(unknowns, terms), Eigen::MatrixXd(unknowns, terms)};
-    for (Index k = 0; k < terms; ++k)
-    {
-        Eigen::MatrixXd const& moved = unit.moved[static_cast<std::size_t>(k)];
-        field.even.col(k) = moved * even.col(k);
-        field.odd.col(k) = moved * odd.col(k);
-    }
+    constexpr std::size_t grain = 8;
+    parallel_for(unit.harmonics.size(), threads, grain, [&](std::size_t i) {
+        auto const k = static_cast<Index>(i);
+        field.even.col(k) = unit.moved[i] * even.col(k);
+        field.odd.col(k) = unit.moved[i] * odd.col(k);
+    });
     return field;
 }
 

@@ -251,7 +251,7 @@ HarmonicField cup_field(LoadModel const& model, Eigen::MatrixXd const& forces, i
             even(radial, k) += n * loads.even(turn, k) / model.radius;
             odd(radial, k) += n * loads.odd(turn, k) / model.radius;
         }
-    return harmonic_field(model.unit, even, odd);
+    return harmonic_field(model.unit, even, odd, threads);
 }
 
 CupShape cup_shape(LoadModel const& model, HarmonicField const& field, int angles, int threads)

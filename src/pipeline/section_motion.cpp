@@ -66,7 +66,7 @@ Sections sections_of_cone(Solution const& base, AnyWaveShape const& shape, std::
             AnyWaveShape const scaled = shape.scaled(mode.factor(height));
             return exact ? displacement_of(NeutralCurve<AnyWaveShape>(scaled, r_m)) : inextensional_mode(scaled);
         },
-        nodes);
+        nodes, threads);
     return all_sections(wall, [&](double phi, double plane) { return plane - shift(phi).u_z; }, z, threads);
 }
 
@@ -81,8 +81,8 @@ Sections sections_of_cup(Solution const& base, std::vector<double> const& z, int
     for (double const end : {z.front(), z.back()})
         largest = std::max(largest, largest_shift(cup.cam().waves, [&](double phi) { return cup.axial(middle + end, r_m, phi).u_z; }));
     double const low = z.front() - largest, high = z.back() + largest;
-    SectionDisplacement const wall(low, high, [&](double height) { return displacement_at(cup, height, r_m); }, nodes);
-    SectionDisplacement const along(low, high, [&](double height) { return cup.axial_displacement(middle + height, r_m); }, nodes);
+    SectionDisplacement const wall(low, high, [&](double height) { return displacement_at(cup, height, r_m); }, nodes, threads);
+    SectionDisplacement const along(low, high, [&](double height) { return cup.axial_displacement(middle + height, r_m); }, nodes, threads);
     auto const height_of = [&](double phi, double plane) {
         constexpr int budget = 32;  // each step gains two digits: u_z hardly depends on the height
         SectionDisplacement::Line const line = along.line(phi);

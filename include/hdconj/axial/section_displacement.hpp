@@ -28,7 +28,7 @@ class SectionDisplacement
     /// @param low, high        heights between which the planes meet the wall [mm], low < high
     /// @param displacement_of  the wall's slice at a height
     /// @param nodes            Chebyshev nodes
-    SectionDisplacement(double low, double high, DisplacementOf const& displacement_of, int nodes);
+    SectionDisplacement(double low, double high, DisplacementOf const& displacement_of, int nodes, int threads = 1);
 
     /// w and v [mm] of the wall at one angle, at any height; derivatives are not given.
     class Line

@@ -33,6 +33,6 @@ struct UnitFields
 [[nodiscard]] Influence influence(FourierSolid const& solid, UnitFields const& unit, std::vector<Station> const& stations, int threads = 1);
 
 /// The field under loads of the stations, rows: stations, columns: harmonics, as harmonic_field() takes them; equal to it but for rounding.
-[[nodiscard]] HarmonicField harmonic_field(UnitFields const& unit, Eigen::MatrixXd const& even, Eigen::MatrixXd const& odd);
+[[nodiscard]] HarmonicField harmonic_field(UnitFields const& unit, Eigen::MatrixXd const& even, Eigen::MatrixXd const& odd, int threads = 1);
 
 }  // namespace hdconj
