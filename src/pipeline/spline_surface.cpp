@@ -77,8 +77,10 @@ double SurfaceMaker::factor(double z) const
 bool SurfaceMaker::follows_sections()
 {
     if (!sections_asked_)
+    {
         sections_ = section_displacements(*base_, shape_, z_, threads_);
-    sections_asked_ = true;
+        sections_asked_ = true;
+    }
     return sections_.has_value();
 }
 

@@ -36,7 +36,7 @@ MatrixXd positive_definite(Index n, unsigned seed)
 
 }  // namespace
 
-TEST_CASE("dense: a Cholesky factor solves to rounding, of any size, with the same bits for every number of threads", "[dense]")
+TEST_CASE("dense: a Cholesky factor solves to rounding, of any size, with the same bits for every number of threads", "[dense][parallel]")
 {
     for (Index const n : {1, 2, 47, 48, 49, 96, 200, 403})
     {
@@ -75,7 +75,7 @@ TEST_CASE("dense: what is not positive definite has no factor, wherever it shows
     CHECK(Cholesky(MatrixXd(0, 0), 2).found());
 }
 
-TEST_CASE("dense: parts, products and the search for what is not finite are the plain ones, with the same bits for every number of threads", "[dense]")
+TEST_CASE("dense: parts, products and the search for what is not finite are the plain ones, with the same bits for every number of threads", "[dense][parallel]")
 {
     Index const n = 700;
     MatrixXd const a = random_matrix(n, n, 5);

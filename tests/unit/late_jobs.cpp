@@ -10,7 +10,7 @@
 
 using hdconj::detail::LateJobs;
 
-TEST_CASE("late jobs: each is done once, whoever helps", "[late jobs]")
+TEST_CASE("late jobs: each is done once, whoever helps", "[late jobs][parallel]")
 {
     for (int helpers = 0; helpers < 4; ++helpers)
     {
@@ -29,7 +29,7 @@ TEST_CASE("late jobs: each is done once, whoever helps", "[late jobs]")
     }
 }
 
-TEST_CASE("late jobs: none, and who waits for them goes on", "[late jobs]")
+TEST_CASE("late jobs: none, and who waits for them goes on", "[late jobs][parallel]")
 {
     LateJobs jobs;
     std::thread helper([&] { jobs.help(); });
@@ -38,7 +38,7 @@ TEST_CASE("late jobs: none, and who waits for them goes on", "[late jobs]")
     CHECK_NOTHROW(jobs.finish());
 }
 
-TEST_CASE("late jobs: of several that throw the lowest is heard, and all others are done", "[late jobs]")
+TEST_CASE("late jobs: of several that throw the lowest is heard, and all others are done", "[late jobs][parallel]")
 {
     for (int helpers = 0; helpers < 3; ++helpers)
     {
