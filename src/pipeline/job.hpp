@@ -110,9 +110,13 @@ class SolveJob
     [[nodiscard]] bool is_moved() const { return out_.plan.has(Stage::backlash); }
     [[nodiscard]] Envelope<Motion> final_envelope() const { return {tooth_, motion_, out_.scene.circular_spline.backlash_offset}; }
 
+    static constexpr double chords_worth_a_thread = 8192;  // of points that are made in rows
+    /// About: of a branch as long as the tooth is high.
+    [[nodiscard]] double chords_of_a_flank() const { return std::sqrt((tooth_.addendum + tooth_.dedendum) / tolerance_.length); }
+
     void trace()
     {
-        BranchSet set = find_branches(base_, out_.threads);
+        BranchSet set = find_branches(base_, out_.threads, chords_of_a_flank() > chords_worth_a_thread);
         refuse_lost_branches(set.record, tolerance_.length);
         record_doubts(set.record, tooth_, out_.certificate);
         branches_ = std::move(set.branches);
@@ -135,10 +139,8 @@ class SolveJob
         records_wanted_ = false;
         std::vector<BranchRecord> records(branches_.size());
         std::vector<std::size_t> evaluations(branches_.size(), 0);
-        // a branch about as long as the tooth is high has this many chords
-        double const chords = std::sqrt((tooth_.addendum + tooth_.dedendum) / tolerance_.length);
-        double const chords_worth_a_thread = batch_motion(motion_) ? 8192 : 1024;
-        auto const grain = static_cast<std::size_t>(std::ceil(chords_worth_a_thread / chords));
+        double const worth_a_thread = batch_motion(motion_) ? chords_worth_a_thread : chords_worth_a_thread / 8;
+        auto const grain = static_cast<std::size_t>(std::ceil(worth_a_thread / chords_of_a_flank()));
         std::vector<std::size_t> const order = longest_first();
         LateJobs pieces;
         auto const helpers = static_cast<std::size_t>(out_.threads) - 1;

@@ -84,9 +84,10 @@ namespace detail {
 
 /// Every branch of {f = 0} for u over the lobe [-pi/n, pi/n]: regular ones on lines, arcs and curves, corner paths on convex corners.
 /// Pieces are traced in parallel; the result does not depend on the number of threads.
+/// @param long_job  what follows keeps all threads busy, so that they may as well be woken for this
 /// @throws NumericalError naming the piece and the place
 template<RelativeMotion Motion>
-[[nodiscard]] BranchSet find_branches(Envelope<Motion> const& envelope, int threads)
+[[nodiscard]] BranchSet find_branches(Envelope<Motion> const& envelope, int threads, bool long_job = false)
 {
     auto const& pieces = envelope.profile().pieces;
     std::vector<std::vector<ContactArc>> arcs(pieces.size());
@@ -95,7 +96,7 @@ template<RelativeMotion Motion>
     for (SmoothRange const& range : smooth_ranges(envelope.motion()))
         rates.push_back(rates_model(envelope.motion(), range.a, range.b));
     // a piece takes some ten microseconds under a motion in closed form, else most of a millisecond
-    std::size_t const grain = batch_motion(envelope.motion()) ? 32 : 2;
+    std::size_t const grain = !batch_motion(envelope.motion()) ? 2 : long_job ? 4 : 32;
     parallel_for(pieces.size(), threads, grain, [&](std::size_t i) {
         std::vector<ContactArc> const whole = PieceTracer<Motion>(envelope, rates, static_cast<int>(i))(records[i]);
         for (ContactArc const& arc : whole)
