@@ -3,60 +3,16 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
-#include "accuracy_figures.hpp"
-#include "hdconj/study/accuracy.hpp"
-#include "picture_frame.hpp"
+#include "accuracy_curves.hpp"
 #include "picture_lines.hpp"
 
 namespace hdconj {
 namespace {
 
-// Layout [px].
-constexpr double top = 82;
-constexpr double panel_height = 430;
-constexpr double left_axis = 112;
-constexpr double below_axis = 66;
-constexpr double legend_row = 26;
-constexpr std::array colours = {"#0072b2", "#d55e00", "#009e73", "#cc79a7", "#000000", "#e69f00", "#56b4e9", "#8c6d46"};
-
-struct Curve
-{
-    StudyLadder const* ladder;
-    std::vector<StudyRung const*> rungs;   ///< with an error and a time to draw
-    std::string colour;
-    bool sample = false;
-};
-
-std::vector<Curve> curves_of(std::vector<StudyLadder> const& ladders, std::string const& name)
-{
-    std::vector<Curve> curves;
-    std::vector<std::string> methods;
-    for (auto const& ladder : ladders) {
-        if (ladder.study != name) {
-            continue;
-        }
-        Curve curve{&ladder, {}, "", ladder.drive == worst_of_sample};
-        for (auto const& rung : ladder.rungs) {
-            if (rung.error > 0 && rung.median > 0) {
-                curve.rungs.push_back(&rung);
-            }
-        }
-        auto const known = std::find(methods.begin(), methods.end(), ladder.method + ladder.knob);
-        std::size_t const number = static_cast<std::size_t>(known - methods.begin());
-        if (known == methods.end()) {
-            methods.push_back(ladder.method + ladder.knob);
-        }
-        curve.colour = colours[number % colours.size()];
-        if (!curve.rungs.empty()) {
-            curves.push_back(std::move(curve));
-        }
-    }
-    return curves;
-}
+using study_picture::Curve;
 
 struct Range
 {
@@ -75,12 +31,6 @@ struct Range
         high = std::pow(10.0, std::ceil(std::log10(high * room)));
     }
 };
-
-std::string look(Curve const& curve)
-{
-    // Widths differ as well: in SVG, gnuplot joins lines of one colour and width and forgets the second one's dashes.
-    return fmt::format("linecolor rgb '{}' linewidth {} dashtype {}", curve.colour, curve.sample ? 1.4 : 2.2, curve.sample ? "(8,5)" : "solid");
-}
 
 /// The knob's value beside the first and the last rung.
 std::string ends_of(Curve const& curve, double middle)
@@ -103,7 +53,7 @@ std::string ends_of(Curve const& curve, double middle)
 bool has_picture(std::vector<StudyLadder> const& ladders, std::string const& name)
 {
     std::size_t points = 0;
-    for (auto const& curve : curves_of(ladders, name)) {
+    for (auto const& curve : study_picture::curves_of(ladders, name)) {
         points += curve.rungs.size();
     }
     return points > 1;
@@ -111,8 +61,11 @@ bool has_picture(std::vector<StudyLadder> const& ladders, std::string const& nam
 
 std::string accuracy_script(StoredAccuracy const& study, std::vector<StudyLadder> const& ladders, std::string const& name, PictureFormat format)
 {
-    auto const curves = curves_of(ladders, name);
-    double const height = top + panel_height + below_axis + legend_row * (static_cast<double>(curves.size()) + 1);
+    auto const curves = study_picture::curves_of(ladders, name);
+    if (!curves.empty() && curves.front().ladder->knob == "solver.threads") {
+        return study_picture::time_on_threads(study, ladders, name, format);
+    }
+    double const height = study_picture::height_of(curves.size());
     Range time, error;
     for (auto const& curve : curves) {
         for (auto const* rung : curve.rungs) {
@@ -125,19 +78,10 @@ std::string accuracy_script(StoredAccuracy const& study, std::vector<StudyLadder
     time.low /= room;
     time.high *= room;
     error.widen();
-    std::string question;
-    for (auto const& kind : study_kinds()) {
-        if (kind.name == name) {
-            question = kind.question;
-        }
-    }
     std::string const& unit = curves.front().ladder->unit;
-    picture::Words const words{study.report.scene.drive.name + ": " + name, question + "; at the ends of a line its first and last setting", "", ""};
-    std::string script = picture::terminal(format, height) + picture::title(height, words) +
-                         picture::axes({.left = left_axis, .right = picture::width - picture::right_margin, .top = top, .bottom = top + panel_height}, height);
+    std::string script = study_picture::frame(study, name, "at the ends of a line its first and last setting", height, format);
     script += fmt::format(
-        "set logscale xy\nset xrange [{:.8g}:{:.8g}]\nset yrange [{:.8g}:{:.8g}]\n"
-        "set format xy '10^{{%L}}'\nset grid linecolor rgb '#e0e0e0' linewidth 0.6\n"
+        "set xrange [{:.8g}:{:.8g}]\nset yrange [{:.8g}:{:.8g}]\nset format xy '10^{{%L}}'\n"
         "set xlabel 'time [s], median; whiskers: least and most' noenhanced\n"
         "set ylabel 'error against the reference [{}]' noenhanced\n",
         time.low, time.high, error.low, error.high, unit == "mm^2" ? "mm²" : unit);
@@ -151,7 +95,7 @@ std::string accuracy_script(StoredAccuracy const& study, std::vector<StudyLadder
             rows += fmt::format("{:.8g} {:.8g} {:.8g} {:.8g}\n", rung->median, rung->error, rung->least, rung->most);
         }
         script += fmt::format("$curve{} << END\n{}END\n", i, rows);
-        plot += fmt::format("{}$curve{} using 1:2 with linespoints {} pointtype {} pointsize 0.7 notitle", plot.empty() ? "plot " : ", \\\n    ", i, look(curve),
+        plot += fmt::format("{}$curve{} using 1:2 with linespoints {} pointtype {} pointsize 0.7 notitle", plot.empty() ? "plot " : ", \\\n    ", i, study_picture::look(curve),
                             curve.sample ? 6 : 7);
         plot += fmt::format(", \\\n    $curve{} using 1:2:3:4 with xerrorbars linecolor rgb '{}' linewidth 0.7 pointtype -1 notitle", i, curve.colour);
         if (curve.ladder->floor > 0) {
@@ -161,12 +105,7 @@ std::string accuracy_script(StoredAccuracy const& study, std::vector<StudyLadder
         if (!curve.sample) {
             script += ends_of(curve, middle);
         }
-        constexpr double sample = 46, gap = 12;
-        double const y = top + panel_height + below_axis + legend_row * (static_cast<double>(i) + 1);
-        std::string const remark = ladder_remark(*curve.ladder);
-        std::string const text = ladder_name(*curve.ladder) + " (" + curve.ladder->knob + ")" + (remark.empty() ? "" : ": " + remark);
-        script += fmt::format("set arrow from {} to {} nohead {}\nset label {} at {} noenhanced\n", picture::screen(left_axis, y, height),
-                              picture::screen(left_axis + sample, y, height), look(curve), gnuplot_quoted(text), picture::screen(left_axis + sample + gap, y, height));
+        script += study_picture::legend(curve, i, ladder_remark(*curve.ladder), height);
     }
     return script + plot + "\n";
 }
