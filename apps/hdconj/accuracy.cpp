@@ -61,6 +61,16 @@ std::optional<double> millimetres_of(std::string const& text)
     return with_unit(text, {{"", 1}, {"mm", 1}, {"um", 1e-3}, {"nm", 1e-6}});
 }
 
+/// A page with the pictures that may lie beside it.
+OutputJob page_job(std::string const& page)
+{
+    OutputJob job{"page", "--page", page, [page] { check_target(page); }};
+    for (auto const& kind : study_kinds()) {
+        job.members.push_back(accuracy_figure(page, std::string(kind.name)));
+    }
+    return job;
+}
+
 StoredAccuracy measured(CommonOptions const& common, AccuracyVerb const& own)
 {
     Scene const scene = load_scene(common);
@@ -71,7 +81,7 @@ StoredAccuracy measured(CommonOptions const& common, AccuracyVerb const& own)
     std::vector<OutputJob> jobs = {{"folder", "--output", folder, [folder] { check_accuracy_folder(folder); }}};
     jobs.back().is_folder = true;
     if (!own.page.empty()) {
-        jobs.push_back({"page", "--page", own.page, [&own] { check_target(own.page); }});
+        jobs.push_back(page_job(own.page));
     }
     check_outputs(jobs, inputs_of(common, scene));
     Progress const progress(!common.quiet);
@@ -98,7 +108,7 @@ StoredAccuracy stored(CommonOptions const& common, AccuracyVerb const& own)
         jobs.push_back({"folder", "--output", own.output, [&own] { check_accuracy_folder(own.output); }});
     }
     if (!own.page.empty()) {
-        jobs.push_back({"page", "--page", own.page, [&own] { check_target(own.page); }});
+        jobs.push_back(page_job(own.page));
     }
     // the folder of the records may be named: they are written again, the same
     check_outputs(jobs, input_of("--from", own.from));

@@ -45,7 +45,9 @@ struct RecordText
 /// Names of the studies in a report, in order.
 [[nodiscard]] std::vector<std::string> studies_of(std::vector<StudyLadder> const& ladders);
 
-/// Error against time of one study, log-log.
+/// What the picture of a study shows: error against time, or time against threads.
+[[nodiscard]] std::string picture_words(std::vector<StudyLadder> const& ladders, std::string const& name);
+/// That picture, log-log.
 [[nodiscard]] std::string accuracy_script(StoredAccuracy const& study, std::vector<StudyLadder> const& ladders, std::string const& name, PictureFormat format);
 /// Whether a study has two points to draw.
 [[nodiscard]] bool has_picture(std::vector<StudyLadder> const& ladders, std::string const& name);

@@ -55,7 +55,7 @@ std::vector<WrittenFile> write_accuracy_folder(StoredAccuracy const& study, fs::
             }
             for (auto const& [ending, format] : {std::pair{".svg", PictureFormat::svg}, std::pair{".png", PictureFormat::png}}) {
                 std::string const file = name + ending;
-                write(file, "picture", drawn(accuracy_script(study, ladders, name, format), folder / file), "error against time");
+                write(file, "picture", drawn(accuracy_script(study, ladders, name, format), folder / file), picture_words(ladders, name));
             }
         }
     }
@@ -63,24 +63,28 @@ std::vector<WrittenFile> write_accuracy_folder(StoredAccuracy const& study, fs::
     return files;
 }
 
+fs::path accuracy_figure(fs::path const& page, std::string const& study)
+{
+    return page.parent_path() / "figures" / (page.stem().string() + "-" + study + ".svg");
+}
+
 std::vector<WrittenFile> write_accuracy_page(StoredAccuracy const& study, fs::path const& page)
 {
     auto const ladders = ladders_of(study.report);
     std::vector<WrittenFile> files;
     if (gnuplot::is_installed()) {
-        fs::path const folder = page.parent_path() / "figures";
         std::error_code ignored;
-        fs::create_directories(folder, ignored);   // where it cannot be made, the first picture says why
+        fs::create_directories(accuracy_figure(page, "").parent_path(), ignored);   // where it cannot be made, the first picture says why
         for (auto const& name : studies_of(ladders)) {
             if (!has_picture(ladders, name)) {
                 continue;
             }
-            fs::path const file = folder / ("accuracy-" + name + ".svg");
+            fs::path const file = accuracy_figure(page, name);
             write_text_atomically(file, drawn(accuracy_script(study, ladders, name, PictureFormat::svg), file));
             files.push_back({"picture", file, 0});
         }
     }
-    write_text_atomically(page, accuracy_page(study));
+    write_text_atomically(page, accuracy_page(study, page, gnuplot::is_installed()));
     files.push_back({"page", page, 0});
     return files;
 }

@@ -318,9 +318,15 @@ void write_knobs(Page& page, Ladders const& ladders)
               "records that were measured before.\n");
 }
 
+/// A file as Markdown's links take it.
+std::string link_to(std::string const& file)
+{
+    return file.find_first_of(" ()") == std::string::npos ? file : "<" + file + ">";
+}
+
 }  // namespace
 
-std::string accuracy_page(StoredAccuracy const& study)
+std::string accuracy_page(StoredAccuracy const& study, std::filesystem::path const& page_file, bool pictures)
 {
     auto const& report = study.report;
     auto const ladders = ladders_of(report);
@@ -350,8 +356,8 @@ std::string accuracy_page(StoredAccuracy const& study)
         }
         page.line("## {}: {}\n", name, question);
         conclude(page, name, ladders);
-        if (has_picture(ladders, name)) {
-            page.line("\n![{}](figures/accuracy-{}.svg)", question, name);
+        if (pictures && has_picture(ladders, name)) {
+            page.line("\n![{}]({})", question, link_to("figures/" + accuracy_figure(page_file, name).filename().string()));
         }
         for (auto const& ladder : ladders) {
             if (ladder.study == name) {

@@ -48,7 +48,18 @@ std::string ends_of(Curve const& curve, double middle)
     return labels;
 }
 
+/// All its lines have the same error: what they differ in is time.
+bool is_of_threads(std::vector<Curve> const& curves)
+{
+    return !curves.empty() && curves.front().ladder->knob == "solver.threads";
+}
+
 }  // namespace
+
+std::string picture_words(std::vector<StudyLadder> const& ladders, std::string const& name)
+{
+    return is_of_threads(study_picture::curves_of(ladders, name)) ? "time against threads" : "error against time";
+}
 
 bool has_picture(std::vector<StudyLadder> const& ladders, std::string const& name)
 {
@@ -62,7 +73,7 @@ bool has_picture(std::vector<StudyLadder> const& ladders, std::string const& nam
 std::string accuracy_script(StoredAccuracy const& study, std::vector<StudyLadder> const& ladders, std::string const& name, PictureFormat format)
 {
     auto const curves = study_picture::curves_of(ladders, name);
-    if (!curves.empty() && curves.front().ladder->knob == "solver.threads") {
+    if (is_of_threads(curves)) {
         return study_picture::time_on_threads(study, ladders, name, format);
     }
     double const height = study_picture::height_of(curves.size());

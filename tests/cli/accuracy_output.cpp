@@ -67,7 +67,7 @@ TEST_CASE("accuracy writes a folder of records and pictures, and prints tables",
 TEST_CASE("accuracy: stored records give the same figures, a page and advice", "[accuracy]")
 {
     TemporaryFolder const folder;
-    auto const measured = accuracy(quick + "--json -o a", folder);
+    auto const measured = accuracy("--quick --sample 0 --study tolerance,number-type,threads --json -o a", folder);
     REQUIRE(measured.status == 0);
     json const first = json::parse(measured.out);
     CHECK(first.at("format") == "hdconj-accuracy");
@@ -88,6 +88,22 @@ TEST_CASE("accuracy: stored records give the same figures, a page and advice", "
         if (!is_missing("gnuplot"))
             CHECK(std::filesystem::exists(folder.path() / name));
     }
+    // another page in the same folder has pictures of its own
+    REQUIRE(accuracy("--from a/records.h5 --quiet --page 'a second.md'", folder).status == 0);
+    if (!is_missing("gnuplot")) {
+        CHECK_THAT(content(folder.path() / "a second.md"), ContainsSubstring("](<figures/a second-tolerance.svg>)"));
+        CHECK(std::filesystem::exists(folder.path() / "figures/a second-tolerance.svg"));
+        CHECK(std::filesystem::exists(folder.path() / "figures/page-tolerance.svg"));
+        // time on threads has axes of its own
+        CHECK_THAT(content(folder.path() / "figures/page-threads.svg"), ContainsSubstring("dotted: time of one thread over their number"));
+        CHECK_THAT(content(folder.path() / "figures/page-tolerance.svg"), !ContainsSubstring("dotted"));
+    }
+    // a scene where a picture would stand is not replaced
+    std::filesystem::copy_file(HDCONJ_SOURCE_DIR "/data/scenes/type-50.toml", folder.path() / "figures/mine-roots.svg");
+    auto const refused = accuracy("figures/mine-roots.svg --page mine.md -o b", folder);
+    CHECK(refused.status == 2);
+    CHECK_THAT(refused.err, ContainsSubstring("mine-roots.svg too: this is the scene file"));
+    CHECK(content(folder.path() / "figures/mine-roots.svg") == content(HDCONJ_SOURCE_DIR "/data/scenes/type-50.toml"));
 }
 
 TEST_CASE("accuracy: drives of every kind are measured, and what a scene has no study of is said", "[accuracy]")

@@ -48,8 +48,10 @@ std::vector<WrittenFile> write_accuracy_folder(StoredAccuracy const& study, std:
 /// One row per case, method, knob and repeat, a line of names first.
 [[nodiscard]] std::string accuracy_csv(StoredAccuracy const& study);
 
-/// The report as a page in Markdown, pictures as links into the folder "figures" beside it.
-[[nodiscard]] std::string accuracy_page(StoredAccuracy const& study);
+/// The picture of a study that belongs to a page: "figures/PAGE-STUDY.svg" beside it.
+[[nodiscard]] std::filesystem::path accuracy_figure(std::filesystem::path const& page, std::string const& study);
+/// The report as a page in Markdown. @param pictures  with links to its pictures
+[[nodiscard]] std::string accuracy_page(StoredAccuracy const& study, std::filesystem::path const& page_file, bool pictures);
 /// Writes that page and, where gnuplot is installed, its pictures. @throws FileError
 std::vector<WrittenFile> write_accuracy_page(StoredAccuracy const& study, std::filesystem::path const& page);
 
