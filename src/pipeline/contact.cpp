@@ -3,9 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <functional>
 #include <optional>
 
+#include "best_tilt.hpp"
 #include "contact_case.hpp"
 #include "hdconj/numeric/parallel.hpp"
 #include "hdconj/profile/builder.hpp"
@@ -27,92 +28,6 @@ constexpr double searches_worth = 20;      // cases, for the progress bar
 bool axial(Scene const& scene, ContactOptions const& options)
 {
     return scene.coning || scene.tilt || scene.slices || !options.tilts.empty() || !options.surfaces.empty() || options.best;
-}
-
-/// The best of @p value over a scan and a golden-section search around its best point. A tilt at which no surface can be made is no candidate,
-/// and is counted; @throws NumericalError, that of the last one, where none can be made.
-template<class Value>
-BestTilt best_tilt(std::string const& what, std::string const& kind, ContactOptions const& options, bool largest, Value const& value)
-{
-    constexpr int scan = 20;
-    constexpr double tolerance_deg = 0.005;
-    constexpr double none = std::numeric_limits<double>::infinity();
-    double const tolerance = tolerance_deg * rad_per_deg;
-    double const span = options.best_to - options.best_from;
-    BestTilt result;
-    result.what = what;
-    result.kind = kind;
-    result.tolerance = tolerance;
-    result.from = options.best_from;
-    result.to = options.best_to;
-    result.possible_from = none;
-    result.possible_to = -none;
-    std::optional<NumericalError> last;
-    auto const cost = [&](double tilt) {
-        try
-        {
-            double const found = largest ? -value(tilt) : value(tilt);
-            result.possible_from = std::min(result.possible_from, tilt);
-            result.possible_to = std::max(result.possible_to, tilt);
-            return found;
-        }
-        catch (NumericalError const& error)
-        {
-            ++result.refused;
-            result.refusal = error.what();
-            last.emplace(error);
-            return none;
-        }
-    };
-    double best = options.best_from;
-    double least = cost(best);
-    for (int i = 1; i <= scan; ++i)
-    {
-        double const tilt = options.best_from + span * i / scan;
-        double const c = cost(tilt);
-        if (c < least)
-        {
-            least = c;
-            best = tilt;
-        }
-    }
-    double low = std::max(options.best_from, best - span / scan);
-    double high = std::min(options.best_to, best + span / scan);
-    constexpr double golden = 0.6180339887498949;
-    double a = high - golden * (high - low), b = low + golden * (high - low);
-    double at_a = cost(a), at_b = cost(b);
-    while (high - low > tolerance)
-    {
-        if (at_a < at_b)
-        {
-            high = b;
-            b = a;
-            at_b = at_a;
-            a = high - golden * (high - low);
-            at_a = cost(a);
-        }
-        else
-        {
-            low = a;
-            a = b;
-            at_a = at_b;
-            b = low + golden * (high - low);
-            at_b = cost(b);
-        }
-    }
-    // a bound that was scanned may still be better than what the search closed in on
-    double const found = at_a < at_b ? a : b;
-    if (std::min(at_a, at_b) < least)
-    {
-        least = std::min(at_a, at_b);
-        best = found;
-    }
-    if (least == none)
-        throw NumericalError(*last);
-    result.tilt = best;
-    result.value = largest ? -least : least;
-    result.on_bound = best - options.best_from <= tolerance || options.best_to - best <= tolerance;
-    return result;
 }
 
 }  // namespace
@@ -201,6 +116,37 @@ void write_part(CircularSplineOutline& spline, detail::OwnedBench& owned, Surfac
     spline.pieces = detail::piece_records(common, owned.tooth);
 }
 
+/// What a search for a tilt is for.
+struct Goal
+{
+    char const* what;
+    bool largest;
+    double (*value)(ContactBench const& bench, SurfaceChoice const& choice, bool as_made);
+};
+
+/// The best tilt of one kind. Rarely it can be made with the wider tip circle alone: only then is every one asked for both.
+BestTilt searched(ContactBench const& bench, ContactOptions const& options, std::string const& kind, Goal const& goal, std::function<void()> const& on_tilt)
+{
+    for (bool as_made = false;; as_made = true)
+    {
+        BestTilt best = detail::best_tilt(goal.what, kind, options, goal.largest, [&](double tilt) {
+            on_tilt();
+            return goal.value(bench, SurfaceChoice{"tilted", kind, tilt}, as_made);
+        });
+        try
+        {
+            ContactCase const found = detail::contact_case(bench, {"tilted", kind, best.tilt}, 0, nullptr);
+            best.value_error = goal.largest ? found.state.share_error : found.clearing_offset_error;
+            return best;
+        }
+        catch (NumericalError const&)
+        {
+            if (as_made)
+                throw;
+        }
+    }
+}
+
 }  // namespace
 
 ContactStudy contact(Scene const& scene, ContactOptions const& options, StageObserver const& on_stage, Progress const& progress)
@@ -261,32 +207,8 @@ ContactStudy contact(Scene const& scene, ContactOptions const& options, StageObs
         study.missing = left_out;
     }
     for (std::string const& kind : kinds)
-    {
-        auto const search = [&](std::string const& what, bool largest, auto const& value) {
-            // rarely a tilt can be made with the wider tip circle alone: only then is every one asked for both
-            for (bool const as_made : {false, true})
-            {
-                BestTilt best = best_tilt(what, kind, options, largest, [&](double tilt) {
-                    say("best tilt", 0.5);
-                    return value(bench, SurfaceChoice{"tilted", kind, tilt}, as_made);
-                });
-                try
-                {
-                    ContactCase const found = detail::contact_case(bench, {"tilted", kind, best.tilt}, 0, nullptr);
-                    best.value_error = largest ? found.state.share_error : found.clearing_offset_error;
-                    study.best.push_back(best);
-                    return;
-                }
-                catch (NumericalError const&)
-                {
-                    if (as_made)
-                        throw;
-                }
-            }
-        };
-        search("area", true, detail::share_of);
-        search("clearing offset", false, detail::clearing_offset_of);
-    }
+        for (Goal const& goal : {Goal{"area", true, detail::share_of}, Goal{"clearing offset", false, detail::clearing_offset_of}})
+            study.best.push_back(searched(bench, options, kind, goal, [&] { say("best tilt", 0.5); }));
     // none of the tilts that were listed: the row of the best
     if (study.cases.empty())
         add({"tilted", study.best.front().kind, study.best.front().tilt});

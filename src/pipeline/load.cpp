@@ -6,8 +6,10 @@
 #include <fmt/format.h>
 #include <numbers>
 
+#include "hdconj/load/drive_series.hpp"
 #include "hdconj/numeric/error.hpp"
 #include "hdconj/profile/builder.hpp"
+#include "cup_shape.hpp"
 #include "drive.hpp"
 #include "load_case.hpp"
 #include "load_coarse.hpp"

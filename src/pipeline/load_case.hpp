@@ -8,7 +8,7 @@
 
 #include "contact_bench.hpp"
 #include "contact_case.hpp"
-#include "hdconj/load/elastic_drive.hpp"
+#include "hdconj/load/equilibrium.hpp"
 #include "hdconj/pipeline/load_study.hpp"
 
 namespace hdconj::detail {

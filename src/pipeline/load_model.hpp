@@ -8,7 +8,6 @@
 #include "contact_bench.hpp"
 #include "hdconj/elastic/unit_fields.hpp"
 #include "hdconj/load/elastic_drive.hpp"
-#include "hdconj/pipeline/load_study.hpp"
 
 namespace hdconj::detail {
 
@@ -40,11 +39,5 @@ struct LoadGrid
 /// @param finer  of the same bench: what it has solved for is not solved again where the coarser grid is a part of it; null: none
 /// @throws NumericalError for a cup that cannot be meshed or a drive with too many teeth for the memory that a load takes
 [[nodiscard]] LoadModel load_model(ContactBench const& bench, LoadGrid const& resolution, LoadModel const* finer = nullptr);
-
-/// Displacement of the whole cup under forces on the drive's stations.
-[[nodiscard]] HarmonicField cup_field(LoadModel const& model, Eigen::MatrixXd const& forces, int threads);
-
-/// The cup as it is drawn, stresses at the corners of elements as means of the Gauss points around them.
-[[nodiscard]] CupShape cup_shape(LoadModel const& model, HarmonicField const& field, int angles, int threads);
 
 }  // namespace hdconj::detail

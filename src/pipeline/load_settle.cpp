@@ -11,6 +11,7 @@
 #include <tuple>
 #include <utility>
 
+#include "hdconj/load/drive_series.hpp"
 #include "hdconj/load/round_edges.hpp"
 #include "hdconj/numeric/error.hpp"
 #include "hdconj/numeric/parallel.hpp"

@@ -9,7 +9,7 @@
 #include "contact_bench.hpp"
 #include "hdconj/contact/flank_grid.hpp"
 #include "hdconj/contact/gap_field.hpp"
-#include "hdconj/load/elastic_drive.hpp"
+#include "hdconj/load/equilibrium.hpp"
 #include "hdconj/load/flank_contacts.hpp"
 #include "loaded_shape.hpp"
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hdconj/contact/gap_field.hpp"
+#include "hdconj/load/drive_series.hpp"
 #include "hdconj/motion/material_motion.hpp"
 #include "hdconj/numeric/parallel.hpp"
 #include "hdconj/wavegen/length_kept.hpp"

@@ -7,7 +7,7 @@
 
 #include "contact_bench.hpp"
 #include "hdconj/contact/tooth_places.hpp"
-#include "hdconj/load/elastic_drive.hpp"
+#include "hdconj/load/equilibrium.hpp"
 
 namespace hdconj::detail {
 

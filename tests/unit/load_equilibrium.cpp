@@ -9,7 +9,8 @@
 #include <random>
 
 #include "hdconj/elastic/complementarity.hpp"
-#include "hdconj/load/elastic_drive.hpp"
+#include "hdconj/load/drive_series.hpp"
+#include "hdconj/load/equilibrium.hpp"
 #include "support/catch.hpp"
 #include "support/oracle/nnls.hpp"
 

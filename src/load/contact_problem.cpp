@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact_problem.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "contact_places.hpp"
+#include "hdconj/numeric/error.hpp"
+#include "hdconj/numeric/parallel.hpp"
+
+namespace hdconj::detail {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+double between(PointResponse const& response, Footing const& a, Footing const& b)
+{
+    double sum = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        for (std::size_t j = 0; j < 3; ++j)
+            sum += a.share[i] * b.share[j] * response(a.station[i], b.station[j], a.at - b.at);
+    return sum;
+}
+
+/// What contacts give way by under each other, the bearing's own block as the drive has it.
+MatrixXd compliance_of(ElasticDrive const& drive, LinearGaps const& gaps, std::size_t flanks, std::vector<BearingNode> const& nodes, int threads)
+{
+    std::size_t const count = flanks + nodes.size();
+    std::vector<Footing> feet;
+    for (std::size_t i = 0; i < flanks; ++i)
+        feet.push_back(footing(drive, gaps.contacts[i]));
+    MatrixXd a(static_cast<Index>(count), static_cast<Index>(count));
+    auto const first = static_cast<Index>(flanks), bearing = static_cast<Index>(nodes.size());
+    constexpr std::size_t grain = 16;
+    // columns of flanks from the diagonal down; a tooth pressed inwards moves away, one that the bearing presses outwards comes nearer
+    parallel_for(flanks, threads, grain, [&](std::size_t col) {
+        auto const j = static_cast<Index>(col);
+        for (std::size_t row = col; row < flanks; ++row)
+            a(static_cast<Index>(row), j) = between(drive.response, feet[row], feet[col]);
+        for (std::size_t row = 0; row < nodes.size(); ++row)
+        {
+            double& value = a(first + static_cast<Index>(row), j);
+            value = 0;
+            for (std::size_t i = 0; i < 3; ++i)
+                value -= feet[col].share[i] * drive.response(nodes[row].height, feet[col].station[i], nodes[row].at - feet[col].at);
+        }
+        a(j, j) += gaps.compliance.own[col];
+    });
+    if (flanks > 0)
+        for (LocalCompliance::Coupling const& c : gaps.compliance.couplings)
+            a(static_cast<Index>(c.second), static_cast<Index>(c.first)) += c.compliance;
+    // what is above the diagonal, and the bearing's own block, which no torque changes
+    constexpr std::size_t copies = 64;
+    parallel_for(count, threads, copies, [&](std::size_t col) {
+        auto const j = static_cast<Index>(col);
+        Index const above = std::min(j, first);
+        a.col(j).head(above) = a.row(j).head(above);
+        if (j >= first)
+            a.col(j).tail(bearing) = drive.bearing_compliance.col(j - first);
+    });
+    return a;
+}
+
+}  // namespace
+
+std::size_t flanks_of(LinearGaps const& gaps, std::optional<double> torque)
+{
+    return torque ? gaps.contacts.size() : 0;
+}
+
+Complementarity contact_problem(ElasticDrive const& drive, LinearGaps const& gaps, std::optional<double> torque, int threads)
+{
+    std::vector<BearingNode> const nodes = bearing_nodes(drive);
+    if (drive.bearing_compliance.rows() != static_cast<Index>(nodes.size()))
+        throw std::logic_error("a drive without the compliance of its bearing's contacts");
+    std::size_t const flanks = flanks_of(gaps, torque);
+    auto const count = static_cast<Index>(flanks + nodes.size());
+    Complementarity problem;
+    problem.compliance = compliance_of(drive, gaps, flanks, nodes, threads);
+    problem.approach.resize(count);
+    VectorXd lever = VectorXd::Zero(count);
+    for (std::size_t i = 0; i < flanks; ++i)
+    {
+        FlankContact const& c = gaps.contacts[i];
+        problem.approach(static_cast<Index>(i)) = -(c.gap + gaps.displacement[i] + c.lever * gaps.turn);
+        lever(static_cast<Index>(i)) = c.lever;
+    }
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        problem.approach(static_cast<Index>(flanks + i)) = drive.needed(static_cast<Index>(nodes[i].height), static_cast<Index>(nodes[i].angle));
+    if (torque)
+    {
+        if (*torque != 0 && !((lever * *torque).maxCoeff() > 0))
+            throw NumericalError("load", "torque of " + std::to_string(*torque / 1000) + " N m", "no flank of that side is near enough to carry it: the teeth pass over each other");
+        problem.border = lever;
+        problem.total = *torque / drive.response.sectors();
+    }
+    return problem;
+}
+
+}  // namespace hdconj::detail
