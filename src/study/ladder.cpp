@@ -90,6 +90,8 @@ std::vector<StudyLadder> collected(std::vector<StudyRecord> const& records, std:
             for (StudyRecord const* record : rung)
                 names.push_back(record->drive);
             std::sort(names.begin(), names.end());
+            for (StudyRecord const* record : rung)
+                made.runs = std::max(made.runs, record->repeat + 1);
             made.drives = static_cast<int>(std::unique(names.begin(), names.end()) - names.begin());
         }
         ladders.push_back(std::move(each.ladder));
@@ -131,15 +133,40 @@ double worst_error(Recommendation const& setting)
 
 }  // namespace
 
-double observed_order(std::vector<StudyRung> const& rungs, double floor)
+namespace {
+
+/// Rungs whose order counts.
+std::vector<StudyRung const*> above(std::vector<StudyRung> const& rungs, double floor)
 {
     constexpr double clear_of_floor = 3;
-    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    std::vector<StudyRung const*> clear;
     for (StudyRung const& rung : rungs)
+        if (rung.value > 0 && rung.error > 0 && !(is_number(floor) && !(rung.error > clear_of_floor * floor)))
+            clear.push_back(&rung);
+    return clear;
+}
+
+/// Whether the error of @p b is below that of @p a, and not by a hair.
+bool falls(StudyRung const& a, StudyRung const& b)
+{
+    constexpr double hair = 0.95;
+    return b.error < hair * a.error;
+}
+
+/// Knobs that an error falls with exponentially have no order.
+bool has_power_law(std::string const& knob)
+{
+    return knob != polynomial_degree;
+}
+
+}  // namespace
+
+double observed_order(std::vector<StudyRung> const& rungs, double floor)
+{
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (StudyRung const* rung : above(rungs, floor))
     {
-        if (!(rung.value > 0) || !(rung.error > 0) || (is_number(floor) && !(rung.error > clear_of_floor * floor)))
-            continue;
-        double const x = std::log(rung.value), y = std::log(rung.error);
+        double const x = std::log(rung->value), y = std::log(rung->error);
         ++n;
         sx += x;
         sy += y;
@@ -148,6 +175,27 @@ double observed_order(std::vector<StudyRung> const& rungs, double floor)
     }
     double const spread = n * sxx - sx * sx;
     return n < 3 || !(spread > 0) ? not_measured : (n * sxy - sx * sy) / spread;
+}
+
+std::string why_no_order(std::vector<StudyRung> const& rungs, double floor)
+{
+    std::vector<StudyRung const*> const clear = above(rungs, floor);
+    constexpr std::size_t least = 3;
+    bool const fall = std::adjacent_find(clear.begin(), clear.end(), [](StudyRung const* a, StudyRung const* b) { return !falls(*a, *b); }) == clear.end();
+    return clear.size() < least || fall ? std::string() : "errors do not fall from rung to rung";
+}
+
+std::optional<ErrorPerStep> error_per_step(std::vector<StudyRung> const& rungs)
+{
+    std::vector<StudyRung const*> const all = above(rungs, not_measured);
+    auto const best = std::min_element(all.begin(), all.end(), [](StudyRung const* a, StudyRung const* b) { return a->error < b->error; });
+    auto last = all.begin();   // until a hair is left
+    while (last != best && falls(**last, **(last + 1)))
+        ++last;
+    if (last == all.begin() || all.empty() || falls(**last, **best))
+        return {};
+    StudyRung const &from = **all.begin(), &to = **last;
+    return ErrorPerStep{std::pow(from.error / to.error, 1 / (to.value - from.value)), to.value};
 }
 
 double floor_of(std::vector<StudyRung> const& rungs)
@@ -171,7 +219,11 @@ std::vector<StudyLadder> ladders_of(AccuracyReport const& report)
     for (StudyLadder& ladder : ladders)
     {
         ladder.floor = floor_of(ladder.rungs);
-        ladder.order = observed_order(ladder.rungs, ladder.floor);
+        if (!has_power_law(ladder.knob))
+            continue;
+        ladder.no_order = why_no_order(ladder.rungs, ladder.floor);
+        if (ladder.no_order.empty())
+            ladder.order = observed_order(ladder.rungs, ladder.floor);
     }
     return ladders;
 }

@@ -148,6 +148,40 @@ TEST_CASE("ladders: median, order, floor and the worst of the sample", "[study]"
     CHECK(observed_order(rungs, floor_of(rungs)) == Approx(2).epsilon(1e-12));
 }
 
+TEST_CASE("ladders: an order only where errors fall from rung to rung", "[study]")
+{
+    auto const of = [](std::vector<double> const& errors, std::string const& knob = "slices.count") {
+        std::vector<StudyRecord> records;
+        for (std::size_t i = 0; i < errors.size(); ++i) {
+            records.push_back(record("drive", static_cast<double>(i + 3), errors[i], 1));
+            records.back().knob = knob;
+        }
+        return ladders_of(report_of(records)).front();
+    };
+    CHECK(of({1e-1, 1e-2, 1e-3}).order < -1);
+    CHECK(of({1e-1, 1e-2, 1e-3}).no_order.empty());
+    for (std::vector<double> const& errors : {std::vector<double>{1e-3, 1e-2, 1e-1}, {1e-2, 1e-4, 1e-3}, {4.16, 4.16, 4.15, 1.5, 0.4}}) {
+        CHECK(std::isnan(of(errors).order));
+        CHECK(of(errors).no_order == "errors do not fall from rung to rung");
+    }
+    // what does not fall any more is a floor and spoils no order; two rungs say nothing
+    CHECK(of({1, 1e-1, 1e-2, 1e-5, 1.05e-5}).order < -1);
+    CHECK(std::isnan(of({1, 0.1}).order));
+    CHECK(of({1, 0.1}).no_order.empty());
+    // exponential convergence: a factor for each degree, down to where it ends
+    StudyLadder const fit = of({1e-1, 1e-3, 1e-5, 1.1e-5}, polynomial_degree);
+    CHECK(std::isnan(fit.order));
+    auto const fall = error_per_step(fit.rungs);
+    REQUIRE(fall);
+    CHECK(fall->factor == Approx(100));
+    CHECK(fall->until == 5);
+    CHECK_FALSE(error_per_step(of({1e-3, 1e-2, 1e-4}, polynomial_degree).rungs));
+    CHECK_FALSE(error_per_step(of({1e-3, 1e-2}, polynomial_degree).rungs));
+    CHECK_FALSE(error_per_step({}));
+    // how often each setting was run
+    CHECK(ladders_of(report_of({record("drive", 1, 1, 1, 0), record("drive", 1, 1, 1, 1)})).front().rungs.front().runs == 2);
+}
+
 TEST_CASE("advice: what is measured and no more, the sample counts", "[study]")
 {
     auto const ladders = ladders_of(report_of({record("drive", 1e-3, 9e-4, 0.001), record("drive", 1e-4, 9e-5, 0.002), record("drive", 1e-5, 9e-6, 0.005),

@@ -14,6 +14,9 @@ namespace hdconj {
 /// Name of the ladders that take the worst design of the sample at every rung.
 inline constexpr char const* worst_of_sample = "worst of the sample";
 
+/// Name of the knob that an error falls with exponentially.
+inline constexpr char const* polynomial_degree = "degree";
+
 /// One ladder for each study, method and knob of the scene itself, and one for the sample, in the order of the records.
 [[nodiscard]] std::vector<StudyLadder> ladders_of(AccuracyReport const& report);
 
@@ -33,6 +36,18 @@ struct Recommendation
 
 /// Slope of log(error) against log(value) by least squares over the rungs that stand above @p floor; not_measured with fewer than three.
 [[nodiscard]] double observed_order(std::vector<StudyRung> const& rungs, double floor);
+
+/// Why rungs have no order though three or more stand above @p floor: their errors do not fall from each to the next, by a twentieth at least; else empty.
+[[nodiscard]] std::string why_no_order(std::vector<StudyRung> const& rungs, double floor);
+
+/// By how much the error falls for each step of a knob that it falls with exponentially, such as the degree of a polynomial, and until which value of it.
+struct ErrorPerStep
+{
+    double factor = 1;
+    double until = 0;
+};
+/// From the first rung to the best one; nothing where errors do not fall from each rung between them to the next.
+[[nodiscard]] std::optional<ErrorPerStep> error_per_step(std::vector<StudyRung> const& rungs);
 
 /// The error at which a ladder stays: the smallest, where the last two rungs differ by less than a tenth; else not_measured.
 [[nodiscard]] double floor_of(std::vector<StudyRung> const& rungs);

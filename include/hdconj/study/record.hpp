@@ -33,7 +33,7 @@ struct StudyRecord
     double estimate = not_measured;   ///< the method's own estimate of the latter
     double residual = not_measured;   ///< |n.v| at the computed contacts, the largest [mm/rad]
     int branches = 0;            ///< found, where the method looks for branches or roots
-    int missed = 0;
+    int missed = 0;              ///< of these; in the study polynomial-fit points of the grid without a contact on their flank
     int extra = 0;
     double seconds = 0;
     double evaluations = 0;      ///< of the meshing condition or the envelope point; 0: not counted
@@ -58,6 +58,7 @@ struct StudyRung
     double evaluations = 0, points = 0, memory = not_measured;
     int threads = 1;
     int drives = 1;                   ///< designs that this is the worst of
+    int runs = 1;                     ///< of each drive: times of one alone are compared with no others
 };
 
 /// A curve of the diagram: the rungs of one method on one drive (or the sample), in the order that they were run.
@@ -65,8 +66,9 @@ struct StudyLadder
 {
     std::string study, drive, method, knob, unit;
     std::vector<StudyRung> rungs;
-    double order = not_measured;   ///< slope of log error against log knob over the rungs above the floor
+    double order = not_measured;   ///< slope of log error against log knob over the rungs above the floor, where errors fall from rung to rung
     double floor = not_measured;   ///< error that the finest rungs share, where they do
+    std::string no_order{};        ///< why rungs enough have no order; else empty
 };
 
 /// What was measured.
