@@ -2,23 +2,20 @@
 // Teeth, wall, deformation and clearances of the pair in one plane.
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "cross_faults.hpp"
+#include "hdconj/scene/tolerance_limits.hpp"
 #include "text.hpp"
 
 namespace hdconj::detail {
 namespace {
-
-/// Tolerances below this many roundings of the radius cannot be reached in double precision.
-constexpr double roundings_of_radius = 100;
 
 /// An inner radius further than this share from the one that module and teeth give is a typing error.
 constexpr double radius_doubt = 0.25;
 
 double pitch_radius(Scene const& scene)
 {
-    return scene.drive.module * scene.drive.flexspline_teeth / 2;
+    return flexspline_pitch_radius(scene.drive);
 }
 
 void check_teeth(SceneReading const& reading, Faults& faults)
@@ -55,7 +52,7 @@ void check_tolerance(SceneReading const& reading, Faults& faults)
         return;
     }
     double const tolerance = reading.scene.solver.tolerance;
-    double const largest = reading.scene.drive.module / 10;
+    double const largest = largest_tolerance(reading.scene.drive);
     if (tolerance > largest) {
         faults.push_back(fault_at("solver.tolerance", number_text(tolerance),
                                   "above a tenth of the module says nothing about a tooth",
@@ -64,7 +61,7 @@ void check_tolerance(SceneReading const& reading, Faults& faults)
     if (!knows(reading, {"drive.flexspline_teeth"})) {
         return;
     }
-    double const least = roundings_of_radius * std::numeric_limits<double>::epsilon() * pitch_radius(reading.scene);
+    double const least = least_tolerance(reading.scene.drive);
     if (tolerance < least) {
         faults.push_back(fault_at(
             "solver.tolerance", number_text(tolerance),

@@ -24,6 +24,7 @@ struct Study
     void (*outline)(StudyBench const&);   ///< measured against the reference in 50 digits; null: see axial
     void (*axial)(StudyRun const&);       ///< brings slices, and what it is measured against, of its own
     char const* forward_only;             ///< why the reverse problem has no such study; null where it has
+    std::string (*lacks)(Scene const&) = nullptr;   ///< what a scene gives too little of; null: nothing is needed
 };
 
 std::vector<Study> const& studies()
@@ -37,8 +38,8 @@ std::vector<Study> const& studies()
         {{"union", "brute-force union of tooth positions"}, study_union, nullptr, "it unites positions of a flexspline tooth"},
         {{"roots", "closed form against certified roots against a plain scan"}, study_roots, nullptr, nullptr},
         {{"number-type", "float, double, long double"}, study_precision, nullptr, nullptr},
-        {{"contact-area", "slices and flank points for the contact area"}, nullptr, study_contact, of_flexspline},
-        {{"load", "harmonics, slices, points, circles under torque"}, nullptr, study_load, of_flexspline},
+        {{"contact-area", "slices and flank points for the contact area"}, nullptr, study_contact, of_flexspline, lacks_for_contact},
+        {{"load", "harmonics, slices, points, circles under torque"}, nullptr, study_load, of_flexspline, lacks_for_load},
         {{"threads", "what more threads give, and that they change no bit"}, study_threads, nullptr, nullptr}};
     return all;
 }
@@ -74,6 +75,8 @@ Scene plain(Scene const& scene, std::vector<std::string>& notes)
     };
     leave_out(scene.tilt.has_value(), "[tilt]");
     leave_out(scene.slices.has_value(), "[slices]");
+    if (scene.coning)
+        notes.emplace_back("[coning] left out: outlines are measured in the plane of the middle, where the cup does not bend; contact-area measures with it, load with the elastic cup in its place");
     plain.tilt.reset();
     plain.slices.reset();
     if (scene.circular_spline.root_clearance > 0)
@@ -185,6 +188,22 @@ void run_study(Study const& study, Case const& drive, StudyRun const& run, Scene
     study.axial({run.report, study.axial == study_contact ? coned : drive.scene, run.name, run.repeats, run.quick, run.sampled, run.report.threads});
 }
 
+/// One fault for each study that has been left out, where all of them have been.
+Faults nothing_measured(std::vector<Study> const& chosen, std::vector<std::string> const& notes)
+{
+    Faults faults;
+    for (Study const& study : chosen)
+    {
+        std::string const name(study.kind.name), begin = name + ": ";
+        std::string why = "nothing could be measured";
+        for (std::string const& note : notes)
+            if (note.starts_with(begin))
+                why += "; " + note.substr(begin.size());
+        faults.push_back({"--study", 0, name, why, "change the scene, or ask for another study"});
+    }
+    return faults;
+}
+
 }  // namespace
 
 std::vector<StudyKind> const& study_kinds()
@@ -198,7 +217,7 @@ std::vector<StudyKind> const& study_kinds()
     return kinds;
 }
 
-Faults check_accuracy(Scene const& scene, AccuracyOptions const& options)
+Faults check_studies(AccuracyOptions const& options)
 {
     Faults faults;
     std::vector<std::string_view> names;
@@ -214,10 +233,22 @@ Faults check_accuracy(Scene const& scene, AccuracyOptions const& options)
         auto const meant = nearest(name, names);
         faults.push_back({"--study", 0, name, "there is no such study", (meant ? "write " + std::string(*meant) : "write one of them") + "; known: " + known});
     }
+    return faults;
+}
+
+Faults check_accuracy(Scene const& scene, AccuracyOptions const& options)
+{
+    Faults faults = check_studies(options);
     for (Study const& study : studies())
-        if (scene.is_reverse() && study.forward_only != nullptr && named(options, study))
-            faults.push_back({"--study", 0, std::string(study.kind.name), "the circular spline's tooth is given, and of this study " + std::string(study.forward_only),
-                              "leave it out, or give the flexspline's profile"});
+    {
+        if (!named(options, study))
+            continue;
+        std::string const name(study.kind.name);
+        if (scene.is_reverse() && study.forward_only != nullptr)
+            faults.push_back({"--study", 0, name, "the circular spline's tooth is given, and of this study " + std::string(study.forward_only), "leave it out, or give the flexspline's profile"});
+        else if (std::string const lacking = study.lacks == nullptr ? "" : study.lacks(scene); !lacking.empty())
+            faults.push_back({"--study", 0, name, lacking, "leave it out, or write these keys into the scene"});
+    }
     return faults;
 }
 
@@ -269,6 +300,8 @@ AccuracyReport measure_accuracy(Scene const& scene, AccuracyOptions const& optio
         say(std::string(study.kind.name), scene_share * static_cast<double>(done++) / static_cast<double>(chosen.size()));
         run_study(study, whole, {report, flat, report.scene.drive.name, options.quick ? 1 : options.repeats, options.quick, false, report.threads}, report.scene);
     }
+    if (report.records.empty())
+        throw InputError(nothing_measured(chosen, report.notes));
     // what this drive has not, designs about it have not either
     std::erase_if(chosen, [&](Study const& study) {
         return std::none_of(report.records.begin(), report.records.end(), [&](StudyRecord const& record) { return record.study == study.kind.name; });

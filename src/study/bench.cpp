@@ -5,6 +5,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "hdconj/scene/tolerance_limits.hpp"
+
 #if defined(__GLIBC__)
 #include <malloc.h>
 #endif
@@ -39,6 +41,16 @@ double power_of_ten(int digits)
     for (int i = 0; i < digits; ++i)
         power *= 10;
     return 1 / power;
+}
+
+std::vector<double> tolerances_of(Drive const& drive, int most)
+{
+    constexpr int coarsest = 3, finest = 15;
+    std::vector<double> tolerances;
+    for (int digits = coarsest; digits <= finest && static_cast<int>(tolerances.size()) < most; ++digits)
+        if (double const tolerance = power_of_ten(digits); tolerance <= largest_tolerance(drive) && tolerance >= least_tolerance(drive))
+            tolerances.push_back(tolerance);
+    return tolerances;
 }
 
 }  // namespace hdconj::detail

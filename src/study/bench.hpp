@@ -6,6 +6,7 @@
 #include <chrono>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "hdconj/numeric/error.hpp"
 #include "hdconj/study/accuracy.hpp"
@@ -106,7 +107,13 @@ void study_contact(StudyRun const& bench);
 void study_load(StudyRun const& bench);
 void study_threads(StudyBench const& bench);
 
+/// What a scene gives too little of for these studies; empty: nothing.
+[[nodiscard]] std::string lacks_for_contact(Scene const& scene);
+[[nodiscard]] std::string lacks_for_load(Scene const& scene);
+
 /// 10^-digits.
 [[nodiscard]] double power_of_ten(int digits);
+/// Powers of ten from 1e-3 down, @p most of them, that the scene takes as solver.tolerance.
+[[nodiscard]] std::vector<double> tolerances_of(Drive const& drive, int most);
 
 }  // namespace hdconj::detail

@@ -167,10 +167,15 @@ void run_ladders(StudyRun const& bench)
 
 }  // namespace
 
+std::string lacks_for_contact(Scene const& scene)
+{
+    return scene.circular_spline.width ? "" : "the scene gives no circular_spline.width, so there are no slices to count";
+}
+
 void study_contact(StudyRun const& bench)
 {
-    if (!bench.scene.circular_spline.width)
-        return bench.leave_out("contact-area", "the scene gives no circular_spline.width, so there are no slices to count");
+    if (std::string const lacking = lacks_for_contact(bench.scene); !lacking.empty())
+        return bench.leave_out("contact-area", lacking);
     try
     {
         run_ladders(bench);

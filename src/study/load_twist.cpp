@@ -75,7 +75,21 @@ void run_ladders(StudyRun const& bench, Scene const& scene)
                 {"flank points", "contact.flank_points", &Counts::points, {25, 50, 100, 200}, 400},
                 {"circles", "bearing.circles", &Counts::circles, {4, 7, 13}, 25}};
     }();
-    std::optional<LoadCase> at_standard;
+    struct Finest
+    {
+        LoadCase found;
+        StudyRecord record;   ///< its time and memory
+    };
+    std::optional<Finest> at_standard;
+    auto const solved = [&](StudyRecord record, Counts const& counts) -> std::optional<Finest> {
+        record.study = "load";
+        record.unit = "1";   // both against the finest rung's own, so that they share a diagram
+        record.points = static_cast<double>(counts.slices) * counts.points;
+        std::optional<LoadCase> found = bench.timed(record, [&] { return at_rated_torque(bench, scene, counts); });
+        if (!found)
+            return {};
+        return Finest{std::move(*found), std::move(record)};
+    };
     for (Ladder const& ladder : ladders)
     {
         auto const counts = [&](int value) {
@@ -84,58 +98,71 @@ void run_ladders(StudyRun const& bench, Scene const& scene)
             return all;
         };
         bool const is_standard = standard.*ladder.count == ladder.finest;
-        std::optional<LoadCase> const reference = is_standard && at_standard ? at_standard : at_rated_torque(bench, scene, counts(ladder.finest));
+        std::optional<Finest> reference = is_standard && at_standard ? at_standard : solved({}, counts(ladder.finest));
         if (is_standard)
             at_standard = reference;
         if (!reference)
             continue;
-        LoadedState const& finest = reference->curve[reference->rated];
+        LoadedState const& finest = reference->found.curve[reference->found.rated];
         if (finest.twist == 0 || finest.largest_force == 0)
         {
             bench.leave_out("load", "at this torque nothing turns or no tooth carries");
             return;
         }
+        // one run gives both numbers
+        auto const keep = [&](StudyRecord record, LoadCase const& found, std::string const& figure, double LoadedState::*number) {
+            bool const is_reference = &found == &reference->found;
+            record.knob = ladder.knob;
+            record.method = (is_reference ? "reference: " : "") + std::string(ladder.method) + ": " + figure;
+            if (!is_reference)
+                record.error = std::abs(found.curve[found.rated].*number / finest.*number - 1);
+            record.estimate = found.estimated ? std::abs(found.error.*number / finest.*number) : not_measured;
+            bench.keep(std::move(record));
+        };
+        auto const keep_both = [&](StudyRecord const& record, LoadCase const& found) {
+            keep(record, found, "twist", &LoadedState::twist);
+            keep(record, found, "largest force", &LoadedState::largest_force);
+        };
         if (!bench.sampled)
+        {
+            LoadCase const& found = reference->found;
+            auto const share = [&](double LoadedState::*number) { return number_text(std::abs(found.error.*number / finest.*number)); };
             bench.report.notes.push_back("load: no reference in 50 digits; " + std::string(ladder.method) + " are measured against " + std::to_string(ladder.finest)
                                          + " of them, twist " + number_text(finest.twist) + " rad and largest force " + number_text(finest.largest_force)
-                                         + " N; gaps of the loaded shape are met to " + number_text(finest.residual) + " mm, the floor of all of them");
+                                         + " N, which by their own estimate are off by "
+                                         + (found.estimated ? share(&LoadedState::twist) + " and " + share(&LoadedState::largest_force) + " of it" : "an amount that is not known")
+                                         + "; gaps of the loaded shape are met to " + number_text(finest.residual) + " mm, the floor of all of them");
+        }
         for (int const value : ladder.values)
         {
             StudyRecord record;
-            record.study = "load";
-            record.knob = ladder.knob;
             record.value = value;
-            record.unit = "1";   // both against the finest rung's own, so that they share a diagram
-            record.points = static_cast<double>(counts(value).slices) * counts(value).points;
-            std::optional<LoadCase> const found = bench.timed(record, [&] { return at_rated_torque(bench, scene, counts(value)); });
-            if (!found)
-                continue;
-            // one run gives both numbers
-            auto const keep = [&](char const* figure, double LoadedState::*number) {
-                record.method = std::string(ladder.method) + ": " + figure;
-                record.error = std::abs(found->curve[found->rated].*number / finest.*number - 1);
-                if (found->estimated)
-                    record.estimate = std::abs(found->error.*number / finest.*number);
-                bench.keep(record);
-            };
-            keep("twist", &LoadedState::twist);
-            keep("largest force", &LoadedState::largest_force);
+            if (std::optional<Finest> const found = solved(record, counts(value)))
+                keep_both(found->record, found->found);
         }
+        reference->record.value = ladder.finest;
+        keep_both(reference->record, reference->found);
     }
 }
 
 }  // namespace
 
+std::string lacks_for_load(Scene const& scene)
+{
+    std::string missing;
+    auto const need = [&](bool there, char const* key) { missing += there ? "" : (missing.empty() ? "" : ", ") + std::string(key); };
+    need(scene.flexspline.cup.has_value(), "flexspline.cup");
+    need(scene.bearing.has_value(), "bearing");
+    need(scene.load && scene.load->torque, "load.torque");
+    need(scene.circular_spline.width.has_value(), "circular_spline.width");
+    return missing.empty() ? missing : "the scene gives no " + missing;
+}
+
 void study_load(StudyRun const& bench)
 {
-    auto const& given = bench.scene;
-    if (!given.flexspline.cup || !given.bearing)
-        return bench.leave_out("load", "the scene gives no flexspline.cup or no bearing");
-    if (!given.load || !given.load->torque)
-        return bench.leave_out("load", "the scene gives no load.torque");
-    if (!given.circular_spline.width)
-        return bench.leave_out("load", "the scene gives no circular_spline.width");
-    Scene scene = given;
+    if (std::string const lacking = lacks_for_load(bench.scene); !lacking.empty())
+        return bench.leave_out("load", lacking);
+    Scene scene = bench.scene;
     scene.solver.threads = bench.threads;
     scene.coning.reset();
     scene = loaded_scene(scene);

@@ -113,10 +113,9 @@ void study_sampling(StudyBench const& bench)
         record.evaluations = record.points = static_cast<double>(points.size());
         bench.measure(record, [&] { (void)make(); });
     }
-    constexpr int coarsest = 3, finest = 10, finest_of_sample = 8, finest_of_quick = 6;
-    for (int digits = coarsest; digits <= (bench.quick ? finest_of_quick : bench.sampled ? finest_of_sample : finest); ++digits)
+    constexpr int chords = 8, chords_of_sample = 6, chords_of_quick = 4;
+    for (double const chord : tolerances_of(drive.scene.drive, bench.quick ? chords_of_quick : bench.sampled ? chords_of_sample : chords))
     {
-        double const chord = power_of_ten(digits);
         auto const make = [&] { return with_envelopes(drive, [&](auto const& envelope_of) { return adaptive_points(drive, envelope_of, chord); }); };
         AdaptivePoints const made = make();
         StudyRecord record = sampling_record("adaptive", "chord", chord);

@@ -9,14 +9,6 @@
 namespace hdconj::detail {
 namespace {
 
-constexpr int coarsest = 3;   // digits of the tolerance
-
-int finest(StudyBench const& bench, int whole)
-{
-    constexpr int of_quick = 6;
-    return bench.quick ? std::min(whole, of_quick) : whole;
-}
-
 /// One solution of @p scene against the reference, and its times.
 Solution rung(StudyBench const& bench, Scene const& scene, StudyRecord record)
 {
@@ -40,13 +32,14 @@ Solution rung(StudyBench const& bench, Scene const& scene, StudyRecord record)
     return solution;
 }
 
-void tolerance_ladder(StudyBench const& bench, std::string const& study, std::string const& method, Kinematics kinematics, int to)
+void tolerance_ladder(StudyBench const& bench, std::string const& study, std::string const& method, Kinematics kinematics, int rungs)
 {
-    for (int digits = coarsest; digits <= finest(bench, to); ++digits)
+    constexpr int of_quick = 4;
+    for (double const tolerance : tolerances_of(bench.drive.scene.drive, bench.quick ? of_quick : rungs))
     {
         Scene scene = bench.drive.scene;
         scene.solver.kinematics = kinematics;
-        scene.solver.tolerance = power_of_ten(digits);
+        scene.solver.tolerance = tolerance;
         StudyRecord record;
         record.study = study;
         record.method = method;
@@ -60,15 +53,15 @@ void tolerance_ladder(StudyBench const& bench, std::string const& study, std::st
 
 void study_tolerance(StudyBench const& bench)
 {
-    constexpr int to = 11;
-    tolerance_ladder(bench, "tolerance", "solve", bench.drive.scene.solver.kinematics, to);
+    constexpr int rungs = 9;
+    tolerance_ladder(bench, "tolerance", "solve", bench.drive.scene.solver.kinematics, rungs);
 }
 
 void study_motion_model(StudyBench const& bench)
 {
-    constexpr int to = 7;
-    tolerance_ladder(bench, "motion-model", "exact", Kinematics::exact, to);
-    tolerance_ladder(bench, "motion-model", "first order", Kinematics::first_order, to);
+    constexpr int rungs = 5;
+    tolerance_ladder(bench, "motion-model", "exact", Kinematics::exact, rungs);
+    tolerance_ladder(bench, "motion-model", "first order", Kinematics::first_order, rungs);
     if (!bench.drive.shape.breaks().empty())
     {
         std::string const note = "motion-model: material left out, it is a Fourier series, which does not follow the jumps in the third derivative of this wave generator's shape";
@@ -76,7 +69,7 @@ void study_motion_model(StudyBench const& bench)
             bench.report.notes.push_back(note);
         return;
     }
-    tolerance_ladder(bench, "motion-model", "material", Kinematics::material, to);
+    tolerance_ladder(bench, "motion-model", "material", Kinematics::material, rungs);
 }
 
 namespace {

@@ -2,6 +2,7 @@
 // Deterministic gates of the work-precision studies, and what an error estimate must be: a bound, and not far above. Times are never looked at.
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -181,6 +182,78 @@ TEST_CASE("accuracy: fit, union, roots and number types do what they are shown f
     CHECK(ladder(all, "long double").rungs.front().error < 1e-16);
 }
 
+TEST_CASE("accuracy: what the thesis' iteration finds off the flank is a missed point and no error", "[accuracy]")
+{
+    struct Row
+    {
+        char const* drive;
+        char const* profile;
+        char const* wave_generator;
+    };
+    for (Row const& row : {Row{"name = 'bezier'\nmodule = 0.25\nflexspline_teeth = 200\ncircular_spline_teeth = 202\n[flexspline]\nwall = 0.7\n",
+                               "family = 'bezier'\ndegree = 3\npoints = [[0.06,0.2],[0.12,0.13],[0.15,0.08],[0.165,0.0],[0.18,-0.08],[0.21,-0.17],[0.29,-0.28]]\n",
+                               "family = 'four-roller'\nradial_deformation = 0.25\nwaves = 2\nroller_angle_deg = 30\n"},
+                           Row{"name = 'involute'\nmodule = 0.4\nflexspline_teeth = 120\ncircular_spline_teeth = 122\n[flexspline]\nwall = 0.8\n",
+                               "family = 'involute'\naddendum = 0.3\ndedendum = 0.4\npressure_angle_deg = 27\nthickness = 0.6\n", "family = 'ellipse'\nradial_deformation = 0.4\nwaves = 2\n"},
+                           Row{"name = 'straight'\nmodule = 0.3\nflexspline_teeth = 180\ncircular_spline_teeth = 183\n[flexspline]\nwall = 0.6\n",
+                               "family = 'straight'\naddendum = 0.24\ndedendum = 0.33\nthickness = 0.46\npressure_angle_deg = 30\n", "family = 'cosine'\nradial_deformation = 0.3\nwaves = 3\n"}}) {
+        INFO(row.drive);
+        Scene const scene = parse_scene(std::string("[drive]\n") + row.drive + "[flexspline.profile]\n" + row.profile + "[wave_generator]\n" + row.wave_generator, "test");
+        AccuracyOptions options;
+        options.studies = {"polynomial-fit", "motion-model"};
+        options.quick = true;
+        options.sample = 0;
+        auto const all = ladders_of(measure_accuracy(scene, options));
+        auto const of = [&](std::string const& method) { return ladder(all, method, scene.drive.name); };
+        // points on the flank are as far off as the model is, where stray ones are off by a tooth
+        double const model = of("first order").floor;
+        REQUIRE(model > 0);
+        constexpr int positions = 60;
+        int missed = 0;
+        for (std::string const way : {"fit, ", "points joined, "})
+            for (auto const& rung : of(way + "first order").rungs) {
+                INFO(way << rung.value);
+                CHECK(rung.error < 2 * model);
+                CHECK(rung.points + rung.missed == (way == "fit, " ? positions : rung.value));
+                missed += rung.missed;
+            }
+        CHECK(missed > 0);
+        for (auto const& rung : of("fit, exact motion").rungs) {
+            CHECK(rung.missed == 0);
+            CHECK(rung.points == positions);
+        }
+        // a coarse grid may lose its way, but what it keeps is right: every point to the scan's own rounding
+        for (auto const& record : measure_accuracy(scene, {.studies = {"polynomial-fit"}, .sample = 0, .quick = true}).records)
+            if (record.method == "points joined, exact motion") {
+                CHECK(record.points + record.missed == record.value);
+                CHECK(record.error < 1e-9);
+            }
+    }
+}
+
+TEST_CASE("accuracy: tolerances that are measured are ones that the scene takes", "[accuracy]")
+{
+    // teeth of two micrometres, and of ten millimetres
+    for (auto const& [module, teeth] : {std::pair{0.002, 100}, std::pair{10.0, 200}}) {
+        INFO("module " << module);
+        auto const length = [m = module](char const* key, double modules) { return std::string(key) + " = " + std::to_string(modules * m) + "\n"; };
+        std::string const text = "[drive]\nname = 'scaled'\n" + length("module", 1) + "flexspline_teeth = " + std::to_string(teeth) + "\ncircular_spline_teeth = " + std::to_string(teeth + 2) + "\n[flexspline]\n" + length("wall", 2)
+                                 + "[flexspline.profile]\nfamily = 'straight'\npressure_angle_deg = 30\n" + length("addendum", 0.8) + length("dedendum", 1.1) + length("thickness", 1.5)
+                                 + "[wave_generator]\nfamily = 'cosine'\nwaves = 2\n" + length("radial_deformation", 1);
+        Scene const scene = parse_scene(text, "test");
+        auto const all = ladders_of(measure_accuracy(scene, {.studies = {"tolerance"}, .sample = 0, .repeats = 1}));
+        auto const& rungs = ladder(all, "solve", "scaled").rungs;
+        CHECK(rungs.size() >= 8);
+        for (StudyRung const& rung : rungs) {
+            char setting[64];
+            std::snprintf(setting, sizeof setting, "solver.tolerance=%.17g", rung.value);
+            INFO(setting);
+            CHECK_NOTHROW(parse_scene(text, "test", {}, {setting}));
+            CHECK(rung.error <= rung.estimate);
+        }
+    }
+}
+
 TEST_CASE("accuracy: every study is of the sample too", "[accuracy]")
 {
     AccuracyOptions options;
@@ -201,6 +274,16 @@ TEST_CASE("accuracy: every study is of the sample too", "[accuracy]")
         CHECK(!settings(kind.name, false).empty());
         CHECK(settings(kind.name, false) == settings(kind.name, true));
     }
+    // what a load is measured against has its own estimate, and no distance from itself
+    int finest = 0;
+    for (auto const& record : report.records)
+        if (record.study == "load" && record.method.starts_with("reference: ")) {
+            CHECK(std::isnan(record.error));
+            CHECK(record.estimate > 0);
+            CHECK(record.seconds > 0);
+            ++finest;
+        }
+    CHECK(finest == 2 * (1 + report.sample));
     // areas are as far off as they say at most, and no thread changes a bit
     for (auto const& record : report.records) {
         INFO(record.study << " " << record.drive << " " << record.method << " " << record.value);
