@@ -77,6 +77,11 @@ std::string knob_text(double value)
     return fmt::format("{:.6g}", value);
 }
 
+std::string threads_text(int threads)
+{
+    return threads == 1 ? "1 thread" : fmt::format("{} threads", threads);
+}
+
 std::string ladder_name(StudyLadder const& ladder)
 {
     return ladder.drive == worst_of_sample ? ladder.method + ", worst of the sample" : ladder.method;
@@ -87,6 +92,10 @@ std::string ladder_remark(StudyLadder const& ladder)
     std::string remark;
     if (ladder.order == ladder.order) {
         remark = fmt::format("order {:.2f}", ladder.order);
+    } else if (!ladder.no_order.empty()) {
+        remark = "no order: " + ladder.no_order;
+    } else if (auto const fall = ladder.knob == polynomial_degree ? error_per_step(ladder.rungs) : std::nullopt) {
+        remark = fmt::format("error falls {:.2g} times a degree until degree {:.0f}", fall->factor, fall->until);
     }
     if (ladder.floor == ladder.floor) {
         remark += fmt::format("{}floor {:.2e} {}", remark.empty() ? "" : ", ", ladder.floor, ladder.unit);
@@ -103,6 +112,12 @@ std::string advice_text(Recommendation const& advice)
         text += fmt::format(", {} mm on the worst of the sample", scientific(advice.sample_error));
     }
     return text + fmt::format(", {} (median)", duration(rung.median));
+}
+
+bool are_single_runs(std::vector<StudyLadder> const& ladders)
+{
+    auto const repeated = [](StudyRung const& rung) { return rung.runs > 1; };
+    return std::none_of(ladders.begin(), ladders.end(), [&](StudyLadder const& ladder) { return std::any_of(ladder.rungs.begin(), ladder.rungs.end(), repeated); });
 }
 
 std::vector<std::string> studies_of(std::vector<StudyLadder> const& ladders)

@@ -35,12 +35,17 @@ struct RecordText
 [[nodiscard]] std::string duration(double seconds);
 /// A knob's value as a user writes it: "1e-06", "64".
 [[nodiscard]] std::string knob_text(double value);
+/// "1 thread", "2 threads".
+[[nodiscard]] std::string threads_text(int threads);
 /// "type-50, solve" or "worst of the sample, solve".
 [[nodiscard]] std::string ladder_name(StudyLadder const& ladder);
-/// "order 1.00", "floor 2.57e-03", or empty.
+/// "order 1.00", "floor 2.57e-03", "no order: ...", "error falls 12 times a degree until degree 8", or empty.
 [[nodiscard]] std::string ladder_remark(StudyLadder const& ladder);
 /// What to write for a wanted error or time, in words.
 [[nodiscard]] std::string advice_text(Recommendation const& advice);
+
+/// Whether no setting was run more than once.
+[[nodiscard]] bool are_single_runs(std::vector<StudyLadder> const& ladders);
 
 /// Names of the studies in a report, in order.
 [[nodiscard]] std::vector<std::string> studies_of(std::vector<StudyLadder> const& ladders);

@@ -38,7 +38,8 @@ Json rung_object(StudyRung const& rung)
             {"points", number(rung.points)},
             {"memory_mb", number(rung.memory)},
             {"threads", rung.threads},
-            {"drives", rung.drives}};
+            {"drives", rung.drives},
+            {"runs", rung.runs}};
 }
 
 Json advice_object(Recommendation const& advice)
@@ -58,7 +59,10 @@ std::string summary_text(StoredAccuracy const& study, AccuracyAdvice const& advi
     auto const& report = study.report;
     auto const ladders = ladders_of(report);
     page.line("{}: {} records, hdconj {} ({})", report.scene.drive.name, report.records.size(), study.origin.version, study.origin.revision);
-    page.line("  {}, {} threads; {}", report.machine, report.threads, study.origin.build);
+    page.line("  {}, {}; {}", report.machine, threads_text(report.threads), study.origin.build);
+    if (are_single_runs(ladders)) {
+        page.line("  times are of single runs: none of them says how it compares with another");
+    }
     bool const has_reference = report.reference_error > 0;   // studies along the axis need none
     if (has_reference) {
         page.line("  reference: 50 digits by another path, itself right to {} mm; brute force finds it touched to {} mm", scientific(report.reference_error),
@@ -132,6 +136,7 @@ std::string summary_json(StoredAccuracy const& study, AccuracyAdvice const& advi
                                       {"unit", ladder.unit},
                                       {"order", number(ladder.order)},
                                       {"floor", number(ladder.floor)},
+                                      {"no_order", ladder.no_order.empty() ? Json() : Json(ladder.no_order)},
                                       {"rungs", std::move(rungs)}});
     }
     auto const put = [&](char const* key, std::optional<Recommendation> const& found) {

@@ -12,11 +12,11 @@ namespace {
 
 constexpr double ms = 1e3;
 
-/// "1.83 times on 2 threads", or empty.
+/// "1.83 times on 2 threads", or empty, also where the times are of single runs.
 std::string gain_of(Curve const& curve)
 {
     auto const &first = *curve.rungs.front(), &last = *curve.rungs.back();
-    return last.value > first.value ? fmt::format("{:.2f} times on {:.0f} threads", first.median / last.median, last.value) : "";
+    return last.value > first.value && first.runs > 1 && last.runs > 1 ? fmt::format("{:.2f} times on {:.0f} threads", first.median / last.median, last.value) : "";
 }
 
 }  // namespace

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page's conclusions follow the records, whatever these are.
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hdconj/io/accuracy_files.hpp"
+#include "support/catch.hpp"
+
+using namespace hdconj;
+
+namespace {
+
+struct Run
+{
+    double value, error, seconds, points = 60;
+    int missed = 0, repeat = 0;
+};
+
+void add(AccuracyReport& report, std::string const& study, std::string const& method, std::string const& knob, std::vector<Run> const& runs)
+{
+    for (Run const& run : runs) {
+        StudyRecord record;
+        record.study = study;
+        record.drive = "drive";
+        record.method = method;
+        record.knob = knob;
+        record.value = run.value;
+        record.error = record.hausdorff = record.estimate = run.error;
+        record.seconds = run.seconds;
+        record.points = run.points;
+        record.missed = run.missed;
+        record.repeat = run.repeat;
+        record.threads = knob == "solver.threads" ? static_cast<int>(run.value) : 1;
+        report.records.push_back(record);
+    }
+}
+
+AccuracyReport report_of_drive()
+{
+    AccuracyReport report;
+    report.scene.drive = {"drive", 0.5, 100, 102};
+    return report;
+}
+
+std::string page_of(AccuracyReport const& report)
+{
+    return accuracy_page({report, {}}, "page.md", false);
+}
+
+std::string fit_page(std::vector<Run> const& runs)
+{
+    AccuracyReport report = report_of_drive();
+    add(report, "polynomial-fit", "fit, exact motion", "degree", runs);
+    return page_of(report);
+}
+
+}  // namespace
+
+TEST_CASE("accuracy page: which degree fits best is read from the records", "[accuracy]")
+{
+    CHECK_THAT(fit_page({{3, 1e-2, 1}, {6, 1e-4, 1}, {9, 1e-3, 1}}), ContainsSubstring("best with degree 6, 1.00e-04 mm; degree 9, the highest that was tried, is off by 1.00e-03 mm"));
+    CHECK_THAT(fit_page({{3, 1e-2, 1}, {6, 1e-4, 1}, {9, 1e-5, 1}}), ContainsSubstring("best with degree 9, 1.00e-05 mm, the highest that was tried."));
+    CHECK_THAT(fit_page({{3, 1e-2, 1}, {6, 1e-4, 1}, {9, 2e-14, 1}}), ContainsSubstring("best with degree 9, 2.00e-14 mm, which is rounding"));
+    CHECK_THAT(fit_page({{3, 1e-2, 1, 43, 17}, {6, 1e-4, 1, 43, 17}}), ContainsSubstring("(17 of 60 points of the grid have no contact on the flank)"));
+    CHECK_THAT(fit_page({{3, not_measured, 1, 2, 58}, {6, not_measured, 1, 2, 58}}), ContainsSubstring("too few points of the grid have a contact on the flank for a fit"));
+    for (double const last : {1e-3, 1e-5}) {
+        CHECK_THAT(fit_page({{3, 1e-2, 1}, {6, 1e-4, 1}, {9, last, 1}}), !ContainsSubstring("arc") && !ContainsSubstring("order"));
+    }
+}
+
+TEST_CASE("accuracy page: orders of sampling are measured ones", "[accuracy]")
+{
+    AccuracyReport report = report_of_drive();
+    add(report, "sampling", "equal steps of u", "steps over the lobe", {{10, 1e-1, 1, 10}, {100, 1e-2, 1, 100}, {1000, 1e-3, 1, 1000}});
+    add(report, "sampling", "adaptive", "chord", {{1e-2, 1e-2, 1, 10}, {1e-4, 1e-4, 1, 100}, {1e-6, 1e-6, 1, 1000}});
+    CHECK_THAT(page_of(report), ContainsSubstring("order 1.00 for equal steps of u, with order 2.00 for the adaptive sampler") && ContainsSubstring("10 at 1.00e-02 mm"));
+    report = report_of_drive();
+    add(report, "sampling", "equal steps of u", "steps over the lobe", {{10, 1e-3, 1, 10}, {100, 1e-2, 1, 100}, {1000, 1e-1, 1, 1000}});
+    add(report, "sampling", "adaptive", "chord", {{1e-2, 1e-2, 1, 10}, {1e-4, 1e-4, 1, 100}});
+    CHECK_THAT(page_of(report), ContainsSubstring("no order that could be told for equal steps of u") && !ContainsSubstring("this many times the points"));
+}
+
+TEST_CASE("accuracy page: times of single runs are compared with none", "[accuracy]")
+{
+    for (int const repeats : {1, 2}) {
+        AccuracyReport report = report_of_drive();
+        report.threads = repeats;
+        for (int repeat = 0; repeat < repeats; ++repeat) {
+            add(report, "tolerance", "solve", "solver.tolerance", {{1e-3, 1e-3, 9e-3, 60, 0, repeat}, {1e-4, 1e-4, 5e-3, 60, 0, repeat}, {1e-5, 1e-5, 1e-3, 60, 0, repeat}});
+            add(report, "threads", "solve", "solver.threads", {{1, 1e-9, 3e-3, 60, 0, repeat}, {2, 1e-9, 1e-3, 60, 0, repeat}});
+        }
+        std::string const page = page_of(report);
+        INFO(repeats);
+        bool const single = repeats == 1;
+        CHECK((page.find("times are of single runs, and no ratio is drawn from them") != std::string::npos) == single);
+        CHECK((page.find("times as fast as one") == std::string::npos) == single);
+        CHECK((page.find("time goes from 9 ms to 1 ms") == std::string::npos) == single);
+        CHECK_THAT(page, !ContainsSubstring("time grows"));
+        CHECK_THAT(page, ContainsSubstring(single ? ", 1 thread, which" : ", 2 threads, which"));
+    }
+}
+
+TEST_CASE("accuracy page: the finest rungs of a load say how right they are", "[accuracy]")
+{
+    AccuracyReport report = report_of_drive();
+    add(report, "load", "harmonics: twist", "load.harmonics", {{25, 3e-3, 1}, {50, 2e-4, 1}, {75, 3e-4, 1}});
+    add(report, "load", "reference: harmonics: twist", "load.harmonics", {{100, not_measured, 1}});
+    report.records.back().estimate = 2e-2;
+    std::string const page = page_of(report);
+    CHECK_THAT(page, ContainsSubstring("right to 2.00e-02 of the twist or better, as the program estimates them") && ContainsSubstring("how the twist settles as one count grows"));
+    CHECK_THAT(page, ContainsSubstring("**harmonics: twist**: no order: errors do not fall from rung to rung"));
+    report.records.back().estimate = 1e-9;
+    CHECK_THAT(page_of(report), !ContainsSubstring("how the twist settles"));
+}
