@@ -7,6 +7,7 @@
 #include "accuracy_records.hpp"
 #include "atomic_folder.hpp"
 #include "hdconj/io/atomic_file.hpp"
+#include "hdconj/scene/fault.hpp"
 #include "hdf5_handle.hpp"
 #include "picture_gnuplot.hpp"
 
@@ -26,13 +27,28 @@ std::string drawn(std::string const& script, fs::path const& blamed)
 
 }  // namespace
 
-void check_accuracy_folder(fs::path const& folder)
+void check_accuracy_folder(fs::path const& folder, std::string const& drive)
 {
     AtomicFolder::check(folder, AtomicFolder::accuracy_study);
+    std::error_code error;
+    fs::path const records = folder / "records.h5";
+    if (!fs::exists(records, error)) {
+        return;
+    }
+    std::string held;
+    try {
+        held = stored_drive(records);
+    } catch (InputError const&) {
+        return;   // damaged, and of no use to anybody
+    }
+    if (held != drive) {
+        throw FileError(folder, "holds the study of another drive, \"" + held + "\" (write the name of a new folder)");
+    }
 }
 
 std::vector<WrittenFile> write_accuracy_folder(StoredAccuracy const& study, fs::path const& folder)
 {
+    check_accuracy_folder(folder, study.report.scene.drive.name);
     AtomicFolder made(folder, AtomicFolder::accuracy_study);
     std::vector<WrittenFile> files;
     std::vector<std::pair<std::string, std::string>> lines;

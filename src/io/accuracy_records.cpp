@@ -4,7 +4,7 @@
 
 #include "accuracy_figures.hpp"
 #include "accuracy_records.hpp"
-#include "hdconj/io/atomic_file.hpp"
+#include "hdconj/io/scene_reading.hpp"
 #include "hdf5_layout.hpp"
 #include "hdf5_reader.hpp"
 
@@ -13,6 +13,7 @@ namespace {
 
 constexpr int format_version = 1;
 constexpr char const* format = "hdconj-accuracy";
+constexpr hdf5::StoredKind stored_kind{"no file of records of a study", "make one: hdconj accuracy -o DIR, then give DIR/records.h5", "records.h5"};
 
 double real_of(hid_t place, char const* name)
 {
@@ -20,6 +21,17 @@ double real_of(hid_t place, char const* name)
     double value = 0;
     hdf5::checked(H5Aread(attribute, H5T_NATIVE_DOUBLE, &value), "read attribute");
     return value;
+}
+
+/// The scene that was given: the page says its wave generator, motion model and given tooth.
+/// @throws InputError where this program does not take it
+Scene scene_of(std::string const& text, std::filesystem::path const& file)
+{
+    SceneReading reading = examine_scene(text, file.string());
+    if (!reading.faults.empty()) {
+        throw InputError(std::move(reading.faults));
+    }
+    return std::move(reading.scene);
 }
 
 /// A cell of a table: in quotes where a comma or a quote would end it.
@@ -83,17 +95,15 @@ std::string accuracy_bytes(StoredAccuracy const& study)
 StoredAccuracy read_accuracy(std::filesystem::path const& file)
 {
     using namespace hdf5;
-    Silence const silence;
-    try {
-        File const opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "open the file");
+    return read_stored(file, stored_kind, [&](File const& opened) {
         require(text_of(opened, "format") == format, "it is of another program or verb");
         require(number_of(opened, "format_version") <= format_version, "it was written by a newer version");
         StoredAccuracy study;
         study.origin = {text_of(opened, "program_version"), text_of(opened, "git_revision"), text_of(opened, "build"), text_of(opened, "libraries")};
         auto& report = study.report;
         report.machine = text_of(opened, "machine");
+        report.scene = scene_of(text_of(opened, "scene"), file);
         report.scene.drive.name = text_of(opened, "drive");
-        report.scene.text = text_of(opened, "scene");
         report.threads = number_of(opened, "threads");
         report.sample = number_of(opened, "sample");
         report.sample_refused = number_of(opened, "sample_refused");
@@ -119,9 +129,12 @@ StoredAccuracy read_accuracy(std::filesystem::path const& file)
             }
         }
         return study;
-    } catch (Failure const& failure) {
-        throw FileError(file, std::string("holds no records of a study: ") + failure.what() + " (make one: hdconj accuracy -o DIR, then give DIR/records.h5)");
-    }
+    });
+}
+
+std::string stored_drive(std::filesystem::path const& file)
+{
+    return hdf5::read_stored(file, stored_kind, [](hdf5::File const& opened) { return hdf5::text_of(opened, "drive"); });
 }
 
 std::string accuracy_csv(StoredAccuracy const& study)

@@ -12,4 +12,7 @@ namespace hdconj {
 /// @throws hdf5::Failure
 [[nodiscard]] std::string accuracy_bytes(StoredAccuracy const& study);
 
+/// The drive whose records @p file holds. @throws InputError as read_accuracy() does
+[[nodiscard]] std::string stored_drive(std::filesystem::path const& file);
+
 }  // namespace hdconj

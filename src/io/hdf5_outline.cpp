@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
-#include "hdconj/io/atomic_file.hpp"
 #include "hdconj/io/stored_outline.hpp"
 #include "hdf5_reader.hpp"
 
@@ -59,15 +58,11 @@ CircularSplineOutline outline_of(hid_t file)
 
 StoredOutline read_outline(std::filesystem::path const& file)
 {
-    Silence const silence;
-    try {
-        File const opened(H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "open the file");
+    return read_stored(file, {"no result file of hdconj", "make one: hdconj solve -o FILE.h5", nullptr}, [](File const& opened) {
         require(text_of(opened, "format") == "hdconj", "it is of another program");
         require(number_of(opened, "format_version") <= newest_format, "it was written by a newer version");
-        return {text_of(opened, "scene"), outline_of(opened)};
-    } catch (Failure const& failure) {
-        throw FileError(file, std::string("is no result file of hdconj: ") + failure.what() + " (make one: hdconj solve -o FILE.h5)");
-    }
+        return StoredOutline{text_of(opened, "scene"), outline_of(opened)};
+    });
 }
 
 }  // namespace hdconj

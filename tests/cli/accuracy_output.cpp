@@ -64,6 +64,23 @@ TEST_CASE("accuracy writes a folder of records and pictures, and prints tables",
     CHECK(content(folder.path() / "type-50-accuracy/mine.txt") == "mine\n");
 }
 
+TEST_CASE("accuracy: a folder with the study of another drive is not replaced", "[accuracy]")
+{
+    TemporaryFolder const folder;
+    std::string const fast = "--quick --sample 0 --study number-type --quiet -o study";
+    REQUIRE(accuracy(fast, folder).status == 0);
+    std::string const before = content(folder.path() / "study/records.h5");
+    std::string const copy = "--set drive.name=another";
+    auto const refused = accuracy(fast + " " + copy, folder);
+    CHECK(refused.status == 1);
+    CHECK_THAT(refused.err, ContainsSubstring("study of another drive, \"type-50\"") && ContainsSubstring("the name of a new folder"));
+    CHECK(content(folder.path() / "study/records.h5") == before);
+    REQUIRE(accuracy("--quick --sample 0 --study number-type --quiet -o other " + copy, folder).status == 0);
+    CHECK(accuracy("--from other/records.h5 --quiet -o study", folder).status == 1);
+    CHECK(content(folder.path() / "study/records.h5") == before);
+    CHECK(accuracy("--from study/records.h5 --quiet -o study", folder).status == 0);
+}
+
 TEST_CASE("accuracy: stored records give the same figures, a page and advice", "[accuracy]")
 {
     TemporaryFolder const folder;
@@ -106,6 +123,21 @@ TEST_CASE("accuracy: stored records give the same figures, a page and advice", "
     CHECK(content(folder.path() / "figures/mine-roots.svg") == content(HDCONJ_SOURCE_DIR "/data/scenes/type-50.toml"));
 }
 
+TEST_CASE("accuracy: a page from stored records is that of the measuring run", "[accuracy]")
+{
+    std::string const scenes = "'" HDCONJ_SOURCE_DIR "/data/scenes/";
+    for (std::string const& arguments : {scenes + "two-disc.toml' --set solver.kinematics=first-order --study tolerance", scenes + "circular-spline-given.toml' --study tolerance,sampling"}) {
+        INFO(arguments);
+        TemporaryFolder const folder;
+        REQUIRE(accuracy("--quick --sample 0 --quiet -o study --page page.md " + arguments, folder).status == 0);
+        std::string const measured = content(folder.path() / "page.md");
+        REQUIRE(accuracy("--from study/records.h5 --quiet --page page.md", folder).status == 0);
+        CHECK(content(folder.path() / "page.md") == measured);
+        bool const reverse = arguments.find("given") != std::string::npos;
+        CHECK_THAT(measured, ContainsSubstring(reverse ? "(`cosine`) and motion model (`exact`), and of the flexspline tooth" : "(`two-disc`) and motion model (`first-order`);"));
+    }
+}
+
 TEST_CASE("accuracy: drives of every kind are measured, and what a scene has no study of is said", "[accuracy]")
 {
     TemporaryFolder const folder;
@@ -115,13 +147,15 @@ TEST_CASE("accuracy: drives of every kind are measured, and what a scene has no 
         std::size_t ladders;
     };
     std::string const scenes = "'" HDCONJ_SOURCE_DIR "/data/scenes/";
+    int drives = 0;
     for (Row const& row : {Row{scenes + "four-roller.toml' --study tolerance,motion-model", "material left out", 3},
                            Row{scenes + "two-disc.toml' --study tolerance --set solver.kinematics=first-order", "", 1},
                            Row{scenes + "cam-table.toml' --study tolerance,threads", "", 3},
                            Row{"--study motion-model --set solver.kinematics=material", "", 3},
+                           Row{"--study tolerance --set coning.model=linear --set coning.bottom_to_middle=9", "[coning] left out: outlines are measured in the plane of the middle", 1},
                            Row{scenes + "circular-spline-given.toml'", "union: left out", 19}}) {
         INFO(row.arguments);
-        auto const done = accuracy("--quick --sample 0 --json -o study " + row.arguments, folder);
+        auto const done = accuracy("--quick --sample 0 --json -o study-" + std::to_string(drives++) + " " + row.arguments, folder);
         REQUIRE(done.status == 0);
         json const report = json::parse(done.out);
         CHECK(report.at("reference_error_mm").get<double>() < 1e-14);
@@ -135,9 +169,9 @@ TEST_CASE("accuracy: drives of every kind are measured, and what a scene has no 
                 }
     }
     // a study along the axis needs no reference
-    auto const axial = accuracy("--quick --sample 0 --study load -o axial " + scenes + "four-roller.toml'", folder);
+    auto const axial = accuracy("--quick --sample 0 --study contact-area -o axial", folder);
     CHECK(axial.status == 0);
-    CHECK_THAT(axial.out, !ContainsSubstring("50 digits by another path") && ContainsSubstring("load: left out"));
+    CHECK_THAT(axial.out, !ContainsSubstring("50 digits by another path") && ContainsSubstring("slices"));
 }
 
 TEST_CASE("accuracy: bad input is answered with what to write", "[accuracy]")
@@ -151,7 +185,9 @@ TEST_CASE("accuracy: bad input is answered with what to write", "[accuracy]")
                            Row{"--error 0", "write a number above 0"}, Row{"'" HDCONJ_SOURCE_DIR "/data/scenes/circular-spline-given.toml' --study tolerance,load", "needs the flexspline's tooth given"},
                            Row{"'" HDCONJ_SOURCE_DIR "/data/scenes/circular-spline-given.toml' --study union", "leave it out, or give the flexspline's profile"},
                            Row{"--set wave_generator.family=four-roller --set wave_generator.roller_angle_deg=25 --set solver.kinematics=material", "write \"exact\" or \"first-order\""},
-                           Row{"--sample -1", "--sample"},
+                           Row{"--sample -1", "--sample"}, Row{"'" HDCONJ_SOURCE_DIR "/data/scenes/four-roller.toml' --study load", "the scene gives no flexspline.cup"},
+                           Row{"--set '!circular_spline.width' --study contact-area", "the scene gives no circular_spline.width"},
+                           Row{"--page records.csv", "write a name that ends in .md, such as records.md"}, Row{"--from a.h5 --quick --repeats 2", "--quick, --repeats ask for it"}, Row{"--from a.h5 --sample 2", "--sample asks for it"},
                            Row{"--from a.h5 --study tolerance", "leave one of them out"}, Row{"--from a.h5 --set drive.module=1", "leave SCENE and --set out"}}) {
         INFO(row.arguments);
         auto const refused = accuracy(row.arguments, folder);
@@ -159,9 +195,26 @@ TEST_CASE("accuracy: bad input is answered with what to write", "[accuracy]")
         CHECK(refused.out.empty());
         CHECK_THAT(refused.err, ContainsSubstring(row.answer));
     }
-    auto const missing = accuracy("--from nothing.h5", folder);
-    CHECK(missing.status == 1);
-    CHECK_THAT(missing.err, ContainsSubstring("nothing.h5") && ContainsSubstring("hdconj accuracy -o DIR"));
+    // everything at once, the scene's faults too
+    auto const all = accuracy("--study tolerance,foo,bar --budget 3xx --error 2yy --page a.txt --set drive.modle=3", folder);
+    CHECK(all.status == 2);
+    for (char const* part : {"6 faults", "drive.modle", "--study = foo", "--study = bar", "--budget = 3xx", "--error = 2yy", "--page = a.txt"})
+        CHECK_THAT(all.err, ContainsSubstring(part));
+    auto const missing = accuracy("--from nothing.h5 --budget 3xx", folder);
+    CHECK(missing.status == 2);
+    CHECK_THAT(missing.err, ContainsSubstring("nothing.h5: is no file of records of a study: there is no such file") && ContainsSubstring("hdconj accuracy -o DIR") && ContainsSubstring("--budget = 3xx"));
     CHECK(folder.names().empty());
-    CHECK_THAT(accuracy("--help", folder).out, ContainsSubstring("polynomial-fit") && ContainsSubstring("Examples:"));
+    // what is there but no records, and nothing of HDF5's own words
+    std::filesystem::create_directory(folder.path() / "study");
+    std::ofstream(folder.path() / "text.h5") << "no records\n";
+    REQUIRE(hdconj::test::hdconj_run("solve --quiet -o result.h5", folder.path()).status == 0);
+    std::ofstream(folder.path() / "cut.h5", std::ios::binary) << content(folder.path() / "result.h5").substr(0, 3000);
+    for (Row const& row : {Row{"study", "it is a folder (write study/records.h5)"}, Row{"text.h5", "it is no HDF5 file"}, Row{"result.h5", "it is of another program or verb"},
+                           Row{"cut.h5", "cut.h5: is no file of records of a study"}}) {
+        INFO(row.arguments);
+        auto const refused = accuracy("--from " + row.arguments, folder);
+        CHECK(refused.status == 2);
+        CHECK_THAT(refused.err, ContainsSubstring(row.answer) && !ContainsSubstring("HDF5 cannot") && !ContainsSubstring("errno"));
+    }
+    CHECK_THAT(accuracy("--help", folder).out, ContainsSubstring("without coning, tilt and slices") && ContainsSubstring("polynomial-fit") && ContainsSubstring("Examples:"));
 }

@@ -141,9 +141,9 @@ std::vector<BadCommand> const& from_results()
         {"--from drive.h5 --set wedm.thickness=5", "wedm.thickness = 5", "the toothing is wider", "at least that width"},
         {"--from tilted.h5 --set wedm.thickness=9", "wedm.thickness", "no slices at z = -4.5 and +4.5 mm", "let wedm solve it"},
         {"--from no-wire.h5", "wedm", "wire and gap, which are never assumed", "wire_diameter = 0.10"},
-        {"--from broken.h5", "broken.h5", "no result file of hdconj", "hdconj solve", 1},
-        {"--from scene.toml", "scene.toml", "no result file of hdconj", "hdconj solve", 1},
-        {"--from none.h5", "none.h5", "", "hdconj solve", 1},
+        {"--from broken.h5", "broken.h5", "no result file of hdconj", "hdconj solve"},
+        {"--from scene.toml", "scene.toml", "no result file of hdconj", "hdconj solve"},
+        {"--from none.h5", "none.h5", "", "hdconj solve"},
         {"--from ''", "--from", "an empty name", "leave the option out"},
     };
     return table;

@@ -22,7 +22,7 @@ void prepare(TemporaryFolder const& folder)
     fs::create_directory(folder / "in");
     fs::copy_file(scenes + "cam-table.csv", folder / "in/cam.csv");
     fs::copy_file(scenes + "type-50-elastic.toml", folder / "elastic.toml");
-    for (std::string const name : {"link.csv", "link.svg", "p-map.svg", "q-cup.svg", "r-ring.svg", "ring.xdmf.h5"}) {
+    for (std::string const name : {"link.csv", "link.svg", "p-map.svg", "q-cup.svg", "r-ring.svg", "ring.xdmf.h5", "link.md"}) {
         fs::create_symlink("in/cam.csv", folder / name);
     }
     fs::create_directory_symlink("in", folder / "other");
@@ -55,7 +55,7 @@ std::vector<Attempt> const& attempts()
         {"wedm", "-o other", "--output = other: holds in/cam.csv"},
         {"wedm", "-o cut --picture r.svg", "--picture = r.svg: writes r-ring.svg too"},
         {"accuracy", "-o in", "--output = in: holds in/cam.csv"},
-        {"accuracy", "--page in/cam.csv", "--page"},
+        {"accuracy", "--page link.md", "--page = link.md: this file"},
         {"export elastic.toml", "--calculix in", "--calculix = in: holds"},
         {"export elastic.toml", "--vtu in/cam.csv", "--vtu"},
     };

@@ -4,6 +4,7 @@
 #include "hdconj/io/atomic_file.hpp"
 #include "hdconj/io/stored_outline.hpp"
 #include "hdconj/io/contact_files.hpp"
+#include "hdconj/scene/fault.hpp"
 #include "support/catch.hpp"
 #include "support/sample_contact_study.hpp"
 #include "support/temporary_folder.hpp"
@@ -50,7 +51,7 @@ TEST_CASE("what is no result file is refused with its name", "[wire]")
     test::TemporaryFolder const folder;
     CHECK_THROWS_WITH(read_outline(folder / "none.h5"), ContainsSubstring("none.h5: is no result file of hdconj"));
     std::ofstream(folder / "text.h5") << "no HDF5";
-    CHECK_THROWS_AS(read_outline(folder / "text.h5"), FileError);
+    CHECK_THROWS_AS(read_outline(folder / "text.h5"), InputError);
     write_hdf5(sample::solution(), folder / "a.h5");
     auto const whole = test::content(folder / "a.h5");
     // Cut anywhere, the file is refused or read, and never ends the program.
@@ -59,7 +60,7 @@ TEST_CASE("what is no result file is refused with its name", "[wire]")
         std::ofstream(folder / "cut.h5", std::ios::binary) << whole.substr(0, size);
         try {
             (void)read_outline(folder / "cut.h5");
-        } catch (FileError const&) {
+        } catch (InputError const&) {
             ++refused;
         }
     }

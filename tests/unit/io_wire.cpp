@@ -235,7 +235,7 @@ TEST_CASE("a folder of wire files appears whole and is replaced whole", "[wire]"
     CHECK_THROWS_AS(write_wire_files({broken}, out), NumericalError);
     CHECK(std::filesystem::exists(out / "ring_rel_pass1.iso"));
     CHECK(folder.names() == std::vector<std::string>{"out"});
-    CHECK_THROWS_WITH(check_accuracy_folder(out), ContainsSubstring("another kind of result, \"hdconj wire program"));
+    CHECK_THROWS_WITH(check_accuracy_folder(out, "drive"), ContainsSubstring("another kind of result, \"hdconj wire program"));
     std::ofstream(out / "mine.txt") << "notes\n";
     CHECK_THROWS_WITH(write_wire_files({sample::wire_ring()}, out), ContainsSubstring("mine.txt, which hdconj did not write there"));
     CHECK(content(out / "mine.txt") == "notes\n");

@@ -35,14 +35,15 @@ struct AccuracyAdvice
     std::optional<double> seconds;
 };
 
-/// What can be known about the folder before the long work. @throws FileError
-void check_accuracy_folder(std::filesystem::path const& folder);
+/// What can be known before the long work about the folder for a study of @p drive: one that holds a study of another drive is not replaced. @throws FileError
+void check_accuracy_folder(std::filesystem::path const& folder, std::string const& drive);
 
 /// records.h5, records.csv and, where gnuplot is installed, a picture of each study as SVG and PNG, into a folder that appears whole.
 /// @throws FileError
 std::vector<WrittenFile> write_accuracy_folder(StoredAccuracy const& study, std::filesystem::path const& folder);
 
-/// Reads records.h5. @throws FileError
+/// Reads records.h5. The scene is as it was given; what a study leaves out of it is told by the notes.
+/// @throws InputError where @p file holds no records, or a scene that this program does not take
 [[nodiscard]] StoredAccuracy read_accuracy(std::filesystem::path const& file);
 
 /// One row per case, method, knob and repeat, a line of names first.

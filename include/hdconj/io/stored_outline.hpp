@@ -18,7 +18,7 @@ struct StoredOutline
 };
 
 /// Reads what write_hdf5 wrote of the circular spline, of `solve` and of `contact`.
-/// @throws FileError where @p file is none of our results, or its parts contradict each other
+/// @throws InputError where @p file is none of our results, or its parts contradict each other
 [[nodiscard]] StoredOutline read_outline(std::filesystem::path const& file);
 
 }  // namespace hdconj
