@@ -33,15 +33,16 @@ std::vector<Curve> curves_of(std::vector<StudyLadder> const& ladders, std::strin
                 curve.rungs.push_back(&rung);
             }
         }
+        if (curve.rungs.empty()) {
+            continue;
+        }
         auto const known = std::find(methods.begin(), methods.end(), ladder.method + ladder.knob);
         std::size_t const number = static_cast<std::size_t>(known - methods.begin());
         if (known == methods.end()) {
             methods.push_back(ladder.method + ladder.knob);
         }
         curve.colour = colours[number % colours.size()];
-        if (!curve.rungs.empty()) {
-            curves.push_back(std::move(curve));
-        }
+        curves.push_back(std::move(curve));
     }
     return curves;
 }

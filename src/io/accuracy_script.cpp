@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "accuracy_curves.hpp"
+#include "accuracy_labels.hpp"
+#include "picture_frame.hpp"
 #include "picture_lines.hpp"
 
 namespace hdconj {
@@ -32,20 +34,72 @@ struct Range
     }
 };
 
-/// The knob's value beside the first and the last rung.
-std::string ends_of(Curve const& curve, double middle)
+/// From numbers to places on the picture.
+struct Axes
 {
+    Range time, error;
+
+    [[nodiscard]] study_picture::Spot spot(double seconds, double off) const
+    {
+        double const across = std::log(seconds / time.low) / std::log(time.high / time.low), up = std::log(off / error.low) / std::log(error.high / error.low);
+        return {study_picture::left_axis + across * (picture::width - picture::right_margin - study_picture::left_axis), study_picture::top + (1 - up) * study_picture::panel_height};
+    }
+};
+
+/// The knob's value beside the first and the last rung of every line but the sample's.
+std::string ends_of(std::vector<Curve> const& curves, Axes const& axes, double height)
+{
+    using study_picture::Spot;
+    study_picture::LabelPlaces places({study_picture::left_axis, picture::width - picture::right_margin, study_picture::top, study_picture::top + study_picture::panel_height});
+    for (auto const& curve : curves) {
+        for (std::size_t i = 0; i < curve.rungs.size(); ++i) {
+            auto const& rung = *curve.rungs[i];
+            Spot const at = axes.spot(rung.median, rung.error);
+            places.add_point(at);
+            places.add_line(axes.spot(rung.least, rung.error), axes.spot(rung.most, rung.error));
+            if (i > 0) {
+                places.add_line(axes.spot(curve.rungs[i - 1]->median, curve.rungs[i - 1]->error), at);
+            }
+        }
+        if (curve.ladder->floor > 0) {
+            places.add_line(axes.spot(axes.time.low, curve.ladder->floor), axes.spot(axes.time.high, curve.ladder->floor));
+        }
+    }
     std::string labels;
-    auto const add = [&](StudyRung const& rung, double rise) {
-        bool const right = rung.median > middle;
-        labels += fmt::format("set label {} at first {:.8g}, first {:.8g} {} offset {},{} noenhanced textcolor rgb '{}' front boxed\n", gnuplot_quoted(knob_text(rung.value)),
-                              rung.median, rung.error, right ? "right" : "left", right ? -0.6 : 0.6, rise, curve.colour);
+    auto const add = [&](Curve const& curve, StudyRung const& rung) {
+        std::string const text = knob_text(rung.value);
+        study_picture::Box const box = places.place(text, axes.spot(rung.median, rung.error));
+        labels += fmt::format("set label {} at {} center noenhanced textcolor rgb '{}' front boxed\n", gnuplot_quoted(text),
+                              picture::screen((box.left + box.right) / 2, (box.top + box.bottom) / 2, height), curve.colour);
     };
-    add(*curve.rungs.front(), 0.8);
-    if (curve.rungs.size() > 1) {
-        add(*curve.rungs.back(), -0.8);
+    for (auto const& curve : curves) {
+        if (!curve.sample) {
+            add(curve, *curve.rungs.front());
+        }
+        if (!curve.sample && curve.rungs.size() > 1) {
+            add(curve, *curve.rungs.back());
+        }
     }
     return labels;
+}
+
+/// Whole decades would leave a short axis with one number.
+std::string time_tics(Range const& time)
+{
+    constexpr double short_axis = 20, plain_from = 1e-3, plain_to = 1e3;   // plain: without a power of ten
+    if (time.high / time.low > short_axis) {
+        return "set format x '10^{%L}'\n";
+    }
+    std::string tics;
+    for (int power = static_cast<int>(std::floor(std::log10(time.low))); power <= static_cast<int>(std::ceil(std::log10(time.high))); ++power) {
+        for (int const step : {1, 2, 5}) {
+            if (double const at = step * std::pow(10.0, power); at >= time.low && at <= time.high) {
+                std::string const said = at >= plain_from && at < plain_to ? fmt::format("{:g}", at) : fmt::format("{}·10^{{{}}}", step, power);
+                tics += fmt::format("{}'{}' {:.8g}", tics.empty() ? "" : ", ", said, at);
+            }
+        }
+    }
+    return "set xtics (" + tics + ")\n";
 }
 
 /// All its lines have the same error: what they differ in is time.
@@ -92,12 +146,11 @@ std::string accuracy_script(StoredAccuracy const& study, std::vector<StudyLadder
     std::string const& unit = curves.front().ladder->unit;
     std::string script = study_picture::frame(study, name, "at the ends of a line its first and last setting", height, format);
     script += fmt::format(
-        "set xrange [{:.8g}:{:.8g}]\nset yrange [{:.8g}:{:.8g}]\nset format xy '10^{{%L}}'\n"
+        "set xrange [{:.8g}:{:.8g}]\nset yrange [{:.8g}:{:.8g}]\nset format y '10^{{%L}}'\n{}"
         "set xlabel 'time [s], median; whiskers: least and most' noenhanced\n"
         "set ylabel 'error against the reference [{}]' noenhanced\n",
-        time.low, time.high, error.low, error.high, unit == "mm^2" ? "mm²" : unit);
+        time.low, time.high, error.low, error.high, time_tics(time), unit == "mm^2" ? "mm²" : unit);
     script += "set style textbox opaque noborder fillcolor rgb '#ffffff' margins 0.2,0.2\n";
-    double const middle = std::sqrt(time.low * time.high);
     std::string plot;
     for (std::size_t i = 0; i < curves.size(); ++i) {
         auto const& curve = curves[i];
@@ -113,12 +166,9 @@ std::string accuracy_script(StoredAccuracy const& study, std::vector<StudyLadder
             script += fmt::format("set arrow from graph 0, first {:.8g} to graph 1, first {:.8g} nohead back linecolor rgb '{}' linewidth 0.9 dashtype (2,3)\n",
                                   curve.ladder->floor, curve.ladder->floor, curve.colour);
         }
-        if (!curve.sample) {
-            script += ends_of(curve, middle);
-        }
         script += study_picture::legend(curve, i, ladder_remark(*curve.ladder), height);
     }
-    return script + plot + "\n";
+    return script + ends_of(curves, {time, error}, height) + plot + "\n";
 }
 
 }  // namespace hdconj

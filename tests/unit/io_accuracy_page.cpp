@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page's conclusions follow the records, whatever these are.
+// The page's conclusions follow the records, whatever these are; labels of its pictures lie apart.
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "hdconj/io/accuracy_files.hpp"
+#include "io/accuracy_figures.hpp"
+#include "io/accuracy_labels.hpp"
 #include "support/catch.hpp"
 
 using namespace hdconj;
@@ -112,4 +114,55 @@ TEST_CASE("accuracy page: the finest rungs of a load say how right they are", "[
     CHECK_THAT(page, ContainsSubstring("**harmonics: twist**: no order: errors do not fall from rung to rung"));
     report.records.back().estimate = 1e-9;
     CHECK_THAT(page_of(report), !ContainsSubstring("how the twist settles"));
+}
+
+TEST_CASE("accuracy pictures: labels keep off each other, off points and lines, and inside the frame", "[accuracy]")
+{
+    using namespace study_picture;
+    Box const frame{100, 900, 80, 500};
+    LabelPlaces places(frame);
+    std::vector<Spot> points;
+    for (int i = 0; i < 12; ++i) {
+        points.push_back({880.0 - 9 * (i % 4), 90.0 + 14 * i});   // a crowd at the upper right corner
+        places.add_point(points.back());
+        if (i > 0) {
+            places.add_line(points[points.size() - 2], points.back());
+        }
+    }
+    std::vector<Box> boxes;
+    for (int i = 0; i < 12; i += 2) {
+        boxes.push_back(places.place("1e-07", points[static_cast<std::size_t>(i)]));
+    }
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        Box const& box = boxes[i];
+        CHECK(box.left >= frame.left);
+        CHECK(box.right <= frame.right);
+        CHECK(box.top >= frame.top);
+        for (auto const& point : points) {
+            CHECK_FALSE(box.holds(point));
+        }
+        for (std::size_t j = 0; j < i; ++j) {
+            CHECK_FALSE(box.meets(boxes[j]));
+        }
+    }
+    // a line through the usual place beside a point moves the label to another side
+    LabelPlaces crossed(frame);
+    crossed.add_line({500, 300}, {560, 270});
+    Box const beside = crossed.place("64", {500, 300});
+    for (double share = 0; share <= 1; share += 0.01) {
+        CHECK_FALSE(beside.holds({500 + 60 * share, 300 - 30 * share}));
+    }
+}
+
+TEST_CASE("accuracy pictures: a short axis of times has more than one number", "[accuracy]")
+{
+    for (bool const wide : {false, true}) {
+        AccuracyReport report = report_of_drive();
+        add(report, "tolerance", "solve", "solver.tolerance", {{1e-3, 1e-3, 0.3}, {1e-4, 1e-4, wide ? 30 : 0.9}});
+        std::string const script = accuracy_script({report, {}}, ladders_of(report), "tolerance", PictureFormat::svg);
+        CHECK((script.find("set xtics ('0.2' 0.2, '0.5' 0.5, '1' 1)") != std::string::npos) == !wide);
+    }
+    AccuracyReport report = report_of_drive();
+    add(report, "tolerance", "solve", "solver.tolerance", {{1e-3, 1e-3, 3e-5}, {1e-4, 1e-4, 9e-5}});
+    CHECK_THAT(accuracy_script({report, {}}, ladders_of(report), "tolerance", PictureFormat::svg), ContainsSubstring("'2·10^{-5}' 2e-05, '5·10^{-5}' 5e-05, '1·10^{-4}' 0.0001)"));
 }
