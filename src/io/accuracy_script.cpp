@@ -83,11 +83,11 @@ std::string ends_of(std::vector<Curve> const& curves, Axes const& axes, double h
     return labels;
 }
 
-/// Whole decades would leave a short axis with one number.
+/// Whole decades, or 1, 2 and 5 of them where these would leave the axis with one number.
 std::string time_tics(Range const& time)
 {
-    constexpr double short_axis = 20, plain_from = 1e-3, plain_to = 1e3;   // plain: without a power of ten
-    if (time.high / time.low > short_axis) {
+    constexpr double plain_from = 1e-3, plain_to = 1e3;   // without a power of ten
+    if (std::floor(std::log10(time.high)) > std::ceil(std::log10(time.low))) {
         return "set format x '10^{%L}'\n";
     }
     std::string tics;

@@ -130,7 +130,7 @@ void run_ladders(StudyRun const& bench, Scene const& scene)
             bench.report.notes.push_back("load: no reference in 50 digits; " + std::string(ladder.method) + " are measured against " + std::to_string(ladder.finest)
                                          + " of them, twist " + number_text(finest.twist) + " rad and largest force " + number_text(finest.largest_force)
                                          + " N, which by their own estimate are off by "
-                                         + (found.estimated ? share(&LoadedState::twist) + " and " + share(&LoadedState::largest_force) + " of it" : "an amount that is not known")
+                                         + (found.estimated ? share(&LoadedState::twist) + " and " + share(&LoadedState::largest_force) + " of them" : "an amount that is not known")
                                          + "; gaps of the loaded shape are met to " + number_text(finest.residual) + " mm, the floor of all of them");
         }
         for (int const value : ladder.values)

@@ -162,7 +162,11 @@ TEST_CASE("accuracy pictures: a short axis of times has more than one number", "
         std::string const script = accuracy_script({report, {}}, ladders_of(report), "tolerance", PictureFormat::svg);
         CHECK((script.find("set xtics ('0.2' 0.2, '0.5' 0.5, '1' 1)") != std::string::npos) == !wide);
     }
+    // one power of ten among 26 times
     AccuracyReport report = report_of_drive();
+    add(report, "tolerance", "solve", "solver.tolerance", {{1e-3, 1e-3, 4e-5}, {1e-4, 1e-4, 4e-4}});
+    CHECK_THAT(accuracy_script({report, {}}, ladders_of(report), "tolerance", PictureFormat::svg), ContainsSubstring("'5·10^{-5}' 5e-05, '1·10^{-4}' 0.0001, '2·10^{-4}'"));
+    report = report_of_drive();
     add(report, "tolerance", "solve", "solver.tolerance", {{1e-3, 1e-3, 3e-5}, {1e-4, 1e-4, 9e-5}});
     CHECK_THAT(accuracy_script({report, {}}, ladders_of(report), "tolerance", PictureFormat::svg), ContainsSubstring("'2·10^{-5}' 2e-05, '5·10^{-5}' 5e-05, '1·10^{-4}' 0.0001)"));
 }
