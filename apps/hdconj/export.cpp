@@ -67,7 +67,7 @@ int run_export(CommonOptions const& common, ExportOptions const& own)
         write_vtu(*cup, own.vtu, 2 * own.steps);
     }
     if (!common.quiet && !common.json) {
-        std::cout << describe(*cup) << '\n';
+        std::cout << describe(*cup, elastic_cup_error(scene, *cup)) << '\n';
         for (auto const& name : {own.calculix, own.vtu}) {
             std::cout << (name.empty() ? "" : name + "\n");
         }

@@ -84,7 +84,7 @@ TakeUp take_up(GapField const& field, GapMap const& at_rest, int flank, double l
     auto const rivals_within = [&](double turn) {
         std::vector<std::vector<GapField::Index>> found(at_rest.angle.size());
         constexpr std::size_t gaps_worth_a_thread = 1 << 16;
-        parallel_for(found.size(), threads, std::max<std::size_t>(1, gaps_worth_a_thread / (slices * points)), [&](std::size_t space) {
+        parallel_for(found.size(), threads, std::max<std::size_t>(1, gaps_worth_a_thread / std::max<std::size_t>(1, slices * points)), [&](std::size_t space) {
             for (std::size_t k = 0; k < slices; ++k)
                 for (std::size_t i = 0; i < points; ++i)
                     if (at_rest.at(space, flank, k, i) <= reach * turn + between)

@@ -23,8 +23,8 @@ HarmonicField field_of(FourierSolid const& solid, WaveGeneratorContact const& co
 
 }  // namespace
 
-BentCup::BentCup(CupSection const& section, Bearing const& bearing, CamSeries const& cam, int circles, int threads)
-    : section_(section), bearing_(bearing), cam_(cam), solid_(section_mesh(section, contact_mesh_size(bearing, circles))),
+BentCup::BentCup(CupSection const& section, Bearing const& bearing, CamSeries const& cam, int circles, int threads, int layers)
+    : section_(section), bearing_(bearing), cam_(cam), solid_(section_mesh(section, in_layers(contact_mesh_size(bearing, circles), section, layers))),
       contact_(solve_wave_generator(solid_, section.inner_radius, bearing, cam, circles, {}, threads)), field_(field_of(solid_, contact_, cam.waves, threads))
 {
 }

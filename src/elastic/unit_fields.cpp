@@ -19,14 +19,6 @@ UnitFields unit_fields(FourierSolid const& solid, Supports const& supports, std:
     return result;
 }
 
-UnitFields part_of(UnitFields const& unit, std::vector<std::size_t> const& stations, std::size_t harmonics)
-{
-    UnitFields result{{unit.harmonics.begin(), unit.harmonics.begin() + static_cast<std::ptrdiff_t>(harmonics)}, {}};
-    for (std::size_t i = 0; i < harmonics; ++i)
-        result.moved.emplace_back(unit.moved[i](Eigen::all, stations));
-    return result;
-}
-
 Influence influence(FourierSolid const& solid, UnitFields const& unit, std::vector<Station> const& stations, int threads)
 {
     std::vector<Direction> directions;

@@ -79,6 +79,13 @@ MeshSize contact_mesh_size(Bearing const& bearing, int across)
     return size;
 }
 
+MeshSize in_layers(MeshSize size, CupSection const& section, int layers)
+{
+    if (layers > 1)
+        size.across = std::min(size.across, std::min(section.wall, section.ring_wall) / layers);
+    return size;
+}
+
 WaveGeneratorContact solve_wave_generator(FourierSolid const& cup, double inner_radius, Bearing const& bearing, CamSeries const& cam, int across,
                                           std::vector<Station> const& stations, int threads)
 {

@@ -9,6 +9,13 @@
 namespace hdconj {
 namespace {
 
+/// An error to two digits, whole numbers without an exponent.
+std::string two_digits(double error)
+{
+    constexpr double whole = 99.5;
+    return error >= whole ? fmt::format("{:.0f}", error) : fmt::format("{:.2g}", error);
+}
+
 constexpr double percent = 100;
 
 /// Fixed decimals, and never "-0.00".
@@ -30,7 +37,7 @@ void write_setting(Page& page, LoadStudy const& study)
 {
     auto const& cup = study.cup;
     page.line("\ncup on the wave generator, without torque");
-    auto const worth = [&](double error, char const* units) { return cup.estimated ? fmt::format("+- {:.2g} {}", error, units) : std::string(); };
+    auto const worth = [&](double error, char const* units) { return cup.estimated ? fmt::format("+- {} {}", two_digits(error), units) : std::string(); };
     auto const and_worth = [&](std::string const& words, double error, char const* units) { return cup.estimated ? worth(error, units) + "; " + words : words; };
     page.figure("coning, major axis", fixed(cup.coning_major * degree_per_radian, 4) + " deg",
                 and_worth("slope of the radial displacement over the toothed width", cup.coning_major_error * degree_per_radian, "deg"));
@@ -158,7 +165,7 @@ void write_places(Page& page, LoadStudy const& study)
         if (state == nullptr) {
             continue;
         }
-        auto const worth = [&](double error) { return each.estimated ? fmt::format(" +- {:.2g}", error) : std::string(); };
+        auto const worth = [&](double error) { return each.estimated ? " +- " + two_digits(error) : std::string(); };
         std::string text = fmt::format("  {}: lobe at the major axis {}{} N along it, {}{} N across it, at z = {}{} mm; wave generator {:.4g}{} N m", case_name(each),
                                        short_number(state->lobe_force), worth(each.error.lobe_force), short_number(state->lobe_force_across), worth(each.error.lobe_force_across),
                                        fixed(state->lobe_z, 2), worth(each.error.lobe_z), state->wave_generator_torque * nm_per_nmm, worth(each.error.wave_generator_torque * nm_per_nmm));

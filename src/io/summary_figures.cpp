@@ -52,6 +52,7 @@ std::vector<Figure> error_figures(Solution const& solution)
     return {{"error_chord_mm", error.chord},
             {"error_point_mm", error.point},
             {"error_largest_mm", error.largest()},
+            {"error_cup_mm", error.cup},
             {"error_arc_length_relative", error.arc_length},
             {"error_r_0_mm", error.r_0},
             {"error_space_depth_mm", error.space_depth},

@@ -92,6 +92,12 @@ void write_errors(Page& page, Solution const& solution)
     page.figure("error, written points", um(solution.error.point, "<= "));
     page.figure("error, chords", um(solution.error.chord, "<= "),
                 fmt::format("asked for {:g} um", solution.scene.solver.tolerance * um_per_mm));
+    if (solution.error.cup > 0) {
+        page.figure("error, bent sections", um(solution.error.cup, "+- "), "as cup and bearing are resolved; the outline moves with them");
+    }
+    if (solution.scene.solver.kinematics == Kinematics::first_order && !solution.scene.is_elastic()) {
+        page.line("  of the first-order motion itself: hdconj accuracy --study motion-model");
+    }
     page.figure("closed length, relative", fmt::format("{:.1e}", solution.error.arc_length));
 }
 

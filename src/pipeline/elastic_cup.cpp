@@ -97,6 +97,17 @@ std::shared_ptr<BentCup const> bent_cup(Scene const& scene, double inner_radius,
     return cup;
 }
 
+BentCupError cup_error(Scene const& scene, BentCup const& cup, AnyWaveShape const& shape, double r_m, int threads)
+{
+    BentCupGrid const grid = discretised_otherwise({scene.bearing->angles, scene.bearing->circles});
+    BentCup const other(cup.section(), cup.bearing(), shape, grid, threads);
+    std::vector<double> z = {cup.bearing().middle};
+    if (scene.slices && scene.slices->count > 1 && scene.circular_spline.width)
+        for (double const side : {-0.5, 0.5})
+            z.push_back(z.front() + side * *scene.circular_spline.width);
+    return bent_cup_error(cup, other, z, r_m);
+}
+
 MaterialDisplacement displacement_at(BentCup const& cup, double z, double r_m)
 {
     return length_kept(cup.displacement(cup.bearing().middle + z, r_m), r_m);
@@ -105,6 +116,18 @@ MaterialDisplacement displacement_at(BentCup const& cup, double z, double r_m)
 }  // namespace hdconj::detail
 
 namespace hdconj {
+namespace {
+
+/// To two digits, in plain figures.
+std::string rounded(double value)
+{
+    if (!(value > 0))
+        return "0";
+    double const digit = std::pow(10.0, std::floor(std::log10(value)) - 1);
+    return short_number(std::round(value / digit) * digit);
+}
+
+}  // namespace
 
 std::shared_ptr<BentCup const> elastic_cup(Scene const& scene)
 {
@@ -119,11 +142,21 @@ std::shared_ptr<BentCup const> elastic_cup(Scene const& scene)
     return detail::bent_cup(scene, detail::ring_geometry(scene, tooth).flexspline_inner_radius, shape, thread_count(scene.solver.threads));
 }
 
-std::string describe(BentCup const& cup)
+BentCupError elastic_cup_error(Scene const& scene, BentCup const& cup)
+{
+    Faults faults;
+    Profile const tooth = detail::given_tooth(scene, faults);
+    return detail::cup_error(scene, cup, detail::wave_shape(scene, tooth, faults), detail::ring_geometry(scene, tooth).r_m, thread_count(scene.solver.threads));
+}
+
+std::string describe(BentCup const& cup, std::optional<BentCupError> const& error)
 {
     WaveGeneratorContact const& contact = cup.contact();
-    std::string text = "elastic cup: cones by " + short_number(cup.coning(0) / rad_per_deg) + " degrees at the major axis; bearing and cup press each other with "
-                       + short_number(contact.total_force) + " N";
+    auto const known = [&](double value, double BentCupError::* off, double unit) {
+        return short_number(value / unit) + (error ? " +- " + rounded((*error).*off / unit) : "");
+    };
+    std::string text = "elastic cup: cones by " + known(cup.coning(0), &BentCupError::coning_major, rad_per_deg) + " degrees at the major axis; bearing and cup press each other with "
+                       + known(contact.total_force, &BentCupError::force, 1) + " N";
     if (auto const widest = std::max_element(contact.ball_gap.begin(), contact.ball_gap.end()); widest != contact.ball_gap.end() && *widest > 0)
         text += "; the ring stands off the balls by up to " + short_number(1000 * *widest) + " um";
     return text;

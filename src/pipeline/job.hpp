@@ -143,8 +143,9 @@ class SolveJob
         auto const grain = static_cast<std::size_t>(std::ceil(worth_a_thread / chords_of_a_flank()));
         std::vector<std::size_t> const order = longest_first();
         LateJobs pieces;
-        auto const helpers = static_cast<std::size_t>(out_.threads) - 1;
-        parallel_for(1 + order.size() + helpers, out_.threads, grain, [&](std::size_t k) {
+        // who helps at the end is no work that would be worth a thread
+        std::size_t const team = std::clamp<std::size_t>((1 + order.size()) / grain, 1, static_cast<std::size_t>(out_.threads));
+        parallel_for(order.size() + team, static_cast<int>(team), 1, [&](std::size_t k) {
             if (k == 0)
                 return find_pieces(chord, pieces);
             if (k > order.size())

@@ -264,7 +264,7 @@ LoadStudy load(Scene const& scene, LoadOptions const& options, StageObserver con
         owned.clock.run(Stage::load, [&] {
             if (i == 0)
             {
-                coarse = detail::coarse_drive(bench, *model);
+                coarse = detail::coarse_drive(bench);
                 if (coarse)
                     estimate(study.cup, assembled(bench, coarse->model, coarse->start),
                              detail::ball_distance(detail::bearing_map(drive, start.state), detail::bearing_map(coarse->model.drive, coarse->start.state), drive.response.sectors()));

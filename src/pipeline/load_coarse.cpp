@@ -33,7 +33,7 @@ std::vector<T> some(std::vector<T> const& all, std::vector<std::size_t> const& w
 
 }  // namespace
 
-std::optional<CoarseDrive> coarse_drive(ContactBench const& bench, LoadModel const& fine)
+std::optional<CoarseDrive> coarse_drive(ContactBench const& bench)
 {
     constexpr std::size_t fewest_slices = 3;
     constexpr int fewest_circles = 2, fewest_harmonics = 8;
@@ -43,9 +43,11 @@ std::optional<CoarseDrive> coarse_drive(ContactBench const& bench, LoadModel con
     grid.slices = about_half(grid.slices.size());
     grid.circles = std::max(std::min(grid.circles, fewest_circles), (grid.circles + 1) / 2);
     grid.harmonics = std::max(std::min(grid.harmonics, fewest_harmonics), grid.harmonics / 2);
+    // the elements' error shows where there are more of them: fewer than one across the wall there cannot be
+    grid.layers = 2;
     try
     {
-        LoadModel model = load_model(bench, grid, &fine);
+        LoadModel model = load_model(bench, grid);
         Assembly start = assembly(bench, model.drive);
         return CoarseDrive{std::move(grid), std::move(model), std::move(start)};
     }

@@ -12,7 +12,8 @@
 
 namespace hdconj::detail {
 
-/// Model and assembly with every second slice, flank point, circle of the bearing and half of the harmonics.
+/// Model and assembly with every second slice, flank point, circle of the bearing and half of the harmonics, on a mesh with two elements across the wall: one that differs in what it
+/// cannot show.
 struct CoarseDrive
 {
     LoadGrid grid;
@@ -21,7 +22,7 @@ struct CoarseDrive
 };
 
 /// None for fewer than three slices, whose influence no coarser grid shows, and where the coarse grid has no solution.
-[[nodiscard]] std::optional<CoarseDrive> coarse_drive(ContactBench const& bench, LoadModel const& fine);
+[[nodiscard]] std::optional<CoarseDrive> coarse_drive(ContactBench const& bench);
 
 /// Some slices of a grid, and every second of its points and the last.
 [[nodiscard]] FlankGrid thinned(FlankGrid const& grid, std::vector<std::size_t> const& slices);

@@ -40,35 +40,6 @@ std::vector<double> above_middle(std::vector<double> const& circles, double midd
     return result;
 }
 
-/// Where each of some heights is among those of a finer grid; nothing unless all are.
-std::optional<std::vector<std::size_t>> heights_within(std::vector<double> const& finer, std::vector<double> const& heights)
-{
-    constexpr double rounding = 1e-12;  // [mm] of heights that are the same
-    std::vector<std::size_t> result;
-    for (double const z : heights)
-    {
-        auto const same = std::find_if(finer.begin(), finer.end(), [&](double other) { return std::abs(other - z) <= rounding; });
-        if (same == finer.end())
-            return std::nullopt;
-        result.push_back(static_cast<std::size_t>(same - finer.begin()));
-    }
-    return result;
-}
-
-/// The places of a finer model of the same cup that are those of a coarser one, in its order; nothing unless all are.
-std::optional<std::vector<std::size_t>> places_within(LoadModel const& finer, std::vector<double> const& bearing_z, std::vector<double> const& slice_z)
-{
-    auto const circles = heights_within(finer.drive.bearing_z, bearing_z), slices = heights_within(finer.drive.slice_z, slice_z);
-    if (!circles || !slices)
-        return std::nullopt;
-    std::vector<std::size_t> result = *circles;
-    DriveStations const& stations = finer.drive.stations;
-    for (std::size_t const first : {stations.radial(0), stations.tangential(0), stations.axial(0)})
-        for (std::size_t const k : *slices)
-            result.push_back(first + k);
-    return result;
-}
-
 /// Stations of the cup: what is asked of its sections, and how that acts around the ring. Turns have no place of their own.
 struct CupStations
 {
@@ -127,7 +98,7 @@ int highest_harmonic(Scene const& scene)
     return grid.angles() * grid.sectors / 2;
 }
 
-LoadModel load_model(ContactBench const& bench, LoadGrid const& resolution, LoadModel const* finer)
+LoadModel load_model(ContactBench const& bench, LoadGrid const& resolution)
 {
     Scene const& scene = bench.scene;
     RingGrid const around = ring_grid(scene);
@@ -137,8 +108,7 @@ LoadModel load_model(ContactBench const& bench, LoadGrid const& resolution, Load
     CupSection const section = cup_section(scene, bench.geometry.flexspline_inner_radius);
     PlacedBearing const placed = placed_bearing(bench, resolution.circles, around);
     double const middle = placed.bearing.middle;
-    // the mesh is that of the scene, whatever the resolution
-    FourierSolid const solid = finer != nullptr ? finer->solid : FourierSolid(section_mesh(section, contact_mesh_size(placed.bearing, scene.bearing->circles)));
+    FourierSolid solid(section_mesh(section, in_layers(contact_mesh_size(placed.bearing, resolution.circles), section, resolution.layers)));
 
     std::vector<double> z;
     for (std::size_t const k : resolution.slices)
@@ -146,9 +116,7 @@ LoadModel load_model(ContactBench const& bench, LoadGrid const& resolution, Load
     DriveStations const layout{placed.circles.size(), z.size()};
     CupStations stations = cup_stations(scene, solid.mesh(), placed.circles, middle, z, placed.spread);
     std::vector<int> const orders = harmonics_of(sectors, highest);
-    std::optional<std::vector<std::size_t>> const known = finer != nullptr ? places_within(*finer, above_middle(placed.circles, middle), z) : std::nullopt;
-    UnitFields unit =
-        known && orders.size() <= finer->unit.harmonics.size() ? part_of(finer->unit, *known, orders.size()) : unit_fields(solid, {}, stations.places, orders, bench.threads);
+    UnitFields unit = unit_fields(solid, {}, stations.places, orders, bench.threads);
     std::vector<HarmonicResponse> harmonics = cup_responses(solid, unit, stations, layout, bench.geometry.r_m, bench.threads);
 
     ElasticDrive drive{layout, PointResponse(std::move(stations.around), std::move(harmonics), sectors, grid, bench.threads), {}, {}, around.steps, {}, {},
@@ -160,7 +128,7 @@ LoadModel load_model(ContactBench const& bench, LoadGrid const& resolution, Load
     drive.bearing_compliance = bearing_compliance(drive, bench.threads);
     drive.contact_depth = 0.25 * std::numbers::pi * scene.drive.module;  // half a tooth at the pitch line
     drive.bending = ToothBending(bench.tooth, section.material, bench.tolerance.length);
-    return {solid, std::move(unit), bench.geometry.r_m, middle, std::move(drive)};
+    return {std::move(solid), std::move(unit), bench.geometry.r_m, middle, std::move(drive)};
 }
 
 }  // namespace hdconj::detail

@@ -27,6 +27,7 @@ struct LoadGrid
     std::vector<std::size_t> slices;  ///< of the bench, increasing
     int circles = 0;                  ///< over the bearing's width
     int harmonics = 0;                ///< highest
+    int layers = 1;                   ///< elements across the cup's wall, at least
 };
 
 /// As the scene asks.
@@ -36,8 +37,7 @@ struct LoadGrid
 [[nodiscard]] int highest_harmonic(Scene const& scene);
 
 /// Cup, wave generator and teeth of @p bench as `load` needs them.
-/// @param finer  of the same bench: what it has solved for is not solved again where the coarser grid is a part of it; null: none
 /// @throws NumericalError for a cup that cannot be meshed or a drive with too many teeth for the memory that a load takes
-[[nodiscard]] LoadModel load_model(ContactBench const& bench, LoadGrid const& resolution, LoadModel const* finer = nullptr);
+[[nodiscard]] LoadModel load_model(ContactBench const& bench, LoadGrid const& resolution);
 
 }  // namespace hdconj::detail

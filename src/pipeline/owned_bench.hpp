@@ -9,8 +9,8 @@
 #include "contact_bench.hpp"
 #include "drive.hpp"
 #include "hdconj/axial/slice_places.hpp"
-#include "hdconj/pipeline/solve.hpp"
 #include "place_teeth.hpp"
+#include "solve_middle.hpp"
 
 namespace hdconj::detail {
 
@@ -38,7 +38,7 @@ struct OwnedBench
 {
     /// @param slices  planes across the face width
     OwnedBench(Scene const& asked, int slices, Plan planned, StageObserver const& on_stage)
-        : scene(asked), plan(std::move(planned)), clock(plan, on_stage), middle(solve(middle_scene(scene), on_stage)), threads(middle.threads)
+        : scene(asked), plan(std::move(planned)), clock(plan, on_stage), middle(solve_middle(middle_scene(scene), on_stage, !plan.has(Stage::load))), threads(middle.threads)
     {
         Faults faults;
         tooth = given_tooth(scene, faults);

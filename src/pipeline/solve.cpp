@@ -3,14 +3,16 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "drive.hpp"
 #include "elastic_cup.hpp"
 #include "hdconj/numeric/parallel.hpp"
 #include "hdconj/pipeline/elastic_cup.hpp"
-#include "spread.hpp"
+#include "solve_middle.hpp"
 #include "solve_motion.hpp"
+#include "spread.hpp"
 
 namespace hdconj {
 
@@ -57,6 +59,11 @@ std::vector<Vec2> outline_of(Profile const& profile, double chord, int threads)
 
 Solution solve(Scene const& scene, StageObserver const& on_stage)
 {
+    return detail::solve_middle(scene, on_stage, true);
+}
+
+Solution detail::solve_middle(Scene const& scene, StageObserver const& on_stage, bool cup_error)
+{
     Faults faults = check_scene(scene);
     if (!faults.empty())
         throw InputError(faults);
@@ -80,7 +87,13 @@ Solution solve(Scene const& scene, StageObserver const& on_stage)
     });
     bool const elastic = clock.run(Stage::cup, [&] {
         out.cup = detail::bent_cup(scene, out.geometry.flexspline_inner_radius, shape, out.threads);
-        out.notes.push_back(describe(*out.cup));
+        std::optional<BentCupError> known;
+        if (cup_error)
+        {
+            known = detail::cup_error(scene, *out.cup, shape, out.geometry.r_m, out.threads);
+            out.error.cup = known->displacement;
+        }
+        out.notes.push_back(describe(*out.cup, known));
     });
     if (elastic)
         detail::solve_elastic(out, tooth, clock);

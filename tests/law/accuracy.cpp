@@ -294,6 +294,22 @@ TEST_CASE("accuracy: every study is of the sample too", "[accuracy]")
     }
 }
 
+TEST_CASE("accuracy: where contacts of a curve merge, a point uncertain along the outline is no further off it than the estimate says, which is little", "[accuracy]")
+{
+    for (std::string const name : {"bezier", "b-spline"}) {
+        Scene scene = read_scene(std::string(HDCONJ_SOURCE_DIR) + "/data/scenes/" + name + ".toml");
+        scene.solver.tolerance = scene.drive.module * 2e-9;
+        scene.solver.threads = 1;
+        Solution const fine = solve(scene);
+        INFO(name << ": points " << fine.error.point << " mm");
+        CHECK(fine.error.point < 1e-2 * scene.solver.tolerance);
+        oracle::EstimateTally const tally = oracle::estimates_bound({scene}, name);
+        CHECK(tally.solved == 1);
+        CHECK(tally.unjudged == 0);
+        CHECK(tally.median() <= 1.3);
+    }
+}
+
 TEST_CASE("accuracy: the estimate bounds the true error on random designs and is not far above", "[accuracy]")
 {
     std::size_t const wanted = oracle::full_run() ? 500 : 24;

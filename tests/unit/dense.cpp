@@ -3,12 +3,12 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
-#include <catch2/catch.hpp>
 #include <limits>
 #include <random>
 #include <vector>
 
 #include "hdconj/numeric/tolerance.hpp"
+#include "support/catch.hpp"
 
 using namespace hdconj;
 using Eigen::Index;
@@ -77,7 +77,7 @@ TEST_CASE("dense: what is not positive definite has no factor, wherever it shows
 
 TEST_CASE("dense: parts, products and the search for what is not finite are the plain ones, with the same bits for every number of threads", "[dense][parallel]")
 {
-    Index const n = 700;
+    Index const n = 1100;   // enough for a second thread, of every job
     MatrixXd const a = random_matrix(n, n, 5);
     std::vector<int> which;
     for (int i = 0; i < n; i += 2)

@@ -2,11 +2,12 @@
 #include "pipeline/late_jobs.hpp"
 
 #include <atomic>
-#include <catch2/catch.hpp>
 #include <stdexcept>
 #include <string>
 #include <thread>
 #include <vector>
+
+#include "support/catch.hpp"
 
 using hdconj::detail::LateJobs;
 

@@ -190,6 +190,24 @@ TEST_CASE("a tooth given by points is solved like the arcs the points were taken
     CHECK(worst < 5e-6);
 }
 
+TEST_CASE("a boundary that cannot be found is told alike on 1, 2 and 4 threads", "[pipeline][parallel]")
+{
+    std::vector<std::string> told;
+    for (std::string const threads : {"1", "2", "4"})
+        try
+        {
+            // fine enough for branches to be taken beside the boundary, by threads that wait for its pieces
+            (void)solve(builtin_scene({"solver.tolerance=1e-8", "circular_spline.backlash_offset=0.1", "solver.threads=" + threads}));
+            FAIL("100 um of side clearance leave no land, and were taken");
+        }
+        catch (NumericalError const& error)
+        {
+            told.push_back(error.what());
+        }
+    CHECK(told[0] == told[1]);
+    CHECK(told[0] == told[2]);
+}
+
 TEST_CASE("landmarks stand where their names say", "[pipeline]")
 {
     Solution const solution = solve(builtin_scene());

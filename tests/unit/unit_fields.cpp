@@ -55,16 +55,9 @@ TEST_CASE("influence and field of unit fields are those of the solid", "[unit_fi
         CHECK((together.col(static_cast<Eigen::Index>(j)) - displacement_at(cup.solid.mesh(), solved, cup.stations[4].place, phi[j])).norm() <= rounding * size);
 }
 
-TEST_CASE("a part of unit fields is that of some stations and the first harmonics, on any number of threads", "[unit_fields]")
+TEST_CASE("unit fields have the same bits on any number of threads", "[unit_fields]")
 {
     Cup const cup;
-    UnitFields const all = unit_fields(cup.solid, {}, cup.stations, cup.harmonics, 2);
-    std::vector<Station> const some{cup.stations[2], cup.stations[0], cup.stations[7]};
-    UnitFields const part = part_of(all, {2, 0, 7}, 3), own = unit_fields(cup.solid, {}, some, harmonics_of(2, 4), 1);
-    REQUIRE(part.harmonics == own.harmonics);
-    double const size = own.moved[1].cwiseAbs().maxCoeff();
-    constexpr double rounding = 1e-10;
-    for (std::size_t i = 0; i < own.moved.size(); ++i)
-        CHECK((part.moved[i] - own.moved[i]).cwiseAbs().maxCoeff() <= rounding * size);
-    CHECK(unit_fields(cup.solid, {}, cup.stations, cup.harmonics, 1).moved == all.moved);
+    UnitFields const two = unit_fields(cup.solid, {}, cup.stations, cup.harmonics, 2);
+    CHECK(unit_fields(cup.solid, {}, cup.stations, cup.harmonics, 1).moved == two.moved);
 }

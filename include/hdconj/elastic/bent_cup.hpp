@@ -22,6 +22,7 @@ struct BentCupGrid
 {
     int angles = 48;   ///< in a lobe, even; harmonics up to half of it times the waves
     int circles = 13;  ///< over the bearing's width
+    int layers = 1;    ///< elements across the wall, at least
 };
 
 /// Cup, bearing and cam, solved: design 3.6 without load. Heights from the outer face of the cup's bottom.
@@ -35,10 +36,10 @@ class BentCup
     /// @throws NumericalError for impossible dimensions or a contact that cannot be solved
     template<WaveShape Shape>
     BentCup(CupSection const& section, Bearing const& bearing, Shape const& shape, BentCupGrid const& grid, int threads)
-        : BentCup(section, bearing, cam_series(shape, grid.angles), grid.circles, threads)
+        : BentCup(section, bearing, cam_series(shape, grid.angles), grid.circles, threads, grid.layers)
     {
     }
-    BentCup(CupSection const& section, Bearing const& bearing, CamSeries const& cam, int circles, int threads);
+    BentCup(CupSection const& section, Bearing const& bearing, CamSeries const& cam, int circles, int threads, int layers = 1);
 
     [[nodiscard]] CupSection const& section() const { return section_; }
     [[nodiscard]] Bearing const& bearing() const { return bearing_; }

@@ -26,9 +26,6 @@ struct UnitFields
 /// @throws NumericalError as HarmonicSolver does
 [[nodiscard]] UnitFields unit_fields(FourierSolid const& solid, Supports const& supports, std::vector<Station> const& stations, std::vector<int> const& harmonics, int threads = 1);
 
-/// Those of some stations, in the order of @p stations, and of the first harmonics. Domain: harmonics <= unit.harmonics.size().
-[[nodiscard]] UnitFields part_of(UnitFields const& unit, std::vector<std::size_t> const& stations, std::size_t harmonics);
-
 /// Compliance between @p stations, those that @p unit was made for: the same bits as influence() of the solid.
 [[nodiscard]] Influence influence(FourierSolid const& solid, UnitFields const& unit, std::vector<Station> const& stations, int threads = 1);
 

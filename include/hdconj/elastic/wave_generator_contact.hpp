@@ -58,4 +58,7 @@ struct WaveGeneratorContact
 /// Size of elements for a grid: two circles never share all of their nodes.
 [[nodiscard]] MeshSize contact_mesh_size(Bearing const& bearing, int across);
 
+/// The same with @p layers elements across the wall, or more. One is enough to bend; what forces press in beside that takes two.
+[[nodiscard]] MeshSize in_layers(MeshSize size, CupSection const& section, int layers);
+
 }  // namespace hdconj

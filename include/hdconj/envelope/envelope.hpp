@@ -78,6 +78,25 @@ class Envelope
         return {u, c.t, p, pose.rotate(c.n), roundings * unit_roundoff * p.norm() + doubt};
     }
 
+    /// How far @p e may be from the true curve [mm]. Where the contact runs fast along a curve, as where two merge, the point is uncertain along it; but tooth and envelope touch
+    /// there, and a point of the tooth that is doubt away is off the envelope by doubt^2 times half of what their curvatures differ by, of which twice the sum is taken.
+    [[nodiscard]] double off_curve(ContactArc const& arc, EnvelopePoint const& e) const
+    {
+        constexpr double roundings = 8;
+        double const fixed = roundings * unit_roundoff * e.p.norm();
+        double const doubt = e.error - fixed;
+        auto const* curve = std::get_if<CurvePiece>(&profile_->pieces[static_cast<std::size_t>(arc.piece)].shape);
+        if (curve == nullptr || !(doubt > fixed))
+            return e.error;
+        MotionRates const rates = motion_->rates(e.u);
+        Contact const c = curve_contact(*curve, rates, e.t, offset_);
+        Vec2 const x1 = curve->first(e.t);
+        double const k = -cross(x1, curve->second(e.t)) / (x1.squaredNorm() * x1.norm());
+        double const of_tooth = std::abs(k / (1 + k * offset_)), of_envelope = std::abs((rates.twist.omega * c.slowness - k * c.turning) / c.advance);
+        double const off = (of_tooth + of_envelope) * doubt * doubt;
+        return off < doubt ? fixed + off : e.error;  // not where it is infinite or no number
+    }
+
   private:
     [[nodiscard]] static bool is_end(double t) { return t == 0 || t == 1; }
 

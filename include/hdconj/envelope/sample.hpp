@@ -23,7 +23,8 @@ template<RelativeMotion Motion>
 {
     SampledArc result = detail::ArcSampler<Motion>(envelope, arc, from, to, chord, threads, test)();
     for (EnvelopePoint const& e : result.points)
-        result.error = std::max(result.error, e.error);
+        if (e.error > result.error)
+            result.error = std::max(result.error, envelope.off_curve(arc, e));
     if (from > to)
         std::reverse(result.points.begin(), result.points.end());
     return result;

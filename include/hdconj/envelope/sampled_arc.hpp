@@ -18,7 +18,7 @@ struct SampledArc
 {
     std::vector<EnvelopePoint> points;
     double chord = 0;              ///< estimated largest distance of the polygon from the curve [mm]
-    double error = 0;              ///< estimated largest rounding error of a point [mm]
+    double error = 0;              ///< how far a point may be from the true curve by rounding, largest of all: an estimate [mm]
     std::size_t evaluations = 0;
 };
 

@@ -25,7 +25,7 @@ class Cholesky
     /// @param a  its lower triangle is looked at
     Cholesky(Eigen::MatrixXd a, int threads);
 
-    /// Whether A is positive definite, to rounding; there is no factor else.
+    /// Whether A, of finite elements, is positive definite, to rounding; there is no factor else.
     [[nodiscard]] bool found() const { return found_; }
     /// A^-1 b
     [[nodiscard]] Eigen::VectorXd solve(Eigen::VectorXd const& b) const;
