@@ -184,8 +184,8 @@ void conclude_fit(Page& page, Ladders const& ladders, Scene const& scene)
             text += (text.empty() ? "" : " ") + fit_words(ladder, rounding);
         } else if (fits && best.error == best.error) {
             text += fmt::format(" Of the sample ({}) no degree fits all designs to better than {} mm.", ladder.method, scientific(best.error));
-        } else if (!of_sample && best.error == best.error) {
-            text += fmt::format(" The same points joined by straight lines, {:.0f} of them, are right to {} mm.", best.points, scientific(best.error));
+        } else if (auto const& finest = ladder.rungs.back(); !of_sample && finest.error == finest.error) {
+            text += fmt::format(" Points of a finer grid joined by straight lines, {:.0f} of them, are right to {} mm.", finest.points, scientific(finest.error));
         }
     }
     page.line("{}", text);
