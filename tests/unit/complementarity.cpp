@@ -19,7 +19,7 @@ using Eigen::Index;
 
 namespace {
 
-constexpr double kkt = 1e-10;  // residual that the issue asks for
+constexpr double kkt = 1e-10;  // residual that is asked for
 
 /// A positive definite matrix whose condition number is about 10^decades, with couplings of both signs.
 Eigen::MatrixXd random_compliance(std::mt19937& random, Index n, double decades)
