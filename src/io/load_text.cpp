@@ -116,7 +116,7 @@ void write_table(Page& page, LoadStudy const& study)
         write_row(page, each);
     }
     page.line("  contact: flank under pressure; near: gap no larger than {:g} um; of the area of all flanks of the loaded side", study.contact_gap * um_per_mm);
-    page.line("  +-: three times the distance from a grid half as fine in slices, flank points, circles and harmonics (below nine slices nine times); of stages with the standard error of their fit");
+    page.line("  +-: four times the distance from a grid half as fine in slices, flank points, circles and harmonics, on another mesh (below nine slices twelve times); of stages with the standard error of their fit");
     if (std::any_of(study.cases.begin(), study.cases.end(), [](auto const& each) { return each.pressure_at_edge; })) {
         page.line("  edge: the largest pressure is at an end of the face width, where it does not converge; what it adds up to does");
     }

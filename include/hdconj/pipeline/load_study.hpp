@@ -103,7 +103,7 @@ struct LoadCase
     std::size_t rated = 0;        ///< index of the largest torque in curve
     LoadMap map;                  ///< at that torque
     BearingMap bearing;           ///< at that torque
-    /// How far the figures of curve[rated] and the play are from those of a fine grid: three times their distance from a grid half as fine in slices, flank points, circles of the bearing
+    /// How far the figures of curve[rated] and the play are from those of a fine grid: four times their distance from a grid half as fine in slices, flank points, circles of the bearing
     /// and harmonics (numbers of teeth and balls: once). Not a bound where a figure does not converge: pressure_at_edge, sharp_steps of LoadStudy.
     LoadedState error;
     double backlash_error = 0;    ///< [rad]
