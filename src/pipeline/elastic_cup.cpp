@@ -13,6 +13,7 @@
 #include "hdconj/profile/builder.hpp"
 #include "hdconj/scene/schema.hpp"
 #include "hdconj/wavegen/length_kept.hpp"
+#include "solve_middle.hpp"
 
 namespace hdconj::detail {
 
@@ -97,14 +98,14 @@ std::shared_ptr<BentCup const> bent_cup(Scene const& scene, double inner_radius,
     return cup;
 }
 
-BentCupError cup_error(Scene const& scene, BentCup const& cup, AnyWaveShape const& shape, double r_m, int threads)
+BentCupError cup_error(Scene const& scene, BentCup const& cup, AnyWaveShape const& shape, double r_m, double width, int threads)
 {
     BentCupGrid const grid = discretised_otherwise({scene.bearing->angles, scene.bearing->circles});
     BentCup const other(cup.section(), cup.bearing(), shape, grid, threads);
     std::vector<double> z = {cup.bearing().middle};
-    if (scene.slices && scene.slices->count > 1 && scene.circular_spline.width)
+    if (width > 0)
         for (double const side : {-0.5, 0.5})
-            z.push_back(z.front() + side * *scene.circular_spline.width);
+            z.push_back(cup.bearing().middle + side * width);
     return bent_cup_error(cup, other, z, r_m);
 }
 
@@ -146,7 +147,7 @@ BentCupError elastic_cup_error(Scene const& scene, BentCup const& cup)
 {
     Faults faults;
     Profile const tooth = detail::given_tooth(scene, faults);
-    return detail::cup_error(scene, cup, detail::wave_shape(scene, tooth, faults), detail::ring_geometry(scene, tooth).r_m, thread_count(scene.solver.threads));
+    return detail::cup_error(scene, cup, detail::wave_shape(scene, tooth, faults), detail::ring_geometry(scene, tooth).r_m, detail::width_of_slices(scene), thread_count(scene.solver.threads));
 }
 
 std::string describe(BentCup const& cup, std::optional<BentCupError> const& error)

@@ -31,8 +31,8 @@ void judge_cup(Scene const& scene, double inner_radius, Faults& faults);
 /// @throws NumericalError as BentCup does, and for a bearing that nowhere touches the cup
 [[nodiscard]] std::shared_ptr<BentCup const> bent_cup(Scene const& scene, double inner_radius, AnyWaveShape const& shape, int threads);
 
-/// How well it is known: in the plane z = 0, and in those at the ends of the face width where the scene has slices.
-[[nodiscard]] BentCupError cup_error(Scene const& scene, BentCup const& cup, AnyWaveShape const& shape, double r_m, int threads);
+/// How well it is known: in the plane z = 0, and in those at the ends of @p width about it [mm].
+[[nodiscard]] BentCupError cup_error(Scene const& scene, BentCup const& cup, AnyWaveShape const& shape, double r_m, double width, int threads);
 
 /// Displacements of the slice at @p z of the scene (0 in the middle of the bearing).
 [[nodiscard]] MaterialDisplacement displacement_at(BentCup const& cup, double z, double r_m);

@@ -38,7 +38,7 @@ struct OwnedBench
 {
     /// @param slices  planes across the face width
     OwnedBench(Scene const& asked, int slices, Plan planned, StageObserver const& on_stage)
-        : scene(asked), plan(std::move(planned)), clock(plan, on_stage), middle(solve_middle(middle_scene(scene), on_stage, !plan.has(Stage::load))), threads(middle.threads)
+        : scene(asked), plan(std::move(planned)), clock(plan, on_stage), middle(solve_middle(middle_scene(scene), on_stage, plan.has(Stage::load) ? std::nullopt : std::optional(width_of_slices(scene)))), threads(middle.threads)
     {
         Faults faults;
         tooth = given_tooth(scene, faults);

@@ -59,10 +59,10 @@ std::vector<Vec2> outline_of(Profile const& profile, double chord, int threads)
 
 Solution solve(Scene const& scene, StageObserver const& on_stage)
 {
-    return detail::solve_middle(scene, on_stage, true);
+    return detail::solve_middle(scene, on_stage, detail::width_of_slices(scene));
 }
 
-Solution detail::solve_middle(Scene const& scene, StageObserver const& on_stage, bool cup_error)
+Solution detail::solve_middle(Scene const& scene, StageObserver const& on_stage, std::optional<double> cup_error)
 {
     Faults faults = check_scene(scene);
     if (!faults.empty())
@@ -90,7 +90,7 @@ Solution detail::solve_middle(Scene const& scene, StageObserver const& on_stage,
         std::optional<BentCupError> known;
         if (cup_error)
         {
-            known = detail::cup_error(scene, *out.cup, shape, out.geometry.r_m, out.threads);
+            known = detail::cup_error(scene, *out.cup, shape, out.geometry.r_m, *cup_error, out.threads);
             out.error.cup = known->displacement;
         }
         out.notes.push_back(describe(*out.cup, known));

@@ -76,7 +76,7 @@ Scene plain(Scene const& scene, std::vector<std::string>& notes)
     leave_out(scene.tilt.has_value(), "[tilt]");
     leave_out(scene.slices.has_value(), "[slices]");
     if (scene.coning)
-        notes.emplace_back("[coning] left out: outlines are measured in the plane of the middle, where the cup does not bend; contact-area measures with it, load with the elastic cup in its place");
+        notes.emplace_back("[coning] left out: outlines are measured in the plane of the middle as the wave generator shapes a ring, which an elastic cup follows only nearly; contact-area measures with it, load with the elastic cup in its place");
     plain.tilt.reset();
     plain.slices.reset();
     if (scene.circular_spline.root_clearance > 0)
