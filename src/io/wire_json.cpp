@@ -118,6 +118,7 @@ std::string summary_json(WireSetUps const& programs, std::vector<WireFile> const
                    {"wire_diameter_mm", number(program.wire_diameter)},
                    {"spark_gap_mm", number(program.spark_gap)},
                    {"contour_error_um", number(program.contour_error * um_per_mm)},
+                   {"cup_error_um", number(program.cup_error * um_per_mm)},
                    {"thickness_mm", number(machine.thickness)},
                    {"lower_guide_mm", number(machine.lower_guide)},
                    {"upper_guide_mm", number(machine.upper_guide)},

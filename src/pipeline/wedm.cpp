@@ -357,7 +357,10 @@ Scene wire_scene(Scene const& scene)
 WireProgram wire_program(Scene const& scene, StageObserver const& on_stage)
 {
     refuse_faults(scene);
-    return wire_program(scene, solve(wire_scene(scene), on_stage).circular_spline);
+    Solution const solution = solve(wire_scene(scene), on_stage);
+    WireProgram program = wire_program(scene, solution.circular_spline);
+    program.cup_error = solution.error.cup;
+    return program;
 }
 
 WireProgram wire_program(Scene const& scene, CircularSplineOutline const& outline)

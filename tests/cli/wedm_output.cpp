@@ -121,6 +121,21 @@ TEST_CASE("wedm: --json prints one object with the figures of the text and --qui
     CHECK(folder.names() == std::vector<std::string>{"a"});
 }
 
+TEST_CASE("wedm of an elastic cup says how well the sections are known, and nothing of it without one", "[wedm]")
+{
+    TemporaryFolder const folder;
+    std::string const elastic = "'" HDCONJ_SOURCE_DIR "/data/scenes/type-50-elastic.toml' --set slices.surface=tilted --set wedm.wire_diameter=0.1 --set wedm.spark_gap=0.006 -o a ";
+    auto const text = wedm(elastic, folder);
+    CHECK(text.status == 0);
+    CHECK_THAT(text.out, ContainsSubstring("error, bent sections"));
+    double const known = json::parse(wedm(elastic + "--json", folder).out).at("cup_error_um").get<double>();
+    CHECK(known > 0.1);   // [um], and no more than a hundredth of the 250 that the cup is bent by
+    CHECK(known < 2.5);
+    auto const plain = wedm("--tilt 0.2 -o b", folder);
+    CHECK_THAT(plain.out, !ContainsSubstring("bent sections"));
+    CHECK(json::parse(wedm("--tilt 0.2 -o b --json", folder).out).at("cup_error_um") == 0);
+}
+
 TEST_CASE("wedm gives the same figures and files for any number of threads and from a stored outline", "[wedm]")
 {
     TemporaryFolder const folder;

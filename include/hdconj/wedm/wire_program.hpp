@@ -140,6 +140,7 @@ struct WireProgram
     int decimals = 4;             ///< of every rounded output
     double tolerance = 0;         ///< of the surface that is cut [mm]
     double contour_error = 0;     ///< of the nominal contours against the true ones: what they were solved to [mm]
+    double cup_error = 0;         ///< of the displacement of the sections that an elastic cup bends, an estimate in none of the others; 0: none, or not known from an outline alone [mm]
     double start_hole_radius = 0; ///< [mm]
     int teeth = 0;                ///< tooth spaces around
     bool external = false;        ///< teeth outside; the void is left of contour and passes, so that they go counter-clockwise inside and clockwise outside
