@@ -101,7 +101,7 @@ VectorXd ComplementaritySystem::close(std::vector<int> const& contacts, bool kee
     VectorXd f = VectorXd::Zero(count_);
     if (contacts.empty())
         return f;
-    Cholesky const factor(principal_part(problem_.compliance, contacts, threads_), threads_);
+    Cholesky const factor(lower_principal_part(problem_.compliance, contacts, threads_), threads_);
     if (!factor.found())
         fail_complementarity("the compliance matrix is not positive definite");
     VectorXd const x = factor.solve(problem_.approach(contacts));

@@ -26,6 +26,16 @@ double between(PointResponse const& response, Footing const& a, Footing const& b
     return sum;
 }
 
+/// Rows above @p above of columns [@p begin, @p begin + @p width) from the lower triangle, by tiles: a row is read over the whole matrix, a tile stays in the cache.
+void mirror_tiles(MatrixXd& a, Index begin, Index width, Index above, Index tile)
+{
+    for (Index i = 0; i < above; i += tile)
+    {
+        Index const height = std::min(tile, above - i);
+        a.block(i, begin, height, width) = a.block(begin, i, width, height).transpose();
+    }
+}
+
 /// What contacts give way by under each other, the bearing's own block as the drive has it.
 MatrixXd compliance_of(ElasticDrive const& drive, LinearGaps const& gaps, std::size_t flanks, std::vector<BearingNode> const& nodes, int threads)
 {
@@ -54,13 +64,18 @@ MatrixXd compliance_of(ElasticDrive const& drive, LinearGaps const& gaps, std::s
         for (LocalCompliance::Coupling const& c : gaps.compliance.couplings)
             a(static_cast<Index>(c.second), static_cast<Index>(c.first)) += c.compliance;
     // what is above the diagonal, and the bearing's own block, which no torque changes
-    constexpr std::size_t copies = 64;
-    parallel_for(count, threads, copies, [&](std::size_t col) {
-        auto const j = static_cast<Index>(col);
-        Index const above = std::min(j, first);
-        a.col(j).head(above) = a.row(j).head(above);
-        if (j >= first)
-            a.col(j).tail(bearing) = drive.bearing_compliance.col(j - first);
+    constexpr Index tile = 32;
+    constexpr std::size_t tiles_worth_a_thread = 2;
+    parallel_for((count + tile - 1) / tile, threads, tiles_worth_a_thread, [&](std::size_t t) {
+        Index const begin = static_cast<Index>(t) * tile, width = std::min(tile, a.cols() - begin);
+        mirror_tiles(a, begin, width, std::min(begin, first), tile);
+        for (Index j = begin; j < begin + width; ++j)
+        {
+            for (Index i = begin; i < std::min(j, first); ++i)
+                a(i, j) = a(j, i);
+            if (j >= first)
+                a.col(j).tail(bearing) = drive.bearing_compliance.col(j - first);
+        }
     });
     return a;
 }

@@ -95,13 +95,17 @@ PointResponse::Loads PointResponse::loads(Eigen::MatrixXd const& force, double p
     auto const count = static_cast<Eigen::Index>(stations_.size());
     auto const terms = static_cast<Eigen::Index>(harmonics_.size());
     Loads result{Eigen::MatrixXd::Zero(count, terms), Eigen::MatrixXd::Zero(count, terms)};
-    constexpr std::size_t grain = 16;
+    std::vector<int> loaded;
+    for (int at = 0; at < grid_; ++at)
+        if (!force.col(at).isZero(0))
+            loaded.push_back(at);
+    constexpr std::size_t grain = 8;
     parallel_for(harmonics_.size(), threads, grain, [&](std::size_t i) {
         auto const k = static_cast<Eigen::Index>(i);
         int const n = harmonics_[i].n;
         Eigen::VectorXd cosine = Eigen::VectorXd::Zero(count);
         Eigen::VectorXd sine = cosine;
-        for (int at = 0; at < grid_; ++at)
+        for (int const at : loaded)
         {
             double const angle = n * (phase + step() * at);
             cosine += std::cos(angle) * force.col(at);

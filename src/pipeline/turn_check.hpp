@@ -11,6 +11,7 @@
 
 #include "hdconj/conjugate/outline.hpp"
 #include "hdconj/contact/full_turn.hpp"
+#include "hdconj/envelope/contact_batch.hpp"
 #include "hdconj/numeric/parallel.hpp"
 #include "hdconj/pipeline/solution.hpp"
 
@@ -41,7 +42,7 @@ template<class Clearance, RelativeMotion Motion>
     std::vector<TurnMinimum> minima(chosen.size());
     // blocks of fixed size, whatever the number of threads: inside one, each point starts from its neighbour's result
     constexpr std::size_t block = 64;
-    constexpr std::size_t blocks_worth_a_thread = 4;
+    std::size_t const blocks_worth_a_thread = batch_motion(motion) ? 4 : 2;
     parallel_for((chosen.size() + block - 1) / block, threads, blocks_worth_a_thread, [&](std::size_t b) {
         std::size_t const first = b * block;
         std::size_t const count = std::min(block, chosen.size() - first);

@@ -91,6 +91,8 @@ TEST_CASE("dense: parts, products and the search for what is not finite are the 
     for (int const threads : {1, 2, 4})
     {
         CHECK(principal_part(a, which, threads) == part);
+        MatrixXd const lower = lower_principal_part(a, which, threads).triangularView<Eigen::Lower>();
+        CHECK(lower == MatrixXd(part.triangularView<Eigen::Lower>()));
         CHECK(times(a, x, threads) == product);
         CHECK(all_finite(a, threads));
         for (double const bad : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()})

@@ -105,6 +105,9 @@ class MaterialMotion
         constexpr int fewest = 64, most = 1 << 16;
         constexpr double degrees = 180 / std::numbers::pi;
         double const steepest = bound_.w[1] + bound_.v[2];
+        // most displacements are so small against the ring that none of their values has to be looked at
+        if (r_m_ - bound_.w[0] - bound_.v[1] > steepest * half_lobe() / most)
+            return;
         for (int points = fewest; points <= most; points *= 2)
         {
             double least = r_m_;
