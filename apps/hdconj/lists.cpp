@@ -43,7 +43,8 @@ CLI::Option* add_list(CLI::App& verb, std::string const& name, std::function<voi
         }
         return {};
     };
-    return verb.add_option_function<std::vector<std::string>>(name, each, meaning)->check(judge);
+    // one word each time: what stands behind it is the scene
+    return verb.add_option_function<std::vector<std::string>>(name, each, meaning)->check(judge)->allow_extra_args(false);
 }
 
 }  // namespace hdconj::cli

@@ -104,8 +104,8 @@ bool is_known_verb(CLI::App const& program, std::string_view word)
     return false;
 }
 
-/// Says what options that nobody knows might have meant: one of the verb's, or a key of the scene.
-void suggest_options(CLI::App const& program)
+/// Says what options that nobody knows might have meant, one of the verb's or a key of the scene, and what was taken for the scene where a second one was given.
+void suggest_options(CLI::App const& program, std::string const& scene)
 {
     auto const chosen = program.get_subcommands();
     CLI::App const& verb = chosen.empty() ? program : *chosen.front();
@@ -122,6 +122,10 @@ void suggest_options(CLI::App const& program)
         }
     }
     for (std::string const& given : program.remaining(true)) {
+        if (has_scene && !given.starts_with('-')) {
+            std::cerr << "One scene is read, and '" << scene << "' was taken for it. A list is one word with commas, such as 0,0.1,0.2.\n";
+            return;
+        }
         if (!given.starts_with("--")) {
             continue;
         }
@@ -179,7 +183,7 @@ int run(int argc, char** argv)
     } catch (CLI::ParseError const& stop) {
         bool const done = program.exit(stop) == 0;
         if (dynamic_cast<CLI::ExtrasError const*>(&stop) != nullptr) {
-            suggest_options(program);
+            suggest_options(program, common.scene);
         }
         return done ? exit_done : exit_input;
     }

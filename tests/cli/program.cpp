@@ -69,6 +69,7 @@ TEST_CASE("a wrong command line is refused", "[program]")
     check_refused(hdconj_run("drive.toml"), "after the verb");
     check_refused(hdconj_run("check --bogus"), "--bogus");
     check_refused(hdconj_run("check a.toml b.toml"), "b.toml");
+    check_refused(hdconj_run("contact --tilt 0.1 0.2 a.toml"), "'0.2' was taken for it. A list is one word with commas");
     check_refused(hdconj_run("check --set"), "--set");
     check_refused(hdconj_run("check --threads -3"), "--threads");
     check_refused(hdconj_run("check --threads many"), "--threads");
@@ -80,6 +81,16 @@ TEST_CASE("a wrong command line is refused", "[program]")
     check_refused(hdconj_run("check --for load --treads 1"), "Did you mean --threads?");
     check_refused(hdconj_run("--versoin"), "Did you mean --version?");
     CHECK_FALSE(contains(hdconj_run("check --bogus").err, "Did you mean"));
+}
+
+TEST_CASE("the scene may stand behind a list, and an option of lists be given twice", "[program]")
+{
+    TemporaryFolder const folder;
+    CHECK(hdconj_run("init drive.toml", folder.path()).status == done);
+    auto const given = hdconj_run("contact --surface tilted --surface ruled,per-slice drive.toml --json", folder.path());
+    CHECK(given.status == done);
+    CHECK(nlohmann::json::parse(given.out)["contact"]["cases"].size() == 3);
+    CHECK(hdconj_run("wedm --dialect dxf drive.toml --quiet", folder.path()).status == done);
 }
 
 TEST_CASE("init writes the built-in scene and never over a file", "[program]")
