@@ -103,7 +103,7 @@ StudyRecord on_threads(StudyBench const& bench, Scene const& scene, std::vector<
 
 void study_threads(StudyBench const& bench)
 {
-    constexpr int digits = 9, digits_of_quick = 6;
+    constexpr int digits = 9, digits_of_quick = 8;  // of coarser ones a second thread takes no part
     Scene scene = bench.drive.scene;
     scene.solver.tolerance = power_of_ten(bench.quick ? digits_of_quick : digits);
     Scene alone = scene;
