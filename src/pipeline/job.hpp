@@ -3,9 +3,7 @@
 /// `solve` for one motion model: the stages after the motion is known.
 #pragma once
 
-#include <algorithm>
 #include <numbers>
-#include <numeric>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -15,41 +13,16 @@
 #include "certificate.hpp"
 #include "drive.hpp"
 #include "hdconj/conjugate/space_curve.hpp"
-#include "hdconj/numeric/parallel.hpp"
-#include "late_jobs.hpp"
 #include "outline_records.hpp"
-#include "records.hpp"
+#include "records_beside.hpp"
 #include "root_clearance.hpp"
 #include "stage_clock.hpp"
 #include "swallowed.hpp"
+#include "tooth_positions.hpp"
+#include "traced_space.hpp"
 #include "turn_check.hpp"
 
 namespace hdconj::detail {
-
-/// Contact arcs of all branches in one list, which boundary pieces index.
-[[nodiscard]] inline std::vector<ContactArc> all_arcs(std::vector<Branch> const& branches)
-{
-    std::vector<ContactArc> arcs;
-    for (Branch const& branch : branches)
-        arcs.insert(arcs.end(), branch.arcs.begin(), branch.arcs.end());
-    return arcs;
-}
-
-/// Indices of @p sizes from the largest on, equal ones in their order.
-[[nodiscard]] inline std::vector<std::size_t> largest_first(std::vector<double> const& sizes)
-{
-    std::vector<std::size_t> order(sizes.size());
-    std::iota(order.begin(), order.end(), std::size_t{0});
-    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
-    return order;
-}
-
-/// A tooth space and the arcs that its pieces index.
-struct TracedSpace
-{
-    std::vector<ContactArc> arcs;
-    ToothSpace space;
-};
 
 template<RelativeMotion Motion>
 class SolveJob
@@ -110,13 +83,9 @@ class SolveJob
     [[nodiscard]] bool is_moved() const { return out_.plan.has(Stage::backlash); }
     [[nodiscard]] Envelope<Motion> final_envelope() const { return {tooth_, motion_, out_.scene.circular_spline.backlash_offset}; }
 
-    static constexpr double chords_worth_a_thread = 8192;  // of points that are made in rows
-    /// About: of a branch as long as the tooth is high.
-    [[nodiscard]] double chords_of_a_flank() const { return std::sqrt((tooth_.addendum + tooth_.dedendum) / tolerance_.length); }
-
     void trace()
     {
-        BranchSet set = find_branches(base_, out_.threads, chords_of_a_flank() > chords_worth_a_thread);
+        BranchSet set = find_branches(base_, out_.threads, chords_of_a_flank(tooth_, tolerance_.length) > chords_worth_a_thread);
         refuse_lost_branches(set.record, tolerance_.length);
         record_doubts(set.record, tooth_, out_.certificate);
         branches_ = std::move(set.branches);
@@ -130,33 +99,6 @@ class SolveJob
         BranchSet set = find_branches(final_envelope(), out_.threads);
         refuse_lost_branches(set.record, tolerance_.length);
         moved_branches_ = std::move(set.branches);
-    }
-
-    /// Boundary and outline, and the points of all branches. One thread arranges the boundary's polygons, which has little in loops; the others take branches meanwhile, and
-    /// then pieces of the outline with it.
-    void trace_with_records(double chord)
-    {
-        records_wanted_ = false;
-        std::vector<BranchRecord> records(branches_.size());
-        std::vector<std::size_t> evaluations(branches_.size(), 0);
-        double const worth_a_thread = batch_motion(motion_) ? chords_worth_a_thread : chords_worth_a_thread / 8;
-        auto const grain = static_cast<std::size_t>(std::ceil(worth_a_thread / chords_of_a_flank()));
-        std::vector<std::size_t> const order = longest_first();
-        LateJobs pieces;
-        // who helps at the end is no work that would be worth a thread
-        std::size_t const team = std::clamp<std::size_t>((1 + order.size()) / grain, 1, static_cast<std::size_t>(out_.threads));
-        parallel_for(order.size() + team, static_cast<int>(team), 1, [&](std::size_t k) {
-            if (k == 0)
-                return find_pieces(chord, pieces);
-            if (k > order.size())
-                return pieces.help();
-            std::size_t const i = order[k - 1];
-            records[i] = branch_record(base_, branches_[i], tolerance_.length, evaluations[i]);
-        });
-        pieces.finish();
-        for (std::size_t count : evaluations)
-            out_.work.envelope_points += count;
-        out_.branches = std::move(records);
     }
 
     /// Finds the boundary, and leaves its pieces to be sampled to @p jobs.
@@ -178,22 +120,13 @@ class SolveJob
         jobs.help();
     }
 
-    /// Branches in the order of their work: a long one taken last is waited for.
-    [[nodiscard]] std::vector<std::size_t> longest_first() const
-    {
-        std::vector<double> chords(branches_.size(), 0);
-        for (std::size_t i = 0; out_.threads > 1 && i < chords.size(); ++i)
-            for (ContactArc const& arc : branches_[i].arcs)
-                chords[i] += expected_chords(base_, arc, tolerance_.length);
-        return largest_first(chords);
-    }
-
     /// Region, side clearance, outline, root clearance and check, with polygons of the given chord error.
     void assemble(double chord)
     {
         clock_.run_rest(Stage::outline, [&] {
-            if (records_wanted_)
-                trace_with_records(chord);
+            if (std::exchange(records_wanted_, false))
+                // one thread arranges the boundary's polygons, the others take branches meanwhile, and then pieces of the outline with it
+                out_.branches = records_beside(base_, branches_, tolerance_.length, out_.threads, out_.work.envelope_points, [&](LateJobs& jobs) { find_pieces(chord, jobs); });
             else
             {
                 trace_boundary(chord);
@@ -214,9 +147,9 @@ class SolveJob
     /// The boundary's pieces, ready to be sampled.
     void trace_boundary(double chord)
     {
-        clock_.run(Stage::region, [&] { final_ = space_at(base_, branches_, chord); });
+        clock_.run(Stage::region, [&] { final_ = traced_space(base_, branches_, chord, tolerance_, out_); });
         clock_.run(Stage::backlash, [&] {
-            TracedSpace shifted = space_at(final_envelope(), moved_branches_, chord);
+            TracedSpace shifted = traced_space(final_envelope(), moved_branches_, chord, tolerance_, out_);
             refuse_swallowed(base_, final_.arcs, final_.space, shifted.arcs, shifted.space, pitch_, out_.scene.circular_spline.backlash_offset, tolerance_.length);
             final_ = std::move(shifted);
         });
@@ -225,17 +158,6 @@ class SolveJob
                 moved_.emplace(final_envelope());
             sampler_.emplace(moved_ ? *moved_ : base_, final_.arcs, final_.space.pieces, out_.geometry.circular_spline_inner_radius, pitch_, tolerance_);
         });
-    }
-
-    [[nodiscard]] TracedSpace space_at(Envelope<Motion> const& envelope, std::vector<Branch> const& branches, double chord)
-    {
-        TracedSpace traced;
-        traced.arcs = all_arcs(branches);
-        ToothSpaceFinder<Motion> find(envelope, traced.arcs, out_.geometry.circular_spline_inner_radius, out_.scene.drive.circular_spline_teeth,
-                                      tolerance_, chord);
-        traced.space = find();
-        out_.work.arrangement_edges += traced.space.segments;
-        return traced;
     }
 
     /// Every outline point against every position of every tooth. A symmetric pair's left half is the image of its right one.
@@ -269,22 +191,7 @@ class SolveJob
             for (std::size_t k = before; k < out_.zones.size(); ++k)
                 out_.branches[i].on_boundary = out_.branches[i].on_boundary || out_.zones[k].on_boundary;
         }
-        tooth_family();
-    }
-
-    void tooth_family()
-    {
-        constexpr int positions = 40;
-        std::vector<Vec2> const polygon = polygon_of(tooth_, (tooth_.addendum + tooth_.dedendum) * 0x1p-10);
-        for (int i = 0; i <= positions; ++i)
-        {
-            Pose const pose = motion_.pose(motion_.half_lobe() * (2.0 * i / positions - 1));
-            std::vector<Vec2> placed;
-            placed.reserve(polygon.size());
-            for (Vec2 const& p : polygon)
-                placed.push_back(pose(p));
-            out_.tooth_family.push_back(std::move(placed));
-        }
+        add_positions(tooth_, motion_, 0, out_.tooth_family);
     }
 
     Solution& out_;

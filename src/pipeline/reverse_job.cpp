@@ -15,6 +15,8 @@
 #include "outline_records.hpp"
 #include "records.hpp"
 #include "swallowed.hpp"
+#include "tooth_positions.hpp"
+#include "traced_space.hpp"
 #include "turn_check.hpp"
 
 namespace hdconj::detail {
@@ -26,14 +28,6 @@ struct Traced
     int number = 0;   ///< 0 and 1 stand on the sides of the space that the flexspline tooth enters
     std::vector<Branch> branches;
 };
-
-[[nodiscard]] std::vector<ContactArc> arcs_of(std::vector<Branch> const& branches)
-{
-    std::vector<ContactArc> arcs;
-    for (Branch const& branch : branches)
-        arcs.insert(arcs.end(), branch.arcs.begin(), branch.arcs.end());
-    return arcs;
-}
 
 /// The pieces of both flanks that the tooth of index @p copy bounds.
 [[nodiscard]] std::vector<BoundaryPiece> pieces_of(ToothBody const& body, int copy)
@@ -94,7 +88,7 @@ class ReverseJob
         {
             Envelope<Seen> const envelope(given_, motions_[j], 0);
             traced_[j].branches = branches_at(envelope, true);
-            base_.push_back({envelope, arcs_of(traced_[j].branches)});
+            base_.push_back({envelope, all_arcs(traced_[j].branches)});
             for (Branch const& branch : traced_[j].branches)
             {
                 std::size_t evaluations = 0;
@@ -121,7 +115,7 @@ class ReverseJob
             for (Seen const& motion : motions_)
             {
                 Envelope<Seen> const envelope(given_, motion, offset);
-                moved.push_back({envelope, arcs_of(branches_at(envelope, false))});
+                moved.push_back({envelope, all_arcs(branches_at(envelope, false))});
             }
             ToothBody const shifted = body_of(moved, chord);
             refuse_lost(shifted, moved, offset);
@@ -211,25 +205,8 @@ class ReverseJob
                 ++index;
             }
         }
-        tooth_family();
-    }
-
-    void tooth_family()
-    {
-        constexpr int positions = 40;
-        std::vector<Vec2> const polygon = polygon_of(given_, (given_.addendum + given_.dedendum) * 0x1p-10);
         for (Seen const& motion : motions_)
-        {
-            for (int i = 0; i <= positions; ++i)
-            {
-                Pose const pose = motion.pose(motion.half_lobe() * (2.0 * i / positions - 1));
-                std::vector<Vec2> placed;
-                placed.reserve(polygon.size());
-                for (Vec2 const& p : polygon)
-                    placed.push_back(pose(p) - Vec2(0, out_.geometry.pitch_line));
-                out_.tooth_family.push_back(std::move(placed));
-            }
-        }
+            add_positions(given_, motion, out_.geometry.pitch_line, out_.tooth_family);
     }
 
     Solution& out_;

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Points of all branches while another job runs beside them.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <utility>
+#include <vector>
+
+#include "hdconj/envelope/find_branches.hpp"
+#include "hdconj/numeric/parallel.hpp"
+#include "largest_first.hpp"
+#include "late_jobs.hpp"
+#include "records.hpp"
+
+namespace hdconj::detail {
+
+constexpr double chords_worth_a_thread = 8192;  // of points that are made in rows
+
+/// About: of a branch as long as the tooth is high. @param chord  [mm]
+[[nodiscard]] inline double chords_of_a_flank(Profile const& tooth, double chord)
+{
+    return std::sqrt((tooth.addendum + tooth.dedendum) / chord);
+}
+
+/// Every branch of @p envelope as it is written into results, sampled to the chord error @p chord [mm], while one thread calls @p beside(jobs), which has little in loops; it leaves to
+/// @p jobs what others may help with, and closes them when it throws. The same bits for every number of threads.
+/// @param evaluations  gets what was added
+/// @throws what @p beside or the lowest of its jobs throws
+template<RelativeMotion Motion, class Beside>
+[[nodiscard]] std::vector<BranchRecord> records_beside(Envelope<Motion> const& envelope, std::vector<Branch> const& branches, double chord, int threads, std::size_t& evaluations,
+                                                       Beside const& beside)
+{
+    std::vector<BranchRecord> records(branches.size());
+    std::vector<std::size_t> made(branches.size(), 0);
+    std::vector<double> chords(branches.size(), 0);
+    for (std::size_t i = 0; threads > 1 && i < chords.size(); ++i)
+        for (ContactArc const& arc : branches[i].arcs)
+            chords[i] += expected_chords(envelope, arc, chord);
+    std::vector<std::size_t> const order = largest_first(chords);
+    double const worth_a_thread = batch_motion(envelope.motion()) ? chords_worth_a_thread : chords_worth_a_thread / 8;
+    auto const grain = static_cast<std::size_t>(std::ceil(worth_a_thread / chords_of_a_flank(envelope.profile(), chord)));
+    // who helps at the end is no work that would be worth a thread
+    std::size_t const team = std::clamp<std::size_t>((1 + order.size()) / grain, 1, static_cast<std::size_t>(threads));
+    LateJobs jobs;
+    parallel_for(order.size() + team, static_cast<int>(team), 1, [&](std::size_t k) {
+        if (k == 0)
+            return beside(jobs);
+        if (k > order.size())
+            return jobs.help();
+        std::size_t const i = order[k - 1];
+        records[i] = branch_record(envelope, branches[i], chord, made[i]);
+    });
+    jobs.finish();
+    for (std::size_t const count : made)
+        evaluations += count;
+    return records;
+}
+
+}  // namespace hdconj::detail
