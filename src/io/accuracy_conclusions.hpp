@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What the records of a study bear out, in words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hdconj/study/accuracy.hpp"
+#include "summary_page.hpp"
+
+namespace hdconj {
+
+/// A method's ladder of the scene's own drive, or of the worst of the sample; null: it was not measured.
+[[nodiscard]] StudyLadder const* find(std::vector<StudyLadder> const& ladders, std::string const& study, std::string const& method, bool sample = false);
+
+/// Writes what follows from the study called @p name: nothing that the numbers do not say, and no ratio of single runs.
+void conclude(Page& page, std::string const& name, std::vector<StudyLadder> const& ladders, Scene const& scene);
+
+}  // namespace hdconj
