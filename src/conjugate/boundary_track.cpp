@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 #include "hdconj/envelope/smooth_ranges.hpp"
 #include "hdconj/numeric/bracketed_root.hpp"
@@ -61,7 +62,7 @@ BoundaryTrack::BoundaryTrack(SpaceCurve const& curve, std::vector<BoundaryStretc
                     length_ += (e.p - before).norm();
                 before = e.p;
                 double const u = i == 0 ? piece.begin : i + 1 == sampled.points.size() ? piece.end : e.u;
-                stations_.push_back({measure == Measure::length ? length_ : curve.profile_parameter(piece, u), pieces_.size() - 1, u});
+                stations_.push_back({measure != Measure::profile ? length_ : curve.profile_parameter(piece, u), pieces_.size() - 1, u});
             }
         }
     }
@@ -91,6 +92,18 @@ double BoundaryTrack::between(Station const& a, Station const& b, double share) 
     double const guess = a.u + part * (b.u - a.u);
     if (measure_ == Measure::length)
         return guess;
+    if (measure_ == Measure::rulings)
+    {
+        // as far along the chord: contacts run along their path at no steady pace, least so near a cusp
+        constexpr std::uintmax_t budget = 60;
+        Vec2 const from = curve_->at(pieces_[a.piece], a.u).p, chord = curve_->at(pieces_[a.piece], b.u).p - from;
+        double const whole = chord.squaredNorm();
+        if (!(part > 0 && part < 1 && whole > 0))
+            return guess;
+        auto const beyond = [&](double t) { return (curve_->at(pieces_[a.piece], a.u + t * (b.u - a.u)).p - from).dot(chord) / whole - part; };
+        ShrunkBracket const along = shrunk_bracket(beyond, 0, 1, -part, 1 - part, 0, budget);
+        return a.u + 0.5 * (along.low + along.high) * (b.u - a.u);
+    }
     double const wanted = first_ + share * (last_ - first_);
     auto const excess = [&](double u) { return curve_->profile_parameter(pieces_[a.piece], u) - wanted; };
     BracketedRoot const root = bracketed_root(excess, std::min(a.u, b.u), std::max(a.u, b.u));

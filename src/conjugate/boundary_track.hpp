@@ -22,7 +22,8 @@ struct BoundaryStretch
 /// What shares are measured by.
 enum class Measure
 {
-    length,
+    length,   ///< between the stations of its polygon in the wave generator's angle: where on the curve, but not at which share of it to more than the polygon's step
+    rulings,  ///< length, along the chords of its polygon too: for points of different slices that are joined, where what lies between depends on which
     profile  ///< profile parameter of the contact
 };
 
@@ -47,7 +48,7 @@ class BoundaryTrack
     /// Shares at which one stretch ends and the next begins.
     [[nodiscard]] std::vector<double> const& joints() const { return joints_; }
 
-    /// The exact contact at @p share, met to the polygon's accuracy by length and to roundoff by profile parameter.
+    /// The exact contact at @p share, met as the measure says.
     [[nodiscard]] TrackPoint at(double share) const;
 
   private:

@@ -136,10 +136,10 @@ bool same_stretches(std::vector<std::vector<BoundaryStretch> const*> const& slic
 
 /// One stretch of every slice: by profile parameter on flanks where it is monotone everywhere, else by length.
 Unit unit_of(std::vector<SpaceCurve const*> const& curves, std::vector<std::vector<BoundaryStretch>> const& stretches, OutlineKind kind, int segment,
-             bool by_profile, double chord)
+             bool by_profile, double chord, bool rulings)
 {
     Unit unit{kind, segment, {}, {}, {}};
-    for (Measure const measure : {Measure::profile, Measure::length})
+    for (Measure const measure : {Measure::profile, rulings ? Measure::rulings : Measure::length})
     {
         if (measure == Measure::profile && !by_profile)
             continue;
@@ -158,7 +158,7 @@ Unit unit_of(std::vector<SpaceCurve const*> const& curves, std::vector<std::vect
 
 /// The units of one interval: stretch by stretch where all slices have the same, else as a whole.
 void add_interval(std::vector<Unit>& units, std::vector<SpaceCurve const*> const& curves, std::vector<std::vector<BoundaryStretch> const*> const& slices,
-                  OutlineKind kind, double chord, bool& by_origin)
+                  OutlineKind kind, double chord, bool rulings, bool& by_origin)
 {
     bool const same = same_stretches(slices);
     by_origin = by_origin && same;
@@ -170,7 +170,7 @@ void add_interval(std::vector<Unit>& units, std::vector<SpaceCurve const*> const
             stretches.push_back(same ? std::vector<BoundaryStretch>{(*each)[i]} : *each);
         BoundaryStretch const& first = stretches.front().front();
         OutlineKind const made = same ? first.kind : kind;
-        units.push_back(unit_of(curves, stretches, made, same ? first.segment : -1, same && made == OutlineKind::flank, chord));
+        units.push_back(unit_of(curves, stretches, made, same ? first.segment : -1, same && made == OutlineKind::flank, chord, rulings));
     }
 }
 
@@ -183,7 +183,7 @@ struct Units
     bool by_origin = true;
 };
 
-Units units_of(std::vector<SpaceCurve const*> const& slices, double chord)
+Units units_of(std::vector<SpaceCurve const*> const& slices, double chord, bool rulings)
 {
     Units all;
     all.symmetric = std::all_of(slices.begin(), slices.end(), [](SpaceCurve const* curve) { return curve->symmetric(); });
@@ -210,7 +210,7 @@ Units units_of(std::vector<SpaceCurve const*> const& slices, double chord)
                 half.bottom.clear();
             }
         }
-        auto const add = [&](auto member, OutlineKind kind) { add_interval(all.units, slices, of(member), kind, chord, all.by_origin); };
+        auto const add = [&](auto member, OutlineKind kind) { add_interval(all.units, slices, of(member), kind, chord, rulings, all.by_origin); };
         if (right)
         {
             all.marks[2] = all.units.size();
@@ -310,9 +310,9 @@ std::size_t add_image(MatchedOutline& out, Profile const& tooth)
 
 }  // namespace
 
-MatchedOutline matched_outline(std::vector<SpaceCurve const*> const& slices, double chord, int flank_intervals, int threads)
+MatchedOutline matched_outline(std::vector<SpaceCurve const*> const& slices, double chord, int flank_intervals, int threads, bool rulings)
 {
-    Units all = units_of(slices, chord);
+    Units all = units_of(slices, chord, rulings);
     sample_all(all, chord, flank_intervals, threads);
     MatchedOutline out;
     out.by_origin = all.by_origin;

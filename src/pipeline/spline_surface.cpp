@@ -238,7 +238,7 @@ MatchedOutline SurfaceMaker::own(SurfaceChoice const& choice, double tip, double
     std::vector<SpaceCurve const*> slices;
     for (auto const& curve : curves)
         slices.push_back(curve.get());
-    MatchedOutline outline = matched_outline(slices, chord, flank_intervals, threads_);
+    MatchedOutline outline = matched_outline(slices, chord, flank_intervals, threads_, choice.surface == "ruled");
     if (choice.surface != "ruled")
         return outline;
     MatchedOutline const ends = outline;

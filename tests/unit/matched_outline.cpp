@@ -230,6 +230,26 @@ TEST_CASE("ruled surfaces are straight between their end planes and those are th
     check_mirror(ruled);
 }
 
+TEST_CASE("a ruled surface between its end planes does not depend on how finely it is sampled", "[matched_outline]")
+{
+    // contacts run along their paths at no steady pace: shares of length that were met in the wave generator's angle joined other points at every chord
+    for (std::string const name : {"arc-chain", "straight"})
+    {
+        ConedDrive drive(read_scene(file_of(name), coned("none", 20)), 3);
+        constexpr double fine = 1e-8;
+        MatchedOutline const exact = drive.surface("ruled", "radial", 0, fine, 0);
+        for (double const coarse : {1e-5, 1e-6})
+        {
+            MatchedOutline const ruled = drive.surface("ruled", "radial", 0, coarse, 0);
+            double worst = 0;
+            for (Vec2 const& p : exact.points[1])
+                worst = std::max(worst, distance_to_polyline(ruled.points[1], p));
+            INFO(name << ", chord " << coarse << " mm: " << worst << " mm");
+            CHECK(worst <= coarse + fine);
+        }
+    }
+}
+
 TEST_CASE("drafted slices lie parallel to the middle one by the height times the tangent", "[matched_outline]")
 {
     ConedDrive drive(builtin_scene({"solver.tolerance=1e-6"}), 5);

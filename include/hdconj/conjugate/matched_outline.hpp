@@ -32,7 +32,8 @@ struct MatchedOutline
 /// Every point is an exact contact; the chord error holds in every slice.
 /// @param flank_intervals  at least about this many along each flank, evenly by share: for maps over the flank, which must not depend on how
 ///                         few points the chord error needs
+/// @param rulings  points of the slices are to be joined by straight lines: shares of length are met to roundoff, so that the lines between do not depend on the chord error
 /// @throws NumericalError when a slice has no landmarks or cannot be sampled to the chord error
-[[nodiscard]] MatchedOutline matched_outline(std::vector<SpaceCurve const*> const& slices, double chord, int flank_intervals, int threads);
+[[nodiscard]] MatchedOutline matched_outline(std::vector<SpaceCurve const*> const& slices, double chord, int flank_intervals, int threads, bool rulings = false);
 
 }  // namespace hdconj
