@@ -33,7 +33,7 @@ void write_wire(Page& page, WireProgram const& program, WireFigures const& figur
                 fmt::format("largest |U - L| of the contour, least {:.6f} mm; T tan(tilt) of a radial tilt", figures.least_shift));
     page.figure("guide offset", mm(figures.guide_shift), fmt::format("largest, H tan(tilt); wire leans {:.6f} deg", figures.tilt * degree_per_radian));
     page.figure("error of the contours", um(program.contour_error, "<= "),
-                figures.face_shift > 0 ? "of the radii; of the face shift twice that, and of the guide offset twice that times H/T" : "of the radii");
+                figures.face_shift > 0 ? "of the radii; of the face shift twice that; guide offset and lean are those of the moves as written" : "of the radii");
     if (program.cup_error > 0) {
         page.figure("error, bent sections", um(program.cup_error, "+- "), "as cup and bearing are resolved; the contours move with them");
     }

@@ -267,6 +267,21 @@ void refuse_residual(Scene const& scene, WireFaces const& faces, PassOnPitch con
     throw InputError(faults);
 }
 
+/// The marks, and the points nearest to the axis and farthest from it: radii are told to what the contour was solved to, however few of its points are kept.
+std::vector<std::size_t> with_extremes(WireFaces const& faces)
+{
+    std::vector<std::size_t> keep = faces.marks;
+    for (std::vector<Vec2> const* face : {&faces.pitch.lower, &faces.pitch.upper})
+    {
+        auto const [inner, outer] = std::minmax_element(face->begin(), face->end(), [](Vec2 const& a, Vec2 const& b) { return a.squaredNorm() < b.squaredNorm(); });
+        keep.push_back(static_cast<std::size_t>(inner - face->begin()));
+        keep.push_back(static_cast<std::size_t>(outer - face->begin()));
+    }
+    std::sort(keep.begin(), keep.end());
+    keep.erase(std::unique(keep.begin(), keep.end()), keep.end());
+    return keep;
+}
+
 /// What the scene says, and the part; no passes yet.
 WireProgram program_of(Scene const& scene, WireFaces const& faces)
 {
@@ -285,7 +300,7 @@ WireProgram program_of(Scene const& scene, WireFaces const& faces)
     program.surface = !differ ? "" : scene.slices ? scene.slices->surface : "tilted";
     program.contour_error = scene.solver.tolerance;
     program.tilt_kind = differ && tilt_of(scene) != 0 ? scene.tilt->kind : "";
-    program.nominal = whole_contour(faces, thinned(faces.pitch, share_of_moves * wedm.tolerance, faces.marks));
+    program.nominal = whole_contour(faces, thinned(faces.pitch, share_of_moves * wedm.tolerance, with_extremes(faces)));
     program.figures.constant_taper_error = constant_taper_error(faces);
     return program;
 }

@@ -2,6 +2,7 @@
 // From the scene to the wire's moves.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "hdconj/io/scene_toml.hpp"
@@ -68,6 +69,26 @@ TEST_CASE("type-50 tilted by 0.2 degrees is cut to the tolerance and its numbers
     CHECK(program.nominal.sync.size() == 5 * 202);
     CHECK(program.passes.front().offset == Approx(d).epsilon(1e-15));
     CHECK(std::count_if(program.passes.front().moves.begin(), program.passes.front().moves.end(), [](WireMove const& m) { return m.tag == WireTag::stop; }) == 1);
+}
+
+TEST_CASE("radii of the faces are those of the solved outline however coarse the moves", "[wedm]")
+{
+    for (std::string const tolerance : {"5e-3", "5e-4"})
+        for (std::string const clearance : {"0", "0.03"})
+        {
+            Scene const scene = builtin_scene({"wedm.tolerance=" + tolerance, "wedm.residual_limit=0.1", "circular_spline.root_clearance=" + clearance});
+            WireProgram const program = wire_program(scene);
+            double inner = std::numeric_limits<double>::infinity(), outer = 0;
+            Solution const solution = solve(scene);
+            for (Vec2 const& p : solution.circular_spline.outline.front())
+            {
+                inner = std::min(inner, p.norm());
+                outer = std::max(outer, p.norm());
+            }
+            INFO("tolerance " << tolerance << ", root clearance " << clearance);
+            CHECK(std::abs(program.figures.lower.inner - inner) <= program.contour_error);
+            CHECK(std::abs(program.figures.lower.outer - outer) <= program.contour_error);
+        }
 }
 
 TEST_CASE("without tilt both faces are the same bits and so are the guides", "[wedm]")
