@@ -142,16 +142,17 @@ class SpaceArea
 
 /// Area of one flank of one space. An overlap that side clearance leaves beyond an end of the flank (trim_overlaps()) runs backwards for as far as its neighbours overrun
 /// their crossing: such stretches count as less than nothing, so that the area does not depend on how finely the bend is drawn.
-double flank_area(FlankGrid const& grid, int flank, double width)
+/// @p stride: every so many of the slices.
+double flank_area(FlankGrid const& grid, int flank, double width, std::size_t stride)
 {
     auto const f = static_cast<std::size_t>(flank);
     auto const& line = grid.line[f].empty() ? grid.point[f] : grid.line[f];
     auto const& normal = grid.line[f].empty() ? grid.normal[f] : grid.line_normal[f];
     bool const strip = grid.slices() == 1;
     double area = 0;
-    for (std::size_t k = 0; k + 1 < (strip ? 2 : grid.slices()); ++k)
+    for (std::size_t k = 0; k + 1 < (strip ? 2 : grid.slices()); k += stride)
     {
-        std::size_t const high = strip ? k : k + 1;
+        std::size_t const high = strip ? k : std::min(k + stride, grid.slices() - 1);
         double const z_low = strip ? -width / 2 : grid.z[k], z_high = strip ? width / 2 : grid.z[high];
         auto const corner = [&](std::size_t slice, double z, std::size_t j) { return detail::AreaCorner{{line[slice][j].x(), line[slice][j].y(), z}, 1}; };
         for (std::size_t j = 0; j + 1 < line[k].size(); ++j)
@@ -165,6 +166,24 @@ double flank_area(FlankGrid const& grid, int flank, double width)
         }
     }
     return area;
+}
+
+/// What the chords of one flank are short of its arcs, which turn by theta from end to end: theta^2/24 of each, of the area in all slices. A bend is no arc: it counts as one at most.
+double arcs_over_chords(FlankGrid const& grid, int flank, double width)
+{
+    constexpr double circle = 24;
+    auto const f = static_cast<std::size_t>(flank);
+    auto const& line = grid.line[f].empty() ? grid.point[f] : grid.line[f];
+    auto const& normal = grid.line[f].empty() ? grid.normal[f] : grid.line_normal[f];
+    double most = 0;
+    for (std::size_t k = 0; k < grid.slices(); ++k)
+    {
+        double over = 0;
+        for (std::size_t j = 0; j + 1 < line[k].size(); ++j)
+            over += (line[k][j + 1] - line[k][j]).norm() * (normal[k][j + 1] - normal[k][j]).squaredNorm() / circle;
+        most = std::max(most, over);
+    }
+    return most * (grid.slices() == 1 ? width : grid.z.back() - grid.z.front());
 }
 
 /// What is left of a value by @p all places, half and a quarter of them: see ResolvedArea.
@@ -221,7 +240,10 @@ ResolvedArea resolved_area(GapField const& field, std::vector<std::size_t> const
     }
     // all spaces have the same flanks
     result.area.contact = all.fine;
-    result.area.whole = std::max(flank_area(grid, flank, width) * static_cast<double>(field.spaces()), all.fine);
+    auto const every = [&](std::size_t stride) { return flank_area(grid, flank, width, stride); };
+    double const one = every(1), open = (last == 0 ? 0 : left_open(one, every(2), every(4))) + arcs_over_chords(grid, flank, width);
+    result.area.whole = std::max(one * static_cast<double>(field.spaces()), all.fine);
+    result.whole = open * static_cast<double>(field.spaces());
     if (!(result.area.whole > 0))
         return result;
     result.along = left_open(all.fine, all.half, all.quarter) / result.area.whole;

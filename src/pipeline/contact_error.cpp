@@ -44,9 +44,12 @@ double clearing_error(ContactBench const& bench, SliceTurns const& turns, Cleara
     double const enough = clearing_accuracy(bench.tolerance) + set.known;
     double const least = least_of(turns, set, found, along);
     double const enters = std::max(0.0, -least);
-    if (!(enters > enough))
-        return enters + enough;
-    double const slope = (least_of(turns, set, found + enters, along) - least) / enters;
+    // nothing was moved and nothing touches: the least is none
+    if (found == 0 && least > enough)
+        return enough;
+    // what clears to `enough` is known to as much over the slope, wherever the search has ended
+    double const step = std::max({enters, enough, bench.tolerance.length});
+    double const slope = (least_of(turns, set, found + step, along) - least) / step;
     return (enters + enough) / std::clamp(slope, flattest, 1.0);
 }
 

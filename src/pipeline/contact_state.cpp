@@ -193,7 +193,10 @@ ContactState contact_state(PhaseWork const& work, FlankGrid const& grid, GapMap*
         // where gaps bend, a patch may also be between two points and two planes
         double const cell = work.finer.solved_anew() && fine.slices() > 1 ? field.spacing() * (fine.z[1] - fine.z[0]) : 0;
         state.share_error_along = found.along;
-        state.share_error = found.along + found.across + (lifted[0] - lifted[1]) + (state.flank_area > 0 ? (right.missed() + cell) / state.flank_area : 0);
+        state.contact_area_error = (found.along + found.across + (lifted[0] - lifted[1])) * state.flank_area + right.missed() + cell;
+        // flanks end on a tip circle that is known as the outline is, and as the side clearance by which their ends are moved
+        state.flank_area_error = found.whole + 2 * (bench.tolerance.length + work.off) * bench.width * static_cast<double>(fine_field.spaces());
+        state.share_error = state.flank_area > 0 ? (state.contact_area_error + state.share * state.flank_area_error) / state.flank_area : 0;
         if (map != nullptr)
             *map = std::move(touching);
     });

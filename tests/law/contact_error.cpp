@@ -142,6 +142,26 @@ TEST_CASE("contact law: the stated error of every figure bounds its distance to 
         CHECK(fine.state.teeth <= coarse.state.teeth_most);
         INFO(told << ": share " << coarse.state.share << " +- " << coarse.state.share_error << ", finer " << fine.state.share << " +- " << fine.state.share_error);
         CHECK(std::abs(coarse.state.share - fine.state.share) <= coarse.state.share_error + fine.state.share_error);
+        INFO(told << ": flanks " << coarse.state.flank_area << " +- " << coarse.state.flank_area_error << ", finer " << fine.state.flank_area << " +- " << fine.state.flank_area_error);
+        CHECK(std::abs(coarse.state.flank_area - fine.state.flank_area) <= coarse.state.flank_area_error + fine.state.flank_area_error);
+        CHECK(coarse.state.flank_area_error < 0.05 * coarse.state.flank_area);
+        CHECK(std::abs(coarse.state.contact_area - fine.state.contact_area) <= coarse.state.contact_area_error + fine.state.contact_area_error);
+    }
+}
+
+TEST_CASE("contact law: a clearance that opens more slowly than its wall is moved is known to as much less", "[law][contact]")
+{
+    // at a straight tooth the wall beside the root opens half as fast as it is moved outward
+    Keys const drive{"coning.model=linear", "coning.bottom_to_middle=30", "coning.axial_shift=none", "circular_spline.width=7", "tilt.kind=radial", "tilt.angle_deg=0.2"};
+    auto const cleared = [&](std::string const& tolerance) {
+        return contact(read_scene(file_of("straight"), with(with(drive, resolution(3, 10, "ruled")), {"solver.tolerance=" + tolerance}))).cases.front();
+    };
+    ContactCase const fine = cleared("1e-8");
+    for (std::string const tolerance : {"1e-6", "4e-6", "1e-5", "2e-5", "4e-5"})
+    {
+        ContactCase const coarse = cleared(tolerance);
+        INFO(tolerance << ": " << coarse.clearing_root / um << " +- " << coarse.clearing_root_error / um << " um, finer " << fine.clearing_root / um);
+        CHECK(std::abs(coarse.clearing_root - fine.clearing_root) <= coarse.clearing_root_error + fine.clearing_root_error);
     }
 }
 

@@ -94,6 +94,7 @@ inline ContactState contact_state(double share, double play)
     state.share = share;
     state.share_error = 4e-4;
     state.contact_area = share * 915.5;
+    state.contact_area_error = 0.3;
     state.teeth = static_cast<int>(300 * share);
     state.teeth_least = state.teeth - 1;
     state.teeth_most = state.teeth + 2;
@@ -132,6 +133,7 @@ inline ContactCase contact_case(std::string const& surface, std::string const& k
     double const share = surface == "per-slice" ? 0.31 : 0.05 + 0.17 / (1 + std::pow(off / (kind == "draft" ? 0.1 : 0.35), 2));
     result.state = contact_state(share, result.backlash_of_clearing);
     result.state.flank_area = 915.5;
+    result.state.flank_area_error = 0.07;
     result.ruled_deviation = surface == "ruled" ? 0.0034 : 0;
     result.clearance_error = 2e-5;
     result.root_clearance_error = 3e-5;

@@ -57,6 +57,8 @@ TEST_CASE("contact numbers come back from HDF5 bit for bit, one row per case")
              {"take_up_back", [](auto const& c) { return c.state.take_up_back; }},
              {"backlash", [](auto const& c) { return c.state.take_up + c.state.take_up_back; }},
              {"contact_area", [](auto const& c) { return c.state.contact_area; }},
+             {"contact_area_error", [](auto const& c) { return c.state.contact_area_error; }},
+             {"flank_area_error", [](auto const& c) { return c.state.flank_area_error; }},
              {"share", [](auto const& c) { return c.state.share; }},
              {"share_error", [](auto const& c) { return c.state.share_error; }},
              {"smallest_gap", [](auto const& c) { return c.state.smallest_gap; }},

@@ -16,6 +16,7 @@ struct ResolvedArea
     ContactArea area;
     double along = 0;    ///< estimated error of so many points along the flank, as a share
     double across = 0;   ///< estimated error of so many slices, as a share
+    double whole = 0;    ///< estimated error of the area of all flanks [mm^2]: of so many slices as `across`, and of chords in place of arcs
     double lowest = 0;   ///< smallest gap that was met, between the points too [mm]
 };
 

@@ -40,10 +40,12 @@ struct ContactState
     double take_up_error = 0;    ///< estimated: what may enter between slices, and of a side clearance that was looked for its own error [rad]
     double take_up_back_error = 0;
     double contact_area = 0;     ///< [mm^2] of the flanks on the driving side with gap <= contact_gap
+    double contact_area_error = 0;  ///< estimated: what half as many points, fewer planes and the clearance's own error change, and patches that no plane meets, added up [mm^2]
     double share = 0;            ///< of the area of all flanks on that side, 0 ... 1
-    double share_error = 0;      ///< estimated: what half as many points, fewer planes and the clearance's own error change, and patches that no plane meets, added up
+    double share_error = 0;      ///< estimated: from those of both areas
     double share_error_along = 0;  ///< the part of it that the number of points along the flanks leaves open
     double flank_area = 0;       ///< [mm^2] of all flanks on the driving side, of the part: from its tip circle on, side clearance included
+    double flank_area_error = 0;  ///< estimated: what fewer planes change, chords in place of arcs, and where the flanks end [mm^2]
     int teeth = 0;               ///< tooth spaces with any contact on the driving side
     int teeth_least = 0, teeth_most = 0;  ///< with those errors: spaces that are in contact in any case, and those that may be
     double smallest_gap = 0;     ///< before turning, either side [mm]
