@@ -18,15 +18,17 @@ namespace hdconj::detail {
     return std::max(part * tolerance.length, tolerance.coincidence());
 }
 
+/// Moving a flank along its normal opens a gap at least so much as fast as it moves.
+constexpr double flattest_clearing = 0.05;
+
 /// The distance at which @p clearance(distance) is zero to @p enough, from the guess @p distance.
 ///
 /// Moving a flank along its normal opens a gap about as fast as it moves, and much more slowly where a tooth meets the flank's end nearly along
-/// it: secant steps, the first of slope 1, none flatter than a twentieth of that. Nothing where 60 steps do not settle.
+/// it: secant steps, the first of slope 1, none flatter than flattest_clearing. Nothing where 60 steps do not settle.
 template<class Clearance>
 [[nodiscard]] std::optional<double> clearing_search(Clearance&& clearance, double distance, double enough)
 {
     constexpr int budget = 60;
-    constexpr double flattest = 0.05;
     double before = distance;
     double at_before = 0;
     for (int i = 0; i < budget; ++i)
@@ -37,7 +39,7 @@ template<class Clearance>
         double const slope = distance != before ? (here - at_before) / (distance - before) : 1;
         before = distance;
         at_before = here;
-        distance -= here / (slope > flattest ? slope : 1);
+        distance -= here / (slope > flattest_clearing ? slope : 1);
     }
     return std::nullopt;
 }

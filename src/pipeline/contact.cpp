@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "best_tilt.hpp"
+#include "clearing_search.hpp"
 #include "contact_case.hpp"
 #include "hdconj/numeric/parallel.hpp"
 #include "hdconj/profile/builder.hpp"
@@ -245,7 +246,8 @@ ClearingNeed clearing_need(Scene const& scene)
     OwnedBench owned(scene, scene.slices ? scene.slices->count : 1, make_plan(scene, Verb::contact), nobody);
     SurfaceChoice const choice = surface_choices(scene, {}).front();
     ContactCase const found = clearing_case(*owned.bench, choice);
-    return {found.clearing_offset, found.clearing_tip, owned.middle.geometry.circular_spline_inner_radius};
+    return {found.clearing_offset, found.clearing_tip, owned.middle.geometry.circular_spline_inner_radius,
+            found.clearing_offset > 0 ? clearing_accuracy(owned.bench->tolerance) / flattest_clearing : 0};
 }
 
 }  // namespace detail

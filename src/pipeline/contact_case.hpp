@@ -32,6 +32,7 @@ struct ClearingNeed
     double offset = 0;   ///< side clearance [mm]
     double tip = 0;      ///< tip circle [mm]
     double own_tip = 0;  ///< what it is without
+    double error = 0;    ///< bound of the side clearance's own error: what clears to clearing_accuracy(), over the least slope [mm]
 };
 [[nodiscard]] ClearingNeed clearing_need(Scene const& scene);
 

@@ -40,7 +40,6 @@ ClearanceErrors clearance_errors(ContactBench const& bench, TurnWork const& work
 
 double clearing_error(ContactBench const& bench, SliceTurns const& turns, ClearanceSet const& set, double found, bool along)
 {
-    constexpr double flattest = 0.05;
     double const enough = clearing_accuracy(bench.tolerance) + set.known;
     double const least = least_of(turns, set, found, along);
     double const enters = std::max(0.0, -least);
@@ -50,7 +49,7 @@ double clearing_error(ContactBench const& bench, SliceTurns const& turns, Cleara
     // what clears to `enough` is known to as much over the slope, wherever the search has ended
     double const step = std::max({enters, enough, bench.tolerance.length});
     double const slope = (least_of(turns, set, found + step, along) - least) / step;
-    return (enters + enough) / std::clamp(slope, flattest, 1.0);
+    return (enters + enough) / std::clamp(slope, flattest_clearing, 1.0);
 }
 
 }  // namespace hdconj::detail

@@ -100,6 +100,7 @@ Solution solve_with_automatic_backlash(Scene const& scene, StageObserver const& 
     given.circular_spline.automatic_backlash = false;
     given.circular_spline.backlash_offset = 0;
     std::string note = "side clearance \"auto\": none is needed";
+    double error = 0;
     bool const moves = scene.slices && scene.slices->count > 1 && (scene.coning || scene.tilt);
     if (moves)
     {
@@ -110,13 +111,17 @@ Solution solve_with_automatic_backlash(Scene const& scene, StageObserver const& 
         bool const wider = need.tip > need.own_tip;
         if (wider)
             given.circular_spline.inner_radius = need.tip;
-        note = "side clearance \"auto\": " + short_number(need.offset) + " mm" + (wider ? ", with a tip circle of " + short_number(need.tip) + " in place of "
+        error = need.error;
+        note = "side clearance \"auto\": " + short_number(need.offset) + (error > 0 ? " +- " + short_number(error) : "") + " mm" + (wider ? ", with a tip circle of " + short_number(need.tip) + " in place of "
                                                                                         + short_number(need.own_tip) + " mm" : "");
     }
     Solution out = solve(given, on_stage);
     out.scene.text = scene.text;
     out.scene.circular_spline.automatic_backlash = true;
     out.notes.insert(out.notes.begin(), note);
+    // both flanks move with it, each as far as it does but where it meets the tip circle aslant
+    out.error.clearance += error;
+    out.error.land += 2 * error;
     return out;
 }
 

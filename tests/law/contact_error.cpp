@@ -272,4 +272,17 @@ TEST_CASE("contact law: a side clearance that solve looks for by itself is the o
     CHECK(told.clearing_offset > 60 * um);
     CHECK(told.backlash_offset == told.clearing_offset);
     CHECK(solved.geometry.circular_spline_inner_radius == Approx(told.clearing_tip).margin(1e-6));
+
+    // how well it was found is part of what is stated of a drive that has it
+    Keys const tilted = with(drive, {"tilt.kind=radial", "tilt.angle_deg=0.2"});
+    Solution const coarse = solve(builtin_scene(tilted)), fine = solve(builtin_scene(with(tilted, {"solver.tolerance=1e-9"})));
+    double const radius = coarse.geometry.circular_spline_inner_radius;
+    REQUIRE(fine.geometry.circular_spline_inner_radius == Approx(radius).margin(1e-6));
+    double const clearance = std::abs(coarse.check->smallest_clearance - fine.check->smallest_clearance);
+    double const land = 2 * radius * std::abs(coarse.geometry.land_half_angle - fine.geometry.land_half_angle);
+    INFO("clearance off by " << clearance << " +- " << coarse.error.clearance << ", land by " << land << " +- " << coarse.error.land);
+    CHECK(clearance > 1e-10);
+    CHECK(clearance <= coarse.error.clearance + fine.error.clearance);
+    CHECK(land <= coarse.error.land + fine.error.land);
+    CHECK(coarse.error.clearance < coarse.scene.solver.tolerance);
 }
