@@ -22,9 +22,10 @@ Json state_object(ContactState const& state, ContactStudy const& study)
     return object;
 }
 
-Json closest_object(Closest const& closest)
+Json closest_object(Closest const& closest, double error)
 {
     return {{"clearance_um", number(closest.clearance * um_per_mm)},
+            {"clearance_error_um", number(error * um_per_mm)},
             {"x_mm", number(closest.where.x())},
             {"y_mm", number(closest.where.y())},
             {"phi_deg", number(closest.phi * degree_per_radian)}};
@@ -34,8 +35,8 @@ Json slice_object(SliceClearance const& slice)
 {
     return {{"z_mm", number(slice.z)},
             {"amplitude_mm", number(slice.amplitude)},
-            {"flank", closest_object(slice.flank)},
-            {"root", closest_object(slice.root)}};
+            {"flank", closest_object(slice.flank, slice.flank_error)},
+            {"root", closest_object(slice.root, slice.root_error)}};
 }
 
 Json case_object(ContactCase const& each, ContactStudy const& study)
@@ -47,7 +48,7 @@ Json case_object(ContactCase const& each, ContactStudy const& study)
     object["raised"] = each.raised;
     object["closest_flank"] = nullptr;
     if (!each.slices.empty()) {
-        object["closest_flank"] = closest_object(each.closest_flank());
+        object["closest_flank"] = closest_object(each.closest_flank(), each.clearance_error);
         object["closest_flank"]["z_mm"] = number(each.closest_slice().z);
     }
     object["state"] = state_object(each.state, study);

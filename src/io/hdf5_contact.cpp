@@ -42,6 +42,8 @@ void write_case(Writer const& place, ContactCase const& each)
     place.numbers("amplitude", column(slices, [](auto const& slice) { return slice.amplitude; }), "mm");
     write_closest(place, "flank", column(slices, [](auto const& slice) { return slice.flank; }));
     write_closest(place, "root", column(slices, [](auto const& slice) { return slice.root; }));
+    place.numbers("flank_clearance_error", column(slices, [](auto const& slice) { return slice.flank_error; }), "mm");
+    place.numbers("root_clearance_error", column(slices, [](auto const& slice) { return slice.root_error; }), "mm");
     if (!each.revolution.empty()) {
         place.group("revolution", [&](Writer const& turn) { write_states(turn, each.revolution); });
     }

@@ -48,16 +48,24 @@ std::vector<double> deviations(ContactBench const& bench, SurfaceMaker& maker, F
 
 void write_errors(ContactBench const& bench, SurfaceChoice const& choice, SliceTurns const& turns, Surfaces const& made, ContactCase& result)
 {
-    auto const closest_root = std::min_element(result.slices.begin(), result.slices.end(), [](SliceClearance const& a, SliceClearance const& b) { return a.root.clearance < b.root.clearance; });
     bool const both = !is_symmetric(bench);
     auto const write = [&](TurnWork const& as_made, SurfaceMaker& maker, FlankGrid const& cleared) {
-        ClearanceErrors const errors = clearance_errors(bench, as_made, made.given, result.closest_flank(), closest_root->root);
+        ClearanceErrors const errors = clearance_errors(bench, as_made, made.given, result.slices);
         // planes between slices that are solved anew have their own chords, were made to clear a tooth by points, and have corners that move along the flank
         bool const anew = choice.surface == "per-slice" && bench.scene.coning && made.flanks.grid.slices() > 1;
         double const chords = anew ? 2 * bench.tolerance.length : 0;
         // a clearance falls no faster than the flank goes on
-        result.clearance_error = errors.flank + unseen_length(made.flanks.grid, made.given) + chords + (anew ? overlap_at_ends(made.flanks.grid, made.given) : 0);
+        double const unseen = unseen_length(made.flanks.grid, made.given) + chords + (anew ? overlap_at_ends(made.flanks.grid, made.given) : 0);
+        result.clearance_error = errors.flank + unseen;
         result.root_clearance_error = errors.root;
+        // a ruled surface is exact in its end planes; between them its lines join places that are known to the chords
+        bool const ruled = choice.surface == "ruled" && bench.scene.coning;
+        for (std::size_t k = 0; k < result.slices.size(); ++k)
+        {
+            double const joined = ruled && k > 0 && k + 1 < result.slices.size() ? bench.tolerance.length : 0;
+            result.slices[k].flank_error = errors.flanks[k] + unseen + joined;
+            result.slices[k].root_error = errors.roots[k] + joined;
+        }
         result.clearing_offset_error = clearing_error(bench, as_made.turns, flank_set(cleared, both), result.clearing_offset, false) + unseen_length(made.cleared.flanks.grid, result.clearing_offset) + chords + (anew ? overlap_at_ends(made.cleared.flanks.grid, result.clearing_offset) : 0);
         result.clearing_root_error = clearing_error(bench, as_made.turns, root_set(as_made.outline, bench.tolerance), result.clearing_root, true);
         if (choice.surface != "ruled" || !bench.scene.coning || made.flanks.grid.slices() < 2)

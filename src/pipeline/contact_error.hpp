@@ -20,18 +20,19 @@ struct TurnWork
     TurnMinima const* root = nullptr;   ///< around the bottom
 };
 
-/// Estimated errors of clearances in the slices as those of the whole width [mm].
+/// Estimated errors of clearances [mm].
 struct ClearanceErrors
 {
-    double flank = 0;   ///< of the smallest distance of the flanks
+    double flank = 0;   ///< of the smallest distance of the flanks, as that of the whole width
     double root = 0;    ///< and around the bottom
+    std::vector<double> flanks, roots;   ///< of each of the scene's slices, for itself
 };
 
-/// Error of the smallest distances @p flank and @p root of the scene's slices with the side clearance @p distance.
+/// Error of the smallest distances of the scene's slices, @p slices, with the side clearance @p distance.
 ///
 /// In each plane of @p work the smallest distance; between planes between_places(), around the bottom between its points too. With the accuracy to which a place between
 /// two points is known.
-[[nodiscard]] ClearanceErrors clearance_errors(ContactBench const& bench, TurnWork const& work, double distance, Closest const& flank, Closest const& root);
+[[nodiscard]] ClearanceErrors clearance_errors(ContactBench const& bench, TurnWork const& work, double distance, std::vector<SliceClearance> const& slices);
 
 /// Error of the least distance @p found by which the set must be moved to clear: what still enters between the planes, by the slope with which moving clears it.
 /// @param along  between points of the set too

@@ -121,6 +121,13 @@ TEST_CASE("contact law: the stated error of every figure bounds its distance to 
         };
         check("clearance", coarse.closest_flank().clearance, coarse.clearance_error, fine.closest_flank().clearance, fine.clearance_error);
         check("root clearance", smallest_root(coarse), coarse.root_clearance_error, smallest_root(fine), fine.root_clearance_error);
+        for (std::size_t k = 0; k < coarse.slices.size(); ++k)
+        {
+            SliceClearance const &own = coarse.slices[k], &same = fine.slices[k * (fine.slices.size() - 1) / (coarse.slices.size() - 1)];
+            REQUIRE(own.z == Approx(same.z).margin(1e-9));
+            check("clearance of a slice", own.flank.clearance, own.flank_error, same.flank.clearance, same.flank_error);
+            check("root clearance of a slice", own.root.clearance, own.root_error, same.root.clearance, same.root_error);
+        }
         check("clearing offset", coarse.clearing_offset, coarse.clearing_offset_error, fine.clearing_offset, fine.clearing_offset_error);
         check("clearing tip", coarse.clearing_tip, coarse.clearing_tip_error, fine.clearing_tip, fine.clearing_tip_error);
         check("clearing root", coarse.clearing_root, coarse.clearing_root_error, fine.clearing_root, fine.clearing_root_error);

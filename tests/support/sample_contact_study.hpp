@@ -128,6 +128,8 @@ inline ContactCase contact_case(std::string const& surface, std::string const& k
         slice.amplitude = amplitude_at(height);
         slice.flank = {-offset * std::abs(height) / half_width + 1e-10, Vec2(-0.21, 25.31), 0.4 + 0.05 * height};
         slice.root = {0.012 - 0.004 * height, Vec2(0.03, 25.47), 0.02};
+        slice.flank_error = 1e-6 * (1 + static_cast<double>(result.slices.size()));
+        slice.root_error = 2 * slice.flank_error;
         result.slices.push_back(slice);
     }
     double const share = surface == "per-slice" ? 0.31 : 0.05 + 0.17 / (1 + std::pow(off / (kind == "draft" ? 0.1 : 0.35), 2));

@@ -89,6 +89,8 @@ TEST_CASE("contact numbers come back from HDF5 bit for bit, one row per case")
     auto const where = read(file, "/contact/case_002/flank_where");
     REQUIRE(where.shape == std::vector<hsize_t>{9, 2});
     CHECK(where.values[7] == study.cases[2].slices[3].flank.where.y());
+    CHECK(read(file, "/contact/case_002/flank_clearance_error").values[3] == study.cases[2].slices[3].flank_error);
+    CHECK(read(file, "/contact/case_002/root_clearance_error").values[3] == study.cases[2].slices[3].root_error);
     CHECK(read(file, "/contact/case_002/amplitude").values[8] == study.cases[2].slices[8].amplitude);
     CHECK(read(file, "/contact/case_002/root_clearance").values[4] == study.cases[2].slices[4].root.clearance);
     CHECK(read(file, "/contact/case_003/revolution/share").values.size() == 5);

@@ -28,6 +28,8 @@ struct SliceClearance
     double amplitude = 0;  ///< radial deformation w0(z) of this slice [mm]
     Closest flank;         ///< between land corner and flank end, both sides
     Closest root;          ///< around the bottom of the space
+    double flank_error = 0;  ///< estimated, of this slice's smallest distance for itself, as `root_error` [mm]
+    double root_error = 0;
 };
 
 /// Contact at one angle of the wave generator. To first contact the circular spline is turned, wave generator and flexspline held; a cup that is turned in its place, wave generator and
