@@ -59,7 +59,7 @@ void write_row(Page& page, ContactStudy const& study, ContactCase const& each)
 {
     auto const& state = each.state;
     std::string const clearance = each.slices.empty() ? "-" : fixed(each.closest_flank().clearance * um_per_mm, 2);
-    page.line("{}{:>11}{:>10}{:>10}{:>10}{}{:>9}{:>9}{:>7}{:>10.4g} +- {:.2g}", begin_row(each), clearance,
+    page.line("{}{:>11}{:>10}{:>10}{:>10}{}{:>10}{:>10}{:>7}{:>10.4g} +- {:.2g}", begin_row(each), clearance,
               fixed(each.clearing_offset * um_per_mm, 2), fixed(each.backlash_of_clearing * arcmin_per_radian, 2),
               fixed(each.backlash_offset * um_per_mm, 2), each.raised ? '*' : ' ',
               fixed(state.backlash() * arcmin_per_radian, 2),
@@ -69,7 +69,7 @@ void write_row(Page& page, ContactStudy const& study, ContactCase const& each)
     if (state.teeth_least != state.teeth || state.teeth_most != state.teeth) {
         teeth = fmt::format("{}-{}", state.teeth_least, state.teeth_most);
     }
-    page.line("{:<25}{:>11}{:>10}{:>10}{:>10} {:>9}{:>9}{:>7}", "", error_text(each.clearance_error * um_per_mm),
+    page.line("{:<25}{:>11}{:>10}{:>10}{:>10} {:>10}{:>10}{:>7}", "", error_text(each.clearance_error * um_per_mm),
               error_text(each.clearing_offset_error * um_per_mm), error_text(each.backlash_of_clearing_error * arcmin_per_radian), "",
               error_text(state.backlash_error() * arcmin_per_radian), error_text(at_pitch_circle(state.backlash_error(), study) * um_per_mm), teeth);
 }
@@ -77,10 +77,10 @@ void write_row(Page& page, ContactStudy const& study, ContactCase const& each)
 void write_table(Page& page, ContactStudy const& study)
 {
     // Tilt ends in column 25, then clearance 11 wide, twice offset and backlash 10 wide, the latter also as a length.
-    page.line("\n{:<25}{:>11}{:>20}{:>29}", "", "as made", "to clear: offset", "as computed: offset,");
-    page.line("  {:<10}{:<7}{:>6}{:>11}{:>20}{:>29}{:>7}{:>14}", "surface", "kind", "tilt", "clearance", "and its backlash",
+    page.line("\n{:<25}{:>11}{:>20}{:>31}", "", "as made", "to clear: offset", "as computed: offset,");
+    page.line("  {:<10}{:<7}{:>6}{:>11}{:>20}{:>31}{:>7}{:>14}", "surface", "kind", "tilt", "clearance", "and its backlash",
               "and backlash", "teeth", "contact area");
-    page.line("  {:<10}{:<7}{:>6}{:>11}{:>10}{:>10}{:>10}{:>10}{:>9}{:>7}{:>14}", "", "", "deg", "um", "um", "arcmin",
+    page.line("  {:<10}{:<7}{:>6}{:>11}{:>10}{:>10}{:>10}{:>11}{:>10}{:>7}{:>14}", "", "", "deg", "um", "um", "arcmin",
               "um", "arcmin", "um", "", "%");
     for (auto const& each : study.cases) {
         write_row(page, study, each);

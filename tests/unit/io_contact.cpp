@@ -190,18 +190,18 @@ TEST_CASE("a row of the contact table is in the units of its heading")
     each.state.teeth_most = 18;
     study.cases = {each};
     // 11 arcmin at 25 mm are 79.99 um
-    CHECK_THAT(summary_text(study), ContainsSubstring("tilted    draft    0.25     -78.12     81.23     12.34     90.00     11.00"
-                                                      "    79.99     17     12.34 +- 0.03\n"
-                                                      "                             +- 0.02    +- 0.3    +- 0.4              +- 0.1   +- 0.7  16-18\n"));
+    CHECK_THAT(summary_text(study), ContainsSubstring("tilted    draft    0.25     -78.12     81.23     12.34     90.00      11.00"
+                                                      "     79.99     17     12.34 +- 0.03\n"
+                                                      "                             +- 0.02    +- 0.3    +- 0.4               +- 0.1    +- 0.7  16-18\n"));
     study.cases[0].state.take_up = study.cases[0].clearing_offset = -1e-12;
     study.cases[0].state.take_up_back = 0;
-    CHECK_THAT(summary_text(study), ContainsSubstring("     0.00     12.34     90.00      0.00     0.00     17"));
+    CHECK_THAT(summary_text(study), ContainsSubstring("     0.00     12.34     90.00       0.00      0.00     17"));
     study.cases[0].state.take_up = 11 * arcmin;
     study.cases[0].raised = true;
     study.cases[0].clearing_tip = study.cases[0].tip = 25.1;
     study.cases[0].clearing_tip_error = 1e-6;
     study.solution.geometry.circular_spline_inner_radius = 25;
-    CHECK_THAT(summary_text(study), ContainsSubstring("12.34     90.00*    11.00") && ContainsSubstring("more than the scene gives") &&
+    CHECK_THAT(summary_text(study), ContainsSubstring("12.34     90.00*     11.00") && ContainsSubstring("more than the scene gives") &&
                                         ContainsSubstring("draft 0.25 deg: needs the tip circle 25.1000 +- 1e-06 mm instead of 25.0000 mm"));
 }
 
