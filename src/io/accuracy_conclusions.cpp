@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
 #include "accuracy_figures.hpp"
@@ -340,26 +341,18 @@ void conclude_threads(Page& page, Ladders const& ladders)
 
 void conclude(Page& page, std::string const& name, Ladders const& ladders, Scene const& scene)
 {
-    if (name == "tolerance") {
-        conclude_tolerance(page, ladders);
-    } else if (name == "sampling") {
-        conclude_sampling(page, ladders);
-    } else if (name == "motion-model") {
-        conclude_model(page, ladders);
-    } else if (name == "polynomial-fit") {
-        conclude_fit(page, ladders, scene);
-    } else if (name == "union") {
-        conclude_union(page, ladders);
-    } else if (name == "roots") {
-        conclude_roots(page, ladders);
-    } else if (name == "number-type") {
-        conclude_type(page, ladders, scene);
-    } else if (name == "contact-area") {
-        conclude_contact(page, ladders);
-    } else if (name == "load") {
-        conclude_load(page, ladders);
-    } else if (name == "threads") {
-        conclude_threads(page, ladders);
+    // two of the studies are told with what the scene asks for
+    if (name == "polynomial-fit") {
+        return conclude_fit(page, ladders, scene);
+    }
+    if (name == "number-type") {
+        return conclude_type(page, ladders, scene);
+    }
+    static std::map<std::string, void (*)(Page&, Ladders const&)> const others{
+        {"tolerance", conclude_tolerance}, {"sampling", conclude_sampling}, {"motion-model", conclude_model}, {"union", conclude_union},
+        {"roots", conclude_roots}, {"contact-area", conclude_contact}, {"load", conclude_load}, {"threads", conclude_threads}};
+    if (auto const one = others.find(name); one != others.end()) {
+        one->second(page, ladders);
     }
 }
 
