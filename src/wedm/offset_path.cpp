@@ -101,20 +101,17 @@ std::vector<Jump> loops(std::vector<Vec2> const& c)
     return found;
 }
 
-/// A stretch that is removed in both faces, and what each face itself would remove there.
+/// A stretch that is removed in both faces, and what each face itself would remove there, in order.
 struct Cut
 {
     double from = 0, to = 0;
-    std::optional<Jump> own[2];
+    std::vector<Jump> own[2];
 
     void unite(std::size_t face, Jump const& jump)
     {
         from = std::min(from, jump.from);
         to = std::max(to, jump.to);
-        if (own[face])
-            own[face]->to = std::max(own[face]->to, jump.to);
-        else
-            own[face] = jump;
+        own[face].push_back(jump);
     }
 };
 
@@ -142,13 +139,38 @@ std::vector<Vec2> stretch(std::vector<Vec2> const& c, std::size_t first, std::si
     return first < last ? std::vector<Vec2>(c.begin() + static_cast<std::ptrdiff_t>(first), c.begin() + static_cast<std::ptrdiff_t>(last)) : std::vector<Vec2>{};
 }
 
-/// As many points as @p count on the straight way from @p a to @p b, ends excluded, where there are none.
-void fill(std::vector<Vec2>& points, std::size_t count, Vec2 const& a, Vec2 const& b)
+/// What a face keeps between two points that both faces have.
+struct Between
 {
-    if (!points.empty())
-        return;
-    for (std::size_t i = 1; i <= count; ++i)
-        points.push_back(a + static_cast<double>(i) / static_cast<double>(count + 1) * (b - a));
+    Vec2 first, last;          ///< the two
+    std::vector<Vec2> points;  ///< on its exact line
+
+    /// Where the share @p part / @p of of the way lies, its points being at even shares: one of them, or a point on the straight step between two.
+    [[nodiscard]] Vec2 at(std::size_t part, std::size_t of) const
+    {
+        std::size_t const steps = points.size() + 1;
+        std::size_t const step = part * steps / of;
+        Vec2 const& a = step == 0 ? first : points[step - 1];
+        if (part * steps == step * of)
+            return a;
+        Vec2 const& b = step == points.size() ? last : points[step];
+        return a + static_cast<double>(part * steps - step * of) / static_cast<double>(of) * (b - a);
+    }
+};
+
+/// Adds the points of both faces between their common ends, each with a partner in the other face.
+template<class Add>
+void add_pairs(Between const& low, Between const& up, Add const& add)
+{
+    std::size_t const n = low.points.size() + 1, m = up.points.size() + 1;
+    for (std::size_t i = 1, k = 1; i < n || k < m;)
+    {
+        bool const by_low = i * m <= k * n, by_up = k * n <= i * m;
+        std::size_t const part = by_low ? i : k, of = by_low ? n : m;
+        add(low.at(part, of), up.at(part, of));
+        i += by_low ? 1 : 0;
+        k += by_up ? 1 : 0;
+    }
 }
 
 /// The point at parameter @p at.
@@ -176,29 +198,37 @@ TrimmedPath without_loops(PairedPath const& c)
         auto const behind = std::min(static_cast<std::size_t>(cut.to) + 1, c.size() - 1);
         for (; next < before; ++next)
             add(c.lower[next], c.upper[next], static_cast<double>(next));
-        std::vector<Vec2> lead[2];
-        std::vector<Vec2> trail[2];
-        Jump own[2];
+        Between lead[2], trail[2];
         for (std::size_t f = 0; f < 2; ++f)
         {
+            std::vector<Vec2> const& face = *faces[f];
+            std::vector<Jump> jumps = cut.own[f];
             double const middle = 0.5 * (cut.from + cut.to);
             // a face without a loop keeps the whole of its parallel
-            own[f] = cut.own[f].value_or(Jump{middle, middle, point_at(*faces[f], middle)});
-            lead[f] = stretch(*faces[f], before, static_cast<std::size_t>(std::ceil(own[f].from)));
-            trail[f] = stretch(*faces[f], static_cast<std::size_t>(own[f].to) + 1, behind);
+            if (jumps.empty())
+                jumps.push_back({middle, middle, point_at(face, middle)});
+            // of several loops in place of one of the other face's, the one in the middle is matched with it
+            std::size_t const matched = jumps.size() / 2;
+            std::size_t vertex = before;
+            for (std::size_t i = 0; i < jumps.size(); ++i)
+            {
+                std::vector<Vec2>& kept = i <= matched ? lead[f].points : trail[f].points;
+                std::vector<Vec2> const on = stretch(face, vertex, static_cast<std::size_t>(std::ceil(jumps[i].from)));
+                kept.insert(kept.end(), on.begin(), on.end());
+                if (i != matched)
+                    kept.push_back(jumps[i].at);
+                vertex = static_cast<std::size_t>(jumps[i].to) + 1;
+            }
+            std::vector<Vec2> const rest = stretch(face, vertex, behind);
+            trail[f].points.insert(trail[f].points.end(), rest.begin(), rest.end());
+            lead[f].first = face[before - 1];
+            lead[f].last = trail[f].first = jumps[matched].at;
+            trail[f].last = face[behind];
         }
-        std::size_t const leads = std::max(lead[0].size(), lead[1].size());
-        std::size_t const trails = std::max(trail[0].size(), trail[1].size());
-        for (std::size_t f = 0; f < 2; ++f)
-        {
-            fill(lead[f], leads, (*faces[f])[before - 1], own[f].at);
-            fill(trail[f], trails, own[f].at, (*faces[f])[behind]);
-        }
-        for (std::size_t i = 0; i < leads; ++i)
-            add(lead[0][i], lead[1][i], -1);
-        add(own[0].at, own[1].at, -1);
-        for (std::size_t i = 0; i < trails; ++i)
-            add(trail[0][i], trail[1][i], -1);
+        auto const pair = [&](Vec2 const& low, Vec2 const& up) { add(low, up, -1); };
+        add_pairs(lead[0], lead[1], pair);
+        pair(lead[0].last, lead[1].last);
+        add_pairs(trail[0], trail[1], pair);
         next = behind;
     }
     for (; next < c.size(); ++next)

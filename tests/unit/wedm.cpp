@@ -262,6 +262,26 @@ TEST_CASE("in a bore wider than the wire nothing is left", "[wedm]")
     }
 }
 
+namespace {
+
+/// The path in @p lower and @p upper is at distance @p d from each, with straight moves, and moves in both.
+void check_parallels(std::vector<Vec2> const& lower, std::vector<Vec2> const& upper, double d)
+{
+    PairedPath const path = offset_path({lower, upper}, d, 1e-6);
+    REQUIRE(path.lower.size() == path.upper.size());
+    for (std::size_t i = 1; i < path.size(); ++i)
+    {
+        CHECK(distance(path.lower[i], lower) == Approx(d).margin(2e-6));
+        CHECK(distance(path.upper[i], upper) == Approx(d).margin(2e-6));
+        CHECK(distance(0.5 * (path.lower[i] + path.lower[i - 1]), lower) == Approx(d).margin(2e-6));
+        CHECK(distance(0.5 * (path.upper[i] + path.upper[i - 1]), upper) == Approx(d).margin(2e-6));
+        CHECK(path.lower[i] != path.lower[i - 1]);
+        CHECK(path.upper[i] != path.upper[i - 1]);
+    }
+}
+
+}  // namespace
+
 TEST_CASE("faces that differ keep their own exact parallels where the wire cannot follow", "[wedm]")
 {
     // the root of one face is sharp, that of the other is an arc that the wire follows to its own corner
@@ -273,17 +293,30 @@ TEST_CASE("faces that differ keep their own exact parallels where the wire canno
             p = Vec2(1.1 * p.x(), 0.9 * p.y() + 0.02 * p.x());
         return line;
     }();
-    PairedPath const path = offset_path({sharp, turned}, d, 1e-6);
-    REQUIRE(path.lower.size() == path.upper.size());
-    for (std::size_t i = 1; i < path.size(); ++i)
-    {
-        CHECK(distance(path.lower[i], sharp) == Approx(d).margin(2e-6));
-        CHECK(distance(path.upper[i], turned) == Approx(d).margin(2e-6));
-        CHECK(distance(0.5 * (path.lower[i] + path.lower[i - 1]), sharp) == Approx(d).margin(2e-6));
-        CHECK(distance(0.5 * (path.upper[i] + path.upper[i - 1]), turned) == Approx(d).margin(2e-6));
-        CHECK(path.lower[i] != path.lower[i - 1]);
-        CHECK(path.upper[i] != path.upper[i - 1]);
-    }
+    check_parallels(sharp, turned, d);
+}
+
+TEST_CASE("a slot that the wire enters in one face only keeps both its corners there", "[wedm]")
+{
+    // two loops in one face where the other has one: it passes over the mouth of its slot
+    double const d = 0.06;
+    std::vector<Vec2> const wide = slot(0.5, 0.6, 0.01);
+    std::vector<Vec2> narrow = wide;
+    for (Vec2& p : narrow)
+        p.x() *= 0.15;
+    check_parallels(wide, narrow, d);
+    check_parallels(narrow, wide, d);
+    // three against one, and against two that end elsewhere
+    std::vector<Vec2> const step = drawn({{1, 0}, {0.25, 0}, {0.25, 0.6}, {0.1, 0.6}, {0.1, 0.9}, {-0.25, 0.9}, {-0.25, 0}, {-1, 0}}, 0.01);
+    std::vector<Vec2> mouth = step, leaning = step;
+    for (Vec2& p : mouth)
+        p.x() *= 0.15;
+    for (Vec2& p : leaning)
+        p = Vec2(1.1 * p.x() + 0.05 * p.y(), 0.9 * p.y() + 0.02 * p.x());
+    check_parallels(step, mouth, d);
+    check_parallels(mouth, step, d);
+    check_parallels(step, leaning, d);
+    check_parallels(leaning, step, d);
 }
 
 TEST_CASE("thinned moves keep to within the tolerance in both faces and between", "[wedm]")
