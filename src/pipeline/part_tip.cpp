@@ -19,7 +19,7 @@ double tip_with_land(ContactBench const& bench, SurfaceChoice const& choice, Mat
     for (std::size_t k = 0; k < bench.maker.z().size(); ++k)
         if (double const meeting = meeting_radius(outline, k, distance, pitch); meeting > 0)
             tip = std::max(tip, meeting + least - bench.maker.z()[k] * std::tan(choice.tilt));
-    return tip;
+    return std::max(tip, bench.maker.solvable_tip(choice, distance));
 }
 
 void refuse_to_lift_for_ever(int round, double tip)

@@ -18,7 +18,7 @@ struct Cleared
     double tip = 0;
 };
 
-/// The tip circle of z = 0 that leaves every slice of @p outline a land when its flanks are moved by @p distance; at least @p tip.
+/// The tip circle of z = 0 that leaves every slice of @p outline a land, and that its flanks meet, when these are moved by @p distance; at least @p tip.
 [[nodiscard]] double tip_with_land(ContactBench const& bench, SurfaceChoice const& choice, MatchedOutline const& outline, double distance, double tip);
 
 /// To be called before the tip circle is lifted once more, with the number of times that it was.

@@ -62,6 +62,10 @@ class SurfaceMaker
     /// drive's own where that does. With fewer slices than all where the surface is made from its end planes.
     [[nodiscard]] double needed_tip(SurfaceChoice const& choice);
 
+    /// Least tip circle [mm], before any tilt, that the flanks of slices with outlines of their own still meet when they are moved by @p distance into the material: by
+    /// least_land outside of where the flexspline's roots come, moved as far. 0 for one outline for all slices, whose tip circle is the scene's affair.
+    [[nodiscard]] double solvable_tip(SurfaceChoice const& choice, double distance);
+
     /// Tip circle of z = 0 [mm] that the surface is made with where nothing is asked to clear: the drive's own, widened only as far as the surface cannot be
     /// made without. One outline for all slices keeps it, however it is tilted, so that tilts of either kind begin at the same part; a draft widens it
     /// where the drafted flanks meet. Slices with outlines of their own need what needed_tip() says.

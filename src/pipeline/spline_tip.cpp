@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The tip circle that a surface needs, and whether the teeth still reach it.
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -12,6 +13,13 @@ namespace hdconj::detail {
 namespace {
 
 constexpr char const* drafted_meet = "leaves a tip land between the drafted flanks";
+
+/// The higher end of the flanks above the neutral curve, moved by @p distance along their normals [mm].
+double foot_height(Profile const& tooth, double distance)
+{
+    PieceEnd const left = start_of(tooth.pieces.front().shape), right = end_of(tooth.pieces.back().shape);
+    return std::max(left.point.y() + distance * left.normal.y(), right.point.y() + distance * right.normal.y());
+}
 
 }  // namespace
 
@@ -40,14 +48,30 @@ double SurfaceMaker::needed_tip(SurfaceChoice const& choice)
     {
         double const shift = z_[k] * std::tan(choice.tilt);
         std::size_t const own = coned() ? k : 0;
-        // an outline of this slice's own is solved before it is moved, and needs its land there too
+        // an outline of this slice's own is solved before it is moved, and needs its land there too, clear of the rim
         bool const moved_outward = shift > 0 && coned() && choice.surface != "tilted";
-        ask(*pointed_[own] + least - (moved_outward ? 0 : shift), z_[k], "leaves the circular spline a tip land");
-        ask(g.r_m + motions_[own]->amplitude + g.pitch_line - g.dedendum + least - shift, z_[k], "clears the flexspline's rim");
+        double const gained = moved_outward ? 0 : shift;
+        ask(*pointed_[own] + least - gained, z_[k], "leaves the circular spline a tip land");
+        ask(g.r_m + motions_[own]->amplitude + g.pitch_line - g.dedendum + least - gained, z_[k], "clears the flexspline's rim");
         if (choice.kind == "draft")
             ask(meeting_tip(z_[k], choice.tilt), z_[k], drafted_meet);
     }
+    if (double const solved = solvable_tip(choice, base_->scene.circular_spline.backlash_offset); solved > tip)
+    {
+        tip = solved;
+        why_ = "no smaller one is met by all flanks with their side clearance";
+    }
     return tip;
+}
+
+double SurfaceMaker::solvable_tip(SurfaceChoice const& choice, double distance)
+{
+    if (!coned() || choice.surface == "tilted")
+        return 0;
+    double amplitude = 0;
+    for (std::size_t const k : own_slices(choice))
+        amplitude = std::max(amplitude, motion(k).amplitude);
+    return base_->geometry.r_m + amplitude + foot_height(*tooth_, distance) + least_land * base_->scene.drive.module;
 }
 
 double SurfaceMaker::own_tip(SurfaceChoice const& choice)
