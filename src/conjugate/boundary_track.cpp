@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "hdconj/envelope/smooth_ranges.hpp"
+#include "hdconj/conjugate/outline_sampler.hpp"
 #include "hdconj/numeric/bracketed_root.hpp"
 
 namespace hdconj::detail {
@@ -14,15 +14,13 @@ namespace {
 /// Whether @p piece goes on where @p before ended, traced by the same segment: the outline's own rule.
 bool goes_on(SpaceCurve const& curve, BoundaryPiece const& before, BoundaryPiece const& piece)
 {
-    if (before.arc < 0 || piece.arc < 0 || before.copy != piece.copy)
+    if (before.arc < 0 || piece.arc < 0)
         return false;
     OutlineStretch const a = curve.made_by(before);
     OutlineStretch const b = curve.made_by(piece);
     if (a.kind != b.kind || a.segment != b.segment)
         return false;
-    int const step = std::abs(curve.arc(piece).piece - curve.arc(before).piece);
-    bool const same_time = same_instant(std::min(before.end, piece.begin), std::max(before.end, piece.begin));
-    return (step == 1 && a.kind != OutlineKind::corner) || (step == 0 && same_time);
+    return contact_goes_on({curve.arc(before).piece, before.copy, before.end}, {curve.arc(piece).piece, piece.copy, piece.begin}, a.kind == OutlineKind::corner);
 }
 
 }  // namespace

@@ -30,9 +30,18 @@ bool around_bottom(BoundaryStretch const& s)
     return s.kind == OutlineKind::corner || s.kind == OutlineKind::bottom;
 }
 
-/// The right half runs bottom, flank, land; the left one the other way round.
-HalfIntervals intervals_of(SpaceCurve const& curve, bool right)
+[[noreturn]] void refuse_without_flank(bool right, std::size_t slice, std::size_t slices)
 {
+    bool const several = slices > 1;
+    throw NumericalError("slices", std::string(right ? "right" : "left") + " half of the tooth space" + (several ? ", slice " + std::to_string(slice + 1) + " of " + std::to_string(slices) : ""),
+                         "has no flank between its bottom and the tip circle; the tip of the tooth alone makes the space; write a larger wave_generator.radial_deformation"
+                             + std::string(several ? ", a smaller circular_spline.width or slices.surface = \"tilted\"" : " or flexspline.profile.addendum"));
+}
+
+/// The right half of @p slice runs bottom, flank, land; the left one the other way round.
+HalfIntervals intervals_of(std::vector<SpaceCurve const*> const& slices, std::size_t slice, bool right)
+{
+    SpaceCurve const& curve = *slices[slice];
     auto const& pieces = curve.pieces();
     auto const middle = std::find_if(pieces.begin(), pieces.end(), [&](BoundaryPiece const& piece) {
         return 0.5 * (curve.at(piece, piece.begin).p + curve.at(piece, piece.end).p).x() > 0;
@@ -45,8 +54,7 @@ HalfIntervals intervals_of(SpaceCurve const& curve, bool right)
     auto const flank = std::find_if(stretches.begin(), stretches.end(), [](BoundaryStretch const& s) { return !around_bottom(s); });
     auto const land = std::find_if(stretches.begin(), stretches.end(), [](BoundaryStretch const& s) { return s.kind == OutlineKind::land; });
     if (flank == stretches.end() || land == stretches.end() || flank >= land)
-        throw NumericalError("slices", right ? "right half of the tooth space" : "left half of the tooth space",
-                             "has no flank between its bottom and the tip circle; the tip of the tooth alone makes the space");
+        refuse_without_flank(right, slice, slices.size());
     found.bottom.assign(stretches.begin(), flank);
     found.flank.assign(flank, land);
     found.land.assign(land, stretches.end());
@@ -192,8 +200,8 @@ Units units_of(std::vector<SpaceCurve const*> const& slices, double chord, bool 
         if (!right && all.symmetric)
             continue;
         std::vector<HalfIntervals> halves;
-        for (SpaceCurve const* curve : slices)
-            halves.push_back(intervals_of(*curve, right));
+        for (std::size_t k = 0; k < slices.size(); ++k)
+            halves.push_back(intervals_of(slices, k, right));
         auto const of = [&](auto member) {
             std::vector<std::vector<BoundaryStretch> const*> interval;
             for (HalfIntervals const& half : halves)

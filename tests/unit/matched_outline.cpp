@@ -308,3 +308,106 @@ TEST_CASE("ends of a flank have the flank's normals on both sides also where the
     for (auto const& [end, inner] : {std::pair(left_land, left_land + 1), {left_end, left_end - 1}, {right_end, right_end + 1}, {right_land, right_land - 1}})
         CHECK(std::abs(n[end].dot((p[inner] - p[end]).normalized())) < 0.02);
 }
+
+TEST_CASE("where the contact jumps to the next piece of the profile matched outlines have a corner and no gap", "[matched_outline]")
+{
+    // two branches of one flank cross in the rear slice, with touching pieces of a tooth given by points on either side of the crossing
+    TemporaryFolder const folder;
+    std::ofstream(folder / "flank.csv") << "x,y\n0.212270,0.606485\n0.285607,0.517140\n0.348611,0.420954\n0.402523,0.319370\n0.448581,0.213832\n0.488074,0.105741\n0.522756,-0.003937\n"
+                                           "0.555000,-0.114386\n0.588416,-0.224432\n0.626448,-0.332945\n0.669598,-0.439631\n0.717168,-0.544538\n0.768459,-0.647716\n0.822771,-0.749213\n"
+                                           "0.879403,-0.849079\n";
+    std::string const text = R"([drive]
+module = 0.75
+flexspline_teeth = 130
+circular_spline_teeth = 133
+[flexspline]
+wall = 1.17204
+[flexspline.cup]
+length = 29.25
+barrel_wall = 0.668065
+bottom = 0.975
+corner_radius = 3.9
+flange_radius = 25.35
+tooth_width = 15.6
+front_land = 3.9
+rear_ramp = 0.78
+front_ramp = 0.78
+[flexspline.profile]
+family = "points"
+file = "flank.csv"
+[wave_generator]
+family = "cosine"
+waves = 3
+radial_deformation = 1.07449
+[circular_spline]
+width = 4.0
+backlash_offset = 0.031029
+[coning]
+model = "elastic"
+bottom_to_middle = 17.55
+axial_shift = "mapped"
+[bearing]
+type = "rigid"
+width = 11.7
+[slices]
+count = 2
+surface = "per-slice"
+)";
+    auto const slices = [&](double tolerance) {
+        Scene scene = parse_scene(text, "jump", folder.path());
+        scene.solver.tolerance = tolerance;
+        return solve(scene);
+    };
+    constexpr double finer = 1e-7;
+    Solution const coarse = slices(chord), fine = slices(finer);
+    CHECK(coarse.error.chord <= chord);
+    for (std::size_t k = 0; k < coarse.circular_spline.outline.size(); ++k)
+    {
+        auto const& a = coarse.circular_spline.outline[k];
+        auto const& b = fine.circular_spline.outline[k];
+        double off = 0, polygon = 0;
+        for (Vec2 const& p : a)
+            off = std::max(off, distance_to_polyline(b, p));
+        for (Vec2 const& p : b)
+            polygon = std::max(polygon, distance_to_polyline(a, p));
+        INFO("slice " << k);
+        CHECK(off < 1.05 * finer);
+        CHECK(polygon < 1.05 * chord);
+    }
+}
+
+TEST_CASE("slices that are moved outward or have side clearance are solved outside of where the roots come", "[matched_outline]")
+{
+    // flat flanks that meet nothing below the pitch line: the tip circle is at the flexspline's rim, which in front comes further out than at z = 0
+    std::vector<std::string> const flat{"!circular_spline.inner_radius", "drive.module=0.75", "drive.flexspline_teeth=130", "drive.circular_spline_teeth=133", "flexspline.wall=1.17",
+                                        "flexspline.profile.family=straight", "!flexspline.profile.convex_radius", "!flexspline.profile.convex_offset", "!flexspline.profile.concave_radius",
+                                        "!flexspline.profile.concave_offset", "!flexspline.profile.concave_rise", "!flexspline.profile.tip_line_from", "flexspline.profile.addendum=0.606",
+                                        "flexspline.profile.dedendum=0.68", "flexspline.profile.thickness=1.1", "flexspline.profile.pressure_angle_deg=20", "wave_generator.waves=3",
+                                        "wave_generator.radial_deformation=1.17", "circular_spline.width=10.85", "coning.model=linear", "coning.bottom_to_middle=41", "coning.axial_shift=none",
+                                        "slices.count=3", "slices.surface=per-slice"};
+    for (double const tilt : {0.0, 0.36})
+        for (double const clearance : {0.0, 0.03})
+        {
+            INFO("tilt " << tilt << " deg, side clearance " << clearance << " mm");
+            Scene const scene = builtin_scene(with(flat, {"tilt.kind=radial", "tilt.angle_deg=" + std::to_string(tilt), "circular_spline.backlash_offset=" + std::to_string(clearance)}));
+            Solution const found = solve(scene);
+            double const rise = std::tan(tilt * degree);
+            ConedDrive const drive(scene, 3, 1, 10.85);
+            for (std::size_t k = 0; k < 3; ++k)
+            {
+                // the slice as a drive of its own, then moved
+                double const z = found.circular_spline.z[k];
+                Scene own = drive.slice_scene(k);
+                own.circular_spline.inner_radius = found.geometry.circular_spline_inner_radius;
+                own.circular_spline.backlash_offset = clearance;
+                Solution const alone = solve(own);
+                std::vector<Vec2> moved;
+                for (Vec2 const& p : alone.circular_spline.outline.front())
+                    moved.push_back(p + z * rise * p.normalized());
+                double off = 0;
+                for (Vec2 const& p : found.circular_spline.outline[k])
+                    off = std::max(off, distance_to_polyline(moved, p));
+                CHECK(off < 1.05 * chord);
+            }
+        }
+}

@@ -16,6 +16,24 @@
 
 namespace hdconj {
 
+/// An end of a boundary piece: which profile piece touches there, of which tooth, and when.
+struct ContactAtEnd
+{
+    int piece = 0;
+    int copy = 0;
+    double u = 0;
+};
+
+/// Whether the contact goes on over two neighbours of a boundary: through a joint inside a segment, or a break of the motion. Where two branches cross it does not, although neighbouring
+/// profile pieces may have made them.
+[[nodiscard]] inline bool contact_goes_on(ContactAtEnd const& before, ContactAtEnd const& after, bool corner)
+{
+    if (before.copy != after.copy)
+        return false;
+    int const step = std::abs(after.piece - before.piece);
+    return (step == 0 && same_instant(before.u, after.u)) || (step == 1 && !corner && same_at_joint(before.u, after.u));
+}
+
 /// Samples boundary pieces to a chord error, each by itself: in any order, by any thread. Neighbours share their common point.
 /// What it is made of must outlive it.
 template<RelativeMotion Motion>
@@ -81,7 +99,8 @@ class OutlineSampler
             outline.points.insert(outline.points.end(), sampled.points.begin() + (outline.points.empty() ? 0 : 1), sampled.points.end());
             OutlineKind const kind = kind_of(piece);
             int const segment = made_by(piece).segment;
-            bool const goes_on = before != nullptr && follows(*before, piece) && outline.stretches.back().kind == kind && outline.stretches.back().segment == segment;
+            bool const goes_on = before != nullptr && contact_goes_on({arc(*before).piece, before->copy, before->end}, {arc(piece).piece, piece.copy, piece.begin}, made_by(piece).corner)
+                                 && outline.stretches.back().kind == kind && outline.stretches.back().segment == segment;
             if (goes_on)
                 outline.stretches.back().last = outline.points.size() - 1;
             else
@@ -108,14 +127,6 @@ class OutlineSampler
         if (made_by(piece).corner)
             return OutlineKind::corner;
         return detail::is_tip(envelope_.profile(), arc(piece).piece) ? OutlineKind::bottom : OutlineKind::flank;
-    }
-
-    /// Pieces that follow each other inside a segment make one stretch, and so do both sides of a break of the motion.
-    [[nodiscard]] bool follows(BoundaryPiece const& before, BoundaryPiece const& piece) const
-    {
-        int const step = std::abs(arc(piece).piece - arc(before).piece);
-        bool const next_piece = step == 1 && !made_by(piece).corner;
-        return next_piece || (step == 0 && before.copy == piece.copy && same_instant(std::min(before.end, piece.begin), std::max(before.end, piece.begin)));
     }
 
     Envelope<Motion> const& envelope_;

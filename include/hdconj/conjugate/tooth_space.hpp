@@ -99,7 +99,7 @@ class ToothSpaceFinder
         if (runs.empty())
         {
             place_ = "tip circle";
-            cause_ = "the boundary does not come down to a land on both sides";
+            cause_ = "the boundary does not come down to a land on both sides; write a larger circular_spline.inner_radius, or a smaller wave_generator.radial_deformation";
             return std::nullopt;
         }
         return refine(runs, floor, chord);

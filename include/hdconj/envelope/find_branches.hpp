@@ -27,13 +27,8 @@ namespace detail {
 /// Whether arc @p b goes on where @p a stops: across a critical angle or a joint of pieces inside one segment.
 [[nodiscard]] inline bool goes_on(ContactArc const& a, ContactArc const& b)
 {
-    if (!same_instant(a.u_end, b.u_begin))
-    {
-        // the two sides of a joint solve for the same instant with their own roundings
-        constexpr double two_roundings = 0x1p-30;
-        if (a.piece == b.piece || std::abs(a.u_end - b.u_begin) > two_roundings)
-            return false;
-    }
+    if (!same_instant(a.u_end, b.u_begin) && (a.piece == b.piece || !same_at_joint(a.u_end, b.u_begin)))
+        return false;
     if (a.piece == b.piece)
         return a.ends == BranchEnd::continues && b.begins == BranchEnd::continues && a.t_end == b.t_begin;
     bool const forward = b.piece == a.piece + 1 && a.t_end == 1 && b.t_begin == 0;

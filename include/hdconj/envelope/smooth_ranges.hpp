@@ -48,4 +48,11 @@ template<RelativeMotion Motion>
     return std::abs(to - from) <= roundings;
 }
 
+/// Whether contacts that reach a joint of two profile pieces from either side reach it together: each side solves for the instant with its own roundings.
+[[nodiscard]] inline bool same_at_joint(double from, double to)
+{
+    constexpr double roundings = 0x1p-30;
+    return std::abs(to - from) <= roundings;
+}
+
 }  // namespace hdconj
