@@ -28,16 +28,31 @@ Vec2 turned(Vec2 const& v, double angle)
     return std::cos(angle) * v + std::sin(angle) * left_of(v);
 }
 
-/// Points that vertex @p v at @p p becomes: where the parallels of its edges meet, or a fan of @p chords chords.
-void add_fan(std::vector<Vec2>& out, Vec2 const& p, Vertex const& v, double offset, int chords)
+/// Chords of at most @p step that the wire takes around a vertex; 1: the parallels of its edges meet in a point.
+int chords_around(Vertex const& v, double step)
 {
-    if (chords <= 1)
-    {
-        out.push_back(p + offset / (1 + v.before.dot(v.after)) * (v.before + v.after));
+    return std::max(1, static_cast<int>(std::ceil(std::abs(v.turn) / step)));
+}
+
+/// Points that vertex @p v at @p p becomes: where the parallels of its edges meet as often as the other face has points, or a fan of @p chords chords.
+void add_fan(std::vector<Vec2>& out, Vec2 const& p, Vertex const& v, double offset, int chords, bool round)
+{
+    for (int i = 0; i <= (chords > 1 ? chords : 0); ++i)
+        out.push_back(round ? Vec2(p + offset * turned(v.before, v.turn * i / chords)) : Vec2(p + offset / (1 + v.before.dot(v.after)) * (v.before + v.after)));
+}
+
+/// One point as often as the other face has points: they are spread over the halves of the edges beside it, so that the wire moves in both faces.
+void spread(std::vector<Vec2>& points, std::size_t first, std::size_t last)
+{
+    if (first == 0 || last + 1 >= points.size())
         return;
+    Vec2 const at = points[first], before = points[first - 1], behind = points[last + 1];
+    std::size_t const middle = (first + last) / 2;
+    for (std::size_t i = first; i <= last; ++i)
+    {
+        double const share = 0.5 * (i < middle ? static_cast<double>(middle - i) / static_cast<double>(middle - first + 1) : static_cast<double>(i - middle) / static_cast<double>(last - middle + 1));
+        points[i] = at + share * ((i < middle ? before : behind) - at);
     }
-    for (int i = 0; i <= chords; ++i)
-        out.push_back(p + offset * turned(v.before, v.turn * i / chords));
 }
 
 /// Where the parallel leaves a loop out: from parameter `from` to `to`, vertex number plus share of the edge behind it.
@@ -240,15 +255,27 @@ PairedPath offset_path(PairedPath const& nominal, double offset, double sagitta)
 {
     double const step = 2 * std::acos(1 - std::min(0.5, sagitta / offset));
     PairedPath parallel;
+    struct Repeated
+    {
+        std::vector<Vec2>* face;
+        std::size_t first, last;
+    };
+    std::vector<Repeated> repeated;
     for (std::size_t i = 1; i + 1 < nominal.size(); ++i)
     {
         Vertex const low = vertex(nominal.lower, i);
         Vertex const up = vertex(nominal.upper, i);
-        double const turn = std::max(std::abs(low.turn), std::abs(up.turn));
-        auto const chords = static_cast<int>(std::ceil(turn / step));
-        add_fan(parallel.lower, nominal.lower[i], low, offset, chords);
-        add_fan(parallel.upper, nominal.upper[i], up, offset, chords);
+        int const of_low = chords_around(low, step), of_up = chords_around(up, step), chords = std::max(of_low, of_up);
+        std::size_t const first = parallel.size();
+        add_fan(parallel.lower, nominal.lower[i], low, offset, chords, of_low > 1);
+        add_fan(parallel.upper, nominal.upper[i], up, offset, chords, of_up > 1);
+        if (of_low == 1 && chords > 1)
+            repeated.push_back({&parallel.lower, first, parallel.size() - 1});
+        if (of_up == 1 && chords > 1)
+            repeated.push_back({&parallel.upper, first, parallel.size() - 1});
     }
+    for (Repeated const& each : repeated)
+        spread(*each.face, each.first, each.last);
     return without_loops(parallel).path;
 }
 

@@ -319,6 +319,28 @@ TEST_CASE("a slot that the wire enters in one face only keeps both its corners t
     check_parallels(leaning, step, d);
 }
 
+TEST_CASE("around a corner of one face the wire moves on in the other too", "[wedm]")
+{
+    double const d = 0.06;
+    std::vector<Vec2> const corner = drawn({{1, 0}, {0, -0.3}, {-1, 0}}, 0.01);
+    std::vector<Vec2> plain = corner, bent = corner;
+    for (Vec2& p : plain)
+        p.y() = 0;
+    for (Vec2& p : bent)
+        p.y() = 0.01 * p.x() * p.x();
+    for (auto const& other : {plain, bent})
+    {
+        check_parallels(corner, other, d);
+        check_parallels(other, corner, d);
+        PairedPath const path = offset_path({corner, other}, d, 1e-6);
+        double shortest = 1;
+        for (std::size_t i = 1; i < path.size(); ++i)
+            shortest = std::min(shortest, (path.upper[i] - path.upper[i - 1]).norm());
+        // the fan's chords share the two halves of edges beside it
+        CHECK(shortest > 1e-4);
+    }
+}
+
 TEST_CASE("thinned moves keep to within the tolerance in both faces and between", "[wedm]")
 {
     PairedPath fine;
