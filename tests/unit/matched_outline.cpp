@@ -376,6 +376,23 @@ surface = "per-slice"
     }
 }
 
+TEST_CASE("branches that meet in a joint of the profile leave no stretch of a rounding's length", "[matched_outline]")
+{
+    // both arcs of the flank trace nearly the same curve and cross where the joint between them touches
+    Scene const scene = builtin_scene({"!circular_spline.inner_radius", "!flexspline.profile.tip_line_from", "drive.module=0.408", "drive.flexspline_teeth=291", "drive.circular_spline_teeth=293",
+                                       "flexspline.wall=1.55964", "flexspline.profile.addendum=0.3581480947", "flexspline.profile.dedendum=0.5088874111",
+                                       "flexspline.profile.convex_radius=0.4406931421", "flexspline.profile.convex_offset=0.1630222904", "flexspline.profile.concave_radius=0.8527866568",
+                                       "flexspline.profile.concave_rise=0.1127844045", "wave_generator.radial_deformation=0.394494", "circular_spline.width=17.9627", "coning.model=linear",
+                                       "coning.bottom_to_middle=61.9992", "coning.axial_shift=mapped", "coning.apex_height=-2.1928", "slices.count=9", "slices.surface=per-slice"});
+    Solution const solution = solve(scene);
+    Tolerance const tolerance{scene.solver.tolerance, 60.2};
+    double shortest = 1;
+    for (auto const& outline : solution.circular_spline.outline)
+        for (std::size_t i = 1; i < outline.size(); ++i)
+            shortest = std::min(shortest, (outline[i] - outline[i - 1]).norm());
+    CHECK(shortest > tolerance.coincidence());
+}
+
 TEST_CASE("slices that are moved outward or have side clearance are solved outside of where the roots come", "[matched_outline]")
 {
     // flat flanks that meet nothing below the pitch line: the tip circle is at the flexspline's rim, which in front comes further out than at z = 0

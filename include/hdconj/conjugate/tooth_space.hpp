@@ -163,7 +163,36 @@ class ToothSpaceFinder
             if (!met)
                 return std::nullopt;
         }
+        drop_roundings(space.pieces);
         return space;
+    }
+
+    /// Where several branches meet in a point, which is a joint of the profile, they cross there more than once within rounding: what lies between is no stretch.
+    void drop_roundings(std::vector<BoundaryPiece>& pieces) const
+    {
+        constexpr double shallow = 16;   // branches that meet at a small angle are cut by more than their own rounding apart
+        double const nothing = shallow * tolerance_.roundoff();
+        auto const is_rounding = [&](BoundaryPiece const& piece) {
+            if (piece.arc < 0)
+                return false;
+            TurnedArc<Motion> const arc = turned(piece);
+            Vec2 const begin = arc.point(piece.begin).p;
+            return (arc.point(piece.end).p - begin).norm() <= nothing && (arc.point(0.5 * (piece.begin + piece.end)).p - begin).norm() <= nothing;
+        };
+        pieces.erase(std::remove_if(pieces.begin(), pieces.end(), is_rounding), pieces.end());
+        for (std::size_t i = 1; i < pieces.size();)
+        {
+            BoundaryPiece& before = pieces[i - 1];
+            BoundaryPiece const& piece = pieces[i];
+            bool const forward = before.begin < before.end, same = piece.arc >= 0 && before.arc == piece.arc && before.copy == piece.copy && forward == (piece.begin < piece.end);
+            if (same && (turned(before).point(before.end).p - turned(piece).point(piece.begin).p).norm() <= nothing)
+            {
+                before.end = piece.end;
+                pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(i));
+            }
+            else
+                ++i;
+        }
     }
 
     [[nodiscard]] TurnedArc<Motion> turned(BoundaryPiece const& piece) const
