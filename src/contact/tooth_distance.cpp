@@ -18,6 +18,7 @@ struct ToothDistance::Nearest
     Vec2 normal = Vec2::Zero();
     bool open_end = false;
     bool vertex = false;   ///< the foot is one
+    CurvePiece const* all_of = nullptr;  ///< of which all feet were looked at last
 
     void offer(Vec2 const& p, Vec2 const& foot, Vec2 const& n, bool at_vertex = false, bool at_open_end = false)
     {
@@ -62,24 +63,34 @@ void ToothDistance::foot_on(Arc const& arc, Vec2 const& p, Nearest& nearest)
         nearest.offer(p, arc.centre + arc.radius * n, n);
 }
 
-void ToothDistance::foot_on(CurvePiece const* curve, Vec2 const& p, Nearest& nearest)
+void ToothDistance::foot_on(CurveStretch const& stretch, Vec2 const& p, Nearest& nearest)
 {
+    StretchFoot const foot = hdconj::foot_on(stretch, p);
+    if (foot.found)
+        nearest.offer(p, foot.point, foot.normal);
+    if (!foot.certain && nearest.all_of != stretch.curve)
+        all_feet_on(*stretch.curve, p, nearest);
+}
+
+void ToothDistance::all_feet_on(CurvePiece const& curve, Vec2 const& p, Nearest& nearest)
+{
+    nearest.all_of = &curve;
     // (p - x).x' in Bernstein form: A - p_y B + p_x C with the three functions of the meshing condition
     BernsteinWork work{};
     double size = 0;
-    std::size_t const n = curve->a().size();
+    std::size_t const n = curve.a().size();
     for (std::size_t i = 0; i < n; ++i)
     {
-        double const b = p.y() * curve->b()[i];
-        double const c = p.x() * curve->c()[i];
-        work[i] = curve->a()[i] - b + c;
-        size = std::max(size, std::abs(curve->a()[i]) + std::abs(b) + std::abs(c));
+        double const b = p.y() * curve.b()[i];
+        double const c = p.x() * curve.c()[i];
+        work[i] = curve.a()[i] - b + c;
+        size = std::max(size, std::abs(curve.a()[i]) + std::abs(b) + std::abs(c));
     }
     BernsteinRoots const feet = bernstein_roots({work.data(), n}, 8 * unit_roundoff * size);
     for (int k = 0; k < feet.count; ++k)
     {
         double const t = feet.t[static_cast<std::size_t>(k)];
-        nearest.offer(p, curve->point(t), left_of(curve->first(t)).normalized());
+        nearest.offer(p, curve.point(t), left_of(curve.first(t)).normalized());
     }
 }
 
@@ -95,7 +106,7 @@ ToothDistance::ToothDistance(Profile const& profile)
         Vec2 const normal = before != nullptr ? Vec2(start.normal + end_of(*before).normal) : start.normal;
         vertices_.push_back({start.point, normal.normalized(), before == nullptr});
         before = &piece.shape;
-        add_patch(piece.shape);
+        add_patches(piece.shape);
     }
     PieceEnd const last = end_of(*before);
     vertices_.push_back({last.point, last.normal, true});
@@ -108,7 +119,8 @@ ToothDistance::ToothDistance(Profile const& profile)
     }
 }
 
-void ToothDistance::add_patch(PieceShape const& shape)
+/// One patch; of a curve one for each of its stretches, with a vertex between two of them.
+void ToothDistance::add_patches(PieceShape const& shape)
 {
     Vec2 low = start_of(shape).point;
     Vec2 high = low;
@@ -135,17 +147,20 @@ void ToothDistance::add_patch(PieceShape const& shape)
     }
     else
     {
-        auto const& curve = std::get<CurvePiece>(shape);
-        for (std::size_t i = 0; i < curve.x().size(); ++i)
-            include({curve.x()[i], curve.y()[i]});
-        patches_.push_back({&curve, low, high});
+        std::vector<CurveStretch> const stretches = stretches_of(std::get<CurvePiece>(shape));
+        for (CurveStretch const& stretch : stretches)
+        {
+            if (stretch.from > 0)
+                vertices_.push_back({stretch.first, left_of(stretch.slope_first).normalized(), false});
+            patches_.push_back({stretch, stretch.low, stretch.high});
+        }
     }
 }
 
 /// Runs of patches under one box: a profile of n patches costs about its square root, one of a few dozen has one run.
 void ToothDistance::gather_runs()
 {
-    constexpr std::size_t least = 64;
+    constexpr std::size_t least = 16;
     auto const size = std::max(least, static_cast<std::size_t>(std::sqrt(static_cast<double>(patches_.size()))));
     for (std::size_t first = 0; first < patches_.size(); first += size)
     {

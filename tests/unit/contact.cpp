@@ -4,6 +4,7 @@
 #include <cmath>
 #include <random>
 
+#include "hdconj/numeric/bernstein_roots.hpp"
 #include "hdconj/profile/measured_points.hpp"
 #include "support/catch.hpp"
 #include "support/type50.hpp"
@@ -76,6 +77,74 @@ TEST_CASE("distance to a spline tooth", "[contact]")
     {
         Vec2 const p{-0.4 + 0.0137 * i, 0.5 + 0.006 * i};
         CHECK(std::abs(distance(p).distance) == Approx(std::abs(polygon_distance(polygon, p))).margin(3e-8));
+    }
+}
+
+TEST_CASE("distance to teeth of curves is that to the nearest of all certified feet, near the curve and beyond its centres of curvature", "[contact]")
+{
+    std::vector<std::string> const plain{"!flexspline.profile.convex_radius", "!flexspline.profile.convex_offset", "!flexspline.profile.concave_radius", "!flexspline.profile.concave_offset",
+                                         "!flexspline.profile.concave_rise", "!flexspline.profile.tip_line_from"};
+    std::vector<std::vector<std::string>> const families{
+        {"flexspline.profile.family=cycloid", "flexspline.profile.addendum=0.19", "flexspline.profile.dedendum=0.26", "flexspline.profile.addendum_rolling_radius=0.14",
+         "flexspline.profile.dedendum_rolling_radius=0.2", "flexspline.profile.thickness=0.39"},
+        {"flexspline.profile.family=involute", "flexspline.profile.addendum=0.2", "flexspline.profile.dedendum=0.28", "flexspline.profile.thickness=0.38", "flexspline.profile.pressure_angle_deg=27"},
+        {"flexspline.profile.family=s-tooth", "flexspline.profile.addendum=0.17", "flexspline.profile.dedendum=0.25", "flexspline.profile.deflection=0.95",
+         "flexspline.profile.pressure_angle_deg=12", "flexspline.profile.thickness=0.385"},
+        {"flexspline.profile.family=bezier", "!flexspline.profile.addendum", "!flexspline.profile.dedendum",
+         "flexspline.profile.points=[[0.06,0.2],[0.15,0.12],[0.17,-0.04],[0.29,-0.28]]"}};
+    for (std::vector<std::string> family : families)
+    {
+        family.insert(family.begin(), plain.begin(), plain.end());
+        INFO(family[plain.size()]);
+        Profile const tooth = type50_tooth(family);
+        ToothDistance const distance(tooth);
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> along(0, 1), off(-9, 0), wide(-1, 1);
+        double worst = 0;
+        std::size_t curves = 0;
+        for (ProfilePiece const& piece : tooth.pieces)
+        {
+            auto const* const given = std::get_if<CurvePiece>(&piece.shape);
+            curves += given != nullptr;
+            for (int i = 0; given != nullptr && i < 400; ++i)
+            {
+                double const t = along(random);
+                Vec2 const n = left_of(given->first(t)).normalized();
+                Vec2 const p = i % 4 == 3 ? Vec2(wide(random), 0.6 + wide(random)) : Vec2(given->point(t) + (i % 2 == 0 ? 1 : -1) * std::pow(10, off(random)) * n);
+                double nearest = 1e9;
+                auto const offer = [&](Vec2 const& foot) { nearest = std::min(nearest, (p - foot).norm()); };
+                for (ProfilePiece const& other : tooth.pieces)
+                {
+                    if (other.corner)
+                        continue;
+                    offer(start_of(other.shape).point);
+                    offer(end_of(other.shape).point);
+                    if (auto const* line = std::get_if<LinePiece>(&other.shape))
+                        offer(line->a + std::clamp((p - line->a).dot(line->tangent()), 0.0, line->length()) * line->tangent());
+                    if (auto const* arc = std::get_if<ArcPiece>(&other.shape))
+                        for (int k = 0; k <= 4000; ++k)
+                            offer(point_at(*arc, k / 4000.0));
+                    if (auto const* curve = std::get_if<CurvePiece>(&other.shape))
+                    {
+                        std::vector<double> f;
+                        double size = 0;
+                        for (std::size_t k = 0; k < curve->a().size(); ++k)
+                        {
+                            f.push_back(curve->a()[k] - p.y() * curve->b()[k] + p.x() * curve->c()[k]);
+                            size = std::max(size, std::abs(curve->a()[k]) + std::abs(p.y() * curve->b()[k]) + std::abs(p.x() * curve->c()[k]));
+                        }
+                        BernsteinRoots const feet = bernstein_roots(f, 8 * unit_roundoff * size);
+                        for (int k = 0; k < feet.count; ++k)
+                            offer(curve->point(feet.t[static_cast<std::size_t>(k)]));
+                    }
+                }
+                NearestPoint const found = distance(p);
+                worst = std::max(worst, std::abs(std::abs(found.distance) - nearest));
+                CHECK((p - found.point).norm() == Approx(nearest).margin(1e-14));
+            }
+        }
+        CHECK(curves > 0);
+        CHECK(worst < 1e-14);
     }
 }
 

@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "hdconj/contact/curve_stretch.hpp"
 #include "hdconj/profile/profile.hpp"
 
 namespace hdconj {
@@ -21,7 +22,8 @@ struct NearestPoint
 
 /// Distance function of one tooth in its own frame. Keeps pointers into the profile's curves.
 ///
-/// Feet on lines and arcs in closed form; on curves all roots of (p - x(t)).x'(t) = 0. At a corner the foot is the corner.
+/// Feet on lines and arcs in closed form; on short stretches of curves the only root of (p - x(t)).x'(t) = 0 that a minimum can have, and where it is not proved to be the only one all
+/// roots on that curve. At a corner the foot is the corner.
 /// Below the root ends the body goes on as the rim: points whose nearest point is a root end count as outside, which
 /// is right for every point beyond the rim (all points of a circular spline are).
 class ToothDistance
@@ -60,7 +62,7 @@ class ToothDistance
     };
     struct Patch
     {
-        std::variant<Line, Arc, CurvePiece const*> shape;
+        std::variant<Line, Arc, CurveStretch> shape;
         Vec2 low, high;        ///< bounding box
     };
     struct Run
@@ -72,8 +74,9 @@ class ToothDistance
 
     static void foot_on(Line const& line, Vec2 const& p, Nearest& nearest);
     static void foot_on(Arc const& arc, Vec2 const& p, Nearest& nearest);
-    static void foot_on(CurvePiece const* curve, Vec2 const& p, Nearest& nearest);
-    void add_patch(PieceShape const& shape);
+    static void foot_on(CurveStretch const& stretch, Vec2 const& p, Nearest& nearest);
+    static void all_feet_on(CurvePiece const& curve, Vec2 const& p, Nearest& nearest);
+    void add_patches(PieceShape const& shape);
     void gather_runs();
     void look_at(Run const& run, Vec2 const& p, Nearest& nearest) const;
 
