@@ -262,14 +262,14 @@ TEST_CASE("wedm leaves out a dialect with a grid of its own that loses a block u
 TEST_CASE("wedm: where more decimals keep a block the message says how many", "[wedm]")
 {
     TemporaryFolder const folder;
-    std::string const drafted = "--tilt 0.8 --set tilt.kind=draft --set wedm.surface_limit=0.005 --set wedm.wire_diameter=0.07 --dialect xyuv-face --quiet -o a ";
+    std::string const drafted = "--tilt 1.2 --set tilt.kind=draft --set wedm.surface_limit=0.005 --set wedm.wire_diameter=0.07 --dialect xyuv-face --quiet -o a ";
     auto const few = wedm(drafted, folder);
     CHECK(few.status == 1);
     CHECK_THAT(few.err, ContainsSubstring("xyuv-face, pass 1, block ") && ContainsSubstring("rounded to 0.0001 mm; write wedm.decimals = 5, or another dialect"));
     CHECK(folder.names().empty());
     CHECK(wedm(drafted + "--decimals 5", folder).status == 0);
     // of several dialects the message says how many keep the blocks of all
-    std::string const all = "--tilt 0.8 --set tilt.kind=draft --set wedm.surface_limit=0.005 --set wedm.wire_diameter=0.05 --quiet -o b ";
+    std::string const all = "--tilt 0.8 --set tilt.kind=draft --set wedm.surface_limit=0.005 --set wedm.wire_diameter=0.05 --set wedm.tolerance=2e-4 --quiet -o b ";
     CHECK_THAT(wedm(all, folder).err, ContainsSubstring("xyuv-guide, pass 1, block ") && ContainsSubstring("write wedm.decimals = 6, or another dialect"));
     CHECK(wedm(all + "--decimals 5", folder).status == 1);
     CHECK(wedm(all + "--decimals 6", folder).status == 0);
