@@ -57,6 +57,8 @@ std::vector<Figure> error_figures(Solution const& solution)
             {"error_r_0_mm", error.r_0},
             {"error_space_depth_mm", error.space_depth},
             {"error_land_width_mm", error.land},
+            {"error_land_half_angle_deg", error.land / (2 * solution.geometry.circular_spline_inner_radius) * degree_per_radian},
+            {"error_side_clearance_mm", error.side_clearance},
             {"error_zone_phi_deg", largest(solution.zones, &ConjugateZone::phi_error) * degree_per_radian},
             {"error_zone_t", largest(solution.zones, &ConjugateZone::t_error)}};
 }

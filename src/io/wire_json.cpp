@@ -6,6 +6,7 @@
 #include "hdconj/io/wire_files.hpp"
 #include "summary_figures.hpp"
 #include "summary_object.hpp"
+#include "wire_post.hpp"
 
 namespace hdconj {
 namespace {
@@ -97,7 +98,8 @@ Json checks_object(WireProgram const& program, WireFigures const& figures)
             {"middle_error_um", number(figures.middle_error * um_per_mm)},
             {"ruling_error_um", number(figures.ruling_error * um_per_mm)},
             {"matched_edges_turn_deg", number(figures.normal_angle * degree_per_radian)},
-            {"constant_taper_error_um", number(figures.constant_taper_error * um_per_mm)}};
+            {"constant_taper_error_um", number(figures.constant_taper_error * um_per_mm)},
+            {"constant_taper_known_to_um", number(taper_known_to(program, figures) * um_per_mm)}};
 }
 
 }  // namespace

@@ -100,6 +100,12 @@ WirePost iso2d_post();
 /// "SMALLER than the lower face", "LARGER ...", "as ...": of the upper face.
 [[nodiscard]] std::string upper_face_words(WireFigures const& figures);
 
+/// Estimated error of WireFigures::constant_taper_error: between its points, and by that of both contours and of what the tip land moves [mm].
+[[nodiscard]] inline double taper_known_to(WireProgram const& program, WireFigures const& figures)
+{
+    return figures.constant_taper_spread + 3 * program.contour_error;
+}
+
 /// "set-up 1 of 2: 100 spaces from 0 clockwise, part turned 0 deg"
 [[nodiscard]] std::string set_up_words(WireProgram const& program);
 

@@ -33,7 +33,7 @@ void write_wire(Page& page, WireProgram const& program, WireFigures const& figur
                 fmt::format("largest |U - L| of the contour, least {:.6f} mm; T tan(tilt) of a radial tilt", figures.least_shift));
     page.figure("guide offset", mm(figures.guide_shift), fmt::format("largest, H tan(tilt); wire leans {:.6f} deg", figures.tilt * degree_per_radian));
     page.figure("error of the contours", um(program.contour_error, "<= "),
-                figures.face_shift > 0 ? "of the radii; of the face shift twice that; guide offset and lean are those of the moves as written" : "of the radii");
+                figures.face_shift > 0 ? "of the radii; of the face shift twice that; guide offset and lean, lengths and travel are those of the moves as written" : "of the radii; lengths and travel are those of the moves as written");
     if (program.cup_error > 0) {
         page.figure("error, bent sections", um(program.cup_error, "+- "), "as cup and bearing are resolved; the contours move with them");
     }
@@ -115,7 +115,7 @@ void write_checks(Page& page, WireProgram const& program, WireFigures const& fig
         page.figure("cut between the faces", um(figures.middle_error), "off the true sections, residuals apart");
         page.figure("rulings", um(figures.ruling_error > nothing ? figures.ruling_error : 0), fmt::format("of the surface off straight lines ({}); matched edges turn by {:.4f} deg",
                                                                     program.surface, figures.normal_angle * degree_per_radian));
-        page.figure("constant taper", um(figures.constant_taper_error), "what G51 would be wrong by on the flanks of the upper face");
+        page.figure("constant taper", um(figures.constant_taper_error), fmt::format("+- {}; what G51 would be wrong by on the flanks of the upper face", um(taper_known_to(program, figures))));
     }
     page.figure("travel", fmt::format("{:.3f} mm", figures.travel), fmt::format("of a guide along an axis; upper against lower guide {:.3f} mm", figures.uv_travel));
 }

@@ -120,6 +120,7 @@ Solution solve_with_automatic_backlash(Scene const& scene, StageObserver const& 
     out.scene.circular_spline.automatic_backlash = true;
     out.notes.insert(out.notes.begin(), note);
     // both flanks move with it, each as far as it does but where it meets the tip circle aslant
+    out.error.side_clearance = error;
     out.error.clearance += error;
     out.error.land += 2 * error;
     return out;

@@ -301,7 +301,9 @@ WireProgram program_of(Scene const& scene, WireFaces const& faces)
     program.contour_error = scene.solver.tolerance;
     program.tilt_kind = differ && tilt_of(scene) != 0 ? scene.tilt->kind : "";
     program.nominal = whole_contour(faces, thinned(faces.pitch, share_of_moves * wedm.tolerance, with_extremes(faces)));
-    program.figures.constant_taper_error = constant_taper_error(faces);
+    LargestDistance const taper = constant_taper_error(faces);
+    program.figures.constant_taper_error = taper.value;
+    program.figures.constant_taper_spread = taper.spread;
     return program;
 }
 
@@ -375,6 +377,7 @@ WireProgram wire_program(Scene const& scene, StageObserver const& on_stage)
     Solution const solution = solve(wire_scene(scene), on_stage);
     WireProgram program = wire_program(scene, solution.circular_spline);
     program.cup_error = solution.error.cup;
+    program.contour_error += solution.error.side_clearance;
     return program;
 }
 

@@ -105,23 +105,38 @@ double guide_chord_error(PairedPath const& path, std::vector<std::size_t> const&
     return worst;
 }
 
-double constant_taper_error(WireFaces const& faces)
+LargestDistance constant_taper_error(WireFaces const& faces)
 {
     std::vector<Vec2> const& low = faces.pitch.lower;
     if (low == faces.pitch.upper)
-        return 0;
+        return {};
     SegmentGrid const upper = neighbourhood(faces.pitch.upper, faces);
     double const shift = faces.pitch.upper.front().norm() - low.front().norm();
-    double worst = 0;
+    LargestDistance worst;
+    double before = -1;        // of the edge before; below 0: it is not on the flank
+    bool follows_worst = false;
     for (std::size_t i = 1; i < low.size(); ++i)
     {
-        if (faces.meshing[i] == 0 || faces.meshing[i - 1] == 0)
-            continue;
-        Vec2 const out = right_of((low[i] - low[i - 1]).normalized());
-        Vec2 const moved = 0.5 * (low[i - 1] + low[i]) + shift * out;
-        // inside the tip circle of the upper face the tip land, moved as well, has taken it away
-        if (moved.norm() >= faces.pitch.upper.front().norm())
-            worst = std::max(worst, upper.distance(moved));
+        double here = -1;
+        if (faces.meshing[i] != 0 && faces.meshing[i - 1] != 0)
+        {
+            Vec2 const out = right_of((low[i] - low[i - 1]).normalized());
+            Vec2 const moved = 0.5 * (low[i - 1] + low[i]) + shift * out;
+            // inside the tip circle of the upper face the tip land, moved as well, has taken it away
+            if (moved.norm() >= faces.pitch.upper.front().norm())
+                here = upper.distance(moved);
+        }
+        if (here > worst.value)
+        {
+            worst = {here, before >= 0 ? here - before : 0};
+            follows_worst = true;
+        }
+        else if (follows_worst)
+        {
+            worst.spread = here >= 0 ? std::max(worst.spread, worst.value - here) : worst.spread;
+            follows_worst = false;
+        }
+        before = here;
     }
     return worst;
 }

@@ -79,6 +79,7 @@ TEST_CASE("the land lies between one space and the next, whether or not the cam 
     INFO("halves " << left << " and " << right);
     CHECK((second == 0) == (std::abs(left - right) < 1e-6));
     CHECK(std::abs(stated - (left + right)) <= error + written);
+    CHECK(summary.at("error").at("error_land_half_angle_deg").get<double>() * rad * 2 * tip == Approx(error).epsilon(1e-12));
     CHECK(std::abs(geometry.at("land_half_angle_deg").get<double>() * rad * 2 * tip - stated) <= written);
 }
 

@@ -10,6 +10,7 @@
 #include "hdconj/pipeline/wedm.hpp"
 #include "hdconj/wedm/planes.hpp"
 #include "support/catch.hpp"
+#include "support/polyline.hpp"
 
 using namespace hdconj;
 
@@ -89,6 +90,42 @@ TEST_CASE("radii of the faces are those of the solved outline however coarse the
             CHECK(std::abs(program.figures.lower.inner - inner) <= program.contour_error);
             CHECK(std::abs(program.figures.lower.outer - outer) <= program.contour_error);
         }
+}
+
+TEST_CASE("contours with a side clearance that was found, and what constant taper would do, are known as well as they say", "[wedm]")
+{
+    std::vector<std::string> const coned{"coning.model=linear", "coning.bottom_to_middle=9.0", "slices.count=5", "slices.surface=tilted", "tilt.kind=radial", "tilt.angle_deg=0.2", "wedm.residual_limit=0.05"};
+    for (std::string const& side_clearance : {std::string("circular_spline.backlash_offset=auto"), std::string("circular_spline.backlash_offset=0.0")})
+    {
+        INFO(side_clearance);
+        auto const solved_to = [&](std::string const& tolerance) {
+            std::vector<std::string> keys = coned;
+            keys.push_back(side_clearance);
+            keys.push_back("solver.tolerance=" + tolerance);
+            return wire_program(builtin_scene(keys));
+        };
+        WireProgram const coarse = solved_to("4e-5"), fine = solved_to("1e-7");
+        double const known = coarse.contour_error + fine.contour_error;
+        CHECK((coarse.contour_error > 4e-5) == (side_clearance.find("auto") != std::string::npos));
+        for (auto const face : {&PairedContour::lower, &PairedContour::upper})
+        {
+            std::vector<Vec2> const& line = fine.nominal.*face;
+            double worst = 0;
+            for (std::size_t i = 0; i < 100; ++i)
+            {
+                double nearest = 1;
+                for (std::size_t k = 0; k < line.size(); ++k)
+                    nearest = std::min(nearest, test::distance_to_segment(line[k], line[(k + 1) % line.size()], (coarse.nominal.*face)[i]));
+                worst = std::max(worst, nearest);
+            }
+            // the finer one is thinned to the tolerance of the cut
+            CHECK(worst < known + fine.tolerance);
+        }
+        auto const taper = [](WireProgram const& program) { return program.figures.constant_taper_error; };
+        CHECK(std::abs(taper(coarse) - taper(fine)) <= coarse.figures.constant_taper_spread + fine.figures.constant_taper_spread + 3 * known);
+        CHECK(coarse.figures.constant_taper_spread > 0);
+        CHECK(coarse.figures.constant_taper_spread < 0.2 * taper(coarse));
+    }
 }
 
 TEST_CASE("without tilt both faces are the same bits and so are the guides", "[wedm]")

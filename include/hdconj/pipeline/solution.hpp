@@ -103,6 +103,7 @@ struct ErrorEstimate
     double space_depth = 0;    ///< of PairGeometry::space_depth [mm]
     double land = 0;           ///< of the land's length along the tip circle [mm]
     double clearance = 0;      ///< of PairCheck::smallest_clearance as the least of the points and positions looked at [mm]
+    double side_clearance = 0; ///< of the one that "auto" found: in `clearance` and `land`, in no other; 0: as given [mm]
     double cup = 0;            ///< of the sections' displacement, as cup and bearing are resolved: in none of the others; 0: no elastic cup [mm]
     [[nodiscard]] double largest() const { return chord > point ? chord : point; }
 };

@@ -69,9 +69,15 @@ struct MachineLimits
 /// Where the nominal faces are the same bits, all moves are.
 [[nodiscard]] WireFailures check_untilted(WireProgram const& program);
 
+/// A largest distance, and how far that of a neighbouring point is from it.
+struct LargestDistance
+{
+    double value = 0, spread = 0;
+};
+
 /// What constant taper (G51) would be wrong by: the lower contour moved along its normal by what the tip land moves between the faces, against the
-/// upper face, on the flanks [mm].
-[[nodiscard]] double constant_taper_error(WireFaces const& faces);
+/// upper face, on the flanks [mm]. One place of each edge is looked at: between two the distance may be larger by about as much as theirs differ.
+[[nodiscard]] LargestDistance constant_taper_error(WireFaces const& faces);
 
 /// Chord error at the guides, where moves between @p kept points of @p path are straight as well: largest distance of a point's guides from the move [mm].
 [[nodiscard]] double guide_chord_error(PairedPath const& path, std::vector<std::size_t> const& kept, WireMachine const& machine);

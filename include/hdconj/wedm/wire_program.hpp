@@ -107,6 +107,7 @@ struct WireFigures
     double ruling_error = 0;               ///< of straight lines between the faces from the true sections: that of the surface itself
     double normal_angle = 0;               ///< largest angle between matched edges of the faces [rad]
     double constant_taper_error = 0;       ///< what a machine's constant taper (G51) would be wrong by on the flanks of the upper face
+    double constant_taper_spread = 0;      ///< estimated error of that, from how it differs between neighbouring points; that of the contours comes on top, twice
 
     /// "lower", "upper" or "same": the face whose contour is wider.
     [[nodiscard]] std::string larger_face() const
@@ -139,7 +140,7 @@ struct WireProgram
     double spark_gap = 0;
     int decimals = 4;             ///< of every rounded output
     double tolerance = 0;         ///< of the surface that is cut [mm]
-    double contour_error = 0;     ///< of the nominal contours against the true ones: what they were solved to [mm]
+    double contour_error = 0;     ///< of the nominal contours against the true ones: what they were solved to, and what a side clearance "auto" was found to [mm]
     double cup_error = 0;         ///< of the displacement of the sections that an elastic cup bends, an estimate in none of the others; 0: none, or not known from an outline alone [mm]
     double start_hole_radius = 0; ///< [mm]
     int teeth = 0;                ///< tooth spaces around
