@@ -14,6 +14,7 @@
 #include "hdconj/scene/schema.hpp"
 #include "outline_records.hpp"
 #include "owned_bench.hpp"
+#include "spread.hpp"
 #include "surface_choices.hpp"
 
 namespace hdconj {
@@ -83,8 +84,9 @@ Scene with_options(Scene scene, ContactOptions const& options)
 }
 
 /// The part that a case describes: its surface in all slices with this side clearance, as `solve` makes it.
-void write_part(CircularSplineOutline& spline, detail::OwnedBench& owned, SurfaceChoice const& choice, double tip, double side_clearance)
+void write_part(Solution& out, detail::OwnedBench& owned, SurfaceChoice const& choice, double tip, double side_clearance)
 {
+    CircularSplineOutline& spline = out.circular_spline;
     std::vector<double> const& z = owned.maker->z();
     double const chord = owned.scene.solver.tolerance;
     MatchedOutline outline;
@@ -103,6 +105,8 @@ void write_part(CircularSplineOutline& spline, detail::OwnedBench& owned, Surfac
         if (z.size() == 1)
         {
             spline = base.circular_spline;
+            out.error.chord = base.error.chord;
+            out.error.point = base.error.point;
             return;
         }
         base.scene.coning = owned.scene.coning;
@@ -115,6 +119,7 @@ void write_part(CircularSplineOutline& spline, detail::OwnedBench& owned, Surfac
     Outline common;
     common.stretches = outline.stretches;
     spline.pieces = detail::piece_records(common, owned.tooth);
+    detail::take_errors(out, outline, choice.surface);
 }
 
 /// What a search for a tilt is for.
@@ -223,14 +228,14 @@ ContactStudy contact(Scene const& scene, ContactOptions const& options, StageObs
     ContactCase const& best_share = study.cases[study.shown];
     try
     {
-        write_part(study.solution.circular_spline, owned, shown, best_share.tip, best_share.backlash_offset);
+        write_part(study.solution, owned, shown, best_share.tip, best_share.backlash_offset);
         study.side_clearance = best_share.backlash_offset;
     }
     catch (NumericalError const& error)
     {
         if (best_share.backlash_offset == 0)
             throw;
-        write_part(study.solution.circular_spline, owned, shown, best_share.tip, 0);
+        write_part(study.solution, owned, shown, best_share.tip, 0);
         study.solution.notes.push_back("the written outline is without the side clearance of " + short_number(best_share.backlash_offset) + " mm, with which it cannot be made: " + error.what());
     }
     std::vector<StageTime> const times = owned.clock.times();

@@ -39,7 +39,7 @@ void take(Solution& out, MatchedOutline const& outline, Profile const& tooth, st
     out.circular_spline.outline = outline.points;
     out.circular_spline.pieces = piece_records(common, tooth);
     out.circular_spline.landmarks.assign(outline.landmarks.begin(), outline.landmarks.end());
-    out.error.chord = std::max(out.error.chord, outline.chord);
+    take_errors(out, outline, out.scene.slices->surface);
 }
 
 /// Tip circle and land of the slice in the middle.
@@ -56,6 +56,13 @@ void take_tip(Solution& out, MatchedOutline const& outline, double tip, std::str
 }
 
 }  // namespace
+
+void take_errors(Solution& out, MatchedOutline const& outline, std::string const& surface)
+{
+    out.error.chord = std::max(out.error.chord, outline.chord);
+    if (surface == "ruled" && out.scene.coning && outline.points.size() > 2)
+        out.error.point = std::max(out.error.point, outline.chord);
+}
 
 void spread_over_width(Solution& out, Profile const& tooth, AnyWaveShape const& shape, StageClock& clock)
 {

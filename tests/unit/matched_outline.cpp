@@ -250,6 +250,27 @@ TEST_CASE("a ruled surface between its end planes does not depend on how finely 
     }
 }
 
+TEST_CASE("points of a ruled surface between its end planes are off by no more than they say, and those of others by roundings", "[matched_outline]")
+{
+    for (std::string const surface : {"ruled", "per-slice"})
+    {
+        auto const slices = [&](double tolerance) {
+            Scene scene = read_scene(file_of("cycloid"), with(coned("none", 20), {"slices.count=3", "slices.surface=" + surface, "circular_spline.width=7"}));
+            scene.solver.tolerance = tolerance;
+            return solve(scene);
+        };
+        constexpr double finer = 1e-8;
+        Solution const coarse = slices(1e-4), fine = slices(finer);
+        double worst = 0;
+        for (std::size_t k = 0; k < 3; ++k)
+            for (Vec2 const& p : coarse.circular_spline.outline[k])
+                worst = std::max(worst, distance_to_polyline(fine.circular_spline.outline[k], p));
+        INFO(surface << ": " << worst << " of " << coarse.error.point);
+        CHECK(worst <= coarse.error.point + 1.05 * finer);
+        CHECK((worst > 1.05 * finer) == (surface == "ruled"));
+    }
+}
+
 TEST_CASE("drafted slices lie parallel to the middle one by the height times the tangent", "[matched_outline]")
 {
     ConedDrive drive(builtin_scene({"solver.tolerance=1e-6"}), 5);
