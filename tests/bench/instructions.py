@@ -17,12 +17,16 @@ import tempfile
 
 TABLE = pathlib.Path(__file__).with_name("instructions.csv")
 ALLOWED = 0.02
+CURVES = str(pathlib.Path(__file__).resolve().parents[2] / "data" / "scenes" / "cycloid.toml")
 RUNS = {
     "check": ["check", "--quiet"],
     "solve 1e-3": ["solve", "--quiet", "--threads", "1", "--set", "solver.tolerance=1e-3", "-o", "a.h5"],
     "solve 1e-6": ["solve", "--quiet", "--threads", "1", "-o", "a.h5"],
     "solve 1e-8": ["solve", "--quiet", "--threads", "1", "--set", "solver.tolerance=1e-8", "-o", "a.h5"],
     "solve 1e-10": ["solve", "--quiet", "--threads", "1", "--set", "solver.tolerance=1e-10", "-o", "a.h5"],
+    "solve a tooth of curves": ["solve", CURVES, "--quiet", "--threads", "1", "-o", "a.h5"],
+    "contact": ["contact", "--quiet", "--threads", "1", "-o", "a.h5"],
+    "contact of a tooth of curves": ["contact", CURVES, "--quiet", "--threads", "1", "--set", "circular_spline.width=7", "-o", "a.h5"],
 }
 
 
