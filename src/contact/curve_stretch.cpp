@@ -45,8 +45,8 @@ double reach_from(Controls const& c, Vec2 const& centre)
     return roundings * reach;
 }
 
-/// Power series about the middle of a stretch. In the sums some thousand roundings of a coordinate cancel, so that more digits are carried.
-std::vector<double> series(std::vector<double> const& controls)
+/// Power series in s about t = @p middle, where s = 1 is @p half further on. Differences lose some hundred roundings of a coordinate, so that more digits are carried.
+std::vector<double> series(std::vector<double> const& controls, double middle, double half)
 {
     std::vector<long double> c(controls.begin(), controls.end());
     std::vector<double> sum;
@@ -56,10 +56,10 @@ std::vector<double> series(std::vector<double> const& controls)
         std::vector<long double> w = c;
         for (std::size_t r = w.size() - 1; r > 0; --r)
             for (std::size_t i = 0; i < r; ++i)
-                w[i] = 0.5L * (w[i] + w[i + 1]);
+                w[i] += static_cast<long double>(middle) * (w[i + 1] - w[i]);
         sum.push_back(static_cast<double>(factor * w[0]));
         // the next derivative with respect to s, over k + 1
-        factor *= 0.5L * static_cast<long double>(c.size() - 1) / static_cast<long double>(k + 1);
+        factor *= static_cast<long double>(half) * static_cast<long double>(c.size() - 1) / static_cast<long double>(k + 1);
         for (std::size_t i = 0; i + 1 < c.size(); ++i)
             c[i] = c[i + 1] - c[i];
         c.pop_back();
@@ -108,7 +108,7 @@ CurveStretch stretch(CurvePiece const& curve, double from, double width, Control
     Vec2 const mean = middle_of(slope);
     double const slowest = mean.norm() - reach_from(slope, mean);
     made.slowest = slowest > 0 ? slowest * slowest : 0;
-    std::vector<double> const x = series(at.x), y = series(at.y);
+    std::vector<double> const x = series(curve.x(), from + 0.5 * width, 0.5 * width), y = series(curve.y(), from + 0.5 * width, 0.5 * width);
     made.terms = terms_that_matter(x, y, made.low.norm() + made.high.norm());
     if (made.terms > CurveStretch::most_terms)
     {

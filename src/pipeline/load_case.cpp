@@ -14,6 +14,7 @@
 #include "hdconj/numeric/error.hpp"
 #include "hdconj/numeric/parallel.hpp"
 #include "hdconj/pipeline/load.hpp"
+#include "hdconj/profile/builder.hpp"
 #include "load_coarse.hpp"
 #include "load_settle.hpp"
 #include "load_tables.hpp"
@@ -71,6 +72,15 @@ GapMap sector_at_rest(LoadWork const& work, GapField const& field)
 }
 
 constexpr double model_accuracy = 1e-3;  // of the module: gaps that may be rounding of the finite-element model
+
+/// What to write depends on what the scene says already.
+NumericalError no_assembly(Scene const& scene, SurfaceChoice const& choice, double side_clearance)
+{
+    bool const in_planes = scene.coning && scene.coning->axial_shift != "mapped";
+    std::string const advice = in_planes ? "axial_shift = \"mapped\" in [coning], since the cup's sections do not stay in their planes" : choice.surface != "per-slice" ? "surface = \"per-slice\" in [slices]" : "a larger circular_spline.backlash_offset";
+    return NumericalError("load", "assembly", "the teeth of the bent cup stand in the way of those of the circular spline at every turn, with a side clearance of " + short_number(side_clearance)
+                                                  + " mm; write " + advice + ", or a larger circular_spline.inner_radius");
+}
 
 /// Nothing where the teeth stand in each other's way at every turn; a negative sum where they do at every turn but not by much.
 std::optional<Play> play_of(LoadWork const& work, LoadedShape const& shape)
@@ -256,8 +266,7 @@ LoadCase load_case(ContactBench const& bench, ElasticDrive const& drive, Assembl
     if (!bench.scene.circular_spline.automatic_backlash)
         result.tip_change = surface.tip - bench.maker.own_tip(choice);
     if (!play)
-        throw NumericalError("load", "assembly", "the teeth of the bent cup stand in the way of those of the circular spline at every turn, with a side clearance of "
-                                                     + std::to_string(surface.offset * 1e3) + " um: widen circular_spline.inner_radius, or write surface = \"per-slice\" in [slices]");
+        throw no_assembly(bench.scene, choice, surface.offset);
     result.backlash = play->right + play->left;
     if (report.on_play)
         report.on_play(result);

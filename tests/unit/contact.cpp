@@ -100,7 +100,7 @@ TEST_CASE("distance to teeth of curves is that to the nearest of all certified f
         ToothDistance const distance(tooth);
         std::mt19937 random(7);
         std::uniform_real_distribution<double> along(0, 1), off(-9, 0), wide(-1, 1);
-        double worst = 0;
+        double worst = 0, turned = 0;
         std::size_t curves = 0;
         for (ProfilePiece const& piece : tooth.pieces)
         {
@@ -141,10 +141,17 @@ TEST_CASE("distance to teeth of curves is that to the nearest of all certified f
                 NearestPoint const found = distance(p);
                 worst = std::max(worst, std::abs(std::abs(found.distance) - nearest));
                 CHECK((p - found.point).norm() == Approx(nearest).margin(1e-14));
+                // beside the curve the normal is the curve's own to some roundings of a coordinate over the speed, however near the point
+                double const speed = given->first(t).norm(), curvature = std::abs(cross(given->first(t), given->second(t))) / std::pow(speed, 3);
+                double const moved = (found.point - given->point(t)).norm();
+                if (i % 4 != 3 && nearest < 1e-3 && moved < 1e-12)
+                    turned = std::max(turned, speed * (std::abs(cross(found.normal, n)) - 2 * curvature * moved));
             }
         }
         CHECK(curves > 0);
         CHECK(worst < 1e-14);
+        CHECK(turned > 0);
+        CHECK(turned < 4e-15);
     }
 }
 
