@@ -190,13 +190,22 @@ void ToothDistance::look_at(Run const& run, Vec2 const& p, Nearest& nearest) con
 NearestPoint ToothDistance::operator()(Vec2 const& p) const
 {
     Nearest nearest;
-    auto const nearer = [&](Run const& a, Run const& b) { return squared_distance(a.low, a.high, p) < squared_distance(b.low, b.high, p); };
-    auto const likely = std::min_element(runs_.begin(), runs_.end(), nearer);
-    look_at(*likely, p, nearest);
-    for (auto run = runs_.begin(); run != runs_.end(); ++run)
+    Run const* likely = &runs_.front();
+    if (runs_.size() > 1)
     {
-        if (run != likely && squared_distance(run->low, run->high, p) <= nearest.squared)
-            look_at(*run, p, nearest);
+        double least = std::numeric_limits<double>::infinity();
+        for (Run const& run : runs_)
+        {
+            double const away = squared_distance(run.low, run.high, p);
+            likely = away < least ? &run : likely;
+            least = std::min(least, away);
+        }
+    }
+    look_at(*likely, p, nearest);
+    for (Run const& run : runs_)
+    {
+        if (&run != likely && squared_distance(run.low, run.high, p) <= nearest.squared)
+            look_at(run, p, nearest);
     }
     Vec2 const away = p - nearest.point;
     double const distance = std::sqrt(nearest.squared);
