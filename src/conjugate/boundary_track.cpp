@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstdint>
 
-#include "hdconj/conjugate/outline_sampler.hpp"
+#include "hdconj/conjugate/contact_at_end.hpp"
 #include "hdconj/numeric/bracketed_root.hpp"
 
 namespace hdconj::detail {

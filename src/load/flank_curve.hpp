@@ -26,6 +26,9 @@ class FlankCurve
     explicit FlankCurve(std::vector<Vec2> const& point) : point_(point)
     {
         constexpr double aligned = 0.995;  // cosine of 6 degrees
+        for (auto* column : {&begin_, &end_})
+            column->reserve(point.size());
+        way_.reserve(point.size());
         way_.push_back(0);
         for (std::size_t i = 0; i + 1 < point.size(); ++i)
         {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #ifdef _OPENMP
@@ -28,6 +30,37 @@ namespace {
 
 void (*prepare_thread)() noexcept = nullptr;
 
+/// A loop's iterations, handed out in order, block by block.
+class Blocks
+{
+  public:
+    Blocks(std::size_t count, std::size_t threads) : count_(count), threads_(threads) {}
+
+    /// Takes the next block; an empty one: there is none left.
+    std::pair<std::size_t, std::size_t> take() noexcept
+    {
+        std::size_t begin = next_.load(std::memory_order_relaxed), end = 0;
+        do
+            end = begin + size(count_ - begin);
+        while (!next_.compare_exchange_weak(begin, end, std::memory_order_relaxed));
+        return {begin, end};
+    }
+
+  private:
+    /// Iterations may differ much in work, and other processes may hold a thread up: a share of what is left, so that the last ones are handed out one by one.
+    [[nodiscard]] std::size_t size(std::size_t left) const
+    {
+        constexpr std::size_t blocks_a_thread = 16;
+        if (threads_ == 1)
+            return left;
+        return std::min(left, std::max<std::size_t>(1, left / (threads_ * blocks_a_thread)));
+    }
+
+    std::size_t count_;
+    std::size_t threads_;
+    std::atomic<std::size_t> next_ = 0;
+};
+
 /// What one thread does: it takes the next block of the loop until there is none; stops at its first exception. Blocks are taken in order, so all
 /// iterations before the lowest exception have been taken, and run up to exceptions of their own: the lowest of all is among those kept.
 struct Worker
@@ -35,13 +68,13 @@ struct Worker
     std::size_t failed_at = 0;
     std::exception_ptr thrown;
 
-    void run(std::size_t count, std::size_t block, std::atomic<std::size_t>& next, std::function<void(std::size_t)> const& body) noexcept
+    void run(Blocks& blocks, std::function<void(std::size_t)> const& body) noexcept
     {
         std::size_t i = 0;
         try
         {
-            for (std::size_t begin = next.fetch_add(block); begin < count; begin = next.fetch_add(block))
-                for (i = begin; i < std::min(count, begin + block); ++i)
+            for (auto [begin, end] = blocks.take(); begin < end; std::tie(begin, end) = blocks.take())
+                for (i = begin; i < end; ++i)
                     body(i);
         }
         catch (...)
@@ -81,16 +114,13 @@ void parallel_for(std::size_t count, int threads, std::size_t grain, std::functi
     std::size_t const worth = std::max<std::size_t>(1, count / std::max<std::size_t>(1, grain));
     std::size_t const team = std::min(static_cast<std::size_t>(thread_count(threads)), worth);
     std::vector<Worker> workers(team);
-    std::atomic<std::size_t> next = 0;
+    Blocks blocks(count, team);
     if (team == 1)
     {
-        workers[0].run(count, count, next, body);
+        workers[0].run(blocks, body);
     }
     else
     {
-        // iterations may differ much in work, and other processes may hold a thread up
-        constexpr std::size_t blocks_a_thread = 16;
-        std::size_t const block = std::max<std::size_t>(1, count / (team * blocks_a_thread));
         auto const n = static_cast<int>(team);
 #ifdef _OPENMP
         detail::SeparateProcessors processors;
@@ -103,7 +133,7 @@ void parallel_for(std::size_t count, int threads, std::size_t grain, std::functi
             if (k > 0 && k == omp_get_thread_num())
                 begin_thread(processors);
 #endif
-            workers[static_cast<std::size_t>(k)].run(count, block, next, body);
+            workers[static_cast<std::size_t>(k)].run(blocks, body);
         }
     }
     Worker const* first = nullptr;

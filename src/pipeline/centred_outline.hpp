@@ -77,7 +77,7 @@ template<RelativeMotion Motion>
     image.chord = half.chord;
     image.error = half.error;
     std::size_t const last = half.points.size() - 1;
-    image.points.reserve(2 * half.points.size());   // the other half follows
+    image.points.reserve(2 * half.points.size() + 2);   // the other half follows, and root walls may
     for (auto p = half.points.rbegin(); p != half.points.rend(); ++p)
         image.points.emplace_back(-p->x(), p->y());
     int const segments = static_cast<int>(tooth.segment_names.size());

@@ -18,6 +18,7 @@
 #include "root_clearance.hpp"
 #include "stage_clock.hpp"
 #include "swallowed.hpp"
+#include "tooth_outline.hpp"
 #include "tooth_positions.hpp"
 #include "traced_space.hpp"
 #include "turn_check.hpp"
@@ -35,9 +36,10 @@ class SolveJob
     {
     }
 
-    void operator()()
+    /// All of it, with branches and teeth as results show them. @param given  the tooth before its arcs were set in motion (clear_of_rest())
+    void operator()(Profile const& given)
     {
-        records_wanted_ = true;
+        shown_.emplace(given, tolerance_.length, out_.flexspline_outline);
         find_branches_of_tooth();
         find_boundary();
         clock_.run(Stage::outline, [&] { publish(); });
@@ -85,7 +87,8 @@ class SolveJob
 
     void trace()
     {
-        BranchSet set = find_branches(base_, out_.threads, chords_of_a_flank(tooth_, tolerance_.length) > chords_worth_a_thread);
+        bool const long_job = chords_of_a_flank(tooth_, tolerance_.length) * static_cast<double>(tooth_.pieces.size()) > chords_worth_a_thread;
+        BranchSet set = find_branches(base_, out_.threads, long_job);
         refuse_lost_branches(set.record, tolerance_.length);
         record_doubts(set.record, tooth_, out_.certificate);
         branches_ = std::move(set.branches);
@@ -124,9 +127,9 @@ class SolveJob
     void assemble(double chord)
     {
         clock_.run_rest(Stage::outline, [&] {
-            if (std::exchange(records_wanted_, false))
+            if (auto const shown = std::exchange(shown_, std::nullopt))
                 // one thread arranges the boundary's polygons, the others take branches meanwhile, and then pieces of the outline with it
-                out_.branches = records_beside(base_, branches_, tolerance_.length, out_.threads, out_.work.envelope_points, [&](LateJobs& jobs) { find_pieces(chord, jobs); });
+                out_.branches = records_beside(base_, branches_, tolerance_.length, out_.threads, out_.work.envelope_points, *shown, [&](LateJobs& jobs) { find_pieces(chord, jobs); });
             else
             {
                 trace_boundary(chord);
@@ -173,7 +176,6 @@ class SolveJob
         Outline const& outline = outline_.outline;
         CircularSplineOutline& cs = out_.circular_spline;
         cs.z = {0.0};
-        cs.outline = {outline.points};
         cs.pieces = piece_records(outline, tooth_);
         Bottom const bottom = bottom_of(outline, outline_.middle);
         std::size_t const left_land = outline.stretches.front().last;
@@ -181,6 +183,7 @@ class SolveJob
         for (std::size_t index : {left_land, bottom.first, outline_.middle, bottom.last, right_land})
             cs.landmarks.push_back(static_cast<int>(index));
         measure_space(outline, left_land, right_land, pitch_, out_.geometry, out_.error);
+        cs.outline.push_back(std::move(outline_.outline.points));
         out_.error.chord = outline.chord;
         out_.error.point = outline.error;
         out_.error.clearance = out_.error.point + tolerance_.roundoff();
@@ -207,7 +210,7 @@ class SolveJob
     TracedSpace final_;
     std::optional<CentredOutlineSampler<Motion>> sampler_;   ///< of the boundary in final_
     CentredOutline outline_;
-    bool records_wanted_ = false;   ///< points of the branches themselves, which the boundary does without
+    std::optional<ToothOutline> shown_;   ///< until it is made, with the points of the branches themselves; the boundary does without both
 };
 
 }  // namespace hdconj::detail

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstddef>
 #include <exception>
@@ -15,6 +16,7 @@
 #include "largest_first.hpp"
 #include "late_jobs.hpp"
 #include "records.hpp"
+#include "tooth_outline.hpp"
 
 namespace hdconj::detail {
 
@@ -28,11 +30,12 @@ constexpr double chords_worth_a_thread = 8192;  // of points that are made in ro
 
 /// Every branch of @p envelope as it is written into results, sampled to the chord error @p chord [mm], while one thread calls @p beside(jobs), which has little in loops; it leaves to
 /// @p jobs what others may help with, and closes them when it throws. The same bits for every number of threads.
+/// @param shown        made by whoever waits
 /// @param evaluations  gets what was added
 /// @throws what @p beside or the lowest of its jobs throws
 template<RelativeMotion Motion, class Beside>
 [[nodiscard]] std::vector<BranchRecord> records_beside(Envelope<Motion> const& envelope, std::vector<Branch> const& branches, double chord, int threads, std::size_t& evaluations,
-                                                       Beside const& beside)
+                                                       ToothOutline const& shown, Beside const& beside)
 {
     std::vector<BranchRecord> records(branches.size());
     std::vector<std::size_t> made(branches.size(), 0);
@@ -46,11 +49,16 @@ template<RelativeMotion Motion, class Beside>
     // who helps at the end is no work that would be worth a thread
     std::size_t const team = std::clamp<std::size_t>((1 + order.size()) / grain, 1, static_cast<std::size_t>(threads));
     LateJobs jobs;
-    parallel_for(order.size() + team, static_cast<int>(team), 1, [&](std::size_t k) {
+    std::atomic<std::size_t> next_shown = 0;
+    parallel_for(1 + order.size() + team, static_cast<int>(team), 1, [&](std::size_t k) {
         if (k == 0)
             return beside(jobs);
         if (k > order.size())
+        {
+            for (std::size_t b = next_shown.fetch_add(1); b < shown.blocks(); b = next_shown.fetch_add(1))
+                shown(b);
             return jobs.help();
+        }
         std::size_t const i = order[k - 1];
         records[i] = branch_record(envelope, branches[i], chord, made[i]);
     });

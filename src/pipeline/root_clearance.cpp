@@ -42,10 +42,11 @@ void deepen(Outline& outline, std::size_t middle, double clearance)
         throw NumericalError("root clearance", "tooth space", "has no bottom that could be moved outward");
 
     Vec2 const shift{0, clearance};
-    std::vector<Vec2> deeper(points.begin(), points.begin() + static_cast<std::ptrdiff_t>(left) + 1);
-    for (std::size_t i = left; i <= right; ++i)
-        deeper.push_back(points[i] + shift);
-    deeper.insert(deeper.end(), points.begin() + static_cast<std::ptrdiff_t>(right), points.end());
+    std::size_t const before = points.size();
+    points.resize(before + 2);
+    std::copy_backward(points.begin() + static_cast<std::ptrdiff_t>(right), points.begin() + static_cast<std::ptrdiff_t>(before), points.end());
+    for (std::size_t i = right + 1; i > left; --i)
+        points[i] = points[i - 1] + shift;
 
     std::vector<OutlineStretch> stretches;
     for (OutlineStretch const& s : outline.stretches)
@@ -64,7 +65,6 @@ void deepen(Outline& outline, std::size_t middle, double clearance)
         if (s.last > right)
             stretches.push_back({s.kind, s.segment, std::max(s.first, right) + 2, s.last + 2});
     }
-    points = std::move(deeper);
     outline.stretches = std::move(stretches);
 }
 

@@ -46,16 +46,20 @@ TurnMinima SliceTurns::operator()(ClearanceSet const& set, double distance, std:
 {
     std::vector<std::vector<TurnMinimum>> minima(set.point.size());
     parallel_for(set.point.size(), bench_.threads, 1, [&](std::size_t k) {
-        minima[k].resize(set.point[k].size());
+        FullTurnClearance<ErasedMotion> const& turn = *turns_[of(k)];
         std::vector<Vec2> const place = moved_slice(set, k, distance).point;
-        TurnMinimum const* hint = nullptr;
-        for (std::size_t i = 0; i < set.point[k].size(); ++i)
-        {
-            if (wanted != nullptr && (*wanted)[k][i] == 0)
-                continue;
-            minima[k][i] = (*turns_[of(k)])(place[i], hint);
-            hint = &minima[k][i];
-        }
+        minima[k].resize(place.size());
+        if (wanted == nullptr)
+            return turn(place, nullptr, minima[k]);
+        std::vector<Vec2> asked;
+        for (std::size_t i = 0; i < place.size(); ++i)
+            if ((*wanted)[k][i] != 0)
+                asked.push_back(place[i]);
+        std::vector<TurnMinimum> found(asked.size());
+        turn(asked, nullptr, found);
+        for (std::size_t i = 0, next = 0; i < place.size(); ++i)
+            if ((*wanted)[k][i] != 0)
+                minima[k][i] = found[next++];
     });
     return minima;
 }

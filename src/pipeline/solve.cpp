@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/pipeline/solve.hpp"
 
-#include <algorithm>
-#include <cstddef>
 #include <optional>
-#include <vector>
 
 #include "drive.hpp"
 #include "elastic_cup.hpp"
@@ -15,47 +12,6 @@
 #include "spread.hpp"
 
 namespace hdconj {
-
-namespace {
-
-/// polygon_of() with the pitch line at y = 0, in blocks of fixed size.
-std::vector<Vec2> outline_of(Profile const& profile, double chord, int threads)
-{
-    struct Run
-    {
-        PieceShape const* shape;
-        std::size_t before;   // points of the runs before
-        int steps;
-    };
-    std::vector<Run> runs;
-    std::size_t count = 1;
-    for (ProfilePiece const& piece : profile.pieces)
-    {
-        if (piece.corner)
-            continue;
-        runs.push_back({&piece.shape, count, steps_of(piece.shape, chord)});
-        count += static_cast<std::size_t>(runs.back().steps);
-    }
-    std::vector<Vec2> points(count);
-    points.front() = start_of(*runs.front().shape).point;
-    points.front().y() -= profile.pitch_line;
-    constexpr std::size_t block = 512, blocks_worth_a_thread = 4;
-    parallel_for((count + block - 1) / block, threads, blocks_worth_a_thread, [&](std::size_t b) {
-        std::size_t const last = std::min(count, (b + 1) * block);
-        std::size_t k = std::max<std::size_t>(1, b * block);
-        auto run = std::upper_bound(runs.begin(), runs.end(), k, [](std::size_t point, Run const& r) { return point < r.before; }) - 1;
-        for (; k < last; ++k)
-        {
-            while (k >= run->before + static_cast<std::size_t>(run->steps))
-                ++run;
-            points[k] = point_at(*run->shape, static_cast<double>(k - run->before + 1) / run->steps);
-            points[k].y() -= profile.pitch_line;
-        }
-    });
-    return points;
-}
-
-}  // namespace
 
 Solution solve(Scene const& scene, StageObserver const& on_stage)
 {
@@ -81,8 +37,6 @@ Solution detail::solve_middle(Scene const& scene, StageObserver const& on_stage,
         tooth = detail::given_tooth(scene, faults);
         shape = detail::wave_shape(scene, tooth, faults);
         out.segment_names = tooth.segment_names;
-        if (!scene.is_reverse())
-            out.flexspline_outline = outline_of(tooth, scene.solver.tolerance, out.threads);
         out.geometry = detail::pair_geometry(scene, tooth, shape.amplitude());
     });
     bool const elastic = clock.run(Stage::cup, [&] {

@@ -25,7 +25,7 @@ void solve_exact(AnyWaveShape const& shape, Solution& out, Profile const& tooth,
     if (out.scene.is_reverse())
         return solve_reverse(out, tooth, ErasedMotion(*motion), clock);
     Profile const clear = clear_of_rest(tooth, *motion);
-    SolveJob<ExactMotion<AnyWaveShape>>(out, clear, *motion, clock)();
+    SolveJob<ExactMotion<AnyWaveShape>>(out, clear, *motion, clock)(tooth);
 }
 
 }  // namespace hdconj::detail

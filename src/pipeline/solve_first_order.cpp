@@ -21,7 +21,7 @@ void solve_first_order(AnyWaveShape const& shape, Solution& out, Profile const& 
     if (out.scene.is_reverse())
         return solve_reverse(out, tooth, ErasedMotion(*motion), clock);
     Profile const clear = clear_of_rest(tooth, *motion);
-    SolveJob<FirstOrderMotion<AnyWaveShape>>(out, clear, *motion, clock)();
+    SolveJob<FirstOrderMotion<AnyWaveShape>>(out, clear, *motion, clock)(tooth);
 }
 
 }  // namespace hdconj::detail

@@ -53,7 +53,7 @@ void solve_displaced(Given&& given, Solution& out, Profile const& tooth, StageCl
     if (out.scene.is_reverse())
         return solve_reverse(out, tooth, ErasedMotion(*motion), clock);
     Profile const clear = clear_of_rest(tooth, *motion);
-    SolveJob<MaterialMotion>(out, clear, *motion, clock)();
+    SolveJob<MaterialMotion>(out, clear, *motion, clock)(tooth);
 }
 
 }  // namespace

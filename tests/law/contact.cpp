@@ -17,9 +17,11 @@ using namespace hdconj::test;
 
 TEST_CASE("contact law: a conjugate surface clears itself in each of its slices", "[law][contact]")
 {
+    // Between its points the flank is a cubic, which at 1e-6 differs from the envelope by up to some 2e-9 where it bends most (falling faster than the tolerance):
+    // what the tooth is found to enter by there depends on where the search looks, so the outline is a finer one.
     for (std::string const name : {"type-50", "liu-2025", "ellipse"})
     {
-        Scene const scene = read_scene(file_of(name), small(with(with({"circular_spline.width=7.0"}, coned()), sliced(5, "per-slice"))));
+        Scene const scene = read_scene(file_of(name), small(with(with({"circular_spline.width=7.0", "solver.tolerance=1e-7"}, coned()), sliced(5, "per-slice"))));
         ContactCase const one = only_case(scene);
         INFO(name);
         CHECK(one.clearing_offset == 0);
@@ -28,7 +30,7 @@ TEST_CASE("contact law: a conjugate surface clears itself in each of its slices"
         for (SliceClearance const& slice : one.slices)
         {
             INFO("z " << slice.z << ": " << slice.flank.clearance);
-            CHECK(std::abs(slice.flank.clearance) <= 1e-9);
+            CHECK(std::abs(slice.flank.clearance) <= 1e-10);
             CHECK(slice.root.clearance >= -1e-9);
         }
     }

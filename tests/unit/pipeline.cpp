@@ -90,6 +90,22 @@ TEST_CASE("solve gives the same bits for 1, 2 and 4 threads", "[pipeline][parall
     }
 }
 
+TEST_CASE("the tooth that is shown is the given one to the tolerance, on every number of threads", "[pipeline][parallel]")
+{
+    for (char const* const tolerance : {"1e-5", "1e-9"})
+        for (int threads : {1, 2, 4})
+        {
+            Scene scene = builtin_scene({"solver.tolerance=" + std::string(tolerance)});
+            scene.solver.threads = threads;
+            Profile const tooth = test::type50_tooth();
+            std::vector<Vec2> expected = polygon_of(tooth, scene.solver.tolerance);
+            for (Vec2& p : expected)
+                p.y() -= tooth.pitch_line;
+            CAPTURE(tolerance, threads);
+            CHECK(solve(scene).flexspline_outline == expected);
+        }
+}
+
 TEST_CASE("an offset of zero is no offset, and a small one moves every flank point by its size", "[pipeline]")
 {
     CHECK(outline({"circular_spline.backlash_offset=0.0"}) == outline({}));

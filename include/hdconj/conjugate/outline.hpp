@@ -55,10 +55,16 @@ namespace detail {
     return (corner || flat) && std::abs(start_of(shape).point.y() - top) <= near && std::abs(end_of(shape).point.y() - top) <= near;
 }
 
-inline void append_land(Outline& outline, double radius, double from, double to, double chord)
+/// Chords that a land takes. @param from, to  [rad]
+[[nodiscard]] inline std::size_t land_chords(double radius, double from, double to, double chord)
 {
     double const step = 2 * std::acos(1 - std::min(0.5, chord / radius));
-    auto const count = static_cast<std::size_t>(std::max(1.0, std::ceil(std::abs(to - from) / step)));
+    return static_cast<std::size_t>(std::max(1.0, std::ceil(std::abs(to - from) / step)));
+}
+
+inline void append_land(Outline& outline, double radius, double from, double to, double chord)
+{
+    std::size_t const count = land_chords(radius, from, to, chord);
     std::size_t const first = outline.points.empty() ? 0 : outline.points.size() - 1;
     for (std::size_t k = outline.points.empty() ? 0 : 1; k <= count; ++k)
     {

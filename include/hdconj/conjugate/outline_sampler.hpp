@@ -9,30 +9,12 @@
 #include <utility>
 #include <vector>
 
+#include "hdconj/conjugate/contact_at_end.hpp"
 #include "hdconj/conjugate/outline.hpp"
 #include "hdconj/conjugate/tooth_space.hpp"
 #include "hdconj/envelope/sample.hpp"
-#include "hdconj/envelope/smooth_ranges.hpp"
 
 namespace hdconj {
-
-/// An end of a boundary piece: which profile piece touches there, of which tooth, and when.
-struct ContactAtEnd
-{
-    int piece = 0;
-    int copy = 0;
-    double u = 0;
-};
-
-/// Whether the contact goes on over two neighbours of a boundary: through a joint inside a segment, or a break of the motion. Where two branches cross it does not, although neighbouring
-/// profile pieces may have made them.
-[[nodiscard]] inline bool contact_goes_on(ContactAtEnd const& before, ContactAtEnd const& after, bool corner)
-{
-    if (before.copy != after.copy)
-        return false;
-    int const step = std::abs(after.piece - before.piece);
-    return (step == 0 && same_instant(before.u, after.u)) || (step == 1 && !corner && same_at_joint(before.u, after.u));
-}
 
 /// Samples boundary pieces to a chord error, each by itself: in any order, by any thread. Neighbours share their common point.
 /// What it is made of must outlive it.
@@ -81,6 +63,10 @@ class OutlineSampler
     [[nodiscard]] Outline joined(double tip_radius) const
     {
         Outline outline;
+        std::size_t count = 1;
+        for (std::size_t i = 0; i < pieces_.size(); ++i)
+            count += pieces_[i].arc < 0 ? detail::land_chords(tip_radius, pieces_[i].begin, pieces_[i].end, chord_) : sampled_[i].points.size() - 1;
+        outline.points.reserve(count);
         BoundaryPiece const* before = nullptr;   // the one that ends where this one begins, unless it is land
         for (std::size_t i = 0; i < pieces_.size(); ++i)
         {

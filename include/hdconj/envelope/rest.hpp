@@ -68,7 +68,9 @@ template<RelativeMotion Motion>
     {
         std::optional<CentreAtRest> rest;
         std::size_t which = 0;
-        for (std::size_t i = 0; i < raised.pieces.size() && !rest; ++i)
+        // of a symmetric pair an arc rests where its image does
+        std::size_t const enough = raised.mirror_symmetric && motion.symmetric() ? (raised.pieces.size() + 1) / 2 : raised.pieces.size();
+        for (std::size_t i = 0; i < enough && !rest; ++i)
         {
             auto const* arc = std::get_if<ArcPiece>(&raised.pieces[i].shape);
             if (arc != nullptr && !raised.pieces[i].corner)
