@@ -30,7 +30,7 @@ constexpr double chords_worth_a_thread = 8192;  // of points that are made in ro
 
 /// Every branch of @p envelope as it is written into results, sampled to the chord error @p chord [mm], while one thread calls @p beside(jobs), which has little in loops; it leaves to
 /// @p jobs what others may help with, and closes them when it throws. The same bits for every number of threads.
-/// @param shown        made by whoever waits
+/// @param shown        the tooth as results show it: made by whoever finds no branch left
 /// @param evaluations  gets what was added
 /// @throws what @p beside or the lowest of its jobs throws
 template<RelativeMotion Motion, class Beside>
