@@ -87,7 +87,7 @@ class SolveJob
 
     void trace()
     {
-        bool const long_job = chords_of_a_flank(tooth_, tolerance_.length) * static_cast<double>(tooth_.pieces.size()) > chords_worth_a_thread;
+        bool const long_job = tooth_.pieces.size() > branches_worth_a_thread(base_, tolerance_.length);
         BranchSet set = find_branches(base_, out_.threads, long_job);
         refuse_lost_branches(set.record, tolerance_.length);
         record_doubts(set.record, tooth_, out_.certificate);

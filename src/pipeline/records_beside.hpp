@@ -20,12 +20,16 @@
 
 namespace hdconj::detail {
 
-constexpr double chords_worth_a_thread = 8192;  // of points that are made in rows
-
-/// About: of a branch as long as the tooth is high. @param chord  [mm]
-[[nodiscard]] inline double chords_of_a_flank(Profile const& tooth, double chord)
+/// Fewest branches of @p envelope whose points are worth a thread, for branches as long as the tooth is high. @param chord  [mm]
+template<RelativeMotion Motion>
+[[nodiscard]] std::size_t branches_worth_a_thread(Envelope<Motion> const& envelope, double chord)
 {
-    return std::sqrt((tooth.addendum + tooth.dedendum) / chord);
+    // chords of points that are made in rows; that are made one by one; and of contacts that are roots
+    constexpr double in_rows = 8192, one_by_one = in_rows / 8, roots = in_rows / 16;
+    Profile const& tooth = envelope.profile();
+    double const enough = has_curves(tooth) ? roots : batch_motion(envelope.motion()) ? in_rows : one_by_one;
+    double const chords_of_a_flank = std::sqrt((tooth.addendum + tooth.dedendum) / chord);
+    return static_cast<std::size_t>(std::ceil(enough / chords_of_a_flank));
 }
 
 /// Every branch of @p envelope as it is written into results, sampled to the chord error @p chord [mm], while one thread calls @p beside(jobs), which has little in loops; it leaves to
@@ -39,15 +43,18 @@ template<RelativeMotion Motion, class Beside>
 {
     std::vector<BranchRecord> records(branches.size());
     std::vector<std::size_t> made(branches.size(), 0);
-    std::vector<double> chords(branches.size(), 0);
-    for (std::size_t i = 0; threads > 1 && i < chords.size(); ++i)
-        for (ContactArc const& arc : branches[i].arcs)
-            chords[i] += expected_chords(envelope, arc, chord);
-    std::vector<std::size_t> const order = largest_first(chords);
-    double const worth_a_thread = batch_motion(envelope.motion()) ? chords_worth_a_thread : chords_worth_a_thread / 8;
-    auto const grain = static_cast<std::size_t>(std::ceil(worth_a_thread / chords_of_a_flank(envelope.profile(), chord)));
     // who helps at the end is no work that would be worth a thread
-    std::size_t const team = std::clamp<std::size_t>((1 + order.size()) / grain, 1, static_cast<std::size_t>(threads));
+    std::size_t const team = std::clamp<std::size_t>((1 + branches.size()) / branches_worth_a_thread(envelope, chord), 1, static_cast<std::size_t>(threads));
+    std::vector<double> chords(branches.size(), 0);
+    if (team > 1)
+    {
+        std::size_t const grain = has_curves(envelope.profile()) ? 2 : 64;   // a contact with a curve takes some microseconds
+        parallel_for(branches.size(), static_cast<int>(team), grain, [&](std::size_t i) {
+            for (ContactArc const& arc : branches[i].arcs)
+                chords[i] += expected_chords(envelope, arc, chord);
+        });
+    }
+    std::vector<std::size_t> const order = largest_first(chords);
     LateJobs jobs;
     std::atomic<std::size_t> next_shown = 0;
     parallel_for(1 + order.size() + team, static_cast<int>(team), 1, [&](std::size_t k) {

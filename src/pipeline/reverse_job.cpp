@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <iterator>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "assemble_until_clear.hpp"
@@ -12,8 +14,9 @@
 #include "drive.hpp"
 #include "flexspline_outline.hpp"
 #include "given_spline.hpp"
+#include "hdconj/numeric/parallel.hpp"
 #include "outline_records.hpp"
-#include "records.hpp"
+#include "records_beside.hpp"
 #include "swallowed.hpp"
 #include "tooth_positions.hpp"
 #include "traced_space.hpp"
@@ -89,17 +92,31 @@ class ReverseJob
             Envelope<Seen> const envelope(given_, motions_[j], 0);
             traced_[j].branches = branches_at(envelope, true);
             base_.push_back({envelope, all_arcs(traced_[j].branches)});
-            for (Branch const& branch : traced_[j].branches)
-            {
-                std::size_t evaluations = 0;
-                BranchRecord record = branch_record(envelope, branch, tolerance_.length, evaluations);
-                record.tooth = traced_[j].number;
-                for (Vec2& p : record.point)
-                    p.y() -= out_.geometry.pitch_line;
-                out_.work.envelope_points += evaluations;
-                out_.branches.push_back(std::move(record));
-            }
         }
+        record_branches();
+    }
+
+    void record_branches()
+    {
+        struct Job
+        {
+            std::size_t tooth;
+            Branch const* branch;
+        };
+        std::vector<Job> jobs;
+        for (std::size_t j = 0; j < traced_.size(); ++j)
+            for (Branch const& branch : traced_[j].branches)
+                jobs.push_back({j, &branch});
+        std::vector<BranchRecord> records(jobs.size());
+        std::vector<std::size_t> evaluations(jobs.size(), 0);
+        parallel_for(jobs.size(), out_.threads, branches_worth_a_thread(base_.front().envelope, tolerance_.length), [&](std::size_t i) {
+            records[i] = branch_record(base_[jobs[i].tooth].envelope, *jobs[i].branch, tolerance_.length, evaluations[i]);
+            records[i].tooth = traced_[jobs[i].tooth].number;
+            for (Vec2& p : records[i].point)
+                p.y() -= out_.geometry.pitch_line;
+        });
+        out_.work.envelope_points += std::accumulate(evaluations.begin(), evaluations.end(), std::size_t{0});
+        out_.branches.insert(out_.branches.end(), std::make_move_iterator(records.begin()), std::make_move_iterator(records.end()));
     }
 
     /// Region, backlash, outline and check, with polygons of the given chord error.

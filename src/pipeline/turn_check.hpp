@@ -41,12 +41,13 @@ template<class Clearance, RelativeMotion Motion>
 {
     std::vector<TurnMinimum> minima(chosen.size());
     // blocks of fixed size, whatever the number of threads: inside one, each point starts from its neighbour's result
-    constexpr std::size_t block = 64;
-    std::size_t const blocks_worth_a_thread = batch_motion(motion) ? 4 : 2;
+    constexpr std::size_t most = 64;
+    std::size_t const block = std::min(most, clearance.block());
+    std::size_t const blocks_worth_a_thread = block < most ? 3 : batch_motion(motion) ? 4 : 2;
     parallel_for((chosen.size() + block - 1) / block, threads, blocks_worth_a_thread, [&](std::size_t b) {
         std::size_t const first = b * block;
         std::size_t const count = std::min(block, chosen.size() - first);
-        std::array<Vec2, block> at;
+        std::array<Vec2, most> at;
         for (std::size_t i = 0; i < count; ++i)
             at[i] = points[chosen[first + i]];
         clearance(std::span(at).first(count), nullptr, std::span(minima).subspan(first, count));

@@ -35,6 +35,9 @@ class FullTurnClearance
 
     [[nodiscard]] std::size_t positions() const { return march_.positions(); }
 
+    /// Neighbouring points for which looking around for a first bound once is little: 0.1 ms and more of work.
+    [[nodiscard]] std::size_t block() const { return lanes_ ? 64 : 16; }
+
     /// @param p     a point within one pitch of the y axis, circular-spline frame
     /// @param hint  result at a neighbouring point; saves looking around for a first bound
     /// @returns the minimum; `copy` is the tooth this many pitches clockwise
@@ -135,6 +138,8 @@ class ReverseFullTurnClearance
 
     [[nodiscard]] std::size_t positions() const { return marches_.front().positions(); }
     [[nodiscard]] std::size_t teeth() const { return marches_.size(); }
+    /// As of FullTurnClearance.
+    [[nodiscard]] static std::size_t block() { return 16; }
 
     /// @param p     a point in the frame of the flexspline tooth
     /// @param hint  result at a neighbouring point

@@ -3,9 +3,11 @@
 /// All branches of a tooth's meshing condition over one lobe of the wave generator.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
+#include <variant>
 #include <vector>
 
 #include "hdconj/envelope/contact_batch.hpp"
@@ -34,6 +36,21 @@ namespace detail {
     bool const forward = b.piece == a.piece + 1 && a.t_end == 1 && b.t_begin == 0;
     bool const backward = b.piece == a.piece - 1 && a.t_end == 0 && b.t_begin == 1;
     return a.ends == BranchEnd::segment_end && b.begins == BranchEnd::segment_end && (forward || backward);
+}
+
+/// Fewest pieces that are worth a thread. @param long_job  as for find_branches()
+template<RelativeMotion Motion>
+[[nodiscard]] std::size_t pieces_worth_a_thread(Envelope<Motion> const& envelope, bool long_job)
+{
+    // microseconds, about
+    constexpr double line_or_arc = 20, curve = 200, other_motion = 500;
+    double const enough = long_job ? 80 : 640;
+    auto const& pieces = envelope.profile().pieces;
+    bool const batch = batch_motion(envelope.motion()).has_value();
+    double total = 0;
+    for (ProfilePiece const& piece : pieces)
+        total += !batch ? other_motion : std::holds_alternative<CurvePiece>(piece.shape) ? curve : line_or_arc;
+    return static_cast<std::size_t>(std::ceil(enough * static_cast<double>(pieces.size()) / total));
 }
 
 /// Links the arcs of one segment, which come in the order of its pieces, into branches, in order of their first arc.
@@ -90,9 +107,7 @@ template<RelativeMotion Motion>
     std::vector<RatesModel> rates;
     for (SmoothRange const& range : smooth_ranges(envelope.motion()))
         rates.push_back(rates_model(envelope.motion(), range.a, range.b));
-    // a piece takes some ten microseconds under a motion in closed form, else most of a millisecond
-    std::size_t const grain = !batch_motion(envelope.motion()) ? 2 : long_job ? 4 : 32;
-    parallel_for(pieces.size(), threads, grain, [&](std::size_t i) {
+    parallel_for(pieces.size(), threads, detail::pieces_worth_a_thread(envelope, long_job), [&](std::size_t i) {
         std::vector<ContactArc> const whole = PieceTracer<Motion>(envelope, rates, static_cast<int>(i))(records[i]);
         for (ContactArc const& arc : whole)
             for (ContactArc& part : cut_at_cusps(envelope, arc, records[i]))
