@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <map>
 
+#include "hdconj/io/scene_toml.hpp"
 #include "hdconj/numeric/error.hpp"
 #include "hdconj/pipeline/solve.hpp"
 #include "pipeline/swallowed.hpp"
@@ -86,6 +87,34 @@ TEST_CASE("solve gives the same bits for 1, 2 and 4 threads", "[pipeline][parall
                 CHECK(many.branches[i].point == one.branches[i].point);
             }
             CHECK(many.work.envelope_points == one.work.envelope_points);
+        }
+    }
+}
+
+TEST_CASE("teeth of curves and given circular splines are the same bits on 1, 2 and 4 threads", "[pipeline][parallel]")
+{
+    for (char const* const name : {"cycloid", "points", "circular-spline-given"})
+    {
+        Scene scene = read_scene(std::string(HDCONJ_SOURCE_DIR) + "/data/scenes/" + name + ".toml");
+        scene.solver.threads = 1;
+        Solution const one = solve(scene);
+        for (int threads : {2, 4})
+        {
+            scene.solver.threads = threads;
+            Solution const many = solve(scene);
+            CAPTURE(name, threads);
+            CHECK(many.circular_spline.outline == one.circular_spline.outline);
+            CHECK(many.flexspline_outline == one.flexspline_outline);
+            CHECK(many.check->smallest_clearance == one.check->smallest_clearance);
+            CHECK(many.check->where == one.check->where);
+            CHECK(many.work.envelope_points == one.work.envelope_points);
+            REQUIRE(many.branches.size() == one.branches.size());
+            for (std::size_t i = 0; i < one.branches.size(); ++i)
+            {
+                CHECK(many.branches[i].tooth == one.branches[i].tooth);
+                CHECK(many.branches[i].u == one.branches[i].u);
+                CHECK(many.branches[i].point == one.branches[i].point);
+            }
         }
     }
 }
