@@ -183,7 +183,7 @@ class SolveJob
         for (std::size_t index : {left_land, bottom.first, outline_.middle, bottom.last, right_land})
             cs.landmarks.push_back(static_cast<int>(index));
         measure_space(outline, left_land, right_land, pitch_, out_.geometry, out_.error);
-        cs.outline.push_back(std::move(outline_.outline.points));
+        cs.outline.push_back(outline.points);   // a copy: what was grown in the midst of other work keeps pages that a file needs next
         out_.error.chord = outline.chord;
         out_.error.point = outline.error;
         out_.error.clearance = out_.error.point + tolerance_.roundoff();
