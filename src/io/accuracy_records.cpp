@@ -52,8 +52,9 @@ std::string cell(std::string const& text)
 std::string accuracy_bytes(StoredAccuracy const& study)
 {
     hdf5::Silence const silence;
-    hdf5::MemoryFile const memory;
-    auto const root = memory.root();
+    hdf5::Sink sink;
+    hdf5::NewFile const made(sink);
+    auto const root = made.root();
     auto const& report = study.report;
     root.attribute("format", std::string(format));
     root.attribute("format_version", format_version);
@@ -89,7 +90,8 @@ std::string accuracy_bytes(StoredAccuracy const& study)
         }
     });
     root.texts("notes", report.notes);
-    return std::string(memory.bytes());
+    made.flush();
+    return sink.bytes();
 }
 
 StoredAccuracy read_accuracy(std::filesystem::path const& file)

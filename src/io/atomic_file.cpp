@@ -35,17 +35,9 @@ void write_all(fs::path const& file, std::string_view text, fs::path const& blam
     if (!out.is_open()) {
         throw FileError(blamed, cannot_write(errno));
     }
-    while (!text.empty()) {
-        ssize_t const written = ::write(out.number(), text.data(), text.size());
-        if (written < 0 && errno == EINTR) {
-            continue;
-        }
-        if (written < 0) {
-            throw FileError(blamed, cannot_write(errno));
-        }
-        text.remove_prefix(static_cast<std::size_t>(written));
-    }
-    if (int const error = out.close(); error != 0) {
+    int const written = write_on(out.number(), text);
+    int const closed = out.close();
+    if (int const error = written != 0 ? written : closed; error != 0) {
         throw FileError(blamed, cannot_write(error));
     }
 }

@@ -4,8 +4,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
-#include "hdconj/io/atomic_file.hpp"
 #include "hdconj/pipeline/solution.hpp"
 #include "hdf5_writer.hpp"
 #include "spline_surface.hpp"
@@ -25,19 +25,8 @@ void write_circular_spline(Writer const& place, CircularSplineOutline const& out
 /// The datasets of a mesh.
 void write_surface(Writer const& place, Surface const& surface);
 
-/// Builds a file in memory and writes it whole: @p fill is called with the writer of its root.
-/// @throws FileError with the cause
-template <class Fill>
-void write_file(std::filesystem::path const& file, Fill fill)
-{
-    try {
-        Silence const silence;
-        MemoryFile const memory;
-        fill(memory.root());
-        write_text_atomically(file, memory.bytes());
-    } catch (Failure const& failure) {
-        throw FileError(file, failure.what());
-    }
-}
+/// Writes a file: @p fill is called with the writer of its root.
+/// @throws FileError with the cause; the target is as it was then
+void write_file(std::filesystem::path const& file, std::function<void(Writer const&)> const& fill);
 
 }  // namespace hdconj::hdf5

@@ -7,11 +7,8 @@ namespace hdconj::hdf5 {
 
 namespace {
 
-/// Growth step of the file in memory [bytes]: a usual result is 100 to 500 kB.
-constexpr std::size_t memory_step = std::size_t{1} << 18;
 /// For texts, which HDF5 converts one by one. Its own choice of 1 MB costs a millisecond to clear for every dataset.
 constexpr std::size_t conversion_buffer = std::size_t{1} << 12;
-constexpr hbool_t not_backed_by_a_file = 0;
 
 static_assert(sizeof(Vec2) == 2 * sizeof(double) && std::is_standard_layout_v<Vec2>,
               "points are written as they lie in memory");
@@ -46,13 +43,6 @@ Properties properties(hid_t kind)
 Space one_value()
 {
     return {H5Screate(H5S_SCALAR), "create dataspace"};
-}
-
-File create_in_memory()
-{
-    auto const access = properties(H5P_FILE_ACCESS);
-    checked(H5Pset_fapl_core(access, memory_step, not_backed_by_a_file), "choose memory");
-    return {H5Fcreate("hdconj in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access), "create file"};
 }
 
 /// Keeps the innermost description: H5Ewalk goes from the outermost call inwards.
@@ -172,15 +162,11 @@ void Writer::scalar(std::string const& name, hid_t stored, hid_t given, void con
     checked(H5Awrite(made, given, value), "write attribute");
 }
 
-MemoryFile::MemoryFile() : file_(create_in_memory()) {}
+NewFile::NewFile(Sink& sink) : file_(create_in(sink)) {}
 
-std::string_view MemoryFile::bytes() const
+void NewFile::flush() const
 {
     checked(H5Fflush(file_, H5F_SCOPE_GLOBAL), "flush");
-    ssize_t const size = checked(H5Fget_file_image(file_, nullptr, 0), "measure the file");
-    void* handle = nullptr;   // of the driver for files in memory: the address of its buffer
-    checked(H5Fget_vfd_handle(file_, H5P_DEFAULT, &handle), "take the file");
-    return {*static_cast<char const* const*>(handle), static_cast<std::size_t>(size)};
 }
 
 }  // namespace hdconj::hdf5

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Builds an HDF5 file in memory: groups, datasets with units, attributes. Private to src/io.
+/// Builds an HDF5 file: groups, datasets with units, attributes. Private to src/io.
 ///
-/// The file never touches a disk before it is whole: what goes wrong on the disk goes wrong in one plain write, with
-/// the system's own reason, and the bytes depend on nothing but the content (no clock, no object timestamps).
+/// The bytes depend on nothing but the content (no clock, no object timestamps).
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "hdconj/geometry/vec2.hpp"
 #include "hdf5_handle.hpp"
+#include "hdf5_sink.hpp"
 
 namespace hdconj::hdf5 {
 
@@ -29,7 +28,7 @@ struct Tools
     Properties frugal;    ///< transfer with a small conversion buffer
 };
 
-/// Writes into one group or the root of a @ref MemoryFile.
+/// Writes into one group or the root of a @ref NewFile.
 class Writer
 {
   public:
@@ -73,15 +72,16 @@ class Writer
     Tools const* tools_;
 };
 
-/// An HDF5 file that exists in memory only.
-class MemoryFile
+/// An HDF5 file that is being made.
+class NewFile
 {
   public:
-    MemoryFile();
+    /// @param sink  takes the bytes; must outlive the file
+    explicit NewFile(Sink& sink);
 
     [[nodiscard]] Writer root() const { return {file_, tools_}; }
-    /// The bytes of the file as they belong on the disk; as long as nothing more is written.
-    [[nodiscard]] std::string_view bytes() const;
+    /// All bytes are in the sink then, as long as nothing more is written.
+    void flush() const;
 
   private:
     Tools tools_;
