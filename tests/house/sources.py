@@ -118,7 +118,18 @@ def test_names(root):
     return faults
 
 
-RULES = (licence, machine_paths, listed, tolerances, test_names)
+def guarded(root):
+    """Each header is guarded, by `#pragma once` before its first include."""
+    faults = []
+    for path, name in files(root):
+        if path.suffix == ".hpp":
+            directives = re.findall(r"^#\s*(\w+ ?\w*)", without_comments(path.read_text()), flags=re.M)
+            if not directives or directives[0] != "pragma once":
+                faults.append(f"{name}: its first directive is not #pragma once")
+    return faults
+
+
+RULES = (licence, machine_paths, listed, tolerances, test_names, guarded)
 
 
 def control():
@@ -129,7 +140,9 @@ def control():
                        "// roundings of the sum\nconstexpr double tiny = 1e-9;\n",
     }
     breaks = [
-        (licence, {"include/a.hpp": "int a;\n"}),
+        (licence, {"include/a.hpp": "#pragma once\nint a;\n"}),
+        (guarded, {"include/a.hpp": spdx + "int a;\n"}),
+        (guarded, {"include/a.hpp": spdx + "#include <cmath>\n#pragma once\n"}),
         (machine_paths, {"README.md": "see /" + "home/me/file\n"}),
         (listed, {"src/a/y.cpp": spdx}),
         (listed, {"src/x.cpp": spdx}),
