@@ -44,10 +44,13 @@ SmallestGap smallest_gap(GapField const& field, GapMap const& map, double turn, 
     std::size_t const spaces = map.angle.size();
     std::size_t const row = map.z.size() * map.station.size();
     auto const asked = [&](int side) { return flank < 0 || side == flank; };
-    double on_points = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i < 2 * spaces; ++i)
+    std::vector<double> least(2 * spaces, std::numeric_limits<double>::infinity());
+    constexpr std::size_t gaps_worth_a_thread = 1 << 17;
+    parallel_for(least.size(), threads, std::max<std::size_t>(1, gaps_worth_a_thread / std::max<std::size_t>(1, row)), [&](std::size_t i) {
         if (asked(static_cast<int>(i % 2)))
-            on_points = std::min(on_points, *std::min_element(map.gap.begin() + static_cast<std::ptrdiff_t>(i * row), map.gap.begin() + static_cast<std::ptrdiff_t>((i + 1) * row)));
+            least[i] = *std::min_element(map.gap.begin() + static_cast<std::ptrdiff_t>(i * row), map.gap.begin() + static_cast<std::ptrdiff_t>((i + 1) * row));
+    });
+    double const on_points = *std::min_element(least.begin(), least.end());
     std::vector<SmallestGap> found(spaces);
     parallel_for(spaces, threads, grain, [&](std::size_t space) {
         found[space].gap = std::numeric_limits<double>::infinity();

@@ -13,20 +13,31 @@
 namespace hdconj {
 namespace {
 
-/// Points that may be the first to touch, and their gaps at one turn.
+/// Points that may be the first to touch, and their gaps at one turn. There are some hundred thousand of them at first: one number for each, its place when spaces,
+/// slices and points are counted through.
 struct Rivals
 {
-    std::vector<GapField::Index> index;
+    int flank = 0;
+    std::size_t slices = 0, points = 0;
+    std::vector<std::size_t> place;
+
+    [[nodiscard]] GapField::Index index(std::size_t i) const
+    {
+        std::size_t const line = place[i] / points;
+        return {line / slices, flank, line % slices, place[i] % points};
+    }
+    /// Whether @p b is the point after @p a of one flank of one slice.
+    [[nodiscard]] bool follows(std::size_t a, std::size_t b) const { return place[b] == place[a] + 1 && place[b] % points != 0; }
 
     [[nodiscard]] std::vector<double> gaps(GapField const& field, double turn, int threads) const
     {
-        std::vector<double> result(index.size());
+        std::vector<double> result(place.size());
         constexpr std::size_t block = 256;
         constexpr std::size_t grain = 16;
-        parallel_for((index.size() + block - 1) / block, threads, grain, [&](std::size_t b) {
-            std::size_t const end = std::min(index.size(), (b + 1) * block);
+        parallel_for((place.size() + block - 1) / block, threads, grain, [&](std::size_t b) {
+            std::size_t const end = std::min(place.size(), (b + 1) * block);
             for (std::size_t i = b * block; i < end; ++i)
-                result[i] = field.gap(index[i], turn);
+                result[i] = field.gap(index(i), turn);
         });
         return result;
     }
@@ -47,28 +58,26 @@ Look look(GapField const& field, Rivals const& rivals, double turn, double margi
     if (low.empty())
         return result;
     double const on_points = *std::min_element(low.begin(), low.end());
-    auto const beside = [&](std::size_t r, std::size_t q) {
-        GapField::Index const& a = rivals.index[r];
-        GapField::Index const& b = rivals.index[q];
-        return a.space == b.space && a.slice == b.slice && a.point + 1 == b.point;
-    };
+    double const enough = std::max(on_points, margin) + 0.5 * field.spacing();
     std::vector<std::size_t> deeper;
     for (std::size_t r = 0; r < low.size(); ++r)
     {
+        if (low[r] > enough)
+            continue;
         // who is no rival is no smaller
-        bool const falls = (r > 0 && low[r - 1] < low[r] && beside(r - 1, r)) || (r + 1 < low.size() && low[r + 1] < low[r] && beside(r, r + 1));
-        if (!falls && low[r] - 0.5 * field.spacing() <= std::max(on_points, margin))
+        bool const falls = (r > 0 && low[r - 1] < low[r] && rivals.follows(r - 1, r)) || (r + 1 < low.size() && low[r + 1] < low[r] && rivals.follows(r, r + 1));
+        if (!falls)
             deeper.push_back(r);
     }
     std::vector<double> found(deeper.size());
     constexpr std::size_t grain = 8;
     parallel_for(deeper.size(), threads, grain, [&](std::size_t i) {
-        found[i] = field.lowest_about(rivals.index[deeper[i]], low[deeper[i]], turn, smallest_gap_accuracy(field));
+        found[i] = field.lowest_about(rivals.index(deeper[i]), low[deeper[i]], turn, smallest_gap_accuracy(field));
     });
     for (std::size_t i = 0; i < deeper.size(); ++i)
         low[deeper[i]] = found[i];
     auto const least = std::min_element(low.begin(), low.end());
-    result.least = {*least, rivals.index[static_cast<std::size_t>(least - low.begin())]};
+    result.least = {*least, rivals.index(static_cast<std::size_t>(least - low.begin()))};
     return result;
 }
 
@@ -82,17 +91,17 @@ TakeUp take_up(GapField const& field, GapMap const& at_rest, int flank, double l
     std::size_t const slices = at_rest.z.size();
     std::size_t const points = at_rest.station.size();
     auto const rivals_within = [&](double turn) {
-        std::vector<std::vector<GapField::Index>> found(at_rest.angle.size());
+        std::vector<std::vector<std::size_t>> found(at_rest.angle.size());
         constexpr std::size_t gaps_worth_a_thread = 1 << 16;
         parallel_for(found.size(), threads, std::max<std::size_t>(1, gaps_worth_a_thread / std::max<std::size_t>(1, slices * points)), [&](std::size_t space) {
             for (std::size_t k = 0; k < slices; ++k)
                 for (std::size_t i = 0; i < points; ++i)
                     if (at_rest.at(space, flank, k, i) <= reach * turn + between)
-                        found[space].push_back({space, flank, k, i});
+                        found[space].push_back((space * slices + k) * points + i);
         });
-        Rivals rivals;
+        Rivals rivals{flank, slices, points, {}};
         for (auto const& each : found)
-            rivals.index.insert(rivals.index.end(), each.begin(), each.end());
+            rivals.place.insert(rivals.place.end(), each.begin(), each.end());
         return rivals;
     };
     SmallestGap const resting = smallest_gap(field, at_rest, 0, flank, threads);
@@ -103,7 +112,7 @@ TakeUp take_up(GapField const& field, GapMap const& at_rest, int flank, double l
     // turn on while there is a gap, back while there is none
     double const way = first > 0 ? 1 : -1;
     double step = std::max(std::abs(first), 16 * unit_roundoff * reach) / reach;
-    Rivals rivals = rivals_within(0);
+    Rivals rivals;
     double turn = 0;
     double low = 0, high = 0;   // turns with and without a gap
     double at_low = first, at_high = first;
@@ -139,10 +148,10 @@ TakeUp take_up(GapField const& field, GapMap const& at_rest, int flank, double l
         if (done)
             break;
         // who is further from zero here than the bracket can take it is out
-        Rivals left;
+        Rivals left{flank, slices, points, {}};
         for (std::size_t r = 0; r < now.low.size(); ++r)
             if (now.low[r] <= reach * width)
-                left.index.push_back(rivals.index[r]);
+                left.place.push_back(rivals.place[r]);
         rivals = std::move(left);
         if (gap > 0)
         {
@@ -161,7 +170,7 @@ TakeUp take_up(GapField const& field, GapMap const& at_rest, int flank, double l
     }
     if (!done)
         throw NumericalError("contact", "take-up", "the turn to first contact did not converge");
-    if (rivals.index.empty())
+    if (rivals.place.empty())
         return {turn, {}, 0, resting};
     SmallestGap const touching = look(field, rivals, sense * turn, 0, threads).least;
     return {turn, touching.where, touching.gap, resting};

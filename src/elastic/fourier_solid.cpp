@@ -15,7 +15,18 @@
 namespace hdconj {
 namespace {
 
-using Element = Eigen::Matrix<double, 24, 24>;
+using Element = Eigen::Matrix<double, 24, 24, Eigen::RowMajor>;
+using Strains = Eigen::Matrix<double, 6, 24>;
+using Stresses = Eigen::Matrix<double, 6, 24, Eigen::RowMajor>;
+
+/// k += b^T s. Two of three entries of @p b are zero, and the general product, made for large matrices, would first copy all.
+void add_product(Element& k, Strains const& b, Stresses const& s)
+{
+    for (Eigen::Index c = 0; c < b.cols(); ++c)
+        for (Eigen::Index i = 0; i < b.rows(); ++i)
+            if (b(i, c) != 0)
+                k.row(c) += b(i, c) * s.row(i);
+}
 
 /// Abscissa and weight of one Gauss point on [-1, 1].
 struct GaussPoint
@@ -114,7 +125,7 @@ void FourierSolid::lay_out()
     for (Eigen::VectorXd& values : power_)
         values = Eigen::VectorXd::Zero(pattern_.nonZeros());
     Eigen::PermutationMatrix<Eigen::Dynamic, Eigen::Dynamic, int> order;
-    Eigen::AMDOrdering<int>()(pattern_, order);
+    Eigen::AMDOrdering<int>()(pattern_.selfadjointView<Eigen::Lower>(), order);  // of a pattern that is symmetric: nothing is transposed to make it so
     elimination_.assign(order.indices().begin(), order.indices().end());
 }
 
@@ -129,6 +140,7 @@ FourierSolid::FourierSolid(SectionMesh mesh, Quadrature quadrature) : mesh_(std:
     {
         StressMatrix const d = mesh_.stress(e);
         std::array<Element, 3> k{Element::Zero(), Element::Zero(), Element::Zero()};
+        Element mixed = Element::Zero();
         auto const& points = e < mesh_.wall_elements() ? of_wall : of_layer;
         for (GaussPoint const& x : points)
         {
@@ -139,26 +151,27 @@ FourierSolid::FourierSolid(SectionMesh mesh, Quadrature quadrature) : mesh_(std:
                 if (!(b.jacobian > 0 && b.radius > 0))
                     throw NumericalError("elastic cup", "mesh", "an element is turned inside out or reaches the axis; dimensions contradict each other");
                 double const weight = x.weight * y.weight * b.jacobian * b.radius;
-                Eigen::Matrix<double, 6, 24> const s0 = weight * d * b.at_rest;
-                Eigen::Matrix<double, 6, 24> const s1 = weight * d * b.per_harmonic;
-                Element const mixed = b.at_rest.transpose() * s1;
-                k[0] += b.at_rest.transpose() * s0;
-                k[1] += mixed + mixed.transpose();
-                k[2] += b.per_harmonic.transpose() * s1;
+                StressMatrix const weighted = weight * d;
+                Stresses const s0 = weighted.lazyProduct(b.at_rest), s1 = weighted.lazyProduct(b.per_harmonic);
+                add_product(k[0], b.at_rest, s0);
+                add_product(mixed, b.at_rest, s1);
+                add_product(k[2], b.per_harmonic, s1);
             }
         }
+        k[1] = mixed + mixed.transpose();
         auto const& nodes = mesh_.elements[e];
-        for (std::size_t c = 0; c < 24; ++c)
+        for (std::size_t b = 0; b < nodes.size(); ++b)
         {
-            Eigen::Index const column = unknown(nodes[c / 3], static_cast<Direction>(c % 3));
+            // the three columns of a node have the same rows
+            Eigen::Index const column = unknown(nodes[b], Direction::radial);
             int const* const begin = pattern_.innerIndexPtr() + pattern_.outerIndexPtr()[column];
             int const* const end = pattern_.innerIndexPtr() + pattern_.outerIndexPtr()[column + 1];
-            for (std::size_t a = 0; a < 8; ++a)
+            for (std::size_t a = 0; a < nodes.size(); ++a)
             {
-                auto const first = static_cast<int>(unknown(nodes[a], Direction::radial));
-                Eigen::Index const entry = std::lower_bound(begin, end, first) - pattern_.innerIndexPtr();
-                for (std::size_t power = 0; power < k.size(); ++power)
-                    power_[power].segment<3>(entry) += k[power].block<3, 1>(static_cast<Eigen::Index>(3 * a), static_cast<Eigen::Index>(c));
+                Eigen::Index const row = std::lower_bound(begin, end, static_cast<int>(unknown(nodes[a], Direction::radial))) - begin;
+                for (Eigen::Index c = 0; c < 3; ++c)
+                    for (std::size_t power = 0; power < k.size(); ++power)
+                        power_[power].segment<3>(pattern_.outerIndexPtr()[column + c] + row) += k[power].block<3, 1>(static_cast<Eigen::Index>(3 * a), static_cast<Eigen::Index>(3 * b) + c);
             }
         }
     }

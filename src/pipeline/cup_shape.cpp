@@ -73,7 +73,7 @@ CupShape cup_shape(LoadModel const& model, HarmonicField const& field, int angle
                 shape.stress[a * points + point] += gauss(static_cast<Eigen::Index>(4 * e + nearest[c]), static_cast<Eigen::Index>(a)) / around[point];
         }
     HarmonicWaves const waves(field, shape.phi);
-    constexpr std::size_t grain = 64;
+    constexpr std::size_t grain = 32;
     parallel_for(points, threads, grain, [&](std::size_t p) {
         Eigen::Matrix3Xd const u = displacements_at(mesh, field, place[p], waves);
         for (std::size_t a = 0; a < shape.phi.size(); ++a)

@@ -79,7 +79,10 @@ Sections sections_of_cup(Solution const& base, std::vector<double> const& z, int
     double const middle = cup.bearing().middle;
     double largest = 0;
     for (double const end : {z.front(), z.back()})
-        largest = std::max(largest, largest_shift(cup.cam().waves, [&](double phi) { return cup.axial(middle + end, r_m, phi).u_z; }));
+    {
+        MaterialDisplacement const shift = cup.axial_displacement(middle + end, r_m);
+        largest = std::max(largest, largest_shift(shift.waves, [&](double phi) { return displacement_at(shift, phi).w[0]; }));
+    }
     double const low = z.front() - largest, high = z.back() + largest;
     SectionDisplacement const wall(low, high, [&](double height) { return displacement_at(cup, height, r_m); }, nodes, threads);
     SectionDisplacement const along(low, high, [&](double height) { return cup.axial_displacement(middle + height, r_m); }, nodes, threads);

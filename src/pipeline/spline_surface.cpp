@@ -137,11 +137,24 @@ void SurfaceMaker::find_motions(std::size_t count)
     find_motions(first);
 }
 
+/// The outline's own drive, at z = 0, and its branches.
+void SurfaceMaker::prepare_middle()
+{
+    if (middle_job_)
+        return;
+    auto made = std::make_unique<SliceJob>(*base_, motion_at(0), threads_);
+    made->solve->find_branches_of_tooth();
+    middle_job_ = std::move(made);
+}
+
 /// Motions, branches and pointed radii of the slices @p wanted.
-void SurfaceMaker::prepare(std::vector<std::size_t> const& wanted)
+/// @param middle_too  what middle() needs, beside them
+void SurfaceMaker::prepare(std::vector<std::size_t> const& wanted, bool middle_too)
 {
     find_motions(wanted);
-    parallel_for(wanted.size(), threads_, 1, [&](std::size_t i) {
+    parallel_for(wanted.size() + (middle_too ? 1 : 0), threads_, 1, [&](std::size_t i) {
+        if (i == wanted.size())
+            return prepare_middle();
         std::size_t const k = wanted[i];
         if (jobs_[k])
             return;
@@ -175,11 +188,7 @@ SpaceCurve const& SurfaceMaker::middle(double tip)
 {
     if (middle_ && middle_->tip_radius() == tip)
         return *middle_;
-    if (!middle_job_)
-    {
-        middle_job_ = std::make_unique<SliceJob>(*base_, motion_at(0), threads_);
-        middle_job_->solve->find_branches_of_tooth();
-    }
+    prepare_middle();
     middle_job_->out.geometry.circular_spline_inner_radius = tip;
     middle_job_->solve->find_boundary();
     middle_ = std::make_unique<SpaceCurve>(middle_job_->solve->curve(middle_job_->motion.owner));

@@ -87,7 +87,8 @@ class SurfaceMaker
 
     [[nodiscard]] double factor(double z) const;
     [[nodiscard]] double meeting_tip(double z, double tilt);
-    void prepare(std::vector<std::size_t> const& wanted);
+    void prepare(std::vector<std::size_t> const& wanted, bool middle_too = false);
+    void prepare_middle();
     [[nodiscard]] SpaceCurve const& middle(double tip);
     [[nodiscard]] Curves solved(std::vector<std::size_t> const& wanted, double tip);
     [[nodiscard]] std::vector<std::size_t> own_slices(SurfaceChoice const& choice) const;

@@ -34,7 +34,7 @@ double SurfaceMaker::needed_tip(SurfaceChoice const& choice)
     // every slice is entered by its own teeth, whatever the surface was made from
     std::vector<std::size_t> const all = own_slices({"per-slice", choice.kind, 0});
     if (coned())
-        prepare(all);
+        prepare(all, choice.surface == "tilted");
     else
         prepare({0});
     auto const ask = [&](double radius, double z, std::string const& cause) {
