@@ -13,7 +13,7 @@
 namespace hdconj {
 namespace {
 
-/// Points that may be the first to touch, and their gaps at one turn. There are some hundred thousand of them at first: one number for each, its place when spaces,
+/// Points that may be the first to touch, and their gaps at one turn. There are up to a hundred thousand of them at first: one number for each, its place when spaces,
 /// slices and points are counted through.
 struct Rivals
 {

@@ -3,7 +3,7 @@
 /// What a second thread brings to each verb, beside what the machine gives: one thread, two threads, and two jobs side by side on one thread each, by turns in one
 /// process. What two processors share with others, memory and each other changes from minute to minute; of the three, each repeat has the same minute.
 ///
-/// hdconj_threads [REPEATS]   20 unless told; `load` takes a quarter of them and its curve one
+/// hdconj_threads [REPEATS [NAME]]   20 unless told; `load` takes a quarter of them and its curve one. NAME: only jobs whose name has it in it
 #include <algorithm>
 #include <array>
 #include <chrono>
@@ -45,8 +45,13 @@ struct Times
     }
 };
 
+/// Part of the names of the jobs that are asked for.
+std::string asked_for;
+
 void measure(std::string const& name, Scene scene, int repeats, std::function<void(Scene const&)> const& job)
 {
+    if (name.find(asked_for) == std::string::npos)
+        return;
     Scene alone = scene;
     alone.solver.threads = 1;
     scene.solver.threads = 2;
@@ -76,6 +81,7 @@ int main(int argc, char** argv)
 {
     cli::prepare_heap();
     at_thread_start(cli::prepare_heap_of_thread);
+    asked_for = argc > 2 ? argv[2] : "";
     int const repeats = argc > 1 ? std::max(1, std::atoi(argv[1])) : 20;
     std::printf("| | one, two threads [ms], medians | ratio | two jobs side by side | ratio of the least times | of two jobs |\n|---|---|---|---|---|---|\n");
     for (char const* const tolerance : {"1e-8", "1e-9", "1e-10", "1e-11"})
