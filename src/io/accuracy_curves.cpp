@@ -76,7 +76,7 @@ std::string legend(Curve const& curve, std::size_t i, std::string const& remark,
 {
     constexpr double sample = 46, gap = 12;
     double const y = top + panel_height + below_axis + legend_row * (static_cast<double>(i) + 1);
-    std::string const text = ladder_name(*curve.ladder) + " (" + curve.ladder->knob + ")" + (remark.empty() ? "" : ": " + remark);
+    std::string const text = ladder_name(*curve.ladder) + (curve.has_knob() ? " (" + curve.ladder->knob + ")" : "") + (remark.empty() ? "" : ": " + remark);
     return fmt::format("set arrow from {} to {} nohead {}\nset label {} at {} noenhanced\n", picture::screen(left_axis, y, height), picture::screen(left_axis + sample, y, height),
                        look(curve), gnuplot_quoted(text), picture::screen(left_axis + sample + gap, y, height));
 }

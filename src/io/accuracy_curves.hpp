@@ -22,6 +22,9 @@ struct Curve
     std::vector<StudyRung const*> rungs;   ///< with an error and a time to draw
     std::string colour;
     bool sample = false;
+
+    /// A method that has no knob to turn stands in its study with a single setting, whose value says nothing.
+    [[nodiscard]] bool has_knob() const { return ladder->rungs.size() > 1; }
 };
 [[nodiscard]] std::vector<Curve> curves_of(std::vector<StudyLadder> const& ladders, std::string const& name);
 

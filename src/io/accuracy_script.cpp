@@ -46,7 +46,7 @@ struct Axes
     }
 };
 
-/// The knob's value beside the first and the last rung of every line but the sample's.
+/// The knob's value beside the first and the last rung of every line but the sample's, where there is one to turn.
 std::string ends_of(std::vector<Curve> const& curves, Axes const& axes, double height)
 {
     using study_picture::Spot;
@@ -73,10 +73,11 @@ std::string ends_of(std::vector<Curve> const& curves, Axes const& axes, double h
                               picture::screen((box.left + box.right) / 2, (box.top + box.bottom) / 2, height), curve.colour);
     };
     for (auto const& curve : curves) {
-        if (!curve.sample) {
-            add(curve, *curve.rungs.front());
+        if (curve.sample || !curve.has_knob()) {
+            continue;
         }
-        if (!curve.sample && curve.rungs.size() > 1) {
+        add(curve, *curve.rungs.front());
+        if (curve.rungs.size() > 1) {
             add(curve, *curve.rungs.back());
         }
     }

@@ -170,3 +170,21 @@ TEST_CASE("accuracy pictures: a short axis of times has more than one number", "
     add(report, "tolerance", "solve", "solver.tolerance", {{1e-3, 1e-3, 3e-5}, {1e-4, 1e-4, 9e-5}});
     CHECK_THAT(accuracy_script({report, {}}, ladders_of(report), "tolerance", PictureFormat::svg), ContainsSubstring("'2·10^{-5}' 2e-05, '5·10^{-5}' 5e-05, '1·10^{-4}' 0.0001)"));
 }
+
+TEST_CASE("accuracy pictures: a method with a single setting is named without a knob, and no value stands beside it", "[accuracy]")
+{
+    AccuracyReport report = report_of_drive();
+    add(report, "roots", "closed form", "scan steps", {{1, 1e-13, 1e-5}});
+    add(report, "roots", "scan", "scan steps", {{1, 1e-9, 1e-3}, {64, 1e-12, 1e-1}});
+    auto const script = accuracy_script({report, {}}, ladders_of(report), "roots", PictureFormat::svg);
+    CHECK_THAT(script, ContainsSubstring("'closed form'") && ContainsSubstring("'scan (scan steps)"));
+    auto const labels = [&](std::string const& value) {
+        std::size_t found = 0;
+        for (auto at = script.find("set label '" + value + "' "); at != std::string::npos; at = script.find("set label '" + value + "' ", at + 1)) {
+            ++found;
+        }
+        return found;
+    };
+    CHECK(labels("1") == 1);
+    CHECK(labels("64") == 1);
+}
