@@ -14,41 +14,52 @@
 
 namespace hdconj::hdf5 {
 
-namespace {
-
-constexpr herr_t done = 0, failed = -1;
-
 /// What HDF5 hands to every function below: its own part first.
-struct Driven
+struct Sink::Writing
 {
     H5FD_t part_of_hdf5 = {};
     Sink* sink = nullptr;
     haddr_t allocated = 0;
 };
 
-Driven& driven(H5FD_t* file)
+Sink::~Sink()
 {
-    return *reinterpret_cast<Driven*>(file);
+    if (file_ != nullptr) {
+        file_->sink = nullptr;
+    }
 }
 
-Driven const& driven(H5FD_t const* file)
+namespace {
+
+constexpr herr_t done = 0, failed = -1;
+
+Sink::Writing& driven(H5FD_t* file)
 {
-    return *reinterpret_cast<Driven const*>(file);
+    return *reinterpret_cast<Sink::Writing*>(file);
+}
+
+Sink::Writing const& driven(H5FD_t const* file)
+{
+    return *reinterpret_cast<Sink::Writing const*>(file);
 }
 
 H5FD_t* open_sink(char const*, unsigned, hid_t access, haddr_t)
 {
     auto const* const given = static_cast<Sink* const*>(H5Pget_driver_info(access));
-    auto* const made = given != nullptr ? new (std::nothrow) Driven : nullptr;
+    auto* const made = given != nullptr ? new (std::nothrow) Sink::Writing : nullptr;
     if (made == nullptr) {
         return nullptr;
     }
     made->sink = *given;
+    made->sink->written_by(made);
     return &made->part_of_hdf5;
 }
 
 herr_t close_sink(H5FD_t* file)
 {
+    if (Sink* const sink = driven(file).sink; sink != nullptr) {
+        sink->written_by(nullptr);
+    }
     delete &driven(file);
     return done;
 }
@@ -82,19 +93,27 @@ herr_t allocate(H5FD_t* file, H5FD_mem_t, haddr_t end)
 
 haddr_t end_of(H5FD_t const* file, H5FD_mem_t)
 {
-    return driven(file).sink->end();
+    Sink const* const sink = driven(file).sink;
+    return sink != nullptr ? sink->end() : driven(file).allocated;
 }
 
 herr_t read_from(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, size_t size, void* bytes)
 {
-    driven(file).sink->read(at, size, static_cast<char*>(bytes));
+    Sink const* const sink = driven(file).sink;
+    if (sink == nullptr) {
+        return failed;
+    }
+    sink->read(at, size, static_cast<char*>(bytes));
     return done;
 }
 
 herr_t write_to(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, size_t size, void const* bytes)
 {
+    Sink* const sink = driven(file).sink;
     try {
-        driven(file).sink->write(at, {static_cast<char const*>(bytes), size});
+        if (sink != nullptr) {
+            sink->write(at, {static_cast<char const*>(bytes), size});
+        }
     } catch (std::bad_alloc const&) {
         return failed;  // an exception must not pass through C
     }
@@ -103,7 +122,9 @@ herr_t write_to(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, size_t size, void c
 
 herr_t truncate(H5FD_t* file, hid_t, hbool_t)
 {
-    driven(file).sink->end_at(driven(file).allocated);
+    if (Sink* const sink = driven(file).sink; sink != nullptr) {
+        sink->end_at(driven(file).allocated);
+    }
     return done;
 }
 

@@ -25,6 +25,10 @@ class Sink
   public:
     /// All in memory.
     Sink() = default;
+    /// A file that is still open loses its sink: HDF5 closes what it could not close at the program's end, and that goes nowhere.
+    ~Sink();
+    Sink(Sink const&) = delete;
+    Sink& operator=(Sink const&) = delete;
     /// @param descriptor  open for writing, empty; not owned
     /// @param goes_back   a plain file, open for reading too: can be written anywhere
     Sink(int descriptor, bool goes_back);
@@ -43,6 +47,10 @@ class Sink
     /// The whole file, for one that is all in memory.
     [[nodiscard]] std::string bytes() const;
 
+    /// The file that writes here, as HDF5's driver knows it; nothing where there is none.
+    struct Writing;
+    void written_by(Writing* file) { file_ = file; }
+
   private:
     static constexpr int none = -1;
 
@@ -52,9 +60,10 @@ class Sink
     int error_ = 0;
     std::size_t end_ = 0;
     std::string held_;
+    Writing* file_ = nullptr;
 };
 
-/// A new HDF5 file whose bytes go into @p sink, which must outlive it.
+/// A new HDF5 file whose bytes go into @p sink, as long as that lives.
 /// @throws Failure
 [[nodiscard]] File create_in(Sink& sink);
 

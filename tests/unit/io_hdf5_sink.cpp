@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <csignal>
+#include <optional>
 #include <random>
 #include <thread>
 
@@ -145,4 +146,19 @@ TEST_CASE("after its first error a sink writes nothing more and keeps that error
     sink.read(8 * megabyte, read.size(), read.data());
     CHECK(read == std::string(4, '\0'));
     CHECK(sink.finish() == EBADF);
+}
+
+TEST_CASE("an HDF5 file that outlives its sink writes nowhere")
+{
+    hdf5::Silence const silence;
+    std::optional<Sink> sink(std::in_place);
+    hdf5::File const file = hdf5::create_in(*sink);
+    (void)hdf5::checked(H5Gclose(H5Gcreate2(file, "before", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)), "close group");
+    sink.reset();
+    hid_t const group = H5Gcreate2(file, "after", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    if (group >= 0) {
+        H5Gclose(group);
+    }
+    H5Fflush(file, H5F_SCOPE_GLOBAL);
+    SUCCEED("no write into what is gone: the address sanitizer would say so");
 }
