@@ -154,11 +154,12 @@ TEST_CASE("an HDF5 file that outlives its sink writes nowhere")
     std::optional<Sink> sink(std::in_place);
     hdf5::File const file = hdf5::create_in(*sink);
     (void)hdf5::checked(H5Gclose(H5Gcreate2(file, "before", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT)), "close group");
-    sink.reset();
+    sink.emplace();  // another one, where the first one was
     hid_t const group = H5Gcreate2(file, "after", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     if (group >= 0) {
         H5Gclose(group);
     }
     H5Fflush(file, H5F_SCOPE_GLOBAL);
-    SUCCEED("no write into what is gone: the address sanitizer would say so");
+    CHECK(sink->end() == 0);
+    CHECK(sink->bytes().empty());
 }
