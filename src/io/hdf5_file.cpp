@@ -6,8 +6,6 @@
 #include <cstdlib>
 #include <ctime>
 
-#include "atomic_file_posix.hpp"
-#include "hdconj/io/atomic_file.hpp"
 #include "hdconj/io/result_files.hpp"
 #include "hdconj/io/version.hpp"
 #include "hdf5_layout.hpp"
@@ -192,31 +190,6 @@ void write_timing(Writer const& root, std::vector<StageTime> const& timing)
 }
 
 }  // namespace
-
-void hdf5::write_file(std::filesystem::path const& file, std::function<void(Writer const&)> const& fill)
-{
-    write_atomically(file, [&](std::filesystem::path const& place) {
-        bool const goes_back = !posix::status_of(place).is_device();
-        posix::Descriptor out(place, goes_back ? O_RDWR : O_WRONLY);
-        if (!out.is_open()) {
-            throw FileError(file, posix::cannot_write(errno));
-        }
-        Sink sink(out.number(), goes_back);
-        try {
-            Silence const silence;
-            NewFile const made(sink);
-            fill(made.root());
-            made.flush();
-        } catch (Failure const& failure) {
-            throw FileError(file, sink.error() != 0 ? posix::cannot_write(sink.error()) : failure.what());
-        }
-        int const written = sink.finish();
-        int const closed = out.close();
-        if (int const error = written != 0 ? written : closed; error != 0) {
-            throw FileError(file, posix::cannot_write(error));
-        }
-    });
-}
 
 void hdf5::write_solution(Writer const& root, Solution const& solution)
 {

@@ -3,9 +3,6 @@
 /// The parts of the result file that every verb writes; private to src/io.
 #pragma once
 
-#include <filesystem>
-#include <functional>
-
 #include "hdconj/pipeline/solution.hpp"
 #include "hdf5_writer.hpp"
 #include "spline_surface.hpp"
@@ -24,9 +21,5 @@ void write_circular_spline(Writer const& place, CircularSplineOutline const& out
 
 /// The datasets of a mesh.
 void write_surface(Writer const& place, Surface const& surface);
-
-/// Writes a file: @p fill is called with the writer of its root.
-/// @throws FileError with the cause; the target is as it was then
-void write_file(std::filesystem::path const& file, std::function<void(Writer const&)> const& fill);
 
 }  // namespace hdconj::hdf5

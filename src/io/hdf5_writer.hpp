@@ -5,6 +5,8 @@
 /// The bytes depend on nothing but the content (no clock, no object timestamps).
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -87,5 +89,9 @@ class NewFile
     Tools tools_;
     File file_;
 };
+
+/// Writes a file: @p fill is called with the writer of its root.
+/// @throws FileError with the cause; the target is as it was then
+void write_file(std::filesystem::path const& file, std::function<void(Writer const&)> const& fill);
 
 }  // namespace hdconj::hdf5
