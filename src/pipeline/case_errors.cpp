@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <vector>
 
 #include "contact_error.hpp"
@@ -12,7 +11,7 @@
 #include "hdconj/contact/parallel_trim.hpp"
 #include "hdconj/numeric/least_between.hpp"
 #include "hdconj/numeric/parallel.hpp"
-#include "moved_outline.hpp"
+#include "tip_error.hpp"
 
 namespace hdconj::detail {
 namespace {
@@ -49,7 +48,7 @@ std::vector<double> deviations(ContactBench const& bench, SurfaceMaker& maker, F
 void write_errors(ContactBench const& bench, SurfaceChoice const& choice, SliceTurns const& turns, Surfaces const& made, ContactCase& result)
 {
     bool const both = !is_symmetric(bench);
-    auto const write = [&](TurnWork const& as_made, SurfaceMaker& maker, FlankGrid const& cleared) {
+    auto const write = [&](TurnWork const& as_made, SurfaceMaker& maker, PartFlanks const& cleared) {
         ClearanceErrors const errors = clearance_errors(bench, as_made, made.given, result.slices);
         // planes between slices that are solved anew have their own chords, were made to clear a tooth by points, and have corners that move along the flank
         bool const anew = choice.surface == "per-slice" && bench.scene.coning && made.flanks.grid.slices() > 1;
@@ -66,12 +65,13 @@ void write_errors(ContactBench const& bench, SurfaceChoice const& choice, SliceT
             result.slices[k].flank_error = errors.flanks[k] + unseen + joined;
             result.slices[k].root_error = errors.roots[k] + joined;
         }
-        result.clearing_offset_error = clearing_error(bench, as_made.turns, flank_set(cleared, both), result.clearing_offset, false) + unseen_length(made.cleared.flanks.grid, result.clearing_offset) + chords + (anew ? overlap_at_ends(made.cleared.flanks.grid, result.clearing_offset) : 0);
+        result.clearing_offset_error = clearing_error(bench, as_made.turns, flank_set(cleared.grid, both), result.clearing_offset, false) + unseen_length(made.cleared.flanks.grid, result.clearing_offset) + chords + (anew ? overlap_at_ends(made.cleared.flanks.grid, result.clearing_offset) : 0);
         result.clearing_root_error = clearing_error(bench, as_made.turns, root_set(as_made.outline, bench.tolerance), result.clearing_root, true);
+        result.clearing_tip_error = clearing_tip_error(bench, choice, maker, cleared, made.cleared, result.clearing_offset_error, made.given);
         if (choice.surface != "ruled" || !bench.scene.coning || made.flanks.grid.slices() < 2)
             return;
         // told in the slices of the scene, of which these are all or every so many
-        std::vector<double> low = deviations(bench, maker, cleared, made.cleared.tip);
+        std::vector<double> low = deviations(bench, maker, cleared.grid, made.cleared.tip);
         for (std::size_t k = 0; k < low.size(); k += (low.size() - 1) / (made.flanks.grid.slices() - 1))
             result.ruled_deviation = std::max(result.ruled_deviation, low[k]);
         for (double& each : low)
@@ -84,7 +84,7 @@ void write_errors(ContactBench const& bench, SurfaceChoice const& choice, SliceT
     std::size_t const fewest = choice.surface == "ruled" ? fewest_planes : fewest_turn_planes;
     if (alike || slices >= fewest)
     {
-        write({turns, made.outline, made.flanks.grid, &made.flank, &made.root}, bench.maker, made.cleared.flanks.grid);
+        write({turns, made.outline, made.flanks.grid, &made.flank, &made.root}, bench.maker, made.cleared.flanks);
     }
     else
     {
@@ -95,18 +95,10 @@ void write_errors(ContactBench const& bench, SurfaceChoice const& choice, SliceT
         auto const surface = [&](double tip) { return surface_of(bench, *maker, choice, tip); };
         MatchedOutline const outline = surface(made.tip);
         double const most = std::max(made.given, result.clearing_offset);
-        FlankGrid const grid = part_flanks(bench, *maker, choice, outline, made.tip, most).grid;
-        FlankGrid const cleared = made.cleared.tip == made.tip ? grid : part_flanks(bench, *maker, choice, surface(made.cleared.tip), made.cleared.tip, most).grid;
-        write({finer_turns, outline, grid}, *maker, cleared);
+        PartFlanks const flanks = part_flanks(bench, *maker, choice, outline, made.tip, most);
+        PartFlanks const cleared = made.cleared.tip == made.tip ? flanks : part_flanks(bench, *maker, choice, surface(made.cleared.tip), made.cleared.tip, most);
+        write({finer_turns, outline, flanks.grid}, *maker, cleared);
     }
-    // where flanks that are moved meet decides the tip circle, it follows
-    double const pitch = 2 * std::numbers::pi / bench.scene.drive.circular_spline_teeth;
-    double const offset = std::max(result.clearing_offset, made.given) + result.clearing_offset_error;
-    result.clearing_tip_error = bench.tolerance.length + (result.clearing_offset > 0 ? result.clearing_offset_error : 0);   // corners rise by less than they are moved
-    for (std::size_t k = 0; k < slices; ++k)
-        if (double const meeting = meeting_radius(made.cleared.flanks.outline, k, offset, pitch); meeting > 0)
-            result.clearing_tip_error = std::max(result.clearing_tip_error,
-                                                 meeting + least_land * bench.scene.drive.module - bench.maker.z()[k] * std::tan(choice.tilt) - made.cleared.tip);
 }
 
 }  // namespace hdconj::detail

@@ -12,28 +12,39 @@
 namespace hdconj::detail {
 namespace {
 
-/// What the moved flanks leave of the way down to their tip circles, the most of all slices [mm].
+/// What the moved flanks of a slice leave of the way down to its tip circle [mm].
 struct Missing
 {
     double radial = 0;
     double length = 0;   ///< along the flank
 };
 
-Missing missing(FlankGrid const& grid, double distance)
+Missing missing(FlankGrid const& grid, std::size_t k, double distance)
 {
     Missing most;
     for (std::size_t f = 0; f < 2; ++f)
-        for (std::size_t k = 0; k < grid.slices(); ++k)
-        {
-            double const tip = grid.tip.empty() ? grid.point[f][k].front().norm() : grid.tip[k];
-            Vec2 const& normal = grid.normal[f][k].front();
-            Vec2 const corner = grid.point[f][k].front() + distance * normal;
-            double const radial = corner.norm() - tip, slope = std::abs(cross(corner, normal)) / corner.norm();
-            if (!(radial > 0))
-                continue;
-            most.radial = std::max(most.radial, radial);
-            most.length = std::max(most.length, radial / slope);
-        }
+    {
+        double const tip = grid.tip.empty() ? grid.point[f][k].front().norm() : grid.tip[k];
+        Vec2 const& normal = grid.normal[f][k].front();
+        Vec2 const corner = grid.point[f][k].front() + distance * normal;
+        double const radial = corner.norm() - tip, slope = std::abs(cross(corner, normal)) / corner.norm();
+        if (!(radial > 0))
+            continue;
+        most.radial = std::max(most.radial, radial);
+        most.length = std::max(most.length, radial / slope);
+    }
+    return most;
+}
+
+/// The most of all slices.
+Missing missing(FlankGrid const& grid, double distance)
+{
+    Missing most;
+    for (std::size_t k = 0; k < grid.slices(); ++k)
+    {
+        Missing const slice = missing(grid, k, distance);
+        most = {std::max(most.radial, slice.radial), std::max(most.length, slice.length)};
+    }
     return most;
 }
 
@@ -80,6 +91,14 @@ PartFlanks part_flanks(ContactBench const& bench, SurfaceMaker& maker, SurfaceCh
 double lift_of_corners(FlankGrid const& grid, double distance)
 {
     return missing(grid, distance).radial;
+}
+
+std::vector<double> lifts_of_corners(FlankGrid const& grid, double distance)
+{
+    std::vector<double> lifts;
+    for (std::size_t k = 0; k < grid.slices(); ++k)
+        lifts.push_back(missing(grid, k, distance).radial);
+    return lifts;
 }
 
 double unseen_length(FlankGrid const& grid, double distance)

@@ -3,6 +3,8 @@
 /// Flanks of a part, which reach its tip circle with the side clearance too.
 #pragma once
 
+#include <vector>
+
 #include "contact_bench.hpp"
 #include "hdconj/contact/flank_grid.hpp"
 
@@ -23,6 +25,8 @@ struct PartFlanks
 
 /// How far moving by @p distance lifts the land corners off the tip circles of a grid, of one without them off where they are; the most of all slices [mm].
 [[nodiscard]] double lift_of_corners(FlankGrid const& grid, double distance);
+/// The same of each slice.
+[[nodiscard]] std::vector<double> lifts_of_corners(FlankGrid const& grid, double distance);
 
 /// Length along the flanks of a grid with tip circles that is missing of the part when they are moved by @p distance, where its surface cannot be made so far beyond them; the most of all slices [mm].
 [[nodiscard]] double unseen_length(FlankGrid const& grid, double distance);

@@ -61,6 +61,8 @@ class SurfaceMaker
     /// Tip circle of z = 0 [mm] that leaves every slice a tip land and clears every slice's rim, by no less than least_land; the
     /// drive's own where that does. With fewer slices than all where the surface is made from its end planes.
     [[nodiscard]] double needed_tip(SurfaceChoice const& choice);
+    /// What each slice asks for, by itself; the drive's own where that is enough for it.
+    [[nodiscard]] std::vector<double> needed_by_slices(SurfaceChoice const& choice);
 
     /// Least tip circle [mm], before any tilt, that the flanks of slices with outlines of their own still meet when they are moved by @p distance into the material: by
     /// least_land outside of where the flexspline's roots come, moved as far. 0 for one outline for all slices, whose tip circle is the scene's affair.
@@ -84,9 +86,15 @@ class SurfaceMaker
 
   private:
     using Curves = std::vector<std::unique_ptr<SpaceCurve>>;
+    /// Least tip circles of z = 0 that leave the slice a land, clear the rim there and leave a land between drafted flanks [mm].
+    struct SliceNeed
+    {
+        double land = 0, rim = 0, draft = 0;
+    };
 
     [[nodiscard]] double factor(double z) const;
     [[nodiscard]] double meeting_tip(double z, double tilt);
+    [[nodiscard]] std::vector<SliceNeed> slice_needs(SurfaceChoice const& choice);
     void prepare(std::vector<std::size_t> const& wanted, bool middle_too = false);
     void prepare_middle();
     [[nodiscard]] SpaceCurve const& middle(double tip);

@@ -25,36 +25,23 @@ double foot_height(Profile const& tooth, double distance)
 
 double SurfaceMaker::needed_tip(SurfaceChoice const& choice)
 {
-    PairGeometry const& g = base_->geometry;
-    double tip = g.circular_spline_inner_radius;
+    double tip = base_->geometry.circular_spline_inner_radius;
     why_.clear();
     if (!coned() && choice.tilt == 0)
         return tip;
-    double const least = least_land * base_->scene.drive.module;
-    // every slice is entered by its own teeth, whatever the surface was made from
-    std::vector<std::size_t> const all = own_slices({"per-slice", choice.kind, 0});
-    if (coned())
-        prepare(all, choice.surface == "tilted");
-    else
-        prepare({0});
-    auto const ask = [&](double radius, double z, std::string const& cause) {
-        if (radius > tip)
-        {
-            tip = radius;
-            why_ = "no smaller one " + cause + " in the slice z = " + short_number(z) + " mm";
-        }
-    };
-    for (std::size_t k : all)
+    std::vector<SliceNeed> const needs = slice_needs(choice);
+    for (std::size_t k = 0; k < needs.size(); ++k)
     {
-        double const shift = z_[k] * std::tan(choice.tilt);
-        std::size_t const own = coned() ? k : 0;
-        // an outline of this slice's own is solved before it is moved, and needs its land there too, clear of the rim
-        bool const moved_outward = shift > 0 && coned() && choice.surface != "tilted";
-        double const gained = moved_outward ? 0 : shift;
-        ask(*pointed_[own] + least - gained, z_[k], "leaves the circular spline a tip land");
-        ask(g.r_m + motions_[own]->amplitude + g.pitch_line - g.dedendum + least - gained, z_[k], "clears the flexspline's rim");
-        if (choice.kind == "draft")
-            ask(meeting_tip(z_[k], choice.tilt), z_[k], drafted_meet);
+        auto const ask = [&](double radius, std::string const& cause) {
+            if (radius > tip)
+            {
+                tip = radius;
+                why_ = "no smaller one " + cause + " in the slice z = " + short_number(z_[k]) + " mm";
+            }
+        };
+        ask(needs[k].land, "leaves the circular spline a tip land");
+        ask(needs[k].rim, "clears the flexspline's rim");
+        ask(needs[k].draft, drafted_meet);
     }
     if (double const solved = solvable_tip(choice, base_->scene.circular_spline.backlash_offset); solved > tip)
     {
@@ -62,6 +49,41 @@ double SurfaceMaker::needed_tip(SurfaceChoice const& choice)
         why_ = "no smaller one is met by all flanks with their side clearance";
     }
     return tip;
+}
+
+std::vector<double> SurfaceMaker::needed_by_slices(SurfaceChoice const& choice)
+{
+    double const own = base_->geometry.circular_spline_inner_radius;
+    if (!coned() && choice.tilt == 0)
+        return std::vector<double>(z_.size(), own);
+    std::vector<double> tips;
+    for (SliceNeed const& each : slice_needs(choice))
+        tips.push_back(std::max({own, each.land, each.rim, each.draft}));
+    return tips;
+}
+
+/// What each slice asks of the tip circle of z = 0; every slice is entered by its own teeth, whatever the surface was made from.
+std::vector<SurfaceMaker::SliceNeed> SurfaceMaker::slice_needs(SurfaceChoice const& choice)
+{
+    PairGeometry const& g = base_->geometry;
+    double const least = least_land * base_->scene.drive.module;
+    std::vector<std::size_t> const all = own_slices({"per-slice", choice.kind, 0});
+    if (coned())
+        prepare(all, choice.surface == "tilted");
+    else
+        prepare({0});
+    std::vector<SliceNeed> needs;
+    for (std::size_t const k : all)
+    {
+        double const shift = z_[k] * std::tan(choice.tilt);
+        std::size_t const own = coned() ? k : 0;
+        // an outline of this slice's own is solved before it is moved, and needs its land there too, clear of the rim
+        bool const moved_outward = shift > 0 && coned() && choice.surface != "tilted";
+        double const gained = moved_outward ? 0 : shift;
+        needs.push_back({*pointed_[own] + least - gained, g.r_m + motions_[own]->amplitude + g.pitch_line - g.dedendum + least - gained,
+                         choice.kind == "draft" ? meeting_tip(z_[k], choice.tilt) : 0});
+    }
+    return needs;
 }
 
 double SurfaceMaker::solvable_tip(SurfaceChoice const& choice, double distance)

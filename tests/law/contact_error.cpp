@@ -186,6 +186,25 @@ TEST_CASE("contact law: a tooth that touches between two planes is told by the e
     }
 }
 
+TEST_CASE("contact law: a tip circle that more planes lift is told by the error of the few", "[law][contact]")
+{
+    // the rigid bearing of a thin cup enters a ruled surface between its ends only: there nothing is moved, and no corner lifted
+    auto const ruled = [](int slices) {
+        Keys const drive{"bearing.type=rigid", "bearing.width=2.05", "!bearing.ring_thickness", "!bearing.axially", "flexspline.cup.barrel_wall=0.4", "flexspline.wall=0.6"};
+        return contact(read_scene(file_of("type-50-elastic"), with(drive, resolution(slices, 50, "ruled")))).cases.front();
+    };
+    ContactCase const fine = ruled(17);
+    CHECK(ruled(2).clearing_offset == 0);
+    for (int const slices : {2, 3, 5})
+    {
+        ContactCase const coarse = ruled(slices);
+        INFO(slices << " slices: " << coarse.clearing_tip << " +- " << coarse.clearing_tip_error << ", finer " << fine.clearing_tip << " +- " << fine.clearing_tip_error);
+        CHECK(fine.clearing_tip - coarse.clearing_tip > 0.3 * um);
+        CHECK(fine.clearing_tip - coarse.clearing_tip <= coarse.clearing_tip_error + fine.clearing_tip_error);
+        CHECK(coarse.clearing_tip_error < 2 * (fine.clearing_tip - coarse.clearing_tip));
+    }
+}
+
 TEST_CASE("contact law: a flank between its points is the flank that many more points are on", "[law][contact]")
 {
     ConedDrive drive(builtin_scene(coned()), 3);
