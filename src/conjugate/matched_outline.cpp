@@ -3,13 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <iterator>
 #include <string>
 
-#include "boundary_track.hpp"
 #include "hdconj/numeric/error.hpp"
-#include "hdconj/numeric/parallel.hpp"
+#include "outline_unit.hpp"
 
 namespace hdconj {
 namespace {
@@ -17,7 +15,7 @@ namespace {
 using detail::BoundaryStretch;
 using detail::BoundaryTrack;
 using detail::Measure;
-using detail::TrackPoint;
+using detail::OutlineUnit;
 
 /// The stretches of one half of one slice between its landmarks, in the order of increasing x.
 struct HalfIntervals
@@ -64,76 +62,6 @@ HalfIntervals intervals_of(std::vector<SpaceCurve const*> const& slices, std::si
     return found;
 }
 
-/// Stretches of all slices that are sampled at the same shares.
-struct Unit
-{
-    OutlineKind kind = OutlineKind::land;
-    int segment = -1;
-    std::vector<BoundaryTrack> tracks;       ///< (k)
-    std::vector<double> stations;
-    std::vector<std::vector<TrackPoint>> at; ///< (k, stations)
-
-    /// Of the longest slice [mm].
-    [[nodiscard]] double length() const
-    {
-        double longest = 0;
-        for (BoundaryTrack const& track : tracks)
-            longest = std::max(longest, track.length());
-        return longest;
-    }
-};
-
-double chord_between(TrackPoint const& a, TrackPoint const& b)
-{
-    return detail::chord_error({0, 0, a.p, a.after, 0}, {0, 0, b.p, b.before, 0});
-}
-
-/// Cuts every interval of stations that is too coarse in any slice, until none is.
-void sample(Unit& unit, double chord, int intervals, int threads)
-{
-    constexpr int fewest = 4;   // the chord error of a stretch that turns far is only right after a few cuts
-    int const first_look = std::max(fewest, intervals);
-    std::vector<double> added;
-    for (int i = 0; i <= first_look; ++i)
-        added.push_back(static_cast<double>(i) / first_look);
-    for (BoundaryTrack const& track : unit.tracks)
-        added.insert(added.end(), track.joints().begin(), track.joints().end());
-    std::sort(added.begin(), added.end());
-    added.erase(std::unique(added.begin(), added.end()), added.end());
-    std::size_t const slices = unit.tracks.size();
-    unit.at.assign(slices, {});
-    constexpr int deepest = 48;
-    for (int depth = 0; !added.empty(); ++depth)
-    {
-        if (depth > deepest)
-            throw NumericalError("slices", "matched outline", "could not be sampled to a chord error of " + std::to_string(chord) + " mm");
-        std::vector<double> merged;
-        std::merge(unit.stations.begin(), unit.stations.end(), added.begin(), added.end(), std::back_inserter(merged));
-        std::vector<std::uint8_t> split(merged.size(), 0);
-        std::vector<std::vector<std::uint8_t>> coarse(slices);
-        parallel_for(slices, threads, 8, [&](std::size_t k) {
-            std::vector<TrackPoint> points;
-            points.reserve(merged.size());
-            std::size_t old = 0;
-            for (double const share : merged)
-                points.push_back(old < unit.stations.size() && unit.stations[old] == share ? unit.at[k][old++] : unit.tracks[k].at(share));
-            coarse[k].assign(merged.size(), 0);
-            for (std::size_t i = 0; i + 1 < points.size(); ++i)
-                coarse[k][i] = chord_between(points[i], points[i + 1]) > chord ? 1 : 0;
-            unit.at[k] = std::move(points);
-        });
-        unit.stations = std::move(merged);
-        added.clear();
-        for (std::size_t i = 0; i + 1 < unit.stations.size(); ++i)
-        {
-            bool const any = std::any_of(coarse.begin(), coarse.end(), [i](auto const& slice) { return slice[i] != 0; });
-            double const middle = 0.5 * (unit.stations[i] + unit.stations[i + 1]);
-            if (any && middle > unit.stations[i] && middle < unit.stations[i + 1])
-                added.push_back(middle);
-        }
-    }
-}
-
 bool same_stretches(std::vector<std::vector<BoundaryStretch> const*> const& slices)
 {
     return std::all_of(slices.begin(), slices.end(), [&](auto const* stretches) {
@@ -143,10 +71,12 @@ bool same_stretches(std::vector<std::vector<BoundaryStretch> const*> const& slic
 }
 
 /// One stretch of every slice: by profile parameter on flanks where it is monotone everywhere, else by length.
-Unit unit_of(std::vector<SpaceCurve const*> const& curves, std::vector<std::vector<BoundaryStretch>> const& stretches, OutlineKind kind, int segment,
+OutlineUnit unit_of(std::vector<SpaceCurve const*> const& curves, std::vector<std::vector<BoundaryStretch>> const& stretches, OutlineKind kind, int segment,
              bool by_profile, double chord, bool rulings)
 {
-    Unit unit{kind, segment, {}, {}, {}};
+    OutlineUnit unit;
+    unit.kind = kind;
+    unit.segment = segment;
     for (Measure const measure : {Measure::profile, rulings ? Measure::rulings : Measure::length})
     {
         if (measure == Measure::profile && !by_profile)
@@ -165,7 +95,7 @@ Unit unit_of(std::vector<SpaceCurve const*> const& curves, std::vector<std::vect
 }
 
 /// The units of one interval: stretch by stretch where all slices have the same, else as a whole.
-void add_interval(std::vector<Unit>& units, std::vector<SpaceCurve const*> const& curves, std::vector<std::vector<BoundaryStretch> const*> const& slices,
+void add_interval(std::vector<OutlineUnit>& units, std::vector<SpaceCurve const*> const& curves, std::vector<std::vector<BoundaryStretch> const*> const& slices,
                   OutlineKind kind, double chord, bool rulings, bool& by_origin)
 {
     bool const same = same_stretches(slices);
@@ -185,7 +115,7 @@ void add_interval(std::vector<Unit>& units, std::vector<SpaceCurve const*> const
 /// The units of both halves, or of the right one where the left is its image.
 struct Units
 {
-    std::vector<Unit> units;
+    std::vector<OutlineUnit> units;
     std::array<std::size_t, 5> marks{};  ///< number of units before each landmark
     bool symmetric = false;
     bool by_origin = true;
@@ -263,7 +193,7 @@ std::vector<std::size_t> join(Units const& all, std::size_t slices, MatchedOutli
     std::vector<std::size_t> ends{0};
     for (std::size_t u = 0; u < all.units.size(); ++u)
     {
-        Unit const& unit = all.units[u];
+        OutlineUnit const& unit = all.units[u];
         // where a flank begins, the corner moves with the flank
         bool const begins_flank = u == all.marks[3] || (!all.symmetric && u == all.marks[0]);
         std::size_t const first = out.points.front().empty() ? 0 : out.points.front().size() - 1;
@@ -276,9 +206,8 @@ std::vector<std::size_t> join(Units const& all, std::size_t slices, MatchedOutli
                 out.points[k].push_back(unit.at[k][i].p);
                 out.normals[k].push_back(unit.at[k][i].before);
             }
-            for (std::size_t i = 0; i + 1 < unit.stations.size(); ++i)
-                out.chord = std::max(out.chord, chord_between(unit.at[k][i], unit.at[k][i + 1]));
         }
+        out.chord = std::max(out.chord, unit.chord);
         ends.push_back(out.points.front().size() - 1);
         out.stretches.push_back({unit.kind, unit.segment, first, ends.back()});
     }

@@ -100,13 +100,13 @@ class CentredOutlineSampler
   public:
     /// @throws NumericalError when the boundary does not cross x = 0
     CentredOutlineSampler(Envelope<Motion> const& envelope, std::vector<ContactArc> const& arcs, std::vector<BoundaryPiece> const& pieces, double tip_radius, double pitch,
-                          Tolerance const& tolerance)
+                          Tolerance const& tolerance, double chord)
         : profile_(envelope.profile()), tip_radius_(tip_radius)
     {
         Halves halves = cut_at_centre_line(envelope, arcs, pieces, pitch, tolerance);
-        right_.emplace(envelope, arcs, std::move(halves.right), pitch, tolerance.length);
+        right_.emplace(envelope, arcs, std::move(halves.right), pitch, chord);
         if (!(profile_.mirror_symmetric && envelope.motion().symmetric()))
-            left_.emplace(envelope, arcs, std::move(halves.left), pitch, tolerance.length);
+            left_.emplace(envelope, arcs, std::move(halves.left), pitch, chord);
     }
 
     [[nodiscard]] std::size_t count() const { return right_->count() + (left_ ? left_->count() : 0); }

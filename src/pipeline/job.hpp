@@ -13,6 +13,7 @@
 #include "certificate.hpp"
 #include "drive.hpp"
 #include "hdconj/conjugate/space_curve.hpp"
+#include "moved_outline.hpp"
 #include "outline_records.hpp"
 #include "records_beside.hpp"
 #include "root_clearance.hpp"
@@ -133,11 +134,16 @@ class SolveJob
             else
             {
                 trace_boundary(chord);
-                for (std::size_t i = 0; i < sampler_->count(); ++i)
-                    sampler_->sample(i, out_.threads);
+                sample_pieces();
             }
-            outline_ = sampler_->joined();
-            out_.work.envelope_points += outline_.outline.evaluations;
+            join_pieces();
+            double const shift = largest_radial_shift(out_.scene);
+            for (MovedChord moved(tolerance_.length); shift > 0 && moved.is_longer(chord_moved_radially(outline_.outline.points, outline_.outline.chord, shift));)
+            {
+                find_sampler(moved.asked());
+                sample_pieces();
+                join_pieces();
+            }
         });
         clock_.run(Stage::root_clearance, [&] {
             std::size_t const before = outline_.outline.points.size();
@@ -159,8 +165,25 @@ class SolveJob
         clock_.run(Stage::outline, [&] {
             if (is_moved())
                 moved_.emplace(final_envelope());
-            sampler_.emplace(moved_ ? *moved_ : base_, final_.arcs, final_.space.pieces, out_.geometry.circular_spline_inner_radius, pitch_, tolerance_);
+            find_sampler(tolerance_.length);
         });
+    }
+
+    void find_sampler(double chord)
+    {
+        sampler_.emplace(moved_ ? *moved_ : base_, final_.arcs, final_.space.pieces, out_.geometry.circular_spline_inner_radius, pitch_, tolerance_, chord);
+    }
+
+    void sample_pieces()
+    {
+        for (std::size_t i = 0; i < sampler_->count(); ++i)
+            sampler_->sample(i, out_.threads);
+    }
+
+    void join_pieces()
+    {
+        outline_ = sampler_->joined();
+        out_.work.envelope_points += outline_.outline.evaluations;
     }
 
     /// Every outline point against every position of every tooth. A symmetric pair's left half is the image of its right one.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 #include <utility>
 
@@ -12,11 +13,39 @@
 
 namespace hdconj::detail {
 
+double chord_moved_radially(std::vector<Vec2> const& points, double chord, double distance)
+{
+    double least = std::numeric_limits<double>::infinity(), bend = 0;
+    for (std::size_t i = 0; i < points.size(); ++i)
+    {
+        double const here = points[i].norm();
+        if (i > 0)
+        {
+            Vec2 const along = points[i] - points[i - 1];
+            double const nearest = std::min(here, points[i - 1].norm());
+            double const across = std::abs(cross(points[i], along)), up = std::max(std::abs(points[i].dot(along)), std::abs(points[i - 1].dot(along)));
+            bend = std::max(bend, across * std::hypot(2 * up, across) / std::pow(nearest, 4));
+        }
+        least = std::min(least, here);
+    }
+    return chord * (1 + std::max(0.0, distance) / least) + std::abs(distance) * bend / 8;
+}
+
+double largest_radial_shift(Scene const& scene)
+{
+    if (!scene.tilt || scene.tilt->kind != "radial" || !scene.slices || scene.slices->count < 2)
+        return 0;
+    return 0.5 * scene.circular_spline.width.value_or(0) * std::tan(std::abs(scene.tilt->angle));
+}
+
 void move_radially(MatchedOutline& outline, std::vector<double> const& z, double tilt)
 {
+    double const chord = outline.chord;
     for (std::size_t k = 0; k < z.size(); ++k)
     {
         double const distance = z[k] * std::tan(tilt);
+        if (distance != 0)
+            outline.chord = std::max(outline.chord, chord_moved_radially(outline.points[k], chord, distance));
         for (std::size_t i = 0; i < outline.points[k].size(); ++i)
         {
             outline.normals[k][i] = normal_moved_radially(outline.points[k][i], outline.normals[k][i], distance);

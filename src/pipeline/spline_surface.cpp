@@ -214,11 +214,22 @@ MatchedOutline SurfaceMaker::operator()(SurfaceChoice const& choice, double tip,
 {
     bool const follows = coned() && choice.surface != "tilted";
     check_reach(choice, follows, tip);
-    MatchedOutline outline = follows ? own(choice, tip, chord, flank_intervals) : tilted(choice, tip, chord, flank_intervals);
-    deepen_all(outline, base_->scene.circular_spline.root_clearance);
-    if (choice.tilt != 0 && choice.kind == "radial")
-        move_radially(outline, z_, choice.tilt);
-    return outline;
+    auto const made = [&](auto const& sampled) {
+        for (MovedChord moved(chord);;)
+        {
+            MatchedOutline outline = sampled(moved.asked());
+            deepen_all(outline, base_->scene.circular_spline.root_clearance);
+            if (choice.tilt == 0 || choice.kind != "radial")
+                return outline;
+            move_radially(outline, z_, choice.tilt);
+            if (!moved.is_longer(outline.chord))
+                return outline;
+        }
+    };
+    if (!follows)
+        return made([&](double asked) { return tilted(choice, tip, asked, flank_intervals); });
+    Curves const curves = solved(own_slices(choice), tip);
+    return made([&](double asked) { return own(curves, choice, asked, flank_intervals); });
 }
 
 MatchedOutline SurfaceMaker::tilted(SurfaceChoice const& choice, double tip, double chord, int flank_intervals)
@@ -241,9 +252,8 @@ MatchedOutline SurfaceMaker::tilted(SurfaceChoice const& choice, double tip, dou
     return matched_outline(slices, chord, flank_intervals, threads_);
 }
 
-MatchedOutline SurfaceMaker::own(SurfaceChoice const& choice, double tip, double chord, int flank_intervals)
+MatchedOutline SurfaceMaker::own(Curves const& curves, SurfaceChoice const& choice, double chord, int flank_intervals) const
 {
-    Curves const curves = solved(own_slices(choice), tip);
     std::vector<SpaceCurve const*> slices;
     for (auto const& curve : curves)
         slices.push_back(curve.get());

@@ -102,7 +102,7 @@ class SurfaceMaker
     [[nodiscard]] std::vector<std::size_t> own_slices(SurfaceChoice const& choice) const;
     void check_reach(SurfaceChoice const& choice, bool follows, double tip);
     [[nodiscard]] MatchedOutline tilted(SurfaceChoice const& choice, double tip, double chord, int flank_intervals);
-    [[nodiscard]] MatchedOutline own(SurfaceChoice const& choice, double tip, double chord, int flank_intervals);
+    [[nodiscard]] MatchedOutline own(Curves const& curves, SurfaceChoice const& choice, double chord, int flank_intervals) const;
     [[nodiscard]] bool coned() const { return base_->scene.coning.has_value() && z_.size() > 1; }
 
     Solution const* base_;

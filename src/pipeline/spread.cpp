@@ -19,16 +19,23 @@ namespace hdconj::detail {
 namespace {
 
 /// Every slice is the outline at z = 0, perhaps moved along its radii.
-void repeat_outline(CircularSplineOutline& spline, std::vector<double> const& z, double tilt)
+void repeat_outline(Solution& out, std::vector<double> const& z, double tilt)
 {
+    CircularSplineOutline& spline = out.circular_spline;
     std::vector<Vec2> const middle = spline.outline.front();
     spline.z = z;
     spline.outline.assign(z.size(), middle);
     if (tilt == 0)
         return;
+    double const chord = out.error.chord;
     for (std::size_t k = 0; k < z.size(); ++k)
+    {
+        double const distance = z[k] * std::tan(tilt);
+        if (distance != 0)
+            out.error.chord = std::max(out.error.chord, chord_moved_radially(middle, chord, distance));
         for (Vec2& p : spline.outline[k])
-            p = moved_radially(p, z[k] * std::tan(tilt));
+            p = moved_radially(p, distance);
+    }
 }
 
 void take(Solution& out, MatchedOutline const& outline, Profile const& tooth, std::vector<double> const& z)
@@ -73,8 +80,8 @@ void spread_over_width(Solution& out, Profile const& tooth, AnyWaveShape const& 
     bool const follows = scene.coning && scene.slices->surface != "tilted";
     if (!follows && !draft)
     {
-        clock.run(Stage::surface, [&] { repeat_outline(out.circular_spline, z, 0); });
-        clock.run(Stage::tilt, [&] { repeat_outline(out.circular_spline, z, tilt); });
+        clock.run(Stage::surface, [&] { repeat_outline(out, z, 0); });
+        clock.run(Stage::tilt, [&] { repeat_outline(out, z, tilt); });
         return;
     }
     Solution const base = out;

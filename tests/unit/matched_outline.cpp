@@ -5,6 +5,8 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
+#include <limits>
+#include <sstream>
 
 #include "support/catch.hpp"
 #include "support/coned_drive.hpp"
@@ -448,4 +450,46 @@ TEST_CASE("slices that are moved outward or have side clearance are solved outsi
                 CHECK(off < 1.05 * chord);
             }
         }
+}
+
+TEST_CASE("matched outline: few long chords stay as near to the outline as they say, moved along its radii too", "[matched_outline]")
+{
+    struct Row
+    {
+        std::string scene;
+        std::vector<std::string> keys;
+    };
+    std::vector<std::string> const cone{"coning.model=linear", "circular_spline.width=3", "slices.count=3"};
+    std::vector<Row> const rows{
+        {"b-spline", with(cone, {"slices.surface=per-slice", "coning.bottom_to_middle=39.66", "coning.axial_shift=mapped"})},
+        {"points", with(cone, {"slices.surface=ruled", "coning.bottom_to_middle=24.879", "coning.axial_shift=none", "tilt.angle_deg=-0.385", "tilt.kind=radial",
+                               "circular_spline.backlash_offset=0.0081"})},
+        {"ellipse", with(cone, {"slices.surface=tilted", "coning.bottom_to_middle=25.619", "coning.axial_shift=none", "tilt.angle_deg=-3", "tilt.kind=radial"})},
+        {"ellipse", {"circular_spline.width=3", "slices.count=3", "slices.surface=tilted", "tilt.angle_deg=5", "tilt.kind=radial"}}};
+    for (Row const& row : rows)
+    {
+        auto const text = [](double value) { return (std::ostringstream() << value).str(); };
+        auto const solved = [&](double tolerance) { return solve(read_scene(file_of(row.scene), with(row.keys, {"solver.tolerance=" + text(tolerance)}))); };
+        for (double const tolerance : {1e-3, 1e-5})
+        {
+            Solution const coarse = solved(tolerance), fine = solved(tolerance / 1000);
+            CHECK(coarse.error.chord <= tolerance);
+            // chords of the coarse outline are cut no finer than they need to be
+            CHECK(coarse.error.chord > 0.2 * tolerance);
+            for (std::size_t k = 0; k < fine.circular_spline.outline.size(); ++k)
+            {
+                std::vector<Vec2> const& chords = coarse.circular_spline.outline[k];
+                double worst = 0;
+                for (Vec2 const& p : fine.circular_spline.outline[k])
+                {
+                    double nearest = std::numeric_limits<double>::infinity();
+                    for (std::size_t i = 0; i + 1 < chords.size(); ++i)
+                        nearest = std::min(nearest, distance_to_segment(chords[i], chords[i + 1], p));
+                    worst = std::max(worst, nearest);
+                }
+                INFO(row.scene << ", tolerance " << tolerance << ", slice " << k << ": " << worst << " of " << coarse.error.chord << " mm stated");
+                CHECK(worst <= coarse.error.chord + fine.error.chord);
+            }
+        }
+    }
 }

@@ -155,26 +155,28 @@ struct ChordLook
     }
 };
 
-/// For each chord between neighbouring @p points, at @p stations: its error estimated from its ends, as @p look has it, where its neighbours bend as it does; else its
-/// bound, which is put in its place.
+/// Whether chord @p i has neighbours on either side that bend as it does, so that chord_error() is not below its error.
 ///
 /// Where curvature changes by a tenth from chord to chord, what the cubic over one leaves out, L^4 y''''/384 of L^2 y''/8, is below half a per
 /// cent, a quarter of what chord_error() adds.
+[[nodiscard]] inline bool bends_alike(std::span<double const> bends, std::size_t i)
+{
+    constexpr double alike = 1.1;
+    auto const agree = [&](double a, double b) { return a * b > 0 && std::abs(a) <= alike * std::abs(b) && std::abs(b) <= alike * std::abs(a); };
+    return i > 0 && i + 1 < bends.size() && agree(bends[i], bends[i - 1]) && agree(bends[i], bends[i + 1]);
+}
+
+/// For each chord between neighbouring @p points, at @p stations: its error estimated from its ends, as @p look has it, where its neighbours bend as it does (bends_alike()); else
+/// its bound, which is put in its place.
 template<class At>
 void bound_chords(At const& at, std::vector<double> const& stations, std::vector<EnvelopePoint> const& points, ChordLook& look, std::size_t& evaluations)
 {
     std::size_t const count = points.size() - 1;
-    constexpr double alike = 1.1;
-    auto const agree = [&](std::size_t i, std::size_t j) {
-        double const a = look.bends[i], b = look.bends[j];
-        return a * b > 0 && std::abs(a) <= alike * std::abs(b) && std::abs(b) <= alike * std::abs(a);
-    };
     constexpr std::size_t many = 16;
     double const first_doubt = count < many ? 1 : 0.1;
     for (std::size_t i = 0; i < count; ++i)
     {
-        bool const known = i > 0 && i + 1 < count && agree(i, i - 1) && agree(i, i + 1);
-        if (!known)
+        if (!bends_alike(look.bends, i))
             look.errors[i] = chord_bound(at, stations[i], points[i], stations[i + 1], points[i + 1], first_doubt, evaluations);
     }
 }
