@@ -34,7 +34,7 @@ target_compile_definitions(hdconj_test_setup INTERFACE
 add_library(hdconj_test_main OBJECT ${main})
 target_link_libraries(hdconj_test_main PRIVATE hdconj_test_setup)
 target_precompile_headers(hdconj_test_main PRIVATE support/catch.hpp)
-set_source_files_properties(support/catch_main.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
+set_source_files_properties(support/catch_main.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS -O1)
 
 # Tests run side by side: a thread that waits for its next loop must not keep the processor from another test (apps/hdconj/threads.cpp).
 set(hdconj_test_spin "GOMP_SPINCOUNT=3000")
