@@ -14,6 +14,9 @@ add_compile_options(-Wall -Wextra -Wpedantic -Wshadow -Wconversion)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC 12 sees overlaps and overflows in std::string's operator+ that are not there. The sanitizers see real ones.
   add_compile_options(-Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
+  if(HDCONJ_RARE_COLLECTION)  # no effect on what is compiled
+    add_compile_options("SHELL:--param ggc-min-expand=300" "SHELL:--param ggc-min-heapsize=1000000")
+  endif()
 endif()
 if(HDCONJ_WERROR)
   add_compile_options(-Werror)
