@@ -149,7 +149,7 @@ std::vector<StudyRung const*> above(std::vector<StudyRung> const& rungs, double 
 /// Whether the error of @p b is below that of @p a, and not by a hair.
 bool falls(StudyRung const& a, StudyRung const& b)
 {
-    constexpr double hair = 0.95;
+    constexpr double hair = 0.95;  // why_no_order() says so
     return b.error < hair * a.error;
 }
 
@@ -182,7 +182,7 @@ std::string why_no_order(std::vector<StudyRung> const& rungs, double floor)
     std::vector<StudyRung const*> const clear = above(rungs, floor);
     constexpr std::size_t least = 3;
     bool const fall = std::adjacent_find(clear.begin(), clear.end(), [](StudyRung const* a, StudyRung const* b) { return !falls(*a, *b); }) == clear.end();
-    return clear.size() < least || fall ? std::string() : "errors do not fall from rung to rung";
+    return clear.size() < least || fall ? std::string() : "errors do not fall by 5 % at every rung";
 }
 
 std::optional<ErrorPerStep> error_per_step(std::vector<StudyRung> const& rungs)
