@@ -28,19 +28,21 @@ double weight(int n, Repetition const& repetition)
     return (n == 0 ? 1 / (2 * std::numbers::pi) : 1 / std::numbers::pi) * repetition.waves;
 }
 
-/// cos n phi and sin n phi of each point (rows), each harmonic (columns).
+/// cos n phi and sin n phi of each harmonic (rows), each point (columns).
 struct Waves
 {
-    Waves(std::vector<InfluencePoint> const& points, std::vector<int> const& harmonics)
-        : cosine(static_cast<Eigen::Index>(points.size()), static_cast<Eigen::Index>(harmonics.size())), sine(cosine.rows(), cosine.cols())
+    Waves(std::vector<InfluencePoint> const& points, std::vector<int> const& harmonics, int threads)
+        : cosine(static_cast<Eigen::Index>(harmonics.size()), static_cast<Eigen::Index>(points.size())), sine(cosine.rows(), cosine.cols())
     {
-        for (Eigen::Index i = 0; i < cosine.rows(); ++i)
-            for (Eigen::Index k = 0; k < cosine.cols(); ++k)
+        constexpr std::size_t worth_a_thread = 32;
+        parallel_for(points.size(), threads, worth_a_thread, [&](std::size_t i) {
+            for (Eigen::Index k = 0; k < cosine.rows(); ++k)
             {
-                double const angle = harmonics[static_cast<std::size_t>(k)] * points[static_cast<std::size_t>(i)].phi;
-                cosine(i, k) = std::cos(angle);
-                sine(i, k) = std::sin(angle);
+                double const angle = harmonics[static_cast<std::size_t>(k)] * points[i].phi;
+                cosine(k, static_cast<Eigen::Index>(i)) = std::cos(angle);
+                sine(k, static_cast<Eigen::Index>(i)) = std::sin(angle);
             }
+        });
     }
 
     Eigen::MatrixXd cosine;
@@ -82,7 +84,9 @@ Eigen::MatrixXd Influence::matrix(std::vector<InfluencePoint> const& at, std::ve
 {
     auto const rows = static_cast<Eigen::Index>(at.size()), columns = static_cast<Eigen::Index>(loads.size());
     auto const terms = static_cast<Eigen::Index>(harmonics_.size());
-    Waves const to(at, harmonics_), from(loads, harmonics_);
+    Waves const to(at, harmonics_, threads);
+    std::optional<Waves> elsewhere;
+    Waves const& from = &loads == &at ? to : elsewhere.emplace(loads, harmonics_, threads);
     // column of each pair of stations: the weighted compliances, harmonic by harmonic
     auto const count = static_cast<Eigen::Index>(stations());
     Eigen::MatrixXd pairs(terms, count * count);
@@ -93,19 +97,18 @@ Eigen::MatrixXd Influence::matrix(std::vector<InfluencePoint> const& at, std::ve
             for (Eigen::Index b = 0; b < count; ++b)
                 pairs(k, a * count + b) = c * compliance_[static_cast<std::size_t>(k)](a, b);
     }
-    Eigen::MatrixXd const cosines = from.cosine.transpose(), sines = from.sine.transpose();
     Eigen::MatrixXd result(columns, rows);
     constexpr std::size_t worth_a_thread = 8;
     parallel_for(at.size(), threads, worth_a_thread, [&](std::size_t i) {
         auto const row = static_cast<Eigen::Index>(i);
         auto const a = static_cast<Eigen::Index>(at[i].station);
         bool const odd = is_odd(directions_[at[i].station]);
-        Eigen::ArrayXd const c = to.cosine.row(row).transpose(), s = to.sine.row(row).transpose();
+        auto const c = to.cosine.col(row).array(), s = to.sine.col(row).array();
         for (Eigen::Index column = 0; column < columns; ++column)
         {
             auto const station = loads[static_cast<std::size_t>(column)].station;
             auto const pair = pairs.col(a * count + static_cast<Eigen::Index>(station)).array();
-            auto const cl = cosines.col(column).array(), sl = sines.col(column).array();
+            auto const cl = from.cosine.col(column).array(), sl = from.sine.col(column).array();
             bool const odd_load = is_odd(directions_[station]);
             // h = f(n phi) F(n phi') + g(n phi) G(n phi'); a mirrored force doubles the first term and cancels the second
             double first = 0, second = 0;

@@ -242,12 +242,12 @@ FlankContact contact_at(View const& view, FlankCurve::Place const& place, GapFie
     return c;
 }
 
-std::vector<FlankCurve> curves_of(FlankGrid const& grid)
+std::vector<FlankCurve> curves_of(FlankGrid const& grid, int threads)
 {
-    std::vector<FlankCurve> curves;
-    for (std::size_t f = 0; f < 2; ++f)
-        for (std::size_t k = 0; k < grid.slices(); ++k)
-            curves.emplace_back(grid.point[f][k]);
+    std::size_t const slices = grid.slices();
+    std::vector<FlankCurve> curves(2 * slices);
+    constexpr std::size_t grain = 8;
+    parallel_for(curves.size(), threads, grain, [&](std::size_t i) { curves[i] = FlankCurve(grid.point[i / slices][i % slices]); });
     return curves;
 }
 
@@ -261,7 +261,7 @@ double radius_of(FlankGrid const& grid, std::size_t flank, std::size_t slice)
 std::vector<FlankContact> flank_contacts(GapField const& field, FlankSearch const& search, int threads)
 {
     FlankGrid const& grid = field.grid();
-    std::vector<FlankCurve> const curves = curves_of(grid);
+    std::vector<FlankCurve> const curves = curves_of(grid, threads);
     std::vector<std::vector<FlankContact>> found(search.spaces);
     constexpr std::size_t grain = 4;
     parallel_for(search.spaces, threads, grain, [&](std::size_t s) {

@@ -23,6 +23,8 @@ class FlankCurve
         double share;  ///< 0 ... 1
     };
 
+    FlankCurve() = default;
+
     explicit FlankCurve(std::vector<Vec2> const& point) : point_(point)
     {
         constexpr double aligned = 0.995;  // cosine of 6 degrees
@@ -36,23 +38,22 @@ class FlankCurve
             way_.push_back(way_.back() + length);
             longest_ = std::max(longest_, length);
         }
-        auto const direction = [&](std::size_t stretch) { return Vec2((point[stretch + 1] - point[stretch]) / length(stretch)); };
-        // unit tangent at the end of a stretch where a neighbour goes on from it
-        auto const tangent = [&](std::size_t stretch, std::size_t neighbour) {
-            Vec2 const own = direction(stretch);
-            if (neighbour >= way_.size() - 1 || !(length(neighbour) > 0))
-                return own;
-            Vec2 const other = direction(neighbour);
-            if (own.dot(other) < aligned)
-                return own;
-            return Vec2((length(neighbour) * own + length(stretch) * other).normalized());
-        };
-        for (std::size_t i = 0; i + 1 < way_.size(); ++i)
+        std::vector<Vec2> direction(way_.size() - 1, Vec2::Zero());
+        for (std::size_t i = 0; i < direction.size(); ++i)
         {
-            bool const real = length(i) > 0;
-            begin_.push_back(real ? Vec2(length(i) * tangent(i, i - 1)) : Vec2(Vec2::Zero()));  // i - 1 beyond the first is no neighbour either
-            end_.push_back(real ? Vec2(length(i) * tangent(i, i + 1)) : Vec2(Vec2::Zero()));
+            if (length(i) > 0)
+                direction[i] = (point[i + 1] - point[i]) / length(i);
+            begin_.push_back(length(i) * direction[i]);
+            end_.push_back(begin_.back());
         }
+        // where a neighbour goes on, both end along the tangent they share
+        for (std::size_t i = 1; i < direction.size(); ++i)
+            if (direction[i - 1].dot(direction[i]) >= aligned)
+            {
+                Vec2 const tangent = (length(i) * direction[i - 1] + length(i - 1) * direction[i]).normalized();
+                end_[i - 1] = length(i - 1) * tangent;
+                begin_[i] = length(i) * tangent;
+            }
         while (first_ + 1 < begin_.size() && !(length(first_) > 0))
             ++first_;
         last_ = begin_.size() - 1;
