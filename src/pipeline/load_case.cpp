@@ -232,10 +232,10 @@ void estimate(ContactBench const& bench, CoarseDrive const& coarse, FlankGrid co
 
 }  // namespace
 
-Assembly assembly(ContactBench const&, ElasticDrive const& drive)
+Assembly assembly(ContactBench const& bench, ElasticDrive const& drive)
 {
     Assembly result;
-    result.state = equilibrium(drive, {}, std::nullopt, nullptr, 1);
+    result.state = equilibrium(drive, {}, std::nullopt, nullptr, bench.threads);
     result.forces = forces_on_cup(drive, {}, result.state);
     return result;
 }
