@@ -7,15 +7,11 @@
 #include <vector>
 
 #include "accuracy_figures.hpp"
+#include "picture_frame.hpp"
 
 namespace hdconj::study_picture {
 
-// Layout [px].
-inline constexpr double top = 82;
-inline constexpr double panel_height = 430;
-inline constexpr double left_axis = 112;
-
-/// One ladder as a line; dashed where it is the worst of the sample.
+/// One ladder as a line.
 struct Curve
 {
     StudyLadder const* ladder;
@@ -31,14 +27,39 @@ struct Curve
 /// How the line looks, in gnuplot's words.
 [[nodiscard]] std::string look(Curve const& curve);
 
-/// Height of a picture with that many lines [px].
-[[nodiscard]] double height_of(std::size_t curves);
+/// One set of axes with its lines: the drive's, or beside them those of the worst of the sample.
+struct Part
+{
+    std::string title;   ///< above the axes; empty where there are no others
+    std::vector<Curve> curves;
+    picture::Panel panel;
+};
+[[nodiscard]] std::vector<Part> parts_of(std::vector<Curve> const& curves, std::string const& drive);
 
-/// Terminal, title and logarithmic axes.
-[[nodiscard]] std::string frame(StoredAccuracy const& study, std::string const& name, std::string const& hint, double height, PictureFormat format);
+/// What stands below the axes: for each method its line, name and remark, and below it that of its worst in the sample.
+struct Legend
+{
+    struct Row
+    {
+        Curve const* curve;   ///< null: goes on with the last one
+        std::string text;
+    };
+    std::vector<Row> rows;
 
-/// The legend's entry number @p i.
-[[nodiscard]] std::string legend(Curve const& curve, std::size_t i, std::string const& remark, double height);
+    /// @param remark  of a curve; empty: nothing to say
+    Legend(std::vector<Curve> const& curves, std::string (*remark)(Curve const&));
+    /// @param panel  what it stands below
+    [[nodiscard]] std::string text(picture::Panel const& panel, double height) const;
+    /// Of the whole picture [px].
+    [[nodiscard]] double height_below(picture::Panel const& panel) const;
+};
+
+/// Terminal, title and legend.
+/// @param hint  what else has to be said; empty: nothing
+[[nodiscard]] std::string frame(StoredAccuracy const& study, std::string const& name, std::string const& hint, std::string const& legend, double height, PictureFormat format);
+
+/// Logarithmic axes of part number @p i. What stands about the first axes is not drawn again, nor are numbers of an axis that is the same.
+[[nodiscard]] std::string axes_of(Part const& part, std::size_t i, double height);
 
 /// Time on threads, for the study of which that is the knob.
 [[nodiscard]] std::string time_on_threads(StoredAccuracy const& study, std::vector<StudyLadder> const& ladders, std::string const& name, PictureFormat format);

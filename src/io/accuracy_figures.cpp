@@ -74,7 +74,8 @@ std::string duration(double seconds)
 
 std::string knob_text(double value)
 {
-    return fmt::format("{:.6g}", value);
+    constexpr double whole_below = 1e9;   // a count as a count
+    return value == std::floor(value) && std::abs(value) < whole_below ? fmt::format("{:.0f}", value) : fmt::format("{:.6g}", value);
 }
 
 std::string threads_text(int threads)

@@ -33,7 +33,7 @@ struct RecordText
 [[nodiscard]] std::string scientific(double value);
 /// "12.3 ms".
 [[nodiscard]] std::string duration(double seconds);
-/// A knob's value as a user writes it: "1e-06", "64".
+/// A knob's value as a user writes it: "1e-06", "64", "1048576".
 [[nodiscard]] std::string knob_text(double value);
 /// "1 thread", "2 threads".
 [[nodiscard]] std::string threads_text(int threads);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Error against time, log-log: one line per method, floors as dashed lines, least and most time as whiskers.
+// Error against time, log-log: one line per method, floors as dashed lines, least and most time as whiskers; beside the drive the worst of the sample, where there is one.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,13 +8,14 @@
 
 #include "accuracy_curves.hpp"
 #include "accuracy_labels.hpp"
-#include "picture_frame.hpp"
+#include "hdconj/study/ladder.hpp"
 #include "picture_lines.hpp"
 
 namespace hdconj {
 namespace {
 
 using study_picture::Curve;
+using study_picture::Part;
 
 struct Range
 {
@@ -38,19 +39,20 @@ struct Range
 struct Axes
 {
     Range time, error;
+    picture::Panel panel;
 
     [[nodiscard]] study_picture::Spot spot(double seconds, double off) const
     {
         double const across = std::log(seconds / time.low) / std::log(time.high / time.low), up = std::log(off / error.low) / std::log(error.high / error.low);
-        return {study_picture::left_axis + across * (picture::width - picture::right_margin - study_picture::left_axis), study_picture::top + (1 - up) * study_picture::panel_height};
+        return {panel.left + across * (panel.right - panel.left), panel.bottom + up * (panel.top - panel.bottom)};
     }
 };
 
-/// The knob's value beside the first and the last rung of every line but the sample's, where there is one to turn.
+/// The knob's value beside the first and the last rung of every line, where there is one to turn.
 std::string ends_of(std::vector<Curve> const& curves, Axes const& axes, double height)
 {
     using study_picture::Spot;
-    study_picture::LabelPlaces places({study_picture::left_axis, picture::width - picture::right_margin, study_picture::top, study_picture::top + study_picture::panel_height});
+    study_picture::LabelPlaces places({axes.panel.left, axes.panel.right, axes.panel.top, axes.panel.bottom});
     for (auto const& curve : curves) {
         for (std::size_t i = 0; i < curve.rungs.size(); ++i) {
             auto const& rung = *curve.rungs[i];
@@ -73,7 +75,7 @@ std::string ends_of(std::vector<Curve> const& curves, Axes const& axes, double h
                               picture::screen((box.left + box.right) / 2, (box.top + box.bottom) / 2, height), curve.colour);
     };
     for (auto const& curve : curves) {
-        if (curve.sample || !curve.has_knob()) {
+        if (!curve.has_knob()) {
             continue;
         }
         add(curve, *curve.rungs.front());
@@ -109,6 +111,31 @@ bool is_of_threads(std::vector<Curve> const& curves)
     return !curves.empty() && curves.front().ladder->knob == "solver.threads";
 }
 
+/// Lines of a part, and what stands beside them.
+std::string plot_of(Part const& part, Axes const& axes, double height)
+{
+    auto const& curves = part.curves;
+    std::string script = fmt::format("set xrange [{:.8g}:{:.8g}]\nset yrange [{:.8g}:{:.8g}]\n{}set xlabel 'time [s], median; whiskers: least and most' noenhanced\n", axes.time.low,
+                                     axes.time.high, axes.error.low, axes.error.high, time_tics(axes.time));
+    std::string plot;
+    for (std::size_t i = 0; i < curves.size(); ++i) {
+        auto const& curve = curves[i];
+        std::string const data = (curve.sample ? "$sample" : "$drive") + std::to_string(i);
+        script += data + " << END\n";
+        for (auto const* rung : curve.rungs) {
+            script += fmt::format("{:.8g} {:.8g} {:.8g} {:.8g}\n", rung->median, rung->error, rung->least, rung->most);
+        }
+        script += "END\n";
+        plot += fmt::format("{}{} using 1:2:3:4 with xerrorbars linecolor rgb '{}' linewidth 0.7 pointtype -1 notitle", plot.empty() ? "plot " : ", \\\n    ", data, curve.colour);
+        plot += fmt::format(", \\\n    {} using 1:2 with linespoints {} pointtype 7 pointsize 0.7 notitle", data, study_picture::look(curve));
+        if (curve.ladder->floor > 0) {
+            script += fmt::format("set arrow from graph 0, first {:.8g} to graph 1, first {:.8g} nohead back linecolor rgb '{}' linewidth 0.9 dashtype (2,3)\n", curve.ladder->floor,
+                                  curve.ladder->floor, curve.colour);
+        }
+    }
+    return script + ends_of(curves, axes, height) + plot + "\n";
+}
+
 }  // namespace
 
 std::string picture_words(std::vector<StudyLadder> const& ladders, std::string const& name)
@@ -131,7 +158,6 @@ std::string accuracy_script(StoredAccuracy const& study, std::vector<StudyLadder
     if (is_of_threads(curves)) {
         return study_picture::time_on_threads(study, ladders, name, format);
     }
-    double const height = study_picture::height_of(curves.size());
     Range time, error;
     for (auto const& curve : curves) {
         for (auto const* rung : curve.rungs) {
@@ -144,32 +170,20 @@ std::string accuracy_script(StoredAccuracy const& study, std::vector<StudyLadder
     time.low /= room;
     time.high *= room;
     error.widen();
+
+    auto const parts = study_picture::parts_of(curves, study.report.scene.drive.name);
+    study_picture::Legend const legend(curves, [](Curve const& curve) { return ladder_remark(*curve.ladder); });
+    double const height = legend.height_below(parts.front().panel);
+    bool const ends = std::any_of(curves.begin(), curves.end(), [](Curve const& curve) { return curve.has_knob(); });
     std::string const& unit = curves.front().ladder->unit;
-    std::string script = study_picture::frame(study, name, "at the ends of a line its first and last setting", height, format);
-    script += fmt::format(
-        "set xrange [{:.8g}:{:.8g}]\nset yrange [{:.8g}:{:.8g}]\nset format y '10^{{%L}}'\n{}"
-        "set xlabel 'time [s], median; whiskers: least and most' noenhanced\n"
-        "set ylabel 'error against the reference [{}]' noenhanced\n",
-        time.low, time.high, error.low, error.high, time_tics(time), unit == "mm^2" ? "mm²" : unit);
-    script += "set style textbox opaque noborder fillcolor rgb '#ffffff' margins 0.2,0.2\n";
-    std::string plot;
-    for (std::size_t i = 0; i < curves.size(); ++i) {
-        auto const& curve = curves[i];
-        std::string rows;
-        for (auto const* rung : curve.rungs) {
-            rows += fmt::format("{:.8g} {:.8g} {:.8g} {:.8g}\n", rung->median, rung->error, rung->least, rung->most);
-        }
-        script += fmt::format("$curve{} << END\n{}END\n", i, rows);
-        plot += fmt::format("{}$curve{} using 1:2 with linespoints {} pointtype {} pointsize 0.7 notitle", plot.empty() ? "plot " : ", \\\n    ", i, study_picture::look(curve),
-                            curve.sample ? 6 : 7);
-        plot += fmt::format(", \\\n    $curve{} using 1:2:3:4 with xerrorbars linecolor rgb '{}' linewidth 0.7 pointtype -1 notitle", i, curve.colour);
-        if (curve.ladder->floor > 0) {
-            script += fmt::format("set arrow from graph 0, first {:.8g} to graph 1, first {:.8g} nohead back linecolor rgb '{}' linewidth 0.9 dashtype (2,3)\n",
-                                  curve.ladder->floor, curve.ladder->floor, curve.colour);
-        }
-        script += study_picture::legend(curve, i, ladder_remark(*curve.ladder), height);
+    std::string script = study_picture::frame(study, name, ends ? "at the ends of a line its first and last setting" : "", legend.text(parts.front().panel, height), height, format) +
+                         fmt::format("set style textbox opaque noborder fillcolor rgb '#ffffff' margins 0.2,0.2\n"
+                                     "set ylabel 'error against the reference [{}]' noenhanced\nset format y '10^{{%L}}'\n",
+                                     unit == "mm^2" ? "mm²" : unit);
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        script += study_picture::axes_of(parts[i], i, height) + plot_of(parts[i], {time, error, parts[i].panel}, height);
     }
-    return script + ends_of(curves, {time, error}, height) + plot + "\n";
+    return script + "unset multiplot\n";
 }
 
 }  // namespace hdconj

@@ -50,6 +50,15 @@ std::string page_of(AccuracyReport const& report)
     return accuracy_page({report, {}}, "page.md", false);
 }
 
+std::size_t times_said(std::string const& script, std::string const& words)
+{
+    std::size_t found = 0;
+    for (auto at = script.find(words); at != std::string::npos; at = script.find(words, at + 1)) {
+        ++found;
+    }
+    return found;
+}
+
 std::string fit_page(std::vector<Run> const& runs)
 {
     AccuracyReport report = report_of_drive();
@@ -178,13 +187,33 @@ TEST_CASE("accuracy pictures: a method with a single setting is named without a 
     add(report, "roots", "scan", "scan steps", {{1, 1e-9, 1e-3}, {64, 1e-12, 1e-1}});
     auto const script = accuracy_script({report, {}}, ladders_of(report), "roots", PictureFormat::svg);
     CHECK_THAT(script, ContainsSubstring("'closed form'") && ContainsSubstring("'scan (scan steps)"));
-    auto const labels = [&](std::string const& value) {
-        std::size_t found = 0;
-        for (auto at = script.find("set label '" + value + "' "); at != std::string::npos; at = script.find("set label '" + value + "' ", at + 1)) {
-            ++found;
-        }
-        return found;
-    };
-    CHECK(labels("1") == 1);
-    CHECK(labels("64") == 1);
+    CHECK(times_said(script, "set label '1' ") == 1);
+    CHECK(times_said(script, "set label '64' ") == 1);
+}
+
+TEST_CASE("accuracy pictures: the worst of the sample has axes of its own, and no entry of the legend says a method twice", "[accuracy]")
+{
+    AccuracyReport report = report_of_drive();
+    add(report, "tolerance", "solve", "solver.tolerance", {{1e-3, 1e-3, 0.1}, {1e-4, 1e-4, 0.2}, {1e-5, 1e-5, 0.4}, {1e-6, 1e-6, 1}});
+    auto const script = [&] { return accuracy_script({report, {}}, ladders_of(report), "tolerance", PictureFormat::svg); };
+    CHECK(times_said(script(), "set lmargin ") == 1);
+    CHECK(times_said(script(), "worst of the sample") == 0);
+    add(report, "tolerance", "solve", "solver.tolerance", {{1e-3, 2e-3, 0.2}, {1e-4, 2e-4, 0.4}, {1e-5, 2e-5, 0.8}, {1e-6, 2e-6, 2}});
+    for (std::size_t i = report.records.size() / 2; i < report.records.size(); ++i) {
+        report.records[i].drive = "design 1";
+    }
+    CHECK(times_said(script(), "set lmargin ") == 2);
+    CHECK(times_said(script(), "'solve (solver.tolerance): order 1.00'") == 1);
+    CHECK(times_said(script(), "'worst of the sample: order 1.00'") == 1);
+    CHECK(times_said(script(), "'worst of the sample' at") == 1);
+    // the same axes for both
+    CHECK(times_said(script(), "set xrange [0.0625:3.2]") == 2);
+    CHECK(times_said(script(), "set yrange [1e-07:0.01]") == 2);
+}
+
+TEST_CASE("accuracy: a count is written as a count", "[accuracy]")
+{
+    CHECK(knob_text(1048576) == "1048576");
+    CHECK(knob_text(1e-6) == "1e-06");
+    CHECK(knob_text(0.25) == "0.25");
 }
