@@ -113,8 +113,10 @@ std::string load_pressure_script(LoadStudy const& study, PictureFormat format)
                           z.front(), z.back(), picture::tic_step(angle.back() - angle.front()), picture::tic_step((z.back() - z.front()) * 2));
     if (map.pressure[largest] > 0) {
         script += fmt::format("set arrow {} from first {:.6g}, graph 1.06 to first {:.6g}, graph 1.0 head filled size screen 0.006,25 linewidth 1.2 linecolor rgb '#303030' front\n"
-                              "set label {} '{:.4g} MPa' at first {:.6g}, graph 1.10 center noenhanced\n",
-                              peak, degrees[peak_space], degrees[peak_space], peak, map.pressure[largest], degrees[peak_space]);
+                              "set label {} '{:.0f} MPa{}' at first {:.6g}, graph 1.10 {} noenhanced\n",
+                              peak, degrees[peak_space], degrees[peak_space], peak, map.pressure[largest],
+                              shown_case(study)->pressure_at_edge ? ", at an end of the face width: not converged" : "", degrees[peak_space],
+                              2 * peak_space > degrees.size() ? "right" : "left");
     }
     script += "$cells << END\n" + cells +
               fmt::format("END\n$peak << END\n{:.6g} {:.6g}\nEND\nplot $cells using 1:2:3:4:5:6:7 with boxxyerror linecolor rgb variable linewidth 0.4 fillstyle solid 1 border notitle, \\\n"
