@@ -128,7 +128,7 @@ double SweptPolygons::lowest_on_axis() const
     return lowest;
 }
 
-double SweptPolygons::radius_between_spaces() const
+double SweptPolygons::radius_at(std::initializer_list<double> angles) const
 {
     double reached = 0;
     for (auto const& polygon : polygons_)
@@ -137,7 +137,7 @@ double SweptPolygons::radius_between_spaces() const
         for (std::size_t k = 0; k + 1 < polygon.size(); ++k)
         {
             double const after = angle_of(polygon[k + 1]);
-            for (double side : {-0.5 * pitch_, 0.5 * pitch_})
+            for (double const side : angles)
             {
                 if ((before < side) == (after < side))
                     continue;
@@ -148,6 +148,11 @@ double SweptPolygons::radius_between_spaces() const
         }
     }
     return reached;
+}
+
+double SweptPolygons::radius_between_spaces() const
+{
+    return radius_at({-0.5 * pitch_, 0.5 * pitch_});
 }
 
 double SweptPolygons::u_at(int polygon, double position) const

@@ -11,6 +11,7 @@
 #include "hdconj/profile/builder.hpp"
 #include "cup_shape.hpp"
 #include "drive.hpp"
+#include "elastic_cup.hpp"
 #include "load_case.hpp"
 #include "load_coarse.hpp"
 #include "load_model.hpp"
@@ -215,11 +216,24 @@ Scene loaded_scene(Scene asked, LoadOptions const& options)
     return asked;
 }
 
+namespace {
+
+/// Faults of a scene as it is loaded: the cup bends under load, whatever its outlines follow.
+Faults faults_of_loaded(Scene const& asked)
+{
+    Faults faults = check_scene(asked);
+    if (faults.empty() && !asked.is_elastic() && asked.coning->bottom_to_middle)
+        detail::judge_cup(asked, detail::ring_geometry(asked, detail::given_tooth(asked, faults)).flexspline_inner_radius, faults);
+    return faults;
+}
+
+}  // namespace
+
 LoadStudy load(Scene const& scene, LoadOptions const& options, StageObserver const& on_stage, Progress const& progress, std::function<void(std::string const&)> const& talk)
 {
     Faults faults = check_load(scene, options);
     Scene const asked = loaded_scene(scene, options);
-    for (Fault const& more : faults.empty() ? check_scene(asked) : check_scene(scene))
+    for (Fault const& more : faults.empty() ? faults_of_loaded(asked) : check_scene(scene))
         faults.push_back(more);
     if (!faults.empty())
         throw InputError(faults);

@@ -22,6 +22,7 @@ std::vector<BadCommand> const& commands()
         {"--torque 28Nm", "--torque", "'28Nm' is no finite number", "such as --torque 28"},
         {"--torque 0", "--torque", "'0' is not above 0", "such as --torque 28"},
         {"--torque=-28", "--torque", "'-28' is not above 0", "such as --torque 28"},
+        {"--set coning.model=linear --set coning.bottom_to_middle=17.19", "bearing.width", "beyond the straight wall", "another coning.bottom_to_middle"},
         {"--points some", "--points", "some", "--help"},
         {"--points 0", "--points", "not in range 1 to 1000", "--help"},
         {"--points 5 --no-curve", "--points = 5", "no curve that could have points", "leave one of them out"},

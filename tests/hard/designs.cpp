@@ -300,6 +300,12 @@ HARD_ROW("tip stays inside", "curves float above the tip circle and the walk got
              "wave_generator.radial_deformation=0.1907", "!circular_spline.inner_radius"}, "no tip land");
 }
 
+HARD_ROW("flank that ends above the tip circle", "its side clearance lifts its end at the tooth's root: the walk along the tip circle passes under it", "refused: with the radius where it ends")
+{
+    refused({"wave_generator.radial_deformation=0.31", "circular_spline.backlash_offset=0.05"}, "a flank ends at a radius of 25.04");
+    right_answer({"wave_generator.radial_deformation=0.31", "circular_spline.backlash_offset=0.05", "circular_spline.inner_radius=25.05"});
+}
+
 HARD_ROW("swallowtail next to a cusp", "undercut: two branches cross 4 um from the cusp of one", "right answer: the usable part is kept")
 {
     Solution const s = right_answer(swallowtail);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <initializer_list>
 #include <vector>
 
 #include "hdconj/geometry/vec2.hpp"
@@ -46,7 +47,10 @@ class SweptPolygons
     /// Smallest y at which any polygon crosses the y axis; infinite where none does.
     [[nodiscard]] double lowest_on_axis() const;
 
-    /// Largest radius that any polygon reaches half-way between two tooth spaces; 0 where none crosses there.
+    /// Largest radius that any polygon reaches at one of these angles from the y axis; 0 where none crosses there.
+    [[nodiscard]] double radius_at(std::initializer_list<double> angles) const;
+
+    /// The same half-way between two tooth spaces, on either side.
     [[nodiscard]] double radius_between_spaces() const;
 
     /// Parameter at a position (vertices, with a fraction) along a polygon.

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hdconj/conjugate/arc_polygons.hpp"
@@ -82,6 +83,7 @@ class ToothSpaceFinder
     {
         swept_ = swept_polygons(envelope_, arcs_, tip_radius_, pitch_, chord, graded);
         refuse_without_land();
+        refuse_short_flanks(chord);
         swept_.join_ends(tolerance_.coincidence());
         int const floor = swept_.add_floor(tip_radius_, chord);
         OuterBoundary const boundary = outer_boundary(swept_.polygons(), floor);
@@ -115,6 +117,27 @@ class ToothSpaceFinder
                                      + std::to_string(reached) + " mm, where the circular spline's teeth would be pointed, and the tip circle is at "
                                      + std::to_string(tip_radius_) + " mm; write a circular_spline.inner_radius above "
                                      + std::to_string(reached) + ", a larger wave_generator.radial_deformation or a smaller addendum");
+    }
+
+    /// A flank that ends with the tooth's own profile, at its root, outside of all others and above the tip circle bounds nothing from there down.
+    void refuse_short_flanks(double chord) const
+    {
+        int const last = static_cast<int>(envelope_.profile().pieces.size()) - 1;
+        double highest = 0;
+        for (ContactArc const& arc : arcs_)
+            for (auto const& [u, t] : {std::pair(arc.u_begin, arc.t_begin), std::pair(arc.u_end, arc.t_end)})
+            {
+                if (!arc.bounding || !((arc.piece == 0 && t == 0) || (arc.piece == last && t == 1)))
+                    continue;
+                Vec2 const end = envelope_.point(arc, u).p;
+                if (end.norm() > tip_radius_ && end.norm() > swept_.radius_at({std::atan2(end.x(), end.y())}) - chord)
+                    highest = std::max(highest, end.norm());
+            }
+        if (highest > tip_radius_)
+            throw NumericalError("region", "tip circle",
+                                 "a flank ends at a radius of " + std::to_string(highest) + " mm, where the flexspline's tooth ends at its root, and does not come down to the tip circle at "
+                                     + std::to_string(tip_radius_) + " mm; write a circular_spline.inner_radius above " + std::to_string(highest)
+                                     + ", a smaller circular_spline.backlash_offset or a smaller wave_generator.radial_deformation");
     }
 
     /// The runs from the land at -half a pitch to the land at +half a pitch; nothing when the walk did not pass them.
