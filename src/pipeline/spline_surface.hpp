@@ -65,7 +65,7 @@ class SurfaceMaker
     [[nodiscard]] std::vector<double> needed_by_slices(SurfaceChoice const& choice);
 
     /// Least tip circle [mm], before any tilt, that the flanks of slices with outlines of their own still meet when they are moved by @p distance into the material: by
-    /// least_land outside of where the flexspline's roots come, moved as far. 0 for one outline for all slices, whose tip circle is the scene's affair.
+    /// least_land outside of where the flexspline's roots come, moved as far, on the tooth's middle line, and outside of where their ends do, beside it. 0 for one outline for all slices, whose tip circle is the scene's affair.
     [[nodiscard]] double solvable_tip(SurfaceChoice const& choice, double distance);
 
     /// Tip circle of z = 0 [mm] that the surface is made with where nothing is asked to clear: the drive's own, widened only as far as the surface cannot be

@@ -14,6 +14,21 @@ namespace {
 
 constexpr char const* drafted_meet = "leaves a tip land between the drafted flanks";
 
+/// Largest radius that an end of the flanks reaches, moved by @p distance along its normal, where the neutral curve moves by w = amplitude cos n u about r_m [mm].
+/// An end stands x beside the tooth's middle, which is highest at u = 0; a little aside of that the tooth leans towards it, by n amplitude sin(n u)/r, and lifts it by
+/// amplitude (n x/r)^2/2 more than the neutral curve has come down. Third order in amplitude/r left out.
+double foot_radius(Profile const& tooth, double distance, double r_m, double amplitude, int waves)
+{
+    double highest = 0;
+    for (PieceEnd const& end : {start_of(tooth.pieces.front().shape), end_of(tooth.pieces.back().shape)})
+    {
+        Vec2 const foot = end.point + distance * end.normal;
+        double const leaning = waves * foot.x() / r_m;
+        highest = std::max(highest, std::hypot(foot.x(), r_m + amplitude + foot.y()) + amplitude * leaning * leaning / 2);
+    }
+    return highest;
+}
+
 /// The higher end of the flanks above the neutral curve, moved by @p distance along their normals [mm].
 double foot_height(Profile const& tooth, double distance)
 {
@@ -93,7 +108,10 @@ double SurfaceMaker::solvable_tip(SurfaceChoice const& choice, double distance)
     double amplitude = 0;
     for (std::size_t const k : own_slices(choice))
         amplitude = std::max(amplitude, motion(k).amplitude);
-    return base_->geometry.r_m + amplitude + foot_height(*tooth_, distance) + least_land * base_->scene.drive.module;
+    PairGeometry const& g = base_->geometry;
+    double const least = least_land * base_->scene.drive.module;
+    constexpr double above = 0.25;   // of the least land: flanks have to cross the tip circle
+    return std::max(g.r_m + amplitude + foot_height(*tooth_, distance) + least, foot_radius(*tooth_, distance, g.r_m, amplitude, base_->scene.wave_generator.waves) + above * least);
 }
 
 double SurfaceMaker::own_tip(SurfaceChoice const& choice)

@@ -510,6 +510,19 @@ HARD_ROW("slices of a cone", "100 slices whose conjugate zones appear and vanish
         CHECK(slice.size() == solution.circular_spline.outline.front().size());
 }
 
+HARD_ROW("few teeth on a cone", "81 teeth: flanks end 40 um farther out beside the tooth's middle than on it - found by a random sweep", "right answer: the tip circle follows their ends")
+{
+    Overrides const design{
+        "drive.module=1.371972383", "drive.flexspline_teeth=81", "drive.circular_spline_teeth=84", "wave_generator.waves=3", "wave_generator.radial_deformation=2.551947338",
+        "flexspline.wall=4.713309097", "flexspline.profile.addendum=1.166447134", "flexspline.profile.dedendum=1.700643101", "flexspline.profile.convex_radius=1.631748399",
+        "flexspline.profile.convex_offset=0.5243742061", "flexspline.profile.concave_radius=3.018754574", "flexspline.profile.concave_rise=0.3413320809",
+        "flexspline.profile.tip_line_from=0.9205415487", "!circular_spline.inner_radius", "!flexspline.cup", "!bearing", "!load", "circular_spline.width=7.722503", "coning.model=linear",
+        "coning.bottom_to_middle=11.540186", "slices.count=5"};
+    for (char const* const surface : {"per-slice", "ruled"})
+        for (char const* const clearance : {"0", "0.1"})
+            right_answer(design + Overrides{std::string("slices.surface=") + surface, std::string("circular_spline.backlash_offset=") + clearance}, std::string(surface) + ", side clearance " + clearance + " mm");
+}
+
 HARD_ROW("far more teeth outside", "50 000 pitches a lobe - found by fuzzing: 10 s and 2 GB before it was refused", "refused: by how many teeth")
 {
     refused({"drive.circular_spline_teeth=99998", "!circular_spline.inner_radius"}, "by 49899 teeth");
