@@ -15,8 +15,8 @@ if(HDCONJ_BUILD_PROGRAM)
   find_package(CLI11 REQUIRED)
 endif()
 
-# Debian's shared HDF5 brings forty libraries with it, for a file system over the network that nothing here uses; loading them takes longer than
-# most of what `solve` does. Its archive, from the same package, needs two of them.
+# Debian's shared HDF5 brings forty libraries with it, for a file system over the network that nothing here uses;
+# loading them takes longer than most of what `solve` does. Its archive, from the same package, needs two of them.
 option(HDCONJ_HDF5_ARCHIVE "Link HDF5 from its archive where there is one" ON)
 add_library(hdconj_hdf5 INTERFACE)
 set(hdconj_hdf5_archive_works NO)
@@ -43,15 +43,17 @@ else()
   target_link_libraries(hdconj_hdf5 INTERFACE HDF5::HDF5)
 endif()
 
-# GNU's OpenMP reads how long its threads spin when it is loaded, which is before a program that shares it can say anything (apps/hdconj/threads.cpp).
-# Its archive comes with the compiler.
+# GNU's OpenMP reads how long its threads spin when it is loaded, which is before a program that shares it can say
+# anything (apps/hdconj/threads.cpp). Its archive comes with the compiler.
 option(HDCONJ_OPENMP_ARCHIVE "Link GNU's OpenMP from its archive where there is one" ON)
 add_library(hdconj_openmp INTERFACE)
-# Eigen's products would take threads of their own, whatever the scene says, and how they are cut, hence their last bits, depends on how many.
+# Eigen's products would take threads of their own, whatever the scene says, and how they are cut, hence their last
+# bits, depends on how many.
 target_compile_definitions(hdconj_openmp INTERFACE EIGEN_DONT_PARALLELIZE)
 set(hdconj_openmp_file "")
 if(HDCONJ_OPENMP_ARCHIVE AND NOT BUILD_SHARED_LIBS AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
-  execute_process(COMMAND "${CMAKE_CXX_COMPILER}" -print-file-name=libgomp.a OUTPUT_VARIABLE hdconj_openmp_file OUTPUT_STRIP_TRAILING_WHITESPACE)
+  execute_process(COMMAND "${CMAKE_CXX_COMPILER}" -print-file-name=libgomp.a
+                  OUTPUT_VARIABLE hdconj_openmp_file OUTPUT_STRIP_TRAILING_WHITESPACE)
 endif()
 if(IS_ABSOLUTE "${hdconj_openmp_file}" AND EXISTS "${hdconj_openmp_file}")
   find_package(Threads REQUIRED)

@@ -4,8 +4,9 @@
 include(CMakePackageConfigHelpers)
 set(package_dir "${CMAKE_INSTALL_LIBDIR}/cmake/hdconj")
 
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING PATTERN "*.hpp")
-foreach(component core region solve study io all)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}"
+        FILES_MATCHING PATTERN "*.hpp")
+foreach(component core region solve accuracy io all)
   install(TARGETS hdconj_${component} EXPORT hdconj-${component})
   install(EXPORT hdconj-${component} NAMESPACE hdconj:: DESTINATION "${package_dir}")
 endforeach()

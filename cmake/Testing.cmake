@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 #   hdconj_tests(<folder> [PARALLEL] TIMEOUT <seconds> SOURCES <files>)
-# One Catch2 program; each test case becomes a test with the folder's name as label.
+# One Catch2 program; each test case becomes a test with the folder's name as label. With HDCONJ_UNITY the files of a
+# room (<folder>/<room>/...), or else eight at a time, are compiled together: their names must be unique.
 # PARALLEL: the folder has test cases with the Catch tag [parallel]. They run together as one test that carries the
 # label `parallel` too, for the thread sanitizer: ctest -L parallel.
 find_package(Catch2 REQUIRED)
@@ -30,13 +31,18 @@ target_compile_definitions(hdconj_test_setup INTERFACE
   HDCONJ_PROGRAM="$<$<BOOL:${HDCONJ_BUILD_PROGRAM}>:${PROJECT_BINARY_DIR}/bin/hdconj>"
   HDCONJ_PYTHON="$<$<BOOL:${HDCONJ_PYTHON}>:${HDCONJ_PYTHON}>")
 
+# Catch2's macros take long to optimise, and what has to be fast is compiled with the libraries.
+set(hdconj_test_options $<$<NOT:$<CONFIG:Debug>>:-O1>)
+
 # main() and the precompiled Catch2, once for all programs.
 add_library(hdconj_test_main OBJECT ${main})
 target_link_libraries(hdconj_test_main PRIVATE hdconj_test_setup)
+target_compile_options(hdconj_test_main PRIVATE ${hdconj_test_options})
 target_precompile_headers(hdconj_test_main PRIVATE support/catch.hpp)
-set_source_files_properties(support/catch_main.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON COMPILE_OPTIONS -O1)
+set_source_files_properties(support/catch_main.cpp PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
 
-# Tests run side by side: a thread that waits for its next loop must not keep the processor from another test (apps/hdconj/threads.cpp).
+# Tests run side by side: a thread that waits for its next loop must not keep the processor from another test
+# (apps/hdconj/threads.cpp).
 set(hdconj_test_spin "GOMP_SPINCOUNT=3000")
 set(HDCONJ_TEST_ENVIRONMENT "${hdconj_test_spin}")
 # libomp tells the thread sanitizer what it synchronises, but its own locks look like races.
@@ -50,15 +56,34 @@ if(TARGET hdconj)
   add_dependencies(parallel_tests hdconj)
 endif()
 
+# Which test files are compiled together.
+function(hdconj_group_tests program)
+  set_target_properties(${program} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  set(number 0)
+  foreach(source IN LISTS ARGN)
+    if(source MATCHES "^[^/]+/([^/]+)/")
+      set(group ${CMAKE_MATCH_1})
+    else()
+      math(EXPR group "${number} / 8")
+      math(EXPR number "${number} + 1")
+    endif()
+    set_property(SOURCE ${source} PROPERTY UNITY_GROUP ${group})
+  endforeach()
+endfunction()
+
 function(hdconj_tests folder)
   cmake_parse_arguments(PARSE_ARGV 1 arg "PARALLEL" "TIMEOUT" "SOURCES")
   math(EXPR timeout "${arg_TIMEOUT} * ${HDCONJ_TIMEOUT_FACTOR}")
   set(program ${folder}_tests)
   add_executable(${program} ${arg_SOURCES} $<TARGET_OBJECTS:hdconj_test_main>)
   target_link_libraries(${program} PRIVATE hdconj_test_setup)
+  target_compile_options(${program} PRIVATE ${hdconj_test_options})
   target_precompile_headers(${program} REUSE_FROM hdconj_test_main)
-  if(TARGET hdconj)
-    add_dependencies(${program} hdconj)
+  if(TARGET hdconj)  # to run, not to compile: the compiler need not wait for it
+    set_property(TARGET ${program} PROPERTY LINK_DEPENDS "$<TARGET_FILE:hdconj>")
+  endif()
+  if(HDCONJ_UNITY)
+    hdconj_group_tests(${program} ${arg_SOURCES})
   endif()
 
   set(which "~[.]")  # hidden test cases, such as timings, are run by hand

@@ -44,7 +44,7 @@ function(hdconj_version_source source)
 
   string(TOUPPER "${CMAKE_BUILD_TYPE}" type)
   get_directory_property(options COMPILE_OPTIONS)
-  list(FILTER options EXCLUDE REGEX "^-W")
+  list(FILTER options EXCLUDE REGEX "^-W|^SHELL:--param ggc")  # neither changes what is compiled
   list(JOIN options " " options)
   set(build "${CMAKE_CXX_COMPILER_ID} ${CMAKE_CXX_COMPILER_VERSION}, ${CMAKE_BUILD_TYPE}, \
 ${CMAKE_CXX_FLAGS} ${CMAKE_CXX_FLAGS_${type}} ${options}")

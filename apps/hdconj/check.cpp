@@ -1,80 +1,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// hdconj check: what is wrong with a scene, or what will be computed of it and why.
-#include <CLI/CLI.hpp>
-#include <iostream>
-#include <memory>
+// The verb `check`: what is wrong with a scene, or what will be computed of it and why.
+#include <fmt/format.h>
+
 #include <optional>
 
-#include "cli.hpp"
-#include "hdconj/pipeline/load.hpp"
-#include "hdconj/io/scene_json.hpp"
+#include "hdconj/load.hpp"
+#include "hdconj/plan.hpp"
 #include "hdconj/profile/registry.hpp"
-#include "hdconj/scene/plan.hpp"
+#include "hdconj/read_scene.hpp"
 #include "hdconj/wavegen/registry.hpp"
+#include "run_verb.hpp"
 
 namespace hdconj::cli {
 namespace {
 
-struct CheckOptions
+struct CheckArguments
 {
     bool only_plan = false;
     std::string verb;  ///< empty: as the scene says
 };
 
-void print_headline(Scene const& scene)
+std::string headline(Scene const& scene)
 {
     auto const& drive = scene.drive;
-    std::cout << drive.name << ": module " << drive.module << " mm, " << drive.flexspline_teeth << " and "
-              << drive.circular_spline_teeth << " teeth, " << scene.wave_generator.waves << " waves\n";
+    return fmt::format("{}: module {:g} mm, {} and {} teeth, {} waves\n", drive.name, drive.module,
+                       drive.flexspline_teeth, drive.circular_spline_teeth, scene.wave_generator.waves);
 }
 
-void print_text(CommonOptions const& common, CheckOptions const& own, Scene const& scene, Plan const& plan)
+/// The plan of the verb that is asked for. A scene with a table [contact] is meant for `contact`.
+Plan plan_of(CheckArguments const& own, Scene const& scene)
 {
-    if (common.quiet) {
-        return;
-    }
-    if (!own.only_plan) {
-        print_headline(scene);
-    }
-    std::cout << describe(plan);
-}
-
-/// The verb whose plan is drawn: a scene with a table [contact] is meant for `contact`.
-Verb verb_of(CheckOptions const& own, Scene const& scene)
-{
-    if (own.verb == "load") {
-        return Verb::load;
-    }
+    if (own.verb == "load")
+        return make_plan(loaded_scene(scene), Verb::load);
     bool const contact = own.verb.empty() ? scene.contact.has_value() : own.verb == "contact";
-    return contact ? Verb::contact : Verb::solve;
+    return make_plan(scene, contact ? Verb::contact : Verb::solve);
 }
 
-/// Effects that are read but not computed are no fault of the scene, so the plan of the rest is printed; but `solve`
-/// would refuse, and so does check.
-int run_check(CommonOptions const& common, CheckOptions const& own)
+int run_check(CommonOptions const& common, CheckArguments const& own)
 {
     auto const reading = examine(common);
-    bool const is_right = reading.faults.empty();
-    auto const& faults = reading.faults;
-    auto const verb = is_right ? verb_of(own, reading.scene) : Verb::solve;
-    auto const plan = is_right ? std::optional(make_plan(verb == Verb::load ? loaded_scene(reading.scene) : reading.scene, verb)) : std::nullopt;
-    if (common.json) {
-        std::cout << check_json(scene_name(common), faults, plan ? &*plan : nullptr) << '\n';
-    } else if (plan) {
-        print_text(common, own, reading.scene, *plan);
-    }
-    if (!faults.empty()) {
-        throw InputError(faults);
-    }
-    return exit_done;
+    using Planned = std::optional<Plan>;
+    Work<Planned> work;
+    work.compute = [&](ProgressLine const&) {
+        return reading.faults.empty() ? Planned(plan_of(own, reading.scene)) : std::nullopt;
+    };
+    work.text = [&](Planned const& plan, Written const&) {
+        return plan ? (own.only_plan ? "" : headline(reading.scene)) + describe(*plan) : "";
+    };
+    work.json = [&](Planned const& plan, Written const&) {
+        return check_json(scene_name(common), reading.faults, plan ? &*plan : nullptr) + '\n';
+    };
+    work.status = [&](Planned const&) {
+        refuse(reading.faults);
+        return exit_done;
+    };
+    return run_verb(common, work);
 }
 
-std::string families_text(std::string const& key, std::vector<FamilyDescription> const& families)
+std::string families_text(std::string const& key, std::vector<scene::FamilyDescription> const& families)
 {
     std::string text = key + ":\n";
-    for (auto const& family : families) {
-        text += "  \"" + std::string(family.name) + "\"  " + std::string(family.meaning) + "\n";
-    }
+    for (auto const& family : families)
+        text += fmt::format("  \"{}\"  {}\n", family.name, family.meaning);
     return text;
 }
 
@@ -82,19 +69,19 @@ std::string families_text(std::string const& key, std::vector<FamilyDescription>
 
 void add_check(CLI::App& program, CommonOptions& common)
 {
-    auto* const verb = program.add_subcommand("check", "validate a scene and print what will be computed, and why");
-    auto const own = std::make_shared<CheckOptions>();
-    add_scene_options(*verb, common);
-    verb->add_flag("--plan", own->only_plan, "print the plan and nothing else");
-    verb->add_option("--for", own->verb, "the verb to plan for [contact where the scene has a table [contact], else solve]")
+    auto [verb, own] =
+        add_verb(program, common, "check", "validate a scene and print what will be computed, and why", run_check);
+    add_scene_options(verb, common);
+    verb.add_flag("--plan", own.only_plan, "print the plan and nothing else");
+    verb.add_option("--for", own.verb,
+                    "the verb to plan for [contact where the scene has a table [contact], else solve]")
         ->check(CLI::IsMember({"solve", "contact", "load"}));
-    verb->footer("Families:\n" + families_text("flexspline.profile.family", profile_families()) +
-                 families_text("wave_generator.family", wave_generator_families()) +
-                 "Examples:\n"
-                 "  hdconj check drive.toml\n"
-                 "  hdconj check --set solver.kinematics=first-order\n"
-                 "  hdconj init - | hdconj check -");
-    verb->callback([&common, own] { common.action = [&common, own] { return run_check(common, *own); }; });
+    verb.footer("Families:\n" + families_text("flexspline.profile.family", profile::profile_families()) +
+                families_text("wave_generator.family", wavegen::wave_generator_families()) +
+                "Examples:\n"
+                "  hdconj check drive.toml\n"
+                "  hdconj check --set solver.kinematics=first-order\n"
+                "  hdconj init - | hdconj check -");
 }
 
 }  // namespace hdconj::cli

@@ -34,18 +34,19 @@ void prepare_heap()
 {
     // addresses only: a page is memory once it is written to
     constexpr int ahead = 1 << 26;
-    bool const told = mallopt(M_MMAP_THRESHOLD, ahead / 2) != 0 && mallopt(M_TRIM_THRESHOLD, 2 * ahead) != 0 && mallopt(M_TOP_PAD, ahead) != 0;
+    bool const told = mallopt(M_MMAP_THRESHOLD, ahead / 2) != 0 && mallopt(M_TRIM_THRESHOLD, 2 * ahead) != 0 &&
+                      mallopt(M_TOP_PAD, ahead) != 0;
     constexpr std::size_t more_than_there_is = std::size_t{1} << 20;
     void* const taken = told ? std::malloc(more_than_there_is) : nullptr;
-    if (taken != nullptr) {
+    if (taken != nullptr)
         advise_large_pages(reinterpret_cast<std::uintptr_t>(taken), reinterpret_cast<std::uintptr_t>(sbrk(0)));
-    }
     std::free(taken);
 }
 
 void prepare_heap_of_thread() noexcept
 {
-    // the C library gives a thread a heap of its own, which begins at a multiple of its size; with M_TOP_PAD as above it is laid out whole
+    // the C library gives a thread a heap of its own, which begins at a multiple of its size; with M_TOP_PAD as above
+    // it is laid out whole
     constexpr std::uintptr_t size = std::uintptr_t{1} << 26;
     constexpr std::size_t anything = 64;
     void* const taken = std::malloc(anything);

@@ -3,18 +3,18 @@
 #include <poll.h>
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <csignal>
 #include <iostream>
 #include <new>
 
-#include "cli.hpp"
-#include "hdconj/io/version.hpp"
-#include "hdconj/numeric/parallel.hpp"
+#include "hdconj/base/parallel.hpp"
+#include "hdconj/base/suggest.hpp"
+#include "hdconj/error.hpp"
 #include "hdconj/scene/schema.hpp"
-#include "hdconj/scene/suggest.hpp"
+#include "hdconj/version.hpp"
 #include "heap.hpp"
+#include "verb.hpp"
 
 namespace hdconj::cli {
 namespace {
@@ -38,9 +38,8 @@ constexpr char const* examples =
 void print_faults(CommonOptions const& common, Faults const& faults)
 {
     std::cerr << "hdconj: " << faults.size() << (faults.size() == 1 ? " fault" : " faults");
-    if (!common.scene.empty()) {
+    if (!common.scene.empty())
         std::cerr << " in " << scene_name(common);
-    }
     std::cerr << '\n' << describe(faults) << '\n';
 }
 
@@ -87,56 +86,54 @@ bool is_known_verb(CLI::App const& program, std::string_view word)
     std::vector<std::string_view> verbs;
     for (auto const* const verb : program.get_subcommands([](CLI::App const*) { return true; })) {
         verbs.push_back(verb->get_name());
-        if (verb->get_name() == word) {
+        if (verb->get_name() == word)
             return true;
-        }
     }
     std::cerr << "hdconj: unknown verb '" << word << "'";
     if (auto const meant = nearest(word, verbs)) {
         std::cerr << "; did you mean 'hdconj " << *meant << "'?\n";
     } else {
         std::cerr << "; known:";
-        for (auto const verb : verbs) {
+        for (auto const verb : verbs)
             std::cerr << ' ' << verb;
-        }
         std::cerr << ". A scene file comes after the verb.\n";
     }
     return false;
 }
 
-/// Says what options that nobody knows might have meant, one of the verb's or a key of the scene, and what was taken for the scene where a second one was given.
+/// Says what options that nobody knows might have meant, one of the verb's or a key of the scene, and what was taken
+/// for the scene where a second one was given.
 void suggest_options(CLI::App const& program, std::string const& scene)
 {
     auto const chosen = program.get_subcommands();
     CLI::App const& verb = chosen.empty() ? program : *chosen.front();
     std::vector<std::string_view> options, keys;
     for (auto const* const option : verb.get_options()) {
-        for (auto const& name : option->get_lnames()) {
+        for (auto const& name : option->get_lnames())
             options.emplace_back(name);
-        }
     }
     bool const has_scene = std::find(options.begin(), options.end(), "set") != options.end();
-    for (auto const& table : scene_schema()) {
-        for (auto const& key : table.keys) {
+    for (auto const& table : scene::scene_schema()) {
+        for (auto const& key : table.keys)
             keys.emplace_back(key.spec.key);
-        }
     }
     for (std::string const& given : program.remaining(true)) {
         if (has_scene && !given.starts_with('-')) {
-            std::cerr << "One scene is read, and '" << scene << "' was taken for it. A list is one word with commas, such as 0,0.1,0.2.\n";
+            std::cerr << "One scene is read, and '" << scene
+                      << "' was taken for it. A list is one word with commas, such as 0,0.1,0.2.\n";
             return;
         }
-        if (!given.starts_with("--")) {
+        if (!given.starts_with("--"))
             continue;
-        }
         std::string const word = given.substr(2, given.find('=') - 2);
         if (auto const meant = nearest(word, options)) {
             std::cerr << "Did you mean --" << *meant << "?\n";
         } else if (auto const key = nearest(word, keys); key && has_scene) {
-            for (auto const& table : scene_schema()) {
+            for (auto const& table : scene::scene_schema()) {
                 for (auto const& each : table.keys) {
                     if (each.spec.key == *key) {
-                        std::cerr << "Did you mean the key " << table.path << '.' << *key << " of the scene, such as --set " << table.path << '.' << *key << "=VALUE?\n";
+                        std::cerr << "Did you mean the key " << table.path << '.' << *key
+                                  << " of the scene, such as --set " << table.path << '.' << *key << "=VALUE?\n";
                     }
                 }
             }
@@ -175,16 +172,14 @@ int run(int argc, char** argv)
         return exit_input;
     }
     std::string_view const first = argv[1];
-    if (!first.starts_with('-') && !is_known_verb(program, first)) {
+    if (!first.starts_with('-') && !is_known_verb(program, first))
         return exit_input;
-    }
     try {
         program.parse(argc, argv);
     } catch (CLI::ParseError const& stop) {
         bool const done = program.exit(stop) == 0;
-        if (dynamic_cast<CLI::ExtrasError const*>(&stop) != nullptr) {
+        if (dynamic_cast<CLI::ExtrasError const*>(&stop) != nullptr)
             suggest_options(program, common.scene);
-        }
         return done ? exit_done : exit_input;
     }
     return common.action ? run_action(common) : exit_input;
@@ -197,6 +192,8 @@ int main(int argc, char** argv)
 {
     // A reader that goes away must not kill a run that still has files to write.
     std::signal(SIGPIPE, SIG_IGN);
+    // A limit on the size of files becomes a failed write, which says so.
+    std::signal(SIGXFSZ, SIG_IGN);
     try {
         return hdconj::cli::flush_output(hdconj::cli::run(argc, argv));
     } catch (std::exception const& error) {

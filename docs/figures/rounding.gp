@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Pictures of docs/stability.md from data/reference/rounding-*.csv:   gnuplot docs/figures/rounding.gp   in the project's folder
+# Pictures of docs/stability.md from data/reference/rounding-*.csv; run by docs/pictures.sh in the project's folder.
 set datafile separator ","
 set datafile missing ""
-set terminal svg size 760,420 font "sans-serif,13" background "white"
+set terminal pngcairo size 1140,630 font "DejaVu Sans,13" fontscale 1.3 pointscale 1.5 linewidth 1.5
 set logscale y
 set format y "10^{%T}"
 set yrange [1e-20:10]
@@ -14,7 +14,7 @@ red = 0xb03030; blue = 0x2060b0; green = 0x308040
 
 set logscale x
 set format x "10^{%T}"
-set output "docs/figures/rounding-fold.svg"
+set output "docs/figures/rounding-fold.png"
 set title "Beside a fold (type-50): the position of a given profile point"
 set xlabel "position after the fold [rad]"
 set ylabel "error: dots position [rad], rings envelope"
@@ -33,7 +33,7 @@ plot file using 1:2 with points pt 7 ps 0.4 lc rgb red title "float", \
 unset arrow 1
 unset label 1
 
-set output "docs/figures/rounding-cusp.svg"
+set output "docs/figures/rounding-cusp.png"
 set title "Beside a cusp (swallowtail design): the speed of the envelope"
 set xlabel "position after the cusp [rad]"
 set ylabel "relative error: dots speed, rings envelope"
@@ -56,7 +56,7 @@ unset label 1
 unset logscale x
 set format x "%g"
 set xtics auto
-set output "docs/figures/rounding-fast.svg"
+set output "docs/figures/rounding-fast.png"
 set yrange [1e-20:10]
 set title "Fast contact: one degree takes it over the whole straight flank"
 set xlabel "position u [deg]"

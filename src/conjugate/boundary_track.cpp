@@ -5,14 +5,14 @@
 #include <cmath>
 #include <cstdint>
 
-#include "hdconj/conjugate/contact_at_end.hpp"
+#include "contact_at_end.hpp"
 #include "hdconj/numeric/bracketed_root.hpp"
 
-namespace hdconj::detail {
+namespace hdconj::conjugate {
 namespace {
 
 /// Whether @p piece goes on where @p before ended, traced by the same segment: the outline's own rule.
-bool goes_on(SpaceCurve const& curve, BoundaryPiece const& before, BoundaryPiece const& piece)
+bool goes_on(ToothSpaceBoundary const& curve, BoundaryPiece const& before, BoundaryPiece const& piece)
 {
     if (before.arc < 0 || piece.arc < 0)
         return false;
@@ -20,18 +20,17 @@ bool goes_on(SpaceCurve const& curve, BoundaryPiece const& before, BoundaryPiece
     OutlineStretch const b = curve.made_by(piece);
     if (a.kind != b.kind || a.segment != b.segment)
         return false;
-    return contact_goes_on({curve.arc(before).piece, before.copy, before.end}, {curve.arc(piece).piece, piece.copy, piece.begin}, a.kind == OutlineKind::corner);
+    return contact_goes_on({curve.arc(before).piece, before.copy, before.end},
+                           {curve.arc(piece).piece, piece.copy, piece.begin}, a.kind == OutlineKind::corner);
 }
 
 }  // namespace
 
-std::vector<BoundaryStretch> stretches_of(SpaceCurve const& curve, std::vector<BoundaryPiece> const& pieces)
+std::vector<BoundaryStretch> stretches_of(ToothSpaceBoundary const& curve, std::vector<BoundaryPiece> const& pieces)
 {
     std::vector<BoundaryStretch> stretches;
-    for (BoundaryPiece const& piece : pieces)
-    {
-        if (!stretches.empty() && goes_on(curve, stretches.back().pieces.back(), piece))
-        {
+    for (BoundaryPiece const& piece : pieces) {
+        if (!stretches.empty() && goes_on(curve, stretches.back().pieces.back(), piece)) {
             stretches.back().pieces.push_back(piece);
             continue;
         }
@@ -41,26 +40,25 @@ std::vector<BoundaryStretch> stretches_of(SpaceCurve const& curve, std::vector<B
     return stretches;
 }
 
-BoundaryTrack::BoundaryTrack(SpaceCurve const& curve, std::vector<BoundaryStretch> const& stretches, Measure measure, double chord)
+BoundaryTrack::BoundaryTrack(ToothSpaceBoundary const& curve, std::vector<BoundaryStretch> const& stretches,
+                             Measure measure, double chord)
     : curve_(&curve), measure_(measure)
 {
-    std::vector<std::size_t> begins;   // index of the first station of each stretch
+    std::vector<std::size_t> begins;  // index of the first station of each stretch
     Vec2 before = Vec2::Zero();
-    for (BoundaryStretch const& stretch : stretches)
-    {
+    for (BoundaryStretch const& stretch : stretches) {
         begins.push_back(stations_.size());
-        for (BoundaryPiece const& piece : stretch.pieces)
-        {
+        for (BoundaryPiece const& piece : stretch.pieces) {
             pieces_.push_back(piece);
-            SampledArc const sampled = curve.sampled(piece, chord);
-            for (std::size_t i = 0; i < sampled.points.size(); ++i)
-            {
-                EnvelopePoint const& e = sampled.points[i];
+            envelope::SampledArc const sampled = curve.sampled(piece, chord);
+            for (std::size_t i = 0; i < sampled.points.size(); ++i) {
+                envelope::EnvelopePoint const& e = sampled.points[i];
                 if (i > 0)
                     length_ += (e.p - before).norm();
                 before = e.p;
                 double const u = i == 0 ? piece.begin : i + 1 == sampled.points.size() ? piece.end : e.u;
-                stations_.push_back({measure != Measure::profile ? length_ : curve.profile_parameter(piece, u), pieces_.size() - 1, u});
+                stations_.push_back(
+                    {measure != Measure::profile ? length_ : curve.profile_parameter(piece, u), pieces_.size() - 1, u});
             }
         }
     }
@@ -70,9 +68,9 @@ BoundaryTrack::BoundaryTrack(SpaceCurve const& curve, std::vector<BoundaryStretc
     last_ = stations_.back().share;
     double const range = last_ - first_;
     double highest = 0;
-    for (std::size_t i = 0; i < stations_.size(); ++i)
-    {
-        double const share = range != 0 ? (stations_[i].share - first_) / range : static_cast<double>(i) / static_cast<double>(stations_.size());
+    for (std::size_t i = 0; i < stations_.size(); ++i) {
+        double const share = range != 0 ? (stations_[i].share - first_) / range
+                                        : static_cast<double>(i) / static_cast<double>(stations_.size());
         constexpr double rounding = 64 * unit_roundoff;
         monotone_ = monotone_ && share >= highest - rounding && share <= 1 + rounding;
         highest = std::max(highest, share);
@@ -90,30 +88,32 @@ double BoundaryTrack::between(Station const& a, Station const& b, double share) 
     double const guess = a.u + part * (b.u - a.u);
     if (measure_ == Measure::length)
         return guess;
-    if (measure_ == Measure::rulings)
-    {
+    if (measure_ == Measure::rulings) {
         // as far along the chord: contacts run along their path at no steady pace, least so near a cusp
         constexpr std::uintmax_t budget = 60;
         Vec2 const from = curve_->at(pieces_[a.piece], a.u).p, chord = curve_->at(pieces_[a.piece], b.u).p - from;
         double const whole = chord.squaredNorm();
         if (!(part > 0 && part < 1 && whole > 0))
             return guess;
-        auto const beyond = [&](double t) { return (curve_->at(pieces_[a.piece], a.u + t * (b.u - a.u)).p - from).dot(chord) / whole - part; };
-        ShrunkBracket const along = shrunk_bracket(beyond, 0, 1, -part, 1 - part, 0, budget);
+        auto const beyond = [&](double t) {
+            return (curve_->at(pieces_[a.piece], a.u + t * (b.u - a.u)).p - from).dot(chord) / whole - part;
+        };
+        numeric::ShrunkBracket const along = numeric::shrunk_bracket(beyond, 0, 1, -part, 1 - part, 0, budget);
         return a.u + 0.5 * (along.low + along.high) * (b.u - a.u);
     }
     double const wanted = first_ + share * (last_ - first_);
     auto const excess = [&](double u) { return curve_->profile_parameter(pieces_[a.piece], u) - wanted; };
-    BracketedRoot const root = bracketed_root(excess, std::min(a.u, b.u), std::max(a.u, b.u));
+    numeric::BracketedRoot const root = numeric::bracketed_root(excess, std::min(a.u, b.u), std::max(a.u, b.u));
     return root.found ? root.x : guess;
 }
 
 TrackPoint BoundaryTrack::at(double share) const
 {
-    auto const after = std::upper_bound(stations_.begin(), stations_.end(), share, [](double s, Station const& station) { return s < station.share; });
-    auto const not_before = std::lower_bound(stations_.begin(), stations_.end(), share, [](Station const& station, double s) { return station.share < s; });
-    if (not_before != after)
-    {
+    auto const after = std::upper_bound(stations_.begin(), stations_.end(), share,
+                                        [](double s, Station const& station) { return s < station.share; });
+    auto const not_before = std::lower_bound(stations_.begin(), stations_.end(), share,
+                                             [](Station const& station, double s) { return station.share < s; });
+    if (not_before != after) {
         CurvePoint const first = point(*not_before);
         CurvePoint const last = point(*(after - 1));
         return {first.p, first.n, last.n};
@@ -124,4 +124,4 @@ TrackPoint BoundaryTrack::at(double share) const
     return {c.p, c.n, c.n};
 }
 
-}  // namespace hdconj::detail
+}  // namespace hdconj::conjugate

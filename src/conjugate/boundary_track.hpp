@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "hdconj/conjugate/space_curve.hpp"
+#include "space_curve.hpp"
 
-namespace hdconj::detail {
+namespace hdconj::conjugate {
 
 /// Consecutive pieces of one kind that one segment of the tooth traced.
 struct BoundaryStretch
@@ -17,14 +17,17 @@ struct BoundaryStretch
     int segment = -1;
     std::vector<BoundaryPiece> pieces;
 };
-[[nodiscard]] std::vector<BoundaryStretch> stretches_of(SpaceCurve const& curve, std::vector<BoundaryPiece> const& pieces);
+[[nodiscard]] std::vector<BoundaryStretch> stretches_of(ToothSpaceBoundary const& curve,
+                                                        std::vector<BoundaryPiece> const& pieces);
 
 /// What shares are measured by.
 enum class Measure
 {
-    length,   ///< between the stations of its polygon in the wave generator's angle: where on the curve, but not at which share of it to more than the polygon's step
-    rulings,  ///< length, along the chords of its polygon too: for points of different slices that are joined, where what lies between depends on which
-    profile  ///< profile parameter of the contact
+    length,   ///< between the stations of its polygon in the wave generator's angle: where on the curve, but not at
+              ///< which share of it to more than the polygon's step
+    rulings,  ///< length, along the chords of its polygon too: for points of different slices that are joined, where
+              ///< what lies between depends on which
+    profile   ///< profile parameter of the contact
 };
 
 /// A point with the normals of the pieces on either side; they differ at corners only.
@@ -40,7 +43,8 @@ class BoundaryTrack
 {
   public:
     /// @param chord  of the polygon that measures lengths [mm]
-    BoundaryTrack(SpaceCurve const& curve, std::vector<BoundaryStretch> const& stretches, Measure measure, double chord);
+    BoundaryTrack(ToothSpaceBoundary const& curve, std::vector<BoundaryStretch> const& stretches, Measure measure,
+                  double chord);
 
     /// Whether shares grow along the whole track; a track by profile parameter is of no use otherwise.
     [[nodiscard]] bool monotone() const { return monotone_; }
@@ -58,17 +62,20 @@ class BoundaryTrack
         std::size_t piece;
         double u;
     };
-    [[nodiscard]] CurvePoint point(Station const& station) const { return curve_->at(pieces_[station.piece], station.u); }
+    [[nodiscard]] CurvePoint point(Station const& station) const
+    {
+        return curve_->at(pieces_[station.piece], station.u);
+    }
     [[nodiscard]] double between(Station const& a, Station const& b, double share) const;
 
-    SpaceCurve const* curve_;
+    ToothSpaceBoundary const* curve_;
     Measure measure_;
     std::vector<BoundaryPiece> pieces_;
     std::vector<Station> stations_;
     std::vector<double> joints_;
-    double first_ = 0, last_ = 1;   ///< profile parameters at the ends
+    double first_ = 0, last_ = 1;  ///< profile parameters at the ends
     double length_ = 0;
     bool monotone_ = true;
 };
 
-}  // namespace hdconj::detail
+}  // namespace hdconj::conjugate

@@ -8,7 +8,7 @@
 
 #include "boundary_track.hpp"
 
-namespace hdconj::detail {
+namespace hdconj::conjugate {
 
 struct OutlineUnit
 {
@@ -31,11 +31,11 @@ struct OutlineUnit
 
 /// Cuts every interval of stations that is too coarse in any slice, until none is.
 ///
-/// A chord's error is estimated from its ends where its neighbours bend as it does; where curvature changes, at ends and where chords are few the slice is looked at between the
-/// ends (chord_bound()).
+/// A chord's error is estimated from its ends where its neighbours bend as it does; where curvature changes, at ends
+/// and where chords are few the slice is looked at between the ends (chord_bound()).
 /// @param chord      [mm]
 /// @param intervals  at least so many, and where several stretches are sampled as one their joints
 /// @throws NumericalError when that cannot be met
 void sample(OutlineUnit& unit, double chord, int intervals, int threads);
 
-}  // namespace hdconj::detail
+}  // namespace hdconj::conjugate

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/conjugate/space_curve.hpp"
+#include "space_curve.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,9 +7,9 @@
 #include <string>
 
 #include "hdconj/conjugate/crossing.hpp"
-#include "hdconj/numeric/error.hpp"
+#include "hdconj/error.hpp"
 
-namespace hdconj {
+namespace hdconj::conjugate {
 namespace {
 
 std::string near_text(Vec2 const& p)
@@ -19,44 +19,41 @@ std::string near_text(Vec2 const& p)
 
 }  // namespace
 
-OutlineStretch SpaceCurve::made_by(BoundaryPiece const& piece) const
+OutlineStretch ToothSpaceBoundary::made_by(BoundaryPiece const& piece) const
 {
     if (piece.arc < 0)
         return {};
-    ContactArc const& contacts = arc(piece);
-    ProfilePiece const& origin = tooth_->pieces[static_cast<std::size_t>(contacts.piece)];
-    OutlineKind const kind = origin.corner                             ? OutlineKind::corner
-                             : detail::is_tip(*tooth_, contacts.piece) ? OutlineKind::bottom
-                                                                       : OutlineKind::flank;
+    envelope::ContactArc const& contacts = arc(piece);
+    profile::ProfilePiece const& origin = tooth_->pieces[static_cast<std::size_t>(contacts.piece)];
+    OutlineKind const kind = origin.corner                     ? OutlineKind::corner
+                             : is_tip(*tooth_, contacts.piece) ? OutlineKind::bottom
+                                                               : OutlineKind::flank;
     return {kind, origin.segment};
 }
 
-CurvePoint SpaceCurve::at(BoundaryPiece const& piece, double u) const
+CurvePoint ToothSpaceBoundary::at(BoundaryPiece const& piece, double u) const
 {
-    if (piece.arc < 0)
-    {
+    if (piece.arc < 0) {
         Vec2 const out{std::sin(u), std::cos(u)};
         return {tip_radius_ * out, out};
     }
-    EnvelopePoint const e = turned(piece).point(u);
+    envelope::EnvelopePoint const e = turned(piece).point(u);
     return {e.p, e.n};
 }
 
-double SpaceCurve::profile_parameter(BoundaryPiece const& piece, double u) const
+double ToothSpaceBoundary::profile_parameter(BoundaryPiece const& piece, double u) const
 {
-    ContactArc const& contacts = arc(piece);
-    ProfilePiece const& origin = tooth_->pieces[static_cast<std::size_t>(contacts.piece)];
+    envelope::ContactArc const& contacts = arc(piece);
+    profile::ProfilePiece const& origin = tooth_->pieces[static_cast<std::size_t>(contacts.piece)];
     return origin.t_begin + envelope_.point(contacts, u).t * (origin.t_end - origin.t_begin);
 }
 
-SampledArc SpaceCurve::sampled(BoundaryPiece const& piece, double chord) const
+envelope::SampledArc ToothSpaceBoundary::sampled(BoundaryPiece const& piece, double chord) const
 {
-    SampledArc result;
-    if (piece.arc >= 0)
-    {
-        result = sample_arc(envelope_, arc(piece), piece.begin, piece.end, chord, 1);
-        for (EnvelopePoint& e : result.points)
-        {
+    envelope::SampledArc result;
+    if (piece.arc >= 0) {
+        result = envelope::sample_arc(envelope_, arc(piece), piece.begin, piece.end, chord, 1);
+        for (envelope::EnvelopePoint& e : result.points) {
             CurvePoint const c = at(piece, e.u);
             e.p = c.p;
             e.n = c.n;
@@ -65,8 +62,7 @@ SampledArc SpaceCurve::sampled(BoundaryPiece const& piece, double chord) const
     }
     double const step = 2 * std::acos(1 - std::min(0.5, chord / tip_radius_));
     auto const count = static_cast<int>(std::max(1.0, std::ceil(std::abs(piece.end - piece.begin) / step)));
-    for (int k = 0; k <= count; ++k)
-    {
+    for (int k = 0; k <= count; ++k) {
         double const angle = k == count ? piece.end : piece.begin + (piece.end - piece.begin) * k / count;
         CurvePoint const c = at(piece, angle);
         result.points.push_back({angle, 0, c.p, c.n, 0});
@@ -75,48 +71,49 @@ SampledArc SpaceCurve::sampled(BoundaryPiece const& piece, double chord) const
     return result;
 }
 
-SpaceCurve SpaceCurve::moved_along_normal(double distance, Tolerance const& tolerance) const
+ToothSpaceBoundary ToothSpaceBoundary::moved_along_normal(double distance, Tolerance const& tolerance) const
 {
-    SpaceCurve moved(owner_, *tooth_, *motion_, offset() + distance, arcs_, pieces_, tip_radius_ + distance, pitch_);
+    ToothSpaceBoundary moved(owner_, *tooth_, *motion_, offset() + distance, arcs_, pieces_, tip_radius_ + distance,
+                             pitch_);
     if (distance == 0)
         return moved;
-    std::vector<BoundaryPiece> before;   // as they are here, those that are left
-    std::vector<BoundaryPiece> rests;    // what does not run backwards of them, not joined yet
-    std::vector<std::uint8_t> cut;       // whether the end that faces the next piece was cut, or what lay there left out
-    for (std::size_t i = 0; i < pieces_.size(); ++i)
-    {
+    std::vector<BoundaryPiece> before;  // as they are here, those that are left
+    std::vector<BoundaryPiece> rests;   // what does not run backwards of them, not joined yet
+    std::vector<std::uint8_t> cut;      // whether the end that faces the next piece was cut, or what lay there left out
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
         BoundaryPiece const& piece = pieces_[i];
         BoundaryPiece rest = piece;
-        Swallowed swallowed = moved.swallow(*this, rest);
-        if (swallowed == Swallowed::begin || swallowed == Swallowed::end)
-        {
+        Vanished vanished = moved.vanished_part(*this, rest);
+        if (vanished == Vanished::begin || vanished == Vanished::end) {
             // what is left of it may be cut off by its neighbour as well
-            bool const begin = swallowed == Swallowed::begin;
+            bool const begin = vanished == Vanished::begin;
             bool const has_neighbour = begin ? !rests.empty() : i + 1 < pieces_.size();
-            if (!has_neighbour || !moved.reaches(rest, begin, begin ? rests.back() : pieces_[i + 1], std::abs(distance), tolerance))
-                swallowed = Swallowed::whole;
+            if (!has_neighbour ||
+                !moved.reaches(rest, begin, begin ? rests.back() : pieces_[i + 1], std::abs(distance), tolerance))
+                vanished = Vanished::whole;
         }
-        if (swallowed != Swallowed::nothing && made_by(piece).kind == OutlineKind::flank)
-            throw NumericalError("draft", near_text(at(piece, piece.begin).p), "moved by " + std::to_string(distance)
-                                                                                  + " mm along its normal, the flank folds there; write a smaller tilt.angle_deg");
-        if (!cut.empty() && (swallowed == Swallowed::whole || swallowed == Swallowed::begin))
+        if (vanished != Vanished::nothing && made_by(piece).kind == OutlineKind::flank)
+            throw NumericalError(ErrorCode::no_outline, "draft", near_text(at(piece, piece.begin).p),
+                                 "moved by " + std::to_string(distance) + " mm along its normal, the flank folds there",
+                                 "write a smaller tilt.angle_deg");
+        if (!cut.empty() && (vanished == Vanished::whole || vanished == Vanished::begin))
             cut.back() = 1;
-        if (swallowed == Swallowed::whole)
+        if (vanished == Vanished::whole)
             continue;
         before.push_back(piece);
         rests.push_back(rest);
-        cut.push_back(swallowed == Swallowed::end ? 1 : 0);
+        cut.push_back(vanished == Vanished::end ? 1 : 0);
     }
     std::vector<BoundaryPiece> gone;
-    while (auto const none = join(before, rests, cut, moved, distance, tolerance))
-    {
+    while (auto const none = join(before, rests, cut, moved, distance, tolerance)) {
         std::size_t const i = none->piece;
         // between the tip circle and a neighbour these meet in its place, as they do where it becomes a point
         bool const between = i > 0 && i + 1 < rests.size() && rests[i].arc >= 0;
         bool const beside_tip = between && (rests[i - 1].arc < 0) != (rests[i + 1].arc < 0);
         if (!beside_tip || made_by(rests[i]).kind == OutlineKind::bottom)
-            throw NumericalError("draft", near_text(at(before[i], before[i].begin).p),
-                                 "moved by " + std::to_string(distance) + " mm along its normal, " + none->why + "; write a smaller tilt.angle_deg");
+            throw NumericalError(ErrorCode::no_outline, "draft", near_text(at(before[i], before[i].begin).p),
+                                 "moved by " + std::to_string(distance) + " mm along its normal, " + none->why,
+                                 "write a smaller tilt.angle_deg");
         auto const at_piece = static_cast<std::ptrdiff_t>(i);
         gone.push_back(before[i]);
         before.erase(before.begin() + at_piece);
@@ -126,31 +123,36 @@ SpaceCurve SpaceCurve::moved_along_normal(double distance, Tolerance const& tole
     }
     for (BoundaryPiece const& piece : gone)
         if (moved.nearest_corner_of_land(sampled(piece, tolerance.length)) < std::abs(distance) - 2 * tolerance.length)
-            throw NumericalError("draft", near_text(at(piece, piece.begin).p), "moved by " + std::to_string(distance)
-                                                                                   + " mm along its normal, the stretch of outline beside the tip circle has no place; write another "
-                                                                                     "circular_spline.inner_radius or tilt.angle_deg");
+            throw NumericalError(ErrorCode::no_outline, "draft", near_text(at(piece, piece.begin).p),
+                                 "moved by " + std::to_string(distance) +
+                                     " mm along its normal, the stretch of outline beside the tip circle has no place",
+                                 "write another "
+                                 "circular_spline.inner_radius or tilt.angle_deg");
     return moved;
 }
 
 /// Cuts or extends the moved pieces to where they meet.
-std::optional<SpaceCurve::NoPlace> SpaceCurve::join(std::vector<BoundaryPiece> const& before, std::vector<BoundaryPiece> const& rests, std::vector<std::uint8_t> const& cut,
-                                                    SpaceCurve& moved, double distance, Tolerance const& tolerance) const
+std::optional<ToothSpaceBoundary::NoPlace> ToothSpaceBoundary::join(std::vector<BoundaryPiece> const& before,
+                                                                    std::vector<BoundaryPiece> const& rests,
+                                                                    std::vector<std::uint8_t> const& cut,
+                                                                    ToothSpaceBoundary& moved, double distance,
+                                                                    Tolerance const& tolerance) const
 {
     std::vector<BoundaryPiece>& after = moved.pieces_;
     after = rests;
     auto const is_land = [&](std::size_t i) { return i < after.size() && after[i].arc < 0; };
-    for (std::size_t i = 0; i + 1 < after.size(); ++i)
-    {
-        // normals that agree to this come from one contact that goes on over a joint of the profile, or from the cut at x = 0
+    for (std::size_t i = 0; i + 1 < after.size(); ++i) {
+        // normals that agree to this come from one contact that goes on over a joint of the profile, or from the cut at
+        // x = 0
         constexpr double smooth = 0x1p-20;
         Vec2 const n = at(before[i], before[i].end).n;
         Vec2 const next = at(before[i + 1], before[i + 1].begin).n;
         bool const corner = cut[i] != 0 || std::abs(cross(n, next)) > smooth || n.dot(next) < 0;
         if (corner && !moved.meet(after[i], after[i + 1], std::abs(distance), tolerance))
-            return NoPlace{is_land(i) || (!is_land(i + 1) && is_land(i + 2)) ? i + 1 : i, "the stretches of outline that meet there no longer do"};
+            return NoPlace{is_land(i) || (!is_land(i + 1) && is_land(i + 2)) ? i + 1 : i,
+                           "the stretches of outline that meet there no longer do"};
     }
-    for (std::size_t i = 0; i < after.size(); ++i)
-    {
+    for (std::size_t i = 0; i < after.size(); ++i) {
         double const was = before[i].end - before[i].begin;
         double const is = after[i].end - after[i].begin;
         if (std::signbit(was) != std::signbit(is) && was != 0)
@@ -159,18 +161,17 @@ std::optional<SpaceCurve::NoPlace> SpaceCurve::join(std::vector<BoundaryPiece> c
     return std::nullopt;
 }
 
-double SpaceCurve::nearest_corner_of_land(SampledArc const& from) const
+double ToothSpaceBoundary::nearest_corner_of_land(envelope::SampledArc const& from) const
 {
     double nearest = std::numeric_limits<double>::infinity();
-    for (std::size_t i = 0; i + 1 < pieces_.size(); ++i)
-    {
+    for (std::size_t i = 0; i + 1 < pieces_.size(); ++i) {
         if ((pieces_[i].arc < 0) == (pieces_[i + 1].arc < 0))
             continue;
         Vec2 const corner = at(pieces_[i], pieces_[i].end).p;
-        for (std::size_t k = 0; k + 1 < from.points.size(); ++k)
-        {
+        for (std::size_t k = 0; k + 1 < from.points.size(); ++k) {
             Vec2 const a = from.points[k].p, along = from.points[k + 1].p - a;
-            double const share = along.squaredNorm() > 0 ? std::clamp((corner - a).dot(along) / along.squaredNorm(), 0.0, 1.0) : 0;
+            double const share =
+                along.squaredNorm() > 0 ? std::clamp((corner - a).dot(along) / along.squaredNorm(), 0.0, 1.0) : 0;
             nearest = std::min(nearest, (corner - a - share * along).norm());
         }
     }
@@ -178,42 +179,44 @@ double SpaceCurve::nearest_corner_of_land(SampledArc const& from) const
 }
 
 /// What runs backwards lies beyond a centre of curvature; @p piece is cut down to what does not.
-SpaceCurve::Swallowed SpaceCurve::swallow(SpaceCurve const& base, BoundaryPiece& piece) const
+ToothSpaceBoundary::Vanished ToothSpaceBoundary::vanished_part(ToothSpaceBoundary const& base,
+                                                               BoundaryPiece& piece) const
 {
     if (piece.arc < 0)
-        return Swallowed::nothing;
+        return Vanished::nothing;
     auto const place = [&](double share) { return piece.begin + share * (piece.end - piece.begin); };
-    auto const forward = [&](double share) { return turned(piece).velocity(place(share)).dot(base.turned(piece).velocity(place(share))); };
+    auto const forward = [&](double share) {
+        return turned(piece).velocity(place(share)).dot(base.turned(piece).velocity(place(share)));
+    };
     // the speed may have no finite value at an end itself
     constexpr double near_end = 0x1p-10;
     bool const begin = forward(near_end) < 0;
     bool const end = forward(1 - near_end) < 0;
     if (begin == end)
-        return begin ? Swallowed::whole : Swallowed::nothing;
+        return begin ? Vanished::whole : Vanished::nothing;
     double kept = begin ? 1 - near_end : near_end;
     double lost = begin ? near_end : 1 - near_end;
     constexpr int halvings = 40;
-    for (int i = 0; i < halvings; ++i)
-    {
+    for (int i = 0; i < halvings; ++i) {
         double const middle = 0.5 * (kept + lost);
         (forward(middle) < 0 ? lost : kept) = middle;
     }
     double const fold = place(kept);
     (begin ? piece.begin : piece.end) = fold;
-    return begin ? Swallowed::begin : Swallowed::end;
+    return begin ? Vanished::begin : Vanished::end;
 }
 
-bool SpaceCurve::reaches(BoundaryPiece& rest, bool begin, BoundaryPiece const& neighbour, double distance, Tolerance const& tolerance) const
+bool ToothSpaceBoundary::reaches(BoundaryPiece& rest, bool begin, BoundaryPiece const& neighbour, double distance,
+                                 Tolerance const& tolerance) const
 {
     if (neighbour.arc < 0)
         return false;
     // Newton cannot start at the fold itself, where the piece stands still
-    for (double const share : {0.5, 0.125, 0.875})
-    {
+    for (double const share : {0.5, 0.125, 0.875}) {
         double const guess = rest.begin + share * (rest.end - rest.begin);
-        auto const u = crossing_of_arcs(turned(rest), guess, turned(neighbour), begin ? neighbour.end : neighbour.begin, distance, tolerance);
-        if (u && (*u)[0] > std::min(rest.begin, rest.end) && (*u)[0] < std::max(rest.begin, rest.end))
-        {
+        auto const u = crossing_of_arcs(turned(rest), guess, turned(neighbour), begin ? neighbour.end : neighbour.begin,
+                                        distance, tolerance);
+        if (u && (*u)[0] > std::min(rest.begin, rest.end) && (*u)[0] < std::max(rest.begin, rest.end)) {
             (begin ? rest.begin : rest.end) = (*u)[0];
             return true;
         }
@@ -221,10 +224,10 @@ bool SpaceCurve::reaches(BoundaryPiece& rest, bool begin, BoundaryPiece const& n
     return false;
 }
 
-bool SpaceCurve::meet(BoundaryPiece& before, BoundaryPiece& after, double distance, Tolerance const& tolerance) const
+bool ToothSpaceBoundary::meet(BoundaryPiece& before, BoundaryPiece& after, double distance,
+                              Tolerance const& tolerance) const
 {
-    if (before.arc < 0 || after.arc < 0)
-    {
+    if (before.arc < 0 || after.arc < 0) {
         BoundaryPiece& flank = before.arc < 0 ? after : before;
         double& end = before.arc < 0 ? flank.begin : flank.end;
         auto const u = crossing_with_circle(turned(flank), tip_radius_, end, distance);
@@ -243,4 +246,4 @@ bool SpaceCurve::meet(BoundaryPiece& before, BoundaryPiece& after, double distan
     return true;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::conjugate

@@ -6,9 +6,9 @@
 #include <limits>
 #include <utility>
 
-#include "hdconj/geometry/rigid_motion.hpp"
+#include "hdconj/base/rigid_motion.hpp"
 
-namespace hdconj {
+namespace hdconj::conjugate {
 
 namespace {
 
@@ -22,13 +22,13 @@ double angle_of(Vec2 const& p)
 
 void SweptPolygons::add(int arc, std::vector<Vec2> const& points, std::vector<double> const& u)
 {
-    auto const [low, high] = std::minmax_element(points.begin(), points.end(), [](Vec2 const& a, Vec2 const& b) { return angle_of(a) < angle_of(b); });
+    auto const [low, high] = std::minmax_element(
+        points.begin(), points.end(), [](Vec2 const& a, Vec2 const& b) { return angle_of(a) < angle_of(b); });
     // half a pitch either side of the middle is wanted; the spaces next to it must be whole, or the walk gets into them
     double const window = 1.5 * pitch_;
     int const first = static_cast<int>(std::ceil((-window - angle_of(*high)) / pitch_));
     int const last = static_cast<int>(std::floor((window - angle_of(*low)) / pitch_));
-    for (int copy = first; copy <= last; ++copy)
-    {
+    for (int copy = first; copy <= last; ++copy) {
         std::vector<Vec2> turned(points.size());
         for (std::size_t k = 0; k < points.size(); ++k)
             turned[k] = turned_clockwise(points[k], copy * pitch_);
@@ -46,11 +46,10 @@ void SweptPolygons::add_one(int arc, int copy, std::vector<Vec2> const& points, 
 void SweptPolygons::join_ends(double same)
 {
     std::vector<Vec2> seen;
-    for (auto& polygon : polygons_)
-    {
-        for (Vec2* p : {&polygon.front(), &polygon.back()})
-        {
-            auto const known = std::find_if(seen.begin(), seen.end(), [&](Vec2 const& q) { return (*p - q).norm() <= same; });
+    for (auto& polygon : polygons_) {
+        for (Vec2* p : {&polygon.front(), &polygon.back()}) {
+            auto const known =
+                std::find_if(seen.begin(), seen.end(), [&](Vec2 const& q) { return (*p - q).norm() <= same; });
             if (known == seen.end())
                 seen.push_back(*p);
             else
@@ -63,10 +62,8 @@ int SweptPolygons::add_floor(double radius, double chord)
 {
     double low = -1.75 * pitch_;
     double high = 1.75 * pitch_;
-    for (auto const& polygon : polygons_)
-    {
-        for (Vec2 const& p : polygon)
-        {
+    for (auto const& polygon : polygons_) {
+        for (Vec2 const& p : polygon) {
             low = std::min(low, angle_of(p) - pitch_ / 8);
             high = std::max(high, angle_of(p) + pitch_ / 8);
         }
@@ -75,8 +72,7 @@ int SweptPolygons::add_floor(double radius, double chord)
     auto const count = static_cast<std::size_t>(std::ceil((high - low) / step));
     std::vector<Vec2> floor;
     Source source;
-    for (std::size_t k = 0; k <= count; ++k)
-    {
+    for (std::size_t k = 0; k <= count; ++k) {
         double const angle = low + (high - low) * static_cast<double>(k) / static_cast<double>(count);
         floor.emplace_back(radius * std::sin(angle), radius * std::cos(angle));
         source.u.push_back(angle);
@@ -90,10 +86,8 @@ int SweptPolygons::add_floor_line(double y, double margin)
 {
     double left = -margin;
     double right = margin;
-    for (auto const& polygon : polygons_)
-    {
-        for (Vec2 const& p : polygon)
-        {
+    for (auto const& polygon : polygons_) {
+        for (Vec2 const& p : polygon) {
             left = std::min(left, p.x() - margin);
             right = std::max(right, p.x() + margin);
         }
@@ -115,10 +109,8 @@ void SweptPolygons::add_wall(double x, double y, double margin)
 double SweptPolygons::lowest_on_axis() const
 {
     double lowest = std::numeric_limits<double>::infinity();
-    for (auto const& polygon : polygons_)
-    {
-        for (std::size_t k = 0; k + 1 < polygon.size(); ++k)
-        {
+    for (auto const& polygon : polygons_) {
+        for (std::size_t k = 0; k + 1 < polygon.size(); ++k) {
             Vec2 const& a = polygon[k];
             Vec2 const& b = polygon[k + 1];
             if ((a.x() < 0) != (b.x() < 0))
@@ -131,14 +123,11 @@ double SweptPolygons::lowest_on_axis() const
 double SweptPolygons::radius_at(std::initializer_list<double> angles) const
 {
     double reached = 0;
-    for (auto const& polygon : polygons_)
-    {
+    for (auto const& polygon : polygons_) {
         double before = angle_of(polygon.front());
-        for (std::size_t k = 0; k + 1 < polygon.size(); ++k)
-        {
+        for (std::size_t k = 0; k + 1 < polygon.size(); ++k) {
             double const after = angle_of(polygon[k + 1]);
-            for (double const side : angles)
-            {
+            for (double const side : angles) {
                 if ((before < side) == (after < side))
                     continue;
                 Vec2 const p = polygon[k] + (side - before) / (after - before) * (polygon[k + 1] - polygon[k]);
@@ -163,4 +152,4 @@ double SweptPolygons::u_at(int polygon, double position) const
     return u[k] + share * (u[k + 1] - u[k]);
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::conjugate

@@ -7,7 +7,7 @@
 #include <array>
 #include <utility>
 
-namespace hdconj::detail {
+namespace hdconj::contact {
 
 /// A corner of a cell: place and gap less the limit.
 struct AreaCorner
@@ -38,13 +38,11 @@ struct AreaCorner
 inline void add_cell(std::array<AreaCorner, 4> const& corner, double& contact, double& whole)
 {
     AreaCorner middle{Eigen::Vector3d::Zero(), 0};
-    for (AreaCorner const& c : corner)
-    {
+    for (AreaCorner const& c : corner) {
         middle.place += c.place / 4;
         middle.excess += c.excess / 4;
     }
-    for (std::size_t i = 0; i < corner.size(); ++i)
-    {
+    for (std::size_t i = 0; i < corner.size(); ++i) {
         AreaCorner const& a = corner[i];
         AreaCorner const& b = corner[(i + 1) % corner.size()];
         double const area = 0.5 * (a.place - middle.place).cross(b.place - middle.place).norm();
@@ -53,4 +51,4 @@ inline void add_cell(std::array<AreaCorner, 4> const& corner, double& contact, d
     }
 }
 
-}  // namespace hdconj::detail
+}  // namespace hdconj::contact

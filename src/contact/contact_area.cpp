@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/contact/contact_area.hpp"
+#include "contact_area.hpp"
 
 #include <algorithm>
 
 #include "area_cell.hpp"
 
-namespace hdconj {
+namespace hdconj::contact {
 namespace {
 
 /// 0, stride, 2 stride, ... and the last index.
@@ -21,7 +21,8 @@ std::vector<std::size_t> every(std::size_t stride, std::size_t count)
 
 }  // namespace
 
-ContactArea contact_area(GapMap const& map, FlankGrid const& grid, int flank, double limit, double width, std::size_t stride)
+ContactArea contact_area(GapMap const& map, FlankGrid const& grid, int flank, double limit, double width,
+                         std::size_t stride)
 {
     std::vector<std::size_t> const points = every(stride, grid.points());
     std::vector<std::size_t> const slices = every(stride, grid.slices());
@@ -29,23 +30,22 @@ ContactArea contact_area(GapMap const& map, FlankGrid const& grid, int flank, do
     // one slice is a strip between two copies of itself
     bool const strip = slices.size() == 1;
     ContactArea result;
-    for (std::size_t space = 0; space < map.angle.size(); ++space)
-    {
+    for (std::size_t space = 0; space < map.angle.size(); ++space) {
         double contact = 0;
         double whole = 0;
-        for (std::size_t i = 0; i + 1 < (strip ? 2 : slices.size()); ++i)
-        {
+        for (std::size_t i = 0; i + 1 < (strip ? 2 : slices.size()); ++i) {
             std::size_t const low = slices[i];
             std::size_t const high = strip ? low : slices[i + 1];
             double const z_low = strip ? -width / 2 : grid.z[low];
             double const z_high = strip ? width / 2 : grid.z[high];
             auto const corner = [&](std::size_t slice, double z, std::size_t point) {
                 Vec2 const& p = line[slice][point];
-                return detail::AreaCorner{{p.x(), p.y(), z}, map.at(space, flank, slice, point) - limit};
+                return AreaCorner{{p.x(), p.y(), z}, map.at(space, flank, slice, point) - limit};
             };
             for (std::size_t j = 0; j + 1 < points.size(); ++j)
-                detail::add_cell({corner(low, z_low, points[j]), corner(low, z_low, points[j + 1]), corner(high, z_high, points[j + 1]), corner(high, z_high, points[j])},
-                                 contact, whole);
+                add_cell({corner(low, z_low, points[j]), corner(low, z_low, points[j + 1]),
+                          corner(high, z_high, points[j + 1]), corner(high, z_high, points[j])},
+                         contact, whole);
         }
         result.contact += contact;
         result.whole += whole;
@@ -54,4 +54,4 @@ ContactArea contact_area(GapMap const& map, FlankGrid const& grid, int flank, do
     return result;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::contact

@@ -1,48 +1,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/contact/flank_grid.hpp"
+#include "flank_grid.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "hdconj/axial/cone.hpp"
-#include "hdconj/contact/gap_map.hpp"
-#include "hdconj/contact/hermite_between.hpp"
-#include "hdconj/contact/parallel_trim.hpp"
+#include "hdconj/contact.hpp"
 #include "hdconj/numeric/bracketed_root.hpp"
+#include "hermite_between.hpp"
+#include "parallel_trim.hpp"
+#include "surface/cone.hpp"
 
-namespace hdconj {
+namespace hdconj::contact {
 namespace {
 
-/// Points of a flank, from the land corner on, that lie within the circle @p tip come together where the flank crosses it.
+/// Points of a flank, from the land corner on, that lie within the circle @p tip come together where the flank crosses
+/// it.
 void cut_at_tip(std::vector<Vec2>& point, std::vector<Vec2>& normal, double tip)
 {
     auto const outside = std::find_if(point.begin(), point.end(), [tip](Vec2 const& p) { return p.norm() >= tip; });
     if (outside == point.begin() || outside == point.end())
         return;
     auto const first = static_cast<std::size_t>(outside - point.begin());
-    auto const at = [&, last = first](double t) { return hermite_between(point[last - 1], normal[last - 1], point[last], normal[last], t); };
-    double const t = bracketed_root([&](double s) { return at(s).norm() - tip; }, 0.0, 1.0, point[first - 1].norm() - tip, point[first].norm() - tip).x;
+    auto const at = [&, last = first](double t) {
+        return hermite_between(point[last - 1], normal[last - 1], point[last], normal[last], t);
+    };
+    double const t = numeric::bracketed_root([&](double s) { return at(s).norm() - tip; }, 0.0, 1.0,
+                                             point[first - 1].norm() - tip, point[first].norm() - tip)
+                         .x;
     Vec2 const corner = at(t), its_normal = ((1 - t) * normal[first - 1] + t * normal[first]).normalized();
     std::fill(point.begin(), outside, corner);
     std::fill(normal.begin(), normal.begin() + static_cast<std::ptrdiff_t>(first), its_normal);
 }
 
-/// Moves points along their normals by @p offset, those that have been moved outward by @p shift before as they were without.
+/// Moves points along their normals by @p offset, those that have been moved outward by @p shift before as they were
+/// without.
 void move(std::vector<Vec2>& points, std::vector<Vec2>& normals, double offset, double shift)
 {
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
+    for (std::size_t i = 0; i < points.size(); ++i) {
         Vec2& p = points[i];
         Vec2& n = normals[i];
-        if (shift == 0 || offset == 0)
-        {
+        if (shift == 0 || offset == 0) {
             p += offset * n;
             continue;
         }
-        Vec2 const before = moved_radially(p, -shift), normal = normal_moved_radially(p, n, -shift), moved = before + offset * normal;
-        p = moved_radially(moved, shift);
-        n = normal_moved_radially(moved, normal, shift);
+        Vec2 const before = surface::moved_radially(p, -shift), normal = surface::normal_moved_radially(p, n, -shift),
+                   moved = before + offset * normal;
+        p = surface::moved_radially(moved, shift);
+        n = surface::normal_moved_radially(moved, normal, shift);
     }
 }
 
@@ -88,7 +93,7 @@ Vec2 FlankGrid::between(int flank, std::size_t slice, double s) const
     return hermite_between(a, normals[first], b, normals[first + 1], t);
 }
 
-FlankGrid flank_grid(MatchedOutline const& outline, std::vector<double> const& z, int count)
+FlankGrid flank_grid(conjugate::MatchedOutline const& outline, std::vector<double> const& z, int count)
 {
     FlankGrid grid;
     grid.z = z;
@@ -96,20 +101,24 @@ FlankGrid flank_grid(MatchedOutline const& outline, std::vector<double> const& z
     auto const& line = outline.points[middle];
     std::size_t const left_land = outline.landmarks[0], left_end = outline.landmarks[1];
     std::size_t const right_end = outline.landmarks[3], right_land = outline.landmarks[4];
-    // lengths along the right flank, from the land corner down; the left one has the mirror image's indices where the outline is symmetric
+    // lengths along the right flank, from the land corner down; the left one has the mirror image's indices where the
+    // outline is symmetric
     std::vector<std::size_t> right_index, left_index;
     auto const choose = [&](std::size_t from, std::size_t to, std::vector<std::size_t>& chosen) {
         std::ptrdiff_t const step = to > from ? 1 : -1;
         std::vector<double> length{0};
         for (auto i = static_cast<std::ptrdiff_t>(from); i != static_cast<std::ptrdiff_t>(to); i += step)
-            length.push_back(length.back() + (line[static_cast<std::size_t>(i + step)] - line[static_cast<std::size_t>(i)]).norm());
+            length.push_back(length.back() +
+                             (line[static_cast<std::size_t>(i + step)] - line[static_cast<std::size_t>(i)]).norm());
         std::vector<double> stations;
-        for (int j = 0; j < count; ++j)
-        {
+        for (int j = 0; j < count; ++j) {
             double const wanted = length.back() * j / (count - 1);
             auto const after = std::lower_bound(length.begin(), length.end(), wanted) - length.begin();
             auto const at = std::min<std::ptrdiff_t>(after, static_cast<std::ptrdiff_t>(length.size()) - 1);
-            auto const best = at > 0 && wanted - length[static_cast<std::size_t>(at - 1)] < length[static_cast<std::size_t>(at)] - wanted ? at - 1 : at;
+            auto const best = at > 0 && wanted - length[static_cast<std::size_t>(at - 1)] <
+                                            length[static_cast<std::size_t>(at)] - wanted
+                                  ? at - 1
+                                  : at;
             auto const index = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(from) + step * best);
             if (!chosen.empty() && chosen.back() == index)
                 continue;
@@ -123,8 +132,7 @@ FlankGrid flank_grid(MatchedOutline const& outline, std::vector<double> const& z
     // an asymmetric pair's flanks may differ in their number of points: the shorter list decides
     std::size_t const points = std::min(right_index.size(), left_index.size());
     grid.station.resize(points);
-    for (int const flank : {GapMap::left, GapMap::right})
-    {
+    for (int const flank : {GapMap::left, GapMap::right}) {
         auto const& index = flank == GapMap::right ? right_index : left_index;
         auto& point = grid.point[static_cast<std::size_t>(flank)];
         auto& normal = grid.normal[static_cast<std::size_t>(flank)];
@@ -136,22 +144,18 @@ FlankGrid flank_grid(MatchedOutline const& outline, std::vector<double> const& z
         line_normal.resize(z.size());
         std::size_t const land = flank == GapMap::right ? right_land : left_land;
         std::size_t const last = flank == GapMap::right ? right_end : left_end;
-        for (std::size_t j = 0; j < points; ++j)
-        {
+        for (std::size_t j = 0; j < points; ++j) {
             std::size_t const i = j + 1 == points ? index.back() : index[j];
             grid.index[static_cast<std::size_t>(flank)].push_back(i > land ? i - land : land - i);
         }
-        for (std::size_t k = 0; k < z.size(); ++k)
-        {
-            for (std::size_t i = land;; last > land ? ++i : --i)
-            {
+        for (std::size_t k = 0; k < z.size(); ++k) {
+            for (std::size_t i = land;; last > land ? ++i : --i) {
                 line_point[k].push_back(outline.points[k][i]);
                 line_normal[k].push_back(outline.normals[k][i]);
                 if (i == last)
                     break;
             }
-            for (std::size_t j = 0; j < points; ++j)
-            {
+            for (std::size_t j = 0; j < points; ++j) {
                 std::size_t const i = j + 1 == points ? index.back() : index[j];
                 point[k].push_back(outline.points[k][i]);
                 normal[k].push_back(outline.normals[k][i]);
@@ -164,8 +168,7 @@ FlankGrid flank_grid(MatchedOutline const& outline, std::vector<double> const& z
 FlankGrid moved_into_material(FlankGrid grid, double offset)
 {
     for (std::size_t f = 0; f < 2; ++f)
-        for (std::size_t k = 0; k < grid.slices(); ++k)
-        {
+        for (std::size_t k = 0; k < grid.slices(); ++k) {
             bool const whole = !grid.line[f].empty();
             std::vector<Vec2>& line = whole ? grid.line[f][k] : grid.point[f][k];
             std::vector<Vec2>& normal = whole ? grid.line_normal[f][k] : grid.normal[f][k];
@@ -176,15 +179,13 @@ FlankGrid moved_into_material(FlankGrid grid, double offset)
             move(line, normal, offset, shift);
             bool const curve = grid.radius[f].empty();
             bool changed = curve && offset != 0 && trim_overlaps(bare, line, normal) > 0;
-            if (curve && !grid.tip.empty())
-            {
+            if (curve && !grid.tip.empty()) {
                 cut_at_tip(line, normal, grid.tip[k]);
                 changed = true;
             }
             if (!changed || !whole)
                 continue;
-            for (std::size_t j = 0; j < grid.points(); ++j)
-            {
+            for (std::size_t j = 0; j < grid.points(); ++j) {
                 grid.point[f][k][j] = line[grid.index[f][j]];
                 grid.normal[f][k][j] = normal[grid.index[f][j]];
             }
@@ -217,4 +218,4 @@ FlankGrid slice_of(FlankGrid const& grid, std::size_t k)
     return one;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::contact

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/contact/gap_field.hpp"
+#include "gap_field.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,11 +7,11 @@
 #include <numbers>
 #include <utility>
 
-#include "hdconj/geometry/rigid_motion.hpp"
+#include "hdconj/base/parallel.hpp"
+#include "hdconj/base/rigid_motion.hpp"
 #include "hdconj/numeric/bracketed_minimum.hpp"
-#include "hdconj/numeric/parallel.hpp"
 
-namespace hdconj {
+namespace hdconj::contact {
 namespace {
 
 /// Number of the first space of a turn, so that the spaces lie in -pi ... pi about the major axis.
@@ -34,24 +34,24 @@ std::array<int, 2> teeth_needed(int flexspline_teeth, int circular_spline_teeth,
 {
     int const first = first_space(circular_spline_teeth);
     int const last = first + circular_spline_teeth - 1;
-    return {tooth_near(first, flexspline_teeth, circular_spline_teeth, phase) - 1, tooth_near(last, flexspline_teeth, circular_spline_teeth, phase) + 1};
+    return {tooth_near(first, flexspline_teeth, circular_spline_teeth, phase) - 1,
+            tooth_near(last, flexspline_teeth, circular_spline_teeth, phase) + 1};
 }
 
-GapField::GapField(Profile const& tooth, FlankGrid const& grid, ToothPlaces const& places, int flexspline_teeth, int circular_spline_teeth, double phase)
+GapField::GapField(profile::Profile const& tooth, FlankGrid const& grid, ToothPoses const& places, int flexspline_teeth,
+                   int circular_spline_teeth, double phase)
     : distance_(tooth), grid_(&grid), places_(&places), pitch_(2 * std::numbers::pi / circular_spline_teeth)
 {
     int const first = first_space(circular_spline_teeth);
     double const k = static_cast<double>(flexspline_teeth) / circular_spline_teeth;
-    for (int m = first; m < first + circular_spline_teeth; ++m)
-    {
+    for (int m = first; m < first + circular_spline_teeth; ++m) {
         space_number_.push_back(m);
         space_angle_.push_back(pitch_ * m + k * phase);
         nearest_tooth_.push_back(tooth_near(m, flexspline_teeth, circular_spline_teeth, phase));
     }
     for (auto const& flank : grid.point)
         for (auto const& slice : flank)
-            for (std::size_t i = 0; i < slice.size(); ++i)
-            {
+            for (std::size_t i = 0; i < slice.size(); ++i) {
                 reach_ = std::max(reach_, slice[i].norm());
                 if (i > 0)
                     spacing_ = std::max(spacing_, (slice[i] - slice[i - 1]).norm());
@@ -67,15 +67,15 @@ int GapField::candidate(std::size_t space, int c) const
 GapField::Candidates GapField::candidates_of(std::size_t space, std::size_t slice, double turn) const
 {
     Candidates teeth;
-    for (int c = 0; c < candidates; ++c)
-    {
+    for (int c = 0; c < candidates; ++c) {
         int const tooth = candidate(space, c);
         Pose const& pose = places_->at(tooth, slice);
         // into the frame of the tooth's own space, then back by the flexspline's turn, then into the tooth's frame
         double const angle = (space_number_[space] - tooth) * pitch_ - turn;
         double const c0 = std::cos(angle);
         double const s0 = std::sin(angle);
-        teeth[static_cast<std::size_t>(c)] = {c0 * pose.cosine + s0 * pose.sine, s0 * pose.cosine - c0 * pose.sine, pose.rotate_back(pose.origin)};
+        teeth[static_cast<std::size_t>(c)] = {c0 * pose.cosine + s0 * pose.sine, s0 * pose.cosine - c0 * pose.sine,
+                                              pose.rotate_back(pose.origin)};
     }
     return teeth;
 }
@@ -83,8 +83,7 @@ GapField::Candidates GapField::candidates_of(std::size_t space, std::size_t slic
 double GapField::nearest(Candidates const& teeth, Vec2 const& q) const
 {
     double best = std::numeric_limits<double>::infinity();
-    for (Placement const& tooth : teeth)
-    {
+    for (Placement const& tooth : teeth) {
         Vec2 const x = tooth(q);
         if (distance_.lower_bound(x) < best)
             best = std::min(best, distance_(x).distance);
@@ -100,7 +99,9 @@ double GapField::radius(int flank, std::size_t slice) const
 
 double GapField::gap(Index const& i, double turn) const
 {
-    return nearest(candidates_of(i.space, i.slice, turn), grid_->point[static_cast<std::size_t>(i.flank)][i.slice][i.point]) - radius(i.flank, i.slice);
+    return nearest(candidates_of(i.space, i.slice, turn),
+                   grid_->point[static_cast<std::size_t>(i.flank)][i.slice][i.point]) -
+           radius(i.flank, i.slice);
 }
 
 double GapField::gap_between(std::size_t space, int flank, std::size_t slice, double s, double turn) const
@@ -116,9 +117,11 @@ double GapField::lowest_about(Index const& i, double gap, double turn, double en
     double const here = grid_->place(i.flank, i.point);
     double lowest = gap;
     if (i.point > 0)
-        lowest = std::min(lowest, minimum_of_steps(gap_at, here, grid_->place(i.flank, i.point - 1), gap, enough).value);
+        lowest = std::min(
+            lowest, numeric::minimum_of_steps(gap_at, here, grid_->place(i.flank, i.point - 1), gap, enough).value);
     if (i.point + 1 < grid_->points())
-        lowest = std::min(lowest, minimum_of_steps(gap_at, here, grid_->place(i.flank, i.point + 1), gap, enough).value);
+        lowest = std::min(
+            lowest, numeric::minimum_of_steps(gap_at, here, grid_->place(i.flank, i.point + 1), gap, enough).value);
     return lowest;
 }
 
@@ -142,13 +145,12 @@ GapField::Touch GapField::touch(std::size_t space, std::size_t slice, Vec2 const
     Candidates const teeth = candidates_of(space, slice, turn);
     Touch best;
     best.nearest.distance = std::numeric_limits<double>::infinity();
-    for (int c = 0; c < candidates; ++c)
-    {
+    for (int c = 0; c < candidates; ++c) {
         Placement const& tooth = teeth[static_cast<std::size_t>(c)];
         Vec2 const x = tooth(q);
         if (!(distance_.lower_bound(x) < best.nearest.distance))
             continue;
-        NearestPoint const found = distance_(x);
+        distance::NearestPoint const found = distance_(x);
         if (found.distance < best.nearest.distance)
             best = {candidate(space, c), found, tooth.rotate_back(found.normal)};
     }
@@ -165,11 +167,9 @@ GapMap GapField::map(double turn, int threads) const
     auto const per_space = nanoseconds_each * static_cast<double>(2 * grid_->slices() * points);
     auto const grain = static_cast<std::size_t>(std::ceil(worth_a_thread / per_space));
     parallel_for(spaces(), threads, grain, [&](std::size_t space) {
-        for (std::size_t k = 0; k < grid_->slices(); ++k)
-        {
+        for (std::size_t k = 0; k < grid_->slices(); ++k) {
             Candidates const teeth = candidates_of(space, k, turn);
-            for (int flank = 0; flank < 2; ++flank)
-            {
+            for (int flank = 0; flank < 2; ++flank) {
                 double* const row = result.gap.data() + result.index(space, flank, k, 0);
                 auto const& line = grid_->point[static_cast<std::size_t>(flank)][k];
                 double const less = radius(flank, k);
@@ -181,4 +181,4 @@ GapMap GapField::map(double turn, int threads) const
     return result;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::contact

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/contact/open_gaps.hpp"
+#include "open_gaps.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "hdconj/contact/smallest_gap.hpp"
-#include "hdconj/numeric/least_between.hpp"
-#include "hdconj/numeric/parallel.hpp"
+#include "hdconj/base/parallel.hpp"
+#include "numeric/least_between.hpp"
+#include "smallest_gap.hpp"
 
-namespace hdconj {
+namespace hdconj::contact {
 namespace {
 
-/// Length of a flank in one plane on which the gap is at most @p limit at either end of a step between points, with the two steps beside point @p at.
+/// Length of a flank in one plane on which the gap is at most @p limit at either end of a step between points, with the
+/// two steps beside point @p at.
 double length_within(std::vector<Vec2> const& line, std::vector<double> const& gap, std::size_t at, double limit)
 {
     double length = 0;
@@ -24,7 +25,8 @@ double length_within(std::vector<Vec2> const& line, std::vector<double> const& g
 
 }  // namespace
 
-std::vector<OpenGap> open_gaps(GapField const& field, std::vector<std::size_t> const& spaces, int flank, double turn, double limit, int threads)
+std::vector<OpenGap> open_gaps(GapField const& field, std::vector<std::size_t> const& spaces, int flank, double turn,
+                               double limit, int threads)
 {
     constexpr double flattest = 0.05;
     FlankGrid const& grid = field.grid();
@@ -36,10 +38,10 @@ std::vector<OpenGap> open_gaps(GapField const& field, std::vector<std::size_t> c
         std::vector<SmallestGap> smallest;
         std::vector<double> low;
         std::size_t lowest = 0;
-        for (std::size_t k = 0; k < grid.slices(); ++k)
-        {
+        for (std::size_t k = 0; k < grid.slices(); ++k) {
             field.along(spaces[s], flank, k, turn, gap[k]);
-            smallest.push_back(smallest_on_line(field, {spaces[s], flank, k, 0}, gap[k].data(), turn, std::numeric_limits<double>::infinity()));
+            smallest.push_back(smallest_on_line(field, {spaces[s], flank, k, 0}, gap[k].data(), turn,
+                                                std::numeric_limits<double>::infinity()));
             low.push_back(smallest.back().gap);
             if (low[k] < low[lowest])
                 lowest = k;
@@ -52,10 +54,9 @@ std::vector<OpenGap> open_gaps(GapField const& field, std::vector<std::size_t> c
         GapField::Index const& where = smallest[lowest].where;
         Vec2 const normal = field.touch(where, turn).normal;
         open.lever = std::max(std::abs(cross(points[where.slice][where.point], normal)), flattest * field.reach());
-        std::vector<BetweenPlaces> const between = between_places(low);
-        for (std::size_t k = 0; k < between.size(); ++k)
-        {
-            BetweenPlaces const& here = between[k];
+        std::vector<numeric::BetweenPlaces> const between = numeric::between_places(low);
+        for (std::size_t k = 0; k < between.size(); ++k) {
+            numeric::BetweenPlaces const& here = between[k];
             open.least = std::min(open.least, here.least);
             double const depth = limit - here.least;
             if (!(depth > 0) || std::min(low[k], low[k + 1]) <= limit)
@@ -63,10 +64,12 @@ std::vector<OpenGap> open_gaps(GapField const& field, std::vector<std::size_t> c
             // c t^2/2 = depth to either side of the lowest place
             double const across = std::min(1.0, 2 * std::sqrt(2 * depth / here.curvature));
             std::size_t const nearer = low[k] < low[k + 1] ? k : k + 1;
-            open.missed += across * (grid.z[k + 1] - grid.z[k]) * length_within(points[nearer], gap[nearer], smallest[nearer].where.point, low[nearer] + depth);
+            open.missed +=
+                across * (grid.z[k + 1] - grid.z[k]) *
+                length_within(points[nearer], gap[nearer], smallest[nearer].where.point, low[nearer] + depth);
         }
     });
     return result;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::contact

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/contact/resolved_area.hpp"
+#include "resolved_area.hpp"
 
 #include <algorithm>
 #include <array>
@@ -9,15 +9,15 @@
 #include <utility>
 
 #include "area_cell.hpp"
-#include "hdconj/contact/smallest_gap.hpp"
-#include "hdconj/numeric/parallel.hpp"
+#include "hdconj/base/parallel.hpp"
+#include "smallest_gap.hpp"
 
-namespace hdconj {
+namespace hdconj::contact {
 namespace {
 
-constexpr std::size_t steps = 16;   // between two points of the map, where the edge of the contact may be
+constexpr std::size_t edge_steps = 16;  // between two points of the map, where the edge of the contact may be
 
-/// Contact of one space, or of all, by all steps, by every second one and by every fourth.
+/// Contact of one space, or of all, by all edge_steps, by every second one and by every fourth.
 struct Sums
 {
     double fine = 0, half = 0, quarter = 0;
@@ -36,7 +36,13 @@ class SpaceArea
 {
   public:
     SpaceArea(GapField const& field, double turn, std::size_t space, int flank, double limit)
-        : field_(&field), turn_(turn), space_(space), flank_(flank), limit_(limit), points_(field.grid().points()), looked_(field.grid().slices() * points_)
+        : field_(&field),
+          turn_(turn),
+          space_(space),
+          flank_(flank),
+          limit_(limit),
+          points_(field.grid().points()),
+          looked_(field.grid().slices() * points_)
     {
         gaps_.resize(field.grid().slices());
         for (std::size_t k = 0; k < gaps_.size(); ++k)
@@ -48,7 +54,8 @@ class SpaceArea
     {
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t k = 0; k < gaps_.size(); ++k)
-            least = std::min(least, smallest_on_line(*field_, {space_, flank_, k, 0}, gaps_[k].data(), turn_, below).gap);
+            least =
+                std::min(least, smallest_on_line(*field_, {space_, flank_, k, 0}, gaps_[k].data(), turn_, below).gap);
         return least;
     }
 
@@ -58,15 +65,14 @@ class SpaceArea
         Sums sums;
         FlankGrid const& grid = field_->grid();
         auto const& line = grid.point[static_cast<std::size_t>(flank_)];
-        for (std::size_t j = 0; j + 1 < points_; ++j)
-        {
-            if (!near_limit(low, j) && !near_limit(high, j) && inside(low, j) == inside(high, j))
-            {
-                std::array<detail::AreaCorner, 4> const corner{at(line[low][j], z_low, gap(low, j)), at(line[low][j + 1], z_low, gap(low, j + 1)),
-                                                               at(line[high][j + 1], z_high, gap(high, j + 1)), at(line[high][j], z_high, gap(high, j))};
+        for (std::size_t j = 0; j + 1 < points_; ++j) {
+            if (!near_limit(low, j) && !near_limit(high, j) && inside(low, j) == inside(high, j)) {
+                std::array<AreaCorner, 4> const corner{
+                    at(line[low][j], z_low, gap(low, j)), at(line[low][j + 1], z_low, gap(low, j + 1)),
+                    at(line[high][j + 1], z_high, gap(high, j + 1)), at(line[high][j], z_high, gap(high, j))};
                 double contact = 0, whole = 0;
                 if (inside(low, j))
-                    detail::add_cell(corner, contact, whole);
+                    add_cell(corner, contact, whole);
                 sums.fine += contact;
                 sums.half += contact;
                 sums.quarter += contact;
@@ -74,13 +80,12 @@ class SpaceArea
             }
             Steps const& a = between(low, j);
             Steps const& b = between(high, j);
-            for (std::size_t const stride : {std::size_t{1}, std::size_t{2}, std::size_t{4}})
-            {
+            for (std::size_t const stride : {std::size_t{1}, std::size_t{2}, std::size_t{4}}) {
                 double contact = 0, whole = 0;
-                for (std::size_t i = 0; i < steps; i += stride)
-                    detail::add_cell({at(a.point[i], z_low, a.gap[i]), at(a.point[i + stride], z_low, a.gap[i + stride]),
-                                      at(b.point[i + stride], z_high, b.gap[i + stride]), at(b.point[i], z_high, b.gap[i])},
-                                     contact, whole);
+                for (std::size_t i = 0; i < edge_steps; i += stride)
+                    add_cell({at(a.point[i], z_low, a.gap[i]), at(a.point[i + stride], z_low, a.gap[i + stride]),
+                              at(b.point[i + stride], z_high, b.gap[i + stride]), at(b.point[i], z_high, b.gap[i])},
+                             contact, whole);
                 (stride == 1 ? sums.fine : stride == 2 ? sums.half : sums.quarter) += contact;
             }
         }
@@ -90,12 +95,12 @@ class SpaceArea
   private:
     struct Steps
     {
-        std::array<Vec2, steps + 1> point;
-        std::array<double, steps + 1> gap;
+        std::array<Vec2, edge_steps + 1> point;
+        std::array<double, edge_steps + 1> gap;
     };
 
     [[nodiscard]] double gap(std::size_t slice, std::size_t j) const { return gaps_[slice][j]; }
-    [[nodiscard]] detail::AreaCorner at(Vec2 const& p, double z, double g) const { return {{p.x(), p.y(), z}, g - limit_}; }
+    [[nodiscard]] AreaCorner at(Vec2 const& p, double z, double g) const { return {{p.x(), p.y(), z}, g - limit_}; }
     [[nodiscard]] bool inside(std::size_t slice, std::size_t j) const { return gap(slice, j) <= limit_; }
 
     /// Whether the gap may reach the limit between the points j and j + 1, going on as steeply as anywhere beside.
@@ -104,24 +109,25 @@ class SpaceArea
         double change = 0;
         for (std::size_t i = j > 0 ? j - 1 : j; i <= j + 1 && i + 1 < points_; ++i)
             change = std::max(change, std::abs(gap(slice, i + 1) - gap(slice, i)));
-        double const low = std::min(gap(slice, j), gap(slice, j + 1)), high = std::max(gap(slice, j), gap(slice, j + 1));
+        double const low = std::min(gap(slice, j), gap(slice, j + 1)),
+                     high = std::max(gap(slice, j), gap(slice, j + 1));
         return low - change <= limit_ && limit_ <= high + change;
     }
 
     [[nodiscard]] Steps const& between(std::size_t slice, std::size_t j)
     {
         std::size_t& slot = looked_[slice * points_ + j];
-        if (slot == 0)
-        {
+        if (slot == 0) {
             FlankGrid const& grid = field_->grid();
             Steps made;
             double const from = grid.place(flank_, j), to = grid.place(flank_, j + 1);
-            for (std::size_t i = 0; i <= steps; ++i)
-            {
-                bool const end = i == steps;
-                double const s = from + (to - from) * static_cast<double>(i) / steps;
-                made.point[i] = end || i == 0 ? grid.point[static_cast<std::size_t>(flank_)][slice][end ? j + 1 : j] : grid.between(flank_, slice, s);
-                made.gap[i] = end || i == 0 ? gap(slice, end ? j + 1 : j) : field_->gap_between(space_, flank_, slice, s, turn_);
+            for (std::size_t i = 0; i <= edge_steps; ++i) {
+                bool const end = i == edge_steps;
+                double const s = from + (to - from) * static_cast<double>(i) / edge_steps;
+                made.point[i] = end || i == 0 ? grid.point[static_cast<std::size_t>(flank_)][slice][end ? j + 1 : j]
+                                              : grid.between(flank_, slice, s);
+                made.gap[i] =
+                    end || i == 0 ? gap(slice, end ? j + 1 : j) : field_->gap_between(space_, flank_, slice, s, turn_);
             }
             kept_.push_back(made);
             slot = kept_.size();
@@ -136,12 +142,13 @@ class SpaceArea
     double limit_;
     std::size_t points_;
     std::vector<std::vector<double>> gaps_;
-    std::vector<std::size_t> looked_;   // place in kept_ from 1 on; 0: not looked at
+    std::vector<std::size_t> looked_;  // place in kept_ from 1 on; 0: not looked at
     std::deque<Steps> kept_;
 };
 
-/// Area of one flank of one space. An overlap that side clearance leaves beyond an end of the flank (trim_overlaps()) runs backwards for as far as its neighbours overrun
-/// their crossing: such stretches count as less than nothing, so that the area does not depend on how finely the bend is drawn.
+/// Area of one flank of one space. An overlap that side clearance leaves beyond an end of the flank (trim_overlaps())
+/// runs backwards for as far as its neighbours overrun their crossing: such stretches count as less than nothing, so
+/// that the area does not depend on how finely the bend is drawn.
 /// @p stride: every so many of the slices.
 double flank_area(FlankGrid const& grid, int flank, double width, std::size_t stride)
 {
@@ -150,15 +157,17 @@ double flank_area(FlankGrid const& grid, int flank, double width, std::size_t st
     auto const& normal = grid.line[f].empty() ? grid.normal[f] : grid.line_normal[f];
     bool const strip = grid.slices() == 1;
     double area = 0;
-    for (std::size_t k = 0; k + 1 < (strip ? 2 : grid.slices()); k += stride)
-    {
+    for (std::size_t k = 0; k + 1 < (strip ? 2 : grid.slices()); k += stride) {
         std::size_t const high = strip ? k : std::min(k + stride, grid.slices() - 1);
         double const z_low = strip ? -width / 2 : grid.z[k], z_high = strip ? width / 2 : grid.z[high];
-        auto const corner = [&](std::size_t slice, double z, std::size_t j) { return detail::AreaCorner{{line[slice][j].x(), line[slice][j].y(), z}, 1}; };
-        for (std::size_t j = 0; j + 1 < line[k].size(); ++j)
-        {
+        auto const corner = [&](std::size_t slice, double z, std::size_t j) {
+            return AreaCorner{{line[slice][j].x(), line[slice][j].y(), z}, 1};
+        };
+        for (std::size_t j = 0; j + 1 < line[k].size(); ++j) {
             double contact = 0, whole = 0;
-            detail::add_cell({corner(k, z_low, j), corner(k, z_low, j + 1), corner(high, z_high, j + 1), corner(high, z_high, j)}, contact, whole);
+            add_cell(
+                {corner(k, z_low, j), corner(k, z_low, j + 1), corner(high, z_high, j + 1), corner(high, z_high, j)},
+                contact, whole);
             // from the land corner outward, with the material on the right of the right flank
             Vec2 const n = normal[k][j] + normal[k][j + 1];
             Vec2 const onward = flank == GapMap::right ? left_of(n) : right_of(n);
@@ -168,7 +177,8 @@ double flank_area(FlankGrid const& grid, int flank, double width, std::size_t st
     return area;
 }
 
-/// What the chords of one flank are short of its arcs, which turn by theta from end to end: theta^2/24 of each, of the area in all slices. A bend is no arc: it counts as one at most.
+/// What the chords of one flank are short of its arcs, which turn by theta from end to end: theta^2/24 of each, of the
+/// area in all slices. A bend is no arc: it counts as one at most.
 double arcs_over_chords(FlankGrid const& grid, int flank, double width)
 {
     constexpr double circle = 24;
@@ -176,8 +186,7 @@ double arcs_over_chords(FlankGrid const& grid, int flank, double width)
     auto const& line = grid.line[f].empty() ? grid.point[f] : grid.line[f];
     auto const& normal = grid.line[f].empty() ? grid.normal[f] : grid.line_normal[f];
     double most = 0;
-    for (std::size_t k = 0; k < grid.slices(); ++k)
-    {
+    for (std::size_t k = 0; k < grid.slices(); ++k) {
         double over = 0;
         for (std::size_t j = 0; j + 1 < line[k].size(); ++j)
             over += (line[k][j + 1] - line[k][j]).norm() * (normal[k][j + 1] - normal[k][j]).squaredNorm() / circle;
@@ -198,7 +207,8 @@ double left_open(double all, double half, double quarter)
 
 }  // namespace
 
-ResolvedArea resolved_area(GapField const& field, std::vector<std::size_t> const& spaces, double turn, int flank, double limit, double width, int threads)
+ResolvedArea resolved_area(GapField const& field, std::vector<std::size_t> const& spaces, double turn, int flank,
+                           double limit, double width, int threads)
 {
     FlankGrid const& grid = field.grid();
     std::size_t const last = grid.slices() - 1;
@@ -213,8 +223,7 @@ ResolvedArea resolved_area(GapField const& field, std::vector<std::size_t> const
         SpaceArea area(field, turn, spaces[s], flank, limit);
         Space& space = found[s];
         space.lowest = area.lowest(limit);
-        if (last == 0)
-        {
+        if (last == 0) {
             // one slice is a strip between two copies of itself
             space.all = area.strip(0, 0, -width / 2, width / 2);
             space.second = space.fourth = space.all;
@@ -222,15 +231,15 @@ ResolvedArea resolved_area(GapField const& field, std::vector<std::size_t> const
         }
         for (std::size_t k = 0; k < last; ++k)
             space.all += area.strip(k, k + 1, grid.z[k], grid.z[k + 1]);
-        for (auto const& [stride, sums] : {std::pair{std::size_t{2}, &space.second}, std::pair{std::size_t{4}, &space.fourth}})
+        for (auto const& [stride, sums] :
+             {std::pair{std::size_t{2}, &space.second}, std::pair{std::size_t{4}, &space.fourth}})
             for (std::size_t k = 0; k < last; k += stride)
                 *sums += area.strip(k, std::min(k + stride, last), grid.z[k], grid.z[std::min(k + stride, last)]);
     });
     ResolvedArea result;
     Sums all, second, fourth;
     result.lowest = std::numeric_limits<double>::infinity();
-    for (Space const& space : found)
-    {
+    for (Space const& space : found) {
         all += space.all;
         second += space.second;
         fourth += space.fourth;
@@ -241,7 +250,8 @@ ResolvedArea resolved_area(GapField const& field, std::vector<std::size_t> const
     // all spaces have the same flanks
     result.area.contact = all.fine;
     auto const every = [&](std::size_t stride) { return flank_area(grid, flank, width, stride); };
-    double const one = every(1), open = (last == 0 ? 0 : left_open(one, every(2), every(4))) + arcs_over_chords(grid, flank, width);
+    double const one = every(1),
+                 open = (last == 0 ? 0 : left_open(one, every(2), every(4))) + arcs_over_chords(grid, flank, width);
     result.area.whole = std::max(one * static_cast<double>(field.spaces()), all.fine);
     result.whole = open * static_cast<double>(field.spaces());
     if (!(result.area.whole > 0))
@@ -251,4 +261,4 @@ ResolvedArea resolved_area(GapField const& field, std::vector<std::size_t> const
     return result;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::contact

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/contact/take_up.hpp"
+#include "take_up.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
-#include "hdconj/numeric/error.hpp"
-#include "hdconj/numeric/parallel.hpp"
-#include "hdconj/numeric/tolerance.hpp"
+#include "hdconj/base/parallel.hpp"
+#include "hdconj/base/tolerance.hpp"
+#include "hdconj/error.hpp"
 
-namespace hdconj {
+namespace hdconj::contact {
 namespace {
 
-/// Points that may be the first to touch, and their gaps at one turn. There are up to a hundred thousand of them at first: one number for each, its place when spaces,
-/// slices and points are counted through.
+/// Points that may be the first to touch, and their gaps at one turn. There are up to a hundred thousand of them at
+/// first: one number for each, its place when spaces, slices and points are counted through.
 struct Rivals
 {
     int flank = 0;
@@ -27,7 +27,10 @@ struct Rivals
         return {line / slices, flank, line % slices, place[i] % points};
     }
     /// Whether @p b is the point after @p a of one flank of one slice.
-    [[nodiscard]] bool follows(std::size_t a, std::size_t b) const { return place[b] == place[a] + 1 && place[b] % points != 0; }
+    [[nodiscard]] bool follows(std::size_t a, std::size_t b) const
+    {
+        return place[b] == place[a] + 1 && place[b] % points != 0;
+    }
 
     [[nodiscard]] std::vector<double> gaps(GapField const& field, double turn, int threads) const
     {
@@ -47,7 +50,7 @@ struct Rivals
 struct Look
 {
     SmallestGap least;
-    std::vector<double> low;   ///< of each rival, or the minimum beside it
+    std::vector<double> low;  ///< of each rival, or the minimum beside it
 };
 
 /// The smallest gap at and between the rivals. Minima between points are followed where they may lie below @p margin.
@@ -60,12 +63,12 @@ Look look(GapField const& field, Rivals const& rivals, double turn, double margi
     double const on_points = *std::min_element(low.begin(), low.end());
     double const enough = std::max(on_points, margin) + 0.5 * field.spacing();
     std::vector<std::size_t> deeper;
-    for (std::size_t r = 0; r < low.size(); ++r)
-    {
+    for (std::size_t r = 0; r < low.size(); ++r) {
         if (low[r] > enough)
             continue;
         // who is no rival is no smaller
-        bool const falls = (r > 0 && low[r - 1] < low[r] && rivals.follows(r - 1, r)) || (r + 1 < low.size() && low[r + 1] < low[r] && rivals.follows(r, r + 1));
+        bool const falls = (r > 0 && low[r - 1] < low[r] && rivals.follows(r - 1, r)) ||
+                           (r + 1 < low.size() && low[r + 1] < low[r] && rivals.follows(r, r + 1));
         if (!falls)
             deeper.push_back(r);
     }
@@ -87,18 +90,20 @@ TakeUp take_up(GapField const& field, GapMap const& at_rest, int flank, double l
 {
     double const sense = flank == GapMap::right ? 1 : -1;
     double const reach = field.reach();
-    double const between = 0.5 * field.spacing();   // how much less a gap may be beside a point
+    double const between = 0.5 * field.spacing();  // how much less a gap may be beside a point
     std::size_t const slices = at_rest.z.size();
     std::size_t const points = at_rest.station.size();
     auto const rivals_within = [&](double turn) {
         std::vector<std::vector<std::size_t>> found(at_rest.angle.size());
         constexpr std::size_t gaps_worth_a_thread = 1 << 16;
-        parallel_for(found.size(), threads, std::max<std::size_t>(1, gaps_worth_a_thread / std::max<std::size_t>(1, slices * points)), [&](std::size_t space) {
-            for (std::size_t k = 0; k < slices; ++k)
-                for (std::size_t i = 0; i < points; ++i)
-                    if (at_rest.at(space, flank, k, i) <= reach * turn + between)
-                        found[space].push_back((space * slices + k) * points + i);
-        });
+        parallel_for(found.size(), threads,
+                     std::max<std::size_t>(1, gaps_worth_a_thread / std::max<std::size_t>(1, slices * points)),
+                     [&](std::size_t space) {
+                         for (std::size_t k = 0; k < slices; ++k)
+                             for (std::size_t i = 0; i < points; ++i)
+                                 if (at_rest.at(space, flank, k, i) <= reach * turn + between)
+                                     found[space].push_back((space * slices + k) * points + i);
+                     });
         Rivals rivals{flank, slices, points, {}};
         for (auto const& each : found)
             rivals.place.insert(rivals.place.end(), each.begin(), each.end());
@@ -114,15 +119,15 @@ TakeUp take_up(GapField const& field, GapMap const& at_rest, int flank, double l
     double step = std::max(std::abs(first), 16 * unit_roundoff * reach) / reach;
     Rivals rivals;
     double turn = 0;
-    double low = 0, high = 0;   // turns with and without a gap
+    double low = 0, high = 0;  // turns with and without a gap
     double at_low = first, at_high = first;
     bool done = first == 0;
-    for (bool bracketed = done; !bracketed;)
-    {
+    for (bool bracketed = done; !bracketed;) {
         constexpr double growth = 1.5;
         // the last look is at the limit itself
         if (!(step < limit))
-            throw NumericalError("contact", "take-up", "no flank touches within a turn of " + std::to_string(limit) + " rad");
+            throw NumericalError(ErrorCode::no_contact, "contact", "take-up",
+                                 "no flank touches within a turn of " + std::to_string(limit) + " rad");
         step = std::min(growth * step, limit);
         rivals = rivals_within(step);
         double const gap = look(field, rivals, sense * way * step, 0, threads).least.gap;
@@ -135,8 +140,7 @@ TakeUp take_up(GapField const& field, GapMap const& at_rest, int flank, double l
     double const enough = 16 * unit_roundoff * reach;
     constexpr int budget = 100;
     int kept_low = 0, kept_high = 0;
-    for (int i = 0; i < budget && !done; ++i)
-    {
+    for (int i = 0; i < budget && !done; ++i) {
         double const share = at_low / (at_low - at_high);
         turn = low + share * (high - low);
         if (!(turn > std::min(low, high) && turn < std::max(low, high)))
@@ -144,7 +148,8 @@ TakeUp take_up(GapField const& field, GapMap const& at_rest, int flank, double l
         double const width = std::max(std::abs(high - turn), std::abs(turn - low));
         Look const now = look(field, rivals, sense * turn, reach * width, threads);
         double const gap = now.least.gap;
-        done = std::abs(gap) <= enough || std::abs(high - low) <= 4 * unit_roundoff * std::max(std::abs(low), std::abs(high));
+        done = std::abs(gap) <= enough ||
+               std::abs(high - low) <= 4 * unit_roundoff * std::max(std::abs(low), std::abs(high));
         if (done)
             break;
         // who is further from zero here than the bracket can take it is out
@@ -153,15 +158,12 @@ TakeUp take_up(GapField const& field, GapMap const& at_rest, int flank, double l
             if (now.low[r] <= reach * width)
                 left.place.push_back(rivals.place[r]);
         rivals = std::move(left);
-        if (gap > 0)
-        {
+        if (gap > 0) {
             low = turn;
             at_low = gap;
             kept_low = 0;
             at_high *= ++kept_high > 1 ? 0.5 : 1;
-        }
-        else
-        {
+        } else {
             high = turn;
             at_high = gap;
             kept_high = 0;
@@ -169,11 +171,12 @@ TakeUp take_up(GapField const& field, GapMap const& at_rest, int flank, double l
         }
     }
     if (!done)
-        throw NumericalError("contact", "take-up", "the turn to first contact did not converge");
+        throw NumericalError(ErrorCode::not_converged, "contact", "take-up",
+                             "the turn to first contact did not converge");
     if (rivals.place.empty())
         return {turn, {}, 0, resting};
     SmallestGap const touching = look(field, rivals, sense * turn, 0, threads).least;
     return {turn, touching.where, touching.gap, resting};
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::contact

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/elastic/ball_line.hpp"
+#include "ball_line.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -9,22 +9,24 @@
 #include <set>
 #include <string>
 
-#include "hdconj/elastic/bearing.hpp"
-#include "hdconj/numeric/error.hpp"
-#include "hdconj/numeric/parallel.hpp"
+#include "bearing.hpp"
+#include "hdconj/base/parallel.hpp"
+#include "hdconj/error.hpp"
 #include "mean_of_cosine.hpp"
 
-namespace hdconj {
+namespace hdconj::elastic {
 namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-[[noreturn]] void refuse(std::string const& cause)
+[[noreturn]] void refuse_ball_line(std::string const& cause)
 {
-    throw NumericalError("bearing", "line of balls", cause);
+    throw NumericalError(ErrorCode::unsuitable_body, "bearing", "line of balls", cause);
 }
+
+constexpr double ball_rounding = 1e-12;  // of forces and gaps, against the largest
 
 std::vector<int> released(std::vector<bool> const& off)
 {
@@ -35,14 +37,73 @@ std::vector<int> released(std::vector<bool> const& off)
     return points;
 }
 
+[[noreturn]] void refuse_free_ring()
+{
+    refuse_ball_line(
+        "no ball holds the ring, which may move as a whole, or all that do face one way and leave it to the cup alone, "
+        "which is not solved; the bearing is too loose, or has too few balls where the cam pushes");
+}
+
+/// The block of a problem that belongs to the contacts of a ring.
+struct RingBlock
+{
+    Index first, rows;
+    MatrixXd compliance;  ///< with the ring held on the cam; empty: not yet changed
+    VectorXd approach;    ///< likewise
+};
+
+/// Holds the ring on the cam at all points.
+void hold(numeric::Complementarity& problem, RingBlock const& block)
+{
+    if (block.compliance.size() == 0)
+        return;
+    problem.compliance.block(block.first, block.first, block.rows, block.rows) = block.compliance;
+    problem.approach.segment(block.first, block.rows) = block.approach;
+}
+
+/// Frees the ring, held until now, at the points @p free. @param ring  stiffness between them, factorised
+void release(numeric::Complementarity& problem, RingBlock& block, BallLine const& line, std::vector<int> const& free,
+             Eigen::LLT<MatrixXd> const& ring)
+{
+    Index const first = block.first, rows = block.rows;
+    if (block.compliance.size() == 0) {
+        block.compliance = problem.compliance.block(first, first, rows, rows);
+        block.approach = problem.approach.segment(first, rows);
+    }
+    MatrixXd const lift = line.lift(Eigen::all, free);
+    MatrixXd const eased = ring.matrixL().solve(lift.transpose());
+    problem.compliance.block(first, first, rows, rows) += eased.transpose() * eased;
+    problem.approach.segment(first, rows) -= lift * ring.solve(VectorXd(line.held(free)));
+}
+
+/// Changes the points whose balls would pull and those released that the ring would enter; @p first_only: the first of
+/// them in a fixed order. @returns whether there are any
+bool change_wrong_points(BallContact const& found, bool first_only, std::vector<bool>& off)
+{
+    double const push = ball_rounding * found.force.cwiseAbs().maxCoeff(),
+                 width = ball_rounding * found.gap.cwiseAbs().maxCoeff();
+    bool changed = false;
+    for (Index m = found.force.size(); m-- > 0;) {
+        auto const point = static_cast<std::size_t>(m);
+        bool const wrong = off[point] ? found.gap[m] < -width : found.force[m] < -push;
+        if (!wrong || (first_only && changed))
+            continue;
+        changed = true;
+        off[point] = !off[point];
+    }
+    return changed;
+}
+
 }  // namespace
 
-BallLine ball_line(BearingSurface const& surface, int waves, BearingContacts const& contacts, int points, bool mirrored, int threads)
+BallLine ball_line(BearingSurface const& surface, int waves, BearingContacts const& contacts, int points, bool mirrored,
+                   int threads)
 {
     if (!surface.compliance)
-        refuse("a rigid bearing has no balls");
+        refuse_ball_line("a rigid bearing has no balls");
     if (points < 2 || points % 2 != 0 || points / 2 >= static_cast<int>(surface.cosine.cols()))
-        refuse("its points must be an even number, and no more than the harmonics of the ring can tell apart");
+        refuse_ball_line(
+            "its points must be an even number, and no more than the harmonics of the ring can tell apart");
     int const terms = points / 2 + 1;
     auto const count = static_cast<Index>(mirrored ? terms : points), rows = static_cast<Index>(contacts.phi.size());
     double const arc = 2 * std::numbers::pi / (waves * points);
@@ -58,21 +119,21 @@ BallLine ball_line(BearingSurface const& surface, int waves, BearingContacts con
         share[0] = share[count - 1] = 0.5;
     MatrixXd cosine = MatrixXd::Zero(count, terms), sine = MatrixXd::Zero(count, terms);
     VectorXd rise(terms), mean(terms);
-    for (int k = 0; k < terms; ++k)
-    {
+    for (int k = 0; k < terms; ++k) {
         auto const column = static_cast<Index>(k);
         bool const alternating = 2 * k == points;
         double const n = static_cast<double>(k) * waves;
         double const coefficient = (mirrored ? 2.0 : 1.0) * (k == 0 || alternating ? 1.0 : 2.0) / points;
         // of an amplitude at a point: the work of +-1 at the points is twice that of the cosine through them
         double const felt = alternating ? 0.5 : 1.0;
-        for (Index m = 0; m < count; ++m)
-        {
+        for (Index m = 0; m < count; ++m) {
             double const angle = n * line.phi[static_cast<std::size_t>(m)];
             cosine(m, column) = share[m] * std::cos(angle);
             sine(m, column) = mirrored || alternating ? 0 : share[m] * std::sin(angle);
         }
-        line.held += arc * felt * (surface.reaction_cosine[column] * cosine.col(column) + surface.reaction_sine[column] * sine.col(column));
+        line.held +=
+            arc * felt *
+            (surface.reaction_cosine[column] * cosine.col(column) + surface.reaction_sine[column] * sine.col(column));
         rise[column] = arc * felt * coefficient * surface.reaction_to_lift[column];
         mean[column] = coefficient * mean_of_cosine(n, contacts.spread);
     }
@@ -84,8 +145,7 @@ BallLine ball_line(BearingSurface const& surface, int waves, BearingContacts con
     });
     parallel_for(static_cast<std::size_t>(rows), threads, rows_worth_a_thread, [&](std::size_t row) {
         VectorXd lift = VectorXd::Zero(count);
-        for (Index k = 0; k < terms; ++k)
-        {
+        for (Index k = 0; k < terms; ++k) {
             double const angle = static_cast<double>(k) * waves * contacts.phi[row];
             // Betti: the surface rises by as much as a force on it unloads the balls
             double const risen = -mean[k] * surface.reaction_to_load(k, contacts.z[row]);
@@ -96,62 +156,47 @@ BallLine ball_line(BearingSurface const& surface, int waves, BearingContacts con
     return line;
 }
 
-BallContact solve_on_balls(Complementarity& problem, Index first, BallLine const& line, ComplementarityOptions options, std::vector<bool> const& start)
+BallContact solve_on_balls(numeric::Complementarity& problem, Index first, BallLine const& line,
+                           numeric::ComplementarityOptions options, std::vector<bool> const& start)
 {
-    constexpr double rounding = 1e-12;  // of forces and gaps, against the largest
     Index const rows = line.lift.rows(), count = line.held.size();
-    int const patience = 50 + 4 * static_cast<int>(count);
+    int const most_rounds = 50 + 4 * static_cast<int>(count);
     BallContact found;
     std::vector<bool> const none(static_cast<std::size_t>(count), false);
     std::vector<bool> off = start.size() == none.size() ? start : none;
     std::set<std::vector<bool>> seen;
     std::vector<bool> before = off;
     bool one_by_one = false;
-    MatrixXd compliance;
-    VectorXd approach;
-    while (found.rounds < patience)
-    {
+    RingBlock block{first, rows, {}, {}};
+    while (found.rounds < most_rounds) {
         ++found.rounds;
-        // Sets that return hand over to the rule of Murty (1974): of all wrong points only the first in a fixed order changes. With h >= 0 alone, f its answer, P is the slope of a convex
-        // function of h, so (h - k) . (P(h) - P(k)) > 0 for h and k that are answers with different sets. Then the last point in the order changes at most once: between, the others are answers
-        // of the same problem with one point less; if it is released since it would pull, it is the one product that can be above 0, and stands off. By induction no set returns, and there
+        // Sets that return hand over to the rule of Murty (1974): of all wrong points only the first in a fixed order
+        // changes. With h >= 0 alone, f its answer, P is the slope of a convex function of h, so (h - k) . (P(h) -
+        // P(k)) > 0 for h and k that are answers with different sets. Then the last point in the order changes at most
+        // once: between, the others are answers of the same problem with one point less; if it is released since it
+        // would pull, it is the one product that can be above 0, and stands off. By induction no set returns, and there
         // are finitely many.
         one_by_one = one_by_one || !seen.insert(off).second;
         std::vector<int> const free = released(off);
         Eigen::LLT<MatrixXd> ring;
-        if (compliance.size() > 0)
-        {
-            problem.compliance.block(first, first, rows, rows) = compliance;
-            problem.approach.segment(first, rows) = approach;
-        }
-        if (!free.empty())
-        {
-            if (compliance.size() == 0)
-            {
-                compliance = problem.compliance.block(first, first, rows, rows);
-                approach = problem.approach.segment(first, rows);
-            }
+        hold(problem, block);
+        if (!free.empty()) {
             ring.compute(line.stiffness(free, free));
-            // a ring that no ball holds has a harmonic without stiffness, to rounding
-            if (ring.info() != Eigen::Success || !(ring.rcond() > rounding))
-            {
-                if (found.rounds == 1)
-                {
+            // A ring that no ball holds has a harmonic without stiffness, to rounding.
+            if (ring.info() != Eigen::Success || !(ring.rcond() > ball_rounding)) {
+                if (found.rounds == 1) {
                     off = before = none;  // the start was no help
                     continue;
                 }
                 if (one_by_one)
-                    refuse("no ball holds the ring, which may move as a whole, or all that do face one way and leave it to the cup alone, which is not solved; the bearing is too loose, or has too few balls where the cam pushes");
+                    refuse_free_ring();
                 one_by_one = true;
                 off = before;
                 continue;
             }
-            MatrixXd const lift = line.lift(Eigen::all, free);
-            MatrixXd const eased = ring.matrixL().solve(lift.transpose());
-            problem.compliance.block(first, first, rows, rows) += eased.transpose() * eased;
-            problem.approach.segment(first, rows) -= lift * ring.solve(VectorXd(line.held(free)));
+            release(problem, block, line, free, ring);
         }
-        found.contacts = solve_complementarity(problem, options);
+        found.contacts = numeric::solve_complementarity(problem, options);
         options.start = found.contacts.contacts;
         options.scalar = found.contacts.scalar;
         VectorXd const bare = line.held + line.lift.transpose() * found.contacts.force.segment(first, rows);
@@ -159,27 +204,18 @@ BallContact solve_on_balls(Complementarity& problem, Index first, BallLine const
         if (!free.empty())
             found.gap(free) = -ring.solve(VectorXd(bare(free)));
         found.force = bare + line.stiffness * found.gap;
-        double const push = rounding * found.force.cwiseAbs().maxCoeff(), width = rounding * found.gap.cwiseAbs().maxCoeff();
         before = off;
-        bool settled = true;
-        for (Index m = count; m-- > 0;)
-        {
-            auto const point = static_cast<std::size_t>(m);
-            bool const wrong = off[point] ? found.gap[m] < -width : found.force[m] < -push;
-            if (!wrong || (one_by_one && !settled))
-                continue;
-            settled = false;
-            off[point] = !off[point];
-        }
-        if (settled)
-        {
-            found.force(free).setZero();
+        if (!change_wrong_points(found, one_by_one, off)) {
+            for (int const point : free)
+                found.force[point] = 0;
             found.force = found.force.cwiseMax(0.0);
             found.gap = found.gap.cwiseMax(0.0);
             return found;
         }
     }
-    refuse("in " + std::to_string(patience) + " rounds no set of touching balls was found in which all push");
+    throw NumericalError(
+        ErrorCode::not_converged, "bearing", "line of balls",
+        "in " + std::to_string(most_rounds) + " rounds no set of touching balls was found in which all push");
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::elastic

@@ -1,62 +1,128 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/elastic/bearing.hpp"
+#include "bearing.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <string>
+#include <utility>
 
-#include "hdconj/numeric/error.hpp"
-#include "hdconj/numeric/parallel.hpp"
+#include "hdconj/base/parallel.hpp"
+#include "hdconj/error.hpp"
 
-namespace hdconj {
+namespace hdconj::elastic {
 namespace {
 
-[[noreturn]] void refuse(std::string const& place, std::string const& cause)
+[[noreturn]] void refuse_bearing(std::string const& place, std::string const& cause)
 {
-    throw NumericalError("bearing", place, cause);
+    throw NumericalError(ErrorCode::unsuitable_body, "bearing", place, cause);
 }
 
 int nearest_node(SectionMesh const& mesh, Vec2 const& to)
 {
-    auto const nearest = std::min_element(mesh.nodes.begin(), mesh.nodes.end(),
-                                          [&](Vec2 const& a, Vec2 const& b) { return (a - to).squaredNorm() < (b - to).squaredNorm(); });
+    auto const nearest = std::min_element(mesh.nodes.begin(), mesh.nodes.end(), [&](Vec2 const& a, Vec2 const& b) {
+        return (a - to).squaredNorm() < (b - to).squaredNorm();
+    });
     return static_cast<int>(nearest - mesh.nodes.begin());
 }
 
 void require_sound(Bearing const& bearing)
 {
     if (!(bearing.width >= 0) || !std::isfinite(bearing.width))
-        refuse("width", "must be 0 or more");
+        refuse_bearing("width", "must be 0 or more");
     if (!std::isfinite(bearing.fit) || !std::isfinite(bearing.cam_oversize))
-        refuse("fit", "must be finite, and so must the cam's oversize");
+        refuse_bearing("fit", "must be finite, and so must the cam's oversize");
     if (!bearing.ring)
         return;
     if (bearing.width <= 0)
-        refuse("width", "an elastic outer ring has a width above 0");
+        refuse_bearing("width", "an elastic outer ring has a width above 0");
     if (!(bearing.ring->thickness > 0))
-        refuse("outer ring", "must be thicker than 0");
+        refuse_bearing("outer ring", "must be thicker than 0");
     if (bearing.ring->radial_stiffness && !(*bearing.ring->radial_stiffness > 0))
-        refuse("radial stiffness of the line of balls", "must be above 0");
+        refuse_bearing("radial stiffness of the line of balls", "must be above 0");
 }
 
 /// One harmonic of the ring on its balls.
 struct RingHarmonic
 {
     Eigen::MatrixXd compliance;
-    Eigen::VectorXd lifted;     ///< surface for 1 mm of the cam
-    double reaction = 0;        ///< to 1 mm of the cam [N/rad]
-    Eigen::RowVectorXd to_load; ///< reaction to loads on the surface
+    Eigen::VectorXd lifted;      ///< surface for 1 mm of the cam
+    double reaction = 0;         ///< to 1 mm of the cam [N/rad]
+    Eigen::RowVectorXd to_load;  ///< reaction to loads on the surface
 };
+
+/// Response of the outer ring in every harmonic of @p cam.
+std::vector<RingHarmonic> ring_harmonics(Bearing const& bearing, double inner_radius, CamSeries const& cam,
+                                         std::vector<double> const& z, int threads)
+{
+    BearingRing const& ring = *bearing.ring;
+    if (ring.thickness >= inner_radius)
+        refuse_bearing("outer ring", "is thicker than the cup's inner radius");
+    double const half = bearing.width / 2, r = inner_radius - ring.thickness;
+    // a circle must not fall between nodes that its neighbours share
+    double const apart = z.size() > 1 ? bearing.width / static_cast<double>(z.size() - 1) : bearing.width;
+    MeshSize const size{std::min(MeshSize{}.along, 1.5 * apart), std::max(MeshSize{}.across, ring.thickness / 4)};
+    FourierSolid const solid(
+        ring_mesh({r, bearing.middle - half}, {inner_radius, bearing.middle + half}, ring.material, size));
+    int const balls = nearest_node(solid.mesh(), {r, bearing.middle});
+    double const spring = ring.radial_stiffness ? *ring.radial_stiffness * r : -1;
+    constexpr int most = std::numeric_limits<int>::max();
+    Supports const supports{{balls, Direction::radial, spring},
+                            {balls, Direction::axial, -1, ring.axially_held ? most : 1},
+                            {balls, Direction::tangential, -1, 0}};
+    std::vector<Station> stations;
+    for (double const at : z)
+        stations.push_back(wall_station(solid.mesh(), at, 1, Direction::radial));
+    Eigen::MatrixXd const shares = station_shares(solid, stations);
+    Eigen::Index const ball = unknown_of(balls, Direction::radial);
+    std::vector<RingHarmonic> found(cam.cosine.size());
+    parallel_for(found.size(), threads, 1, [&](std::size_t k) {
+        HarmonicSolver const solver(solid, supports, static_cast<int>(k) * cam.waves);
+        Eigen::MatrixXd const loaded = solver(shares);
+        Eigen::MatrixXd const c = shares.transpose() * loaded;
+        Eigen::VectorXd lift = Eigen::VectorXd::Zero(solid.unknowns());
+        lift[ball] = spring < 0 ? 1 : spring;
+        Eigen::VectorXd const lifted = spring < 0 ? solver.moved(lift) : solver(lift);
+        RingHarmonic& h = found[k];
+        h.compliance = (c + c.transpose()) / 2;
+        h.lifted = shares.transpose() * lifted;
+        h.reaction = solver.forces(lifted)(ball, 0);
+        h.to_load = solver.forces(loaded).row(ball);
+    });
+    return found;
+}
+
+/// Puts the ring between the cam, the series @p cosine and @p sine, and the surface.
+void add_ring(BearingSurface& surface, std::vector<RingHarmonic> ring, int waves, Eigen::VectorXd const& cosine,
+              Eigen::VectorXd const& sine)
+{
+    auto const terms = static_cast<Eigen::Index>(ring.size());
+    std::vector<Eigen::MatrixXd> compliance;
+    std::vector<int> harmonics;
+    surface.reaction_cosine = surface.reaction_sine = surface.reaction_to_lift = Eigen::VectorXd::Zero(terms);
+    surface.reaction_to_load = Eigen::MatrixXd::Zero(terms, static_cast<Eigen::Index>(surface.z.size()));
+    for (Eigen::Index k = 0; k < terms; ++k) {
+        RingHarmonic& h = ring[static_cast<std::size_t>(k)];
+        harmonics.push_back(static_cast<int>(k) * waves);
+        compliance.push_back(std::move(h.compliance));
+        surface.cosine.col(k) = h.lifted * cosine[k];
+        surface.sine.col(k) = h.lifted * sine[k];
+        surface.reaction_cosine[k] = h.reaction * cosine[k];
+        surface.reaction_sine[k] = h.reaction * sine[k];
+        surface.reaction_to_lift[k] = h.reaction;
+        surface.reaction_to_load.row(k) = h.to_load;
+    }
+    surface.compliance.emplace(std::vector<Direction>(surface.z.size(), Direction::radial), std::move(harmonics),
+                               std::move(compliance));
+}
 
 }  // namespace
 
 double CamSeries::at(double phi) const
 {
     double sum = 0;
-    for (std::size_t k = 0; k < cosine.size(); ++k)
-    {
+    for (std::size_t k = 0; k < cosine.size(); ++k) {
         double const angle = static_cast<double>(k) * waves * phi;
         sum += cosine[k] * std::cos(angle) + sine[k] * std::sin(angle);
     }
@@ -67,12 +133,10 @@ CamSeries cam_series(std::vector<double> const& samples, int waves, bool even)
 {
     std::size_t const count = samples.size();
     if (count < 2 || count % 2 != 0)
-        refuse("cam", "needs an even number of samples");
+        refuse_bearing("cam", "needs an even number of samples");
     CamSeries series{waves, even, std::vector<double>(count / 2 + 1, 0), std::vector<double>(count / 2 + 1, 0)};
-    for (std::size_t k = 0; k <= count / 2; ++k)
-    {
-        for (std::size_t j = 0; j < count; ++j)
-        {
+    for (std::size_t k = 0; k <= count / 2; ++k) {
+        for (std::size_t j = 0; j < count; ++j) {
             double const angle = 2 * std::numbers::pi * static_cast<double>(k * j % count) / static_cast<double>(count);
             series.cosine[k] += samples[j] * std::cos(angle);
             series.sine[k] += even ? 0 : samples[j] * std::sin(angle);
@@ -95,7 +159,8 @@ std::vector<double> bearing_circles(Bearing const& bearing, int count)
     return z;
 }
 
-BearingSurface bearing_surface(Bearing const& bearing, double inner_radius, CamSeries const& cam, std::vector<double> const& z, int threads)
+BearingSurface bearing_surface(Bearing const& bearing, double inner_radius, CamSeries const& cam,
+                               std::vector<double> const& z, int threads)
 {
     require_sound(bearing);
     auto const terms = static_cast<Eigen::Index>(cam.cosine.size());
@@ -103,60 +168,18 @@ BearingSurface bearing_surface(Bearing const& bearing, double inner_radius, CamS
     Eigen::VectorXd cosine = Eigen::Map<Eigen::VectorXd const>(cam.cosine.data(), terms);
     Eigen::VectorXd const sine = Eigen::Map<Eigen::VectorXd const>(cam.sine.data(), terms);
     cosine[0] += bearing.cam_oversize;
-    BearingSurface surface{z, std::nullopt, Eigen::MatrixXd::Ones(circles, 1) * cosine.transpose(), Eigen::MatrixXd::Ones(circles, 1) * sine.transpose(), {}, {}, {}, {}};
+    BearingSurface surface{z,
+                           std::nullopt,
+                           Eigen::MatrixXd::Ones(circles, 1) * cosine.transpose(),
+                           Eigen::MatrixXd::Ones(circles, 1) * sine.transpose(),
+                           {},
+                           {},
+                           {},
+                           {}};
     if (bearing.ring)
-    {
-        BearingRing const& ring = *bearing.ring;
-        if (ring.thickness >= inner_radius)
-            refuse("outer ring", "is thicker than the cup's inner radius");
-        double const half = bearing.width / 2, r = inner_radius - ring.thickness;
-        // a circle must not fall between nodes that its neighbours share
-        double const apart = z.size() > 1 ? bearing.width / static_cast<double>(z.size() - 1) : bearing.width;
-        MeshSize const size{std::min(MeshSize{}.along, 1.5 * apart), std::max(MeshSize{}.across, ring.thickness / 4)};
-        FourierSolid const solid(ring_mesh({r, bearing.middle - half}, {inner_radius, bearing.middle + half}, ring.material, size));
-        int const balls = nearest_node(solid.mesh(), {r, bearing.middle});
-        double const spring = ring.radial_stiffness ? *ring.radial_stiffness * r : -1;
-        constexpr int most = std::numeric_limits<int>::max();
-        Supports const supports{{balls, Direction::radial, spring}, {balls, Direction::axial, -1, ring.axially_held ? most : 1}, {balls, Direction::tangential, -1, 0}};
-        std::vector<Station> stations;
-        for (double const at : z)
-            stations.push_back(wall_station(solid.mesh(), at, 1, Direction::radial));
-        Eigen::MatrixXd const shares = station_shares(solid, stations);
-        auto const ball = static_cast<Eigen::Index>(3 * balls);
-        std::vector<RingHarmonic> found(static_cast<std::size_t>(terms));
-        parallel_for(found.size(), threads, 1, [&](std::size_t k) {
-            HarmonicSolver const solver(solid, supports, static_cast<int>(k) * cam.waves);
-            Eigen::MatrixXd const loaded = solver(shares);
-            Eigen::MatrixXd const c = shares.transpose() * loaded;
-            Eigen::VectorXd lift = Eigen::VectorXd::Zero(solid.unknowns());
-            lift[ball] = spring < 0 ? 1 : spring;
-            Eigen::VectorXd const lifted = spring < 0 ? solver.moved(lift) : solver(lift);
-            RingHarmonic& h = found[k];
-            h.compliance = (c + c.transpose()) / 2;
-            h.lifted = shares.transpose() * lifted;
-            h.reaction = solver.forces(lifted)(ball, 0);
-            h.to_load = solver.forces(loaded).row(ball);
-        });
-        std::vector<Eigen::MatrixXd> compliance;
-        std::vector<int> harmonics;
-        surface.reaction_cosine = surface.reaction_sine = surface.reaction_to_lift = Eigen::VectorXd::Zero(terms);
-        surface.reaction_to_load = Eigen::MatrixXd::Zero(terms, circles);
-        for (Eigen::Index k = 0; k < terms; ++k)
-        {
-            RingHarmonic& h = found[static_cast<std::size_t>(k)];
-            harmonics.push_back(static_cast<int>(k) * cam.waves);
-            compliance.push_back(std::move(h.compliance));
-            surface.cosine.col(k) = h.lifted * cosine[k];
-            surface.sine.col(k) = h.lifted * sine[k];
-            surface.reaction_cosine[k] = h.reaction * cosine[k];
-            surface.reaction_sine[k] = h.reaction * sine[k];
-            surface.reaction_to_lift[k] = h.reaction;
-            surface.reaction_to_load.row(k) = h.to_load;
-        }
-        surface.compliance.emplace(std::vector<Direction>(z.size(), Direction::radial), std::move(harmonics), std::move(compliance));
-    }
+        add_ring(surface, ring_harmonics(bearing, inner_radius, cam, z, threads), cam.waves, cosine, sine);
     surface.cosine.col(0).array() += bearing.fit;
     return surface;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::elastic

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/elastic/bent_cup.hpp"
+#include "bent_cup.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "hdconj/numeric/error.hpp"
+#include "hdconj/error.hpp"
 
-namespace hdconj {
+namespace hdconj::elastic {
 namespace {
 
 using Eigen::Index;
@@ -23,9 +23,14 @@ HarmonicField field_of(FourierSolid const& solid, WaveGeneratorContact const& co
 
 }  // namespace
 
-BentCup::BentCup(CupSection const& section, Bearing const& bearing, CamSeries const& cam, int circles, int threads, int layers)
-    : section_(section), bearing_(bearing), cam_(cam), solid_(section_mesh(section, in_layers(contact_mesh_size(bearing, circles), section, layers))),
-      contact_(solve_wave_generator(solid_, section.inner_radius, bearing, cam, circles, {}, threads)), field_(field_of(solid_, contact_, cam.waves, threads))
+BentCup::BentCup(CupSection const& section, Bearing const& bearing, CamSeries const& cam, int circles, int threads,
+                 int layers)
+    : section_(section),
+      bearing_(bearing),
+      cam_(cam),
+      solid_(section_mesh(section, in_layers(contact_mesh_size(bearing, circles), section, layers))),
+      contact_(solve_wave_generator(solid_, section.inner_radius, bearing, cam, circles, {}, threads)),
+      field_(field_of(solid_, contact_, cam.waves, threads))
 {
 }
 
@@ -36,26 +41,27 @@ SectionPoint BentCup::place(double z, double radius) const
     double const depth = (radius - inner) / wall;
     constexpr double rounding = 1e-9;  // of a radius made of other lengths
     if (!(depth > -rounding && depth < 1 + rounding))
-        throw NumericalError("elastic cup", "height " + std::to_string(z) + " mm",
-                             "the wall here does not reach the radius of the neutral layer, " + std::to_string(radius) + " mm: the teeth must end where their ring does");
+        throw NumericalError(ErrorCode::unsuitable_body, "elastic cup", "height " + std::to_string(z) + " mm",
+                             "the wall here does not reach the radius of the neutral layer, " + std::to_string(radius) +
+                                 " mm: the teeth must end where their ring does");
     return wall_point(solid_.mesh(), z, std::clamp(depth, 0.0, 1.0));
 }
 
-MaterialDisplacement BentCup::displacement(double z, double radius) const
+wavegen::MaterialDisplacement BentCup::displacement(double z, double radius) const
 {
     PointAmplitudes const at = amplitudes_at(solid_.mesh(), field_, place(z, radius));
-    MaterialDisplacement result{cam_.waves, {}};
+    wavegen::MaterialDisplacement result{cam_.waves, {}};
     for (Index k = 0; k < at.even.cols(); ++k)
         result.harmonics.push_back({at.even(0, k), at.odd(0, k), -at.odd(2, k), at.even(2, k)});
     // -0 is no sine: what is symmetric stays so
-    drop_empty_tail(result);
+    wavegen::drop_empty_tail(result);
     return result;
 }
 
-MaterialDisplacement BentCup::axial_displacement(double z, double radius) const
+wavegen::MaterialDisplacement BentCup::axial_displacement(double z, double radius) const
 {
     PointAmplitudes const at = amplitudes_at(solid_.mesh(), field_, place(z, radius));
-    MaterialDisplacement result{cam_.waves, {}};
+    wavegen::MaterialDisplacement result{cam_.waves, {}};
     for (Index k = 0; k < at.even.cols(); ++k)
         result.harmonics.push_back({at.even(1, k), at.odd(1, k), 0, 0});
     return result;
@@ -66,8 +72,7 @@ AxialMove BentCup::axial(double z, double radius, double phi) const
     auto const move = [&](double height, bool slope) {
         PointAmplitudes const at = amplitudes_at(solid_.mesh(), field_, place(height, radius));
         double sum = 0;
-        for (Index k = 0; k < at.even.cols(); ++k)
-        {
+        for (Index k = 0; k < at.even.cols(); ++k) {
             double const n = field_.harmonics[static_cast<std::size_t>(k)];
             double const c = std::cos(n * phi), s = std::sin(n * phi);
             sum += slope ? n * (at.odd(1, k) * c - at.even(1, k) * s) : at.even(1, k) * c + at.odd(1, k) * s;
@@ -82,8 +87,7 @@ double BentCup::coning(double phi) const
 {
     constexpr int intervals = 32;
     double top = 0, bottom = 0;
-    for (int i = 0; i <= intervals; ++i)
-    {
+    for (int i = 0; i <= intervals; ++i) {
         double const t = static_cast<double>(i) / intervals - 0.5;
         double const z = (section_.ring_begin + section_.ring_end) / 2 + t * (section_.ring_end - section_.ring_begin);
         top += t * displacement_at(solid_.mesh(), field_, wall_point(solid_.mesh(), z, 0), phi)[0];
@@ -92,4 +96,4 @@ double BentCup::coning(double phi) const
     return std::atan(top / bottom / (section_.ring_end - section_.ring_begin));
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::elastic

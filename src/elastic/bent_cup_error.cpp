@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/elastic/bent_cup_error.hpp"
+#include "bent_cup_error.hpp"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 
 #include "hdconj/wavegen/material_displacement.hpp"
 
-namespace hdconj {
+namespace hdconj::elastic {
 namespace {
 
 /// Even angles of a lobe.
@@ -23,16 +23,14 @@ std::vector<double> angles_of(int waves)
 
 }  // namespace
 
-
 BentCupError distance_between(BentCup const& cup, BentCup const& other, std::vector<double> const& z, double radius)
 {
     BentCupError distance;
-    for (double const height : z)
-    {
-        MaterialDisplacement const a = cup.displacement(height, radius), b = other.displacement(height, radius);
-        for (double const phi : angles_of(a.waves))
-        {
-            PointDisplacement const p = displacement_at(a, phi), q = displacement_at(b, phi);
+    for (double const height : z) {
+        wavegen::MaterialDisplacement const a = cup.displacement(height, radius),
+                                            b = other.displacement(height, radius);
+        for (double const phi : angles_of(a.waves)) {
+            wavegen::PointDisplacement const p = wavegen::displacement_at(a, phi), q = wavegen::displacement_at(b, phi);
             distance.displacement = std::max(distance.displacement, std::hypot(p.w[0] - q.w[0], p.v[0] - q.v[0]));
         }
     }
@@ -43,29 +41,33 @@ BentCupError distance_between(BentCup const& cup, BentCup const& other, std::vec
 
 BentCupError bent_cup_error(BentCup const& cup, BentCup const& other, std::vector<double> const& z, double radius)
 {
-    // the pressure at a bearing's edge is singular, and what it adds up to is of order one half in the grid: of two grids the finer one is off by 1/(sqrt 2 - 1) times their distance
+    // the pressure at a bearing's edge is singular, and what it adds up to is of order one half in the grid: of two
+    // grids the finer one is off by 1/(sqrt 2 - 1) times their distance
     double const safety = 3 / (std::numbers::sqrt2 - 1);
     BentCupError const distance = distance_between(cup, other, z, radius);
     double moved = 0;
-    for (double const height : z)
-    {
-        MaterialDisplacement const a = cup.displacement(height, radius);
+    for (double const height : z) {
+        wavegen::MaterialDisplacement const a = cup.displacement(height, radius);
         for (double const phi : angles_of(a.waves))
-            moved = std::max(moved, std::hypot(displacement_at(a, phi).w[0], displacement_at(a, phi).v[0]));
+            moved = std::max(moved,
+                             std::hypot(wavegen::displacement_at(a, phi).w[0], wavegen::displacement_at(a, phi).v[0]));
     }
     double const coning = std::abs(cup.coning(0)), force = cup.contact().total_force;
     // two grids may agree in one figure by chance: none is known better than the middle one, relative to its size
     auto const relative = [](double off, double size) { return size > 0 ? off / size : 0; };
-    std::array<double, 3> shares = {relative(distance.displacement, moved), relative(distance.coning_major, coning), relative(distance.force, force)};
+    std::array<double, 3> shares = {relative(distance.displacement, moved), relative(distance.coning_major, coning),
+                                    relative(distance.force, force)};
     std::sort(shares.begin(), shares.end());
     double const least = shares[1];
-    return {safety * std::max(distance.displacement, least * moved), safety * std::max(distance.coning_major, least * coning), safety * std::max(distance.force, least * force)};
+    return {safety * std::max(distance.displacement, least * moved),
+            safety * std::max(distance.coning_major, least * coning), safety * std::max(distance.force, least * force)};
 }
 
 BentCupGrid discretised_otherwise(BentCupGrid const& grid)
 {
     constexpr int fewest_angles = 8, fewest_circles = 2;
-    return {std::max(std::min(grid.angles, fewest_angles), grid.angles / 4 * 2), std::max(std::min(grid.circles, fewest_circles), (grid.circles + 1) / 2), 2 * grid.layers};
+    return {std::max(std::min(grid.angles, fewest_angles), grid.angles / 4 * 2),
+            std::max(std::min(grid.circles, fewest_circles), (grid.circles + 1) / 2), 2 * grid.layers};
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::elastic

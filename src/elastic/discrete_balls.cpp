@@ -1,25 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/elastic/discrete_balls.hpp"
+#include "discrete_balls.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <string>
 
-#include "hdconj/numeric/error.hpp"
+#include "hdconj/error.hpp"
 #include "mean_of_cosine.hpp"
 
-namespace hdconj {
+namespace hdconj::elastic {
 namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-[[noreturn]] void refuse(std::string const& cause)
+[[noreturn]] void refuse_balls(std::string const& cause)
 {
-    throw NumericalError("bearing", "balls", cause);
+    throw NumericalError(ErrorCode::unsuitable_body, "bearing", "balls", cause);
 }
 
 /// cos and sin of all harmonics at an angle, in the order cos 0, cos n, sin n, cos 2n, ...
@@ -27,8 +28,7 @@ VectorXd functions(Index terms, int sectors, double phi)
 {
     VectorXd value(2 * terms - 1);
     value[0] = 1;
-    for (Index k = 1; k < terms; ++k)
-    {
+    for (Index k = 1; k < terms; ++k) {
         double const angle = static_cast<double>(k) * sectors * phi;
         value[2 * k - 1] = std::cos(angle);
         value[2 * k] = std::sin(angle);
@@ -36,13 +36,13 @@ VectorXd functions(Index terms, int sectors, double phi)
     return value;
 }
 
-/// Two balls hold a ring that may shift unless they face each other: least eigenvalue of the sum of e e' over the directions e of the balls.
+/// Two balls hold a ring that may shift unless they face each other: least eigenvalue of the sum of e e' over the
+/// directions e of the balls.
 bool holds_a_shift(std::vector<double> const& phi)
 {
     constexpr double rounding = 1e-9;  // of the squares of sines and cosines, against one
     double cc = 0, cs = 0, ss = 0;
-    for (double const angle : phi)
-    {
+    for (double const angle : phi) {
         cc += std::cos(angle) * std::cos(angle);
         cs += std::cos(angle) * std::sin(angle);
         ss += std::sin(angle) * std::sin(angle);
@@ -67,8 +67,7 @@ RingTerms ring_terms(BearingSurface const& surface, int sectors, BearingContacts
     // work per coefficient: the mean square of cos and sin is a half
     RingTerms ring{VectorXd(size), VectorXd(size), MatrixXd::Zero(rows, size)};
     std::vector<double> mean(static_cast<std::size_t>(terms));
-    for (Index k = 0; k < terms; ++k)
-    {
+    for (Index k = 0; k < terms; ++k) {
         double const weight = k == 0 ? part : part / 2;
         mean[static_cast<std::size_t>(k)] = mean_of_cosine(static_cast<double>(k) * sectors, contacts.spread);
         // a ring that shifts bends nothing; what is left of its stiffness is rounding
@@ -76,19 +75,17 @@ RingTerms ring_terms(BearingSurface const& surface, int sectors, BearingContacts
         Index const cosine = k == 0 ? 0 : 2 * k - 1;
         ring.stiffness[cosine] = bends;
         ring.held[cosine] = weight * surface.reaction_cosine[k];
-        if (k > 0)
-        {
+        if (k > 0) {
             ring.stiffness[2 * k] = bends;
             ring.held[2 * k] = weight * surface.reaction_sine[k];
         }
     }
-    for (Index i = 0; i < rows; ++i)
-    {
+    for (Index i = 0; i < rows; ++i) {
         VectorXd const at = functions(terms, sectors, contacts.phi[static_cast<std::size_t>(i)]);
-        for (Index k = 0; k < terms; ++k)
-        {
+        for (Index k = 0; k < terms; ++k) {
             // Betti: the surface rises by as much as a force on it unloads the balls
-            double const lifts = -mean[static_cast<std::size_t>(k)] * surface.reaction_to_load(k, contacts.z[static_cast<std::size_t>(i)]);
+            double const lifts = -mean[static_cast<std::size_t>(k)] *
+                                 surface.reaction_to_load(k, contacts.z[static_cast<std::size_t>(i)]);
             if (k > 0)
                 ring.rise(i, 2 * k - 1) = lifts * at[2 * k - 1];
             ring.rise(i, k == 0 ? 0 : 2 * k) = lifts * at[k == 0 ? 0 : 2 * k];
@@ -98,7 +95,8 @@ RingTerms ring_terms(BearingSurface const& surface, int sectors, BearingContacts
 }
 
 /// Inverse of [K, -B'; -B, -1/k], from loads and gaps of the ring to its shape and the forces of the balls.
-MatrixXd inverse_system(VectorXd const& ring, int sectors, std::vector<double> const& phi, std::optional<double> stiffness)
+MatrixXd inverse_system(VectorXd const& ring, int sectors, std::vector<double> const& phi,
+                        std::optional<double> stiffness)
 {
     Index const size = ring.size(), terms = (size + 1) / 2;
     auto const count = static_cast<Index>(phi.size());
@@ -111,8 +109,7 @@ MatrixXd inverse_system(VectorXd const& ring, int sectors, std::vector<double> c
     VectorXd force_scale(count);
     for (Index i = 0; i < size; ++i)
         system(i, i) = ring[i] * scale[i] * scale[i];
-    for (Index b = 0; b < count; ++b)
-    {
+    for (Index b = 0; b < count; ++b) {
         VectorXd const at = functions(terms, sectors, phi[static_cast<std::size_t>(b)]).cwiseProduct(scale);
         force_scale[b] = 1 / at.norm();
         system.block(0, size + b, size, 1) = -force_scale[b] * at;
@@ -122,7 +119,7 @@ MatrixXd inverse_system(VectorXd const& ring, int sectors, std::vector<double> c
     Eigen::PartialPivLU<MatrixXd> const factors(system);
     constexpr double rounding = 1e-13;  // condition at which no digit of a force would be left
     if (!(factors.rcond() > rounding))
-        refuse("they stand too close to each other for the harmonics of the ring");
+        refuse_balls("they stand too close to each other for the harmonics of the ring");
     VectorXd all(size + count);
     all << scale, force_scale;
     MatrixXd const inverse = all.asDiagonal() * factors.inverse() * all.asDiagonal();
@@ -139,18 +136,22 @@ std::vector<double> ball_angles(int count, int sectors, double phase)
     return phi;
 }
 
-DiscreteBalls discrete_balls(BearingSurface const& surface, int sectors, BearingContacts const& contacts, std::vector<double> const& phi, std::optional<double> stiffness)
+DiscreteBalls discrete_balls(BearingSurface const& surface, int sectors, BearingContacts const& contacts,
+                             std::vector<double> const& phi, std::optional<double> stiffness)
 {
     if (!surface.compliance)
-        refuse("a rigid bearing has none");
+        refuse_balls("a rigid bearing has none");
     Index const terms = surface.cosine.cols(), size = 2 * terms - 1;
     auto const count = static_cast<Index>(phi.size());
     if (count == 0)
-        refuse("none touches the ring");
+        refuse_balls("none touches the ring");
     if (!stiffness && count > size)
-        refuse(std::to_string(count * sectors) + " are more than the harmonics of the ring tell apart, " + std::to_string(size * sectors) + ": leave the number out for a line of balls");
+        refuse_balls(std::to_string(count * sectors) + " are more than the harmonics of the ring tell apart, " +
+                     std::to_string(size * sectors) + ": leave the number out for a line of balls");
     if (sectors == 1 && !holds_a_shift(phi))
-        refuse("the ring may move as a whole: one ball does not hold it, nor do two that face each other; write three or more");
+        refuse_balls(
+            "the ring may move as a whole: one ball does not hold it, nor do two that face each other; write three or "
+            "more");
     RingTerms const ring = ring_terms(surface, sectors, contacts);
     MatrixXd const inverse = inverse_system(ring.stiffness, sectors, phi, stiffness);
     auto const shape = inverse.topLeftCorner(size, size);
@@ -168,4 +169,4 @@ DiscreteBalls discrete_balls(BearingSurface const& surface, int sectors, Bearing
     return result;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::elastic

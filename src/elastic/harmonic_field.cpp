@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/elastic/harmonic_field.hpp"
+#include "harmonic_field.hpp"
 
 #include <cmath>
 
-#include "hdconj/numeric/parallel.hpp"
+#include "hdconj/base/parallel.hpp"
 
-namespace hdconj {
+namespace hdconj::elastic {
 
 using Eigen::Index;
 
-HarmonicField harmonic_field(FourierSolid const& solid, Supports const& supports, std::vector<Station> const& stations, std::vector<int> const& harmonics,
-                             Eigen::MatrixXd const& even, Eigen::MatrixXd const& odd, int threads)
+HarmonicField harmonic_field(FourierSolid const& solid, Supports const& supports, std::vector<Station> const& stations,
+                             std::vector<int> const& harmonics, Eigen::MatrixXd const& even, Eigen::MatrixXd const& odd,
+                             int threads)
 {
     Eigen::MatrixXd const shares = station_shares(solid, stations);
     auto const terms = static_cast<Index>(harmonics.size());
@@ -32,8 +33,7 @@ PointAmplitudes amplitudes_at(SectionMesh const& mesh, HarmonicField const& fiel
     auto const n = shape_functions(place.xi, place.eta);
     QuadraticElement const& element = mesh.elements[place.element];
     PointAmplitudes at{Eigen::Matrix3Xd::Zero(3, field.even.cols()), Eigen::Matrix3Xd::Zero(3, field.even.cols())};
-    for (std::size_t a = 0; a < n.size(); ++a)
-    {
+    for (std::size_t a = 0; a < n.size(); ++a) {
         Index const row = 3 * static_cast<Index>(element[a]);
         at.even += n[a] * field.even.middleRows<3>(row);
         at.odd += n[a] * field.odd.middleRows<3>(row);
@@ -46,8 +46,7 @@ namespace {
 Eigen::Vector3d displaced(PointAmplitudes const& at, HarmonicField const& field, double phi)
 {
     Eigen::Vector3d u = Eigen::Vector3d::Zero();
-    for (Index k = 0; k < at.even.cols(); ++k)
-    {
+    for (Index k = 0; k < at.even.cols(); ++k) {
         double const angle = field.harmonics[static_cast<std::size_t>(k)] * phi;
         double const c = std::cos(angle), s = std::sin(angle);
         u.head<2>() += at.even.col(k).head<2>() * c + at.odd.col(k).head<2>() * s;
@@ -59,18 +58,19 @@ Eigen::Vector3d displaced(PointAmplitudes const& at, HarmonicField const& field,
 }  // namespace
 
 HarmonicWaves::HarmonicWaves(HarmonicField const& field, std::vector<double> const& phi)
-    : cosine(static_cast<Index>(field.harmonics.size()), static_cast<Index>(phi.size())), sine(cosine.rows(), cosine.cols())
+    : cosine(static_cast<Index>(field.harmonics.size()), static_cast<Index>(phi.size())),
+      sine(cosine.rows(), cosine.cols())
 {
     for (Index j = 0; j < cosine.cols(); ++j)
-        for (Index k = 0; k < cosine.rows(); ++k)
-        {
+        for (Index k = 0; k < cosine.rows(); ++k) {
             double const angle = field.harmonics[static_cast<std::size_t>(k)] * phi[static_cast<std::size_t>(j)];
             cosine(k, j) = std::cos(angle);
             sine(k, j) = std::sin(angle);
         }
 }
 
-Eigen::Matrix3Xd displacements_at(SectionMesh const& mesh, HarmonicField const& field, SectionPoint const& place, HarmonicWaves const& waves)
+Eigen::Matrix3Xd displacements_at(SectionMesh const& mesh, HarmonicField const& field, SectionPoint const& place,
+                                  HarmonicWaves const& waves)
 {
     PointAmplitudes const at = amplitudes_at(mesh, field, place);
     Eigen::Matrix3Xd u(3, waves.cosine.cols());
@@ -79,7 +79,8 @@ Eigen::Matrix3Xd displacements_at(SectionMesh const& mesh, HarmonicField const& 
     return u;
 }
 
-Eigen::Vector3d displacement_at(SectionMesh const& mesh, HarmonicField const& field, SectionPoint const& place, double phi)
+Eigen::Vector3d displacement_at(SectionMesh const& mesh, HarmonicField const& field, SectionPoint const& place,
+                                double phi)
 {
     return displaced(amplitudes_at(mesh, field, place), field, phi);
 }
@@ -105,17 +106,17 @@ StressAmplitudes stress_amplitudes(SectionMesh const& mesh, HarmonicField const&
     StressMatrix const d = mesh.stress(place.element);
     QuadraticElement const& element = mesh.elements[place.element];
     auto const terms = field.even.cols();
-    StressAmplitudes at{Eigen::Matrix<double, 6, Eigen::Dynamic>(6, terms), Eigen::Matrix<double, 6, Eigen::Dynamic>(6, terms)};
+    StressAmplitudes at{Eigen::Matrix<double, 6, Eigen::Dynamic>(6, terms),
+                        Eigen::Matrix<double, 6, Eigen::Dynamic>(6, terms)};
     Eigen::Matrix<double, 24, 1> even, odd;
-    for (Index k = 0; k < terms; ++k)
-    {
-        for (std::size_t a = 0; a < element.size(); ++a)
-        {
+    for (Index k = 0; k < terms; ++k) {
+        for (std::size_t a = 0; a < element.size(); ++a) {
             Index const row = 3 * static_cast<Index>(element[a]);
             even.segment<3>(static_cast<Index>(3 * a)) = field.even.block<3, 1>(row, k);
             odd.segment<3>(static_cast<Index>(3 * a)) = field.odd.block<3, 1>(row, k);
         }
-        Eigen::Matrix<double, 6, 24> const strain = b.at_rest + field.harmonics[static_cast<std::size_t>(k)] * b.per_harmonic;
+        Eigen::Matrix<double, 6, 24> const strain =
+            b.at_rest + field.harmonics[static_cast<std::size_t>(k)] * b.per_harmonic;
         at.even.col(k) = d * (strain * even);
         at.odd.col(k) = d * (strain * odd);
     }
@@ -125,8 +126,7 @@ StressAmplitudes stress_amplitudes(SectionMesh const& mesh, HarmonicField const&
 Stress stress_of(StressAmplitudes const& at, HarmonicField const& field, double phi)
 {
     Stress stress = Stress::Zero();
-    for (Index k = 0; k < at.even.cols(); ++k)
-    {
+    for (Index k = 0; k < at.even.cols(); ++k) {
         double const angle = field.harmonics[static_cast<std::size_t>(k)] * phi;
         double const c = std::cos(angle), s = std::sin(angle);
         stress.head<4>() += at.even.col(k).head<4>() * c + at.odd.col(k).head<4>() * s;
@@ -159,7 +159,8 @@ std::vector<SectionPoint> gauss_points(SectionMesh const& mesh)
     return points;
 }
 
-Eigen::MatrixXd gauss_stress(SectionMesh const& mesh, HarmonicField const& field, std::vector<double> const& phi, int threads)
+Eigen::MatrixXd gauss_stress(SectionMesh const& mesh, HarmonicField const& field, std::vector<double> const& phi,
+                             int threads)
 {
     std::vector<SectionPoint> const points = gauss_points(mesh);
     Eigen::MatrixXd result(static_cast<Index>(phi.size()), static_cast<Index>(points.size()));
@@ -183,7 +184,8 @@ StressPeak stress_peak(SectionMesh const& mesh, HarmonicField const& field, std:
         return {};
     Index point = 0, angle = 0;
     double const largest = all.maxCoeff(&point, &angle);
-    return {largest, position(mesh, gauss_points(mesh)[static_cast<std::size_t>(point)]), phi[static_cast<std::size_t>(angle)]};
+    return {largest, position(mesh, gauss_points(mesh)[static_cast<std::size_t>(point)]),
+            phi[static_cast<std::size_t>(angle)]};
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::elastic

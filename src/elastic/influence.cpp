@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/elastic/influence.hpp"
+#include "influence.hpp"
 
 #include <Eigen/SparseCore>
 
@@ -9,9 +9,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "hdconj/numeric/parallel.hpp"
+#include "hdconj/base/parallel.hpp"
 
-namespace hdconj {
+namespace hdconj::elastic {
 namespace {
 
 /// Whether a component goes with sin n phi.
@@ -32,12 +32,12 @@ double weight(int n, Repetition const& repetition)
 struct Waves
 {
     Waves(std::vector<InfluencePoint> const& points, std::vector<int> const& harmonics, int threads)
-        : cosine(static_cast<Eigen::Index>(harmonics.size()), static_cast<Eigen::Index>(points.size())), sine(cosine.rows(), cosine.cols())
+        : cosine(static_cast<Eigen::Index>(harmonics.size()), static_cast<Eigen::Index>(points.size())),
+          sine(cosine.rows(), cosine.cols())
     {
         constexpr std::size_t worth_a_thread = 32;
         parallel_for(points.size(), threads, worth_a_thread, [&](std::size_t i) {
-            for (Eigen::Index k = 0; k < cosine.rows(); ++k)
-            {
+            for (Eigen::Index k = 0; k < cosine.rows(); ++k) {
                 double const angle = harmonics[static_cast<std::size_t>(k)] * points[i].phi;
                 cosine(k, static_cast<Eigen::Index>(i)) = std::cos(angle);
                 sine(k, static_cast<Eigen::Index>(i)) = std::sin(angle);
@@ -59,7 +59,8 @@ std::vector<int> harmonics_of(int waves, int highest)
     return harmonics;
 }
 
-Influence::Influence(std::vector<Direction> directions, std::vector<int> harmonics, std::vector<Eigen::MatrixXd> compliance)
+Influence::Influence(std::vector<Direction> directions, std::vector<int> harmonics,
+                     std::vector<Eigen::MatrixXd> compliance)
     : directions_(std::move(directions)), harmonics_(std::move(harmonics)), compliance_(std::move(compliance))
 {
     if (harmonics_.size() != compliance_.size())
@@ -71,7 +72,8 @@ double Influence::operator()(InfluencePoint const& at, InfluencePoint const& loa
     return matrix({at}, {load}, repetition)(0, 0);
 }
 
-Eigen::MatrixXd Influence::matrix(std::vector<InfluencePoint> const& points, Repetition const& repetition, int threads) const
+Eigen::MatrixXd Influence::matrix(std::vector<InfluencePoint> const& points, Repetition const& repetition,
+                                  int threads) const
 {
     Eigen::MatrixXd all = matrix(points, points, repetition, threads);
     // sums in another order differ by rounding
@@ -79,8 +81,8 @@ Eigen::MatrixXd Influence::matrix(std::vector<InfluencePoint> const& points, Rep
     return all;
 }
 
-Eigen::MatrixXd Influence::matrix(std::vector<InfluencePoint> const& at, std::vector<InfluencePoint> const& loads, Repetition const& repetition,
-                                  int threads) const
+Eigen::MatrixXd Influence::matrix(std::vector<InfluencePoint> const& at, std::vector<InfluencePoint> const& loads,
+                                  Repetition const& repetition, int threads) const
 {
     auto const rows = static_cast<Eigen::Index>(at.size()), columns = static_cast<Eigen::Index>(loads.size());
     auto const terms = static_cast<Eigen::Index>(harmonics_.size());
@@ -90,8 +92,7 @@ Eigen::MatrixXd Influence::matrix(std::vector<InfluencePoint> const& at, std::ve
     // column of each pair of stations: the weighted compliances, harmonic by harmonic
     auto const count = static_cast<Eigen::Index>(stations());
     Eigen::MatrixXd pairs(terms, count * count);
-    for (Eigen::Index k = 0; k < terms; ++k)
-    {
+    for (Eigen::Index k = 0; k < terms; ++k) {
         double const c = weight(harmonics_[static_cast<std::size_t>(k)], repetition);
         for (Eigen::Index a = 0; a < count; ++a)
             for (Eigen::Index b = 0; b < count; ++b)
@@ -104,13 +105,13 @@ Eigen::MatrixXd Influence::matrix(std::vector<InfluencePoint> const& at, std::ve
         auto const a = static_cast<Eigen::Index>(at[i].station);
         bool const odd = is_odd(directions_[at[i].station]);
         auto const c = to.cosine.col(row).array(), s = to.sine.col(row).array();
-        for (Eigen::Index column = 0; column < columns; ++column)
-        {
+        for (Eigen::Index column = 0; column < columns; ++column) {
             auto const station = loads[static_cast<std::size_t>(column)].station;
             auto const pair = pairs.col(a * count + static_cast<Eigen::Index>(station)).array();
             auto const cl = from.cosine.col(column).array(), sl = from.sine.col(column).array();
             bool const odd_load = is_odd(directions_[station]);
-            // h = f(n phi) F(n phi') + g(n phi) G(n phi'); a mirrored force doubles the first term and cancels the second
+            // h = f(n phi) F(n phi') + g(n phi) G(n phi'); a mirrored force doubles the first term and cancels the
+            // second
             double first = 0, second = 0;
             if (!odd && !odd_load)
                 first = (pair * c * cl).sum(), second = repetition.mirrored ? 0 : (pair * s * sl).sum();
@@ -129,17 +130,18 @@ Eigen::MatrixXd Influence::matrix(std::vector<InfluencePoint> const& at, std::ve
 Eigen::MatrixXd station_shares(FourierSolid const& solid, std::vector<Station> const& stations)
 {
     Eigen::MatrixXd shares = Eigen::MatrixXd::Zero(solid.unknowns(), static_cast<Eigen::Index>(stations.size()));
-    for (std::size_t b = 0; b < stations.size(); ++b)
-    {
+    for (std::size_t b = 0; b < stations.size(); ++b) {
         auto const n = shape_functions(stations[b].place.xi, stations[b].place.eta);
         auto const& nodes = solid.mesh().elements[stations[b].place.element];
         for (std::size_t a = 0; a < n.size(); ++a)
-            shares(3 * static_cast<Eigen::Index>(nodes[a]) + static_cast<Eigen::Index>(stations[b].direction), static_cast<Eigen::Index>(b)) = n[a];
+            shares(3 * static_cast<Eigen::Index>(nodes[a]) + static_cast<Eigen::Index>(stations[b].direction),
+                   static_cast<Eigen::Index>(b)) = n[a];
     }
     return shares;
 }
 
-Influence influence(FourierSolid const& solid, Supports const& supports, std::vector<Station> const& stations, std::vector<int> const& harmonics, int threads)
+Influence influence(FourierSolid const& solid, Supports const& supports, std::vector<Station> const& stations,
+                    std::vector<int> const& harmonics, int threads)
 {
     std::vector<Direction> directions;
     for (Station const& station : stations)
@@ -155,4 +157,4 @@ Influence influence(FourierSolid const& solid, Supports const& supports, std::ve
     return {std::move(directions), harmonics, std::move(compliance)};
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::elastic

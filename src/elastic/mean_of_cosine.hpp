@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace hdconj {
+namespace hdconj::elastic {
 
 /// Mean of cos(n phi) over @p spread [rad] about phi = 0.
 inline double mean_of_cosine(double n, double spread)
@@ -14,4 +14,4 @@ inline double mean_of_cosine(double n, double spread)
     return half == 0 ? 1 : std::sin(half) / half;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::elastic

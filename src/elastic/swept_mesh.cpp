@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/elastic/swept_mesh.hpp"
+#include "swept_mesh.hpp"
 
 #include <cmath>
 #include <numbers>
 
-namespace hdconj {
+namespace hdconj::elastic {
 namespace {
 
 using Eigen::Index;
@@ -13,7 +13,8 @@ using Eigen::Index;
 class Numbering
 {
   public:
-    Numbering(SectionMesh const& section, double angle, int steps) : whole_(static_cast<int>(section.nodes.size())), steps_(steps)
+    Numbering(SectionMesh const& section, double angle, int steps)
+        : whole_(static_cast<int>(section.nodes.size())), steps_(steps)
     {
         constexpr double rounding = 1e-12;  // of 2 pi
         closed_ = angle > 2 * std::numbers::pi - rounding;
@@ -27,8 +28,14 @@ class Numbering
 
     [[nodiscard]] bool closed() const { return closed_; }
     [[nodiscard]] bool is_corner(int node) const { return corner_[static_cast<std::size_t>(node)] >= 0; }
-    [[nodiscard]] int on_plane(int node, int plane) const { return (closed_ && plane == steps_ ? 0 : plane) * (whole_ + corners_) + node; }
-    [[nodiscard]] int between(int node, int step) const { return step * (whole_ + corners_) + whole_ + corner_[static_cast<std::size_t>(node)]; }
+    [[nodiscard]] int on_plane(int node, int plane) const
+    {
+        return (closed_ && plane == steps_ ? 0 : plane) * (whole_ + corners_) + node;
+    }
+    [[nodiscard]] int between(int node, int step) const
+    {
+        return step * (whole_ + corners_) + whole_ + corner_[static_cast<std::size_t>(node)];
+    }
 
   private:
     int whole_;
@@ -45,8 +52,7 @@ SweptMesh swept_mesh(SectionMesh const& section, double angle, int steps)
     Numbering const number(section, angle, steps);
     auto const count = static_cast<int>(section.nodes.size());
     SweptMesh mesh;
-    for (int plane = 0; plane < (number.closed() ? steps : steps + 1); ++plane)
-    {
+    for (int plane = 0; plane < (number.closed() ? steps : steps + 1); ++plane) {
         for (int node = 0; node < count; ++node)
             mesh.nodes.push_back({node, angle * plane / steps});
         for (int node = 0; node < count && plane < steps; ++node)
@@ -54,11 +60,9 @@ SweptMesh swept_mesh(SectionMesh const& section, double angle, int steps)
                 mesh.nodes.push_back({node, angle * (plane + 0.5) / steps});
     }
     for (int step = 0; step < steps; ++step)
-        for (QuadraticElement const& e : section.elements)
-        {
+        for (QuadraticElement const& e : section.elements) {
             std::array<int, 20> hexahedron{};
-            for (std::size_t a = 0; a < 4; ++a)
-            {
+            for (std::size_t a = 0; a < 4; ++a) {
                 hexahedron[a] = number.on_plane(e[a], step + 1);
                 hexahedron[a + 4] = number.on_plane(e[a], step);
                 hexahedron[a + 8] = number.on_plane(e[a + 4], step + 1);
@@ -70,8 +74,8 @@ SweptMesh swept_mesh(SectionMesh const& section, double angle, int steps)
     return mesh;
 }
 
-std::vector<double> swept_loads(SectionMesh const& section, SweptMesh const& swept, double angle, int steps, int waves, Eigen::MatrixXd const& cosine,
-                                Eigen::MatrixXd const& sine)
+std::vector<double> swept_loads(SectionMesh const& section, SweptMesh const& swept, double angle, int steps, int waves,
+                                Eigen::MatrixXd const& cosine, Eigen::MatrixXd const& sine)
 {
     Numbering const number(section, angle, steps);
     std::vector<double> loads(swept.nodes.size(), 0);
@@ -79,30 +83,27 @@ std::vector<double> swept_loads(SectionMesh const& section, SweptMesh const& swe
     constexpr std::array at{0.0, 0.5384693101056831, 0.9061798459386640};
     constexpr std::array weight{0.5688888888888889, 0.4786286704993665, 0.2369268850561891};
     double const half = angle / steps / 2;
-    for (Index i = 0; i < cosine.rows(); ++i)
-    {
+    for (Index i = 0; i < cosine.rows(); ++i) {
         if (cosine.row(i).isZero(0) && sine.row(i).isZero(0))
             continue;
         int const node = static_cast<int>(i);
         for (int step = 0; step < steps; ++step)
-            for (int g = -2; g <= 2; ++g)
-            {
+            for (int g = -2; g <= 2; ++g) {
                 auto const p = static_cast<std::size_t>(std::abs(g));
                 double const x = g < 0 ? -at[p] : at[p];
                 double const phi = half * (2 * step + 1 + x);
                 double load = 0;
                 for (Index k = 0; k < cosine.cols(); ++k)
-                    load += cosine(i, k) * std::cos(static_cast<double>(k) * waves * phi) + sine(i, k) * std::sin(static_cast<double>(k) * waves * phi);
+                    load += cosine(i, k) * std::cos(static_cast<double>(k) * waves * phi) +
+                            sine(i, k) * std::sin(static_cast<double>(k) * waves * phi);
                 load *= weight[p] * half;
-                auto const first = static_cast<std::size_t>(number.on_plane(node, step)), last = static_cast<std::size_t>(number.on_plane(node, step + 1));
-                if (number.is_corner(node))
-                {
+                auto const first = static_cast<std::size_t>(number.on_plane(node, step)),
+                           last = static_cast<std::size_t>(number.on_plane(node, step + 1));
+                if (number.is_corner(node)) {
                     loads[first] += load * x * (x - 1) / 2;
                     loads[last] += load * x * (x + 1) / 2;
                     loads[static_cast<std::size_t>(number.between(node, step))] += load * (1 - x * x);
-                }
-                else
-                {
+                } else {
                     loads[first] += load * (1 - x) / 2;
                     loads[last] += load * (1 + x) / 2;
                 }
@@ -111,4 +112,4 @@ std::vector<double> swept_loads(SectionMesh const& section, SweptMesh const& swe
     return loads;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::elastic

@@ -1,25 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/elastic/unit_fields.hpp"
+#include "unit_fields.hpp"
 
 #include <Eigen/SparseCore>
 
 #include <utility>
 
-#include "hdconj/numeric/parallel.hpp"
+#include "hdconj/base/parallel.hpp"
 
-namespace hdconj {
+namespace hdconj::elastic {
 
 using Eigen::Index;
 
-UnitFields unit_fields(FourierSolid const& solid, Supports const& supports, std::vector<Station> const& stations, std::vector<int> const& harmonics, int threads)
+UnitFields unit_fields(FourierSolid const& solid, Supports const& supports, std::vector<Station> const& stations,
+                       std::vector<int> const& harmonics, int threads)
 {
     Eigen::MatrixXd const shares = station_shares(solid, stations);
     UnitFields result{harmonics, std::vector<Eigen::MatrixXd>(harmonics.size())};
-    parallel_for(harmonics.size(), threads, 1, [&](std::size_t i) { result.moved[i] = HarmonicSolver(solid, supports, harmonics[i])(shares); });
+    parallel_for(harmonics.size(), threads, 1,
+                 [&](std::size_t i) { result.moved[i] = HarmonicSolver(solid, supports, harmonics[i])(shares); });
     return result;
 }
 
-Influence influence(FourierSolid const& solid, UnitFields const& unit, std::vector<Station> const& stations, int threads)
+Influence influence(FourierSolid const& solid, UnitFields const& unit, std::vector<Station> const& stations,
+                    int threads)
 {
     std::vector<Direction> directions;
     for (Station const& station : stations)
@@ -35,7 +38,8 @@ Influence influence(FourierSolid const& solid, UnitFields const& unit, std::vect
     return {std::move(directions), unit.harmonics, std::move(compliance)};
 }
 
-HarmonicField harmonic_field(UnitFields const& unit, Eigen::MatrixXd const& even, Eigen::MatrixXd const& odd, int threads)
+HarmonicField harmonic_field(UnitFields const& unit, Eigen::MatrixXd const& even, Eigen::MatrixXd const& odd,
+                             int threads)
 {
     auto const terms = static_cast<Index>(unit.harmonics.size());
     Index const unknowns = unit.moved.empty() ? 0 : unit.moved.front().rows();
@@ -49,4 +53,4 @@ HarmonicField harmonic_field(UnitFields const& unit, Eigen::MatrixXd const& even
     return field;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::elastic

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One loop of plain arithmetic. It is compiled with -fno-math-errno and -fno-trapping-math, which change no value, and -ffp-contract=off as
-// everything else: each copy of the loop does the same operations in the same order.
-#include "hdconj/envelope/arc_batch.hpp"
+// One loop of plain arithmetic. It is compiled with -fno-math-errno and -fno-trapping-math, which change no value, and
+// -ffp-contract=off as everything else: each copy of the loop does the same operations in the same order.
+#include "arc_batch.hpp"
 
 #include <cmath>
 #include <numbers>
 #include <vector>
 
-#include "hdconj/numeric/error.hpp"
+#include "hdconj/error.hpp"
 #include "sine_cosine.hpp"
 
-namespace hdconj {
+namespace hdconj::envelope {
 namespace {
 
 HDCONJ_TARGETS
@@ -19,14 +19,13 @@ void points(ArcBatch::Numbers const& given, double const* u, double* x, double* 
     // copies: nothing that is written may be taken for one of these
     double const w0 = given.w0, waves = given.waves, r_0 = given.r_0, ratio = given.ratio, k = given.ratio / given.r_m;
     double const cx = given.centre_x, cy = given.centre_y, radius = given.radius;
-    double const a1 = given.sines[0], a2 = given.sines[1], a3 = given.sines[2], a4 = given.sines[3], a5 = given.sines[4], a6 = given.sines[5], a7 = given.sines[6],
-                 a8 = given.sines[7];
+    double const a1 = given.sines[0], a2 = given.sines[1], a3 = given.sines[2], a4 = given.sines[3],
+                 a5 = given.sines[4], a6 = given.sines[5], a7 = given.sines[6], a8 = given.sines[7];
     double const slope = -waves * w0, bend = -waves * waves * w0, rest = 1 - ratio;
 #ifndef __clang__
 #pragma GCC ivdep
 #endif
-    for (std::size_t i = 0; i < count; ++i)
-    {
+    for (std::size_t i = 0; i < count; ++i) {
         auto const [sn, cn] = sine_cosine(waves * u[i]);
         double const twice = 2 * cn;
         double const b7 = a7 + twice * a8;
@@ -55,27 +54,35 @@ void points(ArcBatch::Numbers const& given, double const* u, double* x, double* 
 
 }  // namespace
 
-ArcBatch::ArcBatch(ExactMotion<CosineCam> const& motion, double tooth_ratio, ArcPiece const& arc, int side, double offset)
-    : numbers_{motion.curve().shape().w0, static_cast<double>(motion.curve().shape().n), motion.curve().r_0(), motion.curve().r_m(), tooth_ratio,
-               arc.centre.x(), arc.centre.y(), side * (arc.radius + offset), {}}
+ArcBatch::ArcBatch(motion::ExactMotion<wavegen::CosineCam> const& motion, double tooth_ratio,
+                   profile::ArcPiece const& arc, int side, double offset)
+    : numbers_{motion.curve().shape().w0,
+               static_cast<double>(motion.curve().shape().n),
+               motion.curve().r_0(),
+               motion.curve().r_m(),
+               tooth_ratio,
+               arc.centre.x(),
+               arc.centre.y(),
+               side * (arc.radius + offset),
+               {}}
 {
     // phi - u is odd and periodic: its sine sums over equal steps, which converge geometrically
     constexpr int steps = 64;
     double const lobe = 2 * motion.half_lobe();
-    for (int j = 1; j < steps / 2; ++j)
-    {
+    for (int j = 1; j < steps / 2; ++j) {
         double sum = 0;
-        for (int i = 1; i < steps; ++i)
-        {
+        for (int i = 1; i < steps; ++i) {
             double const u = lobe * (static_cast<double>(i) / steps - 0.5);
-            sum += (motion.curve().phi(u) - u) * std::sin(2 * std::numbers::pi * j * (static_cast<double>(i) / steps - 0.5));
+            sum += (motion.curve().phi(u) - u) *
+                   std::sin(2 * std::numbers::pi * j * (static_cast<double>(i) / steps - 0.5));
         }
         double const amplitude = 2 * sum / steps;
         constexpr double lost = 0x1p-50;
         if (j <= terms)
             numbers_.sines[j - 1] = amplitude;
         else if (std::abs(amplitude) > lost)
-            throw NumericalError("envelope", "arc length", "needs more harmonics than a batch sums");
+            throw NumericalError(ErrorCode::not_converged, "envelope", "arc length",
+                                 "needs more harmonics than a batch sums");
     }
 }
 
@@ -84,4 +91,4 @@ void ArcBatch::operator()(std::span<double const> u, std::span<double> x, std::s
     points(numbers_, u.data(), x.data(), y.data(), u.size());
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::envelope

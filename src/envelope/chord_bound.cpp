@@ -4,7 +4,7 @@
 
 #include "sine_cosine.hpp"
 
-namespace hdconj::detail {
+namespace hdconj::envelope {
 namespace {
 
 constexpr std::size_t block = 256;
@@ -22,8 +22,7 @@ void look_at_chords(Columns const& given, double* errors, double* bends, std::si
 #ifndef __clang__
 #pragma GCC ivdep
 #endif
-    for (std::size_t i = 0; i < count; ++i)
-    {
+    for (std::size_t i = 0; i < count; ++i) {
         double const x = given.x[i + 1] - given.x[i], y = given.y[i + 1] - given.y[i];
         double const a_x = given.n_x[i], a_y = given.n_y[i], b_x = given.n_x[i + 1], b_y = given.n_y[i + 1];
         double const length = std::sqrt(x * x + y * y);
@@ -32,7 +31,7 @@ void look_at_chords(Columns const& given, double* errors, double* bends, std::si
         double const p = 3 * (m0 + m1), q = -2 * (2 * m0 + m1);
         double const under = q * q - 4 * p * m0;
         double const w = -0.5 * (q + std::copysign(std::sqrt(under > 0 ? under : 0.0), q));
-        double const s = w / p, t = m0 / w;   // not finite where there is none, and then not inside
+        double const s = w / p, t = m0 / w;  // not finite where there is none, and then not inside
         double const at_s = std::abs(m0 * s * (1 - s) * (1 - s) - m1 * s * s * (1 - s));
         double const at_t = std::abs(m0 * t * (1 - t) * (1 - t) - m1 * t * t * (1 - t));
         double const first = s > 0 && s < 1 ? at_s : 0.0, second = t > 0 && t < 1 ? at_t : 0.0;
@@ -50,11 +49,9 @@ void look_at_chords(Columns const& given, double* errors, double* bends, std::si
 void chord_errors(std::span<EnvelopePoint const> points, std::span<double> errors, std::span<double> bends)
 {
     Columns columns;
-    for (std::size_t first = 0; first < errors.size(); first += block)
-    {
+    for (std::size_t first = 0; first < errors.size(); first += block) {
         std::size_t const count = std::min(block, errors.size() - first);
-        for (std::size_t i = 0; i <= count; ++i)
-        {
+        for (std::size_t i = 0; i <= count; ++i) {
             EnvelopePoint const& e = points[first + i];
             columns.x[i] = e.p.x();
             columns.y[i] = e.p.y();
@@ -65,4 +62,4 @@ void chord_errors(std::span<EnvelopePoint const> points, std::span<double> error
     }
 }
 
-}  // namespace hdconj::detail
+}  // namespace hdconj::envelope

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact_places.hpp"
 
-namespace hdconj::detail {
+namespace hdconj::load {
 namespace {
 
 int grid_of(ElasticDrive const& drive, FlankContact const& c)
@@ -28,4 +28,4 @@ std::vector<BearingNode> bearing_nodes(ElasticDrive const& drive)
     return nodes;
 }
 
-}  // namespace hdconj::detail
+}  // namespace hdconj::load

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Where the contacts of an elastic drive stand; private to src/load.
+/// Places of the contacts of an elastic drive; private to src/load.
 #pragma once
 
 #include <cstddef>
 #include <vector>
 
-#include "hdconj/load/elastic_drive.hpp"
+#include "elastic_drive.hpp"
 
-namespace hdconj::detail {
+namespace hdconj::load {
 
-/// A flank contact as components of stations.
+/// A flank contact as components at the stations of the cup.
 struct Footing
 {
-    int at;
-    std::size_t station[3];
-    double share[3];
+    int at;                  ///< grid angle of the tooth
+    std::size_t station[3];  ///< radial, tangential and turn of the slice
+    double share[3];         ///< component of a unit force along the normal at each
 };
 
 [[nodiscard]] Footing footing(ElasticDrive const& drive, FlankContact const& c);
@@ -23,11 +23,11 @@ struct Footing
 /// A place at which the wave generator may press.
 struct BearingNode
 {
-    std::size_t height;  ///< which of ElasticDrive::bearing_z
-    std::size_t angle;   ///< which of ElasticDrive::bearing_steps
-    int at;              ///< and that
+    std::size_t height;  ///< index into ElasticDrive::bearing_z
+    std::size_t angle;   ///< index into ElasticDrive::bearing_steps
+    int at;              ///< grid angle
 };
-/// In the order of ElasticDrive::balls: heights within angles.
+/// All of them, heights within angles.
 [[nodiscard]] std::vector<BearingNode> bearing_nodes(ElasticDrive const& drive);
 
-}  // namespace hdconj::detail
+}  // namespace hdconj::load

@@ -5,16 +5,18 @@
 
 #include <optional>
 
-#include "hdconj/elastic/complementarity.hpp"
-#include "hdconj/load/equilibrium.hpp"
+#include "equilibrium.hpp"
+#include "numeric/complementarity.hpp"
 
-namespace hdconj::detail {
+namespace hdconj::load {
 
-/// How many flank contacts take part: none without torque.
+/// Number of flank contacts in the problem: none without torque.
 [[nodiscard]] std::size_t flanks_of(LinearGaps const& gaps, std::optional<double> torque);
 
-/// Contacts of the flanks, then of the bearing in the order of bearing_nodes(); with a torque its border and total.
+/// The complementarity problem of the contacts: those of the flanks, then those of the bearing in the order of
+/// bearing_nodes(). A torque adds its equation as border and total.
 /// @throws NumericalError when no flank can carry the torque
-[[nodiscard]] Complementarity contact_problem(ElasticDrive const& drive, LinearGaps const& gaps, std::optional<double> torque, int threads);
+[[nodiscard]] numeric::Complementarity contact_problem(ElasticDrive const& drive, LinearGaps const& gaps,
+                                                       std::optional<double> torque, int threads);
 
-}  // namespace hdconj::detail
+}  // namespace hdconj::load

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/load/drive_series.hpp"
+#include "drive_series.hpp"
 
 #include <cmath>
 
-namespace hdconj {
+namespace hdconj::load {
 
 std::vector<std::vector<double>> displacements(ElasticDrive const& drive, Eigen::MatrixXd const& forces, int threads)
 {
@@ -23,8 +23,7 @@ SeriesPlace::SeriesPlace(ElasticDrive const& drive, double phi)
 SeriesValue SeriesPlace::operator()(std::vector<double> const& series) const
 {
     SeriesValue at;
-    for (std::size_t k = 0; k < waves_.size(); ++k)
-    {
+    for (std::size_t k = 0; k < waves_.size(); ++k) {
         Wave const& w = waves_[k];
         at.value += series[2 * k] * w.cosine + series[2 * k + 1] * w.sine;
         at.slope += w.n * (series[2 * k + 1] * w.cosine - series[2 * k] * w.sine);
@@ -37,4 +36,4 @@ SeriesValue series_at(ElasticDrive const& drive, std::vector<double> const& seri
     return SeriesPlace(drive, phi)(series);
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::load

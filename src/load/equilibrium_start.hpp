@@ -1,25 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Which contacts an equilibrium begins with; private to src/load.
+/// The active set that an equilibrium starts from; private to src/load.
 #pragma once
 
 #include <optional>
 #include <vector>
 
-#include "hdconj/elastic/complementarity.hpp"
-#include "hdconj/load/equilibrium.hpp"
+#include "equilibrium.hpp"
+#include "numeric/complementarity.hpp"
 
-namespace hdconj::detail {
+namespace hdconj::load {
 
-/// Contacts to begin with, and the points of the line of balls that stand off.
+/// A first guess of the active set.
 struct Start
 {
-    std::vector<int> contacts;
-    std::vector<bool> off;
+    std::vector<int> contacts;  ///< that are closed
+    std::vector<bool> off;      ///< points of the line of balls that the ring stands off
 };
 
-/// @param guess  equilibrium of a like problem: contacts that were closed there; null: of the same problem with fewer places
-/// @param flanks  contacts of the problem that are not the bearing's
-[[nodiscard]] Start equilibrium_start(ElasticDrive const& drive, LinearGaps const& gaps, Complementarity const& problem, std::size_t flanks, Equilibrium const* guess, int threads);
+/// @param flanks  number of contacts of the problem that are not the bearing's; they come first
+/// @param guess   equilibrium of a similar problem, whose closed contacts are taken; null: those of the same problem
+/// with fewer places
+[[nodiscard]] Start equilibrium_start(ElasticDrive const& drive, LinearGaps const& gaps,
+                                      numeric::Complementarity const& problem, std::size_t flanks,
+                                      Equilibrium const* guess, int threads);
 
-}  // namespace hdconj::detail
+}  // namespace hdconj::load

@@ -7,13 +7,14 @@
 #include <cstddef>
 #include <vector>
 
-#include "hdconj/geometry/vec2.hpp"
+#include "hdconj/base/vec2.hpp"
 
-namespace hdconj {
+namespace hdconj::load {
 
-/// Cubic Hermite stretches between neighbouring points; the tangent at a point is that of the parabola through it and its neighbours. (Normals of a grid do not serve: on ruled and
-/// tilted surfaces they belong to the surface that was tilted.) Where chords turn by more than a flank does between two points there is an edge, and stretches end along their
-/// chords. Points that coincide make a stretch of no length. The parameter is the way along the chords.
+/// Cubic Hermite stretches between neighbouring points; the tangent at a point is that of the parabola through it and
+/// its neighbours. (Normals of a grid do not serve: on ruled and tilted surfaces they belong to the surface that was
+/// tilted.) Where chords turn by more than a flank does between two points there is an edge, and stretches end along
+/// their chords. Points that coincide make a stretch of no length. The parameter is the way along the chords.
 class FlankCurve
 {
   public:
@@ -30,17 +31,15 @@ class FlankCurve
         constexpr double aligned = 0.995;  // cosine of 6 degrees
         for (auto* column : {&begin_, &end_})
             column->reserve(point.size());
-        way_.reserve(point.size());
-        way_.push_back(0);
-        for (std::size_t i = 0; i + 1 < point.size(); ++i)
-        {
+        arc_length_.reserve(point.size());
+        arc_length_.push_back(0);
+        for (std::size_t i = 0; i + 1 < point.size(); ++i) {
             double const length = (point[i + 1] - point[i]).norm();
-            way_.push_back(way_.back() + length);
+            arc_length_.push_back(arc_length_.back() + length);
             longest_ = std::max(longest_, length);
         }
-        std::vector<Vec2> direction(way_.size() - 1, Vec2::Zero());
-        for (std::size_t i = 0; i < direction.size(); ++i)
-        {
+        std::vector<Vec2> direction(arc_length_.size() - 1, Vec2::Zero());
+        for (std::size_t i = 0; i < direction.size(); ++i) {
             if (length(i) > 0)
                 direction[i] = (point[i + 1] - point[i]) / length(i);
             begin_.push_back(length(i) * direction[i]);
@@ -48,8 +47,7 @@ class FlankCurve
         }
         // where a neighbour goes on, both end along the tangent they share
         for (std::size_t i = 1; i < direction.size(); ++i)
-            if (direction[i - 1].dot(direction[i]) >= aligned)
-            {
+            if (direction[i - 1].dot(direction[i]) >= aligned) {
                 Vec2 const tangent = (length(i) * direction[i - 1] + length(i - 1) * direction[i]).normalized();
                 end_[i - 1] = length(i - 1) * tangent;
                 begin_[i] = length(i) * tangent;
@@ -62,18 +60,22 @@ class FlankCurve
     }
 
     [[nodiscard]] std::vector<Vec2> const& points() const { return point_; }
-    [[nodiscard]] std::vector<double> const& way() const { return way_; }
-    [[nodiscard]] double length(std::size_t stretch) const { return way_[stretch + 1] - way_[stretch]; }
+    [[nodiscard]] std::vector<double> const& arc_length() const { return arc_length_; }
+    [[nodiscard]] double length(std::size_t stretch) const { return arc_length_[stretch + 1] - arc_length_[stretch]; }
     [[nodiscard]] double longest() const { return longest_; }
     [[nodiscard]] std::size_t first() const { return first_; }  ///< stretch with a length
     [[nodiscard]] std::size_t last() const { return last_; }
-    [[nodiscard]] double way_at(Place const& at) const { return way_[at.stretch] + at.share * length(at.stretch); }
-
-    [[nodiscard]] Place place(double way) const
+    [[nodiscard]] double arc_length_at(Place const& at) const
     {
-        auto const above = std::upper_bound(way_.begin(), way_.end(), way);
-        auto const i = std::clamp(static_cast<std::size_t>(std::max<std::ptrdiff_t>(above - way_.begin(), 1)) - 1, first_, last_);
-        return {i, length(i) > 0 ? std::clamp((way - way_[i]) / length(i), 0.0, 1.0) : 0.0};
+        return arc_length_[at.stretch] + at.share * length(at.stretch);
+    }
+
+    [[nodiscard]] Place place(double arc_length) const
+    {
+        auto const above = std::upper_bound(arc_length_.begin(), arc_length_.end(), arc_length);
+        auto const i = std::clamp(
+            static_cast<std::size_t>(std::max<std::ptrdiff_t>(above - arc_length_.begin(), 1)) - 1, first_, last_);
+        return {i, length(i) > 0 ? std::clamp((arc_length - arc_length_[i]) / length(i), 0.0, 1.0) : 0.0};
     }
 
     [[nodiscard]] Vec2 point(Place const& at) const
@@ -82,7 +84,8 @@ class FlankCurve
         // Bernstein form: the end points come out exactly
         Vec2 const& a = point_[at.stretch];
         Vec2 const& b = point_[at.stretch + 1];
-        return s * s * (s + 3 * t) * a + t * t * (t + 3 * s) * b + s * s * t * begin_[at.stretch] - t * t * s * end_[at.stretch];
+        return s * s * (s + 3 * t) * a + t * t * (t + 3 * s) * b + s * s * t * begin_[at.stretch] -
+               t * t * s * end_[at.stretch];
     }
 
     /// Unit.
@@ -90,15 +93,16 @@ class FlankCurve
     {
         double const t = at.share, s = 1 - t;
         Vec2 const chord = point_[at.stretch + 1] - point_[at.stretch];
-        return (6 * s * t * chord + s * (s - 2 * t) * begin_[at.stretch] + t * (t - 2 * s) * end_[at.stretch]).normalized();
+        return (6 * s * t * chord + s * (s - 2 * t) * begin_[at.stretch] + t * (t - 2 * s) * end_[at.stretch])
+            .normalized();
     }
 
   private:
     std::vector<Vec2> point_;
     std::vector<Vec2> begin_, end_;  ///< derivatives by the share
-    std::vector<double> way_;
+    std::vector<double> arc_length_;
     double longest_ = 0;
     std::size_t first_ = 0, last_ = 0;
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::load

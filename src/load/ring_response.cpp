@@ -1,26 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/load/ring_response.hpp"
+#include "ring_response.hpp"
 
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 #include <utility>
 
-#include "hdconj/numeric/parallel.hpp"
+#include "hdconj/base/parallel.hpp"
 
-namespace hdconj {
+namespace hdconj::load {
 
-void add_turns(std::vector<HarmonicResponse>& harmonics, std::vector<std::size_t> const& radial, std::vector<std::size_t> const& tangential, double radius)
+void add_turns(std::vector<HarmonicResponse>& harmonics, std::vector<std::size_t> const& radial,
+               std::vector<std::size_t> const& tangential, double radius)
 {
-    for (HarmonicResponse& h : harmonics)
-    {
+    for (HarmonicResponse& h : harmonics) {
         Eigen::Index const old = h.response.rows();
         auto const added = static_cast<Eigen::Index>(radial.size());
         // rows of the map from stations to stations and turns
         Eigen::MatrixXd map = Eigen::MatrixXd::Zero(old + added, old);
         map.topRows(old).setIdentity();
-        for (Eigen::Index i = 0; i < added; ++i)
-        {
+        for (Eigen::Index i = 0; i < added; ++i) {
             auto const k = static_cast<std::size_t>(i);
             map(old + i, static_cast<Eigen::Index>(tangential[k])) = 1 / radius;
             map(old + i, static_cast<Eigen::Index>(radial[k])) = h.n / radius;
@@ -29,7 +28,8 @@ void add_turns(std::vector<HarmonicResponse>& harmonics, std::vector<std::size_t
     }
 }
 
-PointResponse::PointResponse(std::vector<RingStation> stations, std::vector<HarmonicResponse> harmonics, int sectors, int grid, int threads)
+PointResponse::PointResponse(std::vector<RingStation> stations, std::vector<HarmonicResponse> harmonics, int sectors,
+                             int grid, int threads)
     : stations_(std::move(stations)), harmonics_(std::move(harmonics)), sectors_(sectors), grid_(grid)
 {
     std::size_t const count = stations_.size();
@@ -39,8 +39,7 @@ PointResponse::PointResponse(std::vector<RingStation> stations, std::vector<Harm
             throw std::logic_error("a harmonic that does not belong to the sectors or stations of a ring");
     // cos and sin of n times every angle of the grid, exact for angles that are whole parts of the turn
     std::vector<double> cosine(points), sine(points);
-    for (std::size_t i = 0; i < points; ++i)
-    {
+    for (std::size_t i = 0; i < points; ++i) {
         double const angle = 2 * std::numbers::pi * static_cast<double>(i) / grid;
         cosine[i] = std::cos(angle);
         sine[i] = std::sin(angle);
@@ -48,22 +47,20 @@ PointResponse::PointResponse(std::vector<RingStation> stations, std::vector<Harm
     table_.assign(count * count * points, 0);
     constexpr std::size_t grain = 4;
     parallel_for(count, threads, grain, [&](std::size_t a) {
-        for (std::size_t b = 0; b < count; ++b)
-        {
+        for (std::size_t b = 0; b < count; ++b) {
             double* const row = table_.data() + (a * count + b) * points;
             bool const mixed = stations_[a].parity != stations_[b].parity;
             double const sign = stations_[a].parity == RingStation::Parity::sine ? 1 : -1;
-            for (HarmonicResponse const& h : harmonics_)
-            {
-                double const amplitude = weight(h.n) * share(h.n, a) * share(h.n, b)
-                                         * h.response(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) * (mixed ? sign : 1);
+            for (HarmonicResponse const& h : harmonics_) {
+                double const amplitude = weight(h.n) * share(h.n, a) * share(h.n, b) *
+                                         h.response(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) *
+                                         (mixed ? sign : 1);
                 if (amplitude == 0)
                     continue;
                 std::vector<double> const& wave = mixed ? sine : cosine;
                 auto const order = static_cast<std::size_t>(h.n / sectors_) % points;
                 std::size_t at = 0;
-                for (std::size_t i = 0; i < points; ++i)
-                {
+                for (std::size_t i = 0; i < points; ++i) {
                     row[i] += amplitude * wave[at];
                     at += order;
                     if (at >= points)
@@ -105,14 +102,12 @@ PointResponse::Loads PointResponse::loads(Eigen::MatrixXd const& force, double p
         int const n = harmonics_[i].n;
         Eigen::VectorXd cosine = Eigen::VectorXd::Zero(count);
         Eigen::VectorXd sine = cosine;
-        for (int const at : loaded)
-        {
+        for (int const at : loaded) {
             double const angle = n * (phase + step() * at);
             cosine += std::cos(angle) * force.col(at);
             sine += std::sin(angle) * force.col(at);
         }
-        for (Eigen::Index b = 0; b < count; ++b)
-        {
+        for (Eigen::Index b = 0; b < count; ++b) {
             auto const station = static_cast<std::size_t>(b);
             double const factor = weight(n) * share(n, station);
             // cos n(phi - phi_b) = cos cos + sin sin
@@ -124,7 +119,8 @@ PointResponse::Loads PointResponse::loads(Eigen::MatrixXd const& force, double p
     return result;
 }
 
-std::vector<std::vector<double>> PointResponse::series(Eigen::MatrixXd const& force, double phase, std::vector<std::size_t> const& wanted, int threads) const
+std::vector<std::vector<double>> PointResponse::series(Eigen::MatrixXd const& force, double phase,
+                                                       std::vector<std::size_t> const& wanted, int threads) const
 {
     Loads const load = loads(force, phase, threads);
     std::vector<std::vector<double>> result(wanted.size(), std::vector<double>(2 * harmonics_.size(), 0));
@@ -132,8 +128,7 @@ std::vector<std::vector<double>> PointResponse::series(Eigen::MatrixXd const& fo
     parallel_for(harmonics_.size(), threads, grain, [&](std::size_t k) {
         HarmonicResponse const& h = harmonics_[k];
         auto const column = static_cast<Eigen::Index>(k);
-        for (std::size_t w = 0; w < wanted.size(); ++w)
-        {
+        for (std::size_t w = 0; w < wanted.size(); ++w) {
             std::size_t const a = wanted[w];
             double const factor = share(h.n, a);
             double const even = factor * h.response.row(static_cast<Eigen::Index>(a)).dot(load.even.col(column));
@@ -146,4 +141,4 @@ std::vector<std::vector<double>> PointResponse::series(Eigen::MatrixXd const& fo
     return result;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::load

@@ -1,20 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/load/tooth_bending.hpp"
+#include "tooth_bending.hpp"
 
 #include <algorithm>
 #include <cmath>
 
-#include "hdconj/load/hertz.hpp"
+#include "hertz.hpp"
 
-namespace hdconj {
+namespace hdconj::load {
 namespace {
 
 /// Half the thickness of the tooth at height y: largest x of its outline there, from a fine polygon.
 double half_thickness(std::vector<Vec2> const& polygon, double y)
 {
     double widest = 0;
-    for (std::size_t i = 0; i + 1 < polygon.size(); ++i)
-    {
+    for (std::size_t i = 0; i + 1 < polygon.size(); ++i) {
         Vec2 const& a = polygon[i];
         Vec2 const& b = polygon[i + 1];
         if ((a.y() - y) * (b.y() - y) > 0 || a.y() == b.y())
@@ -26,16 +25,15 @@ double half_thickness(std::vector<Vec2> const& polygon, double y)
 
 }  // namespace
 
-ToothBending::ToothBending(Profile const& tooth, Elasticity const& material, double chord)
+ToothBending::ToothBending(profile::Profile const& tooth, elastic::Elasticity const& material, double chord)
 {
     constexpr std::size_t parts = 200;
-    std::vector<Vec2> const polygon = polygon_of(tooth, chord);
+    std::vector<Vec2> const polygon = profile::polygon_of(tooth, chord);
     foot_ = std::min(polygon.front().y(), polygon.back().y());
     step_ = (tooth.pitch_line + tooth.addendum - foot_) / static_cast<double>(parts);
     double const nu = material.poissons_ratio;
     double m0 = 0, m1 = 0, m2 = 0, shears = 0;
-    for (std::size_t i = 0; i < parts; ++i)
-    {
+    for (std::size_t i = 0; i < parts; ++i) {
         moment0_.push_back(m0);
         moment1_.push_back(m1);
         moment2_.push_back(m2);
@@ -67,4 +65,4 @@ double ToothBending::operator()(double h, double k) const
     return h * k * m0 - (h + k) * m1 + m2 + shears_[i] + shear_[i] * (end - low);
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::load

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/numeric/dense.hpp"
+#include "dense.hpp"
 
 #include <Eigen/Cholesky>
 
@@ -7,16 +7,17 @@
 #include <cstddef>
 #include <utility>
 
-#include "hdconj/numeric/parallel.hpp"
+#include "hdconj/base/parallel.hpp"
 
-namespace hdconj {
+namespace hdconj::numeric {
 namespace {
 
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double worth_a_thread = 1 << 15;  // elements touched, some 20 us: in these loops the other threads are still awake from the last one
+constexpr double worth_a_thread =
+    1 << 15;  // elements touched, some 20 us: in these loops the other threads are still awake from the last one
 
 /// Fewest of a loop's iterations that are worth a thread, where each touches so many elements.
 std::size_t grain_of(double elements)
@@ -30,7 +31,7 @@ std::size_t tiles_of(Index length, Index tile)
 }
 
 /// Rows and columns @p which of a matrix, of column j the rows from @p first_row(j) on.
-template<class FirstRow>
+template <class FirstRow>
 MatrixXd part_of(MatrixXd const& a, std::vector<int> const& which, int threads, FirstRow const& first_row)
 {
     auto const count = static_cast<Index>(which.size());
@@ -64,12 +65,13 @@ VectorXd times(MatrixXd const& a, VectorXd const& x, int threads)
         if (x[j] != 0)
             columns.push_back(j);
     VectorXd result = VectorXd::Zero(a.rows());
-    parallel_for(tiles_of(a.rows(), tile), threads, grain_of(static_cast<double>(tile) * static_cast<double>(columns.size())), [&](std::size_t t) {
-        Index const first = static_cast<Index>(t) * tile, size = std::min(tile, a.rows() - first);
-        auto sum = result.segment(first, size);
-        for (Index const j : columns)
-            sum += x[j] * a.col(j).segment(first, size);
-    });
+    parallel_for(tiles_of(a.rows(), tile), threads,
+                 grain_of(static_cast<double>(tile) * static_cast<double>(columns.size())), [&](std::size_t t) {
+                     Index const first = static_cast<Index>(t) * tile, size = std::min(tile, a.rows() - first);
+                     auto sum = result.segment(first, size);
+                     for (Index const j : columns)
+                         sum += x[j] * a.col(j).segment(first, size);
+                 });
     return result;
 }
 
@@ -89,8 +91,7 @@ Cholesky::Cholesky(MatrixXd a, int threads) : factor_(std::move(a))
     constexpr Index tile = 48;
     constexpr std::size_t tiles_worth_a_thread = 1;
     Index const n = factor_.rows();
-    for (Index k = 0; k < n; k += tile)
-    {
+    for (Index k = 0; k < n; k += tile) {
         Index const width = std::min(tile, n - k), below = k + width;
         auto corner = factor_.block(k, k, width, width);
         Eigen::LLT<Eigen::Ref<MatrixXd>> const in_place(corner);
@@ -106,7 +107,8 @@ Cholesky::Cholesky(MatrixXd a, int threads) : factor_(std::move(a))
         // what these columns take from all that follow, from the longest on
         parallel_for(tiles, threads, tiles_worth_a_thread, [&](std::size_t t) {
             Index const first = below + static_cast<Index>(t) * tile, size = std::min(tile, n - first);
-            factor_.block(first, first, n - first, size).noalias() -= factor_.block(first, k, n - first, width) * factor_.block(first, k, size, width).transpose();
+            factor_.block(first, first, n - first, size).noalias() -=
+                factor_.block(first, k, n - first, width) * factor_.block(first, k, size, width).transpose();
         });
     }
 }
@@ -119,4 +121,4 @@ VectorXd Cholesky::solve(VectorXd const& b) const
     return x;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::numeric

@@ -1,125 +1,107 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/pipeline/contact.hpp"
+#include "hdconj/contact.hpp"
+#include "base/text.hpp"
+
+#include "hdconj/check.hpp"
+#include "hdconj/error.hpp"
+#include "hdconj/solve.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <optional>
 
-#include "best_tilt.hpp"
-#include "clearing_search.hpp"
-#include "contact_case.hpp"
-#include "hdconj/numeric/parallel.hpp"
-#include "hdconj/profile/builder.hpp"
+#include "conjugate/plane/outline_records.hpp"
+#include "contact/clearance/clearing_search.hpp"
+#include "contact/study/best_tilt.hpp"
+#include "contact/study/contact_case.hpp"
+#include "contact/study/contact_study_data.hpp"
+#include "contact/study/surface_choices.hpp"
+#include "hdconj/base/parallel.hpp"
 #include "hdconj/scene/schema.hpp"
-#include "outline_records.hpp"
-#include "owned_bench.hpp"
-#include "spread.hpp"
-#include "surface_choices.hpp"
+#include "hdconj/units.hpp"
+#include "surface/build_slices.hpp"
 
 namespace hdconj {
 namespace {
 
-using detail::ContactBench;
-using detail::or_else;
-using detail::SurfaceChoice;
-using detail::SurfaceMaker;
+using contact::ContactContext;
+using contact::or_else;
+using surface::SurfaceSpec;
+using surface::ToothSurfaceBuilder;
 
-constexpr double searches_worth = 20;      // cases, for the progress bar
-
-bool axial(Scene const& scene, ContactOptions const& options)
-{
-    return scene.coning || scene.tilt || scene.slices || !options.tilts.empty() || !options.surfaces.empty() || options.best;
-}
-
-}  // namespace
-
-Faults check_contact(Scene const& scene, ContactOptions const& options)
-{
-    Faults faults;
-    if (scene.is_reverse())
-        faults.push_back({"circular_spline.profile", scene.circular_spline.profile->line, "", "contact needs the flexspline's tooth, but the circular spline's is given",
-                          "give [flexspline.profile]; `hdconj solve` finds the tooth that this circular spline needs"});
-    if (!scene.circular_spline.width)
-        faults.push_back({"circular_spline.width", 0, "", "this key is missing: contact is an area, and needs the face width",
-                          "write width = 7.0, a length in mm, in [circular_spline]"});
-    double const steepest = bounds::largest_tilt_deg * rad_per_deg;
-    for (double const tilt : options.tilts)
-    {
-        if (!std::isfinite(tilt))
-            faults.push_back({"--tilt", 0, short_number(tilt), "not a finite number", "write angles in degrees such as 0,0.1,0.2"});
-        else if (!(std::abs(tilt) < steepest))
-            faults.push_back({"--tilt", 0, short_number(tilt / rad_per_deg), "teeth are not tilted by 45 degrees or more", "write angles in degrees such as 0,0.1,0.2"});
-    }
-    std::vector<std::string> const surfaces = or_else(options.surfaces, scene.slices ? scene.slices->surface : "tilted");
-    std::vector<std::string> const kinds = or_else(options.kinds, scene.tilt ? scene.tilt->kind : "radial");
-    bool const draft = std::find(kinds.begin(), kinds.end(), "draft") != kinds.end();
-    bool const tilted = std::find(surfaces.begin(), surfaces.end(), "tilted") != surfaces.end();
-    if (draft && !tilted)
-    {
-        bool const by_kind = !options.kinds.empty();
-        faults.push_back({by_kind ? "--kind" : "--surface", 0, by_kind ? "draft" : surfaces.front(),
-                          "a draft needs one outline to offset, but surface \"" + surfaces.front() + "\" has an outline for each slice",
-                          "write --kind radial, or --surface tilted"});
-    }
-    if (options.best && !tilted)
-        faults.push_back({"--best", 0, "", "the search is for the tilt of surface \"tilted\", but surface \"" + surfaces.front() + "\" is asked for",
-                          "write --surface tilted, or list tilts with --tilt"});
-    if (options.best && !(options.best_to > options.best_from))
-        faults.push_back({"--best", 0, "", "the interval of tilts to search is empty", "write --tilt FROM,TO with FROM below TO"});
-    return faults;
-}
-
-namespace {
+constexpr double searches_worth = 20;  // cases, for the progress bar
 
 /// The scene with the effects that options ask for, so that its plan names them.
 Scene with_options(Scene scene, ContactOptions const& options)
 {
-    bool const tilts = std::any_of(options.tilts.begin(), options.tilts.end(), [](double tilt) { return tilt != 0; }) || options.best;
+    bool const tilts =
+        std::any_of(options.tilts.begin(), options.tilts.end(), [](double tilt) { return tilt != 0; }) || options.best;
     if (tilts && !scene.tilt)
-        scene.tilt = Tilt{options.tilts.empty() ? 0.0 : options.tilts.front(), options.kinds.empty() ? "radial" : options.kinds.front(), 0};
-    if (axial(scene, options) && !scene.slices)
-        scene.slices = Slices{standard_slices, options.surfaces.empty() ? "tilted" : options.surfaces.front(), 0};
+        scene.tilt = Tilt{options.tilts.empty() ? 0.0 : options.tilts.front(),
+                          options.kinds.empty() ? TiltKind::radial : options.kinds.front(), 0};
+    if (contact::is_axial(scene, options) && !scene.slices)
+        scene.slices =
+            Slices{standard_slices, options.surfaces.empty() ? ToothSurface::tilted : options.surfaces.front(), 0};
     return scene;
 }
 
-/// The part that a case describes: its surface in all slices with this side clearance, as `solve` makes it.
-void write_part(Solution& out, detail::OwnedBench& owned, SurfaceChoice const& choice, double tip, double side_clearance)
+/// The outlines of all slices with a side clearance, as `solve` makes them.
+void write_outlines(Solution& out, conjugate::MatchedOutline const& outline, contact::ContactStudyData const& data,
+                    ToothSurface surface)
 {
     CircularSplineOutline& spline = out.circular_spline;
-    std::vector<double> const& z = owned.maker->z();
-    double const chord = owned.scene.solver.tolerance;
-    MatchedOutline outline;
-    if (side_clearance == 0)
-    {
-        if (z.size() == 1)
-            return;
-        outline = (*owned.maker)(choice, tip, chord, 0);
-    }
-    else
-    {
-        Scene scene = detail::middle_scene(owned.scene);
-        scene.circular_spline.backlash_offset = side_clearance;
-        scene.circular_spline.inner_radius = tip;
-        Solution base = solve(scene);
-        if (z.size() == 1)
-        {
-            spline = base.circular_spline;
-            out.error.chord = base.error.chord;
-            out.error.point = base.error.point;
-            return;
-        }
-        base.scene.coning = owned.scene.coning;
-        SurfaceMaker maker(base, owned.tooth, owned.shape, z, owned.threads);
-        outline = maker(choice, tip, chord, 0);
-    }
-    spline.z = z;
+    spline.z = data.maker->z();
     spline.outline = outline.points;
     spline.landmarks.assign(outline.landmarks.begin(), outline.landmarks.end());
-    Outline common;
+    conjugate::Outline common;
     common.stretches = outline.stretches;
-    spline.pieces = detail::piece_records(common, owned.tooth);
-    detail::take_errors(out, outline, choice.surface);
+    spline.pieces = conjugate::piece_records(common, data.tooth);
+    surface::take_errors(out, outline, surface);
+}
+
+/// The part that a case describes: its surface in all slices with this side clearance.
+void write_part(Solution& out, contact::ContactStudyData& data, SurfaceSpec const& spec, double tip,
+                double side_clearance)
+{
+    std::vector<double> const& z = data.maker->z();
+    surface::SurfaceSampling const sampling{data.scene.solver.tolerance, 0, true};
+    if (side_clearance == 0) {
+        if (z.size() > 1)
+            write_outlines(out, data.maker->outline(spec, tip, sampling), data, spec.surface);
+        return;
+    }
+    Scene scene = contact::middle_scene(data.scene);
+    scene.circular_spline.backlash_offset = side_clearance;
+    scene.circular_spline.inner_radius = tip;
+    Solution base = solve(scene);
+    if (z.size() == 1) {
+        out.circular_spline = base.circular_spline;
+        out.error.chord = base.error.chord;
+        out.error.point = base.error.point;
+        return;
+    }
+    base.scene.coning = data.scene.coning;
+    ToothSurfaceBuilder builder(base, data.tooth, data.shape, z, data.threads);
+    write_outlines(out, builder.outline(spec, tip, sampling), data, spec.surface);
+}
+
+/// The part that the shown case describes; without its side clearance, and a note, where it cannot be made with that.
+void write_shown(ContactStudy& study, contact::ContactStudyData& data, SurfaceSpec const& spec)
+{
+    ContactCase const& shown = study.cases[study.shown];
+    try {
+        write_part(study.solution, data, spec, shown.tip, shown.backlash_offset);
+        study.side_clearance = shown.backlash_offset;
+    } catch (NumericalError const& error) {
+        if (shown.backlash_offset == 0)
+            throw;
+        write_part(study.solution, data, spec, shown.tip, 0);
+        study.solution.notes.push_back("the written outline is without the side clearance of " +
+                                       short_number(shown.backlash_offset) +
+                                       " mm, with which it cannot be made: " + error.what());
+    }
 }
 
 /// What a search for a tilt is for.
@@ -127,134 +109,146 @@ struct Goal
 {
     char const* what;
     bool largest;
-    double (*value)(ContactBench const& bench, SurfaceChoice const& choice, bool as_made);
+    double (*value)(ContactContext const& context, SurfaceSpec const& spec, bool as_made);
 };
 
-/// The best tilt of one kind. Rarely it can be made with the wider tip circle alone: only then is every one asked for both.
-BestTilt searched(ContactBench const& bench, ContactOptions const& options, std::string const& kind, Goal const& goal, std::function<void()> const& on_tilt)
+/// The best tilt of one kind. Rarely it can be made with the wider tip circle alone: only then is every one asked for
+/// both.
+BestTilt searched(ContactContext const& context, ContactOptions const& options, TiltKind kind, Goal const& goal,
+                  std::function<void()> const& on_tilt)
 {
-    for (bool as_made = false;; as_made = true)
-    {
-        BestTilt best = detail::best_tilt(goal.what, kind, options, goal.largest, [&](double tilt) {
+    for (bool as_made = false;; as_made = true) {
+        BestTilt best = contact::best_tilt(goal.what, kind, options, goal.largest, [&](double tilt) {
             on_tilt();
-            return goal.value(bench, SurfaceChoice{"tilted", kind, tilt}, as_made);
+            return goal.value(context, SurfaceSpec{ToothSurface::tilted, kind, tilt}, as_made);
         });
-        try
-        {
-            ContactCase const found = detail::contact_case(bench, {"tilted", kind, best.tilt}, 0, nullptr);
+        try {
+            ContactCase const found =
+                contact::contact_case(context, {ToothSurface::tilted, kind, best.tilt}, 0, nullptr);
             best.value_error = goal.largest ? found.state.share_error : found.clearing_offset_error;
             return best;
-        }
-        catch (NumericalError const&)
-        {
-            if (as_made)
+        } catch (NumericalError const& error) {
+            if (as_made || !error.is_infeasible())
                 throw;
         }
     }
 }
 
+/// Tells how much of the work is done: a surface is a step, a search counts as many.
+class StepProgress
+{
+  public:
+    StepProgress(Progress const& progress, std::size_t surfaces, std::size_t searches)
+        : progress_(progress), steps_(static_cast<double>(surfaces) + searches_worth * static_cast<double>(searches))
+    {
+    }
+    void begin(std::string const& what, double steps)
+    {
+        if (progress_)
+            progress_(what, done_ / steps_);
+        done_ += steps;
+    }
+
+  private:
+    Progress const& progress_;
+    double steps_;
+    double done_ = 0;
+};
+
+/// The surfaces of a study: those of its cases, and why others are missing.
+struct StudiedSurfaces
+{
+    std::vector<SurfaceSpec> made;  ///< of each case
+    std::vector<std::string> missing;
+    std::optional<NumericalError> first_failure;
+};
+
+void add_case(ContactStudy& study, StudiedSurfaces& surfaces, ContactContext const& context, SurfaceSpec const& spec,
+              int revolution)
+{
+    GapMap map;
+    ContactCase found = contact::contact_case(context, spec, revolution, &map);
+    if (study.cases.empty() || found.state.share > study.cases[study.shown].state.share) {
+        study.shown = study.cases.size();
+        study.map = std::move(map);
+    }
+    study.cases.push_back(std::move(found));
+    surfaces.made.push_back(spec);
+}
+
+/// The cases that scene and options list, without those that cannot be made.
+StudiedSurfaces add_cases(ContactStudy& study, ContactContext const& context, std::vector<SurfaceSpec> const& wanted,
+                          int revolution, StepProgress& progress)
+{
+    StudiedSurfaces surfaces;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        progress.begin("surface " + std::to_string(i + 1) + " of " + std::to_string(wanted.size()), 1);
+        try {
+            add_case(study, surfaces, context, wanted[i], revolution);
+        } catch (NumericalError const& error) {
+            surfaces.missing.push_back(contact::no_row(wanted[i], error.what()));
+            if (!surfaces.first_failure)
+                surfaces.first_failure.emplace(error);
+        }
+    }
+    return surfaces;
+}
+
+/// The solution of a study: the pair at z = 0 with the outlines of the shown case.
+void write_solution(ContactStudy& study, contact::ContactStudyData& data, Scene const& scene,
+                    StudiedSurfaces const& surfaces)
+{
+    study.solution = data.middle;
+    study.solution.scene = scene;
+    study.solution.plan = data.plan;
+    std::vector<std::string>& notes = study.solution.notes;
+    if (std::string const note = data.maker->note_on_sections(); !note.empty())
+        notes.push_back(note);
+    notes.insert(notes.end(), surfaces.missing.begin(), surfaces.missing.end());
+    write_shown(study, data, surfaces.made[study.shown]);
+    std::vector<StageTime> const times = data.clock.times();
+    study.solution.timing.insert(study.solution.timing.end(), times.begin(), times.end());
+}
+
 }  // namespace
 
-ContactStudy contact(Scene const& scene, ContactOptions const& options, StageObserver const& on_stage, Progress const& progress)
+ContactStudy study_contact(Scene const& scene, ContactOptions const& options, StageObserver const& on_stage,
+                           Progress const& progress)
 {
     Faults faults;
     for (Faults const& more : {check_scene(scene), check_contact(scene, options)})
         faults.insert(faults.end(), more.begin(), more.end());
     if (!faults.empty())
         throw InputError(faults);
-    Scene const asked = with_options(scene, options);
-    detail::OwnedBench owned(asked, asked.slices ? asked.slices->count : 1, make_plan(asked, Verb::contact), on_stage);
-    ContactBench const& bench = *owned.bench;
-    std::vector<SurfaceChoice> const wanted = detail::surface_choices(scene, options);
-    std::vector<std::string> const kinds = options.best ? or_else(options.kinds, scene.tilt ? scene.tilt->kind : "radial") : std::vector<std::string>{};
-    double const steps = static_cast<double>(wanted.size()) + 2 * searches_worth * static_cast<double>(kinds.size());
-    double done = 0;
-    auto const say = [&](std::string const& what, double weight) {
-        if (progress)
-            progress(what, done / steps);
-        done += weight;
-    };
+    contact::ContactStudyData data(with_options(scene, options), Verb::contact, on_stage);
+    ContactContext const& context = *data.context;
+    std::vector<SurfaceSpec> const wanted = contact::surface_choices(scene, options);
+    std::vector<TiltKind> const kinds =
+        options.best ? contact::or_else(options.kinds, scene.tilt ? scene.tilt->kind : TiltKind::radial)
+                     : std::vector<TiltKind>{};
+    std::array const goals{Goal{"area", true, contact::share_of},
+                           Goal{"clearing offset", false, contact::clearing_offset_of}};
+    StepProgress steps(progress, wanted.size(), goals.size() * kinds.size());
     ContactStudy study;
-    study.contact_gap = bench.request.gap;
+    study.contact_gap = context.request.gap;
     study.pitch_radius = scene.drive.module * scene.drive.flexspline_teeth / 2;
-    std::vector<SurfaceChoice> made;
-    std::vector<std::string> left_out;
-    std::optional<NumericalError> first;
-    auto const add = [&](SurfaceChoice const& choice) {
-        GapMap map;
-        ContactCase found = detail::contact_case(bench, choice, options.revolution, &map);
-        if (study.cases.empty() || found.state.share > study.cases[study.shown].state.share)
-        {
-            study.shown = study.cases.size();
-            study.map = std::move(map);
-        }
-        study.cases.push_back(std::move(found));
-        made.push_back(choice);
-    };
-    for (std::size_t i = 0; i < wanted.size(); ++i)
-    {
-        say("surface " + std::to_string(i + 1) + " of " + std::to_string(wanted.size()), 1);
-        try
-        {
-            add(wanted[i]);
-        }
-        catch (NumericalError const& error)
-        {
-            left_out.push_back(detail::no_row(wanted[i], error.what()));
-            if (!first)
-                first.emplace(error);
-        }
-    }
+    StudiedSurfaces surfaces = add_cases(study, context, wanted, options.revolution, steps);
     // an end of the interval that is searched need not make a surface
-    if (!options.best)
-    {
+    if (!options.best) {
         if (study.cases.empty())
-            throw NumericalError(*first);
-        study.missing = left_out;
+            throw NumericalError(*surfaces.first_failure);
+        study.missing = surfaces.missing;
     }
-    for (std::string const& kind : kinds)
-        for (Goal const& goal : {Goal{"area", true, detail::share_of}, Goal{"clearing offset", false, detail::clearing_offset_of}})
-            study.best.push_back(searched(bench, options, kind, goal, [&] { say("best tilt", 0.5); }));
+    for (TiltKind const kind : kinds)
+        for (Goal const& goal : goals)
+            study.best.push_back(searched(context, options, kind, goal, [&] { steps.begin("best tilt", 0.5); }));
     // none of the tilts that were listed: the row of the best
-    if (study.cases.empty())
-        add({"tilted", study.best.front().kind, study.best.front().tilt});
-    SurfaceChoice const& shown = made[study.shown];
-    study.solution = owned.middle;
-    study.solution.scene = scene;
-    study.solution.plan = owned.plan;
-    if (std::string const note = bench.maker.note_on_sections(); !note.empty())
-        study.solution.notes.push_back(note);
-    study.solution.notes.insert(study.solution.notes.end(), left_out.begin(), left_out.end());
-    ContactCase const& best_share = study.cases[study.shown];
-    try
-    {
-        write_part(study.solution, owned, shown, best_share.tip, best_share.backlash_offset);
-        study.side_clearance = best_share.backlash_offset;
+    if (study.cases.empty()) {
+        BestTilt const& best = study.best.front();
+        add_case(study, surfaces, context, {ToothSurface::tilted, best.kind, best.tilt}, options.revolution);
     }
-    catch (NumericalError const& error)
-    {
-        if (best_share.backlash_offset == 0)
-            throw;
-        write_part(study.solution, owned, shown, best_share.tip, 0);
-        study.solution.notes.push_back("the written outline is without the side clearance of " + short_number(best_share.backlash_offset) + " mm, with which it cannot be made: " + error.what());
-    }
-    std::vector<StageTime> const times = owned.clock.times();
-    study.solution.timing.insert(study.solution.timing.end(), times.begin(), times.end());
+    write_solution(study, data, scene, surfaces);
     return study;
 }
-
-namespace detail {
-
-ClearingNeed clearing_need(Scene const& scene)
-{
-    StageObserver const nobody;   // the bench keeps a reference
-    OwnedBench owned(scene, scene.slices ? scene.slices->count : 1, make_plan(scene, Verb::contact), nobody);
-    SurfaceChoice const choice = surface_choices(scene, {}).front();
-    ContactCase const found = clearing_case(*owned.bench, choice);
-    return {found.clearing_offset, found.clearing_tip, owned.middle.geometry.circular_spline_inner_radius,
-            found.clearing_offset > 0 ? clearing_accuracy(owned.bench->tolerance) / flattest_clearing : 0};
-}
-
-}  // namespace detail
 
 }  // namespace hdconj

@@ -1,67 +1,73 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/pipeline/solve.hpp"
+#include "hdconj/solve.hpp"
+#include "base/text.hpp"
 
 #include <optional>
+#include <utility>
 
-#include "drive.hpp"
-#include "elastic_cup.hpp"
-#include "hdconj/numeric/parallel.hpp"
-#include "hdconj/pipeline/elastic_cup.hpp"
-#include "solve_middle.hpp"
-#include "solve_motion.hpp"
-#include "spread.hpp"
+#include "conjugate/plane/solve_plane.hpp"
+#include "contact/study/contact_case.hpp"
+#include "drive/drive.hpp"
+#include "hdconj/check.hpp"
+#include "surface/build_slices.hpp"
 
 namespace hdconj {
+namespace {
+
+/// Solves a scene with backlash_offset = "auto": first for the least side clearance (and the tip circle that goes with
+/// it), then with it.
+Solution solve_with_automatic_backlash(Scene const& scene, StageObserver const& on_stage)
+{
+    Scene given = scene;
+    given.circular_spline.automatic_backlash = false;
+    given.circular_spline.backlash_offset = 0;
+    std::string note = "side clearance \"auto\": none is needed";
+    double error = 0;
+    bool const moves = scene.slices && scene.slices->count > 1 && (scene.coning || scene.tilt);
+    if (moves) {
+        if (on_stage)
+            on_stage(Stage::clearance);
+        contact::ClearingNeed const need = contact::clearing_need(scene);
+        given.circular_spline.backlash_offset = need.offset;
+        bool const wider = need.tip > need.nominal_tip_radius;
+        if (wider)
+            given.circular_spline.inner_radius = need.tip;
+        error = need.error;
+        note = "side clearance \"auto\": " + short_number(need.offset) +
+               (error > 0 ? " +- " + short_number(error) : "") + " mm" +
+               (wider ? ", with a tip circle of " + short_number(need.tip) + " in place of " +
+                            short_number(need.nominal_tip_radius) + " mm"
+                      : "");
+    }
+    Solution out = solve(given, on_stage);
+    out.scene.text = scene.text;
+    out.scene.circular_spline.automatic_backlash = true;
+    out.notes.insert(out.notes.begin(), note);
+    // both flanks move with it, each as far as it does but where it meets the tip circle aslant
+    out.error.side_clearance = error;
+    out.error.clearance += error;
+    out.error.land += 2 * error;
+    return out;
+}
+
+}  // namespace
 
 Solution solve(Scene const& scene, StageObserver const& on_stage)
 {
-    return detail::solve_middle(scene, on_stage, detail::width_of_slices(scene));
-}
-
-Solution detail::solve_middle(Scene const& scene, StageObserver const& on_stage, std::optional<double> cup_error)
-{
-    Faults faults = check_scene(scene);
-    if (!faults.empty())
+    if (Faults const faults = check_scene(scene); !faults.empty())
         throw InputError(faults);
-
     if (scene.circular_spline.automatic_backlash)
-        return detail::solve_with_automatic_backlash(scene, on_stage);
-    Solution out;
+        return solve_with_automatic_backlash(scene, on_stage);
+    conjugate::SolvedPlane plane;
+    Solution& out = plane.solution;
     out.scene = scene;
     out.plan = make_plan(scene);
-    out.threads = thread_count(scene.solver.threads);
-    detail::StageClock clock(out.plan, on_stage);
-    Profile tooth;
-    AnyWaveShape shape;
-    clock.run(Stage::profile, [&] {
-        tooth = detail::given_tooth(scene, faults);
-        shape = detail::wave_shape(scene, tooth, faults);
-        out.segment_names = tooth.segment_names;
-        out.geometry = detail::pair_geometry(scene, tooth, shape.amplitude());
-    });
-    bool const elastic = clock.run(Stage::cup, [&] {
-        out.cup = detail::bent_cup(scene, out.geometry.flexspline_inner_radius, shape, out.threads);
-        std::optional<BentCupError> known;
-        if (cup_error)
-        {
-            known = detail::cup_error(scene, *out.cup, shape, out.geometry.r_m, *cup_error, out.threads);
-            out.error.cup = known->displacement;
-        }
-        out.notes.push_back(describe(*out.cup, known));
-    });
-    if (elastic)
-        detail::solve_elastic(out, tooth, clock);
-    else
-        switch (scene.solver.kinematics)
-        {
-            case Kinematics::exact: detail::solve_exact(shape, out, tooth, clock); break;
-            case Kinematics::first_order: detail::solve_first_order(shape, out, tooth, clock); break;
-            case Kinematics::material: detail::solve_material(shape, out, tooth, clock); break;
-        }
+    drive::StageClock clock(out.plan, on_stage);
+    conjugate::solve_plane(plane, clock, drive::width_of_slices(scene));
     if (out.plan.has(Stage::surface))
-        detail::spread_over_width(out, tooth, shape, clock);
+        surface::build_slices(out, plane.tooth, plane.shape, clock);
     out.timing = clock.times();
-    return out;
+    return std::move(out);
 }
 
 }  // namespace hdconj

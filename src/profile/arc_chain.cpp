@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/profile/arc_chain.hpp"
+#include "arc_chain.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <optional>
 
+#include "base/text.hpp"
 #include "hdconj/profile/polynomial_curve.hpp"
-#include "hdconj/profile/sound_flank.hpp"
+#include "hdconj/units.hpp"
+#include "sound_flank.hpp"
 
-namespace hdconj {
+namespace hdconj::profile {
 
 namespace {
 
@@ -33,7 +34,7 @@ ChainPiece piece_of(std::vector<double> const& row, Vec2 const& start, double no
 {
     if (row.size() == 1)
         return {start, normal, 0, row[0]};
-    double const sweep = row[1] * std::numbers::pi / 180;
+    double const sweep = from_deg(row[1]);
     return {start, normal, 1 / row[0], std::abs(row[0]) * sweep};
 }
 
@@ -45,25 +46,28 @@ PieceShape shape_of(ChainPiece const& piece, double height)
     // the centre's distance costs digits: 1000 heights cost three
     constexpr double far_centre = 1000;
     if (std::abs(piece.curvature) * height * far_centre > 1)
-        return ArcPiece{piece.start - direction(piece.normal) / piece.curvature, 1 / piece.curvature, piece.normal, piece.end_normal()};
+        return ArcPiece{piece.start - direction(piece.normal) / piece.curvature, 1 / piece.curvature, piece.normal,
+                        piece.end_normal()};
     return std::move(polynomial_curve(piece, 0, piece.length, curve_accuracy * height).front());
 }
 
 }  // namespace
 
-Profile ArcChain::build(FamilyChoice const& c, ToothPlace const& place, Faults& faults)
+Profile ArcChain::build(scene::FamilyChoice const& c, ToothPlace const& place, Faults& faults)
 {
     double const h_a = c.number_or("addendum", 0);
     double const h_f = c.number_or("dedendum", 0);
     double const height = h_a + h_f;
-    NumberRows const& rows = c.rows("pieces");
+    scene::NumberRows const& rows = c.rows("pieces");
     std::size_t const before = faults.size();
     auto const refuse = [&](std::size_t row, std::string const& reason, std::string remedy) {
-        faults.push_back(parameter_fault(c, "pieces", "row " + std::to_string(row + 1) + " " + reason, std::move(remedy)));
+        faults.push_back(
+            scene::parameter_fault(c, "pieces", "row " + std::to_string(row + 1) + " " + reason, std::move(remedy)));
     };
     for (std::size_t i = 0; i < rows.size(); ++i)
         if (rows[i].size() == 2 && !(rows[i][1] >= 0 && rows[i][1] <= 360))
-            refuse(i, "has a sweep of " + short_number(rows[i][1]) + " degrees", "write a sweep from 0 to 360; the sign of the radius says which way the arc bends");
+            refuse(i, "has a sweep of " + short_number(rows[i][1]) + " degrees",
+                   "write a sweep from 0 to 360; the sign of the radius says which way the arc bends");
     if (faults.size() > before)
         return {};
 
@@ -71,48 +75,42 @@ Profile ArcChain::build(FamilyChoice const& c, ToothPlace const& place, Faults& 
     constexpr double typed = 1e-9;       // share of the height that a number typed for the root may miss it by
     std::vector<FlankSegment> flank;
     Vec2 at{0.5 * c.number_or("tip_thickness", 0), h_a};
-    double normal = c.number_or("tip_angle_deg", 0) * std::numbers::pi / 180;
+    double normal = from_deg(c.number_or("tip_angle_deg", 0));
     double root = h_f;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-    {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
         bool const last = i + 1 == rows.size();
         ChainPiece piece = piece_of(rows[i], at, normal);
         double const end = piece(piece.length).point.y();
-        if (!std::isfinite(end))
-        {
+        if (!std::isfinite(end)) {
             refuse(i, "is " + short_number(piece.length) + " mm long", "write a shorter piece");
             return {};
         }
         if (!last && end < -h_f - typed * height)
-        {
-            refuse(i, "goes below the root and is not the last", "leave out the rows after it, or write a larger dedendum");
-            return {};
-        }
+            refuse(i, "goes below the root and is not the last",
+                   "leave out the rows after it, or write a larger dedendum");
         if (last && end > -h_f + typed * height)
-        {
-            refuse(i, "is the last and ends at height " + short_number(end) + ", above the root at " + short_number(-h_f),
+            refuse(i,
+                   "is the last and ends at height " + short_number(end) + ", above the root at " + short_number(-h_f),
                    "write a longer last piece, it is cut at the root; or a smaller dedendum");
+        if (faults.size() > before)
             return {};
-        }
         if (last && end < -h_f)
             piece.length = at_height(piece, -h_f, 0, piece.length).value_or(piece.length);
         if (last)
             root = -piece(piece.length).point.y();
-        if (piece.length > one_point * height)
-        {
+        if (piece.length > one_point * height) {
             std::string const name = (piece.curvature == 0 ? "line " : "arc ") + std::to_string(i + 1);
             flank.push_back({name, {shape_of(piece, height)}});
             at = end_of(flank.back().pieces.back()).point;
         }
         normal = piece.end_normal();
     }
-    if (flank.empty())
-    {
+    if (flank.empty()) {
         refuse(0, "has no length, nor have the others", "write pieces that lead from the tip to the root");
         return {};
     }
-    judge_flank(flank, c, "pieces", faults);
+    validate_flank(flank, c, "pieces", faults);
     return faults.size() > before ? Profile{} : symmetric_tooth(flank, place, h_a, root);
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::profile

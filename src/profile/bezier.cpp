@@ -1,39 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/profile/bezier.hpp"
+#include "bezier.hpp"
 
-#include "hdconj/profile/sound_flank.hpp"
+#include "sound_flank.hpp"
 
-namespace hdconj {
+#include "base/text.hpp"
 
-Profile Bezier::build(FamilyChoice const& c, ToothPlace const& place, Faults& faults)
+namespace hdconj::profile {
+
+Profile Bezier::build(scene::FamilyChoice const& c, ToothPlace const& place, Faults& faults)
 {
-    NumberRows const& rows = c.rows("points");
-    std::size_t const before = faults.size();
-    auto const refuse = [&](std::string_view key, std::string reason, std::string remedy) {
-        faults.push_back(parameter_fault(c, key, std::move(reason), std::move(remedy)));
-    };
+    scene::NumberRows const& rows = c.rows("points");
+    scene::ParameterFaults const refuse(c, faults);
     bool const given = c.has("degree");
     auto const degree = given ? static_cast<std::size_t>(c.number_or("degree", 1)) : rows.size() - 1;
     if (!given && degree > static_cast<std::size_t>(largest_bezier_degree))
-        refuse("points", "one curve of " + std::to_string(rows.size()) + " points has degree " + std::to_string(degree) + ", above " + std::to_string(largest_bezier_degree),
+        refuse("points",
+               "one curve of " + std::to_string(rows.size()) + " points has degree " + std::to_string(degree) +
+                   ", above " + std::to_string(largest_bezier_degree),
                "write degree = 3 and curves of 4 points that share their ends, or fewer points");
     else if ((rows.size() - 1) % degree != 0)
-        refuse("points", std::to_string(rows.size()) + " points make no whole number of curves of degree " + std::to_string(degree),
-               "write " + std::to_string((rows.size() - 1) / degree * degree + 1) + " or " + std::to_string(((rows.size() - 1) / degree + 1) * degree + 1) + " points");
+        refuse(
+            "points",
+            std::to_string(rows.size()) + " points make no whole number of curves of degree " + std::to_string(degree),
+            "write " + std::to_string((rows.size() - 1) / degree * degree + 1) + " or " +
+                std::to_string(((rows.size() - 1) / degree + 1) * degree + 1) + " points");
     double const h_a = rows.front()[1];
     double const h_f = -rows.back()[1];
     if (!(h_a > 0) || !(h_f > 0))
-        refuse("points", "the flank goes from height " + short_number(h_a) + " to " + short_number(-h_f) + " and does not cross the pitch line y = 0 downwards",
+        refuse("points",
+               "the flank goes from height " + short_number(h_a) + " to " + short_number(-h_f) +
+                   " and does not cross the pitch line y = 0 downwards",
                "give the points from tip to root and measure y from the pitch line, up towards the tip");
-    if (faults.size() > before)
+    if (refuse.any())
         return {};
 
     std::vector<FlankSegment> flank;
-    for (std::size_t first = 0; first + degree < rows.size(); first += degree)
-    {
+    for (std::size_t first = 0; first + degree < rows.size(); first += degree) {
         std::vector<double> x, y;
-        for (std::size_t i = first; i <= first + degree; ++i)
-        {
+        for (std::size_t i = first; i <= first + degree; ++i) {
             x.push_back(rows[i][0]);
             y.push_back(rows[i][1]);
         }
@@ -45,12 +49,13 @@ Profile Bezier::build(FamilyChoice const& c, ToothPlace const& place, Faults& fa
         else
             flank.push_back({name, {CurvePiece(std::move(x), std::move(y))}});
         if (degree == 1 && a == b)
-            refuse("points", "point " + std::to_string(first + 2) + " repeats the one before", "remove the repeated point");
+            refuse("points", "point " + std::to_string(first + 2) + " repeats the one before",
+                   "remove the repeated point");
     }
-    if (faults.size() > before)
+    if (refuse.any())
         return {};
-    judge_flank(flank, c, "points", faults);
-    return faults.size() > before ? Profile{} : symmetric_tooth(flank, place, h_a, h_f);
+    validate_flank(flank, c, "points", faults);
+    return refuse.any() ? Profile{} : symmetric_tooth(flank, place, h_a, h_f);
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::profile

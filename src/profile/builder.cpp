@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/profile/builder.hpp"
+#include "base/text.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <numbers>
 
-#include "hdconj/numeric/tolerance.hpp"
+#include "hdconj/base/tolerance.hpp"
 
-namespace hdconj {
+namespace hdconj::profile {
 
 namespace {
 
@@ -52,21 +53,19 @@ void append_corner(Profile& profile, PieceShape const& before, PieceShape const&
 
 }  // namespace
 
-Profile whole_tooth(std::vector<FlankSegment> const& segments, ToothPlace const& place, double addendum, double dedendum,
-                    bool mirror_symmetric)
+Profile whole_tooth(std::vector<FlankSegment> const& segments, ToothPlace const& place, double addendum,
+                    double dedendum, bool mirror_symmetric)
 {
     Profile profile;
     profile.mirror_symmetric = mirror_symmetric;
     profile.addendum = addendum;
     profile.dedendum = dedendum;
     profile.pitch_line = place.wall / 2 + dedendum + place.neutral_offset;
-    for (FlankSegment const& segment : segments)
-    {
+    for (FlankSegment const& segment : segments) {
         int const index = static_cast<int>(profile.segment_names.size());
         profile.segment_names.push_back(segment.name);
         double const count = static_cast<double>(segment.pieces.size());
-        for (std::size_t i = 0; i < segment.pieces.size(); ++i)
-        {
+        for (std::size_t i = 0; i < segment.pieces.size(); ++i) {
             PieceShape shape = moved_up(segment.pieces[i], profile.pitch_line);
             // inside a segment pieces join smoothly by construction
             if (i == 0 && !profile.pieces.empty())
@@ -80,11 +79,19 @@ Profile whole_tooth(std::vector<FlankSegment> const& segments, ToothPlace const&
     return profile;
 }
 
-Profile symmetric_tooth(std::vector<FlankSegment> const& right_flank, ToothPlace const& place, double addendum, double dedendum)
+FlankSegment curve_segment(std::string name, std::vector<CurvePiece> pieces)
+{
+    FlankSegment segment{std::move(name), {}};
+    for (CurvePiece& piece : pieces)
+        segment.pieces.emplace_back(std::move(piece));
+    return segment;
+}
+
+Profile symmetric_tooth(std::vector<FlankSegment> const& right_flank, ToothPlace const& place, double addendum,
+                        double dedendum)
 {
     std::vector<FlankSegment> segments;
-    for (auto segment = right_flank.rbegin(); segment != right_flank.rend(); ++segment)
-    {
+    for (auto segment = right_flank.rbegin(); segment != right_flank.rend(); ++segment) {
         segments.push_back(mirrored(*segment));
         segments.back().name = "left " + segment->name;
     }
@@ -92,27 +99,22 @@ Profile symmetric_tooth(std::vector<FlankSegment> const& right_flank, ToothPlace
     // a land shorter than roundoff has no direction: the tooth is pointed
     if (tip.x() > unit_roundoff * (addendum + dedendum))
         segments.push_back({"tip land", {LinePiece{{-tip.x(), tip.y()}, tip}}});
-    for (FlankSegment segment : right_flank)
-    {
+    for (FlankSegment segment : right_flank) {
         segment.name = "right " + segment.name;
         segments.push_back(std::move(segment));
     }
     return whole_tooth(segments, place, addendum, dedendum, true);
 }
 
-double thickness_at_pitch(FamilyChoice const& choice, ToothPlace const& place, Faults& faults)
+double thickness_at_pitch(scene::FamilyChoice const& choice, ToothPlace const& place, Faults& faults)
 {
     double const pitch = std::numbers::pi * place.module;
     double const s = choice.number_or("thickness", pitch / 2);
     if (!(s < pitch))
-        faults.push_back(parameter_fault(choice, "thickness", "leaves no space between the teeth: the pitch is " + short_number(pitch),
-                                         "write about half the pitch, " + short_number(pitch / 2)));
+        faults.push_back(scene::parameter_fault(
+            choice, "thickness", "leaves no space between the teeth: the pitch is " + short_number(pitch),
+            "write about half the pitch, " + short_number(pitch / 2)));
     return s;
 }
 
-std::string short_number(double value)
-{
-    return fmt::format("{:.6g}", value);
-}
-
-}  // namespace hdconj
+}  // namespace hdconj::profile

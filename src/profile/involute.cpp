@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/profile/involute.hpp"
+#include "involute.hpp"
 
-#include "hdconj/profile/cusp.hpp"
+#include "cusp.hpp"
 
-namespace hdconj {
+#include "base/text.hpp"
+#include "hdconj/units.hpp"
+
+namespace hdconj::profile {
 
 namespace {
 
 /// The flank from its parameter @p tip down to y = -h_f.
-std::vector<FlankSegment> flank_down_from(double tip, detail::InvoluteCurve const& involute, double h_a, double h_f)
+std::vector<FlankSegment> flank_down_from(double tip, InvoluteCurve const& involute, double h_a, double h_f)
 {
     double const height = h_a + h_f;
     std::vector<FlankSegment> flank{{"involute", {}}};
@@ -18,8 +21,7 @@ std::vector<FlankSegment> flank_down_from(double tip, detail::InvoluteCurve cons
     };
     // an arc over the first roll angle t from the base circle differs from the involute by less than r_b t^3 / 32
     double const cut = involute.base() + std::cbrt(32 * 0x1p-40 * height / involute.base_radius());
-    if (involute(cut).point.y() <= -h_f)
-    {
+    if (involute(cut).point.y() <= -h_f) {
         add_curve(*at_height(involute, -h_f, cut, tip));
         return flank;
     }
@@ -32,67 +34,62 @@ std::vector<FlankSegment> flank_down_from(double tip, detail::InvoluteCurve cons
         Vec2 const way = right_of(direction(normal));
         return LinePiece{from, from + way * ((from.y() + h_f) / -way.y())};
     };
-    if (landing.y() > -h_f)
-    {
+    if (landing.y() > -h_f) {
         flank.front().pieces.emplace_back(arc);
         flank.push_back({"radial line", {straight_to_root(landing, radial)}});
-    }
-    else
+    } else
         flank.push_back({"radial line", {straight_to_root(end, involute.normal(cut))}});
     return flank;
 }
 
 }  // namespace
 
-Profile Involute::build(FamilyChoice const& c, ToothPlace const& place, Faults& faults)
+Profile Involute::build(scene::FamilyChoice const& c, ToothPlace const& place, Faults& faults)
 {
     double const h_a = c.number_or("addendum", 0);
     double const h_f = c.number_or("dedendum", 0);
     double const r = -place.centre();
-    std::size_t const before = faults.size();
+    scene::ParameterFaults const refuse(c, faults);
     double const s = thickness_at_pitch(c, place, faults);
-    auto const refuse = [&](std::string_view key, std::string reason, std::string remedy) {
-        faults.push_back(parameter_fault(c, key, std::move(reason), std::move(remedy)));
-    };
     if (!(h_f < std::abs(r)))
         refuse("dedendum", "is more than the pitch radius " + short_number(std::abs(r)), "write about 1.2 modules");
-    if (faults.size() > before)
+    if (refuse.any())
         return {};
 
-    detail::InvoluteCurve const involute{r, c.number_or("pressure_angle_deg", 0) * std::numbers::pi / 180, s / (2 * r)};
+    InvoluteCurve const involute{r, from_deg(c.number_or("pressure_angle_deg", 0)), s / (2 * r)};
     // the flank leans over until its tangent is 69 degrees from y; it has crossed the centre line long before
     constexpr double leaning = 1.2;
     double const last = involute.beta(0) + leaning;
     double const base_height = involute(involute.base()).point.y();
-    if (place.internal && !(h_a < base_height))
-    {
-        refuse("addendum", "the tip lies beyond the base circle, where the involute ends at height " + short_number(base_height),
+    if (place.internal && !(h_a < base_height)) {
+        refuse("addendum",
+               "the tip lies beyond the base circle, where the involute ends at height " + short_number(base_height),
                "write a smaller addendum or a larger pressure_angle_deg");
         return {};
     }
     double const tip_end = place.internal ? involute.base() : last;
     std::optional<double> const tip = at_height(involute, h_a, 0, tip_end);
     double const half_tip = tip ? involute(*tip).point.x() : -1;
-    if (!(half_tip > -pointed_tip * h_a))
-    {
-        BracketedRoot const crossing = bracketed_root([&](double t) { return involute(t).point.x(); }, std::min(0.0, tip_end), std::max(0.0, tip_end));
+    if (!(half_tip > -pointed_tip * h_a)) {
+        numeric::BracketedRoot const crossing = numeric::bracketed_root([&](double t) { return involute(t).point.x(); },
+                                                                        std::min(0.0, tip_end), std::max(0.0, tip_end));
         double const pointed = involute(crossing.x).point.y();
-        refuse("addendum", "the two flanks cross below the tip: the tooth becomes pointed at height " + short_number(pointed),
-               "write an addendum of at most " + short_number(pointed) + ", or a larger thickness or a smaller pressure_angle_deg");
+        refuse("addendum",
+               "the two flanks cross below the tip: the tooth becomes pointed at height " + short_number(pointed),
+               "write an addendum of at most " + short_number(pointed) +
+                   ", or a larger thickness or a smaller pressure_angle_deg");
         return {};
     }
     if (!place.internal)
         return symmetric_tooth(flank_down_from(*tip, involute, h_a, h_f), place, h_a, h_f);
     std::optional<double> const root = at_height(involute, -h_f, 0, leaning);
-    if (!root)
-    {
+    if (!root) {
         refuse("dedendum", "the involute does not reach down to the root", "write about 1.2 modules");
         return {};
     }
-    FlankSegment flank{"involute", {}};
-    for (CurvePiece& piece : polynomial_curve(involute, *tip, *root, curve_accuracy * (h_a + h_f)))
-        flank.pieces.emplace_back(std::move(piece));
+    FlankSegment const flank =
+        curve_segment("involute", polynomial_curve(involute, *tip, *root, curve_accuracy * (h_a + h_f)));
     return symmetric_tooth({flank}, place, h_a, h_f);
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::profile

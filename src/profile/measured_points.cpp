@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/profile/measured_points.hpp"
+#include "measured_points.hpp"
 
-#include <Eigen/SparseLU>
-#include <algorithm>
 #include <gsl/gsl_bspline.h>
 #include <gsl/gsl_errno.h>
+#include <Eigen/SparseLU>
+#include <algorithm>
 #include <memory>
 
-#include "hdconj/numeric/error.hpp"
-#include "hdconj/profile/b_spline.hpp"
-#include "hdconj/profile/sound_flank.hpp"
+#include "b_spline.hpp"
+#include "base/text.hpp"
+#include "hdconj/error.hpp"
 #include "hdconj/scene/number_pairs.hpp"
+#include "sound_flank.hpp"
 
-namespace hdconj {
+namespace hdconj::profile {
 
 namespace {
 
@@ -31,32 +32,93 @@ struct FreeMatrix
     void operator()(gsl_matrix* m) const { gsl_matrix_free(m); }
 };
 
-std::vector<Vec2> read_points(FamilyChoice const& c, std::string const& folder, Faults& faults)
+std::vector<Vec2> read_points(scene::FamilyChoice const& c, std::string const& folder, Faults& faults)
 {
     std::size_t const before = faults.size();
-    NumberPairs const table = read_number_pairs(c, "file", folder, {ColumnQuantity::length, ColumnQuantity::length}, "x,y in mm", faults);
+    scene::NumberPairs const table = scene::read_number_pairs(
+        c, "file", folder, {scene::ColumnQuantity::length, scene::ColumnQuantity::length}, "x,y in mm", faults);
     if (faults.size() > before)
         return {};
     std::vector<Vec2> points;
     points.reserve(table.rows.size());
-    for (NumberPair const& row : table.rows)
-    {
+    for (scene::NumberPair const& row : table.rows) {
         Vec2 const p(row.value[0], row.value[1]);
-        if (!points.empty() && p == points.back())
-        {
-            faults.push_back(parameter_fault(c, "file", "line " + std::to_string(row.line) + " of " + table.file + " repeats the point before it",
-                                             "remove the repeated point"));
+        if (!points.empty() && p == points.back()) {
+            faults.push_back(scene::parameter_fault(
+                c, "file", "line " + std::to_string(row.line) + " of " + table.file + " repeats the point before it",
+                "remove the repeated point"));
             return {};
         }
         points.push_back(p);
     }
-    if (points.size() < spline_order)
-    {
-        faults.push_back(parameter_fault(c, "file", table.file + " holds " + std::to_string(points.size()) + " points, a spline needs 4",
-                                         "write at least 4 points"));
+    if (points.size() < spline_order) {
+        faults.push_back(scene::parameter_fault(
+            c, "file", table.file + " holds " + std::to_string(points.size()) + " points, a spline needs 4",
+            "write at least 4 points"));
         return {};
     }
     return points;
+}
+
+/// Cubic B-splines on given knots.
+class SplineBasis
+{
+  public:
+    /// Value and slope.
+    static constexpr std::size_t derivatives = 2;
+
+    explicit SplineBasis(std::vector<double> const& knots)
+        : work_(gsl_bspline_alloc(spline_order, knots.size())), values_(gsl_matrix_calloc(spline_order, derivatives))
+    {
+        std::unique_ptr<gsl_vector, FreeVector> const at_knots(gsl_vector_alloc(knots.size()));
+        if (!work_ || !at_knots || !values_)
+            throw std::bad_alloc();
+        for (std::size_t i = 0; i < knots.size(); ++i)
+            gsl_vector_set(at_knots.get(), i, knots[i]);
+        check(gsl_bspline_knots(at_knots.get(), work_.get()));
+    }
+
+    /// Calls @p visit(number, value, slope) for each spline that is not zero at @p s; the slope has no meaning where
+    /// @p derivative is 0.
+    template <class Visit>
+    void at(double s, std::size_t derivative, Visit&& visit)
+    {
+        std::size_t first = 0, last = 0;
+        check(gsl_bspline_deriv_eval_nonzero(s, derivative, values_.get(), &first, &last, work_.get()));
+        for (std::size_t k = first; k <= last; ++k)
+            visit(k, gsl_matrix_get(values_.get(), k - first, 0), gsl_matrix_get(values_.get(), k - first, 1));
+    }
+
+  private:
+    static void check(int status)
+    {
+        if (status != GSL_SUCCESS)
+            throw NumericalError(ErrorCode::no_solution, "profile", "spline through points", gsl_strerror(status));
+    }
+
+    std::unique_ptr<gsl_bspline_workspace, FreeWorkspace> work_;
+    std::unique_ptr<gsl_matrix, FreeMatrix> values_;
+};
+
+/// Coefficients of the spline that is @p points at the parameters @p s.
+Eigen::MatrixX2d interpolated(SplineBasis& basis, std::vector<double> const& s, std::vector<Vec2> const& points)
+{
+    std::vector<Eigen::Triplet<double>> entries;
+    for (std::size_t i = 0; i < s.size(); ++i)
+        basis.at(s[i], 0, [&](std::size_t k, double value, double) {
+            entries.emplace_back(static_cast<int>(i), static_cast<int>(k), value);
+        });
+    auto const size = static_cast<Eigen::Index>(s.size());
+    Eigen::SparseMatrix<double> matrix(size, size);
+    matrix.setFromTriplets(entries.begin(), entries.end());
+    Eigen::SparseLU<Eigen::SparseMatrix<double>> const lu(matrix);
+    if (lu.info() != Eigen::Success)
+        throw NumericalError(ErrorCode::no_solution, "profile", "spline through points",
+                             "the interpolation is singular");
+    Eigen::MatrixX2d right(size, 2);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        right.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
+    return lu.solve(right);
 }
 
 }  // namespace
@@ -64,67 +126,32 @@ std::vector<Vec2> read_points(FamilyChoice const& c, std::string const& folder, 
 std::vector<CurvePiece> spline_through(std::vector<Vec2> const& points)
 {
     gsl_set_error_handler_off();
-    std::size_t const n = points.size();
-    std::vector<double> s(n, 0.0);
-    for (std::size_t i = 1; i < n; ++i)
+    std::vector<double> s(points.size(), 0.0);
+    for (std::size_t i = 1; i < points.size(); ++i)
         s[i] = s[i - 1] + (points[i] - points[i - 1]).norm();
     // not-a-knot: the second and the last but one point are no knots
     std::vector<double> knots{s.front()};
     knots.insert(knots.end(), s.begin() + 2, s.end() - 2);
     knots.push_back(s.back());
-
-    std::unique_ptr<gsl_bspline_workspace, FreeWorkspace> const work(gsl_bspline_alloc(spline_order, knots.size()));
-    std::unique_ptr<gsl_vector, FreeVector> const at_knots(gsl_vector_alloc(knots.size()));
-    std::unique_ptr<gsl_matrix, FreeMatrix> const basis(gsl_matrix_alloc(spline_order, 2));
-    if (!work || !at_knots || !basis)
-        throw std::bad_alloc();
-    for (std::size_t i = 0; i < knots.size(); ++i)
-        gsl_vector_set(at_knots.get(), i, knots[i]);
-    auto const check = [](int status) {
-        if (status != GSL_SUCCESS)
-            throw NumericalError("profile", "spline through points", gsl_strerror(status));
-    };
-    check(gsl_bspline_knots(at_knots.get(), work.get()));
-
-    using Triplet = Eigen::Triplet<double>;
-    std::vector<Triplet> entries;
-    for (std::size_t i = 0; i < n; ++i)
-    {
-        std::size_t first = 0;
-        std::size_t last = 0;
-        check(gsl_bspline_deriv_eval_nonzero(s[i], 0, basis.get(), &first, &last, work.get()));
-        for (std::size_t k = first; k <= last; ++k)
-            entries.emplace_back(static_cast<int>(i), static_cast<int>(k), gsl_matrix_get(basis.get(), k - first, 0));
-    }
-    auto const size = static_cast<Eigen::Index>(n);
-    Eigen::SparseMatrix<double> matrix(size, size);
-    matrix.setFromTriplets(entries.begin(), entries.end());
-    Eigen::SparseLU<Eigen::SparseMatrix<double>> const lu(matrix);
-    if (lu.info() != Eigen::Success)
-        throw NumericalError("profile", "spline through points", "the interpolation is singular");
-    Eigen::MatrixX2d right(size, 2);
-    for (std::size_t i = 0; i < n; ++i)
-        right.row(static_cast<Eigen::Index>(i)) = points[i].transpose();
-    Eigen::MatrixX2d const coefficients = lu.solve(right);
+    SplineBasis basis(knots);
+    Eigen::MatrixX2d const coefficients = interpolated(basis, s, points);
 
     auto const value_and_slope = [&](double at) {
-        std::size_t first = 0;
-        std::size_t last = 0;
-        check(gsl_bspline_deriv_eval_nonzero(at, 1, basis.get(), &first, &last, work.get()));
         Eigen::Matrix2d result = Eigen::Matrix2d::Zero();
-        for (std::size_t k = first; k <= last; ++k)
-            for (std::size_t d = 0; d < 2; ++d)
-                result.row(static_cast<Eigen::Index>(d)) += gsl_matrix_get(basis.get(), k - first, d) * coefficients.row(static_cast<Eigen::Index>(k));
+        basis.at(at, 1, [&](std::size_t k, double value, double slope) {
+            result.row(0) += value * coefficients.row(static_cast<Eigen::Index>(k));
+            result.row(1) += slope * coefficients.row(static_cast<Eigen::Index>(k));
+        });
         return result;
     };
     std::vector<CurvePiece> pieces;
     Eigen::Matrix2d left = value_and_slope(knots[0]);
-    for (std::size_t i = 0; i + 1 < knots.size(); ++i)
-    {
+    for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
         Eigen::Matrix2d const right_end = value_and_slope(knots[i + 1]);
         double const third = (knots[i + 1] - knots[i]) / 3;
         auto const axis = [&](Eigen::Index k) {
-            return std::vector<double>{left(0, k), left(0, k) + third * left(1, k), right_end(0, k) - third * right_end(1, k), right_end(0, k)};
+            return std::vector<double>{left(0, k), left(0, k) + third * left(1, k),
+                                       right_end(0, k) - third * right_end(1, k), right_end(0, k)};
         };
         pieces.emplace_back(axis(0), axis(1));
         left = right_end;
@@ -132,55 +159,61 @@ std::vector<CurvePiece> spline_through(std::vector<Vec2> const& points)
     return pieces;
 }
 
-Profile tooth_through(std::vector<Vec2> points, FamilyChoice const& c, std::string_view key, ToothPlace const& place, Faults& faults)
+Profile tooth_through(std::vector<Vec2> points, scene::FamilyChoice const& c, std::string_view key,
+                      ToothPlace const& place, Faults& faults)
 {
     std::size_t const before = faults.size();
     bool const full = c.word("side").value_or("right") == "full";
     // the flank runs from tip to root, the whole tooth from left to right
     if (full ? points.front().x() > points.back().x() : points.front().y() < points.back().y())
         std::reverse(points.begin(), points.end());
-    auto const [low, high] = std::minmax_element(points.begin(), points.end(), [](Vec2 const& a, Vec2 const& b) { return a.y() < b.y(); });
+    auto const [low, high] =
+        std::minmax_element(points.begin(), points.end(), [](Vec2 const& a, Vec2 const& b) { return a.y() < b.y(); });
     double const h_a = high->y();
     double const h_f = -low->y();
     if (!(h_a > 0) || !(h_f > 0))
-        faults.push_back(parameter_fault(c, key, "the points span y = " + short_number(-h_f) + " ... " + short_number(h_a) + " and do not cross the pitch line y = 0",
-                                         "measure y from the pitch line, up towards the tip"));
+        faults.push_back(scene::parameter_fault(c, key,
+                                                "the points span y = " + short_number(-h_f) + " ... " +
+                                                    short_number(h_a) + " and do not cross the pitch line y = 0",
+                                                "measure y from the pitch line, up towards the tip"));
     Vec2 const& left = points.front();
     Vec2 const& right = points.back();
     if (full && !(left.x() < 0 && right.x() > 0 && left.y() < 0 && right.y() < 0))
-        faults.push_back(parameter_fault(c, key, "a whole tooth begins left of its centre line below the pitch line and ends right of it; this one runs from ("
-                                                     + short_number(left.x()) + ", " + short_number(left.y()) + ") to (" + short_number(right.x()) + ", "
-                                                     + short_number(right.y()) + ")",
-                                         "give both flanks from the left root over the tip to the right root, or set side = \"right\""));
+        faults.push_back(scene::parameter_fault(
+            c, key,
+            "a whole tooth begins left of its centre line below the pitch line and ends right of it; this one runs "
+            "from (" +
+                short_number(left.x()) + ", " + short_number(left.y()) + ") to (" + short_number(right.x()) + ", " +
+                short_number(right.y()) + ")",
+            "give both flanks from the left root over the tip to the right root, or set side = \"right\""));
     if (!full && points.front().x() < 0)
-        faults.push_back(parameter_fault(c, key, "the tip of the right flank is left of the tooth's centre line x = 0",
-                                         "give the right flank with x >= 0, or set side = \"full\""));
+        faults.push_back(scene::parameter_fault(c, key,
+                                                "the tip of the right flank is left of the tooth's centre line x = 0",
+                                                "give the right flank with x >= 0, or set side = \"full\""));
     if (faults.size() > before)
         return {};
-    FlankSegment segment{full ? "tooth" : "flank", {}};
-    for (CurvePiece& piece : spline_through(points))
-        segment.pieces.emplace_back(std::move(piece));
+    FlankSegment const segment = curve_segment(full ? "tooth" : "flank", spline_through(points));
     if (full)
         return whole_tooth({segment}, place, h_a, h_f, false);
-    judge_flank({segment}, c, key, faults);
+    validate_flank({segment}, c, key, faults);
     return faults.size() > before ? Profile{} : symmetric_tooth({segment}, place, h_a, h_f);
 }
 
-Profile MeasuredPoints::build(FamilyChoice const& c, ToothPlace const& place, Faults& faults)
+Profile MeasuredPoints::build(scene::FamilyChoice const& c, ToothPlace const& place, Faults& faults)
 {
     std::vector<Vec2> points = read_points(c, place.folder, faults);
     return points.empty() ? Profile{} : tooth_through(std::move(points), c, "file", place, faults);
 }
 
-Profile BSpline::build(FamilyChoice const& c, ToothPlace const& place, Faults& faults)
+Profile BSpline::build(scene::FamilyChoice const& c, ToothPlace const& place, Faults& faults)
 {
     std::vector<Vec2> points;
-    for (std::vector<double> const& row : c.rows("points"))
-    {
+    for (std::vector<double> const& row : c.rows("points")) {
         Vec2 const p{row[0], row[1]};
-        if (!points.empty() && p == points.back())
-        {
-            faults.push_back(parameter_fault(c, "points", "row " + std::to_string(points.size() + 1) + " repeats the point before it", "remove the repeated point"));
+        if (!points.empty() && p == points.back()) {
+            faults.push_back(scene::parameter_fault(
+                c, "points", "row " + std::to_string(points.size() + 1) + " repeats the point before it",
+                "remove the repeated point"));
             return {};
         }
         points.push_back(p);
@@ -188,4 +221,4 @@ Profile BSpline::build(FamilyChoice const& c, ToothPlace const& place, Faults& f
     return tooth_through(std::move(points), c, "points", place, faults);
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::profile

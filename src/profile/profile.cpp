@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-namespace hdconj {
+namespace hdconj::profile {
 
 namespace {
 
@@ -86,17 +86,12 @@ int steps_of(PieceShape const& shape, double chord)
 PieceShape moved_up(PieceShape shape, double rise)
 {
     Vec2 const shift{0, rise};
-    if (auto* line = std::get_if<LinePiece>(&shape))
-    {
+    if (auto* line = std::get_if<LinePiece>(&shape)) {
         line->a += shift;
         line->b += shift;
-    }
-    else if (auto* arc = std::get_if<ArcPiece>(&shape))
-    {
+    } else if (auto* arc = std::get_if<ArcPiece>(&shape)) {
         arc->centre += shift;
-    }
-    else
-    {
+    } else {
         auto const& curve = std::get<CurvePiece>(shape);
         std::vector<double> y = curve.y();
         for (double& value : y)
@@ -122,8 +117,7 @@ std::vector<Vec2> polygon_of(Profile const& profile, double chord)
     std::vector<Vec2> points;
     points.reserve(count);
     points.push_back(start_of(profile.pieces.front().shape).point);
-    for (ProfilePiece const& piece : profile.pieces)
-    {
+    for (ProfilePiece const& piece : profile.pieces) {
         if (piece.corner)
             continue;
         int const steps = steps_of(piece.shape, chord);
@@ -133,4 +127,4 @@ std::vector<Vec2> polygon_of(Profile const& profile, double chord)
     return points;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::profile

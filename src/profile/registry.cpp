@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/profile/registry.hpp"
 
-#include "hdconj/profile/arc_chain.hpp"
-#include "hdconj/profile/b_spline.hpp"
-#include "hdconj/profile/bezier.hpp"
-#include "hdconj/profile/cycloid.hpp"
-#include "hdconj/profile/double_circular_arc.hpp"
-#include "hdconj/profile/involute.hpp"
-#include "hdconj/profile/measured_points.hpp"
-#include "hdconj/profile/s_tooth.hpp"
-#include "hdconj/profile/straight_sided.hpp"
+#include "arc_chain.hpp"
+#include "b_spline.hpp"
+#include "bezier.hpp"
+#include "cycloid.hpp"
+#include "double_circular_arc.hpp"
+#include "involute.hpp"
+#include "measured_points.hpp"
+#include "s_tooth.hpp"
+#include "straight_sided.hpp"
 
-namespace hdconj {
+namespace hdconj::profile {
 
 namespace {
 
 struct Registered
 {
-    FamilyDescription description;
-    Profile (*build)(FamilyChoice const&, ToothPlace const&, Faults&);
+    scene::FamilyDescription description;
+    Profile (*build)(scene::FamilyChoice const&, ToothPlace const&, Faults&);
 };
 
-template<class Family>
+template <class Family>
 Registered registered()
 {
     return {Family::describe(), &Family::build};
@@ -31,25 +31,19 @@ Registered registered()
 std::vector<Registered> const& table()
 {
     static std::vector<Registered> const families{
-        registered<DoubleCircularArc>(),
-        registered<StraightSided>(),
-        registered<MeasuredPoints>(),
-        registered<Involute>(),
-        registered<Cycloid>(),
-        registered<STooth>(),
-        registered<ArcChain>(),
-        registered<Bezier>(),
-        registered<BSpline>(),
+        registered<DoubleCircularArc>(), registered<StraightSided>(), registered<MeasuredPoints>(),
+        registered<Involute>(),          registered<Cycloid>(),       registered<STooth>(),
+        registered<ArcChain>(),          registered<Bezier>(),        registered<BSpline>(),
     };
     return families;
 }
 
 }  // namespace
 
-std::vector<FamilyDescription> const& profile_families()
+std::vector<scene::FamilyDescription> const& profile_families()
 {
-    static std::vector<FamilyDescription> const descriptions = [] {
-        std::vector<FamilyDescription> all;
+    static std::vector<scene::FamilyDescription> const descriptions = [] {
+        std::vector<scene::FamilyDescription> all;
         for (Registered const& family : table())
             all.push_back(family.description);
         return all;
@@ -57,13 +51,14 @@ std::vector<FamilyDescription> const& profile_families()
     return descriptions;
 }
 
-Profile build_profile(FamilyChoice const& choice, ToothPlace const& place, Faults& faults)
+Profile build_profile(scene::FamilyChoice const& choice, ToothPlace const& place, Faults& faults)
 {
     for (Registered const& family : table())
         if (family.description.name == choice.family)
             return family.build(choice, place, faults);
-    faults.push_back({choice.path + ".family", choice.line, choice.family, "no such tooth family", "write one of those that `hdconj check --help` lists"});
+    faults.push_back({choice.path + ".family", choice.line, choice.family, "no such tooth family",
+                      "write one of those that `hdconj check --help` lists"});
     return {};
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::profile

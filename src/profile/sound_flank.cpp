@@ -1,16 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/profile/sound_flank.hpp"
+#include "sound_flank.hpp"
 
 #include <algorithm>
 #include <numeric>
 #include <optional>
 
-namespace hdconj {
+#include "base/text.hpp"
+
+namespace hdconj::profile {
 
 namespace {
 
-/// Somewhere in [a, b] where the polynomial with Bernstein coefficients @p c on it is not positive: by halving until no coefficient is
-/// negative, or the interval is a point to 2^-40.
+/// Somewhere in [a, b] where the polynomial with Bernstein coefficients @p c on it is not positive: by halving until no
+/// coefficient is negative, or the interval is a point to 2^-40.
 std::optional<double> not_positive(std::vector<double> c, double a, double b)
 {
     if (std::all_of(c.begin(), c.end(), [](double value) { return value > 0; }))
@@ -21,7 +23,7 @@ std::optional<double> not_positive(std::vector<double> c, double a, double b)
     if (!(c.back() > 0) || b - a < point)
         return b;
     std::vector<double> right(c.size());
-    bernstein_split(c, right, 0.5);
+    numeric::bernstein_split(c, right, 0.5);
     double const middle = 0.5 * (a + b);
     auto const left = not_positive(std::move(c), a, middle);
     return left ? left : not_positive(std::move(right), middle, b);
@@ -32,13 +34,12 @@ std::optional<Vec2> standstill(CurvePiece const& curve)
 {
     // |x'|^2 of a piece; below this share of its largest coefficient a tangent would be rounding
     constexpr double share = 0x1p-40;
-    std::vector<double> const x1 = bernstein_derivative(curve.x());
-    std::vector<double> const y1 = bernstein_derivative(curve.y());
-    std::vector<double> speed2 = bernstein_product(x1, x1);
-    std::vector<double> const y2 = bernstein_product(y1, y1);
+    std::vector<double> const x1 = numeric::bernstein_derivative(curve.x());
+    std::vector<double> const y1 = numeric::bernstein_derivative(curve.y());
+    std::vector<double> speed2 = numeric::bernstein_product(x1, x1);
+    std::vector<double> const y2 = numeric::bernstein_product(y1, y1);
     double largest = 0;
-    for (std::size_t i = 0; i < speed2.size(); ++i)
-    {
+    for (std::size_t i = 0; i < speed2.size(); ++i) {
         speed2[i] += y2[i];
         largest = std::max(largest, std::abs(speed2[i]));
     }
@@ -63,11 +64,9 @@ std::optional<Vec2> crossing(std::vector<Vec2> const& points)
     auto const low = [&](std::size_t i) { return std::min(points[i].y(), points[i + 1].y()); };
     auto const high = [&](std::size_t i) { return std::max(points[i].y(), points[i + 1].y()); };
     std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) { return low(i) < low(j); });
-    for (std::size_t k = 0; k < count; ++k)
-    {
+    for (std::size_t k = 0; k < count; ++k) {
         std::size_t const i = order[k];
-        for (std::size_t l = k + 1; l < count && low(order[l]) <= high(i); ++l)
-        {
+        for (std::size_t l = k + 1; l < count && low(order[l]) <= high(i); ++l) {
             std::size_t const j = order[l];
             if (i + 1 == j || j + 1 == i)
                 continue;
@@ -96,32 +95,36 @@ std::string short_point(Vec2 const& p)
     return "(" + short_number(p.x()) + ", " + short_number(p.y()) + ")";
 }
 
-void judge_flank(std::vector<FlankSegment> const& right_flank, FamilyChoice const& choice, std::string_view key, Faults& faults)
+void validate_flank(std::vector<FlankSegment> const& right_flank, scene::FamilyChoice const& choice,
+                    std::string_view key, Faults& faults)
 {
     auto const refuse = [&](std::string reason, std::string remedy) {
-        faults.push_back(parameter_fault(choice, key, std::move(reason), std::move(remedy)));
+        faults.push_back(scene::parameter_fault(choice, key, std::move(reason), std::move(remedy)));
     };
     for (FlankSegment const& segment : right_flank)
         for (PieceShape const& piece : segment.pieces)
             if (auto const* curve = std::get_if<CurvePiece>(&piece))
-                if (auto const where = standstill(*curve))
-                {
-                    refuse("the curve has no tangent at " + short_point(*where), "move points apart that lie on each other there, or take the cusp out");
+                if (auto const where = standstill(*curve)) {
+                    refuse("the curve has no tangent at " + short_point(*where),
+                           "move points apart that lie on each other there, or take the cusp out");
                     return;
                 }
     double const top = start_of(right_flank.front().pieces.front()).point.y();
     double const bottom = end_of(right_flank.back().pieces.back()).point.y();
     double const height = top - bottom;
-    if (!(height > 0))
-    {
-        refuse("the flank ends at height " + short_number(bottom) + ", not below its start at " + short_number(top), "give the flank from the tip down to the root");
+    if (!(height > 0)) {
+        refuse("the flank ends at height " + short_number(bottom) + ", not below its start at " + short_number(top),
+               "give the flank from the tip down to the root");
         return;
     }
     double const chord = height * 0x1p-10;
     std::vector<Vec2> const points = flank_polygon(right_flank, chord);
-    auto const highest = *std::max_element(points.begin(), points.end(), [](Vec2 const& a, Vec2 const& b) { return a.y() < b.y(); });
-    auto const lowest = *std::min_element(points.begin(), points.end(), [](Vec2 const& a, Vec2 const& b) { return a.y() < b.y(); });
-    auto const leftmost = *std::min_element(points.begin(), points.end(), [](Vec2 const& a, Vec2 const& b) { return a.x() < b.x(); });
+    auto const highest =
+        *std::max_element(points.begin(), points.end(), [](Vec2 const& a, Vec2 const& b) { return a.y() < b.y(); });
+    auto const lowest =
+        *std::min_element(points.begin(), points.end(), [](Vec2 const& a, Vec2 const& b) { return a.y() < b.y(); });
+    auto const leftmost =
+        *std::min_element(points.begin(), points.end(), [](Vec2 const& a, Vec2 const& b) { return a.x() < b.x(); });
     // numbers are typed with finitely many digits
     constexpr double typed = 1e-9;
     // a spline through measured points may swing this far beyond a round tip
@@ -131,9 +134,10 @@ void judge_flank(std::vector<FlankSegment> const& right_flank, FamilyChoice cons
     if (lowest.y() < bottom - swing * height)
         refuse("the flank falls below its root at " + short_point(lowest), "end the flank at its lowest point");
     if (leftmost.x() < -typed * height)
-        refuse("the flank crosses the tooth's centre line x = 0 at " + short_point(leftmost), "give the right flank, with x of 0 or more");
+        refuse("the flank crosses the tooth's centre line x = 0 at " + short_point(leftmost),
+               "give the right flank, with x of 0 or more");
     if (auto const where = crossing(points))
         refuse("the flank crosses itself near " + short_point(*where), "give a flank without loops");
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::profile

@@ -10,9 +10,9 @@
 #include <cmath>
 #include <optional>
 
-#include "hdconj/numeric/error.hpp"
+#include "hdconj/error.hpp"
 
-namespace hdconj {
+namespace hdconj::region {
 
 namespace {
 
@@ -48,8 +48,7 @@ double position_on(std::vector<Vec2> const& polygon, int side, Vec2 const& p)
 Source source_of(Halfedge edge, std::optional<int> last)
 {
     std::optional<Source> first;
-    for (Source const& source : edge->curve().data())
-    {
+    for (Source const& source : edge->curve().data()) {
         if (last && source.curve == *last)
             return source;
         if (!first)
@@ -58,16 +57,12 @@ Source source_of(Halfedge edge, std::optional<int> last)
     return *first;
 }
 
-}  // namespace
-
-OuterBoundary outer_boundary(std::vector<std::vector<Vec2>> const& curves, int floor)
+std::vector<Traits::Curve_2> sides_of(std::vector<std::vector<Vec2>> const& curves)
 {
     std::vector<Traits::Curve_2> sides;
-    for (std::size_t c = 0; c < curves.size(); ++c)
-    {
+    for (std::size_t c = 0; c < curves.size(); ++c) {
         auto const& polygon = curves[c];
-        for (std::size_t i = 0; i + 1 < polygon.size(); ++i)
-        {
+        for (std::size_t i = 0; i + 1 < polygon.size(); ++i) {
             if (polygon[i] == polygon[i + 1])
                 continue;
             Kernel::Point_2 const a(polygon[i].x(), polygon[i].y());
@@ -75,63 +70,74 @@ OuterBoundary outer_boundary(std::vector<std::vector<Vec2>> const& curves, int f
             sides.emplace_back(SegmentTraits::Curve_2(a, b), Source{static_cast<int>(c), static_cast<int>(i)});
         }
     }
+    return sides;
+}
+
+/// The vertices at both ends of a curve; nothing where the arrangement has none there.
+struct EndVertices
+{
+    std::optional<Arrangement::Vertex_const_handle> first, last;
+};
+
+EndVertices end_vertices(Arrangement const& arrangement, std::vector<Vec2> const& curve)
+{
+    EndVertices found;
+    for (auto v = arrangement.vertices_begin(); v != arrangement.vertices_end(); ++v) {
+        Vec2 const p = rounded(v);
+        if (p == curve.front())
+            found.first = v;
+        if (p == curve.back())
+            found.last = v;
+    }
+    return found;
+}
+
+/// Adds an edge that runs along @p polygon of the curve of @p source to the runs: to the last one where it goes on.
+void add_edge(Halfedge edge, Source const& source, std::vector<Vec2> const& polygon, std::vector<BoundaryRun>& runs)
+{
+    double const begin = position_on(polygon, source.side, rounded(edge->source()));
+    double const end = position_on(polygon, source.side, rounded(edge->target()));
+    bool const forward = runs.empty() || runs.back().end >= runs.back().begin;
+    bool const same_way = forward == (end >= begin);
+    // the walk is contiguous on a curve when this edge starts where the run stopped
+    constexpr double adjoining = 1e-6;  // in vertices: positions are rounded projections
+    if (!runs.empty() && runs.back().curve == source.curve && same_way && std::abs(runs.back().end - begin) < adjoining)
+        runs.back().end = end;
+    else
+        runs.push_back({source.curve, begin, end});
+}
+
+}  // namespace
+
+OuterBoundary outer_boundary(std::vector<std::vector<Vec2>> const& curves, int floor)
+{
+    std::vector<Traits::Curve_2> const sides = sides_of(curves);
     Arrangement arrangement;
     CGAL::insert(arrangement, sides.begin(), sides.end());
-
-    auto const& base = curves[static_cast<std::size_t>(floor)];
-    Arrangement::Vertex_const_handle start;
-    Arrangement::Vertex_const_handle goal;
-    bool has_start = false;
-    bool has_goal = false;
-    for (auto v = arrangement.vertices_begin(); v != arrangement.vertices_end(); ++v)
-    {
-        Vec2 const p = rounded(v);
-        if (p == base.front())
-        {
-            start = v;
-            has_start = true;
-        }
-        if (p == base.back())
-        {
-            goal = v;
-            has_goal = true;
-        }
-    }
-    if (!has_start || !has_goal || start->degree() != 1)
-        throw NumericalError("region", "tip circle", "the arrangement has no free floor to walk along");
+    auto const [start, goal] = end_vertices(arrangement, curves[static_cast<std::size_t>(floor)]);
+    if (!start || !goal || (*start)->degree() != 1)
+        throw NumericalError(ErrorCode::no_land, "region", "tip circle",
+                             "the arrangement has no free floor to walk along");
 
     OuterBoundary result;
     result.segments = sides.size();
-    Halfedge edge = start->incident_halfedges()->twin();
+    Halfedge edge = (*start)->incident_halfedges()->twin();
     auto const outside = edge->face();
     std::optional<int> last;
-    for (std::size_t steps = 0; steps <= 2 * arrangement.number_of_edges(); ++steps)
-    {
+    for (std::size_t steps = 0; steps <= 2 * arrangement.number_of_edges(); ++steps) {
         Source const source = source_of(edge, last);
-        bool const sticks_out = source.curve != floor && edge->twin()->face() == outside;
-        if (sticks_out)
+        if (source.curve != floor && edge->twin()->face() == outside) {
             result.loose.push_back(rounded(edge->target()));
-        if (!sticks_out)
-        {
-            auto const& polygon = curves[static_cast<std::size_t>(source.curve)];
-            double const begin = position_on(polygon, source.side, rounded(edge->source()));
-            double const end = position_on(polygon, source.side, rounded(edge->target()));
-            bool const forward = result.runs.empty() || result.runs.back().end >= result.runs.back().begin;
-            bool const same_way = forward == (end >= begin);
-            // the walk is contiguous on a curve when this edge starts where the run stopped
-            constexpr double adjoining = 1e-6;  // in vertices: positions are rounded projections
-            if (!result.runs.empty() && result.runs.back().curve == source.curve && same_way
-                && std::abs(result.runs.back().end - begin) < adjoining)
-                result.runs.back().end = end;
-            else
-                result.runs.push_back({source.curve, begin, end});
+        } else {
+            add_edge(edge, source, curves[static_cast<std::size_t>(source.curve)], result.runs);
             last = source.curve;
         }
-        if (edge->target() == goal)
+        if (edge->target() == *goal)
             return result;
         edge = edge->next();
     }
-    throw NumericalError("region", "tip circle", "the walk along the boundary does not come back to the tip circle");
+    throw NumericalError(ErrorCode::no_land, "region", "tip circle",
+                         "the walk along the boundary does not come back to the tip circle");
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::region

@@ -2,37 +2,39 @@
 // Tilt, slices and contact: what is made of the teeth along the axis.
 #include <cmath>
 
+#include "base/text.hpp"
 #include "cross_faults.hpp"
-#include "text.hpp"
+#include "hdconj/units.hpp"
 
-namespace hdconj::detail {
+namespace hdconj::scene {
 namespace {
 
 void check_tilt(SceneReading const& reading, Faults& faults)
 {
     auto const& scene = reading.scene;
-    if (!scene.tilt) {
+    if (!scene.tilt)
         return;
-    }
-    bool const too_steep = std::abs(scene.tilt->angle) >= bounds::largest_tilt_deg * rad_per_deg;
+    bool const too_steep = std::abs(scene.tilt->angle) >= bounds::largest_tilt_deg * deg;
     if (too_steep && knows(reading, {"tilt.angle_deg"})) {
         faults.push_back(
-            fault_at("tilt.angle_deg", number_text(scene.tilt->angle / rad_per_deg),
+            fault_at("tilt.angle_deg", number_text(scene.tilt->angle / deg),
                      "teeth are not tilted by " + number_text(bounds::largest_tilt_deg) + " degrees or more",
                      "write an angle in degrees between -45 and 45, such as angle_deg = 0.2"));
     }
     bool const both = scene.slices && knows(reading, {"tilt.kind", "slices.surface"});
-    if (both && scene.tilt->kind == "draft" && scene.slices->surface != "tilted") {
+    if (both && scene.tilt->kind == TiltKind::draft && scene.slices->surface != ToothSurface::tilted) {
         faults.push_back(fault_at("tilt.kind", "\"draft\"",
                                   "a draft needs one outline to offset, but surface " +
-                                      in_quotes(scene.slices->surface) + " has an outline for each slice",
+                                      in_quotes(to_string(scene.slices->surface)) + " has an outline for each slice",
                                   "write kind = \"radial\", or surface = \"tilted\" in [slices]"));
     }
-    bool const upright = scene.slices && scene.circular_spline.width && knows(reading, {"tilt.angle_deg", "circular_spline.inner_radius"});
+    bool const upright = scene.slices && scene.circular_spline.width &&
+                         knows(reading, {"tilt.angle_deg", "circular_spline.inner_radius"});
     double const rise = upright ? *scene.circular_spline.width / 2 * std::tan(std::abs(scene.tilt->angle)) : 0;
     if (upright && !too_steep && scene.circular_spline.inner_radius && rise >= *scene.circular_spline.inner_radius) {
-        faults.push_back(fault_at("tilt.angle_deg", number_text(scene.tilt->angle / rad_per_deg),
-                                  "over half the width of " + number_text(*scene.circular_spline.width) + " mm the tip circle would shrink to nothing",
+        faults.push_back(fault_at("tilt.angle_deg", number_text(scene.tilt->angle / deg),
+                                  "over half the width of " + number_text(*scene.circular_spline.width) +
+                                      " mm the tip circle would shrink to nothing",
                                   "write a smaller angle, such as angle_deg = 0.2"));
     }
 }
@@ -53,9 +55,11 @@ void check_axial_reverse(SceneReading const& reading, Faults& faults)
     auto const& scene = reading.scene;
     auto const refuse = [&](std::string const& table, auto const& effect) {
         if (scene.is_reverse() && effect) {
-            faults.push_back({table, effect->line, "", "axial effects need the flexspline's tooth, but the circular spline's is given",
-                              "remove [" + table + "], or give [flexspline.profile] in place of [circular_spline.profile]",
-                              effect->line > 0 ? "" : "--set"});
+            faults.push_back(
+                {table, effect->line, "",
+                 "axial effects need the flexspline's tooth, but the circular spline's is given",
+                 "remove [" + table + "], or give [flexspline.profile] in place of [circular_spline.profile]",
+                 effect->line > 0 ? "" : "--set"});
         }
     };
     refuse("coning", scene.coning);
@@ -63,7 +67,8 @@ void check_axial_reverse(SceneReading const& reading, Faults& faults)
     refuse("slices", scene.slices);
     refuse("contact", scene.contact);
     if (scene.is_reverse() && scene.circular_spline.automatic_backlash) {
-        faults.push_back(fault_at("circular_spline.backlash_offset", "\"auto\"", "needs the flexspline's tooth, but the circular spline's is given",
+        faults.push_back(fault_at("circular_spline.backlash_offset", "\"auto\"",
+                                  "needs the flexspline's tooth, but the circular spline's is given",
                                   "write a length in mm, such as 0.02"));
     }
 }
@@ -71,8 +76,10 @@ void check_axial_reverse(SceneReading const& reading, Faults& faults)
 void check_contact(SceneReading const& reading, Faults& faults)
 {
     auto const& scene = reading.scene;
-    if (scene.contact && knows(reading, {"contact.contact_gap", "drive.module"}) && scene.contact->gap > scene.drive.module / 10) {
-        faults.push_back(fault_at("contact.contact_gap", number_text(scene.contact->gap), "flanks a tenth of the module apart do not touch",
+    if (scene.contact && knows(reading, {"contact.contact_gap", "drive.module"}) &&
+        scene.contact->gap > scene.drive.module / 10) {
+        faults.push_back(fault_at("contact.contact_gap", number_text(scene.contact->gap),
+                                  "flanks a tenth of the module apart do not touch",
                                   "write at most " + number_text(scene.drive.module / 10) + ", such as 0.001"));
     }
 }
@@ -87,4 +94,4 @@ void add_axial_faults(SceneReading const& reading, Faults& faults)
     check_contact(reading, faults);
 }
 
-}  // namespace hdconj::detail
+}  // namespace hdconj::scene

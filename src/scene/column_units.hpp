@@ -9,7 +9,7 @@
 
 #include "hdconj/scene/number_pairs.hpp"
 
-namespace hdconj::detail {
+namespace hdconj::scene {
 
 /// What a header says of its two columns.
 struct ColumnUnits
@@ -19,7 +19,8 @@ struct ColumnUnits
     std::string remedy;
 };
 
-/// Reads the units of @p header: "x [inch]", "angle (rad)", "x_mm", "angle um", or the unit alone. A column without one is in mm or degrees.
+/// Reads the units of @p header: "x [inch]", "angle (rad)", "x_mm", "angle um", or the unit alone. A column without one
+/// is in mm or degrees.
 [[nodiscard]] ColumnUnits column_units(std::string_view header, std::array<ColumnQuantity, 2> const& columns);
 
-}  // namespace hdconj::detail
+}  // namespace hdconj::scene

@@ -5,9 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace hdconj {
-namespace detail {
-
+namespace hdconj::scene {
 bool knows(SceneReading const& reading, std::initializer_list<std::string_view> paths)
 {
     return std::all_of(paths.begin(), paths.end(),
@@ -19,19 +17,16 @@ Fault fault_at(std::string path, std::string value, std::string reason, std::str
     return {std::move(path), 0, std::move(value), std::move(reason), std::move(remedy)};
 }
 
-}  // namespace detail
-
 Faults cross_faults(SceneReading const& reading)
 {
     Faults faults;
-    detail::add_pair_faults(reading, faults);
-    detail::add_cup_faults(reading, faults);
-    detail::add_axial_faults(reading, faults);
-    if (reading.scene.wedm) {
-        detail::add_wedm_faults(reading, faults);
-    }
+    add_pair_faults(reading, faults);
+    add_cup_faults(reading, faults);
+    add_axial_faults(reading, faults);
+    if (reading.scene.wedm)
+        add_wedm_faults(reading, faults);
     locate(faults, reading.scene);
     return faults;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::scene

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What must hold between values of a scene, table by table; private to src/scene. Each adds what it finds to @p faults.
+/// What must hold between values of a scene, table by table; private to src/scene. Each adds what it finds to @p
+/// faults.
 #pragma once
 
 #include <initializer_list>
@@ -9,7 +10,7 @@
 
 #include "hdconj/scene/reading.hpp"
 
-namespace hdconj::detail {
+namespace hdconj::scene {
 
 /// Teeth, wall, deformation and clearances of the pair in one plane.
 void add_pair_faults(SceneReading const& reading, Faults& faults);
@@ -29,4 +30,4 @@ void add_wedm_faults(SceneReading const& reading, Faults& faults);
 /// A fault whose place is found later, by its path.
 [[nodiscard]] Fault fault_at(std::string path, std::string value, std::string reason, std::string remedy);
 
-}  // namespace hdconj::detail
+}  // namespace hdconj::scene

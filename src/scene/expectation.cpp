@@ -2,19 +2,18 @@
 // What a key takes, in words.
 #include <cmath>
 
-#include "judge_value.hpp"
-#include "text.hpp"
+#include "base/text.hpp"
+#include "validate_value.hpp"
 
-namespace hdconj::detail {
+namespace hdconj::scene {
 namespace {
 
 /// "at least 4 [x, y], in mm"
 std::string rows_expectation(ParameterSpec const& spec)
 {
     std::string forms;
-    for (auto const form : spec.words) {
+    for (auto const form : spec.words)
         forms += (forms.empty() ? "" : " or ") + std::string(form);
-    }
     bool const has_angles = forms.find("_deg") != std::string::npos;
     std::string const least = std::isfinite(spec.at_least) ? "at least " + number_text(spec.at_least) + " " : "";
     return least + forms + (has_angles ? ", in mm and degrees" : ", in mm");
@@ -56,15 +55,12 @@ std::string expectation(ParameterSpec const& spec)
     std::string const base = base_expectation(spec);
     bool const below = std::isfinite(spec.at_least);
     bool const above = std::isfinite(spec.at_most);
-    if (spec.quantity == Quantity::rows) {
+    if (spec.quantity == Quantity::rows)
         return base;
-    }
-    if (below && above) {
+    if (below && above)
         return base + " from " + number_text(spec.at_least) + " to " + number_text(spec.at_most);
-    }
-    if (below) {
+    if (below)
         return base + ", at least " + number_text(spec.at_least);
-    }
     return above ? base + ", at most " + number_text(spec.at_most) : base;
 }
 
@@ -76,4 +72,4 @@ std::string write_instead(ParameterSpec const& spec, std::string_view example)
                                           : text + ", such as " + std::string(spec.key) + " = " + std::string(example);
 }
 
-}  // namespace hdconj::detail
+}  // namespace hdconj::scene

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace hdconj {
+namespace hdconj::scene {
 
 std::vector<FamilyDescription> const& SceneFamilies::of(FamilyKind kind) const
 {
@@ -19,7 +19,6 @@ std::vector<FamilyDescription> const& SceneFamilies::of(FamilyKind kind) const
     return no_families;
 }
 
-namespace detail {
 namespace {
 
 std::string_view parent_of(std::string_view path)
@@ -33,9 +32,8 @@ std::string_view parent_of(std::string_view path)
 TableSpec const* find_table(std::string_view path)
 {
     for (auto const& table : scene_schema()) {
-        if (table.path == path) {
+        if (table.path == path)
             return &table;
-        }
     }
     return nullptr;
 }
@@ -50,9 +48,8 @@ std::vector<std::string_view> tables_in(std::string_view parent)
 {
     std::vector<std::string_view> found;
     for (auto const& table : scene_schema()) {
-        if (parent_of(table.path) == parent) {
+        if (parent_of(table.path) == parent)
             found.push_back(table.path);
-        }
     }
     return found;
 }
@@ -60,13 +57,11 @@ std::vector<std::string_view> tables_in(std::string_view parent)
 std::vector<ParameterSpec const*> keys_of(TableSpec const& table, SceneFamilies const& families)
 {
     std::vector<ParameterSpec const*> keys;
-    for (auto const& key : table.keys) {
+    for (auto const& key : table.keys)
         keys.push_back(&key.spec);
-    }
     for (auto const& family : families.of(table.families)) {
-        for (auto const& parameter : family.parameters) {
+        for (auto const& parameter : family.parameters)
             keys.push_back(&parameter);
-        }
     }
     return keys;
 }
@@ -75,9 +70,8 @@ std::optional<std::string> key_elsewhere(std::string_view key, std::string_view 
 {
     for (auto const& table : scene_schema()) {
         auto const keys = table.path == except ? std::vector<ParameterSpec const*>{} : keys_of(table, families);
-        if (std::any_of(keys.begin(), keys.end(), [key](ParameterSpec const* spec) { return spec->key == key; })) {
+        if (std::any_of(keys.begin(), keys.end(), [key](ParameterSpec const* spec) { return spec->key == key; }))
             return join(table.path, key);
-        }
     }
     return std::nullopt;
 }
@@ -87,5 +81,4 @@ std::string join(std::string_view parent, std::string_view name)
     return parent.empty() ? std::string(name) : std::string(parent) + "." + std::string(name);
 }
 
-}  // namespace detail
-}  // namespace hdconj
+}  // namespace hdconj::scene

@@ -11,7 +11,7 @@
 
 #include "hdconj/scene/reading.hpp"
 
-namespace hdconj::detail {
+namespace hdconj::scene {
 
 /// The table @p path of the schema; null when there is none.
 [[nodiscard]] TableSpec const* find_table(std::string_view path);
@@ -32,4 +32,4 @@ namespace hdconj::detail {
 /// `parent.name`, or `name` in the top table.
 [[nodiscard]] std::string join(std::string_view parent, std::string_view name);
 
-}  // namespace hdconj::detail
+}  // namespace hdconj::scene

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.hpp"
 #include "cross_faults.hpp"
-#include "hdconj/scene/tolerance_limits.hpp"
-#include "text.hpp"
+#include "tolerance_limits.hpp"
 
-namespace hdconj::detail {
+namespace hdconj::scene {
 namespace {
 
 /// An inner radius further than this share from the one that module and teeth give is a typing error.
@@ -20,9 +20,8 @@ double pitch_radius(Scene const& scene)
 
 void check_teeth(SceneReading const& reading, Faults& faults)
 {
-    if (!knows(reading, {"drive.flexspline_teeth", "drive.circular_spline_teeth", "wave_generator.waves"})) {
+    if (!knows(reading, {"drive.flexspline_teeth", "drive.circular_spline_teeth", "wave_generator.waves"}))
         return;
-    }
     auto const& drive = reading.scene.drive;
     int const waves = reading.scene.wave_generator.waves;
     int const more = drive.circular_spline_teeth - drive.flexspline_teeth;
@@ -35,9 +34,8 @@ void check_teeth(SceneReading const& reading, Faults& faults)
                                   "write " + std::to_string(drive.flexspline_teeth + waves) +
                                       ", flexspline_teeth plus waves, or another small multiple of waves more"));
     }
-    if (meets) {
+    if (meets)
         return;
-    }
     int const right = drive.flexspline_teeth + std::max(1, (more + waves / 2) / waves) * waves;
     faults.push_back(fault_at("drive.circular_spline_teeth", std::to_string(drive.circular_spline_teeth),
                               "must be flexspline_teeth = " + std::to_string(drive.flexspline_teeth) +
@@ -48,9 +46,8 @@ void check_teeth(SceneReading const& reading, Faults& faults)
 
 void check_tolerance(SceneReading const& reading, Faults& faults)
 {
-    if (!knows(reading, {"solver.tolerance", "drive.module"})) {
+    if (!knows(reading, {"solver.tolerance", "drive.module"}))
         return;
-    }
     double const tolerance = reading.scene.solver.tolerance;
     double const largest = largest_tolerance(reading.scene.drive);
     if (tolerance > largest) {
@@ -58,9 +55,8 @@ void check_tolerance(SceneReading const& reading, Faults& faults)
                                   "above a tenth of the module says nothing about a tooth",
                                   "write at most " + number_text(largest) + ", such as 1e-6"));
     }
-    if (!knows(reading, {"drive.flexspline_teeth"})) {
+    if (!knows(reading, {"drive.flexspline_teeth"}))
         return;
-    }
     double const least = least_tolerance(reading.scene.drive);
     if (tolerance < least) {
         faults.push_back(fault_at(
@@ -81,9 +77,8 @@ void check_wall(SceneReading const& reading, Faults& faults)
                                       number_text(scene.flexspline.wall / 2)));
     }
     auto const dedendum = scene.flexspline_dedendum();
-    if (!dedendum || !knows(reading, {"flexspline.wall", "drive.module", "drive.flexspline_teeth"})) {
+    if (!dedendum || !knows(reading, {"flexspline.wall", "drive.module", "drive.flexspline_teeth"}))
         return;
-    }
     double const hole = pitch_radius(scene) - *dedendum - scene.flexspline.wall;
     if (!knows(reading, {"flexspline.inner_radius"}) && hole <= 0) {
         faults.push_back(fault_at("flexspline.wall", number_text(scene.flexspline.wall),
@@ -112,9 +107,8 @@ void check_deformation(SceneReading const& reading, Faults& faults)
 {
     auto const& scene = reading.scene;
     auto const w0 = scene.wave_generator.shape.number("radial_deformation");
-    if (!w0 || !knows(reading, {"drive.module", "drive.flexspline_teeth", "wave_generator.waves"})) {
+    if (!w0 || !knows(reading, {"drive.module", "drive.flexspline_teeth", "wave_generator.waves"}))
         return;
-    }
     // rho = r_0 + w0 cos(n u) has a hollow where w0 (n^2 + 1) > r_0.
     double const waves = scene.wave_generator.waves;
     double const largest = pitch_radius(scene) / (waves * waves + 1);
@@ -139,11 +133,13 @@ void check_clearance(SceneReading const& reading, std::string const& key, double
 void check_reverse(SceneReading const& reading, Faults& faults)
 {
     auto const& scene = reading.scene;
-    if (scene.is_reverse() && knows(reading, {"circular_spline.root_clearance"}) && scene.circular_spline.root_clearance > 0) {
-        faults.push_back(fault_at("circular_spline.root_clearance", number_text(scene.circular_spline.root_clearance),
-                                  "the depth of the circular spline's tooth space is told by its given tooth",
-                                  "write a larger circular_spline.profile.dedendum (or flexspline.dedendum for the other "
-                                  "member) and remove this key"));
+    if (scene.is_reverse() && knows(reading, {"circular_spline.root_clearance"}) &&
+        scene.circular_spline.root_clearance > 0) {
+        faults.push_back(
+            fault_at("circular_spline.root_clearance", number_text(scene.circular_spline.root_clearance),
+                     "the depth of the circular spline's tooth space is told by its given tooth",
+                     "write a larger circular_spline.profile.dedendum (or flexspline.dedendum for the other "
+                     "member) and remove this key"));
     }
 }
 
@@ -161,4 +157,4 @@ void add_pair_faults(SceneReading const& reading, Faults& faults)
     check_reverse(reading, faults);
 }
 
-}  // namespace hdconj::detail
+}  // namespace hdconj::scene

@@ -3,17 +3,17 @@
 
 #include <utility>
 
+#include "base/text.hpp"
 #include "hdconj/scene/parameter_fault.hpp"
-#include "text.hpp"
+#include "value_text.hpp"
 
-namespace hdconj {
+namespace hdconj::scene {
 
 std::optional<double> FamilyChoice::number(std::string_view key) const
 {
     auto const found = given.find(key);
-    if (found == given.end()) {
+    if (found == given.end())
         return std::nullopt;
-    }
     auto const* const value = std::get_if<double>(&found->second.value);
     return value != nullptr ? std::optional<double>(*value) : std::nullopt;
 }
@@ -26,9 +26,8 @@ double FamilyChoice::number_or(std::string_view key, double otherwise) const
 std::optional<std::string> FamilyChoice::word(std::string_view key) const
 {
     auto const found = given.find(key);
-    if (found == given.end()) {
+    if (found == given.end())
         return std::nullopt;
-    }
     auto const* const value = std::get_if<std::string>(&found->second.value);
     return value != nullptr ? std::optional<std::string>(*value) : std::nullopt;
 }
@@ -37,9 +36,8 @@ NumberRows const& FamilyChoice::rows(std::string_view key) const
 {
     static NumberRows const none;
     auto const found = given.find(key);
-    if (found == given.end()) {
+    if (found == given.end())
         return none;
-    }
     auto const* const value = std::get_if<NumberRows>(&found->second.value);
     return value != nullptr ? *value : none;
 }
@@ -53,12 +51,13 @@ int FamilyChoice::line_of(std::string_view key) const
 std::string FamilyChoice::text_of(std::string_view key) const
 {
     auto const found = given.find(key);
-    return found == given.end() ? std::string{} : detail::value_text(found->second.value);
+    return found == given.end() ? std::string{} : value_text(found->second.value);
 }
 
 Fault parameter_fault(FamilyChoice const& choice, std::string_view key, std::string reason, std::string remedy)
 {
-    return {choice.path + "." + std::string(key), choice.line_of(key), choice.text_of(key), std::move(reason), std::move(remedy)};
+    return {choice.path + "." + std::string(key), choice.line_of(key), choice.text_of(key), std::move(reason),
+            std::move(remedy)};
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::scene

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/scene/plan.hpp"
+#include "hdconj/plan.hpp"
 
 #include <algorithm>
 
+#include "base/text.hpp"
 #include "hdconj/scene/schema.hpp"
-#include "text.hpp"
+#include "hdconj/units.hpp"
 
 namespace hdconj {
 namespace {
-
-using detail::in_quotes;
-using detail::number_text;
 
 std::string in_mm(double value)
 {
@@ -26,14 +24,17 @@ std::vector<PlannedStage> base_stages(Scene const& scene)
     std::string const elastic = "coning.model = \"elastic\": displacements of the cup";
     std::vector<PlannedStage> stages{{Stage::profile, tooth + ".family = " + in_quotes(scene.given_profile().family)}};
     if (scene.is_elastic() && scene.bearing) {
-        stages.push_back({Stage::cup, std::string("coning.model = \"elastic\", bearing.type = ") + (scene.bearing->elastic ? "\"elastic\"" : "\"rigid\"")});
+        stages.push_back({Stage::cup, std::string("coning.model = \"elastic\", bearing.type = ") +
+                                          (scene.bearing->elastic ? "\"elastic\"" : "\"rigid\"")});
     }
     for (PlannedStage const& stage : std::vector<PlannedStage>{
-            {Stage::neutral_curve, "wave_generator.family = " + in_quotes(scene.wave_generator.shape.family) +
-                                       ", waves = " + std::to_string(scene.wave_generator.waves)},
-            {Stage::motion, scene.is_elastic() ? elastic + " (solver.kinematics is not asked)" : "solver.kinematics = " + in_quotes(to_string(scene.solver.kinematics))},
-            {Stage::envelope, "always: where the " + swept + " tooth can touch"},
-            {Stage::region, solved}}) {
+             {Stage::neutral_curve, "wave_generator.family = " + in_quotes(scene.wave_generator.shape.family) +
+                                        ", waves = " + std::to_string(scene.wave_generator.waves)},
+             {Stage::motion, scene.is_elastic()
+                                 ? elastic + " (solver.kinematics is not asked)"
+                                 : "solver.kinematics = " + in_quotes(to_string(scene.solver.kinematics))},
+             {Stage::envelope, "always: where the " + swept + " tooth can touch"},
+             {Stage::region, solved}}) {
         stages.push_back(stage);
     }
     return stages;
@@ -47,8 +48,9 @@ bool has_slices(Scene const& scene)
 /// Whether slices need motions of their own.
 bool cones(Scene const& scene, Verb verb)
 {
-    bool const own_outlines = has_slices(scene) && scene.slices->surface != "tilted";
-    return scene.coning && (verb != Verb::solve || own_outlines || (scene.circular_spline.automatic_backlash && has_slices(scene)));
+    bool const own_outlines = has_slices(scene) && scene.slices->surface != ToothSurface::tilted;
+    return scene.coning &&
+           (verb != Verb::solve || own_outlines || (scene.circular_spline.automatic_backlash && has_slices(scene)));
 }
 
 std::vector<AbsentEffect> absent_effects(Scene const& scene, Verb verb)
@@ -70,9 +72,13 @@ std::vector<AbsentEffect> absent_effects(Scene const& scene, Verb verb)
         absent.push_back({"slices", "a table [slices]"});
     }
     if (scene.is_elastic() && !cones(scene, verb)) {
-        absent.push_back({"coning of the surface", "[slices] with surface \"ruled\" or \"per-slice\", or the verb contact: one outline is that of z = 0"});
+        absent.push_back(
+            {"coning of the surface",
+             "[slices] with surface \"ruled\" or \"per-slice\", or the verb contact: one outline is that of z = 0"});
     } else if (scene.coning && !cones(scene, verb)) {
-        absent.push_back({"coning of the surface", "[slices] with surface \"ruled\" or \"per-slice\", or the verb contact: one outline is that of z = 0, which the cone leaves as it is"});
+        absent.push_back({"coning of the surface",
+                          "[slices] with surface \"ruled\" or \"per-slice\", or the verb contact: one outline is that "
+                          "of z = 0, which the cone leaves as it is"});
     }
     if (scene.tilt && !has_slices(scene)) {
         absent.push_back({"tilt of the surface", "[slices] with count above 1: at z = 0 the tilt moves nothing"});
@@ -89,9 +95,8 @@ std::vector<AbsentEffect> absent_effects(Scene const& scene, Verb verb)
 std::size_t widest(std::vector<std::string> const& texts)
 {
     std::size_t width = 0;
-    for (auto const& text : texts) {
+    for (auto const& text : texts)
         width = std::max(width, text.size());
-    }
     return width;
 }
 
@@ -100,9 +105,8 @@ std::string in_columns(std::vector<std::string> const& left, std::vector<std::st
 {
     std::size_t const width = widest(left) + 2;
     std::string text;
-    for (std::size_t i = 0; i < left.size(); ++i) {
+    for (std::size_t i = 0; i < left.size(); ++i)
         text += "  " + left[i] + std::string(width - left[i].size(), ' ') + right[i] + "\n";
-    }
     return text;
 }
 
@@ -173,20 +177,25 @@ Plan make_plan(Scene const& scene, Verb verb)
     }
     plan.stages.push_back({Stage::interference, "always: the finished pair over a full turn"});
     if (cones(scene, verb)) {
-        plan.stages.push_back({Stage::coning, "coning.model = " + in_quotes(scene.coning->model)});
+        plan.stages.push_back({Stage::coning, "coning.model = " + in_quotes(to_string(scene.coning->model))});
     }
     if (has_slices(scene)) {
-        plan.stages.push_back({Stage::surface, "slices.count = " + std::to_string(scene.slices->count) + ", surface = " + in_quotes(scene.slices->surface)});
+        plan.stages.push_back({Stage::surface, "slices.count = " + std::to_string(scene.slices->count) +
+                                                   ", surface = " + in_quotes(to_string(scene.slices->surface))});
     } else if (verb != Verb::solve) {
-        plan.stages.push_back({Stage::surface, verb == Verb::contact ? "contact: points of both flanks" : "load: points of both flanks"});
+        plan.stages.push_back(
+            {Stage::surface, verb == Verb::contact ? "contact: points of both flanks" : "load: points of both flanks"});
     }
     if (scene.tilt && has_slices(scene)) {
-        plan.stages.push_back({Stage::tilt, "tilt.angle_deg = " + number_text(scene.tilt->angle / rad_per_deg) + ", kind = " + in_quotes(scene.tilt->kind)});
+        plan.stages.push_back({Stage::tilt, "tilt.angle_deg = " + number_text(scene.tilt->angle / deg) +
+                                                ", kind = " + in_quotes(to_string(scene.tilt->kind))});
     }
     if (verb != Verb::solve || spline.automatic_backlash) {
-        plan.stages.push_back({Stage::clearance, spline.automatic_backlash  ? "circular_spline.backlash_offset = \"auto\""
-                                                 : verb == Verb::contact ? "contact: every slice over a full turn"
-                                                                         : "load: side clearance, if the scene's leaves the assembled teeth none"});
+        plan.stages.push_back(
+            {Stage::clearance, spline.automatic_backlash ? "circular_spline.backlash_offset = \"auto\""
+                               : verb == Verb::contact
+                                   ? "contact: every slice over a full turn"
+                                   : "load: side clearance, if the scene's leaves the assembled teeth none"});
     }
     if (verb == Verb::contact) {
         plan.stages.push_back({Stage::gap_map, "contact: gaps of all teeth"});

@@ -5,10 +5,10 @@
 #include <cstddef>
 #include <numbers>
 
+#include "hdconj/error.hpp"
 #include "hdconj/numeric/bracketed_root.hpp"
-#include "hdconj/numeric/error.hpp"
 
-namespace hdconj {
+namespace hdconj::wavegen {
 
 EllipseCam::EllipseCam(double w0, double r_m) : w0_(w0), a_(r_m + w0), b_(a_)
 {
@@ -19,11 +19,12 @@ EllipseCam::EllipseCam(double w0, double r_m) : w0_(w0), a_(r_m + w0), b_(a_)
     };
     double const flat = excess(0);
     if (!(flat < 0))
-        throw NumericalError("wave generator", "ellipse", "an ellipse with this major axis is longer than the ring even when flat");
-    b_ = bracketed_root(excess, 0.0, a_, flat, excess(a_)).x;
+        throw NumericalError(ErrorCode::no_solution, "wave generator", "ellipse",
+                             "an ellipse with this major axis is longer than the ring even when flat");
+    b_ = numeric::bracketed_root(excess, 0.0, a_, flat, excess(a_)).x;
 }
 
-EllipseCam EllipseCam::build(FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults& faults)
+EllipseCam EllipseCam::build(scene::FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults& faults)
 {
     std::size_t const before = faults.size();
     double const w0 = choice.number_or(radial_deformation, 0);
@@ -32,9 +33,10 @@ EllipseCam EllipseCam::build(FamilyChoice const& choice, WaveGeneratorPlace cons
     if (!(place.r_m > 0))
         return {};  // the tooth or the ring has faults of its own
     if (!(w0 < (std::numbers::pi / 2 - 1) * place.r_m))
-        faults.push_back(parameter_fault(choice, radial_deformation, "an ellipse with this major axis is longer than the ring even when flat",
-                                         "write a smaller number, about one module"));
+        faults.push_back(scene::parameter_fault(
+            choice, radial_deformation, "an ellipse with this major axis is longer than the ring even when flat",
+            "write a smaller number, about one module"));
     return faults.size() > before ? EllipseCam{} : EllipseCam(w0, place.r_m);
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::wavegen

@@ -3,20 +3,19 @@
 
 #include <numbers>
 
-#include "hdconj/numeric/error.hpp"
-#include "hdconj/numeric/tolerance.hpp"
+#include "hdconj/base/tolerance.hpp"
+#include "hdconj/error.hpp"
 #include "hdconj/wavegen/cosine_cam.hpp"
 #include "hdconj/wavegen/neutral_curve.hpp"
 
-namespace hdconj {
+namespace hdconj::wavegen {
 
 RingOnCam::RingOnCam(double w0, int n, double t, double r_m)
     : w0_(w0), n_(n), t_(t), cam_(NeutralCurve<CosineCam>(CosineCam{w0, n}, r_m - t).r_0())
 {
     // the parallel curve has a cusp where the cam is hollow with a radius of t
     constexpr int probes = 256;
-    for (int i = 0; i <= probes; ++i)
-    {
+    for (int i = 0; i <= probes; ++i) {
         double const x = std::numbers::pi * i / probes;
         double const r = cam_ + w0 * std::cos(x);
         double const r1 = -n * w0 * std::sin(x);
@@ -24,7 +23,8 @@ RingOnCam::RingOnCam(double w0, int n, double t, double r_m)
         double const s2 = r * r + r1 * r1;
         double const bend = (s2 + r1 * r1 - r * r2) / (s2 * std::sqrt(s2));
         if (!(1 + t * bend > 0))
-            throw NumericalError("wave generator", "ring on a cosine cam", "the cam is hollow with a smaller radius than the ring is thick");
+            throw NumericalError(ErrorCode::no_solution, "wave generator", "ring on a cosine cam",
+                                 "the cam is hollow with a smaller radius than the ring is thick");
     }
 }
 
@@ -36,8 +36,7 @@ RadialDisplacement RingOnCam::operator()(double u) const
     constexpr int budget = 50;
     double last = 1;
     double r = 0, r1 = 0, r2 = 0, r3 = 0, s2 = 0, s = 0, x = 0, y = 0, turn = 0;
-    for (int i = 0; i < budget; ++i)
-    {
+    for (int i = 0; i < budget; ++i) {
         double const sine = std::sin(k * a);
         double const cosine = std::cos(k * a);
         r = cam_ + w0_ * cosine;
@@ -52,7 +51,8 @@ RadialDisplacement RingOnCam::operator()(double u) const
         turn = (r * r2 - r1 * r1) / s2;  // chi'
         double const speed = s + t_ * (1 - turn);
         double const rho2 = x * x + y * y;
-        // tangent's share across the radius: du/da = speed cos(chi + u - a)/rho, cos of the angle of (r + i r')(x - i y)
+        // tangent's share across the radius: du/da = speed cos(chi + u - a)/rho, cos of the angle of (r + i r')(x - i
+        // y)
         double const across = (r * x + r1 * y) / s;
         double const slope = speed * across / rho2;
         double const miss = a - std::atan2(y, x) - u;
@@ -80,27 +80,25 @@ RadialDisplacement RingOnCam::operator()(double u) const
     return {rho - (cam_ + t_), rho1, rho2, rho3, std::sin(k * u), std::cos(k * u)};
 }
 
-RingOnCam RingOnCam::build(FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults& faults)
+RingOnCam RingOnCam::build(scene::FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults& faults)
 {
     double const w0 = choice.number_or(radial_deformation, 0);
     double const t = choice.number_or("ring_thickness", 0);
     if (!(place.r_m > 0))
         return {};
-    if (!(t + w0 < place.r_m))
-    {
-        faults.push_back(parameter_fault(choice, "ring_thickness", "leaves no cam inside a neutral curve of radius " + std::to_string(place.r_m) + " mm",
-                                         "write a smaller number"));
+    if (!(t + w0 < place.r_m)) {
+        faults.push_back(scene::parameter_fault(
+            choice, "ring_thickness",
+            "leaves no cam inside a neutral curve of radius " + std::to_string(place.r_m) + " mm",
+            "write a smaller number"));
         return {};
     }
-    try
-    {
+    try {
         return {w0, place.waves, t, place.r_m};
-    }
-    catch (NumericalError const& error)
-    {
-        faults.push_back(parameter_fault(choice, radial_deformation, error.what(), "write about one module"));
+    } catch (NumericalError const& error) {
+        faults.push_back(scene::parameter_fault(choice, radial_deformation, error.what(), "write about one module"));
         return {};
     }
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::wavegen

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/wavegen/table_cam.hpp"
+#include "hdconj/units.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_spline.h>
+#include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <numeric>
 
-#include "hdconj/numeric/error.hpp"
-#include "hdconj/numeric/tolerance.hpp"
+#include "hdconj/base/tolerance.hpp"
+#include "hdconj/error.hpp"
 #include "hdconj/scene/number_pairs.hpp"
 
-namespace hdconj {
+namespace hdconj::wavegen {
 
 namespace {
 
@@ -26,55 +27,79 @@ constexpr std::size_t fewest = 4;
 /// Whether an angle is the seam of the wave but for what typing it in some unit does to it.
 bool is_seam(double off)
 {
-    constexpr double rounding = 0x1p-40;   // rad
+    constexpr double rounding = 0x1p-40;  // rad
     return std::abs(off) <= rounding;
 }
 
-}  // namespace
-
-TableCam::TableCam(std::vector<double> const& angles, std::vector<double> const& values, int n) : n_(n)
+/// Knots in (-pi/n, pi/n], in order, and the first one a period later, with the values there.
+struct WaveRows
 {
-    gsl_set_error_handler_off();
-    double const period = 2 * std::numbers::pi / n;
-    // knots into (-pi/n, pi/n], in order
+    std::vector<double> x, y;
+};
+
+WaveRows sorted_rows(std::vector<double> const& angles, std::vector<double> const& values, double period)
+{
     std::vector<std::pair<double, double>> rows;
-    for (std::size_t i = 0; i < angles.size(); ++i)
-    {
+    for (std::size_t i = 0; i < angles.size(); ++i) {
         double u = angles[i] - period * std::round(angles[i] / period);
         if (u <= -period / 2 || is_seam(u + period / 2))
             u += period;
-        // an angle that conversion between units has moved: no stretch of its own, which no contact could be followed through
+        // an angle that conversion between units has moved: no stretch of its own, which no contact could be followed
+        // through
         if (is_seam(u - period / 2))
             u = period / 2;
         rows.emplace_back(u, values[i]);
     }
     std::sort(rows.begin(), rows.end());
-    std::vector<double> x, y;
-    for (auto const& [u, w] : rows)
-    {
-        x.push_back(u);
-        y.push_back(w);
+    WaveRows result;
+    for (auto const& [u, w] : rows) {
+        result.x.push_back(u);
+        result.y.push_back(w);
     }
-    x.push_back(x.front() + period);
-    y.push_back(y.front());
+    result.x.push_back(result.x.front() + period);
+    result.y.push_back(result.y.front());
+    return result;
+}
+
+}  // namespace
+
+double TableCam::Cubic::largest(double h) const
+{
+    auto const value = [&](double d) { return c0 + d * (c1 + d * (c2 + d * c3)); };
+    double found = value(0);
+    double const root = c2 * c2 - 3 * c1 * c3;
+    if (root >= 0)
+        for (double sign : {-1.0, 1.0}) {
+            double const d = (-c2 + sign * std::sqrt(root)) / (3 * c3);
+            if (d > 0 && d < h)
+                found = std::max(found, value(d));
+        }
+    return found;
+}
+
+TableCam::TableCam(std::vector<double> const& angles, std::vector<double> const& values, int n) : n_(n)
+{
+    gsl_set_error_handler_off();
+    double const period = 2 * std::numbers::pi / n;
+    auto const [x, y] = sorted_rows(angles, values, period);
     std::unique_ptr<gsl_spline, FreeSpline> const fit(gsl_spline_alloc(gsl_interp_cspline_periodic, x.size()));
     if (!fit)
         throw std::bad_alloc();
     if (int const status = gsl_spline_init(fit.get(), x.data(), y.data(), x.size()); status != GSL_SUCCESS)
-        throw NumericalError("wave generator", "periodic spline through the table", gsl_strerror(status));
+        throw NumericalError(ErrorCode::no_solution, "wave generator", "periodic spline through the table",
+                             gsl_strerror(status));
 
     auto spline = std::make_shared<Spline>();
     double integral = 0;
-    for (std::size_t i = 0; i + 1 < x.size(); ++i)
-    {
+    for (std::size_t i = 0; i + 1 < x.size(); ++i) {
         // a cubic from values and second derivatives at its ends
         double const h = x[i + 1] - x[i];
         double const s0 = gsl_spline_eval_deriv2(fit.get(), x[i], nullptr);
         double const s1 = gsl_spline_eval_deriv2(fit.get(), x[i + 1], nullptr);
         Cubic const c{y[i], (y[i + 1] - y[i]) / h - h * (2 * s0 + s1) / 6, s0 / 2, (s1 - s0) / (6 * h)};
         if (!std::isfinite(c.c1) || !std::isfinite(c.c2) || !std::isfinite(c.c3))
-            throw NumericalError("wave generator", "periodic spline through the table",
-                                 "two rows at " + std::to_string(x[i] * 180 / std::numbers::pi) + " deg are too close");
+            throw NumericalError(ErrorCode::no_solution, "wave generator", "periodic spline through the table",
+                                 "two rows at " + std::to_string(to_deg(x[i])) + " deg are too close");
         integral += h * (c.c0 + h * (c.c1 / 2 + h * (c.c2 / 3 + h * c.c3 / 4)));
         spline->knots.push_back(x[i]);
         spline->cubics.push_back(c);
@@ -85,24 +110,11 @@ TableCam::TableCam(std::vector<double> const& angles, std::vector<double> const&
     spline_ = spline;
 
     double odd = 0;
-    for (std::size_t i = 0; i < spline->knots.size(); ++i)
-    {
-        // largest value between knots: ends, and where the slope of the cubic vanishes
-        Cubic const& c = spline->cubics[i];
+    for (std::size_t i = 0; i < spline->knots.size(); ++i) {
         double const h = x[i + 1] - x[i];
-        auto const value = [&](double d) { return c.c0 + d * (c.c1 + d * (c.c2 + d * c.c3)); };
-        largest_ = std::max(largest_, value(0));
-        double const root = c.c2 * c.c2 - 3 * c.c1 * c.c3;
-        if (root >= 0)
-        {
-            for (double sign : {-1.0, 1.0})
-            {
-                double const d = (-c.c2 + sign * std::sqrt(root)) / (3 * c.c3);
-                if (d > 0 && d < h)
-                    largest_ = std::max(largest_, value(d));
-            }
-        }
-        odd = std::max({odd, std::abs((*this)(x[i]).w - (*this)(-x[i]).w), std::abs((*this)(x[i] + h / 2).w - (*this)(-x[i] - h / 2).w)});
+        largest_ = std::max(largest_, spline->cubics[i].largest(h));
+        odd = std::max({odd, std::abs((*this)(x[i]).w - (*this)(-x[i]).w),
+                        std::abs((*this)(x[i] + h / 2).w - (*this)(-x[i] - h / 2).w)});
     }
     even_ = odd <= 16 * unit_roundoff * (largest_ + std::abs(mean));
 }
@@ -114,69 +126,71 @@ RadialDisplacement TableCam::operator()(double u) const
     double v = u < -period / 2 || u > period / 2 ? u - period * std::round(u / period) : u;
     auto const after = std::upper_bound(s.knots.begin(), s.knots.end(), v);
     std::size_t i = static_cast<std::size_t>(after - s.knots.begin());
-    if (i == 0)
-    {
+    if (i == 0) {
         i = s.knots.size();
         v += period;
     }
     --i;
     Cubic const& c = s.cubics[i];
     double const d = v - s.knots[i];
-    return {c.c0 + d * (c.c1 + d * (c.c2 + d * c.c3)), c.c1 + d * (2 * c.c2 + d * 3 * c.c3), 2 * c.c2 + d * 6 * c.c3, 6 * c.c3};
+    return {c.c0 + d * (c.c1 + d * (c.c2 + d * c.c3)), c.c1 + d * (2 * c.c2 + d * 3 * c.c3), 2 * c.c2 + d * 6 * c.c3,
+            6 * c.c3};
 }
 
-TableCam TableCam::build(FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults& faults)
+TableCam TableCam::build(scene::FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults& faults)
 {
     std::size_t const before = faults.size();
-    NumberPairs const table = read_number_pairs(choice, "file", place.folder, {ColumnQuantity::angle, ColumnQuantity::length}, "angle in degrees, radial displacement in mm", faults);
+    scene::NumberPairs const table = scene::read_number_pairs(
+        choice, "file", place.folder, {scene::ColumnQuantity::angle, scene::ColumnQuantity::length},
+        "angle in degrees, radial displacement in mm", faults);
     if (faults.size() > before)
         return {};
     auto const refuse = [&](std::string reason, std::string remedy) {
-        faults.push_back(parameter_fault(choice, "file", std::move(reason), std::move(remedy)));
+        faults.push_back(scene::parameter_fault(choice, "file", std::move(reason), std::move(remedy)));
         return TableCam{};
     };
     double const wave = 360.0 / place.waves;
     std::vector<double> angles, values;
-    for (NumberPair const& row : table.rows)
-    {
+    for (scene::NumberPair const& row : table.rows) {
         auto const [angle, value] = row.value;
         std::string const where = "line " + std::to_string(row.line) + " of " + table.file;
-        double const radians = angle * std::numbers::pi / 180;
+        double const radians = from_deg(angle);
         if (!angles.empty() && !(radians > angles.back()))
             return refuse(where + ": the angle does not increase", "sort the rows by angle and remove repeated angles");
         constexpr double typed = 1e-9;  // degrees: the closing row may carry its own rounding
-        double const span = angles.empty() ? 0 : angle - angles.front() * 180 / std::numbers::pi;
+        double const span = angles.empty() ? 0 : angle - to_deg(angles.front());
         if (span > wave + typed)
-            return refuse(where + ": the table is longer than one wave of " + std::to_string(wave) + " degrees", "give one wave, or set waves = 1");
-        if (span >= wave - typed && span > 0)
-        {
+            return refuse(where + ": the table is longer than one wave of " + std::to_string(wave) + " degrees",
+                          "give one wave, or set waves = 1");
+        if (span >= wave - typed && span > 0) {
             double const size = std::max(std::abs(value), std::abs(values.front()));
             if (std::abs(value - values.front()) > typed * size)
-                return refuse(where + ": the closing row differs from the first one", "repeat the first value, or leave the closing row out");
+                return refuse(where + ": the closing row differs from the first one",
+                              "repeat the first value, or leave the closing row out");
             continue;
         }
         angles.push_back(radians);
         values.push_back(value);
     }
     if (angles.size() < fewest)
-        return refuse(table.file + " holds " + std::to_string(angles.size()) + " rows of one wave, a periodic spline needs 4", "write at least 4 rows");
+        return refuse(
+            table.file + " holds " + std::to_string(angles.size()) + " rows of one wave, a periodic spline needs 4",
+            "write at least 4 rows");
     auto const [low, high] = std::minmax_element(values.begin(), values.end());
     if (!(*high > *low))
         return refuse("all values are equal: the ring would stay round", "write the radial displacement over one wave");
     if (!std::isfinite(*high - *low))
         return refuse("the values differ by more than a number can hold", "write millimetres");
-    try
-    {
+    try {
         TableCam cam(angles, values, place.waves);
         // the solver counts angles from the major axis
         if (!(cam(0).w > 0))
-            return refuse("the displacement at angle 0 is below its mean: angle 0 is not at the major axis", "count the angle from the major axis");
+            return refuse("the displacement at angle 0 is below its mean: angle 0 is not at the major axis",
+                          "count the angle from the major axis");
         return cam;
-    }
-    catch (NumericalError const& error)
-    {
+    } catch (NumericalError const& error) {
         return refuse(error.what(), "remove rows that are closer than the cam was measured");
     }
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::wavegen

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/wavegen/two_disc.hpp"
+#include "hdconj/units.hpp"
 
-#include "hdconj/numeric/error.hpp"
+#include "hdconj/error.hpp"
 #include "hdconj/numeric/panel_integral.hpp"
 
-namespace hdconj {
+namespace hdconj::wavegen {
 
 TwoDisc::TwoDisc(double w0, double beta, int n, double r_m) : w0_(w0), n_(n), r_m_(r_m), breaks_{-beta, beta}
 {
@@ -15,8 +16,7 @@ TwoDisc::TwoDisc(double w0, double beta, int n, double r_m) : w0_(w0), n_(n), r_
     double now = r_m - w0;
     constexpr int budget = 60;
     double const settled = 4 * unit_roundoff * r_m;
-    for (int i = 0; i < budget; ++i)
-    {
+    for (int i = 0; i < budget; ++i) {
         if (!(now > 0))
             break;
         fit(now);
@@ -30,7 +30,8 @@ TwoDisc::TwoDisc(double w0, double beta, int n, double r_m) : w0_(w0), n_(n), r_
         if (!std::isfinite(now))
             break;
     }
-    throw NumericalError("wave generator", "two-disc", "no disc radius makes the curve as long as the ring");
+    throw NumericalError(ErrorCode::no_solution, "wave generator", "two-disc",
+                         "no disc radius makes the curve as long as the ring");
 }
 
 void TwoDisc::fit(double disc)
@@ -55,37 +56,38 @@ double TwoDisc::mean_length() const
         RadialDisplacement const d = (*this)(u);
         return std::hypot(r_m_ + d.w, d.w1);
     };
-    return PanelIntegral(element, 2 * std::numbers::pi / n_, breaks_).mean();
+    return numeric::PanelIntegral(element, 2 * std::numbers::pi / n_, breaks_).mean();
 }
 
-TwoDisc TwoDisc::build(FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults& faults)
+TwoDisc TwoDisc::build(scene::FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults& faults)
 {
     constexpr std::string_view key = "wrap_angle_deg";
-    if (place.waves < 2)
-    {
-        faults.push_back(waves_fault(choice, place.waves, "a single disc leaves the ring a circle beside the axis", "write 2 or 3"));
+    if (place.waves < 2) {
+        faults.push_back(
+            waves_fault(choice, place.waves, "a single disc leaves the ring a circle beside the axis", "write 2 or 3"));
         return {};
     }
     double const wrap = choice.number_or(key, 0);
     double const most = 90.0 / place.waves;
-    if (!(wrap < most))
-    {
-        faults.push_back(parameter_fault(choice, key, "the discs would hold the ring beyond the middle of its flanks, where it bends inwards",
-                                         "write less than " + std::to_string(static_cast<int>(most)) + " (20 to 40 are usual)"));
+    if (!(wrap < most)) {
+        faults.push_back(scene::parameter_fault(
+            choice, key, "the discs would hold the ring beyond the middle of its flanks, where it bends inwards",
+            "write less than " + std::to_string(static_cast<int>(most)) + " (20 to 40 are usual)"));
         return {};
     }
     double const w0 = choice.number_or(radial_deformation, 0);
     if (!(place.r_m > 0) || !(w0 < place.r_m))
         return {};  // reported with the drive's dimensions
-    try
-    {
-        return {w0, wrap * std::numbers::pi / 180, place.waves, place.r_m};
-    }
-    catch (NumericalError const&)
-    {
-        faults.push_back(parameter_fault(choice, radial_deformation, "no disc radius makes the neutral curve as long as the ring", "write about one module"));
+    try {
+        return {w0, from_deg(wrap), place.waves, place.r_m};
+    } catch (NumericalError const& error) {
+        if (error.code() != ErrorCode::no_solution)
+            throw;
+        faults.push_back(scene::parameter_fault(choice, radial_deformation,
+                                                "no disc radius makes the neutral curve as long as the ring",
+                                                "write about one module"));
         return {};
     }
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::wavegen

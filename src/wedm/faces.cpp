@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/wedm/faces.hpp"
+#include "faces.hpp"
 
 #include <numbers>
 
-#include "hdconj/geometry/rigid_motion.hpp"
+#include "hdconj/base/rigid_motion.hpp"
 
-namespace hdconj {
+namespace hdconj::wedm {
 
 Vec2 turned_to(Vec2 const& point, int space, int teeth)
 {
@@ -33,4 +33,4 @@ std::vector<Vec2> with_neighbours(std::vector<Vec2> const& points, WireFaces con
     return line;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::wedm

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/wedm/offset_path.hpp"
+#include "offset_path.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
-namespace hdconj {
+namespace hdconj::wedm {
 namespace {
 
 /// A vertex of one face: normals of its two edges towards the void, and the angle between them, positive to the left.
@@ -34,23 +35,27 @@ int chords_around(Vertex const& v, double step)
     return std::max(1, static_cast<int>(std::ceil(std::abs(v.turn) / step)));
 }
 
-/// Points that vertex @p v at @p p becomes: where the parallels of its edges meet as often as the other face has points, or a fan of @p chords chords.
+/// Points that vertex @p v at @p p becomes: where the parallels of its edges meet as often as the other face has
+/// points, or a fan of @p chords chords.
 void add_fan(std::vector<Vec2>& out, Vec2 const& p, Vertex const& v, double offset, int chords, bool round)
 {
     for (int i = 0; i <= (chords > 1 ? chords : 0); ++i)
-        out.push_back(round ? Vec2(p + offset * turned(v.before, v.turn * i / chords)) : Vec2(p + offset / (1 + v.before.dot(v.after)) * (v.before + v.after)));
+        out.push_back(round ? Vec2(p + offset * turned(v.before, v.turn * i / chords))
+                            : Vec2(p + offset / (1 + v.before.dot(v.after)) * (v.before + v.after)));
 }
 
-/// One point as often as the other face has points: they are spread over the halves of the edges beside it, so that the wire moves in both faces.
+/// One point as often as the other face has points: they are spread over the halves of the edges beside it, so that the
+/// wire moves in both faces.
 void spread(std::vector<Vec2>& points, std::size_t first, std::size_t last)
 {
     if (first == 0 || last + 1 >= points.size())
         return;
     Vec2 const at = points[first], before = points[first - 1], behind = points[last + 1];
     std::size_t const middle = (first + last) / 2;
-    for (std::size_t i = first; i <= last; ++i)
-    {
-        double const share = 0.5 * (i < middle ? static_cast<double>(middle - i) / static_cast<double>(middle - first + 1) : static_cast<double>(i - middle) / static_cast<double>(last - middle + 1));
+    for (std::size_t i = first; i <= last; ++i) {
+        double const share =
+            0.5 * (i < middle ? static_cast<double>(middle - i) / static_cast<double>(middle - first + 1)
+                              : static_cast<double>(i - middle) / static_cast<double>(last - middle + 1));
         points[i] = at + share * ((i < middle ? before : behind) - at);
     }
 }
@@ -82,7 +87,10 @@ struct Box
 {
     Vec2 low, high;
     Box(Vec2 const& a, Vec2 const& b) : low(a.cwiseMin(b)), high(a.cwiseMax(b)) {}
-    [[nodiscard]] bool meets(Box const& o) const { return (low.array() <= o.high.array()).all() && (o.low.array() <= high.array()).all(); }
+    [[nodiscard]] bool meets(Box const& o) const
+    {
+        return (low.array() <= o.high.array()).all() && (o.low.array() <= high.array()).all();
+    }
 };
 
 std::vector<Jump> loops(std::vector<Vec2> const& c)
@@ -92,11 +100,9 @@ std::vector<Jump> loops(std::vector<Vec2> const& c)
         boxes.emplace_back(c[i], c[i + 1]);
     std::vector<Jump> found;
     double done = 0;  // parameter up to which the path is settled
-    for (std::size_t i = 0; i < boxes.size();)
-    {
+    for (std::size_t i = 0; i < boxes.size();) {
         std::optional<Jump> first;
-        for (std::size_t j = i + 2; j < boxes.size(); ++j)
-        {
+        for (std::size_t j = i + 2; j < boxes.size(); ++j) {
             if (!boxes[i].meets(boxes[j]))
                 continue;
             auto const shares = crossing(c[i], c[i + 1], c[j], c[j + 1]);
@@ -104,8 +110,7 @@ std::vector<Jump> loops(std::vector<Vec2> const& c)
             if (shares && from >= done && (!first || from <= first->from))
                 first = Jump{from, static_cast<double>(j) + shares->second, c[i] + shares->first * (c[i + 1] - c[i])};
         }
-        if (!first)
-        {
+        if (!first) {
             ++i;
             continue;
         }
@@ -137,10 +142,10 @@ std::vector<Cut> common_cuts(std::vector<Jump> const& lower, std::vector<Jump> c
         all.emplace_back(0, jump);
     for (Jump const& jump : upper)
         all.emplace_back(1, jump);
-    std::stable_sort(all.begin(), all.end(), [](auto const& a, auto const& b) { return a.second.from < b.second.from; });
+    std::stable_sort(all.begin(), all.end(),
+                     [](auto const& a, auto const& b) { return a.second.from < b.second.from; });
     std::vector<Cut> cuts;
-    for (auto const& [face, jump] : all)
-    {
+    for (auto const& [face, jump] : all) {
         if (cuts.empty() || cuts.back().to < jump.from)
             cuts.push_back({jump.from, jump.to, {}});
         cuts.back().unite(face, jump);
@@ -151,7 +156,9 @@ std::vector<Cut> common_cuts(std::vector<Jump> const& lower, std::vector<Jump> c
 /// Vertices of @p c from index @p first to before @p last.
 std::vector<Vec2> stretch(std::vector<Vec2> const& c, std::size_t first, std::size_t last)
 {
-    return first < last ? std::vector<Vec2>(c.begin() + static_cast<std::ptrdiff_t>(first), c.begin() + static_cast<std::ptrdiff_t>(last)) : std::vector<Vec2>{};
+    return first < last ? std::vector<Vec2>(c.begin() + static_cast<std::ptrdiff_t>(first),
+                                            c.begin() + static_cast<std::ptrdiff_t>(last))
+                        : std::vector<Vec2>{};
 }
 
 /// What a face keeps between two points that both faces have.
@@ -160,7 +167,8 @@ struct Between
     Vec2 first, last;          ///< the two
     std::vector<Vec2> points;  ///< on its exact line
 
-    /// Where the share @p part / @p of of the way lies, its points being at even shares: one of them, or a point on the straight step between two.
+    /// Where the share @p part / @p of of the way lies, its points being at even shares: one of them, or a point on the
+    /// straight step between two.
     [[nodiscard]] Vec2 at(std::size_t part, std::size_t of) const
     {
         std::size_t const steps = points.size() + 1;
@@ -174,12 +182,11 @@ struct Between
 };
 
 /// Adds the points of both faces between their common ends, each with a partner in the other face.
-template<class Add>
+template <class Add>
 void add_pairs(Between const& low, Between const& up, Add const& add)
 {
     std::size_t const n = low.points.size() + 1, m = up.points.size() + 1;
-    for (std::size_t i = 1, k = 1; i < n || k < m;)
-    {
+    for (std::size_t i = 1, k = 1; i < n || k < m;) {
         bool const by_low = i * m <= k * n, by_up = k * n <= i * m;
         std::size_t const part = by_low ? i : k, of = by_low ? n : m;
         add(low.at(part, of), up.at(part, of));
@@ -189,7 +196,7 @@ void add_pairs(Between const& low, Between const& up, Add const& add)
 }
 
 /// The point at parameter @p at.
-Vec2 point_at(std::vector<Vec2> const& c, double at)
+Vec2 at_parameter(std::vector<Vec2> const& c, double at)
 {
     auto const i = std::min(static_cast<std::size_t>(at), c.size() - 2);
     return c[i] + (at - static_cast<double>(i)) * (c[i + 1] - c[i]);
@@ -206,27 +213,24 @@ TrimmedPath without_loops(PairedPath const& c)
         trimmed.at.push_back(at);
     };
     std::size_t next = 0;
-    for (Cut const& cut : common_cuts(loops(c.lower), loops(c.upper)))
-    {
+    for (Cut const& cut : common_cuts(loops(c.lower), loops(c.upper))) {
         // a vertex that is the point of crossing is not repeated
         auto const before = std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(cut.from)));
         auto const behind = std::min(static_cast<std::size_t>(cut.to) + 1, c.size() - 1);
         for (; next < before; ++next)
             add(c.lower[next], c.upper[next], static_cast<double>(next));
         Between lead[2], trail[2];
-        for (std::size_t f = 0; f < 2; ++f)
-        {
+        for (std::size_t f = 0; f < 2; ++f) {
             std::vector<Vec2> const& face = *faces[f];
             std::vector<Jump> jumps = cut.own[f];
             double const middle = 0.5 * (cut.from + cut.to);
             // a face without a loop keeps the whole of its parallel
             if (jumps.empty())
-                jumps.push_back({middle, middle, point_at(face, middle)});
+                jumps.push_back({middle, middle, at_parameter(face, middle)});
             // of several loops in place of one of the other face's, the one in the middle is matched with it
             std::size_t const matched = jumps.size() / 2;
             std::size_t vertex = before;
-            for (std::size_t i = 0; i < jumps.size(); ++i)
-            {
+            for (std::size_t i = 0; i < jumps.size(); ++i) {
                 std::vector<Vec2>& kept = i <= matched ? lead[f].points : trail[f].points;
                 std::vector<Vec2> const on = stretch(face, vertex, static_cast<std::size_t>(std::ceil(jumps[i].from)));
                 kept.insert(kept.end(), on.begin(), on.end());
@@ -261,8 +265,7 @@ PairedPath offset_path(PairedPath const& nominal, double offset, double sagitta)
         std::size_t first, last;
     };
     std::vector<Repeated> repeated;
-    for (std::size_t i = 1; i + 1 < nominal.size(); ++i)
-    {
+    for (std::size_t i = 1; i + 1 < nominal.size(); ++i) {
         Vertex const low = vertex(nominal.lower, i);
         Vertex const up = vertex(nominal.upper, i);
         int const of_low = chords_around(low, step), of_up = chords_around(up, step), chords = std::max(of_low, of_up);
@@ -279,4 +282,4 @@ PairedPath offset_path(PairedPath const& nominal, double offset, double sagitta)
     return without_loops(parallel).path;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::wedm

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/wedm/paired_path.hpp"
+#include "paired_path.hpp"
 
 #include <algorithm>
 
-namespace hdconj {
+namespace hdconj::wedm {
 
 PairedPath taken(PairedPath const& path, std::vector<std::size_t> const& indices)
 {
@@ -29,8 +29,7 @@ std::vector<std::size_t> thinned(PairedPath const& path, double tolerance, std::
     std::vector<std::size_t> kept{0};
     auto next_kept = keep.begin();
     std::size_t const last = path.size() - 1;
-    while (kept.back() < last)
-    {
+    while (kept.back() < last) {
         std::size_t const from = kept.back();
         while (next_kept != keep.end() && *next_kept <= from)
             ++next_kept;
@@ -49,4 +48,4 @@ std::vector<std::size_t> thinned(PairedPath const& path, double tolerance, std::
     return kept;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::wedm

@@ -1,21 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a program does against the part: the wire's way and constant taper's, measured at the true faces and sections.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
-#include "check_words.hpp"
-#include "contour_path.hpp"
-#include "hdconj/wedm/checks.hpp"
-#include "hdconj/wedm/planes.hpp"
+#include "checks.hpp"
+#include "passes.hpp"
+#include "planes.hpp"
 #include "segment_grid.hpp"
 
-namespace hdconj {
-
-using detail::name;
-using detail::section;
-using detail::SegmentGrid;
-using detail::text;
+namespace hdconj::wedm {
 
 namespace {
 
@@ -29,20 +25,17 @@ SegmentGrid neighbourhood(std::vector<Vec2> const& pitch, WireFaces const& faces
 WireFailures check_sweep(WireFaces const& faces, WireProgram& program)
 {
     WireFailures failures;
-    std::array<SegmentGrid, 2> const part{neighbourhood(faces.pitch.lower, faces), neighbourhood(faces.pitch.upper, faces)};
-    for (WirePass const& pass : program.passes)
-    {
+    std::array<SegmentGrid, 2> const part{neighbourhood(faces.pitch.lower, faces),
+                                          neighbourhood(faces.pitch.upper, faces)};
+    for (WirePass const& pass : program.passes) {
         PairedPath const path = pitch_of(pass, program);
         double worst = 0;
         Vec2 place = Vec2::Zero();
-        for (std::size_t f = 0; f < 2; ++f)
-        {
-            std::vector<Vec2> const& points = f == 0 ? path.lower : path.upper;
-            for (std::size_t i = 0; i < points.size(); ++i)
-            {
-                for (Vec2 const& p : {points[i], Vec2(0.5 * (points[i] + points[i == 0 ? 0 : i - 1]))})
-                {
-                    double const error = std::abs(part[f].distance(p) - pass.offset);
+        for (bool const upper : {false, true}) {
+            std::vector<Vec2> const& points = path.face(upper);
+            for (std::size_t i = 0; i < points.size(); ++i) {
+                for (Vec2 const& p : {points[i], Vec2(0.5 * (points[i] + points[i == 0 ? 0 : i - 1]))}) {
+                    double const error = std::abs(part[upper ? 1 : 0].distance(p) - pass.offset);
                     place = error > worst ? p : place;
                     worst = std::max(worst, error);
                 }
@@ -50,32 +43,33 @@ WireFailures check_sweep(WireFaces const& faces, WireProgram& program)
         }
         program.figures.face_error = std::max(program.figures.face_error, worst);
         if (!(worst <= program.tolerance))
-            failures.push_back({"sweep", name(pass) + " is " + text(worst) + " mm from its distance " + text(pass.offset) + " mm to the part at " + text(place)
-                                             + " of space 0, and the tolerance is " + text(program.tolerance) + " mm"});
+            failures.push_back(
+                fmt::format("sweep: pass {} is {:.6g} mm from its distance {:.6g} mm to the part at {} of space 0, and "
+                            "the tolerance "
+                            "is {:.6g} mm",
+                            pass.number, worst, pass.offset, place_text(place), program.tolerance));
     }
     return failures;
 }
 
-WireFailures check_sections(WireFaces const& faces, std::vector<std::vector<char>> const& residual_at, double limit, WireProgram& program)
+WireFailures check_sections(WireFaces const& faces, std::vector<std::vector<char>> const& residual_at, double limit,
+                            WireProgram& program)
 {
     WireFailures failures;
     WireFigures& figures = program.figures;
-    for (SectionBetween const& between : faces.between)
-    {
-        std::string const place = " at z = " + text(between.share * program.machine.thickness) + " mm";
+    for (SectionBetween const& between : faces.between) {
         SegmentGrid const rulings = neighbourhood(section(faces.pitch, program.machine, between.share), faces);
         double ruling = 0;
         for (Vec2 const& p : between.points)
             ruling = std::max(ruling, rulings.distance(p));
         figures.ruling_error = std::max(figures.ruling_error, ruling);
-        for (std::size_t n = 0; n < program.passes.size(); ++n)
-        {
+        for (std::size_t n = 0; n < program.passes.size(); ++n) {
             WirePass const& pass = program.passes[n];
-            SegmentGrid const wire = neighbourhood(section(pitch_of(pass, program), program.machine, between.share), faces);
+            SegmentGrid const wire =
+                neighbourhood(section(pitch_of(pass, program), program.machine, between.share), faces);
             double worst = 0;
             Vec2 where = Vec2::Zero();
-            for (std::size_t i = 0; i < between.points.size(); ++i)
-            {
+            for (std::size_t i = 0; i < between.points.size(); ++i) {
                 double const error = wire.distance(between.points[i]) - pass.offset;
                 double const counted = residual_at[n][i] != 0 ? std::max(0.0, -error) : std::abs(error);
                 where = counted > worst ? between.points[i] : where;
@@ -83,8 +77,11 @@ WireFailures check_sections(WireFaces const& faces, std::vector<std::vector<char
             }
             figures.middle_error = std::max(figures.middle_error, worst);
             if (!(worst <= limit))
-                failures.push_back({"sections", name(pass) + " is " + text(worst) + " mm from the true section" + place + ", at " + text(where) + "; straight rulings are "
-                                                    + text(ruling) + " mm from it, the rest is twist along them; accepted are " + text(limit) + " mm (surface_limit)"});
+                failures.push_back(fmt::format(
+                    "sections: pass {} is {:.6g} mm from the true section at z = {:.6g} mm, at {}; straight rulings "
+                    "are "
+                    "{:.6g} mm from it, the rest is twist along them; accepted are {:.6g} mm (surface_limit)",
+                    pass.number, worst, between.share * program.machine.thickness, place_text(where), ruling, limit));
         }
     }
     return failures;
@@ -93,8 +90,7 @@ WireFailures check_sections(WireFaces const& faces, std::vector<std::vector<char
 double guide_chord_error(PairedPath const& path, std::vector<std::size_t> const& kept, WireMachine const& machine)
 {
     PairedPath guides;
-    for (std::size_t i = 0; i < path.size(); ++i)
-    {
+    for (std::size_t i = 0; i < path.size(); ++i) {
         WirePoints const at = guides_of(machine, {path.lower[i], path.upper[i]});
         guides.add(at.lower, at.upper);
     }
@@ -113,26 +109,21 @@ LargestDistance constant_taper_error(WireFaces const& faces)
     SegmentGrid const upper = neighbourhood(faces.pitch.upper, faces);
     double const shift = faces.pitch.upper.front().norm() - low.front().norm();
     LargestDistance worst;
-    double before = -1;        // of the edge before; below 0: it is not on the flank
+    double before = -1;  // of the edge before; below 0: it is not on the flank
     bool follows_worst = false;
-    for (std::size_t i = 1; i < low.size(); ++i)
-    {
+    for (std::size_t i = 1; i < low.size(); ++i) {
         double here = -1;
-        if (faces.meshing[i] != 0 && faces.meshing[i - 1] != 0)
-        {
+        if (faces.meshing[i] != 0 && faces.meshing[i - 1] != 0) {
             Vec2 const out = right_of((low[i] - low[i - 1]).normalized());
             Vec2 const moved = 0.5 * (low[i - 1] + low[i]) + shift * out;
             // inside the tip circle of the upper face the tip land, moved as well, has taken it away
             if (moved.norm() >= faces.pitch.upper.front().norm())
                 here = upper.distance(moved);
         }
-        if (here > worst.value)
-        {
+        if (here > worst.value) {
             worst = {here, before >= 0 ? here - before : 0};
             follows_worst = true;
-        }
-        else if (follows_worst)
-        {
+        } else if (follows_worst) {
             worst.spread = here >= 0 ? std::max(worst.spread, worst.value - here) : worst.spread;
             follows_worst = false;
         }
@@ -141,4 +132,4 @@ LargestDistance constant_taper_error(WireFaces const& faces)
     return worst;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::wedm

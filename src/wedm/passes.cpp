@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/wedm/passes.hpp"
+#include "passes.hpp"
 
 #include <algorithm>
 #include <stdexcept>
+#include <string>
 
-namespace hdconj {
+#include "planes.hpp"
+
+namespace hdconj::wedm {
 namespace {
 
 /// @p count spaces from @p start on, void on the left; the last point, where the next space begins, is not among them.
@@ -12,8 +15,7 @@ std::vector<WireMove> spaces(PairedPath const& pitch, WireFaces const& faces, in
 {
     std::vector<WireMove> moves;
     moves.reserve((pitch.size() - 1) * static_cast<std::size_t>(count) + 1);
-    for (int k = 0; k < count; ++k)
-    {
+    for (int k = 0; k < count; ++k) {
         int const space = faces.space_in_order(start, k);
         auto const lower = turned_to(pitch.lower, space, faces.teeth);
         auto const upper = turned_to(pitch.upper, space, faces.teeth);
@@ -26,7 +28,8 @@ std::vector<WireMove> spaces(PairedPath const& pitch, WireFaces const& faces, in
 /// The point where space @p space ends.
 WireMove last_of(PairedPath const& pitch, WireFaces const& faces, int space)
 {
-    return {turned_to(pitch.lower.back(), space, faces.teeth), turned_to(pitch.upper.back(), space, faces.teeth), WireTag::contour, space};
+    return {turned_to(pitch.lower.back(), space, faces.teeth), turned_to(pitch.upper.back(), space, faces.teeth),
+            WireTag::contour, space};
 }
 
 /// The point on the way from @p a to @p b at @p share of it.
@@ -44,11 +47,9 @@ double length(WireMove const& a, WireMove const& b)
 void tag_stop(std::vector<WireMove>& moves, std::size_t first, double before)
 {
     double left = before;
-    for (std::size_t i = moves.size() - 1; i > first; --i)
-    {
+    for (std::size_t i = moves.size() - 1; i > first; --i) {
         double const step = length(moves[i - 1], moves[i]);
-        if (left >= step)
-        {
+        if (left >= step) {
             left -= step;
             continue;
         }
@@ -70,12 +71,10 @@ PairedContour whole_contour(WireFaces const& faces, std::vector<std::size_t> con
 {
     PairedContour contour;
     PairedPath const few = taken(faces.pitch, indices);
-    for (int k = 0; k < faces.teeth; ++k)
-    {
+    for (int k = 0; k < faces.teeth; ++k) {
         int const space = faces.space_in_order(0, k);
         std::size_t const first = contour.lower.size();
-        for (std::size_t const mark : faces.marks)
-        {
+        for (std::size_t const mark : faces.marks) {
             auto const at = std::lower_bound(indices.begin(), indices.end(), mark);
             contour.sync.push_back(first + static_cast<std::size_t>(at - indices.begin()));
         }
@@ -91,7 +90,8 @@ namespace {
 
 Vec2 beside(WireFaces const& faces, Vec2 const& low, Vec2 const& up, double lead_in)
 {
-    double const land = faces.external ? std::max(low.norm(), up.norm()) + lead_in : std::min(low.norm(), up.norm()) - lead_in;
+    double const land =
+        faces.external ? std::max(low.norm(), up.norm()) + lead_in : std::min(low.norm(), up.norm()) - lead_in;
     return low.normalized() * land;
 }
 
@@ -122,12 +122,10 @@ Way open_way(PairedPath const& pitch, WireFaces const& faces, WireRun const& run
     way.path = spaces(pitch, faces, run.start, run.spaces);
     way.path.push_back(last_of(pitch, faces, faces.space_in_order(run.start, run.spaces - 1)));
     way.beyond = spaces(pitch, faces, faces.space_in_order(run.start, run.spaces), rest);
-    if (run.reversed)
-    {
+    if (run.reversed) {
         std::reverse(way.path.begin(), way.path.end());
         std::reverse(way.beyond.begin(), way.beyond.end());
-    }
-    else if (!way.beyond.empty())
+    } else if (!way.beyond.empty())
         way.beyond.erase(way.beyond.begin());
     return way;
 }
@@ -159,8 +157,7 @@ WirePass wire_pass(PairedPath const& pitch, WireFaces const& faces, WireRun cons
         tag_stop(pass.moves, 1, run.stop_before);
     double left = run.overlap;
     WireMove from = way.path.back();
-    for (std::size_t i = 0; left > 0; ++i)
-    {
+    for (std::size_t i = 0; left > 0; ++i) {
         if (i == way.beyond.size())
             throw std::invalid_argument("overlap is longer than the path");
         double const step = length(from, way.beyond[i]);
@@ -175,4 +172,48 @@ WirePass wire_pass(PairedPath const& pitch, WireFaces const& faces, WireRun cons
     return pass;
 }
 
-}  // namespace hdconj
+std::vector<WireMove> contour_path(WirePass const& pass)
+{
+    std::vector<WireMove> path;
+    for (WireMove const& move : pass.moves)
+        if (move.tag == WireTag::lead_in || move.tag == WireTag::contour || move.tag == WireTag::stop)
+            path.push_back(move);
+    return path;
+}
+
+std::vector<WireMove> even_path(WirePass const& pass, int spaces)
+{
+    std::vector<WireMove> path = contour_path(pass);
+    auto const count = static_cast<std::size_t>(spaces);
+    auto const stop = std::find_if(path.begin(), path.end(), [](WireMove const& m) { return m.tag == WireTag::stop; });
+    if (stop != path.end() && path.size() % count != 1 % count)
+        path.erase(stop);
+    if (spaces < 1 || path.size() < count + 1 || (path.size() - 1) % count != 0)
+        throw std::invalid_argument("the moves of pass " + std::to_string(pass.number) + " are not those of " +
+                                    std::to_string(spaces) + " equal tooth spaces");
+    if (pass.reversed)
+        std::reverse(path.begin(), path.end());
+    return path;
+}
+
+std::vector<Vec2> section(PairedPath const& path, WireMachine const& machine, double share)
+{
+    std::vector<Vec2> points;
+    for (std::size_t i = 0; i < path.size(); ++i)
+        points.push_back(at_height(machine, {path.lower[i], path.upper[i]}, share * machine.thickness));
+    return points;
+}
+
+PairedPath pitch_of(WirePass const& pass, WireProgram const& program)
+{
+    std::vector<WireMove> const path = even_path(pass, program.spaces());
+    std::size_t const steps = (path.size() - 1) / static_cast<std::size_t>(program.spaces());
+    PairedPath pitch;
+    // the point behind the first belongs to the first space either way round
+    int const space = path[1].tooth;
+    for (std::size_t i = 0; i <= steps; ++i)
+        pitch.add(turned_to(path[i].lower, -space, program.teeth), turned_to(path[i].upper, -space, program.teeth));
+    return pitch;
+}
+
+}  // namespace hdconj::wedm

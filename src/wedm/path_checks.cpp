@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the paths of a program do against themselves: crossings, rulings, one tooth space like the next.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
-#include "check_words.hpp"
-#include "contour_path.hpp"
-#include "hdconj/numeric/tolerance.hpp"
-#include "hdconj/wedm/checks.hpp"
-#include "hdconj/wedm/planes.hpp"
+#include "checks.hpp"
+#include "hdconj/base/tolerance.hpp"
+#include "passes.hpp"
+#include "planes.hpp"
 #include "segment_grid.hpp"
 
-namespace hdconj {
-
-using detail::contour_path;
-using detail::even_path;
-using detail::name;
-using detail::section;
-using detail::SegmentGrid;
-using detail::text;
+namespace hdconj::wedm {
 
 namespace {
 
@@ -43,20 +37,19 @@ void check_round(Round const& round, WireMachine const& machine, WireFailures& f
 {
     auto const& [what, path, closed, clockwise] = round;
     bool const one = path.lower == path.upper;
-    for (double const share : one ? std::vector<double>{0.0} : std::vector<double>{0.0, 0.5, 1.0})
-    {
-        std::string const place = what + " at z = " + text(share * machine.thickness) + " mm";
+    for (double const share : one ? std::vector<double>{0.0} : std::vector<double>{0.0, 0.5, 1.0}) {
+        std::string const place = fmt::format("crossing: {} at z = {:.6g} mm", what, share * machine.thickness);
         std::vector<Vec2> const points = section(path, machine, share);
-        if (points.size() < 3)
-        {
-            failures.push_back({"crossing", place + " has " + std::to_string(points.size()) + " points: no contour"});
+        if (points.size() < 3) {
+            failures.push_back(fmt::format("{} has {} points: no contour", place, points.size()));
             continue;
         }
         auto const [i, j] = SegmentGrid(points, closed).crossing();
         if (i != j)
-            failures.push_back({"crossing", place + " crosses itself at " + text(points[i]) + ": moves " + std::to_string(i) + " and " + std::to_string(j)});
+            failures.push_back(
+                fmt::format("{} crosses itself at {}: moves {} and {}", place, place_text(points[i]), i, j));
         if ((signed_area(points) > 0) == clockwise)
-            failures.push_back({"crossing", place + (clockwise ? " goes counter-clockwise" : " goes clockwise")});
+            failures.push_back(place + (clockwise ? " goes counter-clockwise" : " goes clockwise"));
     }
 }
 
@@ -65,18 +58,18 @@ void check_round(Round const& round, WireMachine const& machine, WireFailures& f
 WireFailures check_crossings(WireProgram const& program)
 {
     WireFailures failures;
-    check_round({"the nominal contour", {program.nominal.lower, program.nominal.upper}, true, program.external}, program.machine, failures);
-    for (WirePass const& pass : program.passes)
-    {
+    check_round({"the nominal contour", {program.nominal.lower, program.nominal.upper}, true, program.external},
+                program.machine, failures);
+    for (WirePass const& pass : program.passes) {
         PairedPath path;
         for (WireMove const& move : contour_path(pass))
             path.add(move.lower, move.upper);
-        if (program.closed())
-        {
+        if (program.closed()) {
             path.lower.pop_back();
             path.upper.pop_back();
         }
-        check_round({name(pass), path, program.closed(), program.external != pass.reversed}, program.machine, failures);
+        check_round({fmt::format("pass {}", pass.number), path, program.closed(), program.external != pass.reversed},
+                    program.machine, failures);
     }
     return failures;
 }
@@ -86,22 +79,21 @@ WireFailures check_rulings(WireProgram& program)
     WireFailures failures;
     auto const ask = [&](std::string const& what, Vec2 const& low, Vec2 const& up, Vec2 const& at) {
         if (!(low.dot(up) > 0))
-            failures.push_back({"rulings", what + " goes opposite ways in the two faces at " + text(at)});
+            failures.push_back(
+                fmt::format("rulings: {} goes opposite ways in the two faces at {}", what, place_text(at)));
         return std::atan2(std::abs(cross(low, up)), low.dot(up));
     };
     PairedContour const& nominal = program.nominal;
-    for (std::size_t i = 1; i < nominal.lower.size(); ++i)
-    {
-        double const angle = ask("the nominal contour", nominal.lower[i] - nominal.lower[i - 1], nominal.upper[i] - nominal.upper[i - 1], nominal.lower[i]);
+    for (std::size_t i = 1; i < nominal.lower.size(); ++i) {
+        double const angle = ask("the nominal contour", nominal.lower[i] - nominal.lower[i - 1],
+                                 nominal.upper[i] - nominal.upper[i - 1], nominal.lower[i]);
         program.figures.normal_angle = std::max(program.figures.normal_angle, angle);
     }
-    for (WirePass const& pass : program.passes)
-    {
-        for (std::size_t i = 2; i + 1 < pass.moves.size(); ++i)
-        {
+    for (WirePass const& pass : program.passes) {
+        for (std::size_t i = 2; i + 1 < pass.moves.size(); ++i) {
             WireMove const& from = pass.moves[i - 1];
             WireMove const& to = pass.moves[i];
-            (void)ask(name(pass), to.lower - from.lower, to.upper - from.upper, to.lower);
+            (void)ask(fmt::format("pass {}", pass.number), to.lower - from.lower, to.upper - from.upper, to.lower);
         }
     }
     return failures;
@@ -117,8 +109,7 @@ WireFailures check_pitches(WireProgram const& program)
         std::size_t const steps = path.size() / static_cast<std::size_t>(spaces);
         double worst = 0;
         double scale = 0;
-        for (std::size_t i = 0; i < (closed ? path.size() : path.size() - steps); ++i)
-        {
+        for (std::size_t i = 0; i < (closed ? path.size() : path.size() - steps); ++i) {
             std::size_t const j = (i + steps) % path.size();
             WirePoints const here = guides_of(m, {path.lower[i], path.upper[i]});
             WirePoints const next = guides_of(m, {path.lower[j], path.upper[j]});
@@ -126,21 +117,22 @@ WireFailures check_pitches(WireProgram const& program)
             worst = std::max({worst, (turned_to(here.lower, next_space, program.teeth) - next.lower).norm(),
                               (turned_to(here.upper, next_space, program.teeth) - next.upper).norm()});
         }
-        double const allowed = Tolerance{program.tolerance, scale * (1 + 2 * (m.lower_guide + m.upper_guide) / m.thickness)}.roundoff();
+        double const allowed =
+            Tolerance{program.tolerance, scale * (1 + 2 * (m.lower_guide + m.upper_guide) / m.thickness)}.roundoff();
         if (path.size() % static_cast<std::size_t>(spaces) != 0 || !(worst <= allowed))
-            failures.push_back({"pitches", what + " is not the same in every tooth space: guides differ by " + text(worst) + " mm"});
+            failures.push_back(fmt::format(
+                "pitches: {} is not the same in every tooth space: guides differ by {:.6g} mm", what, worst));
     };
     ask("the nominal contour", {program.nominal.lower, program.nominal.upper}, program.teeth, true);
-    for (WirePass const& pass : program.passes)
-    {
+    for (WirePass const& pass : program.passes) {
         PairedPath path;
         for (WireMove const& move : even_path(pass, program.spaces()))
             path.add(move.lower, move.upper);
         path.lower.pop_back();
         path.upper.pop_back();
-        ask(name(pass), path, program.spaces(), program.closed());
+        ask(fmt::format("pass {}", pass.number), path, program.spaces(), program.closed());
     }
     return failures;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::wedm

@@ -1,21 +1,90 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a program says of itself: numbers, pairing, machine, start.
+// What a program says of itself: numbers, pairing, machine, start; and all checks together.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
 
-#include "check_words.hpp"
-#include "contour_path.hpp"
-#include "hdconj/numeric/tolerance.hpp"
-#include "hdconj/wedm/checks.hpp"
+#include "checks.hpp"
+#include "hdconj/base/tolerance.hpp"
+#include "hdconj/error.hpp"
+#include "passes.hpp"
 #include "segment_grid.hpp"
 
-namespace hdconj {
+namespace hdconj::wedm {
 
-using detail::contour_path;
-using detail::name;
-using detail::text;
+namespace {
+
+bool is_finite(Vec2 const& point)
+{
+    return std::isfinite(point.x()) && std::isfinite(point.y());
+}
+
+void check_contour(PairedContour const& nominal, WireFailures& failures)
+{
+    constexpr std::size_t fewest = 3;
+    if (nominal.lower.size() < fewest)
+        failures.emplace_back("pairing: the nominal contour encloses nothing");
+    if (nominal.lower.size() != nominal.upper.size())
+        failures.push_back(fmt::format(
+            "pairing: the faces of the nominal contour have different numbers of points, {} below and {} above",
+            nominal.lower.size(), nominal.upper.size()));
+    bool const rising =
+        std::adjacent_find(nominal.sync.begin(), nominal.sync.end(), std::greater_equal<>()) == nominal.sync.end();
+    if (!rising || (!nominal.sync.empty() && nominal.sync.back() >= nominal.lower.size()))
+        failures.emplace_back("pairing: the sync marks of the nominal contour do not increase");
+    for (std::size_t i = 1; i < std::min(nominal.lower.size(), nominal.upper.size()); ++i)
+        if (nominal.lower[i] == nominal.lower[i - 1] || nominal.upper[i] == nominal.upper[i - 1])
+            failures.push_back(
+                fmt::format("pairing: points {} and {} of the nominal contour are one point in one face", i - 1, i));
+}
+
+/// Whether two points are further apart than rounding puts one point.
+bool are_apart(Vec2 const& a, Vec2 const& b)
+{
+    constexpr double roundings = 64;
+    return (a - b).norm() > roundings * unit_roundoff * std::max(a.norm(), b.norm());
+}
+
+void check_ends(WirePass const& pass, bool closed, WireFailures& failures)
+{
+    auto const fail = [&](std::string const& what) {
+        failures.push_back(fmt::format("pairing: pass {} {}", pass.number, what));
+    };
+    WireMove const& first = pass.moves.front();
+    WireMove const& last = pass.moves.back();
+    if (first.tag != WireTag::thread || last.tag != WireTag::lead_out)
+        fail("does not begin and end in the start hole");
+    if (first.lower != first.upper || last.lower != last.upper)
+        fail("leans at the start hole");
+    if (closed && first.lower != last.lower)
+        fail("does not end where it began");
+    std::vector<WireMove> const path = contour_path(pass);
+    bool const open = !path.empty() && (are_apart(path.front().lower, path.back().lower) ||
+                                        are_apart(path.front().upper, path.back().upper));
+    if (closed && open)
+        fail(fmt::format("does not close: from {} to {}", place_text(path.front().lower),
+                         place_text(path.back().lower)));
+}
+
+/// Throws if there are @p failures.
+void throw_failures(WireFailures const& failures)
+{
+    if (failures.empty())
+        return;
+    constexpr std::size_t most_told = 20;
+    WireFailures told(failures.begin(),
+                      failures.begin() + static_cast<std::ptrdiff_t>(std::min(failures.size(), most_told)));
+    if (failures.size() > most_told)
+        told.push_back(fmt::format("and {} more", failures.size() - most_told));
+    throw NumericalError(ErrorCode::failed_check, "wedm",
+                         fmt::format("{} check{} failed", failures.size(), failures.size() == 1 ? "" : "s"),
+                         fmt::format("{}", fmt::join(told, "; ")));
+}
+
+}  // namespace
 
 WireFailures check_numbers(WireProgram const& program)
 {
@@ -23,64 +92,50 @@ WireFailures check_numbers(WireProgram const& program)
     WireMachine const& m = program.machine;
     auto const need = [&](bool good, std::string const& what, double value) {
         if (!good || !std::isfinite(value))
-            failures.push_back({"numbers", what + " is " + text(value) + " mm"});
+            failures.push_back(fmt::format("numbers: {} is {:.6g} mm", what, value));
     };
     need(m.thickness > 0, "thickness of the workpiece", m.thickness);
     need(m.lower_guide >= 0, "lower guide", m.lower_guide);
     need(m.upper_guide >= 0, "upper guide", m.upper_guide);
     need(program.wire_diameter > 0, "wire diameter", program.wire_diameter);
     need(program.spark_gap >= 0, "spark gap", program.spark_gap);
-    need(program.tolerance > 0, "tolerance", program.tolerance);
-    for (WirePass const& pass : program.passes)
-    {
+    for (WirePass const& pass : program.passes) {
         double const expected = program.wire_diameter / 2 + program.spark_gap + pass.stock;
-        need(pass.stock >= 0, "stock of " + name(pass), pass.stock);
-        need(std::abs(pass.offset - expected) <= 64 * unit_roundoff * expected, "offset of " + name(pass), pass.offset);
+        need(pass.stock >= 0, fmt::format("stock of pass {}", pass.number), pass.stock);
+        need(std::abs(pass.offset - expected) <= 64 * unit_roundoff * expected,
+             fmt::format("offset of pass {}", pass.number), pass.offset);
+        if (!std::all_of(pass.moves.begin(), pass.moves.end(),
+                         [](WireMove const& move) { return is_finite(move.lower) && is_finite(move.upper); }))
+            failures.push_back(fmt::format("numbers: a move of pass {} is not finite", pass.number));
     }
     if (program.passes.empty() || program.passes.back().stock != 0)
-        failures.push_back({"numbers", "no pass leaves the nominal part"});
-    auto const finite = [](Vec2 const& p) { return std::isfinite(p.x()) && std::isfinite(p.y()); };
-    bool const contour = std::all_of(program.nominal.lower.begin(), program.nominal.lower.end(), finite)
-                         && std::all_of(program.nominal.upper.begin(), program.nominal.upper.end(), finite);
-    if (!contour)
-        failures.push_back({"numbers", "a point of the nominal contour is not finite"});
-    for (WirePass const& pass : program.passes)
-        if (!std::all_of(pass.moves.begin(), pass.moves.end(), [&](WireMove const& move) { return finite(move.lower) && finite(move.upper); }))
-            failures.push_back({"numbers", "a move of " + name(pass) + " is not finite"});
+        failures.emplace_back("numbers: no pass leaves the nominal part");
+    if (!std::all_of(program.nominal.lower.begin(), program.nominal.lower.end(), is_finite) ||
+        !std::all_of(program.nominal.upper.begin(), program.nominal.upper.end(), is_finite))
+        failures.emplace_back("numbers: a point of the nominal contour is not finite");
     return failures;
 }
 
 WireFailures check_pairing(WireProgram const& program)
 {
     WireFailures failures;
-    PairedContour const& nominal = program.nominal;
-    if (nominal.lower.size() != nominal.upper.size())
-        failures.push_back({"pairing", "the nominal contour has " + std::to_string(nominal.lower.size()) + " points below and " + std::to_string(nominal.upper.size()) + " above"});
-    bool const rising = std::adjacent_find(nominal.sync.begin(), nominal.sync.end(), std::greater_equal<>()) == nominal.sync.end();
-    if (!rising || (!nominal.sync.empty() && nominal.sync.back() >= nominal.lower.size()))
-        failures.push_back({"pairing", "the sync marks of the nominal contour do not increase"});
-    for (std::size_t i = 1; i < std::min(nominal.lower.size(), nominal.upper.size()); ++i)
-        if (nominal.lower[i] == nominal.lower[i - 1] || nominal.upper[i] == nominal.upper[i - 1])
-            failures.push_back({"pairing", "points " + std::to_string(i - 1) + " and " + std::to_string(i) + " of the nominal contour are one point in one face"});
-    for (WirePass const& pass : program.passes)
-    {
-        if (pass.moves.size() < 2)
-        {
-            failures.push_back({"pairing", name(pass) + " has no moves"});
+    check_contour(program.nominal, failures);
+    for (std::size_t k = 0; k < program.passes.size(); ++k) {
+        WirePass const& pass = program.passes[k];
+        if (pass.number != static_cast<int>(k) + 1)
+            failures.push_back(fmt::format("pairing: pass {} is not numbered {}", pass.number, k + 1));
+        constexpr std::size_t fewest = 5;  // start, lead-in, two on the contour, back
+        if (pass.moves.size() < fewest) {
+            failures.push_back(fmt::format("pairing: pass {} goes nowhere", pass.number));
             continue;
         }
-        WireMove const& first = pass.moves.front();
-        WireMove const& last = pass.moves.back();
-        bool const vertical = first.lower == first.upper && last.lower == last.upper;
-        bool const apart = program.closed() && first.lower != last.lower;
-        if (!vertical || apart || first.tag != WireTag::thread || last.tag != WireTag::lead_out)
-            failures.push_back({"pairing", name(pass) + " does not begin and end in the start hole with the wire vertical"});
+        check_ends(pass, program.closed(), failures);
         for (std::size_t i = 1; i < pass.moves.size(); ++i)
             if (pass.moves[i].lower == pass.moves[i - 1].lower || pass.moves[i].upper == pass.moves[i - 1].upper)
-                failures.push_back({"pairing", "move " + std::to_string(i) + " of " + name(pass) + " has length zero in one face, at " + text(pass.moves[i].lower)});
-        std::vector<WireMove> const path = contour_path(pass);
-        if (program.closed() && (path.front().lower != path.back().lower || path.front().upper != path.back().upper))
-            failures.push_back({"pairing", name(pass) + " does not close: from " + text(path.front().lower) + " to " + text(path.back().lower)});
+                failures.push_back(fmt::format("pairing: move {} of pass {} has no length in the {} plane, at {}", i,
+                                               pass.number,
+                                               pass.moves[i].lower == pass.moves[i - 1].lower ? "lower" : "upper",
+                                               place_text(pass.moves[i].lower)));
     }
     return failures;
 }
@@ -91,42 +146,51 @@ WireFailures check_machine(MachineLimits const& limits, WireProgram& program)
     WireFigures const& figures = program.figures;
     WireFailures failures;
     if (figures.tilt > limits.tilt)
-        failures.push_back({"machine", "the wire would be tilted by " + text(figures.tilt) + " rad, and the machine tilts it by " + text(limits.tilt)
-                                           + " rad at most (wedm.largest_tilt_deg)"});
+        failures.push_back(
+            fmt::format("machine: the wire would be tilted by {:.6g} rad, and the machine tilts it by {:.6g} rad at "
+                        "most (wedm.largest_tilt_deg)",
+                        figures.tilt, limits.tilt));
     if (figures.travel > limits.travel)
-        failures.push_back({"machine", "a guide would travel " + text(figures.travel) + " mm from the start hole, and the machine " + text(limits.travel)
-                                           + " mm at most (wedm.largest_travel)"});
+        failures.push_back(
+            fmt::format("machine: a guide would travel {:.6g} mm from the start hole, and the machine {:.6g} mm at "
+                        "most (wedm.largest_travel)",
+                        figures.travel, limits.travel));
     if (figures.uv_travel > limits.uv_travel)
-        failures.push_back({"machine", "the upper guide would stand " + text(figures.uv_travel) + " mm off the lower one along an axis, and the machine moves it by "
-                                           + text(limits.uv_travel) + " mm at most (wedm.largest_uv_travel)"});
+        failures.push_back(
+            fmt::format("machine: the upper guide would stand {:.6g} mm off the lower one along an axis, and the "
+                        "machine moves it by {:.6g} mm at most (wedm.largest_uv_travel)",
+                        figures.uv_travel, limits.uv_travel));
     return failures;
 }
 
 WireFailures check_start(WireProgram const& program)
 {
     WireFailures failures;
-    for (WirePass const& pass : program.passes)
-    {
+    for (WirePass const& pass : program.passes) {
         Vec2 const hole = pass.moves.front().lower;
         Vec2 const out = pass.moves.back().lower;
-        Vec2 const to[2] = {pass.moves[1].lower, pass.moves[1].upper};
-        Vec2 const from[2] = {pass.moves[pass.moves.size() - 2].lower, pass.moves[pass.moves.size() - 2].upper};
-        for (std::size_t f = 0; f < 2; ++f)
-        {
-            std::string const face = f == 0 ? " in the lower face" : " in the upper face";
+        WireMove const& to = pass.moves[1];
+        WireMove const& from = pass.moves[pass.moves.size() - 2];
+        for (bool const upper : {false, true}) {
+            char const* const face = upper ? "upper" : "lower";
             double clear = std::numeric_limits<double>::infinity();
             double way = clear;
-            for (Vec2 const& p : f == 0 ? program.nominal.lower : program.nominal.upper)
-            {
+            for (Vec2 const& p : upper ? program.nominal.upper : program.nominal.lower) {
                 clear = std::min({clear, (p - hole).norm(), (p - out).norm()});
-                way = std::min({way, detail::distance_to_segment(p, hole, to[f]), detail::distance_to_segment(p, from[f], out)});
+                way = std::min({way, distance_to_segment(p, hole, upper ? to.upper : to.lower),
+                                distance_to_segment(p, upper ? from.upper : from.lower, out)});
             }
-            if (!(clear >= pass.offset + program.start_hole_radius))
-                failures.push_back({"start", "the start hole's centre is " + text(clear) + " mm from the part" + face + ", and " + name(pass) + " needs "
-                                                 + text(pass.offset + program.start_hole_radius) + " mm"});
+            double const room = pass.offset + program.start_hole_radius;
+            if (!(clear >= room))
+                failures.push_back(
+                    fmt::format("start: the start hole's centre is {:.6g} mm from the part in the {} face, and pass {} "
+                                "needs {:.6g} mm",
+                                clear, face, pass.number, room));
             if (!(way >= pass.offset - program.tolerance))
-                failures.push_back({"start", "lead-in or lead-out of " + name(pass) + " come within " + text(way) + " mm of the part" + face + ", and the offset is "
-                                                 + text(pass.offset) + " mm"});
+                failures.push_back(
+                    fmt::format("start: lead-in or lead-out of pass {} come within {:.6g} mm of the part in the {} "
+                                "face, and the offset is {:.6g} mm",
+                                pass.number, way, face, pass.offset));
         }
     }
     return failures;
@@ -135,29 +199,55 @@ WireFailures check_start(WireProgram const& program)
 WireFailures check_untilted(WireProgram const& program)
 {
     WireFailures failures;
-    if (program.nominal.lower != program.nominal.upper)
-        return failures;
-    for (WirePass const& pass : program.passes)
-        if (!std::all_of(pass.moves.begin(), pass.moves.end(), [](WireMove const& move) { return move.lower == move.upper; }))
-            failures.push_back({"untilted", "both faces of the part are the same, but not those of " + name(pass)});
+    if (program.nominal.lower == program.nominal.upper && !is_untilted(program))
+        failures.emplace_back("untilted: both faces of the part are the same, but not those of all passes");
     return failures;
 }
 
 std::vector<std::string> skim_warnings(WireProgram const& program)
 {
     std::vector<std::string> warnings;
-    for (std::size_t k = 0; k + 1 < program.passes.size(); ++k)
-    {
+    for (std::size_t k = 0; k + 1 < program.passes.size(); ++k) {
         WirePass const& pass = program.passes[k];
-        double const layer = pass.stock - program.passes[k + 1].stock;
+        WirePass const& next = program.passes[k + 1];
+        double const layer = pass.stock - next.stock;
         double highest = 0;
         for (Residual const& residual : program.residuals)
             highest = std::max(highest, residual.pass == pass.number ? residual.height : 0);
         if (highest > layer)
-            warnings.push_back(name(pass) + " leaves up to " + text(highest) + " mm on top of its stock where it cannot follow the contour, more than the layer of " + text(layer)
-                               + " mm that " + name(program.passes[k + 1]) + " is to take: there it cuts " + text(highest + layer) + " mm deep");
+            warnings.push_back(fmt::format(
+                "pass {} leaves up to {:.6g} mm on top of its stock where it cannot follow the contour, more than the "
+                "layer of {:.6g} mm that pass {} is to take: there it cuts {:.6g} mm deep",
+                pass.number, highest, layer, next.number, highest + layer));
     }
     return warnings;
 }
 
-}  // namespace hdconj
+std::string place_text(Vec2 const& point)
+{
+    return fmt::format("({:.6g}, {:.6g}) mm", point.x(), point.y());
+}
+
+void check_all(WireFaces const& faces, std::vector<std::vector<char>> const& residual_at, double limit,
+               MachineLimits const& limits, WireProgram& program)
+{
+    WireFailures failures;
+    auto const add = [&](WireFailures const& found) { failures.insert(failures.end(), found.begin(), found.end()); };
+    if (!(program.tolerance > 0))
+        failures.push_back(fmt::format("numbers: tolerance is {:.6g} mm", program.tolerance));
+    add(check_numbers(program));
+    add(check_pairing(program));
+    throw_failures(failures);
+    add(check_pitches(program));
+    throw_failures(failures);
+    add(check_crossings(program));
+    add(check_sweep(faces, program));
+    add(check_sections(faces, residual_at, limit, program));
+    add(check_rulings(program));
+    add(check_machine(limits, program));
+    add(check_start(program));
+    add(check_untilted(program));
+    throw_failures(failures);
+}
+
+}  // namespace hdconj::wedm

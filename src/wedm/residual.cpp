@@ -1,28 +1,73 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/wedm/residual.hpp"
+#include "residual.hpp"
 
 #include <algorithm>
 #include <limits>
 
 #include "segment_grid.hpp"
 
-namespace hdconj {
+namespace hdconj::wedm {
+namespace {
 
-std::vector<double> uncut_heights(std::vector<Vec2> const& nominal, std::vector<Vec2> const& wire, double offset, double tolerance)
+std::vector<double> heights_of(WireFaces const& faces, PairedPath const& wire, double offset, double tolerance,
+                               bool upper)
 {
-    detail::SegmentGrid const grid(wire, false);
+    return uncut_heights(with_neighbours(faces.pitch.face(upper), faces, 1),
+                         with_neighbours(wire.face(upper), faces, wire.size() - 1), offset, tolerance);
+}
+
+/// Adds a residual for each run of points of a face above which material is left. A run ends where flank and root meet.
+void add_runs(WireFaces const& faces, std::vector<double> const& heights, bool upper, Uncut& uncut)
+{
+    std::vector<Vec2> const& points = faces.pitch.face(upper);
+    bool open = false;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        double const height = heights[i + 1];  // one more point before the pitch
+        if (height <= 0) {
+            open = false;
+            continue;
+        }
+        uncut.at[i] = 1;
+        bool const meshing = faces.meshing[i] != 0;
+        if (!open || uncut.residuals.back().meshing != meshing)
+            uncut.residuals.push_back({1, 0, points[i], upper, height, meshing});
+        open = true;
+        Residual& run = uncut.residuals.back();
+        if (height > run.height) {
+            run.height = height;
+            run.where = points[i];
+        }
+    }
+}
+
+/// Marks the neighbours too: at the edges of a residual, heights have fallen to the tolerance in both faces, but
+/// sections between them may differ by a point.
+std::vector<char> widened(std::vector<char> const& narrow)
+{
+    std::vector<char> wide = narrow;
+    for (std::size_t i = 1; i + 1 < wide.size(); ++i)
+        wide[i] = narrow[i - 1] != 0 || narrow[i] != 0 || narrow[i + 1] != 0 ? 1 : 0;
+    return wide;
+}
+
+}  // namespace
+
+std::vector<double> uncut_heights(std::vector<Vec2> const& nominal, std::vector<Vec2> const& wire, double offset,
+                                  double tolerance)
+{
+    SegmentGrid const grid(wire, false);
     std::vector<double> heights(nominal.size(), 0.0);
-    for (std::size_t i = 1; i + 1 < nominal.size(); ++i)
-    {
+    for (std::size_t i = 1; i + 1 < nominal.size(); ++i) {
         double const height = grid.distance(nominal[i]) - offset;
         heights[i] = height > tolerance ? height : 0;
     }
     return heights;
 }
 
-double way_to_residual(std::vector<Vec2> const& nominal, std::vector<double> const& heights, std::vector<Vec2> const& reached)
+double way_to_residual(std::vector<Vec2> const& nominal, std::vector<double> const& heights,
+                       std::vector<Vec2> const& reached)
 {
-    detail::SegmentGrid const grid(reached, false);
+    SegmentGrid const grid(reached, false);
     double way = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < nominal.size(); ++i)
         if (heights[i] > 0)
@@ -30,4 +75,34 @@ double way_to_residual(std::vector<Vec2> const& nominal, std::vector<double> con
     return way;
 }
 
-}  // namespace hdconj
+Residual const* Uncut::highest() const
+{
+    auto const found = std::max_element(residuals.begin(), residuals.end(),
+                                        [](Residual const& a, Residual const& b) { return a.height < b.height; });
+    return found == residuals.end() ? nullptr : &*found;
+}
+
+Uncut uncut_of(WireFaces const& faces, PairedPath const& wire, double offset, double tolerance)
+{
+    Uncut uncut;
+    uncut.at.assign(faces.pitch.size(), 0);
+    for (bool const upper : {false, true})
+        add_runs(faces, heights_of(faces, wire, offset, tolerance, upper), upper, uncut);
+    uncut.at = widened(uncut.at);
+    return uncut;
+}
+
+double way_to_uncut(WireFaces const& faces, PairedPath const& wire, double offset, double tolerance,
+                    WireFaces const& reached)
+{
+    double way = std::numeric_limits<double>::infinity();
+    for (bool const upper : {false, true}) {
+        std::vector<Vec2> const& teeth = reached.pitch.face(upper);
+        way = std::min(way, way_to_residual(with_neighbours(faces.pitch.face(upper), faces, 1),
+                                            heights_of(faces, wire, offset, tolerance, upper),
+                                            with_neighbours(teeth, faces, teeth.size() - 1)));
+    }
+    return way;
+}
+
+}  // namespace hdconj::wedm

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace hdconj::detail {
+namespace hdconj::wedm {
 namespace {
 
 /// Most columns and rows.
@@ -34,13 +34,13 @@ double distance_to_segment(Vec2 const& p, Vec2 const& a, Vec2 const& b)
     return (p - a - share * along).norm();
 }
 
-SegmentGrid::SegmentGrid(std::vector<Vec2> points, bool closed) : points_(std::move(points)), segments_(points_.size() - (closed ? 0 : 1))
+SegmentGrid::SegmentGrid(std::vector<Vec2> points, bool closed)
+    : points_(std::move(points)), segments_(points_.size() - (closed ? 0 : 1))
 {
     low_ = points_.front();
     Vec2 high = low_;
     double length = 0;
-    for (std::size_t i = 0; i < segments_; ++i)
-    {
+    for (std::size_t i = 0; i < segments_; ++i) {
         low_ = low_.cwiseMin(points_[i]).cwiseMin(end(i));
         high = high.cwiseMax(points_[i]).cwiseMax(end(i));
         length += (end(i) - points_[i]).norm();
@@ -65,10 +65,11 @@ SegmentGrid::SegmentGrid(std::vector<Vec2> points, bool closed) : points_(std::m
 SegmentGrid::Cell SegmentGrid::cell_of(Vec2 const& p) const
 {
     Vec2 const at = (p - low_) / size_;
-    return {static_cast<int>(std::clamp(at.x(), 0.0, static_cast<double>(columns_ - 1))), static_cast<int>(std::clamp(at.y(), 0.0, static_cast<double>(rows_ - 1)))};
+    return {static_cast<int>(std::clamp(at.x(), 0.0, static_cast<double>(columns_ - 1))),
+            static_cast<int>(std::clamp(at.y(), 0.0, static_cast<double>(rows_ - 1)))};
 }
 
-template<class Body>
+template <class Body>
 void SegmentGrid::cells_of(std::size_t segment, Body&& body) const
 {
     Cell const a = cell_of(points_[segment]);
@@ -88,16 +89,13 @@ double SegmentGrid::distance(Vec2 const& p) const
     Cell const home = cell_of(p);
     double best = std::numeric_limits<double>::infinity();
     int const last = std::max(columns_, rows_);
-    for (int ring = 0; ring <= last; ++ring)
-    {
+    for (int ring = 0; ring <= last; ++ring) {
         // for a point outside, the distance from its home cell is less than its own
         if (best <= (ring - 1) * size_)
             break;
-        for (int y = std::max(0, home.y - ring); y <= std::min(rows_ - 1, home.y + ring); ++y)
-        {
+        for (int y = std::max(0, home.y - ring); y <= std::min(rows_ - 1, home.y + ring); ++y) {
             bool const whole = y == home.y - ring || y == home.y + ring;
-            for (int x = home.x - ring; x <= home.x + ring; x += whole || ring == 0 ? 1 : 2 * ring)
-            {
+            for (int x = home.x - ring; x <= home.x + ring; x += whole || ring == 0 ? 1 : 2 * ring) {
                 if (x < 0 || x >= columns_)
                     continue;
                 std::size_t const cell = number(x, y);
@@ -121,18 +119,16 @@ bool SegmentGrid::touch(std::size_t i, std::size_t j) const
     int const sb = side(c, d, b);
     if (sc * sd < 0 && sa * sb < 0)
         return true;
-    return (sc == 0 && between(a, b, c)) || (sd == 0 && between(a, b, d)) || (sa == 0 && between(c, d, a)) || (sb == 0 && between(c, d, b));
+    return (sc == 0 && between(a, b, c)) || (sd == 0 && between(a, b, d)) || (sa == 0 && between(c, d, a)) ||
+           (sb == 0 && between(c, d, b));
 }
 
 std::pair<std::size_t, std::size_t> SegmentGrid::crossing() const
 {
     bool const closed = segments_ == points_.size();
-    for (std::size_t cell = 0; cell + 1 < begin_.size(); ++cell)
-    {
-        for (std::size_t m = begin_[cell]; m < begin_[cell + 1]; ++m)
-        {
-            for (std::size_t n = m + 1; n < begin_[cell + 1]; ++n)
-            {
+    for (std::size_t cell = 0; cell + 1 < begin_.size(); ++cell) {
+        for (std::size_t m = begin_[cell]; m < begin_[cell + 1]; ++m) {
+            for (std::size_t n = m + 1; n < begin_[cell + 1]; ++n) {
                 std::size_t const i = members_[m];
                 std::size_t const j = members_[n];
                 bool const neighbours = j == i + 1 || (closed && i == 0 && j + 1 == segments_);
@@ -144,4 +140,4 @@ std::pair<std::size_t, std::size_t> SegmentGrid::crossing() const
     return {0, 0};
 }
 
-}  // namespace hdconj::detail
+}  // namespace hdconj::wedm

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-#include "hdconj/geometry/vec2.hpp"
+#include "hdconj/base/vec2.hpp"
 
-namespace hdconj::detail {
+namespace hdconj::wedm {
 
 /// The segments of a line of at least 2 points.
 class SegmentGrid
@@ -30,11 +30,17 @@ class SegmentGrid
         int x, y;
     };
     [[nodiscard]] Cell cell_of(Vec2 const& p) const;
-    [[nodiscard]] std::size_t number(int x, int y) const { return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x); }
-    [[nodiscard]] Vec2 const& end(std::size_t segment) const { return points_[segment + 1 == points_.size() ? 0 : segment + 1]; }
+    [[nodiscard]] std::size_t number(int x, int y) const
+    {
+        return static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
+    }
+    [[nodiscard]] Vec2 const& end(std::size_t segment) const
+    {
+        return points_[segment + 1 == points_.size() ? 0 : segment + 1];
+    }
     [[nodiscard]] double distance(Vec2 const& p, std::size_t segment) const;
     [[nodiscard]] bool touch(std::size_t a, std::size_t b) const;
-    template<class Body>
+    template <class Body>
     void cells_of(std::size_t segment, Body&& body) const;
 
     std::vector<Vec2> points_;
@@ -50,4 +56,4 @@ class SegmentGrid
 /// Distance of @p p from the segment a b [mm].
 [[nodiscard]] double distance_to_segment(Vec2 const& p, Vec2 const& a, Vec2 const& b);
 
-}  // namespace hdconj::detail
+}  // namespace hdconj::wedm

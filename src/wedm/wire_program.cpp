@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/wedm/wire_program.hpp"
+#include "hdconj/wedm.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <utility>
 
-#include "hdconj/wedm/planes.hpp"
+#include "planes.hpp"
 
 namespace hdconj {
 namespace {
@@ -14,8 +14,7 @@ namespace {
 FaceRadii radii_of(std::vector<Vec2> const& contour)
 {
     FaceRadii radii{std::numeric_limits<double>::infinity(), 0};
-    for (Vec2 const& point : contour)
-    {
+    for (Vec2 const& point : contour) {
         radii.inner = std::min(radii.inner, point.norm());
         radii.outer = std::max(radii.outer, point.norm());
     }
@@ -26,8 +25,7 @@ PassFigures pass_figures(WirePass const& pass)
 {
     PassFigures figures;
     figures.shortest = pass.moves.size() > 1 ? std::numeric_limits<double>::infinity() : 0;
-    for (std::size_t i = 1; i < pass.moves.size(); ++i)
-    {
+    for (std::size_t i = 1; i < pass.moves.size(); ++i) {
         double const lower = (pass.moves[i].lower - pass.moves[i - 1].lower).norm();
         double const upper = (pass.moves[i].upper - pass.moves[i - 1].upper).norm();
         ++figures.blocks;
@@ -40,17 +38,16 @@ PassFigures pass_figures(WirePass const& pass)
 void measure_wire(WireProgram const& program, WireFigures& figures)
 {
     double lean = 0;
-    for (WirePass const& pass : program.passes)
-    {
-        for (WireMove const& move : pass.moves)
-        {
+    for (WirePass const& pass : program.passes) {
+        for (WireMove const& move : pass.moves) {
             Vec2 const hole = pass.moves.front().lower;
-            WirePoints const guides = guides_of(program.machine, {move.lower, move.upper});
+            wedm::WirePoints const guides = wedm::guides_of(program.machine, {move.lower, move.upper});
             Vec2 const off = guides.upper - guides.lower;
             lean = std::max(lean, (move.upper - move.lower).norm());
             figures.guide_shift = std::max(figures.guide_shift, off.norm());
             figures.uv_travel = std::max(figures.uv_travel, off.cwiseAbs().maxCoeff());
-            figures.travel = std::max({figures.travel, (guides.lower - hole).cwiseAbs().maxCoeff(), (guides.upper - hole).cwiseAbs().maxCoeff()});
+            figures.travel = std::max({figures.travel, (guides.lower - hole).cwiseAbs().maxCoeff(),
+                                       (guides.upper - hole).cwiseAbs().maxCoeff()});
         }
     }
     figures.tilt = std::atan2(lean, program.machine.thickness);
@@ -59,16 +56,13 @@ void measure_wire(WireProgram const& program, WireFigures& figures)
 
 void measure_residuals(WireProgram const& program, WireFigures& figures)
 {
-    for (Residual const& residual : program.residuals)
-    {
-        for (std::size_t i = 0; i < program.passes.size(); ++i)
-        {
+    for (Residual const& residual : program.residuals) {
+        for (std::size_t i = 0; i < program.passes.size(); ++i) {
             if (program.passes[i].number != residual.pass)
                 continue;
             figures.passes[i].residual = std::max(figures.passes[i].residual, residual.height);
             ++figures.passes[i].residuals;
-            if (i + 1 == program.passes.size())
-            {
+            if (i + 1 == program.passes.size()) {
                 figures.residual = std::max(figures.residual, residual.height);
                 figures.meshing_residual = std::max(figures.meshing_residual, residual.meshing ? residual.height : 0);
             }
@@ -85,10 +79,10 @@ WireFigures measured(WireProgram const& program)
     figures.lower = radii_of(nominal.lower);
     figures.upper = radii_of(nominal.upper);
     std::size_t const count = std::min(nominal.lower.size(), nominal.upper.size());
-    figures.face_shift = figures.guide_shift = figures.travel = figures.uv_travel = figures.residual = figures.meshing_residual = 0;
+    figures.face_shift = figures.guide_shift = figures.travel = figures.uv_travel = figures.residual =
+        figures.meshing_residual = 0;
     figures.least_shift = count > 0 ? std::numeric_limits<double>::infinity() : 0;
-    for (std::size_t k = 0; k < count; ++k)
-    {
+    for (std::size_t k = 0; k < count; ++k) {
         double const shift = (nominal.upper[k] - nominal.lower[k]).norm();
         figures.face_shift = std::max(figures.face_shift, shift);
         figures.least_shift = std::min(figures.least_shift, shift);
@@ -101,16 +95,22 @@ WireFigures measured(WireProgram const& program)
     return figures;
 }
 
+bool is_untilted(WireProgram const& program)
+{
+    auto const same = [](WireMove const& move) { return move.lower == move.upper; };
+    return program.nominal.lower == program.nominal.upper &&
+           std::all_of(program.passes.begin(), program.passes.end(),
+                       [&](WirePass const& pass) { return std::all_of(pass.moves.begin(), pass.moves.end(), same); });
+}
+
 WireProgram turned_half(WireProgram program)
 {
     // 0 - x has no negative zero
     auto const turn = [](Vec2& p) { p = Vec2::Zero() - p; };
     std::for_each(program.nominal.lower.begin(), program.nominal.lower.end(), turn);
     std::for_each(program.nominal.upper.begin(), program.nominal.upper.end(), turn);
-    for (WirePass& pass : program.passes)
-    {
-        for (WireMove& move : pass.moves)
-        {
+    for (WirePass& pass : program.passes) {
+        for (WireMove& move : pass.moves) {
             turn(move.lower);
             turn(move.upper);
         }

@@ -2,11 +2,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Instructions of whole runs, counted by callgrind: the measure that no other load on the machine changes.
 
-  instructions.py PROGRAM            compare with instructions.csv: exit status 1 where a count has moved by more than 2 %
+  instructions.py PROGRAM            compare with instructions.csv: exit status 1 where a count has moved by more than 2
+  %
   instructions.py PROGRAM --update   write that file anew
 
-A table belongs to one compiler, its libraries and one kind of processor (by which the C library chooses its routines); with others, or without valgrind, nothing is compared and the exit status is 77 (skipped).
+A table belongs to one compiler, its libraries and one kind of processor (by which the C library chooses its routines);
+with others, or without valgrind, nothing is compared and the exit status is 77 (skipped).
 """
+
 import csv
 import pathlib
 import re
@@ -26,7 +29,17 @@ RUNS = {
     "solve 1e-10": ["solve", "--quiet", "--threads", "1", "--set", "solver.tolerance=1e-10", "-o", "a.h5"],
     "solve a tooth of curves": ["solve", CURVES, "--quiet", "--threads", "1", "-o", "a.h5"],
     "contact": ["contact", "--quiet", "--threads", "1", "-o", "a.h5"],
-    "contact of a tooth of curves": ["contact", CURVES, "--quiet", "--threads", "1", "--set", "circular_spline.width=7", "-o", "a.h5"],
+    "contact of a tooth of curves": [
+        "contact",
+        CURVES,
+        "--quiet",
+        "--threads",
+        "1",
+        "--set",
+        "circular_spline.width=7",
+        "-o",
+        "a.h5",
+    ],
 }
 
 
@@ -39,7 +52,12 @@ def build_of(program):
 
 def count(program, arguments):
     with tempfile.TemporaryDirectory() as folder:
-        done = subprocess.run(["valgrind", "--tool=callgrind", "--callgrind-out-file=out", program, *arguments], cwd=folder, capture_output=True, text=True)
+        done = subprocess.run(
+            ["valgrind", "--tool=callgrind", "--callgrind-out-file=out", program, *arguments],
+            cwd=folder,
+            capture_output=True,
+            text=True,
+        )
         if done.returncode != 0:
             sys.exit(f"{' '.join(arguments)}: exit status {done.returncode}\n{done.stderr}")
         return int(re.search(r"Collected : (\d+)", done.stderr).group(1))
@@ -70,7 +88,10 @@ def main():
         moved = now / before - 1
         print(f"{name}: {now / 1e6:.2f} million instructions, {100 * moved:+.2f} % against the table")
         if abs(moved) > ALLOWED:
-            print(f"  more than {100 * ALLOWED:.0f} %: if it is meant, run {pathlib.Path(__file__).name} PROGRAM --update and say why in docs/performance.md")
+            print(
+                f"  more than {100 * ALLOWED:.0f} %: if it is meant, "
+                f"run {pathlib.Path(__file__).name} PROGRAM --update and say why in docs/performance.md"
+            )
             status = 1
     return status
 

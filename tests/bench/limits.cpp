@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Against the limits: envelope points as the program makes them, as bare arithmetic with no logic, many at once, and what reading and writing
-/// the numbers alone costs. Lines, arcs and curves; exact and first order; offset; certified roots; HDF5; whole verbs.
+/// Against the limits: envelope points as the program makes them, as bare arithmetic with no logic, many at once, and
+/// what reading and writing the numbers alone costs. Lines, arcs and curves; exact and first order; offset; certified
+/// roots; HDF5; whole verbs.
 #include <benchmark/benchmark.h>
 
 #include <cstring>
@@ -10,14 +11,14 @@
 #include <variant>
 #include <vector>
 
-#include "hdconj/envelope/arc_batch.hpp"
+#include "envelope/arc_batch.hpp"
+#include "hdconj/contact.hpp"
+#include "hdconj/contact_files.hpp"
 #include "hdconj/envelope/contact_batch.hpp"
 #include "hdconj/envelope/find_branches.hpp"
-#include "hdconj/io/contact_files.hpp"
-#include "hdconj/io/result_files.hpp"
-#include "hdconj/pipeline/contact.hpp"
-#include "hdconj/pipeline/solve.hpp"
-#include "hdconj/profile/measured_points.hpp"
+#include "hdconj/result_files.hpp"
+#include "hdconj/solve.hpp"
+#include "profile/measured_points.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/type50.hpp"
 
@@ -29,16 +30,18 @@ using namespace hdconj::test;
 constexpr int many = 4096;
 
 /// A contact arc on a piece of shape @p Shape, and positions along it.
-template<class Shape, class Motion>
+template <class Shape, class Motion>
 struct Sweep
 {
-    Sweep(Profile const& profile, Motion const& moved, double offset) : tooth(profile), motion(moved), envelope(tooth, motion, offset)
+    Sweep(profile::Profile const& profile, Motion const& moved, double offset)
+        : tooth(profile), motion(moved), envelope(tooth, motion, offset)
     {
         double longest = 0;
-        for (Branch const& branch : find_branches(envelope, 1).branches)
-            for (ContactArc const& each : branch.arcs)
-                if (!branch.corner && std::holds_alternative<Shape>(tooth.pieces[static_cast<std::size_t>(each.piece)].shape) && each.u_end - each.u_begin > longest)
-                {
+        for (envelope::Branch const& branch : envelope::find_branches(envelope, 1).branches)
+            for (envelope::ContactArc const& each : branch.arcs)
+                if (!branch.corner &&
+                    std::holds_alternative<Shape>(tooth.pieces[static_cast<std::size_t>(each.piece)].shape) &&
+                    each.u_end - each.u_begin > longest) {
                     longest = each.u_end - each.u_begin;
                     arc = each;
                 }
@@ -46,49 +49,71 @@ struct Sweep
             u.push_back(arc.u_begin + (arc.u_end - arc.u_begin) * (i + 0.5) / many);
     }
 
-    Profile tooth;
+    profile::Profile tooth;
     Motion motion;
-    Envelope<Motion> envelope;
-    ContactArc arc;
+    envelope::Envelope<Motion> envelope;
+    envelope::ContactArc arc;
     std::vector<double> u;
 };
 
-template<class Made>
+template <class Made>
 void run(benchmark::State& state, Made const& sweep)
 {
-    for (auto _ : state)
-    {
+    for (auto _ : state) {
         double sum = 0;
         for (double const at : sweep.u)
             sum += sweep.envelope.point(sweep.arc, at).p.x();
         benchmark::DoNotOptimize(sum);
     }
-    state.counters["per_point"] = benchmark::Counter(static_cast<double>(many), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["per_point"] = benchmark::Counter(
+        static_cast<double>(many), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 
 /// type-50's right flank as a cubic spline.
-Profile spline_tooth()
+profile::Profile spline_tooth()
 {
-    Profile const arcs = type50_tooth();
+    profile::Profile const arcs = type50_tooth();
     std::vector<Vec2> points;
-    for (ProfilePiece const& piece : arcs.pieces)
-        if (std::holds_alternative<ArcPiece>(piece.shape) && !piece.corner && point_at(piece.shape, 0.5).x() > 0)
+    for (profile::ProfilePiece const& piece : arcs.pieces)
+        if (std::holds_alternative<profile::ArcPiece>(piece.shape) && !piece.corner &&
+            profile::point_at(piece.shape, 0.5).x() > 0)
             for (int i = points.empty() ? 0 : 1; i <= 10; ++i)
-                points.push_back(point_at(piece.shape, i / 10.0));
-    Profile tooth;
+                points.push_back(profile::point_at(piece.shape, i / 10.0));
+    profile::Profile tooth;
     tooth.segment_names = {"flank"};
-    for (CurvePiece& piece : spline_through(points))
+    for (profile::CurvePiece& piece : profile::spline_through(points))
         tooth.pieces.push_back({std::move(piece), 0, 0, 1, false});
     return tooth;
 }
 
-void point_on_arc_exact(benchmark::State& state) { run(state, Sweep<ArcPiece, Exact>(type50_tooth(), type50_motion(), 0)); }
-void point_on_arc_exact_offset(benchmark::State& state) { run(state, Sweep<ArcPiece, Exact>(type50_tooth(), type50_motion(), 0.004)); }
-void point_on_arc_first_order(benchmark::State& state) { run(state, Sweep<ArcPiece, FirstOrder>(type50_tooth(), type50_first_order(), 0)); }
-void point_on_line_exact(benchmark::State& state) { run(state, Sweep<LinePiece, Exact>(type50_tooth(), type50_motion(), 0)); }
-void point_on_line_first_order(benchmark::State& state) { run(state, Sweep<LinePiece, FirstOrder>(type50_tooth(), type50_first_order(), 0)); }
-void point_on_curve_exact(benchmark::State& state) { run(state, Sweep<CurvePiece, Exact>(spline_tooth(), type50_motion(), 0)); }
-void point_on_curve_first_order(benchmark::State& state) { run(state, Sweep<CurvePiece, FirstOrder>(spline_tooth(), type50_first_order(), 0)); }
+void point_on_arc_exact(benchmark::State& state)
+{
+    run(state, Sweep<profile::ArcPiece, Exact>(type50_tooth(), type50_motion(), 0));
+}
+void point_on_arc_exact_offset(benchmark::State& state)
+{
+    run(state, Sweep<profile::ArcPiece, Exact>(type50_tooth(), type50_motion(), 0.004));
+}
+void point_on_arc_first_order(benchmark::State& state)
+{
+    run(state, Sweep<profile::ArcPiece, FirstOrder>(type50_tooth(), type50_first_order(), 0));
+}
+void point_on_line_exact(benchmark::State& state)
+{
+    run(state, Sweep<profile::LinePiece, Exact>(type50_tooth(), type50_motion(), 0));
+}
+void point_on_line_first_order(benchmark::State& state)
+{
+    run(state, Sweep<profile::LinePiece, FirstOrder>(type50_tooth(), type50_first_order(), 0));
+}
+void point_on_curve_exact(benchmark::State& state)
+{
+    run(state, Sweep<profile::CurvePiece, Exact>(spline_tooth(), type50_motion(), 0));
+}
+void point_on_curve_first_order(benchmark::State& state)
+{
+    run(state, Sweep<profile::CurvePiece, FirstOrder>(spline_tooth(), type50_first_order(), 0));
+}
 BENCHMARK(point_on_arc_exact)->Unit(benchmark::kMicrosecond);
 BENCHMARK(point_on_arc_exact_offset)->Unit(benchmark::kMicrosecond);
 BENCHMARK(point_on_arc_first_order)->Unit(benchmark::kMicrosecond);
@@ -100,53 +125,56 @@ BENCHMARK(point_on_curve_first_order)->Unit(benchmark::kMicrosecond);
 /// The same operations as a point on an arc needs, and no logic: rates, closed form, pose.
 void arithmetic_alone(benchmark::State& state)
 {
-    Sweep<ArcPiece, Exact> const sweep(type50_tooth(), type50_motion(), 0);
-    ArcPiece const arc = std::get<ArcPiece>(sweep.tooth.pieces[static_cast<std::size_t>(sweep.arc.piece)].shape);
-    for (auto _ : state)
-    {
+    Sweep<profile::ArcPiece, Exact> const sweep(type50_tooth(), type50_motion(), 0);
+    profile::ArcPiece const arc =
+        std::get<profile::ArcPiece>(sweep.tooth.pieces[static_cast<std::size_t>(sweep.arc.piece)].shape);
+    for (auto _ : state) {
         double sum = 0;
-        for (double const at : sweep.u)
-        {
-            Twist const twist = sweep.motion.rates(at).twist;
+        for (double const at : sweep.u) {
+            PlanarVelocity const twist = sweep.motion.rates(at).twist;
             Vec2 const v = twist(arc.centre);
             sum += sweep.motion.pose(at)(arc.centre + sweep.arc.candidate * arc.radius / v.norm() * left_of(v)).x();
         }
         benchmark::DoNotOptimize(sum);
     }
-    state.counters["per_point"] = benchmark::Counter(static_cast<double>(many), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["per_point"] = benchmark::Counter(
+        static_cast<double>(many), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(arithmetic_alone)->Unit(benchmark::kMicrosecond);
 
 /// Many at once.
 void arc_batch(benchmark::State& state)
 {
-    Sweep<ArcPiece, Exact> const sweep(type50_tooth(), type50_motion(), 0);
-    ArcBatch const batch(sweep.motion, type50_ratio, std::get<ArcPiece>(sweep.tooth.pieces[static_cast<std::size_t>(sweep.arc.piece)].shape), sweep.arc.candidate, 0);
+    Sweep<profile::ArcPiece, Exact> const sweep(type50_tooth(), type50_motion(), 0);
+    envelope::ArcBatch const batch(
+        sweep.motion, type50_ratio,
+        std::get<profile::ArcPiece>(sweep.tooth.pieces[static_cast<std::size_t>(sweep.arc.piece)].shape),
+        sweep.arc.candidate, 0);
     std::vector<double> x(many), y(many);
-    for (auto _ : state)
-    {
+    for (auto _ : state) {
         batch(sweep.u, x, y);
         benchmark::DoNotOptimize(x.data());
         benchmark::DoNotOptimize(y.data());
         benchmark::ClobberMemory();
     }
-    state.counters["per_point"] = benchmark::Counter(static_cast<double>(many), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["per_point"] = benchmark::Counter(
+        static_cast<double>(many), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(arc_batch)->Unit(benchmark::kMicrosecond);
 
 /// Many at once, with normal, parameter and error estimate: what `solve` samples with.
 void contact_batch_points(benchmark::State& state)
 {
-    Sweep<ArcPiece, Exact> const sweep(type50_tooth(), type50_motion(), 0);
-    auto const batch = contact_batch(sweep.envelope, sweep.arc);
-    std::vector<EnvelopePoint> points(many);
-    for (auto _ : state)
-    {
-        point_batch(sweep.envelope, sweep.arc, *batch, sweep.u, points);
+    Sweep<profile::ArcPiece, Exact> const sweep(type50_tooth(), type50_motion(), 0);
+    auto const batch = envelope::contact_batch(sweep.envelope, sweep.arc);
+    std::vector<envelope::EnvelopePoint> points(many);
+    for (auto _ : state) {
+        envelope::point_batch(sweep.envelope, sweep.arc, *batch, sweep.u, points);
         benchmark::DoNotOptimize(points.data());
         benchmark::ClobberMemory();
     }
-    state.counters["per_point"] = benchmark::Counter(static_cast<double>(many), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["per_point"] = benchmark::Counter(
+        static_cast<double>(many), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(contact_batch_points)->Unit(benchmark::kMicrosecond);
 
@@ -156,36 +184,38 @@ void memory_traffic_alone(benchmark::State& state)
     constexpr std::size_t large = std::size_t{1} << 22;
     std::vector<double> const u(large, 1);
     std::vector<double> x(large), y(large);
-    for (auto _ : state)
-    {
+    for (auto _ : state) {
         std::memcpy(x.data(), u.data(), large * sizeof(double));
         std::memcpy(y.data(), u.data(), large * sizeof(double));
         benchmark::ClobberMemory();
     }
-    state.counters["per_point"] = benchmark::Counter(static_cast<double>(large), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["per_point"] = benchmark::Counter(
+        static_cast<double>(large), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(memory_traffic_alone)->Unit(benchmark::kMillisecond);
 
 /// All certified roots of all polynomial pieces at one position.
 void certified_roots_of_flank(benchmark::State& state)
 {
-    Profile const tooth = spline_tooth();
+    profile::Profile const tooth = spline_tooth();
     Exact const motion = type50_motion();
-    std::vector<Twist> twists;
+    std::vector<PlanarVelocity> twists;
     for (int i = 0; i < 256; ++i)
         twists.push_back(motion.rates(motion.half_lobe() * ((i + 0.5) / 128 - 1)).twist);
     int roots = 0;
-    for (auto _ : state)
-    {
+    for (auto _ : state) {
         roots = 0;
-        for (Twist const& twist : twists)
-            for (ProfilePiece const& piece : tooth.pieces)
-                roots += curve_contacts(std::get<CurvePiece>(piece.shape), twist).count;
+        for (PlanarVelocity const& twist : twists)
+            for (profile::ProfilePiece const& piece : tooth.pieces)
+                roots += envelope::curve_contacts(std::get<profile::CurvePiece>(piece.shape), twist).count;
         benchmark::DoNotOptimize(roots);
     }
     state.counters["roots"] = roots;
-    state.counters["per_position"] = benchmark::Counter(256.0, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
-    state.counters["per_piece"] = benchmark::Counter(256.0 * static_cast<double>(tooth.pieces.size()), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["per_position"] =
+        benchmark::Counter(256.0, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+    state.counters["per_piece"] =
+        benchmark::Counter(256.0 * static_cast<double>(tooth.pieces.size()),
+                           benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(certified_roots_of_flank)->Unit(benchmark::kMicrosecond);
 
@@ -206,24 +236,31 @@ void whole_contact(benchmark::State& state)
 {
     Scene const scene = read_scene(std::string(HDCONJ_SOURCE_DIR) + "/data/scenes/type-50-coned.toml");
     for (auto _ : state)
-        benchmark::DoNotOptimize(contact(scene).cases.size());
+        benchmark::DoNotOptimize(study_contact(scene).cases.size());
 }
 BENCHMARK(whole_contact)->Unit(benchmark::kMillisecond);
 
 /// Points along a flank over four decades: linear.
 void points_of_a_flank(benchmark::State& state)
 {
-    Sweep<ArcPiece, Exact> const sweep(type50_tooth(), type50_motion(), 0);
+    Sweep<profile::ArcPiece, Exact> const sweep(type50_tooth(), type50_motion(), 0);
     auto const count = state.range(0);
-    for (auto _ : state)
-    {
+    for (auto _ : state) {
         double sum = 0;
         for (long i = 0; i < count; ++i)
-            sum += sweep.envelope.point(sweep.arc, sweep.arc.u_begin + (sweep.arc.u_end - sweep.arc.u_begin) * (static_cast<double>(i) + 0.5) / static_cast<double>(count)).p.x();
+            sum += sweep.envelope
+                       .point(sweep.arc, sweep.arc.u_begin + (sweep.arc.u_end - sweep.arc.u_begin) *
+                                                                 (static_cast<double>(i) + 0.5) /
+                                                                 static_cast<double>(count))
+                       .p.x();
         benchmark::DoNotOptimize(sum);
     }
     state.SetComplexityN(count);
 }
-BENCHMARK(points_of_a_flank)->RangeMultiplier(10)->Range(10, 100000)->Complexity(benchmark::oN)->Unit(benchmark::kMicrosecond);
+BENCHMARK(points_of_a_flank)
+    ->RangeMultiplier(10)
+    ->Range(10, 100000)
+    ->Complexity(benchmark::oN)
+    ->Unit(benchmark::kMicrosecond);
 
 }  // namespace

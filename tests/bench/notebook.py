@@ -4,15 +4,21 @@
 
   notebook.py build/release/bin/hdconj [LARGEST]
 
-Versions of notebook_jobs.py, written for this comparison: NumPy (f(t, u) on a grid of positions and profile points, sign changes, linear interpolation), SciPy
+Versions of notebook_jobs.py, written for this comparison: NumPy (f(t, u) on a grid of positions and profile points,
+sign changes, linear interpolation), SciPy
 (quad for the arc length, brentq for each contact) and shapely (union of tooth positions). Two jobs:
-- points: the stretch of the right convex arc only, of which notebooks are told where it begins and ends; beside the points of the whole boundary alone in the
+- points: the stretch of the right convex arc only, of which notebooks are told where it begins and ends; beside the
+  points of the whole boundary alone in the
   library, branches given (study sampling of `hdconj accuracy`);
-- tooth space: all segments over the whole lobe, the outermost points, a file; beside the whole process `hdconj solve`, which certifies its branches and checks
-  what it made over a full turn besides; and beside the same in a program that is running, as a notebook is (study tolerance), without the file.
-Imports and reference are not timed. Error: Hausdorff distance from hdconj's own outline at 1e-10 mm (which 50 digits confirm: `hdconj accuracy`).
+- tooth space: all segments over the whole lobe, the outermost points, a file; beside the whole process `hdconj solve`,
+  which certifies its branches and checks
+  what it made over a full turn besides; and beside the same in a program that is running, as a notebook is (study
+  tolerance), without the file.
+Imports and reference are not timed. Error: Hausdorff distance from hdconj's own outline at 1e-10 mm (which 50 digits
+confirm: `hdconj accuracy`).
 LARGEST: seconds after which a version is made no finer [20].
 """
+
 import json
 import math
 import os
@@ -35,7 +41,10 @@ folder = tempfile.TemporaryDirectory()
 def hdconj(tolerance, threads):
     name = os.path.join(folder.name, "result.h5")
     start = time.perf_counter()
-    subprocess.run([program, "solve", "--quiet", "--threads", str(threads), "--set", f"solver.tolerance={tolerance}", "-o", name], check=True)
+    subprocess.run(
+        [program, "solve", "--quiet", "--threads", str(threads), "--set", f"solver.tolerance={tolerance}", "-o", name],
+        check=True,
+    )
     return time.perf_counter() - start, name
 
 
@@ -44,10 +53,17 @@ def outlines_of(name):
     with h5py.File(name) as result:
         outline = result["circular_spline/outline"][0]
         pieces = result["circular_spline/pieces"]
-        made = [(k, s, int(a), int(b)) for k, s, a, b in zip(pieces["kind"].asstr()[:], pieces["segment_name"].asstr()[:], pieces["first"][:], pieces["last"][:])]
-        first, last = max(((a, b) for k, s, a, b in made if k == "flank" and s == "right convex arc"), key=lambda run: run[1] - run[0])
+        made = [
+            (k, s, int(a), int(b))
+            for k, s, a, b in zip(
+                pieces["kind"].asstr()[:], pieces["segment_name"].asstr()[:], pieces["first"][:], pieces["last"][:]
+            )
+        ]
+        first, last = max(
+            ((a, b) for k, s, a, b in made if k == "flank" and s == "right convex arc"), key=lambda run: run[1] - run[0]
+        )
         space = [(a, b) for k, _, a, b in made if k != "land"]
-        return outline[first:last + 1], outline[space[0][0]:space[-1][1] + 1], result["flexspline/outline"][:]
+        return outline[first : last + 1], outline[space[0][0] : space[-1][1] + 1], result["flexspline/outline"][:]
 
 
 def hausdorff(points, truth):
@@ -55,11 +71,14 @@ def hausdorff(points, truth):
     line, true_line = LineString(points), LineString(truth)
     points = points[np.hypot(*points.T) >= min(np.hypot(*truth[0]), np.hypot(*truth[-1]))]
     step = max(1, len(truth) // 1500), max(1, len(points) // 1500)
-    return max(max(line.distance(Point(p)) for p in truth[::step[0]]), max(true_line.distance(Point(p)) for p in points[::step[1]]))
+    return max(
+        max(line.distance(Point(p)) for p in truth[:: step[0]]),
+        max(true_line.distance(Point(p)) for p in points[:: step[1]]),
+    )
 
 
 def gap(boundary, truth):
-    return max(boundary.distance(Point(p)) for p in truth[::max(1, len(truth) // 400)])
+    return max(boundary.distance(Point(p)) for p in truth[:: max(1, len(truth) // 400)])
 
 
 def timed(work, repeats=3):
@@ -81,29 +100,63 @@ with h5py.File(reference) as result:
     for branch in result["envelope"].values():
         if branch.attrs["segment_name"] == "right convex arc" and branch.attrs["kind"] == "regular":
             u, point = branch["u"][:], branch["point"][:]
-            ends.append([u[np.argmin(np.hypot(*(point - truth[k]).T))] for k in (0, -1)] + [min(np.hypot(*(point - truth[0]).T))])
+            ends.append(
+                [u[np.argmin(np.hypot(*(point - truth[k]).T))] for k in (0, -1)]
+                + [min(np.hypot(*(point - truth[0]).T))]
+            )
 ends = sorted(min(ends, key=lambda e: e[2])[:2])
 coarse_tooth = hdconj(1e-5, 1)[1]
 tooth = outlines_of(coarse_tooth)[2]
 
-ladders = {"hdconj, tooth space": [], "hdconj, running": [], "hdconj, points": [], "NumPy, points": [], "SciPy, points": [], "NumPy, tooth space": [], "SciPy, tooth space": [], "union": []}
+ladders = {
+    "hdconj, tooth space": [],
+    "hdconj, running": [],
+    "hdconj, points": [],
+    "NumPy, points": [],
+    "SciPy, points": [],
+    "NumPy, tooth space": [],
+    "SciPy, tooth space": [],
+    "union": [],
+}
 for digits in range(3, 11):
-    seconds = sorted(hdconj(10.0 ** -digits, 0)[0] for _ in range(5))[2]
-    ladders["hdconj, tooth space"].append((10.0 ** -digits, 10.0 ** -digits, seconds))
+    seconds = sorted(hdconj(10.0**-digits, 0)[0] for _ in range(5))[2]
+    ladders["hdconj, tooth space"].append((10.0**-digits, 10.0**-digits, seconds))
 for study, method, name in (("sampling", "adaptive", "hdconj, points"), ("tolerance", "solve", "hdconj, running")):
-    measured = subprocess.run([program, "accuracy", "--quiet", "--json", "--sample", "0", "--study", study, "-o", os.path.join(folder.name, study)],
-                              capture_output=True, check=True).stdout
-    ladders[name] = [(rung["value"], rung["error"], rung["median_s"])
-                     for ladder in json.loads(measured)["ladders"] if ladder["method"] == method for rung in ladder["rungs"]]
+    measured = subprocess.run(
+        [
+            program,
+            "accuracy",
+            "--quiet",
+            "--json",
+            "--sample",
+            "0",
+            "--study",
+            study,
+            "-o",
+            os.path.join(folder.name, study),
+        ],
+        capture_output=True,
+        check=True,
+    ).stdout
+    ladders[name] = [
+        (rung["value"], rung["error"], rung["median_s"])
+        for ladder in json.loads(measured)["ladders"]
+        if ladder["method"] == method
+        for rung in ladder["rungs"]
+    ]
 made = os.path.join(folder.name, "notebook.h5")
-for name, make, true_points in (("NumPy, points", lambda count: with_numpy(count, ends), truth), ("SciPy, points", lambda count: with_scipy(count, ends), truth),
-                                ("NumPy, tooth space", lambda count: whole_numpy(count, made), space), ("SciPy, tooth space", lambda count: whole_scipy(count, made), space)):
-    for count in [2 ** k for k in range(6, 17)]:
+for name, make, true_points in (
+    ("NumPy, points", lambda count: with_numpy(count, ends), truth),
+    ("SciPy, points", lambda count: with_scipy(count, ends), truth),
+    ("NumPy, tooth space", lambda count: whole_numpy(count, made), space),
+    ("SciPy, tooth space", lambda count: whole_scipy(count, made), space),
+):
+    for count in [2**k for k in range(6, 17)]:
         points, seconds = timed(lambda: make(count))
         ladders[name].append((count, hausdorff(points, true_points), seconds))
         if seconds > largest / 3:
             break
-for count in [2 ** k for k in range(5, 13)]:
+for count in [2**k for k in range(5, 13)]:
     boundary, seconds = timed(lambda: with_shapely(count, ends, tooth))
     ladders["union"].append((count, gap(boundary, truth), seconds))
     if seconds > largest / 3:
@@ -126,11 +179,33 @@ for name, ladder in ladders.items():
         print(f"  {knob:10g}   error {error:9.2e} mm   {seconds * 1e3:10.2f} ms")
 print("\nratio of time at equal error (the notebook's over hdconj's), and of error at equal time:")
 summary = {}
-for name, own in (("NumPy, points", "hdconj, points"), ("SciPy, points", "hdconj, points"), ("NumPy, tooth space", "hdconj, tooth space"), ("SciPy, tooth space", "hdconj, tooth space"),
-                  ("NumPy, tooth space", "hdconj, running"), ("SciPy, tooth space", "hdconj, running"), ("NumPy, points", "hdconj, tooth space"), ("SciPy, points", "hdconj, tooth space"), ("union", "hdconj, tooth space")):
+for name, own in (
+    ("NumPy, points", "hdconj, points"),
+    ("SciPy, points", "hdconj, points"),
+    ("NumPy, tooth space", "hdconj, tooth space"),
+    ("SciPy, tooth space", "hdconj, tooth space"),
+    ("NumPy, tooth space", "hdconj, running"),
+    ("SciPy, tooth space", "hdconj, running"),
+    ("NumPy, points", "hdconj, tooth space"),
+    ("SciPy, points", "hdconj, tooth space"),
+    ("union", "hdconj, tooth space"),
+):
     mine = ladders[own]
-    ratios = [(error, seconds / interpolated(mine, error, 2, 1)) for _, error, seconds in ladders[name] if interpolated(mine, error, 2, 1)]
-    errors = [(seconds, error / interpolated(mine, seconds, 1, 2)) for _, error, seconds in ladders[name] if interpolated(mine, seconds, 1, 2)]
-    print(f"  {name} / {own}: time " + ", ".join(f"{r:.3g} at {e:.1e} mm" for e, r in ratios) + "; error " + ", ".join(f"{r:.3g} at {s * 1e3:.3g} ms" for s, r in errors))
+    ratios = [
+        (error, seconds / interpolated(mine, error, 2, 1))
+        for _, error, seconds in ladders[name]
+        if interpolated(mine, error, 2, 1)
+    ]
+    errors = [
+        (seconds, error / interpolated(mine, seconds, 1, 2))
+        for _, error, seconds in ladders[name]
+        if interpolated(mine, seconds, 1, 2)
+    ]
+    print(
+        f"  {name} / {own}: time "
+        + ", ".join(f"{r:.3g} at {e:.1e} mm" for e, r in ratios)
+        + "; error "
+        + ", ".join(f"{r:.3g} at {s * 1e3:.3g} ms" for s, r in errors)
+    )
     summary[f"{name} / {own}"] = {"time_ratio": ratios, "error_ratio": errors}
 print(json.dumps({"ladders": ladders, "ratios": summary}), file=open(os.environ.get("NOTEBOOK_JSON", os.devnull), "w"))

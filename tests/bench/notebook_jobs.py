@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a notebook would write for the built-in drive: one stretch of a flank, the whole tooth space, and the union of tooth positions. notebook.py times them."""
+"""What a notebook would write for the built-in drive: one stretch of a flank, the whole tooth space, and the union of
+tooth positions. notebook.py times them."""
+
 import math
 
 import h5py
@@ -26,7 +28,17 @@ def w(u):
 
 def mean_radius():
     def excess(r_0):
-        return quad(lambda u: math.hypot(r_0 + w0 * math.cos(n * u), n * w0 * math.sin(n * u)), 0, math.pi / n, epsabs=1e-13, epsrel=1e-13)[0] - r_m * math.pi / n
+        return (
+            quad(
+                lambda u: math.hypot(r_0 + w0 * math.cos(n * u), n * w0 * math.sin(n * u)),
+                0,
+                math.pi / n,
+                epsabs=1e-13,
+                epsrel=1e-13,
+            )[0]
+            - r_m * math.pi / n
+        )
+
     return brentq(excess, r_m - w0, r_m, xtol=1e-14)
 
 
@@ -43,8 +55,8 @@ def velocity(u, r_0):
     """theta' and q of f = n.(theta' (y, -x) + q)."""
     d, d1, d2 = w(u)
     rho = r_0 + d
-    s = np.sqrt(rho ** 2 + d1 ** 2)
-    return 1 - ratio * s / r_m - (rho * d2 - d1 ** 2) / s ** 2, s - ratio * rho ** 2 / r_m, ratio * rho * d1 / r_m
+    s = np.sqrt(rho**2 + d1**2)
+    return 1 - ratio * s / r_m - (rho * d2 - d1**2) / s**2, s - ratio * rho**2 / r_m, ratio * rho * d1 / r_m
 
 
 def f(angle, u, r_0):
@@ -55,7 +67,9 @@ def f(angle, u, r_0):
 
 def placed(angle, theta, x_0, y_0):
     x, y = centre[0] + rho_a * np.cos(angle), centre[1] + rho_a * np.sin(angle)
-    return np.stack([x * np.cos(theta) + y * np.sin(theta) + x_0, -x * np.sin(theta) + y * np.cos(theta) + y_0], axis=-1)
+    return np.stack(
+        [x * np.cos(theta) + y * np.sin(theta) + x_0, -x * np.sin(theta) + y * np.cos(theta) + y_0], axis=-1
+    )
 
 
 # --- three notebooks ------------------------------------------------------------------------------------------------
@@ -81,7 +95,16 @@ def with_scipy(count, ends):
     r_0 = mean_radius()
     points = []
     for u in np.linspace(*ends, count):
-        phi = quad(lambda v: math.hypot(r_0 + w0 * math.cos(n * v), n * w0 * math.sin(n * v)), 0, u, epsabs=1e-12, epsrel=1e-12)[0] / r_m
+        phi = (
+            quad(
+                lambda v: math.hypot(r_0 + w0 * math.cos(n * v), n * w0 * math.sin(n * v)),
+                0,
+                u,
+                epsabs=1e-12,
+                epsrel=1e-12,
+            )[0]
+            / r_m
+        )
         angles = np.linspace(-0.6, 1.5, 21)
         values = f(angles, u, r_0)
         for k in np.nonzero(np.signbit(values[1:]) != np.signbit(values[:-1]))[0]:
@@ -106,17 +129,22 @@ def with_shapely(count, ends, tooth):
 
 
 # --- the whole tooth space ------------------------------------------------------------------------------------------
-# Every segment of the right half of the tooth in all positions of a lobe, and the path of its tip corner; of all these points the outermost at their azimuth;
-# mirrored; into a file. Whoever knew beforehand which of them bound the tooth space would need no program.
+# Every segment of the right half of the tooth in all positions of a lobe, and the path of its tip corner; of all these
+# points the outermost at their azimuth; mirrored; into a file. Whoever knew beforehand which of them bound the tooth
+# space would need no program.
 h_t = 0.1900
-x_f = -l_a + math.sqrt((rho_a + 0.5145) ** 2 - 0.0671 ** 2)
+x_f = -l_a + math.sqrt((rho_a + 0.5145) ** 2 - 0.0671**2)
 beside = math.atan2(0.0671, x_f + l_a)  # where the arcs touch, seen from the convex arc's centre
 line_from = math.asin(h_t / rho_a)
 line_normal = np.array([math.cos(line_from), math.sin(line_from)])
 line_start = centre + rho_a * line_normal
 line_end = line_start + (h_a - h_t) / math.cos(line_from) * np.array([-math.sin(line_from), math.cos(line_from)])
-# centre, radius (negative: hollow), angles of the normal: the convex one goes on inside the tooth, so that between two positions there is no gap before the line
-arcs = [(centre, rho_a, beside, line_from + 0.1), (np.array([x_f, pitch_line + 0.0671]), -0.5145, beside, math.asin((h_f + 0.0671) / 0.5145))]
+# centre, radius (negative: hollow), angles of the normal: the convex one goes on inside the tooth, so that between two
+# positions there is no gap before the line
+arcs = [
+    (centre, rho_a, beside, line_from + 0.1),
+    (np.array([x_f, pitch_line + 0.0671]), -0.5145, beside, math.asin((h_f + 0.0671) / 0.5145)),
+]
 lines = [(line_start, line_end, line_normal), (line_end, line_end * [-1, 1], np.array([0.0, 1.0]))]
 
 
@@ -126,7 +154,13 @@ def f_at(point, normal, u, r_0):
 
 
 def moved(point, theta, x_0, y_0):
-    return np.stack([point[0] * np.cos(theta) + point[1] * np.sin(theta) + x_0, -point[0] * np.sin(theta) + point[1] * np.cos(theta) + y_0], axis=-1)
+    return np.stack(
+        [
+            point[0] * np.cos(theta) + point[1] * np.sin(theta) + x_0,
+            -point[0] * np.sin(theta) + point[1] * np.cos(theta) + y_0,
+        ],
+        axis=-1,
+    )
 
 
 def on_arc(arc, angle):
@@ -142,7 +176,7 @@ def outermost(curves):
         turns = np.flatnonzero(np.diff(np.sign(np.diff(azimuth))) != 0) + 1
         ends = [0, *turns, len(curve) - 1]
         for first, last in zip(ends, ends[1:]):
-            order = first + np.argsort(azimuth[first:last + 1])
+            order = first + np.argsort(azimuth[first : last + 1])
             runs.append((azimuth[order], curve[order]))
     kept = []
     for own, (azimuth, points) in enumerate(runs):
@@ -209,11 +243,22 @@ def whole_scipy(count, name):
     r_0 = mean_radius()
     found, on_line = {}, ([], [])
     for k, u in enumerate(np.linspace(-math.pi / n, math.pi / n, count)):
-        phi = quad(lambda v: math.hypot(r_0 + w0 * math.cos(n * v), n * w0 * math.sin(n * v)), 0, u, epsabs=1e-12, epsrel=1e-12)[0] / r_m
+        phi = (
+            quad(
+                lambda v: math.hypot(r_0 + w0 * math.cos(n * v), n * w0 * math.sin(n * v)),
+                0,
+                u,
+                epsabs=1e-12,
+                epsrel=1e-12,
+            )[0]
+            / r_m
+        )
         pose = poses(u, phi, r_0)
         for which, arc in enumerate(arcs):
+
             def on(angle):
                 return f_at(on_arc(arc, angle), (np.cos(angle), np.sin(angle)), u, r_0)
+
             angles = np.linspace(arc[2], arc[3], 11)
             values = on(angles)
             for root, j in enumerate(np.flatnonzero(np.signbit(values[1:]) != np.signbit(values[:-1]))):
@@ -221,12 +266,16 @@ def whole_scipy(count, name):
                 found.setdefault((which, root), []).append((k, moved(on_arc(arc, angle), *pose)))
         for which, (start, end, normal) in enumerate(lines):
             a, b = f_at(start, normal, u, r_0), f_at(end, normal, u, r_0)
-            on_line[which].append(((a < 0) != (b < 0), moved(start + min(max(a / (a - b), 0), 1) * (end - start), *pose)))
+            on_line[which].append(
+                ((a < 0) != (b < 0), moved(start + min(max(a / (a - b), 0), 1) * (end - start), *pose))
+            )
         found.setdefault((4, 0), []).append((k, moved(line_end, *pose)))
     for which, positions in enumerate(on_line):
         touches = np.array([touch for touch, _ in positions])
         # to the line's end in the next position
-        found[2 + which, 0] = [(k, positions[k][1]) for k in np.flatnonzero(touches | np.roll(touches, 1) | np.roll(touches, -1))]
+        found[2 + which, 0] = [
+            (k, positions[k][1]) for k in np.flatnonzero(touches | np.roll(touches, 1) | np.roll(touches, -1))
+        ]
     curves = []
     for points in found.values():
         row, place = np.array([k for k, _ in points]), np.array([p for _, p in points])

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <string>
 
-#include "hdconj/io/scene_toml.hpp"
-#include "hdconj/pipeline/solve.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/solve.hpp"
 
 namespace {
 
@@ -17,8 +17,7 @@ void run(benchmark::State& state, Scene const& scene)
 {
     std::size_t points = 0;
     std::size_t contacts = 0;
-    for (auto _ : state)
-    {
+    for (auto _ : state) {
         Solution const solution = solve(scene);
         points = solution.circular_spline.outline.front().size();
         contacts = solution.work.envelope_points;
@@ -31,7 +30,8 @@ void run(benchmark::State& state, Scene const& scene)
 /// state.range(0): digits of the tolerance; range(1): threads.
 void type_50(benchmark::State& state)
 {
-    run(state, builtin_scene({"solver.tolerance=1e-" + std::to_string(state.range(0)), "solver.threads=" + std::to_string(state.range(1))}));
+    run(state, builtin_scene({"solver.tolerance=1e-" + std::to_string(state.range(0)),
+                              "solver.threads=" + std::to_string(state.range(1))}));
 }
 BENCHMARK(type_50)->ArgsProduct({{3, 4, 5, 6, 7, 8, 9, 10}, {1, 2}})->Unit(benchmark::kMillisecond)->UseRealTime();
 

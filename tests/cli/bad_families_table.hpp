@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Parameters of tooth families that must be refused: rows of the form of bad_scenes_table, each an edit of the family's own scene in
-/// data/scenes.
+/// Parameters of tooth families that must be refused: rows of the form of bad_scenes_table, each an edit of the
+/// family's own scene in data/scenes.
 #pragma once
 
-#include "cli/bad_scenes_table.hpp"
+#include "bad_scenes_table.hpp"
 
 namespace hdconj::test {
 

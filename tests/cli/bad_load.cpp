@@ -2,7 +2,9 @@
 // Wrong command lines and measured curves of `hdconj load`: place, reason, remedy, exit status, and no file.
 #include <fstream>
 
-#include "cli/bad_commands.hpp"
+#include "bad_commands.hpp"
+
+namespace hdconj::test::bad_load_cases {
 
 namespace {
 
@@ -12,7 +14,7 @@ using hdconj::test::TemporaryFolder;
 
 std::string const given_spline = HDCONJ_SOURCE_DIR "/data/scenes/circular-spline-given.toml";
 
-std::vector<BadCommand> const& commands()
+std::vector<BadCommand> const& load_commands()
 {
     static std::vector<BadCommand> const table{
         {"--torque abc", "--torque", "'abc' is no finite number", "such as --torque 28"},
@@ -22,7 +24,8 @@ std::vector<BadCommand> const& commands()
         {"--torque 28Nm", "--torque", "'28Nm' is no finite number", "such as --torque 28"},
         {"--torque 0", "--torque", "'0' is not above 0", "such as --torque 28"},
         {"--torque=-28", "--torque", "'-28' is not above 0", "such as --torque 28"},
-        {"--set coning.model=linear --set coning.bottom_to_middle=17.19", "bearing.width", "beyond the straight wall", "another coning.bottom_to_middle"},
+        {"--set coning.model=linear --set coning.bottom_to_middle=17.19", "bearing.width", "beyond the straight wall",
+         "another coning.bottom_to_middle"},
         {"--points some", "--points", "some", "--help"},
         {"--points 0", "--points", "not in range 1 to 1000", "--help"},
         {"--points 5 --no-curve", "--points = 5", "no curve that could have points", "leave one of them out"},
@@ -34,19 +37,23 @@ std::vector<BadCommand> const& commands()
         {"--ratio 100", "--ratio = 100", "no measured curve", "write --measured"},
         {"--output-member cup", "--output-member = cup", "no measured curve", "write --measured"},
         {"--measured loop.csv --output-member spline", "--output-member", "unknown word 'spline'", "circular-spline"},
-        {"--torque-constant 0.119 --counts-per-turn 2000 --efficiency 0.9", "--efficiency = 0.9", "no measured curve", "leave it out"},
+        {"--torque-constant 0.119 --counts-per-turn 2000 --efficiency 0.9", "--efficiency = 0.9", "no measured curve",
+         "leave it out"},
         {"--efficiency no", "--efficiency", "'no' is no finite number", "--efficiency 0.8"},
         {"--measured none.csv", "--measured = none.csv", "cannot be read", "a CSV file that is there"},
         {"--measured folder", "--measured = folder", "is a folder", "a CSV file"},
         {"--measured /dev/zero", "--measured = /dev/zero", "no file that ends", "a CSV file"},
         {"--measured empty.csv", "--measured = empty.csv", "no header and no samples", "angle [arcmin], torque [N m]"},
         {"--measured bad.csv", "bad.csv line 3: column 2, torque [N m] = abc", "is no finite number", "12.5"},
-        {"--measured motor.csv", "--torque-constant", "is missing: motor.csv has a column of motor current", "--torque-constant 0.119"},
+        {"--measured motor.csv", "--torque-constant", "is missing: motor.csv has a column of motor current",
+         "--torque-constant 0.119"},
         {"--measured motor.csv", "--counts-per-turn", "is missing", "--counts-per-turn 2000"},
-        {"--measured motor.csv --torque-constant 0 --counts-per-turn 2000", "--torque-constant = 0", "must be finite and not 0", "0.119"},
+        {"--measured motor.csv --torque-constant 0 --counts-per-turn 2000", "--torque-constant = 0",
+         "must be finite and not 0", "0.119"},
         {"--measured up.csv", "--measured = up.csv", "one sign only", "0, T, 0, -T, 0"},
         {"--measured up.csv --ratio 100", "--ratio = 100", "no column that needs it", "leave it out"},
-        {"--measured back.csv", "--measured = back.csv", "torque falls while the angle grows", "turn the sign of one column round"},
+        {"--measured back.csv", "--measured = back.csv", "torque falls while the angle grows",
+         "turn the sign of one column round"},
         {"--measured loop.csv -o loop.csv", "--output = loop.csv", "this file is read", "another name"},
         {"-o a.h5 --vtu ./a.h5", "--output = a.h5", "is given to --vtu too", "another name"},
         {"-o -", "--output = -", "do not go to standard output", "--json"},
@@ -59,12 +66,7 @@ std::vector<BadCommand> const& commands()
     return table;
 }
 
-void write(std::filesystem::path const& file, std::string const& text)
-{
-    std::ofstream(file) << text;
-}
-
-void prepare(TemporaryFolder const& folder)
+void prepare_load(TemporaryFolder const& folder)
 {
     std::filesystem::create_directory(folder / "folder");
     write(folder / "empty.csv", "# nothing\n");
@@ -79,11 +81,11 @@ void prepare(TemporaryFolder const& folder)
 
 TEST_CASE("wrong command lines of load say place reason and remedy and write nothing", "[load]")
 {
-    for (auto const& row : commands()) {
+    for (auto const& row : load_commands()) {
         SECTION(row.arguments + " " + row.place)
         {
             TemporaryFolder const folder;
-            prepare(folder);
+            prepare_load(folder);
             hdconj::test::check_refused("load", row, folder);
         }
     }
@@ -92,12 +94,13 @@ TEST_CASE("wrong command lines of load say place reason and remedy and write not
 TEST_CASE("load tells all faults of scene options and measured curve at once", "[load]")
 {
     TemporaryFolder const folder;
-    prepare(folder);
-    auto const refused = hdconj_run("load --set flexspline.wall=-1 --ratio 0 --measured bad.csv --no-curve --points 3", folder.path());
+    prepare_load(folder);
+    auto const refused =
+        hdconj_run("load --set flexspline.wall=-1 --ratio 0 --measured bad.csv --no-curve --points 3", folder.path());
     INFO(refused.err);
     CHECK(refused.status == 2);
-    CHECK_THAT(refused.err, ContainsSubstring("flexspline.wall = -1") && ContainsSubstring("--points = 3") && ContainsSubstring("--ratio = 0") &&
-                                ContainsSubstring("bad.csv line 3: column 2"));
+    CHECK_THAT(refused.err, ContainsSubstring("flexspline.wall = -1") && ContainsSubstring("--points = 3") &&
+                                ContainsSubstring("--ratio = 0") && ContainsSubstring("bad.csv line 3: column 2"));
 }
 
 TEST_CASE("load of a reverse scene is refused", "[load][reverse]")
@@ -108,3 +111,5 @@ TEST_CASE("load of a reverse scene is refused", "[load][reverse]")
     CHECK_THAT(refused.err, ContainsSubstring("circular_spline.profile") && ContainsSubstring("flexspline's tooth"));
     CHECK(folder.names().empty());
 }
+
+}  // namespace hdconj::test::bad_load_cases

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenes of the reverse problem that must be refused: the sound one with an edit, and what must be said about it.
-#include "cli/bad_scene_checks.hpp"
-#include "hdconj/io/scene_toml.hpp"
+#include "bad_scene_checks.hpp"
+#include "hdconj/read_scene.hpp"
 #include "support/temporary_folder.hpp"
+
+namespace hdconj::test::bad_reverse_scenes_cases {
 
 namespace {
 
-using namespace hdconj;
 using test::BadScene;
 using test::faults_of;
 
@@ -19,7 +20,7 @@ std::string const flexspline_tooth =
     "[flexspline.profile]\nfamily = \"straight\"\naddendum = 0.2\ndedendum = 0.3\nthickness = 0.35\n"
     "pressure_angle_deg = 20\n[wave_generator]";
 
-std::vector<BadScene> const& rows()
+std::vector<BadScene> const& reverse_rows()
 {
     static std::vector<BadScene> const table{
         {"both teeth", "[wave_generator]", flexspline_tooth, "circular_spline.profile", "both teeth are given",
@@ -46,10 +47,10 @@ std::vector<BadScene> const& rows()
          "unknown table", "[circular_spline.profile]"},
         {"arcs that do not meet", "concave_offset = \"tangent\"", "concave_offset = 0.3",
          "circular_spline.profile.concave_offset", "do not meet", "tangent"},
-        {"given tooth wider than its pitch", "convex_offset = 0.3660", "convex_offset = 0.2",
-         "circular_spline.profile", "wider than its pitch", "thinner"},
-        {"tips in the rim", "dedendum = 0.3030", "dedendum = 0.1900", "flexspline.dedendum", "cut into the flexspline's rim",
-         "write more than 0.2"},
+        {"given tooth wider than its pitch", "convex_offset = 0.3660", "convex_offset = 0.2", "circular_spline.profile",
+         "wider than its pitch", "thinner"},
+        {"tips in the rim", "dedendum = 0.3030", "dedendum = 0.1900", "flexspline.dedendum",
+         "cut into the flexspline's rim", "write more than 0.2"},
         {"tips in the bottom", "addendum = 0.2250", "addendum = 0.2950", "flexspline.addendum",
          "cut into the bottom of the given tooth spaces", "write less than 0.29"},
         {"tip circle in the rim", "backlash_offset = 0.0", "inner_radius = 24.9", "circular_spline.inner_radius",
@@ -73,7 +74,7 @@ TEST_CASE("the reverse scene has no fault", "[scene][reverse]")
 
 TEST_CASE("wrong reverse scenes are refused", "[scene][reverse]")
 {
-    for (auto const& row : rows()) {
+    for (auto const& row : reverse_rows()) {
         SECTION(row.name)
         {
             test::check_row(row, test::edited(sound(), row));
@@ -104,3 +105,5 @@ TEST_CASE("a scene without any tooth says how to give either", "[scene][reverse]
     REQUIRE(fault != nullptr);
     CHECK(fault->remedy.find("[circular_spline.profile]") != std::string::npos);
 }
+
+}  // namespace hdconj::test::bad_reverse_scenes_cases

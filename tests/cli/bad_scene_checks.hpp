@@ -7,8 +7,8 @@
 #include <filesystem>
 #include <string>
 
-#include "cli/bad_scenes_table.hpp"
-#include "hdconj/io/scene_reading.hpp"
+#include "bad_scenes_table.hpp"
+#include "hdconj/read_scene.hpp"
 #include "support/catch.hpp"
 
 namespace hdconj::test {
@@ -27,11 +27,6 @@ inline Fault const* find_fault(Faults const& faults, std::string const& path)
     return found == faults.end() ? nullptr : &*found;
 }
 
-inline bool contains(std::string const& text, std::string const& part)
-{
-    return text.find(part) != std::string::npos;
-}
-
 /// A fault says place, reason and remedy, and quotes no more of the scene than a line holds.
 inline void check_fields(Fault const& fault)
 {
@@ -47,9 +42,8 @@ inline void check_fields(Fault const& fault)
 inline void check_all(Faults const& faults, BadScene const& row)
 {
     CHECK_FALSE(faults.empty());
-    if (row.faults > 0) {
+    if (row.faults > 0)
         CHECK(faults.size() == static_cast<std::size_t>(row.faults));
-    }
     std::for_each(faults.begin(), faults.end(), check_fields);
 }
 

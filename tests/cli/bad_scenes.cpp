@@ -2,13 +2,12 @@
 // Each bad scene is refused for the right reason, at the right line, with a remedy; all its faults in one go.
 #include <algorithm>
 
-#include "cli/bad_scene_checks.hpp"
-#include "hdconj/io/scene_toml.hpp"
+#include "bad_scene_checks.hpp"
+#include "hdconj/read_scene.hpp"
+
+namespace hdconj::test::bad_scenes_cases {
 
 namespace {
-
-using namespace hdconj;
-using namespace hdconj::test;
 
 /// Line of the first byte in which @p text differs from the built-in scene; the edit ends on that line or below it.
 int edited_line(std::string const& text)
@@ -73,9 +72,8 @@ TEST_CASE("there are enough bad scenes, and no name stands for two", "[scene]")
     constexpr std::size_t enough = 60;
     std::vector<std::string> names;
     for (auto const* const table : {&wrong_values(), &wrong_tables(), &wrong_geometry(), &wrong_texts()}) {
-        for (auto const& row : *table) {
+        for (auto const& row : *table)
             names.push_back(row.name);
-        }
     }
     CHECK(names.size() >= enough);
     std::sort(names.begin(), names.end());
@@ -150,3 +148,5 @@ TEST_CASE("values from outside cannot send control characters to a terminal", "[
     CHECK(std::none_of(text.begin(), text.end(),
                        [](char c) { return static_cast<unsigned char>(c) < 0x20 && c != '\n'; }));
 }
+
+}  // namespace hdconj::test::bad_scenes_cases

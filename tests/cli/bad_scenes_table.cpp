@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "cli/bad_scenes_table.hpp"
+#include "bad_scenes_table.hpp"
 
 #include <stdexcept>
 
-#include "hdconj/io/scene_toml.hpp"
+#include "hdconj/read_scene.hpp"
 
 namespace hdconj::test {
 
@@ -44,8 +44,8 @@ std::vector<BadScene> const& wrong_values()
          "200"},
         {"equal tooth numbers", "circular_spline_teeth = 202", "circular_spline_teeth = 200",
          "drive.circular_spline_teeth", "positive multiple", "write 202"},
-        {"far more teeth outside", "circular_spline_teeth = 202", "circular_spline_teeth = 99998", "drive.circular_spline_teeth",
-         "by 49899 teeth", "write 202"},
+        {"far more teeth outside", "circular_spline_teeth = 202", "circular_spline_teeth = 99998",
+         "drive.circular_spline_teeth", "by 49899 teeth", "write 202"},
         {"fewer teeth outside", "circular_spline_teeth = 202", "circular_spline_teeth = 198",
          "drive.circular_spline_teeth", "positive multiple", "write 202"},
         {"odd difference", "circular_spline_teeth = 202", "circular_spline_teeth = 203", "drive.circular_spline_teeth",
@@ -95,8 +95,8 @@ std::vector<BadScene> const& wrong_values()
          "unknown word", "\"exact\", \"first-order\" or \"material\""},
         {"misspelt kinematics", "kinematics = \"exact\"", "kinematics = \"first_order\"", "solver.kinematics",
          "unknown word", "write \"first-order\""},
-        {"unfinished kinematics", "kinematics = \"exact\"", "kinematics = \"materia\"", "solver.kinematics", "unknown word",
-         "write \"material\""},
+        {"unfinished kinematics", "kinematics = \"exact\"", "kinematics = \"materia\"", "solver.kinematics",
+         "unknown word", "write \"material\""},
         {"capital in a word", "kinematics = \"exact\"", "kinematics = \"Exact\"", "solver.kinematics", "unknown word",
          "write \"exact\""},
         {"empty word", "kinematics = \"exact\"", "kinematics = \"\"", "solver.kinematics", "unknown word", "\"exact\""},
@@ -258,27 +258,24 @@ std::vector<BadScene> const& wrong_texts()
         {"key with a million dots", "",
          [] {
              std::string text = "a";
-             for (int i = 0; i < 1000000; ++i) {
+             for (int i = 0; i < 1000000; ++i)
                  text += ".a";
-             }
              return text + " = 1\n";
          }(),
          "scene", "dots", "flexspline.profile.addendum"},
         {"header with a million dots", "",
          [] {
              std::string text = "[a";
-             for (int i = 0; i < 1000000; ++i) {
+             for (int i = 0; i < 1000000; ++i)
                  text += " . \"a\"";
-             }
              return text + "]\n";
          }(),
          "scene", "dots", "flexspline.profile.addendum"},
         {"a million keys", "",
          [] {
              std::string text;
-             for (int i = 0; i < 1000000; ++i) {
+             for (int i = 0; i < 1000000; ++i)
                  text += "k" + std::to_string(i) + "=1\n";
-             }
              return text;
          }(),
          "scene", "keys", "hdconj init"},
@@ -289,13 +286,11 @@ std::vector<BadScene> const& wrong_texts()
 
 std::string edited(std::string text, BadScene const& row)
 {
-    if (row.from.empty()) {
+    if (row.from.empty())
         return text + row.to;
-    }
     std::size_t const at = text.find(row.from);
-    if (at == std::string::npos) {
+    if (at == std::string::npos)
         throw std::runtime_error("the scene has no '" + row.from + "'");
-    }
     return text.replace(at, row.from.size(), row.to);
 }
 

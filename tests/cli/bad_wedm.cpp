@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `hdconj wedm` must refuse: keys of the scene, what the drive says to them, and command lines; and what must be said about them.
+// What `hdconj wedm` must refuse: keys of the scene, what the drive says to them, and command lines; and what must be
+// said about them.
 #include <algorithm>
 #include <fstream>
 
-#include "cli/bad_commands.hpp"
-#include "hdconj/io/scene_toml.hpp"
-#include "hdconj/pipeline/wedm.hpp"
+#include "bad_commands.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/wedm.hpp"
 #include "support/catch.hpp"
+#include "wedm/wire_faces.hpp"
+
+namespace hdconj::test::bad_wedm_cases {
 
 namespace {
 
-using namespace hdconj;
 using test::BadCommand;
 using test::hdconj_run;
 using test::TemporaryFolder;
@@ -27,7 +30,10 @@ struct BadKeys
 std::vector<BadKeys> const& keys()
 {
     static std::vector<BadKeys> const table{
-        {{"!wedm"}, "wedm", "states wire and gap, which are never assumed", "wire_diameter = 0.10 and spark_gap = 0.006"},
+        {{"!wedm"},
+         "wedm",
+         "states wire and gap, which are never assumed",
+         "wire_diameter = 0.10 and spark_gap = 0.006"},
         {{"!wedm.wire_diameter"}, "wedm.wire_diameter", "missing", "wire_diameter = 0.10"},
         {{"!wedm.spark_gap"}, "wedm.spark_gap", "missing", "spark_gap = 0.006"},
         {{"wedm.wire_diametre=0.1"}, "wedm.wire_diametre", "unknown key", "wire_diameter"},
@@ -35,15 +41,27 @@ std::vector<BadKeys> const& keys()
         {{"wedm.wire_diameter=-0.1"}, "wedm.wire_diameter", "above 0", "length in mm"},
         {{"wedm.wire_diameter=nan"}, "wedm.wire_diameter", "not a finite number", "length in mm"},
         {{"wedm.wire_diameter=\"0.1\""}, "wedm.wire_diameter", "text where a length belongs", "without quotes"},
-        {{"wedm.wire_diameter=0.8"}, "wedm.wire_diameter", "slot of 0.812 mm, and a whole pitch", "fits into a tooth space"},
+        {{"wedm.wire_diameter=0.8"},
+         "wedm.wire_diameter",
+         "slot of 0.812 mm, and a whole pitch",
+         "fits into a tooth space"},
         {{"wedm.spark_gap=-0.001"}, "wedm.spark_gap", "must not be negative", "0 or more"},
         {{"wedm.spark_gap=inf"}, "wedm.spark_gap", "not a finite number", "0 or more"},
         {{"wedm.spark_gap=0.2"}, "wedm.spark_gap", "wider than the wire", "such as 0.006"},
         {{"wedm.tolerance=0"}, "wedm.tolerance", "above 0", "at least 1e-12"},
-        {{"wedm.tolerance=0.00005"}, "wedm.tolerance", "rounding to 4 decimals moves a point", "more decimals or a larger tolerance"},
-        {{"wedm.decimals=3"}, "wedm.decimals", "rounding to 3 decimals moves a point", "more decimals or a larger tolerance"},
+        {{"wedm.tolerance=0.00005"},
+         "wedm.tolerance",
+         "rounding to 4 decimals moves a point",
+         "more decimals or a larger tolerance"},
+        {{"wedm.decimals=3"},
+         "wedm.decimals",
+         "rounding to 3 decimals moves a point",
+         "more decimals or a larger tolerance"},
         {{"wedm.tolerance=0.03"}, "wedm.tolerance", "a tenth of the module", "at most 0.025"},
-        {{"wedm.tolerance=0.000005", "wedm.decimals=7"}, "wedm.tolerance", "known to 1e-06 mm only", "smaller solver.tolerance"},
+        {{"wedm.tolerance=0.000005", "wedm.decimals=7"},
+         "wedm.tolerance",
+         "known to 1e-06 mm only",
+         "smaller solver.tolerance"},
         {{"wedm.passes=[[0.005], [0.02], [0]]"}, "wedm.passes", "cuts nothing", "decreasing lengths that end with 0"},
         {{"wedm.passes=[[0.02], [0.005]]"}, "wedm.passes", "leaves 0.005 mm on the part", "end with 0"},
         {{"wedm.passes=[[0.3], [0]]"}, "wedm.passes", "more than one module", "module 0.25"},
@@ -78,7 +96,10 @@ std::vector<BadKeys> const& keys()
         {{"wedm.largest_uv_travel=-2"}, "wedm.largest_uv_travel", "above 0", "length in mm"},
         {{"wedm.decimals=1"}, "wedm.decimals", "at least 2", "from 2 to 9"},
         {{"wedm.decimals=10"}, "wedm.decimals", "at most 9", "from 2 to 9"},
-        {{"tilt.angle_deg=0.2", "wedm.largest_tilt_deg=0.1"}, "tilt.angle_deg", "tilts its wire by 0.1 degrees at most", "smaller angle"},
+        {{"tilt.angle_deg=0.2", "wedm.largest_tilt_deg=0.1"},
+         "tilt.angle_deg",
+         "tilts its wire by 0.1 degrees at most",
+         "smaller angle"},
         {{"tilt.angle_deg=31"}, "tilt.angle_deg", "tilts its wire by 30 degrees at most", "a machine that can"},
         {{"wedm.part=wheel"}, "wedm.part", "unknown word", "\"flexspline\""},
         {{"wedm.part=flexspline", "tilt.angle_deg=0.2"}, "tilt.angle_deg", "parallel to its axis", "--tilt 0"},
@@ -91,7 +112,7 @@ std::vector<BadKeys> const& keys()
 }
 
 /// `drive.h5` is a result, `no-wire.h5` one without [wedm], `broken.h5` one that was cut off.
-std::vector<BadCommand> const& commands()
+std::vector<BadCommand> const& wedm_commands()
 {
     static std::vector<BadCommand> const table{
         {"--tilt abc", "--tilt", "'abc' is no angle", "such as 0.2"},
@@ -111,9 +132,11 @@ std::vector<BadCommand> const& commands()
         {"--set wedm.dialects=xyz", "wedm.dialects = xyz", "no dialect is called so", "known: dxf, xyuv-guide"},
         {"--tilt 0.2 --dialect iso-2d", "--dialect = iso-2d", "one contour for both", "--tilt 0"},
         {"--set wedm.wire_diameter=0.3", "wedm.wire_diameter = 0.3", "too wide to follow the contour", "thinner wire"},
-        {"--part flexspline --set wedm.wire_diameter=0.3", "wedm.wire_diameter = 0.3", "too wide to follow the contour", "thinner wire"},
+        {"--part flexspline --set wedm.wire_diameter=0.3", "wedm.wire_diameter = 0.3", "too wide to follow the contour",
+         "thinner wire"},
         {"--set wedm.largest_travel=20", "check failed", "a guide would travel 47.", "wedm.largest_travel", 1},
-        {"--tilt 0.2 --set wedm.largest_uv_travel=0.1", "check failed", "would stand 0.19", "wedm.largest_uv_travel", 1},
+        {"--tilt 0.2 --set wedm.largest_uv_travel=0.1", "check failed", "would stand 0.19", "wedm.largest_uv_travel",
+         1},
         {"-o -", "--output = -", "do not go to standard output", "--json"},
         {"-o ''", "--output", "an empty name", "leave the option out"},
         {"-o scene.toml", "--output = scene.toml", "this is the scene file", "another name"},
@@ -134,12 +157,16 @@ std::vector<BadCommand> const& commands()
 std::vector<BadCommand> const& from_results()
 {
     static std::vector<BadCommand> const table{
-        {"--from drive.h5 --tilt 0.2", "--from = drive.h5", "the tilt that it was solved with", "leave one of them out"},
+        {"--from drive.h5 --tilt 0.2", "--from = drive.h5", "the tilt that it was solved with",
+         "leave one of them out"},
         {"--from drive.h5 scene.toml", "--from = drive.h5", "a result holds its own scene", "leave one of them out"},
-        {"--from drive.h5 --set drive.module=0.3", "--from = drive.h5", "another scene than one with --set drive.module=0.3", "[wedm] only"},
+        {"--from drive.h5 --set drive.module=0.3", "--from = drive.h5",
+         "another scene than one with --set drive.module=0.3", "[wedm] only"},
         {"--from drive.h5 --set '!wedm.spark_gap'", "wedm.spark_gap", "missing", "spark_gap = 0.006"},
-        {"--from drive.h5 --set wedm.thickness=5", "wedm.thickness = 5", "the toothing is wider", "at least that width"},
-        {"--from tilted.h5 --set wedm.thickness=9", "wedm.thickness", "no slices at z = -4.5 and +4.5 mm", "let wedm solve it"},
+        {"--from drive.h5 --set wedm.thickness=5", "wedm.thickness = 5", "the toothing is wider",
+         "at least that width"},
+        {"--from tilted.h5 --set wedm.thickness=9", "wedm.thickness", "no slices at z = -4.5 and +4.5 mm",
+         "let wedm solve it"},
         {"--from no-wire.h5", "wedm", "wire and gap, which are never assumed", "wire_diameter = 0.10"},
         {"--from broken.h5", "broken.h5", "no result file of hdconj", "hdconj solve"},
         {"--from scene.toml", "scene.toml", "no result file of hdconj", "hdconj solve"},
@@ -160,7 +187,7 @@ void make_scene(TemporaryFolder const& folder)
 
 TEST_CASE("wrong keys of wedm are refused with key reason and remedy", "[wedm]")
 {
-    CHECK(keys().size() + commands().size() + from_results().size() >= 50);
+    CHECK(keys().size() + wedm_commands().size() + from_results().size() >= 50);
     for (auto const& row : keys()) {
         Faults faults;
         try {
@@ -169,7 +196,8 @@ TEST_CASE("wrong keys of wedm are refused with key reason and remedy", "[wedm]")
             faults = error.faults();
         }
         INFO(row.sets.front() << "\n" << describe(faults));
-        auto const fault = std::find_if(faults.begin(), faults.end(), [&](Fault const& f) { return f.path == row.path; });
+        auto const fault =
+            std::find_if(faults.begin(), faults.end(), [&](Fault const& f) { return f.path == row.path; });
         REQUIRE(fault != faults.end());
         CHECK_THAT(fault->reason, ContainsSubstring(row.reason));
         CHECK_THAT(fault->remedy, ContainsSubstring(row.remedy));
@@ -180,9 +208,8 @@ TEST_CASE("wrong command lines of wedm say place reason and remedy and write not
 {
     TemporaryFolder const folder;
     make_scene(folder);
-    for (auto const& row : commands()) {
+    for (auto const& row : wedm_commands())
         test::check_refused("wedm scene.toml", row, folder);
-    }
 }
 
 TEST_CASE("results that cannot be cut say place reason and remedy and write nothing", "[wedm]")
@@ -191,25 +218,31 @@ TEST_CASE("results that cannot be cut say place reason and remedy and write noth
     make_scene(folder);
     REQUIRE(hdconj_run("solve --quiet -o drive.h5", folder.path()).status == 0);
     REQUIRE(hdconj_run("solve --quiet --set '!wedm' -o no-wire.h5", folder.path()).status == 0);
-    REQUIRE(hdconj_run("solve --quiet --set slices.count=3 --set tilt.angle_deg=0.2 -o tilted.h5", folder.path()).status == 0);
+    REQUIRE(
+        hdconj_run("solve --quiet --set slices.count=3 --set tilt.angle_deg=0.2 -o tilted.h5", folder.path()).status ==
+        0);
     std::ofstream(folder / "broken.h5", std::ios::binary) << test::content(folder / "drive.h5").substr(0, 20000);
-    for (auto const& row : from_results()) {
+    for (auto const& row : from_results())
         test::check_refused("wedm", row, folder);
-    }
 }
 
 TEST_CASE("a tooth without a tip land is not cut in two set-ups", "[wedm]")
 {
     // half the thickness is 0.195 mm, and the flanks meet 0.195 mm / tan(29 deg) = 0.3517893123 mm above the pitch line
     auto const straight = [](char const* addendum) {
-        return read_scene(HDCONJ_SOURCE_DIR "/data/scenes/straight.toml",
-                          {"wedm.wire_diameter=0.1", "wedm.spark_gap=0.006", "wedm.part=flexspline", "wedm.thickness=7", "circular_spline.inner_radius=25.1",
-                           std::string("flexspline.profile.addendum=") + addendum});
+        return read_scene(
+            HDCONJ_SOURCE_DIR "/data/scenes/straight.toml",
+            {"wedm.wire_diameter=0.1", "wedm.spark_gap=0.006", "wedm.part=flexspline", "wedm.thickness=7",
+             "circular_spline.inner_radius=25.1", std::string("flexspline.profile.addendum=") + addendum});
     };
-    CHECK_NOTHROW(flexspline_faces(straight("0.35")));
-    CHECK_THROWS_WITH(flexspline_faces(straight("0.3517893")), ContainsSubstring("the tooth ends in an edge") && ContainsSubstring("smaller addendum"));
-    Scene const reverse = read_scene(HDCONJ_SOURCE_DIR "/data/scenes/circular-spline-given.toml", {"wedm.wire_diameter=0.1", "wedm.spark_gap=0.006"});
+    CHECK_NOTHROW(wedm::flexspline_faces(straight("0.35")));
+    CHECK_THROWS_WITH(wedm::flexspline_faces(straight("0.3517893")),
+                      ContainsSubstring("the tooth ends in an edge") && ContainsSubstring("smaller addendum"));
+    Scene const reverse = read_scene(HDCONJ_SOURCE_DIR "/data/scenes/circular-spline-given.toml",
+                                     {"wedm.wire_diameter=0.1", "wedm.spark_gap=0.006"});
     auto const faults = check_wedm(reverse);
     REQUIRE(faults.size() == 1);
     CHECK_THAT(faults.front().remedy, ContainsSubstring("--part flexspline"));
 }
+
+}  // namespace hdconj::test::bad_wedm_cases

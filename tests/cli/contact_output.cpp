@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `hdconj contact` as a user meets it: the same figures in all that it writes. What holds for other verbs too: every_verb.cpp.
+// `hdconj contact` as a user meets it: the same figures in all that it writes. What holds for other verbs too:
+// every_verb.cpp.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -9,12 +10,14 @@
 #include <random>
 #include <sstream>
 
-#include "cli/hdconj_run.hpp"
-#include "io/summary_figures.hpp"
+#include "figures/summary_figures.hpp"
+#include "hdconj_run.hpp"
 #include "support/catch.hpp"
 #include "support/read_hdf5.hpp"
 
-using hdconj::degrees_of;
+namespace hdconj::test::contact_output_cases {
+
+using hdconj::figures::degrees_of;
 using hdconj::test::Outcome;
 using hdconj::test::TemporaryFolder;
 using nlohmann::json;
@@ -22,7 +25,8 @@ using nlohmann::json;
 namespace {
 
 /// Few slices and points: what is looked at here does not depend on them.
-std::string const coned = "'" HDCONJ_SOURCE_DIR "/data/scenes/type-50-coned.toml' --set slices.count=3 --set contact.flank_points=40 ";
+std::string const coned =
+    "'" HDCONJ_SOURCE_DIR "/data/scenes/type-50-coned.toml' --set slices.count=3 --set contact.flank_points=40 ";
 
 Outcome contact(std::string const& arguments, TemporaryFolder const& folder)
 {
@@ -44,7 +48,8 @@ TEST_CASE("contact names its result after the drive and says so", "[contact]")
     auto const done = contact(coned, folder);
     CHECK(done.status == 0);
     CHECK(done.err.empty());
-    CHECK_THAT(done.out, ContainsSubstring("type-50-coned") && ContainsSubstring("per-slice") && ContainsSubstring("type-50-coned-contact.h5"));
+    CHECK_THAT(done.out, ContainsSubstring("type-50-coned") && ContainsSubstring("per-slice") &&
+                             ContainsSubstring("type-50-coned-contact.h5"));
     CHECK(folder.names() == std::vector<std::string>{"type-50-coned-contact.h5"});
 }
 
@@ -62,8 +67,10 @@ TEST_CASE("contact: JSON text and HDF5 say the same", "[contact]")
     auto const file = hdconj::test::open_file(folder / "a.h5");
     auto const doubles = [&](char const* name) { return hdconj::test::read(file, name).values; };
     constexpr double um = 1e3, arcmin = 60 * 180 / std::numbers::pi;
-    auto const tilt = doubles("/contact/tilt"), offset = doubles("/contact/backlash_offset"), clearing = doubles("/contact/clearing_offset");
-    auto const share = doubles("/contact/share"), area = doubles("/contact/contact_area"), play = doubles("/contact/backlash");
+    auto const tilt = doubles("/contact/tilt"), offset = doubles("/contact/backlash_offset"),
+               clearing = doubles("/contact/clearing_offset");
+    auto const share = doubles("/contact/share"), area = doubles("/contact/contact_area"),
+               play = doubles("/contact/backlash");
     auto const clearance = doubles("/contact/flank_clearance");
     REQUIRE(tilt.size() == cases.size());
     for (std::size_t i = 0; i < cases.size(); ++i) {
@@ -75,8 +82,10 @@ TEST_CASE("contact: JSON text and HDF5 say the same", "[contact]")
         CHECK(state.at("share").get<double>() == Approx(share[i]).epsilon(1e-12));
         CHECK(state.at("contact_area_mm2").get<double>() == Approx(area[i]).epsilon(1e-12));
         CHECK(state.at("backlash_arcmin").get<double>() == Approx(play[i] * arcmin).margin(1e-9));
-        CHECK(cases[i].at("closest_flank").at("clearance_um").get<double>() == Approx(clearance[i] * um).epsilon(1e-12));
-        CHECK(state.at("share").get<double>() * cases[i].at("flank_area_mm2").get<double>() == Approx(state.at("contact_area_mm2").get<double>()));
+        CHECK(cases[i].at("closest_flank").at("clearance_um").get<double>() ==
+              Approx(clearance[i] * um).epsilon(1e-12));
+        CHECK(state.at("share").get<double>() * cases[i].at("flank_area_mm2").get<double>() ==
+              Approx(state.at("contact_area_mm2").get<double>()));
         CHECK_THAT(text.out, ContainsSubstring(two_places(cases[i].at("clearing_offset_um"))));
         CHECK_THAT(text.out, ContainsSubstring(two_places(cases[i].at("closest_flank").at("clearance_um"))));
     }
@@ -96,9 +105,8 @@ TEST_CASE("contact: a tilt comes back as it was asked", "[contact]")
     REQUIRE(summary.status == 0);
     std::vector<std::string> found;
     json const study = json::parse(summary.out).at("contact");
-    for (auto const& each : study.at("cases")) {
+    for (auto const& each : study.at("cases"))
         found.push_back(each.at("tilt_deg").dump());
-    }
     CHECK(found == std::vector<std::string>{"0.07", "0.29", "1.15"});
     // every number that a user types, and no digit of one that nobody did
     constexpr double rad_per_deg = std::numbers::pi / 180;
@@ -132,7 +140,8 @@ TEST_CASE("contact of a drive without axial effects is one slice", "[contact]")
 TEST_CASE("contact: --best answers for each kind and says where it looked", "[contact]")
 {
     TemporaryFolder const folder;
-    auto const done = contact(coned + "--surface tilted --kind radial,draft --best --tilt=-0.5,0.5 --quiet --json -o a.h5", folder);
+    auto const done =
+        contact(coned + "--surface tilted --kind radial,draft --best --tilt=-0.5,0.5 --quiet --json -o a.h5", folder);
     INFO(done.err);
     REQUIRE(done.status == 0);
     json const found = json::parse(done.out).at("contact");
@@ -145,14 +154,14 @@ TEST_CASE("contact: --best answers for each kind and says where it looked", "[co
         CHECK(best.at("tilt_deg").get<double>() <= 0.5);
         bool const area = best.at("what") == "area";
         for (auto const& each : found.at("cases")) {
-            if (each.at("kind") != best.at("kind")) {
+            if (each.at("kind") != best.at("kind"))
                 continue;
-            }
             // nothing that was computed on the way is better
             if (area) {
                 CHECK(best.at("share").get<double>() >= each.at("state").at("share").get<double>() * (1 - 1e-12));
             } else {
-                CHECK(best.at("clearing_offset_um").get<double>() <= each.at("clearing_offset_um").get<double>() * (1 + 1e-12));
+                CHECK(best.at("clearing_offset_um").get<double>() <=
+                      each.at("clearing_offset_um").get<double>() * (1 + 1e-12));
             }
         }
     }
@@ -171,9 +180,8 @@ TEST_CASE("contact: a case that cannot be made is named and leaves the others as
     json const& cases = summary.at("contact").at("cases");
     REQUIRE(cases.size() == 3);
     std::string notes;
-    for (auto const& note : summary.at("notes")) {
+    for (auto const& note : summary.at("notes"))
         notes += note.get<std::string>();
-    }
     CHECK_THAT(notes, ContainsSubstring(reason));
     auto const file = hdconj::test::open_file(folder / "a.h5");
     CHECK(hdconj::test::read(file, "/contact/tilt").values.size() == 3);
@@ -182,12 +190,13 @@ TEST_CASE("contact: a case that cannot be made is named and leaves the others as
     auto const without = contact(coned + "--surface tilted --kind radial --tilt 0,4 -o b.h5 --json", folder);
     REQUIRE(without.status == 0);
     json const alone = json::parse(without.out).at("contact").at("cases").back();
-    for (auto const* key : {"tilt_deg", "backlash_offset_um", "clearing_offset_um", "state"}) {
+    for (auto const* key : {"tilt_deg", "backlash_offset_um", "clearing_offset_um", "state"})
         CHECK(alone.at(key) == cases[1].at(key));
-    }
     // none at all is an error, and leaves nothing behind
     auto const none = contact(coned + "--surface tilted --kind draft --tilt 4,5 -o none.h5", folder);
     CHECK(none.status == 1);
     CHECK_THAT(none.err, ContainsSubstring("draft"));
     CHECK_FALSE(std::filesystem::exists(folder / "none.h5"));
 }
+
+}  // namespace hdconj::test::contact_output_cases

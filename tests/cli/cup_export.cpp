@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "cli/hdconj_run.hpp"
+#include "hdconj_run.hpp"
 #include "support/catch.hpp"
 
-using namespace hdconj::test;
+namespace hdconj::test::cup_export_cases {
 
 namespace {
 
@@ -29,9 +29,8 @@ std::map<int, std::vector<double>> displacements(std::string const& file, char s
         std::istringstream numbers(line);
         std::vector<double> all;
         double number = 0;
-        while (numbers >> number) {
+        while (numbers >> number)
             all.push_back(number);
-        }
         if (all.size() >= 4) {
             found[static_cast<int>(all.front())] = {all.end() - 3, all.end()};
         }
@@ -44,7 +43,8 @@ std::map<int, std::vector<double>> displacements(std::string const& file, char s
 TEST_CASE("CalculiX comes to the same displacements of the exported cup", "[export]")
 {
     // bare, and with the teeth as a layer
-    std::string const options = GENERATE(as<std::string>(), " --steps 24", " --steps 12 --set flexspline.cup.tooth_layer=0.53");
+    std::string const options =
+        GENERATE(as<std::string>(), " --steps 24", " --steps 12 --set flexspline.cup.tooth_layer=0.53");
     CAPTURE(options);
     TemporaryFolder const folder;
     auto const written = hdconj_run("export " + scene + "--calculix deck" + options, folder.path());
@@ -75,7 +75,8 @@ TEST_CASE("CalculiX comes to the same displacements of the exported cup", "[expo
 
 namespace {
 
-/// Slope of u_r over z of the nodes on the inner surface of the plane at @p phi_deg, from expected.csv and from what CalculiX printed [mm/mm].
+/// Slope of u_r over z of the nodes on the inner surface of the plane at @p phi_deg, from expected.csv and from what
+/// CalculiX printed [mm/mm].
 double slope(std::string const& expected, std::map<int, std::vector<double>> const& u, double phi_deg)
 {
     std::ifstream in(expected);
@@ -93,14 +94,12 @@ double slope(std::string const& expected, std::map<int, std::vector<double>> con
         }
     }
     double inner = 1e9, mean = 0, top = 0, bottom = 0, count = 0;
-    for (auto const& row : rows) {
+    for (auto const& row : rows)
         inner = std::min(inner, row[0]);
-    }
     std::erase_if(rows, [&](auto const& row) { return row[0] > inner + 0.01; });
     REQUIRE(rows.size() > 5);
-    for (auto const& row : rows) {
+    for (auto const& row : rows)
         mean += row[1], ++count;
-    }
     for (auto const& row : rows) {
         top += (row[1] - mean / count) * row[2];
         bottom += (row[1] - mean / count) * (row[1] - mean / count);
@@ -130,9 +129,8 @@ std::vector<double> values(std::string const& file)
     std::string line;
     std::vector<double> found;
     std::getline(in, line);
-    while (std::getline(in, line)) {
+    while (std::getline(in, line))
         found.push_back(std::stod(line.substr(line.find(',') + 1)));
-    }
     return found;
 }
 
@@ -145,10 +143,13 @@ TEST_CASE("CalculiX finds the same contact of cup and bearing", "[export]")
         char const* what;
         std::string options;
     };
-    Row const row = GENERATE(Row{"rigid", " --set bearing.type=rigid --set '!bearing.ring_thickness' --set '!bearing.axially'"}, Row{"elastic ring", ""});
+    Row const row =
+        GENERATE(Row{"rigid", " --set bearing.type=rigid --set '!bearing.ring_thickness' --set '!bearing.axially'"},
+                 Row{"elastic ring", ""});
     CAPTURE(row.what);
     TemporaryFolder const folder;
-    auto const written = hdconj_run("export " + scene + "--calculix deck --contact --steps 12" + row.options, folder.path());
+    auto const written =
+        hdconj_run("export " + scene + "--calculix deck --contact --steps 12" + row.options, folder.path());
     INFO(written.err);
     REQUIRE(written.status == 0);
     auto const deck = folder.path() / "deck";
@@ -163,7 +164,8 @@ TEST_CASE("CalculiX finds the same contact of cup and bearing", "[export]")
     constexpr double close = 0.03;  // grids of contact points that differ, and a penalty
     CHECK(-found[0] == Approx(force[0]).epsilon(close));
     CHECK(-found[1] == Approx(force[1]).epsilon(close));
-    auto const expected = displacements((deck / "expected.csv").string(), ','), computed = displacements((deck / "contact.dat").string(), ' ');
+    auto const expected = displacements((deck / "expected.csv").string(), ','),
+               computed = displacements((deck / "contact.dat").string(), ' ');
     for (double const phi_deg : {0.0, 90.0}) {
         double const coning = slope((deck / "expected.csv").string(), computed, phi_deg);
         CAPTURE(phi_deg, coning);
@@ -180,7 +182,8 @@ TEST_CASE("the exported cup is read by meshio", "[export]")
     }
     TemporaryFolder const folder;
     REQUIRE(hdconj_run("export " + scene + "--vtu cup.vtu --steps 12", folder.path()).status == 0);
-    auto const read = run("'" HDCONJ_PYTHON "' '" HDCONJ_SOURCE_DIR "/tests/cli/read_bent_cup.py' cup.vtu", folder.path());
+    auto const read =
+        run("'" HDCONJ_PYTHON "' '" HDCONJ_SOURCE_DIR "/tests/cli/read_bent_cup.py' cup.vtu", folder.path());
     INFO(read.out << read.err);
     CHECK(read.status == 0);
 }
@@ -194,11 +197,14 @@ TEST_CASE("an export of nothing or of no elastic cup is refused", "[export]")
     auto const stiff = hdconj_run("export --vtu cup.vtu", folder.path());
     CHECK(stiff.status == 2);
     CHECK(stiff.err.find("no elastic cup") != std::string::npos);
-    CHECK(hdconj_run("export " + scene + "--vtu cup.vtu --contact", folder.path()).err.find("--calculix") != std::string::npos);
-    auto const springs = hdconj_run("export " + scene + "--calculix deck --contact --set bearing.radial_stiffness=1000", folder.path());
+    CHECK(hdconj_run("export " + scene + "--vtu cup.vtu --contact", folder.path()).err.find("--calculix") !=
+          std::string::npos);
+    auto const springs =
+        hdconj_run("export " + scene + "--calculix deck --contact --set bearing.radial_stiffness=1000", folder.path());
     CHECK(springs.status == 2);
     CHECK(springs.err.find("balls are rigid") != std::string::npos);
-    auto const single = hdconj_run("export " + scene + "--calculix deck --contact --set bearing.balls=22", folder.path());
+    auto const single =
+        hdconj_run("export " + scene + "--calculix deck --contact --set bearing.balls=22", folder.path());
     CHECK(single.status == 2);
     CHECK(single.err.find("balls are a line") != std::string::npos);
     CHECK(folder.names().empty());
@@ -207,7 +213,8 @@ TEST_CASE("an export of nothing or of no elastic cup is refused", "[export]")
 TEST_CASE("the contact deck leaves a ring free where it stands off its balls", "[export]")
 {
     TemporaryFolder const folder;
-    auto const loose = hdconj_run("export " + scene + "--calculix loose --contact --steps 8 --set bearing.cam_oversize=-0.01", folder.path());
+    auto const loose = hdconj_run(
+        "export " + scene + "--calculix loose --contact --steps 8 --set bearing.cam_oversize=-0.01", folder.path());
     INFO(loose.err);
     REQUIRE(loose.status == 0);
     CHECK(loose.out.find("stands off the balls") != std::string::npos);
@@ -228,3 +235,5 @@ TEST_CASE("the contact deck leaves a ring free where it stands off its balls", "
     CHECK(moved("loose") < 17);
     CHECK(moved("loose") > 3);
 }
+
+}  // namespace hdconj::test::cup_export_cases

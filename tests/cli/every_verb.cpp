@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What holds for every verb that writes a result: its files, its streams, what a failure leaves, and any number of threads.
+// What holds for every verb that writes a result: its files, its streams, what a failure leaves, and any number of
+// threads.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "cli/hdconj_run.hpp"
+#include "hdconj_run.hpp"
 #include "support/catch.hpp"
 #include "support/json_keys.hpp"
 #include "support/read_hdf5.hpp"
 
-using namespace hdconj::test;
+namespace hdconj::test::every_verb_cases {
+
 using nlohmann::json;
 
 namespace {
@@ -21,17 +23,22 @@ struct Failure
     std::string said;
 };
 
-/// A verb whose result is an HDF5 file, with scene and options that make it quick: what is looked at here does not depend on them.
+/// A verb whose result is an HDF5 file, with scene and options that make it quick: what is looked at here does not
+/// depend on them.
 struct Verb
 {
     std::string name;
     std::string quick;
     std::vector<Failure> failures;
 
-    [[nodiscard]] Outcome operator()(std::string const& arguments, TemporaryFolder const& folder) const { return hdconj_run(name + " " + quick + arguments, folder.path()); }
+    [[nodiscard]] Outcome operator()(std::string const& arguments, TemporaryFolder const& folder) const
+    {
+        return hdconj_run(name + " " + quick + arguments, folder.path());
+    }
 };
 
-std::string const coned = "'" HDCONJ_SOURCE_DIR "/data/scenes/type-50-coned.toml' --set slices.count=3 --set contact.flank_points=40 ";
+std::string const coned =
+    "'" HDCONJ_SOURCE_DIR "/data/scenes/type-50-coned.toml' --set slices.count=3 --set contact.flank_points=40 ";
 
 std::vector<Verb> const& verbs()
 {
@@ -54,10 +61,14 @@ struct ThreadedRun
 std::vector<ThreadedRun> const& threaded_runs()
 {
     static std::vector<ThreadedRun> const table{
-        {"contact", coned + "--surface tilted,ruled,per-slice --tilt 0,0.1 --revolution 3 ",
-         {"/contact/map/gap", "/contact/share", "/contact/take_up", "/contact/clearing_offset", "/contact/flank_where", "/circular_spline/outline", "/circular_spline/z"}},
-        {"load", "--set slices.count=3 --points 2 ",
-         {"/load/case_000/curve/twist", "/load/case_000/map/force", "/load/case_000/map/gap", "/load/shape/u_r", "/load/cup/w_major"}},
+        {"contact",
+         coned + "--surface tilted,ruled,per-slice --tilt 0,0.1 --revolution 3 ",
+         {"/contact/map/gap", "/contact/share", "/contact/take_up", "/contact/clearing_offset", "/contact/flank_where",
+          "/circular_spline/outline", "/circular_spline/z"}},
+        {"load",
+         "--set slices.count=3 --points 2 ",
+         {"/load/case_000/curve/twist", "/load/case_000/map/force", "/load/case_000/map/gap", "/load/shape/u_r",
+          "/load/cup/w_major"}},
     };
     return table;
 }
@@ -74,8 +85,14 @@ struct FullRun
 std::vector<FullRun> const& full_runs()
 {
     static std::vector<FullRun> const table{
-        {"contact", coned + "--tilt 0,0.1 --xdmf a.xdmf --stl a.stl --vtk a.vtk ", {"a-tilt.svg", "a-map.svg", "a-flank.svg"}, 4},
-        {"load", "--set slices.count=3 --points 2 --vtu a.vtu ", {"a-curve.svg", "a-pressure.svg", "a-cup.svg", "a-stress.svg"}, 2},
+        {"contact",
+         coned + "--tilt 0,0.1 --xdmf a.xdmf --stl a.stl --vtk a.vtk ",
+         {"a-tilt.svg", "a-map.svg", "a-flank.svg"},
+         4},
+        {"load",
+         "--set slices.count=3 --points 2 --vtu a.vtu ",
+         {"a-curve.svg", "a-pressure.svg", "a-cup.svg", "a-stress.svg"},
+         2},
     };
     return table;
 }
@@ -115,7 +132,8 @@ TEST_CASE("every verb: a failure leaves the result that is there", "[program]")
             CHECK_THAT(failed.err, ContainsSubstring(said));
             CHECK(failed.out.empty());
         }
-        auto const limited = run("ulimit -f 8 && " + program + " " + verb.name + " " + verb.quick + "-o a.h5", folder.path());
+        auto const limited =
+            run("ulimit -f 8 && " + program + " " + verb.name + " " + verb.quick + "-o a.h5", folder.path());
         CHECK(limited.status == 1);
         CHECK_THAT(limited.err, ContainsSubstring("ulimit -f"));
         CHECK(content(folder / "a.h5") == before);
@@ -160,14 +178,14 @@ TEST_CASE("every verb writes every file asked for and names it", "[program]")
     bool const draws = !is_missing("gnuplot");
     for (auto const& each : full_runs()) {
         TemporaryFolder const folder;
-        auto const done = hdconj_run(each.verb + " " + each.arguments + "-o a.h5 --json" + (draws ? " --picture a.svg" : ""), folder.path());
+        auto const done = hdconj_run(
+            each.verb + " " + each.arguments + "-o a.h5 --json" + (draws ? " --picture a.svg" : ""), folder.path());
         INFO(each.verb << "\n" << done.err);
         REQUIRE(done.status == 0);
         std::vector<std::string> named;
         json const files = json::parse(done.out).at("files");
-        for (auto const& file : files) {
+        for (auto const& file : files)
             named.push_back(file.at("path"));
-        }
         std::sort(named.begin(), named.end());
         auto written = folder.names();
         std::sort(written.begin(), written.end());
@@ -190,3 +208,5 @@ TEST_CASE("every verb writes every file asked for and names it", "[program]")
         }
     }
 }
+
+}  // namespace hdconj::test::every_verb_cases

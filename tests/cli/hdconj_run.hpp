@@ -20,4 +20,9 @@ inline Outcome hdconj_run(std::string const& arguments, std::filesystem::path co
     return run(program + " " + arguments, folder);
 }
 
+inline bool contains(std::string const& text, std::string const& part)
+{
+    return text.find(part) != std::string::npos;
+}
+
 }  // namespace hdconj::test

@@ -6,8 +6,10 @@
 #include <numbers>
 #include <sstream>
 
-#include "cli/hdconj_run.hpp"
+#include "hdconj_run.hpp"
 #include "support/catch.hpp"
+
+namespace hdconj::test::input_files_cases {
 
 namespace {
 
@@ -28,14 +30,14 @@ void rewrite(fs::path const& from, fs::path const& to, std::string const& headin
         std::istringstream fields(line);
         double x = 0, y = 0;
         char comma = 0;
-        if (fields >> x >> comma >> y) {
+        if (fields >> x >> comma >> y)
             out << x * first << ',' << y * second << '\n';
-        }
     }
 }
 
 /// Depth of the tooth space and land of @p scene with the file written anew.
-nlohmann::json geometry_of(std::string const& scene, std::string const& file, std::string const& heading, double first, double second)
+nlohmann::json geometry_of(std::string const& scene, std::string const& file, std::string const& heading, double first,
+                           double second)
 {
     TemporaryFolder const folder;
     fs::copy_file(scenes + scene, folder / scene);
@@ -88,33 +90,45 @@ TEST_CASE("a cam table is the same cam in any units that its heading names", "[s
     check_same(plain, geometry_of("cam-table.toml", "cam-table.csv", heading, angle, length));
 }
 
-TEST_CASE("a heading whose unit is not known, or is of another quantity, is refused with those that are", "[scene][units]")
+TEST_CASE("a heading whose unit is not known, or is of another quantity, is refused with those that are",
+          "[scene][units]")
 {
     struct Row
     {
         std::string scene, file, heading, reason, remedy;
     };
-    for (Row const& row : {Row{"points.toml", "points-flank.csv", "x [foot],y [foot]", "column 1, x [foot]: the unit is not known", "[inch]"},
-                           Row{"points.toml", "points-flank.csv", "x [mm],y [deg]", "column 2, y [deg]: the unit is not known", "[mm]"},
-                           Row{"points.toml", "points-flank.csv", "flank of 1998 (inch)", "names the unit [inch]", "x [mm],y [mm]"},
-                           Row{"cam-table.toml", "cam-table.csv", "angle [gon],w [mm]", "column 1, angle [gon]: the unit is not known", "[rad]"},
-                           Row{"cam-table.toml", "cam-table.csv", "w [mm],angle [deg]", "column 1, w [mm]: the unit is not known", "[deg]"}}) {
+    for (Row const& row :
+         {Row{"points.toml", "points-flank.csv", "x [foot],y [foot]", "column 1, x [foot]: the unit is not known",
+              "[inch]"},
+          Row{"points.toml", "points-flank.csv", "x [mm],y [deg]", "column 2, y [deg]: the unit is not known", "[mm]"},
+          Row{"points.toml", "points-flank.csv", "flank of 1998 (inch)", "names the unit [inch]", "x [mm],y [mm]"},
+          Row{"cam-table.toml", "cam-table.csv", "angle [gon],w [mm]", "column 1, angle [gon]: the unit is not known",
+              "[rad]"},
+          Row{"cam-table.toml", "cam-table.csv", "w [mm],angle [deg]", "column 1, w [mm]: the unit is not known",
+              "[deg]"}}) {
         TemporaryFolder const folder;
         fs::copy_file(scenes + row.scene, folder / row.scene);
         rewrite(scenes + row.file, folder / row.file, row.heading, 1, 1);
         auto const refused = hdconj_run("check " + row.scene, folder.path());
         INFO(row.heading << "\n" << refused.err);
         CHECK(refused.status == 2);
-        CHECK_THAT(refused.err, ContainsSubstring(".file") && ContainsSubstring("line 1 of") && ContainsSubstring(row.reason) && ContainsSubstring(row.remedy));
+        CHECK_THAT(refused.err, ContainsSubstring(".file") && ContainsSubstring("line 1 of") &&
+                                    ContainsSubstring(row.reason) && ContainsSubstring(row.remedy));
     }
 }
 
 TEST_CASE("a hollow neutral curve names its key, and the limit that it tells is one", "[scene]")
 {
     auto const [family, large] = GENERATE(table<std::string, double>({
-        {"--set drive.module=2 --set drive.flexspline_teeth=60 --set drive.circular_spline_teeth=66 --set flexspline.wall=10 --set wave_generator.waves=3 --set '!circular_spline.inner_radius'", 5.9},
-        {"--set wave_generator.family=four-roller --set wave_generator.roller_angle_deg=25 --set '!circular_spline.inner_radius'", 4.99},
-        {"--set wave_generator.family=two-disc --set wave_generator.wrap_angle_deg=30 --set '!circular_spline.inner_radius'", 4.99},
+        {"--set drive.module=2 --set drive.flexspline_teeth=60 --set drive.circular_spline_teeth=66 --set "
+         "flexspline.wall=10 --set wave_generator.waves=3 --set '!circular_spline.inner_radius'",
+         5.9},
+        {"--set wave_generator.family=four-roller --set wave_generator.roller_angle_deg=25 --set "
+         "'!circular_spline.inner_radius'",
+         4.99},
+        {"--set wave_generator.family=two-disc --set wave_generator.wrap_angle_deg=30 --set "
+         "'!circular_spline.inner_radius'",
+         4.99},
     }));
     std::string const keys = family;
     auto const checked = [&keys](double w0) {
@@ -134,3 +148,5 @@ TEST_CASE("a hollow neutral curve names its key, and the limit that it tells is 
     CHECK(checked(limit).find("hollow") == std::string::npos);
     CHECK(checked(1.002 * limit).find("hollow") != std::string::npos);
 }
+
+}  // namespace hdconj::test::input_files_cases

@@ -5,13 +5,14 @@
 #include <random>
 #include <thread>
 
-#include "hdconj/io/result_files.hpp"
+#include "hdconj/result_files.hpp"
 #include "support/catch.hpp"
 #include "support/run_program.hpp"
 #include "support/sample_solution.hpp"
 #include "support/temporary_folder.hpp"
 
-using namespace hdconj;
+namespace hdconj::test::kill_during_write_cases {
+
 using test::content;
 using test::TemporaryFolder;
 
@@ -48,9 +49,8 @@ std::size_t kill_writers(Write write, std::string const& name, int times, std::c
     std::uniform_int_distribution<long> wait(0, longest.count());
     for (int i = 0; i < times; ++i) {
         pid_t const child = ::fork();
-        if (child == 0) {
+        if (child == 0)
             write_for_ever(write, one, other, folder / name);
-        }
         std::this_thread::sleep_for(std::chrono::microseconds(wait(random)));
         ::kill(child, SIGKILL);
         int waited = 0;
@@ -82,3 +82,5 @@ TEST_CASE("a killed process leaves the old DXF file or the new one")
     auto const hit = kill_writers(write_dxf, "result.dxf", 100, std::chrono::milliseconds(6));
     CHECK(hit > 5);
 }
+
+}  // namespace hdconj::test::kill_during_write_cases

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `hdconj load` as a user meets it: the same figures in all that it writes. What holds for other verbs too: every_verb.cpp.
+// `hdconj load` as a user meets it: the same figures in all that it writes. What holds for other verbs too:
+// every_verb.cpp.
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -8,10 +9,12 @@
 #include <numbers>
 #include <sstream>
 
-#include "cli/hdconj_run.hpp"
+#include "hdconj_run.hpp"
 #include "support/catch.hpp"
 #include "support/read_hdf5.hpp"
 #include "support/rig_loop.hpp"
+
+namespace hdconj::test::load_output_cases {
 
 using hdconj::test::Outcome;
 using hdconj::test::TemporaryFolder;
@@ -38,7 +41,8 @@ void write_log(std::filesystem::path const& file)
     std::ofstream out(file);
     out << "# rig\ncurrent [A],position [counts]\n";
     for (std::size_t i = 0; i < curve.twist.size(); ++i) {
-        out << curve.torque[i] / 1000 / 100 / 0.119 << ',' << std::lround(curve.twist[i] / (2 * std::numbers::pi) * 2000 * 100) << '\n';
+        out << curve.torque[i] / 1000 / 100 / 0.119 << ','
+            << std::lround(curve.twist[i] / (2 * std::numbers::pi) * 2000 * 100) << '\n';
     }
 }
 
@@ -70,7 +74,8 @@ TEST_CASE("load: the curve is run as asked and JSON and HDF5 say the same", "[lo
     auto const file = hdconj::test::open_file(folder / "a.h5");
     auto const doubles = [&](std::string const& name) { return hdconj::test::read(file, name.c_str()).values; };
     constexpr double arcmin = 60 * 180 / std::numbers::pi;
-    auto const torque = doubles("/load/case_000/curve/torque"), twist = doubles("/load/case_000/curve/twist"), pressure = doubles("/load/case_000/curve/largest_pressure");
+    auto const torque = doubles("/load/case_000/curve/torque"), twist = doubles("/load/case_000/curve/twist"),
+               pressure = doubles("/load/case_000/curve/largest_pressure");
     for (int i = 0; i <= 3 * points; ++i) {
         INFO(i);
         auto const k = static_cast<std::size_t>(i);
@@ -112,13 +117,17 @@ TEST_CASE("load lays a measured curve over the simulation", "[load][measured]")
     json const of_spline = json::parse(spline.out).at("load").at("measured");
     CHECK(of_spline.at("ratio") == 101);
     CHECK(of_spline.at("angle_per_spline") == 1);
-    CHECK(of_spline.at("backlash").at("value_arcmin").get<double>() == Approx(measured.at("backlash").at("value_arcmin").get<double>() / 1.01));
-    CHECK(of_spline.at("first_stage").at("value_Nm_per_deg").get<double>() == Approx(measured.at("first_stage").at("value_Nm_per_deg").get<double>() * 1.01 * 1.01));
+    CHECK(of_spline.at("backlash").at("value_arcmin").get<double>() ==
+          Approx(measured.at("backlash").at("value_arcmin").get<double>() / 1.01));
+    CHECK(of_spline.at("first_stage").at("value_Nm_per_deg").get<double>() ==
+          Approx(measured.at("first_stage").at("value_Nm_per_deg").get<double>() * 1.01 * 1.01));
     CHECK(measured.at("backlash").at("value_arcmin").get<double>() == Approx(6.2).epsilon(0.03));
     CHECK(measured.at("first_stage").at("value_Nm_per_deg").get<double>() == Approx(98.7).epsilon(0.02));
     CHECK(measured.at("second_stage").at("value_Nm_per_deg").get<double>() == Approx(182.8).epsilon(0.02));
     CHECK(measured.at("angle_step_arcmin").get<double>() == Approx(0.108));
-    CHECK_THAT(load(run, folder).out, ContainsSubstring("measured: log.csv (current [A], position [counts], 0.119 N m/A, 2000 counts per turn, ratio 100)"));
+    CHECK_THAT(load(run, folder).out,
+               ContainsSubstring(
+                   "measured: log.csv (current [A], position [counts], 0.119 N m/A, 2000 counts per turn, ratio 100)"));
 }
 
 TEST_CASE("load: a case that cannot be made is named and leaves the others as they are", "[load]")
@@ -134,9 +143,8 @@ TEST_CASE("load: a case that cannot be made is named and leaves the others as th
     json const& cases = summary.at("load").at("cases");
     REQUIRE(cases.size() == 1);
     std::string notes;
-    for (auto const& note : summary.at("notes")) {
+    for (auto const& note : summary.at("notes"))
         notes += note.get<std::string>();
-    }
     CHECK_THAT(notes, ContainsSubstring(reason));
     auto const file = hdconj::test::open_file(folder / "a.h5");
     CHECK(hdconj::test::read(file, "/load/tilt").values.size() == 1);
@@ -145,9 +153,8 @@ TEST_CASE("load: a case that cannot be made is named and leaves the others as th
     auto const without = load(one_torque + "--surface tilted --kind draft --tilt 0 -o b.h5 --json", folder);
     REQUIRE(without.status == 0);
     json const alone = json::parse(without.out).at("load").at("cases").back();
-    for (auto const* key : {"tilt_deg", "backlash_offset_um", "backlash_arcmin", "rated"}) {
+    for (auto const* key : {"tilt_deg", "backlash_offset_um", "backlash_arcmin", "rated"})
         CHECK(alone.at(key) == cases[0].at(key));
-    }
     // none at all is an error, and leaves nothing behind
     auto const none = load(one_torque + "--surface tilted --kind draft --tilt 4,5 -o none.h5", folder);
     CHECK(none.status == 1);
@@ -157,11 +164,12 @@ TEST_CASE("load: a case that cannot be made is named and leaves the others as th
 
 TEST_CASE("load: words about the other flanks stand above every bar", "[load][picture]")
 {
-    if (hdconj::test::is_missing("gnuplot")) {
+    if (hdconj::test::is_missing("gnuplot"))
         return;
-    }
     TemporaryFolder const folder;
-    auto const done = load("'" HDCONJ_SOURCE_DIR "/data/scenes/type-50-elastic.toml' --torque 28 --no-curve --quiet -o a.h5 --picture a.svg", folder);
+    auto const done = load("'" HDCONJ_SOURCE_DIR
+                           "/data/scenes/type-50-elastic.toml' --torque 28 --no-curve --quiet -o a.h5 --picture a.svg",
+                           folder);
     INFO(done.err);
     REQUIRE(done.status == 0);
     std::string const svg = hdconj::test::content(folder / "a-pressure.svg");
@@ -175,10 +183,11 @@ TEST_CASE("load: words about the other flanks stand above every bar", "[load][pi
         std::istringstream corners(svg.substr(at + bar.size(), svg.find(" '", at + bar.size()) - at - bar.size()));
         double x = 0, y = 0;
         char comma = 0;
-        while (corners >> x >> comma >> y) {
+        while (corners >> x >> comma >> y)
             highest = std::min(highest, y);
-        }
     }
     CHECK(highest < 1e9);
     CHECK(baseline < highest);
 }
+
+}  // namespace hdconj::test::load_output_cases

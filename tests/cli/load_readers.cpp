@@ -2,13 +2,14 @@
 // Other people's programs read the files of a load study.
 #include <algorithm>
 
-#include "hdconj/io/load_files.hpp"
+#include "hdconj/load_files.hpp"
 #include "support/catch.hpp"
 #include "support/rig_loop.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
 
-using namespace hdconj;
+namespace hdconj::test::load_readers_cases {
+
 using test::run;
 using test::TemporaryFolder;
 
@@ -19,9 +20,8 @@ std::string const cup_reader = python + "'" HDCONJ_SOURCE_DIR "/tests/cli/read_c
 
 bool is_missing(std::string const& modules)
 {
-    if (!std::string(HDCONJ_PYTHON).empty() && run(python + "-c 'import " + modules + "'").status == 0) {
+    if (!std::string(HDCONJ_PYTHON).empty() && run(python + "-c 'import " + modules + "'").status == 0)
         return false;
-    }
     WARN("no python with " << modules << ": not tried");
     return true;
 }
@@ -55,9 +55,8 @@ LoadStudy small_study()
 
 TEST_CASE("h5py reads a load result and finds the documented layout", "[load]")
 {
-    if (is_missing("h5py, ezdxf")) {
+    if (is_missing("h5py, ezdxf"))
         return;
-    }
     TemporaryFolder const folder;
     Measurement measured;
     measured.curve = sample::rig_loop({});
@@ -70,9 +69,8 @@ TEST_CASE("h5py reads a load result and finds the documented layout", "[load]")
 
 TEST_CASE("meshio reads the cup and it is the shape of the result", "[load][vtu]")
 {
-    if (is_missing("meshio, h5py")) {
+    if (is_missing("meshio, h5py"))
         return;
-    }
     TemporaryFolder const folder;
     std::string arguments;
     auto const add = [&](std::string const& name, LoadStudy const& stored, LoadStudy const& drawn, char const* turns) {
@@ -93,7 +91,8 @@ TEST_CASE("meshio reads the cup and it is the shape of the result", "[load][vtu]
     INFO(read.out << read.err);
     CHECK(read.err.empty());
     CHECK(read.status == 0);
-    for (auto const* line : {"ring.vtu: 1184 points, hexahedron, ", "wedges.vtu: 1184 points, hexahedron and wedge, ", "stretch.vtu: 592 points, hexahedron and wedge, "}) {
+    for (auto const* line : {"ring.vtu: 1184 points, hexahedron, ", "wedges.vtu: 1184 points, hexahedron and wedge, ",
+                             "stretch.vtu: 592 points, hexahedron and wedge, "}) {
         CHECK_THAT(read.out, ContainsSubstring(line));
     }
     // The reader sees a wrong displacement, a wrong stress and cells the wrong way round.
@@ -108,7 +107,8 @@ TEST_CASE("meshio reads the cup and it is the shape of the result", "[load][vtu]
     read = run(cup_reader + arguments, folder.path());
     INFO(read.out << read.err);
     CHECK(read.status == 1);
-    for (auto const* line : {"moves elsewhere", "has another stress", "turned.vtu: cells of negative volume"}) {
+    for (auto const* line : {"moves elsewhere", "has another stress", "turned.vtu: cells of negative volume"})
         CHECK_THAT(read.out, ContainsSubstring(line));
-    }
 }
+
+}  // namespace hdconj::test::load_readers_cases

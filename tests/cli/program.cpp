@@ -6,13 +6,14 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "cli/hdconj_run.hpp"
-#include "hdconj/io/scene_toml.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj_run.hpp"
 #include "support/catch.hpp"
+
+namespace hdconj::test::program_cases {
 
 namespace {
 
-using namespace hdconj;
 using test::hdconj_run;
 using test::Outcome;
 using test::TemporaryFolder;
@@ -21,18 +22,8 @@ constexpr int done = 0;
 constexpr int failed = 1;
 constexpr int refused = 2;
 
-bool contains(std::string const& text, std::string const& part)
-{
-    return text.find(part) != std::string::npos;
-}
-
-void write(std::filesystem::path const& file, std::string const& text)
-{
-    std::ofstream(file, std::ios::binary) << text;
-}
-
 /// Bad input: status 2, nothing on standard output, and a message with @p part.
-void check_refused(Outcome const& outcome, std::string const& part)
+void check_bad_input(Outcome const& outcome, std::string const& part)
 {
     INFO(outcome.err);
     CHECK(outcome.status == refused);
@@ -52,9 +43,8 @@ TEST_CASE("help and version go to standard output", "[program]")
         CHECK(contains(outcome.out, "Usage: hdconj"));
     }
     auto const help = hdconj_run("--help").out;
-    for (std::string const verb : {"init", "check", "solve"}) {
+    for (std::string const verb : {"init", "check", "solve"})
         CHECK(contains(help, "\n  " + verb + " "));
-    }
     CHECK(contains(help, "Examples:"));
     CHECK(contains(hdconj_run("check --help").out, "double-circular-arc"));
     CHECK(contains(hdconj_run("--version").out, "hdconj "));
@@ -63,23 +53,24 @@ TEST_CASE("help and version go to standard output", "[program]")
 
 TEST_CASE("a wrong command line is refused", "[program]")
 {
-    check_refused(hdconj_run(""), "Usage:");
-    check_refused(hdconj_run("chek"), "did you mean 'hdconj check'");
-    check_refused(hdconj_run("slove drive.toml"), "did you mean 'hdconj solve'");
-    check_refused(hdconj_run("drive.toml"), "after the verb");
-    check_refused(hdconj_run("check --bogus"), "--bogus");
-    check_refused(hdconj_run("check a.toml b.toml"), "b.toml");
-    check_refused(hdconj_run("contact --tilt 0.1 0.2 a.toml"), "'0.2' was taken for it. A list is one word with commas");
-    check_refused(hdconj_run("check --set"), "--set");
-    check_refused(hdconj_run("check --threads -3"), "--threads");
-    check_refused(hdconj_run("check --threads many"), "--threads");
-    check_refused(hdconj_run("--bogus"), "--bogus");
-    check_refused(hdconj_run("solve --pictur a.svg"), "Did you mean --picture?");
-    check_refused(hdconj_run("solve --qiet"), "Did you mean --quiet?");
-    check_refused(hdconj_run("contact --tlit=0.1"), "Did you mean --tilt?");
-    check_refused(hdconj_run("solve --tolerence 1e-7"), "--set solver.tolerance=VALUE");
-    check_refused(hdconj_run("check --for load --treads 1"), "Did you mean --threads?");
-    check_refused(hdconj_run("--versoin"), "Did you mean --version?");
+    check_bad_input(hdconj_run(""), "Usage:");
+    check_bad_input(hdconj_run("chek"), "did you mean 'hdconj check'");
+    check_bad_input(hdconj_run("slove drive.toml"), "did you mean 'hdconj solve'");
+    check_bad_input(hdconj_run("drive.toml"), "after the verb");
+    check_bad_input(hdconj_run("check --bogus"), "--bogus");
+    check_bad_input(hdconj_run("check a.toml b.toml"), "b.toml");
+    check_bad_input(hdconj_run("contact --tilt 0.1 0.2 a.toml"),
+                    "'0.2' was taken for it. A list is one word with commas");
+    check_bad_input(hdconj_run("check --set"), "--set");
+    check_bad_input(hdconj_run("check --threads -3"), "--threads");
+    check_bad_input(hdconj_run("check --threads many"), "--threads");
+    check_bad_input(hdconj_run("--bogus"), "--bogus");
+    check_bad_input(hdconj_run("solve --pictur a.svg"), "Did you mean --picture?");
+    check_bad_input(hdconj_run("solve --qiet"), "Did you mean --quiet?");
+    check_bad_input(hdconj_run("contact --tlit=0.1"), "Did you mean --tilt?");
+    check_bad_input(hdconj_run("solve --tolerence 1e-7"), "--set solver.tolerance=VALUE");
+    check_bad_input(hdconj_run("check --for load --treads 1"), "Did you mean --threads?");
+    check_bad_input(hdconj_run("--versoin"), "Did you mean --version?");
     CHECK_FALSE(contains(hdconj_run("check --bogus").err, "Did you mean"));
 }
 
@@ -87,7 +78,8 @@ TEST_CASE("the scene may stand behind a list, and an option of lists be given tw
 {
     TemporaryFolder const folder;
     CHECK(hdconj_run("init drive.toml", folder.path()).status == done);
-    auto const given = hdconj_run("contact --surface tilted --surface ruled,per-slice drive.toml --json", folder.path());
+    auto const given =
+        hdconj_run("contact --surface tilted --surface ruled,per-slice drive.toml --json", folder.path());
     CHECK(given.status == done);
     CHECK(nlohmann::json::parse(given.out)["contact"]["cases"].size() == 3);
     CHECK(hdconj_run("wedm --dialect dxf drive.toml --quiet", folder.path()).status == done);
@@ -103,13 +95,13 @@ TEST_CASE("init writes the built-in scene and never over a file", "[program]")
     CHECK(test::content(folder / "hdconj.toml") == builtin_scene_text());
 
     write(folder / "hdconj.toml", "mine");
-    check_refused(hdconj_run("init", folder.path()), "--force");
+    check_bad_input(hdconj_run("init", folder.path()), "--force");
     CHECK(test::content(folder / "hdconj.toml") == "mine");
     CHECK(hdconj_run("init --force --quiet", folder.path()).err.empty());
     CHECK(test::content(folder / "hdconj.toml") == builtin_scene_text());
 
     CHECK(hdconj_run("init -").out == builtin_scene_text());
-    check_refused(hdconj_run("init .", folder.path()), "folder");
+    check_bad_input(hdconj_run("init .", folder.path()), "folder");
     CHECK(hdconj_run("init no/such/folder.toml", folder.path()).status == failed);
 }
 
@@ -153,15 +145,15 @@ TEST_CASE("files that are no scene are refused", "[program]")
                                               "ELF\0\0\0",
                                               7));
     write(folder / "huge.toml", std::string(std::size_t{17} << 20, ' '));
-    check_refused(hdconj_run("check .", folder.path()), "folder");
-    check_refused(hdconj_run("check missing.toml", folder.path()), "no such file");
-    check_refused(hdconj_run("check empty.toml", folder.path()), "empty");
-    check_refused(hdconj_run("check binary.toml", folder.path()), "binary");
-    check_refused(hdconj_run("check huge.toml", folder.path()), "16 MiB");
-    check_refused(hdconj_run("check /dev/zero"), "16 MiB");
-    check_refused(hdconj_run("check - </dev/null"), "empty");
-    check_refused(hdconj_run("check - </dev/zero"), "16 MiB");
-    check_refused(hdconj_run("check ''"), "");
+    check_bad_input(hdconj_run("check .", folder.path()), "folder");
+    check_bad_input(hdconj_run("check missing.toml", folder.path()), "no such file");
+    check_bad_input(hdconj_run("check empty.toml", folder.path()), "empty");
+    check_bad_input(hdconj_run("check binary.toml", folder.path()), "binary");
+    check_bad_input(hdconj_run("check huge.toml", folder.path()), "16 MiB");
+    check_bad_input(hdconj_run("check /dev/zero"), "16 MiB");
+    check_bad_input(hdconj_run("check - </dev/null"), "empty");
+    check_bad_input(hdconj_run("check - </dev/zero"), "16 MiB");
+    check_bad_input(hdconj_run("check ''"), "");
 }
 
 TEST_CASE("a file without read permission is refused", "[program]")
@@ -177,7 +169,7 @@ TEST_CASE("a file without read permission is refused", "[program]")
         WARN("skipped: this user may read everything");
         return;
     }
-    check_refused(test::run(who + "'" HDCONJ_PROGRAM "' check secret.toml", folder.path()), "no permission");
+    check_bad_input(test::run(who + "'" HDCONJ_PROGRAM "' check secret.toml", folder.path()), "no permission");
 }
 
 TEST_CASE("faults name file, line, key and remedy on standard error", "[program]")
@@ -185,7 +177,7 @@ TEST_CASE("faults name file, line, key and remedy on standard error", "[program]
     TemporaryFolder const folder;
     write(folder / "drive.toml", "[drive]\nmodule = \"0.25\"\n");
     auto const outcome = hdconj_run("check drive.toml", folder.path());
-    check_refused(outcome, "drive.toml");
+    check_bad_input(outcome, "drive.toml");
     CHECK(contains(outcome.err, "line 2: drive.module = \"0.25\": "));
     CHECK(contains(outcome.err, "(write 0.25, a number without quotes)"));
     CHECK(contains(outcome.err, "6 faults"));
@@ -194,8 +186,9 @@ TEST_CASE("faults name file, line, key and remedy on standard error", "[program]
 TEST_CASE("an elastic cup without its dimensions or its bearing is refused", "[program]")
 {
     TemporaryFolder const folder;
-    auto const outcome = hdconj_run("solve --set coning.model=elastic --set '!flexspline.cup' --set '!bearing'", folder.path());
-    check_refused(outcome, "needs the cup's dimensions");
+    auto const outcome =
+        hdconj_run("solve --set coning.model=elastic --set '!flexspline.cup' --set '!bearing'", folder.path());
+    check_bad_input(outcome, "needs the cup's dimensions");
     CHECK(contains(outcome.err, "needs what pushes the cup outward"));
     CHECK(contains(outcome.err, "coning.bottom_to_middle"));
     CHECK(folder.names().empty());
@@ -222,3 +215,5 @@ TEST_CASE("standard output that is closed, full or gone", "[program]")
     CHECK(piped.err == "0\n");
     CHECK(hdconj_run("check >&-").status == failed);
 }
+
+}  // namespace hdconj::test::program_cases

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
 """read_bent_cup.py FILE.vtu: the bent cup as meshio sees it."""
+
 import sys
 
 import meshio
@@ -16,10 +17,16 @@ assert np.isfinite(points).all() and np.isfinite(u).all() and np.isfinite(stress
 # every corner tetrahedron of a hexahedron has a positive volume: no element is turned inside out
 corners = points[cells.data[:, :8]]
 for at, a, b, c in ((0, 1, 3, 4), (6, 5, 7, 2)):
-    volume = np.einsum("ij,ij->i", np.cross(corners[:, a] - corners[:, at], corners[:, b] - corners[:, at]), corners[:, c] - corners[:, at])
+    volume = np.einsum(
+        "ij,ij->i",
+        np.cross(corners[:, a] - corners[:, at], corners[:, b] - corners[:, at]),
+        corners[:, c] - corners[:, at],
+    )
     assert (volume > 0).all(), (at, volume.min(), volume.max())
 # a side's middle lies between its ends
-for k, (a, b) in enumerate(((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))):
+for k, (a, b) in enumerate(
+    ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))
+):
     middle = points[cells.data[:, 8 + k]]
     ends = (points[cells.data[:, a]] + points[cells.data[:, b]]) / 2
     length = np.linalg.norm(points[cells.data[:, a]] - points[cells.data[:, b]], axis=1)

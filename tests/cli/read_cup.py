@@ -6,6 +6,7 @@
 
 Prints of each cup what is wrong, and one line that says what was read.
 """
+
 import sys
 
 import h5py
@@ -21,7 +22,8 @@ def want(condition, text):
 
 
 def volumes(points, cells):
-    """Of hexahedra and wedges, by tetrahedra about the first point of each; positive where the cells are numbered as VTK says."""
+    """Of hexahedra and wedges, by tetrahedra about the first point of each; positive where the cells are numbered as
+    VTK says."""
     total, least = 0.0, np.inf
     for block in cells:
         corners = points[block.data]
@@ -30,8 +32,15 @@ def volumes(points, cells):
         else:
             # meshio turns VTK's wedges, whose first triangle looks away from the second, the other way round.
             tetrahedra = [(0, 1, 2, 3), (2, 1, 4, 3), (2, 4, 5, 3)]
-        each = sum(np.einsum("ij,ij->i", np.cross(corners[:, b] - corners[:, a], corners[:, c] - corners[:, a]), corners[:, d] - corners[:, a]) / 6
-                   for a, b, c, d in tetrahedra)
+        each = sum(
+            np.einsum(
+                "ij,ij->i",
+                np.cross(corners[:, b] - corners[:, a], corners[:, c] - corners[:, a]),
+                corners[:, d] - corners[:, a],
+            )
+            / 6
+            for a, b, c, d in tetrahedra
+        )
         total += each.sum()
         least = min(least, each.min())
     return total, least
@@ -49,7 +58,10 @@ def read_cup(result, cup, turns):
     want(len(mesh.points) == angles * len(corners), f"{len(mesh.points)} points")
     filled = shape["phi"][-1] - shape["phi"][0] + shape["phi"][1] - shape["phi"][0]
     closed = turns in (1, sectors) and np.isclose(filled * turns, 2 * np.pi)
-    want(sum(len(block.data) for block in mesh.cells) == (angles if closed else angles - 1) * len(shape["cells"]), "number of cells")
+    want(
+        sum(len(block.data) for block in mesh.cells) == (angles if closed else angles - 1) * len(shape["cells"]),
+        "number of cells",
+    )
     # Each point of the file back to its node and angle, by place alone.
     radius, phi = np.hypot(mesh.points[:, 0], mesh.points[:, 1]), np.arctan2(mesh.points[:, 0], mesh.points[:, 1])
     period = 2 * np.pi / turns
@@ -58,11 +70,19 @@ def read_cup(result, cup, turns):
         node = int(np.argmin((shape["r"] - radius[i]) ** 2 + (shape["z"] - mesh.points[i, 2]) ** 2))
         off = np.abs(np.exp(1j * (shape["phi"] - phi[i]) * (turns if turns > 1 else 1)) - 1)
         angle = int(np.argmin(off))
-        want(abs(shape["r"][node] - radius[i]) < 1e-9 and shape["z"][node] == mesh.points[i, 2] and off[angle] < 1e-9, f"point {i} is no node of the section")
+        want(
+            abs(shape["r"][node] - radius[i]) < 1e-9 and shape["z"][node] == mesh.points[i, 2] and off[angle] < 1e-9,
+            f"point {i} is no node of the section",
+        )
         seen.add((node, angle, round(phi[i] / period * 1000)))
         out, along = np.array([np.sin(phi[i]), np.cos(phi[i])]), np.array([np.cos(phi[i]), -np.sin(phi[i])])
-        at = np.isclose(shape["r"], shape["r"][node]) & np.isclose(shape["z"], shape["z"][node])  # nodes in one place move together
-        wanted = [[*(u * out + v * along), w] for u, v, w in zip(shape["u_r"][angle][at], shape["u_t"][angle][at], shape["u_z"][angle][at])]
+        at = np.isclose(shape["r"], shape["r"][node]) & np.isclose(
+            shape["z"], shape["z"][node]
+        )  # nodes in one place move together
+        wanted = [
+            [*(u * out + v * along), w]
+            for u, v, w in zip(shape["u_r"][angle][at], shape["u_t"][angle][at], shape["u_z"][angle][at])
+        ]
         moved = mesh.point_data["displacement"][i]
         want(min(np.abs(np.array(w) - moved).max() for w in wanted) < 1e-12, f"point {i} moves elsewhere")
         if "stress" in shape:
@@ -81,12 +101,15 @@ def read_cup(result, cup, turns):
     want(abs(total - wanted) < 1e-9 * wanted, f"volume {total}, not {wanted}")
     for fault in faults[:20]:
         print(f"{cup}: {fault}")
-    print(f"{cup}: {len(mesh.points)} points, {' and '.join(sorted({block.type for block in mesh.cells}))}, {total:.3f} mm^3, {len(faults)} faults")
+    print(
+        f"{cup}: {len(mesh.points)} points, {' and '.join(sorted({block.type for block in mesh.cells}))}, "
+        f"{total:.3f} mm^3, {len(faults)} faults"
+    )
     return len(faults)
 
 
 def main(names):
-    found = [read_cup(*names[i:i + 3]) for i in range(0, len(names), 3)]
+    found = [read_cup(*names[i : i + 3]) for i in range(0, len(names), 3)]
     return 1 if any(found) else 0
 
 

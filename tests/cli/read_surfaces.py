@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads the surfaces of a contact study with programs that are not ours: meshio where it is installed, else xml, h5py, struct.
+"""Reads the surfaces of a contact study with programs that are not ours: meshio where it is installed, else xml, h5py,
+struct.
 
   read_surfaces.py RESULT.h5 TOOTH RING    TOOTH.xdmf, .stl, .vtk of one space, RING.xdmf, .stl, .vtk of all
 
 Prints what is wrong, and one line that says what was read.
 """
+
 import struct
 import sys
 import xml.etree.ElementTree as ElementTree
@@ -55,7 +57,9 @@ def stl(name):
     data = Path(name).read_bytes()
     (count,) = struct.unpack_from("<I", data, 80)
     want(len(data) == 84 + 50 * count and not data.startswith(b"solid"), f"{name}: size")
-    rows = np.frombuffer(data, np.dtype([("numbers", "<f4", (4, 3)), ("rest", "<u2")]), count, 84)["numbers"].astype(float)
+    rows = np.frombuffer(data, np.dtype([("numbers", "<f4", (4, 3)), ("rest", "<u2")]), count, 84)["numbers"].astype(
+        float
+    )
     return rows[:, 0], rows[:, 1:]
 
 
@@ -170,8 +174,10 @@ def main(result, tooth, ring):
         teeth = int(round(2 * np.pi / np.diff(np.sort(file["contact/map/angle"][()])).mean()))
 
         points, quads, part = xdmf(tooth + ".xdmf")
-        want(same(points, np.dstack([outline, np.repeat(z, across).reshape(slices, across, 1)]).reshape(-1, 3)),
-             "the surface is not the slices")
+        want(
+            same(points, np.dstack([outline, np.repeat(z, across).reshape(slices, across, 1)]).reshape(-1, 3)),
+            "the surface is not the slices",
+        )
         check_sheet("tooth.xdmf", quads, 2 * (across - 1) + 2 * (slices - 1))
         check_inwards("tooth.xdmf", points, quads, part)
         want(set(part) == {0, 1, 2, 3}, f"parts {set(part)}")
@@ -182,13 +188,18 @@ def main(result, tooth, ring):
         check_inwards("ring.xdmf", all_points, all_quads, all_part)
         want(columns % teeth == 0 and 5 < columns // teeth < across, f"{columns} points round the ring")
         one = all_points[: columns // teeth, :2]
-        want(distance(outline[0], np.r_[one, all_points[columns // teeth : columns // teeth + 1, :2]]) <= TOLERANCE,
-             "the ring's first space is not the outline")
+        want(
+            distance(outline[0], np.r_[one, all_points[columns // teeth : columns // teeth + 1, :2]]) <= TOLERANCE,
+            "the ring's first space is not the outline",
+        )
 
         for name, surface in ((tooth, None), (ring, (all_points, all_quads))):
             found = vtk(name + ".vtk")
             if surface:
-                want(same(found["points"], surface[0]) and same(found["quads"], surface[1]), f"{name}: VTK and XDMF differ")
+                want(
+                    same(found["points"], surface[0]) and same(found["quads"], surface[1]),
+                    f"{name}: VTK and XDMF differ",
+                )
             check_inwards(name + ".vtk", found["points"], found["quads"], found["part"])
             normal, corners = stl(name + ".stl")
             area = np.linalg.norm(normals(corners), axis=1) / 2
@@ -201,15 +212,20 @@ def main(result, tooth, ring):
             check_stl_corners(name, corners, found["points"])
             if meshio:
                 check_meshio(name + ".vtk", found["points"], found["quads"], gap=found["gap"], part=found["part"])
-                want(len(meshio.read(name + ".stl").cells[0].data) == len(area), f"{name}.stl: meshio reads other triangles")
+                want(
+                    len(meshio.read(name + ".stl").cells[0].data) == len(area),
+                    f"{name}.stl: meshio reads other triangles",
+                )
         if meshio:
             check_meshio(tooth + ".xdmf", points, quads, part=part)
             check_meshio(ring + ".xdmf", all_points, all_quads, part=all_part)
 
         found = vtk(tooth + ".vtk")
         every = [gaps(file, found["points"], space) for space in fullest_spaces(file)]
-        want(any(np.allclose(found["gap"], each, rtol=0, atol=1e-12, equal_nan=True) for each in every),
-             "gaps of the tooth are not those of the space with the largest contact")
+        want(
+            any(np.allclose(found["gap"], each, rtol=0, atol=1e-12, equal_nan=True) for each in every),
+            "gaps of the tooth are not those of the space with the largest contact",
+        )
         want(0 < np.isfinite(found["gap"]).sum() < len(found["gap"]), "no gaps, or gaps off the flanks")
         check_ring_gaps(file, vtk(ring + ".vtk"), columns, teeth)
     print(*faults, sep="\n", end="\n" if faults else "")
@@ -220,7 +236,10 @@ def main(result, tooth, ring):
 def check_stl_corners(name, corners, points):
     """Each corner is a point of the mesh."""
     known = {tuple(point) for point in points.astype("<f4").tolist()}
-    want({tuple(corner) for corner in corners.reshape(-1, 3).tolist()} <= known, f"{name}.stl: corners differ from points")
+    want(
+        {tuple(corner) for corner in corners.reshape(-1, 3).tolist()} <= known,
+        f"{name}.stl: corners differ from points",
+    )
 
 
 def check_ring_gaps(file, found, columns, teeth):
@@ -236,7 +255,9 @@ def check_ring_gaps(file, found, columns, teeth):
         where = np.angle(np.exp(1j * (turned - wave_generator)))
         number = int(np.abs(np.angle(np.exp(1j * (angles - where)))).argmin())
         wanted = gaps(file, np.c_[x * c - y * s, x * s + y * c, z], number)
-        want(np.allclose(found["gap"][rows], wanted, rtol=0, atol=1e-9, equal_nan=True), f"gaps of space {space} differ")
+        want(
+            np.allclose(found["gap"][rows], wanted, rtol=0, atol=1e-9, equal_nan=True), f"gaps of space {space} differ"
+        )
 
 
 if __name__ == "__main__":

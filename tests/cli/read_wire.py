@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Reads a folder of wire files with programs that are not ours (numpy, ezdxf, LinuxCNC's interpreter where it is installed) and with parsers
+"""Reads a folder of wire files with programs that are not ours (numpy, ezdxf, LinuxCNC's interpreter where it is
+installed) and with parsers
 written here, rebuilds both faces from each, and sweeps the emitted wire with shapely.
 
   read_wire.py FOLDER STEM THICKNESS LOWER_GUIDE UPPER_GUIDE DECIMALS CHORD
 
 CHORD [mm]: what the sampled contour and wire may be off between their points. Prints what is wrong, and what was read.
 """
+
 import re
 import shutil
 import sys
@@ -125,7 +127,9 @@ def flat_contour(name):
     rows = [words(line) for line in lines(name)]
     moves = [row for row in rows if "X" in row]
     want(set(moves[1]["G"]) & {41, 42} and 40 in moves[-1]["G"], f"{name}: offset on and off")
-    want(not any({40, 41, 42} & set(row.get("G", [])) for row in moves[2:-1]), f"{name}: offset switched on the contour")
+    want(
+        not any({40, 41, 42} & set(row.get("G", [])) for row in moves[2:-1]), f"{name}: offset switched on the contour"
+    )
     return np.array([(row["X"], row["Y"]) for row in moves])
 
 
@@ -212,7 +216,8 @@ def compare(name, read, exact, allowed):
 
 
 def sweep(name, paths, closed, nominal, cut, allowed):
-    """What a round wire leaves of the material against the contour: each lies in the other one grown by what is allowed."""
+    """What a round wire leaves of the material against the contour: each lies in the other one grown by what is
+    allowed."""
     for face, path, outline in zip(("lower", "upper"), paths, nominal):
         wire, part = Polygon(path[closed]), Polygon(outline)
         want(wire.is_valid and part.is_valid, f"{name}: {face} crosses itself")
@@ -288,18 +293,22 @@ for number in range(1, passes + 1):
         (f"{stem}_xyuv_face_pass{number}.ngc", lambda n: xyuv(n, False), UNIT),
         (f"{stem}_rel_pass{number}.iso", relative, UNIT),
         (f"{stem}_twoplane_pass{number}.nc", colon, UNIT),
-        (f"{stem}_lower_pass{number}.3b", lambda n: (three_b(n, exact[0][0]), three_b(n.replace("lower", "upper"), exact[0][0])), UM),
+        (
+            f"{stem}_lower_pass{number}.3b",
+            lambda n: (three_b(n, exact[0][0]), three_b(n.replace("lower", "upper"), exact[0][0])),
+            UM,
+        ),
     ):
         compare(name, read(name), exact, allowed + 1e-12)
     name = f"{stem}_xyuv_face_pass{number}.ngc"
     head = (folder / name).read_text()
     offset = float(re.search(r"wire centre ([\d.]+) mm", head)[1])
+    closed = np.isin(tags, ("lead_in", "contour", "stop"))
+    along = exact[0][closed]
+    if np.linalg.norm(along[0] - along[-1]) > 0:
+        print(f"pass {number} does not close: it was not swept here")
+        continue
     if Polygon is not None:
-        closed = np.isin(tags, ("lead_in", "contour", "stop"))
-        along = exact[0][closed]
-        if np.linalg.norm(along[0] - along[-1]) > 0:
-            print(f"pass {number} does not close: it was not swept here")
-            continue
         for each, guides in ((name, False), (name.replace("face", "guide"), True)):
             sweep(each, xyuv(each, guides), closed, nominal, offset, UNIT + CHORD)
     flat = f"{stem}_2d_pass{number}.iso"
@@ -325,14 +334,24 @@ else:
     readers["GDAL"] = dxf_by_gdal
 for reader, read in readers.items():
     layers = read(f"{stem}_planes.dxf")
-    want(set(layers) == {"PART_LOWER", "PART_UPPER", "WIRE_LOWER", "WIRE_UPPER"}, f"dxf, {reader}: layers {sorted(layers)}")
+    want(
+        set(layers) == {"PART_LOWER", "PART_UPPER", "WIRE_LOWER", "WIRE_UPPER"},
+        f"dxf, {reader}: layers {sorted(layers)}",
+    )
     for layer, lines_of_layer in layers.items():
         z = T if layer.endswith("UPPER") else 0
         want(all((line[:, 2] == z).all() for line in lines_of_layer), f"dxf, {reader}: height of {layer}")
-    compare(f"dxf, {reader}, contour", [layers[f"PART_{face}"][0][:, :2] for face in ("LOWER", "UPPER")], nominal, DXF_UNIT)
+    compare(
+        f"dxf, {reader}, contour", [layers[f"PART_{face}"][0][:, :2] for face in ("LOWER", "UPPER")], nominal, DXF_UNIT
+    )
     for number in range(1, passes + 1):
         these = {key: value[rows["pass"] == number] for key, value in rows.items()}
-        compare(f"dxf, {reader}, pass {number}", [layers[f"WIRE_{face}"][number - 1][:, :2] for face in ("LOWER", "UPPER")], pair(these), DXF_UNIT)
+        compare(
+            f"dxf, {reader}, pass {number}",
+            [layers[f"WIRE_{face}"][number - 1][:, :2] for face in ("LOWER", "UPPER")],
+            pair(these),
+            DXF_UNIT,
+        )
 
 names = [f"{stem}_xyuv_{plane}_pass{number}.ngc" for number in range(1, passes + 1) for plane in ("face", "guide")]
 for name, moves in linuxcnc(names).items():

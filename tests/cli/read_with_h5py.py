@@ -6,6 +6,7 @@
 
 Checks the layout of docs/hdf5.md and that the DXF file is sound and says the same. Prints one line, or what is wrong.
 """
+
 import re
 import sys
 from pathlib import Path
@@ -14,10 +15,28 @@ import h5py
 import numpy as np
 
 UNITS = {"mm", "mm^2", "rad", "1", "s", "N", "N mm", "N/mm", "N mm/rad", "MPa"}
-ROOT = {"format": str, "format_version": np.integer, "program_version": str, "git_revision": str, "build": str,
-        "date": str, "drive": str, "given": str, "scene": str, "threads": np.integer, "plan": str, "stages": np.ndarray}
-BRANCH = {"segment": np.integer, "segment_name": str, "kind": str, "begins": str, "ends": str,
-          "on_boundary": np.integer}
+ROOT = {
+    "format": str,
+    "format_version": np.integer,
+    "program_version": str,
+    "git_revision": str,
+    "build": str,
+    "date": str,
+    "drive": str,
+    "given": str,
+    "scene": str,
+    "threads": np.integer,
+    "plan": str,
+    "stages": np.ndarray,
+}
+BRANCH = {
+    "segment": np.integer,
+    "segment_name": str,
+    "kind": str,
+    "begins": str,
+    "ends": str,
+    "on_boundary": np.integer,
+}
 DXF_ROUNDING = 1e-10  # mm
 
 faults = []
@@ -87,8 +106,11 @@ def check_contact(file):
     columns = {name for name in contact if isinstance(contact[name], h5py.Dataset)}
     want({len(contact[name]) for name in columns} == {len(cases)}, "columns of contact differ")
     for name in cases:
-        want({len(contact[name][column]) for column in contact[name] if column != "revolution"} ==
-             {len(contact[name]["z"])}, f"columns of {name} differ")
+        want(
+            {len(contact[name][column]) for column in contact[name] if column != "revolution"}
+            == {len(contact[name]["z"])},
+            f"columns of {name} differ",
+        )
     s, two, k, p = contact["map/gap"].shape
     want((s, two, k, p) == (len(contact["map/angle"]), 2, len(contact["map/z"]), len(contact["map/station"])), "map")
     mesh = file["circular_spline/surface"]
@@ -105,11 +127,27 @@ def check_load(file):
         named = set(curve) - {"error"}
         want(len({len(curve[column]) for column in named}) == 1 and named <= columns, f"columns of {name} differ")
         errors = curve["error"]
-        want({len(errors[column]) for column in errors} == {len(curve["twist"])} and set(errors) <= named | {"estimated"}, f"errors of {name} differ")
-        want({flanks[column].shape for column in ("force", "line_load", "pressure", "gap", "height")} == {(len(flanks["angle"]), 2, len(flanks["z"]))}, f"map of {name}")
+        want(
+            {len(errors[column]) for column in errors} == {len(curve["twist"])}
+            and set(errors) <= named | {"estimated"},
+            f"errors of {name} differ",
+        )
+        want(
+            {flanks[column].shape for column in ("force", "line_load", "pressure", "gap", "height")}
+            == {(len(flanks["angle"]), 2, len(flanks["z"]))},
+            f"map of {name}",
+        )
     shape = load["shape"]
-    want({shape[column].shape for column in ("u_r", "u_t", "u_z", "stress")} == {(len(shape["phi"]), len(shape["r"]))}, "shape")
-    want(shape["cells"].shape[1:] == (4,) and shape["cells"][()].max() < len(shape["r"]) and len(shape["z"]) == len(shape["r"]), "cells")
+    want(
+        {shape[column].shape for column in ("u_r", "u_t", "u_z", "stress")} == {(len(shape["phi"]), len(shape["r"]))},
+        "shape",
+    )
+    want(
+        shape["cells"].shape[1:] == (4,)
+        and shape["cells"][()].max() < len(shape["r"])
+        and len(shape["z"]) == len(shape["r"]),
+        "cells",
+    )
     want(0 <= load.attrs["shown"] < len(cases), "shown")
 
 
@@ -147,7 +185,10 @@ def check_dxf(name, result):
         want(np.abs(np.array(got) - np.c_[wanted, np.full(len(wanted), z)]).max() <= DXF_ROUNDING, "outline differs")
     summary = result["summary"].attrs
     tooth = result["flexspline/outline"][()] + [0, summary["r_0_mm"] + summary["w0_mm"] + summary["pitch_line_mm"]]
-    want(np.abs(np.array(polylines(drawing, "FLEXSPLINE_TOOTH")[0])[:, :2] - tooth).max() <= DXF_ROUNDING, "tooth differs")
+    want(
+        np.abs(np.array(polylines(drawing, "FLEXSPLINE_TOOTH")[0])[:, :2] - tooth).max() <= DXF_ROUNDING,
+        "tooth differs",
+    )
     neutral = np.array(polylines(drawing, "NEUTRAL_CURVE")[0])[:, :2]
     want(np.abs(neutral - result["neutral_curve"][()]).max() <= DXF_ROUNDING, "neutral curve differs")
     closed = {e.dxf.layer: e.is_closed for e in drawing.modelspace()}

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Other people's programs read what we write.
-#include "hdconj/io/contact_files.hpp"
-#include "hdconj/io/surface_files.hpp"
+#include "hdconj/contact_files.hpp"
+#include "hdconj/mesh_files.hpp"
 #include "support/catch.hpp"
 #include "support/run_program.hpp"
 #include "support/sample_contact_study.hpp"
 #include "support/temporary_folder.hpp"
 
-using namespace hdconj;
+namespace hdconj::test::readers_cases {
+
 using test::run;
 using test::TemporaryFolder;
 
@@ -16,9 +17,8 @@ namespace {
 bool skipped_without(std::string const& program)
 {
     bool const missing = test::is_missing(program);
-    if (missing) {
+    if (missing)
         WARN(program << " is not installed: not tried");
-    }
     return missing;
 }
 
@@ -81,9 +81,8 @@ TEST_CASE("surfaces of tooth and ring are read by other programs and are the sli
     auto const read = run(surfaces + "a.h5 tooth ring", folder.path());
     INFO(read.out + read.err);
     CHECK(read.status == 0);
-    if (read.out.find("no meshio") != std::string::npos) {
+    if (read.out.find("no meshio") != std::string::npos)
         WARN("meshio is not installed: surfaces were read by other means");
-    }
     // The reader sees a wrong gap and a wrong point.
     study.map.gap[study.map.index(1, GapMap::right, 1, 20)] += 1e-6;
     write_vtk(study, folder / "ring.vtk", ring);
@@ -96,9 +95,8 @@ TEST_CASE("surfaces of tooth and ring are read by other programs and are the sli
 
 TEST_CASE("h5dump reads every dataset")
 {
-    if (skipped_without("h5dump")) {
+    if (skipped_without("h5dump"))
         return;
-    }
     TemporaryFolder const folder;
     write_hdf5(sample::solution(), folder / "a.h5");
     auto const dump = run("h5dump a.h5", folder.path());
@@ -109,13 +107,13 @@ TEST_CASE("h5dump reads every dataset")
 
 TEST_CASE("SVG pictures are well-formed")
 {
-    if (skipped_without("gnuplot") || skipped_without("rsvg-convert")) {
+    if (skipped_without("gnuplot") || skipped_without("rsvg-convert"))
         return;
-    }
     TemporaryFolder const folder;
     write_picture(sample::solution(), folder / "a.svg");
     CHECK(run("rsvg-convert a.svg -o a.png", folder.path()).status == 0);
-    for (auto const& picture : write_contact_pictures(sample::contact_study(), folder / "b.svg")) {
+    for (auto const& picture : write_contact_pictures(sample::contact_study(), folder / "b.svg"))
         CHECK(run("rsvg-convert " + picture.file.filename().string() + " -o b.png", folder.path()).status == 0);
-    }
 }
+
+}  // namespace hdconj::test::readers_cases

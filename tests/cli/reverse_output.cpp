@@ -3,24 +3,20 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "cli/hdconj_run.hpp"
-#include "hdconj/io/scene_toml.hpp"
-#include "hdconj/pipeline/solve.hpp"
-#include "io/picture_script.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/solve.hpp"
+#include "hdconj_run.hpp"
+#include "report/plots/plots.hpp"
 #include "support/catch.hpp"
+
+namespace hdconj::test::reverse_output_cases {
 
 namespace {
 
-using namespace hdconj;
 using test::hdconj_run;
 using test::TemporaryFolder;
 
 std::string const scene = std::string(HDCONJ_SOURCE_DIR) + "/data/scenes/circular-spline-given.toml";
-
-bool contains(std::string const& text, std::string const& part)
-{
-    return text.find(part) != std::string::npos;
-}
 
 }  // namespace
 
@@ -51,7 +47,9 @@ TEST_CASE("summary, JSON, HDF5 and DXF of a reverse result", "[program][reverse]
     CHECK(contains(hdconj_run("solve '" + scene + "' -o b.h5", folder.path()).out,
                    "given: the circular spline's tooth; solved for: the flexspline's"));
     if (!std::string(HDCONJ_PYTHON).empty()) {
-        auto const read = test::run(std::string("'" HDCONJ_PYTHON "' '") + HDCONJ_SOURCE_DIR + "/tests/cli/read_with_h5py.py' a.h5 a.dxf", folder.path());
+        auto const read = test::run(
+            std::string("'" HDCONJ_PYTHON "' '") + HDCONJ_SOURCE_DIR + "/tests/cli/read_with_h5py.py' a.h5 a.dxf",
+            folder.path());
         CHECK(read.err.empty());
         CHECK(contains(read.out, " 0 faults"));
         CHECK(read.status == 0);
@@ -68,10 +66,13 @@ TEST_CASE("the forward problem's results say that the flexspline is given", "[pr
 
 TEST_CASE("the picture of a reverse result is of the flexspline tooth", "[reverse]")
 {
-    auto const script = picture_script(solve(read_scene(scene)), PictureFormat::svg);
+    auto const script = report::tooth_space_script(solve(read_scene(scene)));
     CHECK(contains(script, "flexspline tooth, solved for"));
     CHECK(contains(script, "circular spline at the major axis, given"));
-    CHECK(contains(script, "circular-spline teeth, 82 positions"));
+    CHECK(contains(script, "positions = 82\n"));
+    CHECK(contains(script, "reverse = 1\n"));
     CHECK(contains(script, "from the pitch line"));
-    CHECK_FALSE(contains(script, "tip circle"));
+    CHECK(contains(script, "$tip_circle << EOD\nEOD\n"));
 }
+
+}  // namespace hdconj::test::reverse_output_cases

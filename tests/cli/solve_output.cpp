@@ -8,9 +8,11 @@
 #include <random>
 #include <thread>
 
-#include "cli/hdconj_run.hpp"
+#include "hdconj_run.hpp"
 #include "support/catch.hpp"
 #include "support/read_hdf5.hpp"
+
+namespace hdconj::test::solve_output_cases {
 
 using hdconj::test::content;
 using hdconj::test::is_missing;
@@ -32,7 +34,8 @@ TEST_CASE("solve writes the drive's name and says so")
     auto const done = solve("", folder);
     CHECK(done.status == 0);
     CHECK(done.err.empty());
-    CHECK_THAT(done.out, ContainsSubstring("200/202") && ContainsSubstring("type-50.h5") && ContainsSubstring("-2.567 um"));
+    CHECK_THAT(done.out,
+               ContainsSubstring("200/202") && ContainsSubstring("type-50.h5") && ContainsSubstring("-2.567 um"));
     CHECK(folder.names() == std::vector<std::string>{"type-50.h5"});
 }
 
@@ -49,15 +52,16 @@ TEST_CASE("the land lies between one space and the next, whether or not the cam 
         {0, ""},
         {0.01, ""},
         {-0.01, ""},
-        {0.01, "--set coning.model=linear --set coning.bottom_to_middle=9 --set slices.count=3 --set slices.surface=per-slice"},
+        {0.01,
+         "--set coning.model=linear --set coning.bottom_to_middle=9 --set slices.count=3 --set "
+         "slices.surface=per-slice"},
     }));
     TemporaryFolder const folder;
     std::filesystem::copy_file(HDCONJ_SOURCE_DIR "/data/scenes/cam-table.toml", folder / "cam.toml");
     std::ofstream table(folder / "cam-table.csv");
     constexpr double rad = std::numbers::pi / 180;
-    for (int degrees = 0; degrees < 180; degrees += 5) {
+    for (int degrees = 0; degrees < 180; degrees += 5)
         table << degrees << ',' << 0.25 * std::cos(2 * degrees * rad) + second * std::sin(4 * degrees * rad) << '\n';
-    }
     table.close();
     auto const done = solve("cam.toml -o a.h5 --json " + axial, folder);
     INFO(done.err);
@@ -74,12 +78,14 @@ TEST_CASE("the land lies between one space and the next, whether or not the cam 
     };
     double const pitch = 2 * std::numbers::pi / 202, tip = geometry.at("tip_radius_mm").get<double>();
     double const left = tip * (pitch / 2 + angle(marks.front())), right = tip * (pitch / 2 - angle(marks.back()));
-    double const stated = geometry.at("land_width_mm").get<double>(), error = summary.at("error").at("error_land_width_mm").get<double>();
+    double const stated = geometry.at("land_width_mm").get<double>(),
+                 error = summary.at("error").at("error_land_width_mm").get<double>();
     constexpr double written = 1e-13;  // rounding of the points
     INFO("halves " << left << " and " << right);
     CHECK((second == 0) == (std::abs(left - right) < 1e-6));
     CHECK(std::abs(stated - (left + right)) <= error + written);
-    CHECK(summary.at("error").at("error_land_half_angle_deg").get<double>() * rad * 2 * tip == Approx(error).epsilon(1e-12));
+    CHECK(summary.at("error").at("error_land_half_angle_deg").get<double>() * rad * 2 * tip ==
+          Approx(error).epsilon(1e-12));
     CHECK(std::abs(geometry.at("land_half_angle_deg").get<double>() * rad * 2 * tip - stated) <= written);
 }
 
@@ -144,9 +150,8 @@ TEST_CASE("two runs differ in date and times only")
     auto const a = content(folder / "a.h5"), c = content(folder / "c.h5");
     REQUIRE(a.size() == c.size());
     std::size_t different = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) {
+    for (std::size_t i = 0; i < a.size(); ++i)
         different += a[i] == c[i] ? 0 : 1;
-    }
     constexpr std::size_t date_and_times = 20 + 8 * 20;  // one date, at most twenty stages
     CHECK(different <= date_and_times);
 }
@@ -173,3 +178,5 @@ TEST_CASE("a killed run leaves the old result or a whole new one")
         REQUIRE(found.rfind("\x89HDF\r\n\x1a\n", 0) == 0);
     }
 }
+
+}  // namespace hdconj::test::solve_output_cases

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `hdconj wedm` as a user meets it: files, streams, the same figures everywhere, the part and its files under a turn and without a tilt.
+// `hdconj wedm` as a user meets it: files, streams, the same figures everywhere, the part and its files under a turn
+// and without a tilt.
 #include <algorithm>
 #include <array>
-#include <csignal>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -11,10 +12,12 @@
 #include <sstream>
 #include <thread>
 
-#include "cli/hdconj_run.hpp"
-#include "hdconj/io/wire_files.hpp"
+#include "hdconj/wire_files.hpp"
+#include "hdconj_run.hpp"
 #include "support/catch.hpp"
 #include "support/sample_wire_program.hpp"
+
+namespace hdconj::test::wedm_output_cases {
 
 using hdconj::test::content;
 using hdconj::test::Outcome;
@@ -32,9 +35,8 @@ std::vector<std::string> lines_of(std::string const& text)
 {
     std::istringstream stream(text);
     std::vector<std::string> lines;
-    for (std::string line; std::getline(stream, line);) {
+    for (std::string line; std::getline(stream, line);)
         lines.push_back(line);
-    }
     return lines;
 }
 
@@ -43,14 +45,12 @@ std::vector<std::vector<std::string>> blocks_of(std::string const& text)
 {
     std::vector<std::vector<std::string>> blocks;
     for (auto const& line : lines_of(text)) {
-        if (line.find(" U") == std::string::npos || line.front() == '(') {
+        if (line.find(" U") == std::string::npos || line.front() == '(')
             continue;
-        }
         std::istringstream words(line);
         auto& block = blocks.emplace_back();
-        for (std::string word; words >> word;) {
+        for (std::string word; words >> word;)
             block.push_back(word);
-        }
     }
     return blocks;
 }
@@ -69,8 +69,10 @@ TEST_CASE("wedm names its folder after the drive and says so", "[wedm]")
     auto const done = wedm("--tilt 0.2", folder);
     CHECK(done.status == 0);
     CHECK(done.err.empty());
-    CHECK_THAT(done.out, ContainsSubstring("wire diameter                     0.1 mm") && ContainsSubstring("spark gap                       0.006 mm"));
-    CHECK_THAT(done.out, ContainsSubstring("written into type-50-wedm\n") && ContainsSubstring("not verified on hardware"));
+    CHECK_THAT(done.out, ContainsSubstring("wire diameter                     0.1 mm") &&
+                             ContainsSubstring("spark gap                       0.006 mm"));
+    CHECK_THAT(done.out,
+               ContainsSubstring("written into type-50-wedm\n") && ContainsSubstring("not verified on hardware"));
     CHECK(folder.names() == std::vector<std::string>{"type-50-wedm"});
     // the operator's summary is the same text
     auto const text = content(folder / "type-50-wedm" / "type-50_summary.txt");
@@ -124,12 +126,14 @@ TEST_CASE("wedm: --json prints one object with the figures of the text and --qui
 TEST_CASE("wedm of an elastic cup says how well the sections are known, and nothing of it without one", "[wedm]")
 {
     TemporaryFolder const folder;
-    std::string const elastic = "'" HDCONJ_SOURCE_DIR "/data/scenes/type-50-elastic.toml' --set slices.surface=tilted --set wedm.wire_diameter=0.1 --set wedm.spark_gap=0.006 -o a ";
+    std::string const elastic = "'" HDCONJ_SOURCE_DIR
+                                "/data/scenes/type-50-elastic.toml' --set slices.surface=tilted --set "
+                                "wedm.wire_diameter=0.1 --set wedm.spark_gap=0.006 -o a ";
     auto const text = wedm(elastic, folder);
     CHECK(text.status == 0);
     CHECK_THAT(text.out, ContainsSubstring("error, bent sections"));
     double const known = json::parse(wedm(elastic + "--json", folder).out).at("cup_error_um").get<double>();
-    CHECK(known > 0.1);   // [um], and no more than a hundredth of the 250 that the cup is bent by
+    CHECK(known > 0.1);  // [um], and no more than a hundredth of the 250 that the cup is bent by
     CHECK(known < 2.5);
     auto const plain = wedm("--tilt 0.2 -o b", folder);
     CHECK_THAT(plain.out, !ContainsSubstring("bent sections"));
@@ -143,7 +147,9 @@ TEST_CASE("wedm gives the same figures and files for any number of threads and f
     auto const two = wedm("--tilt 0.2 --threads 2 -o b --json --quiet", folder);
     REQUIRE(one.status == 0);
     CHECK(without_folder(json::parse(one.out)) == without_folder(json::parse(two.out)));
-    REQUIRE(hdconj::test::hdconj_run("solve --quiet --set tilt.angle_deg=0.2 --set slices.count=3 -o s.h5", folder.path()).status == 0);
+    REQUIRE(
+        hdconj::test::hdconj_run("solve --quiet --set tilt.angle_deg=0.2 --set slices.count=3 -o s.h5", folder.path())
+            .status == 0);
     auto const stored = wedm("--from s.h5 -o c --json --quiet", folder);
     CHECK(without_folder(json::parse(one.out)) == without_folder(json::parse(stored.out)));
     for (auto const& entry : std::filesystem::directory_iterator(folder / "a")) {
@@ -162,7 +168,8 @@ TEST_CASE("wedm without a tilt writes U as X and V as Y byte for byte", "[wedm]"
         auto const blocks = blocks_of(content(folder / "a" / ("type-50_xyuv_" + plane + "_pass1.ngc")));
         REQUIRE(blocks.size() > 7000);
         CHECK(std::all_of(blocks.begin(), blocks.end(), [](auto const& block) {
-            return block.size() == 6 && block[2].substr(1) == block[4].substr(1) && block[3].substr(1) == block[5].substr(1);
+            return block.size() == 6 && block[2].substr(1) == block[4].substr(1) &&
+                   block[3].substr(1) == block[5].substr(1);
         }));
     }
     CHECK(content(folder / "a" / "type-50_lower_pass1.3b") == content(folder / "a" / "type-50_upper_pass1.3b"));
@@ -172,8 +179,12 @@ TEST_CASE("wedm without a tilt writes U as X and V as Y byte for byte", "[wedm]"
 TEST_CASE("wedm: another first space turns the path by pitches", "[wedm]")
 {
     TemporaryFolder const folder;
-    REQUIRE(wedm("--tilt 0.2 --dialect xyuv-guide --decimals 6 --set wedm.stop_before=0 --quiet -o a", folder).status == 0);
-    REQUIRE(wedm("--tilt 0.2 --dialect xyuv-guide --decimals 6 --set wedm.stop_before=0 --set wedm.start=1 --quiet -o b", folder).status == 0);
+    REQUIRE(wedm("--tilt 0.2 --dialect xyuv-guide --decimals 6 --set wedm.stop_before=0 --quiet -o a", folder).status ==
+            0);
+    REQUIRE(
+        wedm("--tilt 0.2 --dialect xyuv-guide --decimals 6 --set wedm.stop_before=0 --set wedm.start=1 --quiet -o b",
+             folder)
+            .status == 0);
     auto const first = blocks_of(content(folder / "a" / "type-50_xyuv_guide_pass1.ngc"));
     auto const second = blocks_of(content(folder / "b" / "type-50_xyuv_guide_pass1.ngc"));
     REQUIRE(first.size() == second.size());
@@ -183,7 +194,8 @@ TEST_CASE("wedm: another first space turns the path by pitches", "[wedm]")
         for (std::size_t k : {std::size_t{2}, std::size_t{4}}) {  // X Y, then U V
             std::size_t const at = first[i].size() - 6 + k;
             double const x = std::stod(first[i][at].substr(1)), y = std::stod(first[i][at + 1].substr(1));
-            worst = std::max({worst, std::abs(c * x + s * y - std::stod(second[i][at].substr(1))), std::abs(-s * x + c * y - std::stod(second[i][at + 1].substr(1)))});
+            worst = std::max({worst, std::abs(c * x + s * y - std::stod(second[i][at].substr(1))),
+                              std::abs(-s * x + c * y - std::stod(second[i][at + 1].substr(1)))});
         }
     }
     CHECK(worst < 2e-6);  // both are rounded to 1e-6 mm
@@ -205,16 +217,23 @@ TEST_CASE("wedm cuts the flexspline in two set-ups that appear together", "[wedm
     CHECK(set_ups[1].at("part_turned_deg") == 180);
     CHECK(figures.at("external") == true);
     // half a turn is a whole number of pitches of 200 teeth: both set-ups have one program
-    auto const file = [&](std::string const& name) { return content(folder / "type-50-flexspline-wedm" / ("type-50-flexspline_" + name)); };
+    auto const file = [&](std::string const& name) {
+        return content(folder / "type-50-flexspline-wedm" / ("type-50-flexspline_" + name));
+    };
     CHECK(blocks_of(file("setup1_xyuv_face_pass1.ngc")) == blocks_of(file("setup2_xyuv_face_pass1.ngc")));
     CHECK(file("setup1_lower_pass1.3b") == file("setup2_lower_pass1.3b"));
-    CHECK_THAT(file("summary.txt"), ContainsSubstring("set-up 2 of 2: 100 spaces from 100 clockwise, part turned 180 deg") && ContainsSubstring("0.1 mm   overlap beyond"));
+    CHECK_THAT(file("summary.txt"),
+               ContainsSubstring("set-up 2 of 2: 100 spaces from 100 clockwise, part turned 180 deg") &&
+                   ContainsSubstring("0.1 mm   overlap beyond"));
 }
 
 TEST_CASE("wedm cuts the flexspline that a given circular spline calls for", "[wedm]")
 {
     TemporaryFolder const folder;
-    auto const done = wedm("'" HDCONJ_SOURCE_DIR "/data/scenes/circular-spline-given.toml' --part flexspline --set wedm.wire_diameter=0.1 --set wedm.spark_gap=0.006 --quiet -o a", folder);
+    auto const done = wedm("'" HDCONJ_SOURCE_DIR
+                           "/data/scenes/circular-spline-given.toml' --part flexspline --set wedm.wire_diameter=0.1 "
+                           "--set wedm.spark_gap=0.006 --quiet -o a",
+                           folder);
     CHECK(done.status == 0);
     CHECK(done.err.empty());
     CHECK(std::filesystem::exists(folder / "a" / "circular-spline-given-flexspline_setup2_planes.dxf"));
@@ -225,23 +244,27 @@ TEST_CASE("wedm tells a pass that leaves more than the next one takes", "[wedm]"
     TemporaryFolder const folder;
     auto const rough = wedm("--tilt 0.2 --set 'wedm.passes=[[0.05], [0.048], [0]]' --dialect csv -o a", folder);
     CHECK(rough.status == 0);
-    CHECK_THAT(rough.out, ContainsSubstring("WARNING: pass 1 leaves up to 0.0") && ContainsSubstring("more than the layer of 0.002 mm that pass 2 is to take"));
+    CHECK_THAT(rough.out, ContainsSubstring("WARNING: pass 1 leaves up to 0.0") &&
+                              ContainsSubstring("more than the layer of 0.002 mm that pass 2 is to take"));
     auto const fine = wedm("--tilt 0.2 --set 'wedm.passes=[[0.02], [0]]' --dialect csv -o a", folder);
     CHECK(fine.out.find("WARNING") == std::string::npos);
 }
 
-TEST_CASE("wedm leaves out a dialect with a grid of its own that loses a block unless it was asked for by name", "[wedm]")
+TEST_CASE("wedm leaves out a dialect with a grid of its own that loses a block unless it was asked for by name",
+          "[wedm]")
 {
     TemporaryFolder const folder;
     // a drafted corner is a point in the lower face and an arc in the upper one
-    std::string const drafted = "--tilt 0.1 --set tilt.kind=draft --set circular_spline.root_clearance=0.02 --set wedm.residual_limit=0.06 ";
+    std::string const drafted =
+        "--tilt 0.1 --set tilt.kind=draft --set circular_spline.root_clearance=0.02 --set wedm.residual_limit=0.06 ";
     auto const all = wedm(drafted + "--json --quiet -o a", folder);
     REQUIRE(all.status == 0);
     CHECK(all.err.empty());
     auto const summary = json::parse(all.out);
     REQUIRE(summary.at("warnings").size() == 1);
     CHECK_THAT(summary.at("warnings")[0].get<std::string>(),
-               ContainsSubstring("dialect 3b is left out: pass 1, block ") && ContainsSubstring("no length in the lower plane when rounded to 0.001 mm"));
+               ContainsSubstring("dialect 3b is left out: pass 1, block ") &&
+                   ContainsSubstring("no length in the lower plane when rounded to 0.001 mm"));
     CHECK(summary.at("files").size() == 7);  // of 9
     CHECK(std::filesystem::exists(folder / "a" / "type-50_twoplane_pass1.nc"));
     CHECK_FALSE(std::filesystem::exists(folder / "a" / "type-50_lower_pass1.3b"));
@@ -249,7 +272,8 @@ TEST_CASE("wedm leaves out a dialect with a grid of its own that loses a block u
     // by name: an error, and the tolerance that it advises is one that works
     auto const named = wedm(drafted + "--dialect csv,3b --quiet -o b", folder);
     CHECK(named.status == 1);
-    CHECK_THAT(named.err, ContainsSubstring("3b, pass 1, block ") && ContainsSubstring("write wedm.tolerance = ") && ContainsSubstring("or another dialect"));
+    CHECK_THAT(named.err, ContainsSubstring("3b, pass 1, block ") && ContainsSubstring("write wedm.tolerance = ") &&
+                              ContainsSubstring("or another dialect"));
     CHECK(named.err.find("decimals") == std::string::npos);
     CHECK(folder.names() == std::vector<std::string>{"a"});
     auto const from = named.err.find("wedm.tolerance = ");
@@ -262,15 +286,21 @@ TEST_CASE("wedm leaves out a dialect with a grid of its own that loses a block u
 TEST_CASE("wedm: where more decimals keep a block the message says how many", "[wedm]")
 {
     TemporaryFolder const folder;
-    std::string const drafted = "--tilt 1.2 --set tilt.kind=draft --set wedm.surface_limit=0.005 --set wedm.wire_diameter=0.07 --dialect xyuv-face --quiet -o a ";
+    std::string const drafted =
+        "--tilt 1.2 --set tilt.kind=draft --set wedm.surface_limit=0.005 --set wedm.wire_diameter=0.07 --dialect "
+        "xyuv-face --quiet -o a ";
     auto const few = wedm(drafted, folder);
     CHECK(few.status == 1);
-    CHECK_THAT(few.err, ContainsSubstring("xyuv-face, pass 1, block ") && ContainsSubstring("rounded to 0.0001 mm; write wedm.decimals = 5, or another dialect"));
+    CHECK_THAT(few.err, ContainsSubstring("xyuv-face, pass 1, block ") &&
+                            ContainsSubstring("rounded to 0.0001 mm; write wedm.decimals = 5, or another dialect"));
     CHECK(folder.names().empty());
     CHECK(wedm(drafted + "--decimals 5", folder).status == 0);
     // of several dialects the message says how many keep the blocks of all
-    std::string const all = "--tilt 0.8 --set tilt.kind=draft --set wedm.surface_limit=0.005 --set wedm.wire_diameter=0.05 --set wedm.tolerance=2e-4 --quiet -o b ";
-    CHECK_THAT(wedm(all, folder).err, ContainsSubstring("xyuv-guide, pass 1, block ") && ContainsSubstring("write wedm.decimals = 6, or another dialect"));
+    std::string const all =
+        "--tilt 0.8 --set tilt.kind=draft --set wedm.surface_limit=0.005 --set wedm.wire_diameter=0.05 --set "
+        "wedm.tolerance=2e-4 --quiet -o b ";
+    CHECK_THAT(wedm(all, folder).err, ContainsSubstring("xyuv-guide, pass 1, block ") &&
+                                          ContainsSubstring("write wedm.decimals = 6, or another dialect"));
     CHECK(wedm(all + "--decimals 5", folder).status == 1);
     CHECK(wedm(all + "--decimals 6", folder).status == 0);
 }
@@ -281,7 +311,8 @@ TEST_CASE("wedm that fails leaves the folder as it was", "[wedm]")
     REQUIRE(wedm("--tilt 0.2 --dialect csv --quiet -o a", folder).status == 0);
     auto const before = content(folder / "a" / "type-50_path.csv");
     // no file may grow beyond 100 blocks of 1024 bytes: the disk is full, as far as the program can tell
-    auto const full = hdconj::test::run("ulimit -f 100; " + hdconj::test::program + " wedm --quiet -o a", folder.path());
+    auto const full =
+        hdconj::test::run("ulimit -f 100; " + hdconj::test::program + " wedm --quiet -o a", folder.path());
     CHECK(full.status == 1);
     CHECK_THAT(full.err, ContainsSubstring("type-50_planes.dxf") && ContainsSubstring("File too large"));
     CHECK(wedm("--tilt 0.2 --set wedm.largest_travel=20 -o a", folder).status == 1);
@@ -301,9 +332,8 @@ TEST_CASE("a killed process leaves the old folder of wire files or the new one",
     auto const same = [&](std::string const& with) {
         for (auto const& entry : std::filesystem::directory_iterator(folder / with)) {
             auto const name = entry.path().filename().string();
-            if (!std::filesystem::exists(target / name) || content(target / name) != content(folder / with / name)) {
+            if (!std::filesystem::exists(target / name) || content(target / name) != content(folder / with / name))
                 return false;
-            }
         }
         return true;
     };
@@ -326,7 +356,8 @@ TEST_CASE("a killed process leaves the old folder of wire files or the new one",
         REQUIRE((same("one") || same("other")));
     }
     // what is left besides is hidden
-    for (auto const& name : folder.names()) {
+    for (auto const& name : folder.names())
         CHECK((name == "one" || name == "other" || name == "out" || name.front() == '.'));
-    }
 }
+
+}  // namespace hdconj::test::wedm_output_cases

@@ -3,13 +3,14 @@
 #include <array>
 #include <fstream>
 
-#include "hdconj/io/wire_files.hpp"
+#include "hdconj/wire_files.hpp"
 #include "support/catch.hpp"
 #include "support/run_program.hpp"
 #include "support/sample_wire_program.hpp"
 #include "support/temporary_folder.hpp"
 
-using namespace hdconj;
+namespace hdconj::test::wire_readers_cases {
+
 using test::run;
 using test::TemporaryFolder;
 
@@ -35,17 +36,16 @@ void change(std::filesystem::path const& file, std::string const& from, std::str
     std::ofstream(file, std::ios::binary) << text.replace(at, from.size(), to);
 }
 
-/// What the wire and the contour may be off between points of 96 in a tooth space of the sample: the sagitta of a chord of
-/// 0.04 mm at its least radius of curvature, 0.5 mm, of each.
+/// What the wire and the contour may be off between points of 96 in a tooth space of the sample: the sagitta of a chord
+/// of 0.04 mm at its least radius of curvature, 0.5 mm, of each.
 constexpr char const* chord = "0.0008";
 
 }  // namespace
 
 TEST_CASE("every dialect of a toothed ring is read back to both faces and its wire sweeps the ring", "[wire]")
 {
-    if (no_python()) {
+    if (no_python())
         return;
-    }
     TemporaryFolder const folder;
     write_wire_files({sample::wire_ring(sample::wire_tilt, 96)}, folder / "out");
     auto const read = run(reader + "out ring 7 20 30 4 " + chord, folder.path());
@@ -54,19 +54,18 @@ TEST_CASE("every dialect of a toothed ring is read back to both faces and its wi
     CHECK_THAT(read.out, ContainsSubstring(", 0 faults\n"));
     CHECK(read.status == 0);
     for (std::string const missing : {"LinuxCNC", "GDAL", "ezdxf", "shapely"}) {
-        if (read.out.find(missing + " is not installed") != std::string::npos) {
+        if (read.out.find(missing + " is not installed") != std::string::npos)
             WARN(missing + " is not installed: not tried");
-        }
     }
-    for (auto const& [file, from, to] : {std::array<std::string, 3>{"ring_xyuv_guide_pass2.ngc", "\nN40 G1 X", "\nN40 G1 X1"},
-                                         {"ring_rel_pass1.iso", " U", " U-"},
-                                         {"ring_lower_pass3.3b", " L", " L4\nB1 B0 B1 GX L"},
-                                         {"ring_planes.dxf", "\n8\nWIRE_UPPER\n10\n", "\n8\nWIRE_UPPER\n10\n1"}}) {
+    for (auto const& [file, from, to] :
+         {std::array<std::string, 3>{"ring_xyuv_guide_pass2.ngc", "\nN40 G1 X", "\nN40 G1 X1"},
+          {"ring_rel_pass1.iso", " U", " U-"},
+          {"ring_lower_pass3.3b", " L", " L4\nB1 B0 B1 GX L"},
+          {"ring_planes.dxf", "\n8\nWIRE_UPPER\n10\n", "\n8\nWIRE_UPPER\n10\n1"}}) {
         TemporaryFolder const broken;
         write_wire_files({sample::wire_ring(sample::wire_tilt, 24)}, broken / "out");
-        if (test::content(broken / "out" / file).find(from) == std::string::npos) {
+        if (test::content(broken / "out" / file).find(from) == std::string::npos)
             FAIL(file << " has no " << from);
-        }
         change(broken / "out" / file, from, to);
         auto const noticed = run(reader + "out ring 7 20 30 4 1", broken.path());  // sweeping is not what is tried
         INFO(file << "\n" << noticed.out << noticed.err);
@@ -76,15 +75,15 @@ TEST_CASE("every dialect of a toothed ring is read back to both faces and its wi
 
 TEST_CASE("the built-in drive's files are read back to both faces, the flexspline's of both set-ups too", "[wire]")
 {
-    if (no_python()) {
+    if (no_python())
         return;
-    }
     TemporaryFolder const folder;
     std::string const wedm = "'" HDCONJ_PROGRAM "' wedm --quiet --set wedm.tolerance=0.002 ";
     REQUIRE(run(wedm + "--tilt 0.2 -o ring", folder.path()).status == 0);
     REQUIRE(run(wedm + "--part flexspline --set wedm.overlap=0.1 -o gear", folder.path()).status == 0);
     // 0.007 mm: chords of contour and wire, and what is left in the corners of the root
-    for (std::string const files : {"ring type-50", "gear type-50-flexspline_setup1", "gear type-50-flexspline_setup2"}) {
+    for (std::string const files :
+         {"ring type-50", "gear type-50-flexspline_setup1", "gear type-50-flexspline_setup2"}) {
         auto const read = run(reader + files + " 7 20 30 4 0.007", folder.path());
         INFO(files << "\n" << read.out << read.err);
         CHECK_THAT(read.out, ContainsSubstring(", 0 faults\n"));
@@ -94,9 +93,8 @@ TEST_CASE("the built-in drive's files are read back to both faces, the flexsplin
 
 TEST_CASE("the square hole is read back in three decimals too", "[wire]")
 {
-    if (no_python()) {
+    if (no_python())
         return;
-    }
     for (int const decimals : {3, 4, 5}) {
         TemporaryFolder const folder;
         auto program = sample::square_hole();
@@ -108,3 +106,5 @@ TEST_CASE("the square hole is read back in three decimals too", "[wire]")
         CHECK(read.status == 0);
     }
 }
+
+}  // namespace hdconj::test::wire_readers_cases

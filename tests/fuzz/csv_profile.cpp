@@ -3,43 +3,46 @@
 #include <cmath>
 #include <sstream>
 
-#include "fuzz/refusal.hpp"
-#include "fuzz/scratch_folder.hpp"
-#include "fuzz/targets.hpp"
-#include "hdconj/io/scene_toml.hpp"
-#include "hdconj/pipeline/solve.hpp"
+#include "drive/drive.hpp"
+#include "hdconj/check.hpp"
 #include "hdconj/profile/registry.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/solve.hpp"
 #include "hdconj/wavegen/registry.hpp"
-#include "pipeline/drive.hpp"
+#include "refusal.hpp"
+#include "scratch_folder.hpp"
+#include "targets.hpp"
 
 namespace hdconj::fuzz {
 namespace {
 
 constexpr char const* file_name = "fuzzed.csv";
 
-ParameterSpec const* file_key(FamilyDescription const& family)
+scene::ParameterSpec const* file_key(scene::FamilyDescription const& family)
 {
-    auto const found = std::find_if(family.parameters.begin(), family.parameters.end(),
-                                    [](ParameterSpec const& spec) { return spec.quantity == Quantity::file; });
+    auto const found =
+        std::find_if(family.parameters.begin(), family.parameters.end(),
+                     [](scene::ParameterSpec const& spec) { return spec.quantity == scene::Quantity::file; });
     return found == family.parameters.end() ? nullptr : &*found;
 }
 
 /// The family named @p name among @p families when it reads a file.
-FamilyDescription const* reader_named(std::vector<FamilyDescription> const& families, std::string const& name)
+scene::FamilyDescription const* reader_named(std::vector<scene::FamilyDescription> const& families,
+                                             std::string const& name)
 {
-    auto const found = std::find_if(families.begin(), families.end(), [&](FamilyDescription const& family) {
+    auto const found = std::find_if(families.begin(), families.end(), [&](scene::FamilyDescription const& family) {
         return family.name == name && file_key(family) != nullptr;
     });
     return found == families.end() ? nullptr : &*found;
 }
 
 /// Required words and numbers that the first line does not give: something that is allowed.
-void fill_in(FamilyChoice& choice, FamilyDescription const& family)
+void fill_in(scene::FamilyChoice& choice, scene::FamilyDescription const& family)
 {
-    for (ParameterSpec const& spec : family.parameters) {
+    for (scene::ParameterSpec const& spec : family.parameters) {
         if (!spec.required || choice.has(spec.key))
             continue;
-        if (spec.quantity == Quantity::file)
+        if (spec.quantity == scene::Quantity::file)
             choice.given[std::string(spec.key)] = {std::string(file_name), 0};
         else if (!spec.words.empty())
             choice.given[std::string(spec.key)] = {std::string(spec.words.front()), 0};
@@ -49,11 +52,11 @@ void fill_in(FamilyChoice& choice, FamilyDescription const& family)
 }
 
 /// "key=word" of the first line: only words that the family allows, as the scene's reader would pass on.
-void take_words(FamilyChoice& choice, FamilyDescription const& family, std::istringstream& words)
+void take_words(scene::FamilyChoice& choice, scene::FamilyDescription const& family, std::istringstream& words)
 {
     for (std::string word; words >> word;) {
         std::size_t const equals = word.find('=');
-        for (ParameterSpec const& spec : family.parameters) {
+        for (scene::ParameterSpec const& spec : family.parameters) {
             bool const named = equals != std::string::npos && spec.key == std::string_view(word).substr(0, equals);
             std::string const value = named ? word.substr(equals + 1) : "";
             if (named && std::find(spec.words.begin(), spec.words.end(), value) != spec.words.end())
@@ -62,10 +65,10 @@ void take_words(FamilyChoice& choice, FamilyDescription const& family, std::istr
     }
 }
 
-void judge_tooth(Profile const& tooth)
+void validate_tooth(profile::Profile const& tooth)
 {
     constexpr double coarse = 0x1p-6;  // of the tooth's height
-    for (Vec2 const& p : polygon_of(tooth, (tooth.addendum + tooth.dedendum) * coarse)) {
+    for (Vec2 const& p : profile::polygon_of(tooth, (tooth.addendum + tooth.dedendum) * coarse)) {
         if (!p.allFinite())
             throw Find("a point of the tooth is not finite");
     }
@@ -80,12 +83,12 @@ void csv_profile(Bytes input)
     std::istringstream head{std::string(text.substr(0, end))};
     std::string name;
     head >> name;
-    FamilyDescription const* const tooth_family = reader_named(profile_families(), name);
-    FamilyDescription const* const wave_family = reader_named(wave_generator_families(), name);
+    scene::FamilyDescription const* const tooth_family = reader_named(profile::profile_families(), name);
+    scene::FamilyDescription const* const wave_family = reader_named(wavegen::wave_generator_families(), name);
     if (tooth_family == nullptr && wave_family == nullptr)
         return;
-    FamilyDescription const& family = tooth_family != nullptr ? *tooth_family : *wave_family;
-    FamilyChoice choice{name, 0, tooth_family != nullptr ? "flexspline.profile" : "wave_generator", {}};
+    scene::FamilyDescription const& family = tooth_family != nullptr ? *tooth_family : *wave_family;
+    scene::FamilyChoice choice{name, 0, tooth_family != nullptr ? "flexspline.profile" : "wave_generator", {}};
     take_words(choice, family, head);
     fill_in(choice, family);
     choice.given[std::string(file_key(family)->key)] = {(scratch_folder() / file_name).string(), 0};
@@ -96,16 +99,16 @@ void csv_profile(Bytes input)
     (tooth_family != nullptr ? scene.flexspline.profile : scene.wave_generator.shape) = choice;
     Faults faults;
     accepted([&] {
-        Profile const tooth = detail::given_tooth(scene, faults);
-        AnyWaveShape const shape = detail::wave_shape(scene, tooth, faults);
+        profile::Profile const tooth = drive::given_tooth(scene, faults);
+        wavegen::AnyWaveShape const shape = drive::wave_shape(scene, tooth, faults);
         if (!faults.empty())
             return;
-        judge_tooth(tooth);
+        validate_tooth(tooth);
         if (!std::isfinite(shape.amplitude()) || !std::isfinite(shape(1).w))
             throw Find("the wave is not finite");
         faults = check_scene(scene);
     });
-    judge_faults(faults);
+    validate_faults(faults);
 }
 
 }  // namespace hdconj::fuzz

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fuzz/drive_text.hpp"
+#include "drive_text.hpp"
 
 #include <algorithm>
 #include <filesystem>
 #include <utility>
 
-#include "fuzz/scratch_folder.hpp"
-#include "hdconj/io/scene_toml.hpp"
+#include "hdconj/read_scene.hpp"
+#include "scratch_folder.hpp"
 
 namespace hdconj::fuzz {
 namespace {

@@ -15,7 +15,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hdconj/scene/scene.hpp"
+#include "hdconj/scene.hpp"
 
 namespace hdconj::fuzz {
 

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cstring>
 
-#include "fuzz/drive_text.hpp"
-#include "fuzz/targets.hpp"
+#include "drive_text.hpp"
+#include "targets.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(std::uint8_t const* data, std::size_t size)
 {
@@ -36,8 +36,8 @@ extern "C" std::size_t LLVMFuzzerCustomMutator(std::uint8_t* data, std::size_t s
     return put(hdconj::fuzz::mutated_drive(hdconj::fuzz::text_of({data, size}), seed), data, most);
 }
 
-extern "C" std::size_t LLVMFuzzerCustomCrossOver(std::uint8_t const* a, std::size_t a_size, std::uint8_t const* b, std::size_t b_size,
-                                                 std::uint8_t* out, std::size_t most, unsigned seed)
+extern "C" std::size_t LLVMFuzzerCustomCrossOver(std::uint8_t const* a, std::size_t a_size, std::uint8_t const* b,
+                                                 std::size_t b_size, std::uint8_t* out, std::size_t most, unsigned seed)
 {
     using hdconj::fuzz::text_of;
     return put(hdconj::fuzz::crossed_drives(text_of({a, a_size}), text_of({b, b_size}), seed), out, most);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Random changes of a drive that know what a key is. Keys and families come from the schema and the registries, so a family
-// that is registered is fuzzed.
+// Random changes of a drive that know what a key is. Keys and families come from the schema and the registries, so a
+// family that is registered is fuzzed.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -10,13 +10,14 @@
 #include <random>
 #include <sstream>
 
-#include "fuzz/drive_text.hpp"
-#include "fuzz/scratch_folder.hpp"
-#include "hdconj/io/scene_reading.hpp"
-#include "hdconj/pipeline/solve.hpp"
+#include "drive_text.hpp"
+#include "hdconj/check.hpp"
 #include "hdconj/profile/registry.hpp"
+#include "hdconj/read_scene.hpp"
 #include "hdconj/scene/schema.hpp"
+#include "hdconj/solve.hpp"
 #include "hdconj/wavegen/registry.hpp"
+#include "scratch_folder.hpp"
 
 namespace hdconj::fuzz {
 namespace {
@@ -40,16 +41,16 @@ std::string in_quotes(std::string_view word)
     return "\"" + std::string(word) + "\"";
 }
 
-bool is_number(Quantity quantity)
+bool is_number(scene::Quantity quantity)
 {
-    using enum Quantity;
+    using enum scene::Quantity;
     return quantity != word && quantity != file && quantity != text && quantity != count && quantity != rows;
 }
 
 /// A list of lists of numbers from TOML of any layout; what is no number is passed over.
-NumberRows rows_of(std::string_view text)
+scene::NumberRows rows_of(std::string_view text)
 {
-    NumberRows rows;
+    scene::NumberRows rows;
     int depth = 0;
     for (std::size_t i = 0; i < text.size();) {
         char const c = text[i];
@@ -68,7 +69,7 @@ NumberRows rows_of(std::string_view text)
     return rows;
 }
 
-std::string text_of_rows(NumberRows const& rows)
+std::string text_of_rows(scene::NumberRows const& rows)
 {
     std::string text = "[";
     for (std::vector<double> const& row : rows) {
@@ -109,7 +110,7 @@ class Mutation
     /// What the drive says now: each number by its key, and the families.
     void look()
     {
-        SceneReading const reading = examine_scene(base_text(drive_), "", scratch_folder(), drive_.overrides);
+        scene::SceneReading const reading = examine_scene(base_text(drive_), "", scratch_folder(), drive_.overrides);
         numbers_.clear();
         lists_.clear();
         for (auto const& [path, given] : reading.scene.given) {
@@ -120,21 +121,24 @@ class Mutation
             if (std::from_chars(given.written.data(), end, value).ptr == end && !given.written.empty())
                 numbers_.emplace_back(path, value);
         }
-        profile_ = described(profile_families(), reading.scene.given_profile().family);
+        profile_ = described(profile::profile_families(), reading.scene.given_profile().family);
         tooth_table_ = reading.scene.is_reverse() ? "circular_spline.profile" : "flexspline.profile";
-        wave_ = described(wave_generator_families(), reading.scene.wave_generator.shape.family);
+        wave_ = described(wavegen::wave_generator_families(), reading.scene.wave_generator.shape.family);
         module_ = number("drive.module").value_or(1);
     }
 
-    static FamilyDescription const* described(std::vector<FamilyDescription> const& families, std::string const& name)
+    static scene::FamilyDescription const* described(std::vector<scene::FamilyDescription> const& families,
+                                                     std::string const& name)
     {
-        auto const found = std::find_if(families.begin(), families.end(), [&](auto const& f) { return f.name == name; });
+        auto const found =
+            std::find_if(families.begin(), families.end(), [&](auto const& f) { return f.name == name; });
         return found == families.end() ? nullptr : &*found;
     }
 
     std::optional<double> number(std::string const& path) const
     {
-        auto const found = std::find_if(numbers_.begin(), numbers_.end(), [&](auto const& n) { return n.first == path; });
+        auto const found =
+            std::find_if(numbers_.begin(), numbers_.end(), [&](auto const& n) { return n.first == path; });
         return found == numbers_.end() ? std::nullopt : std::optional(found->second);
     }
 
@@ -156,38 +160,65 @@ class Mutation
             case 0:
             case 1:
             case 2:
-            case 3: nudge(); break;
+            case 3:
+                nudge();
+                break;
             case 4:
-            case 5: near_another(); break;
-            case 6: wild(); break;
-            case 7: remove_key(); break;
+            case 5:
+                near_another();
+                break;
+            case 6:
+                wild();
+                break;
+            case 7:
+                remove_key();
+                break;
             case 8:
-            case 9: add_key(); break;
-            case 10: change_tooth(); break;
-            case 11: change_wave(); break;
-            case 12: change_counts(); break;
-            case 13: scale_all(); break;
-            case 14: change_points(); break;
-            default: simplify(); break;
+            case 9:
+                add_key();
+                break;
+            case 10:
+                change_tooth();
+                break;
+            case 11:
+                change_wave();
+                break;
+            case 12:
+                change_counts();
+                break;
+            case 13:
+                scale_all();
+                break;
+            case 14:
+                change_points();
+                break;
+            default:
+                simplify();
+                break;
         }
     }
 
     /// A length of about the tooth's size, an angle of about a flank's, or a bound of the key itself.
-    std::string value_for(ParameterSpec const& spec)
+    std::string value_for(scene::ParameterSpec const& spec)
     {
-        using enum Quantity;
+        using enum scene::Quantity;
         bool const as_word = spec.quantity == word || (spec.quantity == length_or_word && chance(2));
         if (as_word && !spec.words.empty())
             return in_quotes(one_of(spec.words));
         switch (spec.quantity) {
-            case file: return in_quotes(file_for_scene());
-            case rows: return text_of_rows(new_rows(spec));
+            case file:
+                return in_quotes(file_for_scene());
+            case rows:
+                return text_of_rows(new_rows(spec));
             case text:
-            case word: return in_quotes("any");
+            case word:
+                return in_quotes("any");
             case count:
                 return std::to_string(static_cast<long long>(std::clamp(between(1, 12), spec.at_least, spec.at_most)));
-            case angle_deg: return number_text(std::clamp(between(0, 60), spec.at_least, spec.at_most));
-            default: break;
+            case angle_deg:
+                return number_text(std::clamp(between(0, 60), spec.at_least, spec.at_most));
+            default:
+                break;
         }
         if (chance(6) && std::isfinite(spec.at_least))
             return number_text(spec.at_least);
@@ -203,7 +234,8 @@ class Mutation
             return;
         auto const& [path, value] = one_of(numbers_);
         if (is_count(path))
-            return set_count(path, std::clamp(value + std::round(std::exp(between(0, 5))) * (chance(2) ? -1 : 1), -9.0, 1e9));
+            return set_count(path,
+                             std::clamp(value + std::round(std::exp(between(0, 5))) * (chance(2) ? -1 : 1), -9.0, 1e9));
         double const share = chance(2) ? between(-0.3, 0.3) : std::pow(10.0, between(-17, 0)) * (chance(2) ? -1 : 1);
         set(path, value == 0 ? module_ * share : value * (1 + share));
     }
@@ -225,9 +257,28 @@ class Mutation
     void wild()
     {
         using limits = std::numeric_limits<double>;
-        static std::array<double, 22> const values{0.0,  -0.0,  limits::denorm_min(), 1e-310, limits::min(), 1e-300, 1e-100, 1e-20,
-                                                   1e-12, 1e-9, 1e-6, 1e-3, 1.0, 1e3, 1e6, 1e9, 1e100, limits::max(), -1.0, -1e-9,
-                                                   limits::quiet_NaN(), limits::infinity()};
+        static std::array<double, 22> const values{0.0,
+                                                   -0.0,
+                                                   limits::denorm_min(),
+                                                   1e-310,
+                                                   limits::min(),
+                                                   1e-300,
+                                                   1e-100,
+                                                   1e-20,
+                                                   1e-12,
+                                                   1e-9,
+                                                   1e-6,
+                                                   1e-3,
+                                                   1.0,
+                                                   1e3,
+                                                   1e6,
+                                                   1e9,
+                                                   1e100,
+                                                   limits::max(),
+                                                   -1.0,
+                                                   -1e-9,
+                                                   limits::quiet_NaN(),
+                                                   limits::infinity()};
         if (numbers_.empty())
             return;
         auto const& [path, value] = one_of(numbers_);
@@ -249,30 +300,30 @@ class Mutation
     void add_key()
     {
         if (profile_ != nullptr && chance(3) && !profile_->parameters.empty()) {
-            ParameterSpec const& spec = one_of(profile_->parameters);
+            scene::ParameterSpec const& spec = one_of(profile_->parameters);
             return set(tooth_table_ + "." + std::string(spec.key), value_for(spec));
         }
         if (wave_ != nullptr && chance(3) && !wave_->parameters.empty()) {
-            ParameterSpec const& spec = one_of(wave_->parameters);
+            scene::ParameterSpec const& spec = one_of(wave_->parameters);
             return set("wave_generator." + std::string(spec.key), value_for(spec));
         }
-        TableSpec const& table = one_of(scene_schema());
+        scene::TableSpec const& table = one_of(scene::scene_schema());
         if (table.keys.empty())
             return;
         // an effect is nothing without the keys that it requires
-        bool const effect = table.presence == Presence::effect;
-        for (KeySpec const& key : table.keys)
+        bool const effect = table.presence == scene::Presence::effect;
+        for (scene::KeySpec const& key : table.keys)
             if (effect && key.spec.required && chance(2))
                 set(std::string(table.path) + "." + std::string(key.spec.key), value_for(key.spec));
-        ParameterSpec const& spec = one_of(table.keys).spec;
+        scene::ParameterSpec const& spec = one_of(table.keys).spec;
         if (spec.key != "family" && spec.key != "tolerance")
             set(std::string(table.path) + "." + std::string(spec.key), value_for(spec));
     }
 
     /// Another family of @p families under @p table: the keys it requires, and some of the others.
-    void change_family(std::vector<FamilyDescription> const& families, std::string const& table)
+    void change_family(std::vector<scene::FamilyDescription> const& families, std::string const& table)
     {
-        FamilyDescription const& family = one_of(families);
+        scene::FamilyDescription const& family = one_of(families);
         std::erase_if(drive_.overrides, [&](std::string const& line) {
             return line.starts_with(table + ".") && !line.starts_with("wave_generator.waves");
         });
@@ -281,7 +332,7 @@ class Mutation
                 drive_.overrides.push_back("!" + path);
         }
         drive_.overrides.push_back(table + ".family=" + in_quotes(family.name));
-        for (ParameterSpec const& spec : family.parameters) {
+        for (scene::ParameterSpec const& spec : family.parameters) {
             std::string const path = table + "." + std::string(spec.key);
             if (auto const old = number(path); old && is_number(spec.quantity))
                 set(path, *old);
@@ -294,20 +345,19 @@ class Mutation
     void change_tooth()
     {
         if (chance(4))
-            return change_family(profile_families(), tooth_table_);
+            return change_family(profile::profile_families(), tooth_table_);
         drive_.scene = one_of(scene_names());
-        std::erase_if(drive_.overrides, [&](std::string const& line) {
-            return line.find(".profile") != std::string::npos || chance(2);
-        });
+        std::erase_if(drive_.overrides,
+                      [&](std::string const& line) { return line.find(".profile") != std::string::npos || chance(2); });
     }
 
     void change_wave()
     {
-        change_family(wave_generator_families(), "wave_generator");
+        change_family(wavegen::wave_generator_families(), "wave_generator");
         double const teeth = number("drive.flexspline_teeth").value_or(200);
         double const more = number("drive.circular_spline_teeth").value_or(teeth + 2) - teeth;
         for (char const* key : {"radial_deformation", "amplitude"}) {
-            if (described(wave_generator_families(), "cosine") != nullptr && chance(2) && wave_knows(key))
+            if (described(wavegen::wave_generator_families(), "cosine") != nullptr && chance(2) && wave_knows(key))
                 set("wave_generator." + std::string(key), module_ * more / 2 * between(0.6, 1.2));
         }
     }
@@ -316,13 +366,13 @@ class Mutation
     {
         look();
         return wave_ != nullptr && std::any_of(wave_->parameters.begin(), wave_->parameters.end(),
-                                               [&](ParameterSpec const& spec) { return spec.key == key; });
+                                               [&](scene::ParameterSpec const& spec) { return spec.key == key; });
     }
 
     void change_counts()
     {
-        int const waves = 1 + below(bounds::most_waves);
-        double const teeth = chance(8) ? bounds::most_teeth - 4 : std::round(std::exp(between(1.7, 7)));
+        int const waves = 1 + below(scene::bounds::most_waves);
+        double const teeth = chance(8) ? scene::bounds::most_teeth - 4 : std::round(std::exp(between(1.7, 7)));
         set_count("wave_generator.waves", waves);
         set_count("drive.flexspline_teeth", teeth);
         set_count("drive.circular_spline_teeth", teeth + waves * (1 + (chance(2) ? below(3) : 0)));
@@ -343,7 +393,8 @@ class Mutation
     std::string new_points()
     {
         int const count = 2 + below(chance(4) ? 60 : 12);
-        double const tip = between(0.05, 0.5), slope = between(0.1, 0.8), bend = between(-1, 1), noise = chance(2) ? 0 : std::pow(10.0, between(-12, -1));
+        double const tip = between(0.05, 0.5), slope = between(0.1, 0.8), bend = between(-1, 1),
+                     noise = chance(2) ? 0 : std::pow(10.0, between(-12, -1));
         std::string pairs;
         for (int i = 0; i < count; ++i) {
             double const y = 0.9 - 2.0 * i / std::max(1, count - 1);
@@ -377,12 +428,19 @@ class Mutation
             return;
         auto const where = list.begin() + below(static_cast<int>(list.size()));
         switch (below(4)) {
-            case 0: list.erase(where); break;
-            case 1: list.insert(where, std::string(*where)); break;
-            case 2: std::iter_swap(where, list.begin() + below(static_cast<int>(list.size()))); break;
+            case 0:
+                list.erase(where);
+                break;
+            case 1:
+                list.insert(where, std::string(*where));
+                break;
+            case 2:
+                std::iter_swap(where, list.begin() + below(static_cast<int>(list.size())));
+                break;
             default: {
                 std::size_t const comma = where->find(',');
-                double const x = std::atof(where->c_str()), y = comma == std::string::npos ? 0 : std::atof(where->c_str() + comma + 1);
+                double const x = std::atof(where->c_str()),
+                             y = comma == std::string::npos ? 0 : std::atof(where->c_str() + comma + 1);
                 double const size = module_ * std::pow(10.0, between(-16, 0));
                 *where = number_text(x + size * between(-1, 1)) + "," + number_text(y + size * between(-1, 1));
             }
@@ -392,10 +450,11 @@ class Mutation
             pairs += (pairs.empty() ? "" : " ") + pair;
     }
 
-    /// Rows in one of the forms of the key: points run from the tip down, angles in degrees, the rest about as long as a tooth.
-    NumberRows new_rows(ParameterSpec const& spec)
+    /// Rows in one of the forms of the key: points run from the tip down, angles in degrees, the rest about as long as
+    /// a tooth.
+    scene::NumberRows new_rows(scene::ParameterSpec const& spec)
     {
-        NumberRows rows;
+        scene::NumberRows rows;
         int const count = (std::isfinite(spec.at_least) ? static_cast<int>(spec.at_least) : 1) + below(6);
         for (int i = 0; i < count; ++i) {
             std::istringstream form(std::string(spec.words.empty() ? "[x, y]" : one_of(spec.words)));
@@ -419,9 +478,15 @@ class Mutation
             return;
         auto const row = rows.begin() + below(static_cast<int>(rows.size()));
         switch (below(6)) {
-            case 0: rows.erase(row); break;
-            case 1: rows.insert(row, std::vector(*row)); break;
-            case 2: std::iter_swap(row, rows.begin() + below(static_cast<int>(rows.size()))); break;
+            case 0:
+                rows.erase(row);
+                break;
+            case 1:
+                rows.insert(row, std::vector(*row));
+                break;
+            case 2:
+                std::iter_swap(row, rows.begin() + below(static_cast<int>(rows.size())));
+                break;
             default:
                 if (!row->empty()) {
                     double& value = (*row)[static_cast<std::size_t>(below(static_cast<int>(row->size())))];
@@ -439,15 +504,16 @@ class Mutation
 
     static bool is_count(std::string const& path)
     {
-        return path.ends_with("teeth") || path.ends_with("waves") || path.ends_with("count") || path.ends_with("threads");
+        return path.ends_with("teeth") || path.ends_with("waves") || path.ends_with("count") ||
+               path.ends_with("threads");
     }
 
     DriveText drive_;
     std::mt19937 engine_;
     std::vector<std::pair<std::string, double>> numbers_;
-    std::vector<std::pair<std::string, NumberRows>> lists_;
-    FamilyDescription const* profile_ = nullptr;
-    FamilyDescription const* wave_ = nullptr;
+    std::vector<std::pair<std::string, scene::NumberRows>> lists_;
+    scene::FamilyDescription const* profile_ = nullptr;
+    scene::FamilyDescription const* wave_ = nullptr;
     double module_ = 1;
     std::string tooth_table_ = "flexspline.profile";  ///< or the circular spline's, in the reverse problem
 };

@@ -7,14 +7,13 @@
 #include <string>
 #include <string_view>
 
-#include "fuzz/targets.hpp"
-#include "hdconj/numeric/error.hpp"
-#include "hdconj/scene/fault.hpp"
+#include "hdconj/error.hpp"
+#include "targets.hpp"
 
 namespace hdconj::fuzz {
 
 /// Each fault names its key or file and says why.
-inline void judge_faults(Faults const& faults)
+inline void validate_faults(Faults const& faults)
 {
     for (Fault const& fault : faults) {
         if (fault.path.empty() || fault.reason.empty())
@@ -27,7 +26,9 @@ inline void judge_faults(Faults const& faults)
 /// @p word stands in @p text on its own.
 [[nodiscard]] inline bool has_word(std::string_view text, std::string_view word)
 {
-    auto const letter = [&](std::size_t i) { return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])) != 0; };
+    auto const letter = [&](std::size_t i) {
+        return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])) != 0;
+    };
     for (std::size_t at = text.find(word); at != std::string_view::npos; at = text.find(word, at + 1)) {
         if ((at == 0 || !letter(at - 1)) && !letter(at + word.size()))
             return true;
@@ -36,7 +37,7 @@ inline void judge_faults(Faults const& faults)
 }
 
 /// "stage: place: cause", none of them empty, and no number in it that is none.
-inline void judge_failure(NumericalError const& error)
+inline void validate_failure(NumericalError const& error)
 {
     std::string const text = error.what();
     std::size_t const place = text.find(": ");
@@ -58,9 +59,9 @@ bool accepted(Work&& work)
     } catch (InputError const& error) {
         if (error.faults().empty())
             throw Find("refused without a fault");
-        judge_faults(error.faults());
+        validate_faults(error.faults());
     } catch (NumericalError const& error) {
-        judge_failure(error);
+        validate_failure(error);
     }
     return false;
 }

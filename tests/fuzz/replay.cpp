@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The fuzzed targets over the stored inputs: tests/fuzz/corpus/<target> holds seeds, tests/fuzz/finds/<target> what once
-/// was a find.
+/// The fuzzed targets over the stored inputs: tests/fuzz/corpus/<target> holds seeds, tests/fuzz/finds/<target> what
+/// once was a find.
 #include <algorithm>
 #include <ctime>
 #include <filesystem>
 
-#include "fuzz/drive_text.hpp"
-#include "fuzz/targets.hpp"
+#include "drive_text.hpp"
 #include "support/catch.hpp"
 #include "support/temporary_folder.hpp"
+#include "targets.hpp"
 
 using namespace hdconj;
 namespace fs = std::filesystem;

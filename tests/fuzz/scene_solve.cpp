@@ -3,11 +3,11 @@
 #include <cmath>
 #include <initializer_list>
 
-#include "fuzz/drive_text.hpp"
-#include "fuzz/refusal.hpp"
-#include "fuzz/targets.hpp"
-#include "hdconj/pipeline/contact.hpp"
-#include "hdconj/pipeline/solve.hpp"
+#include "drive_text.hpp"
+#include "hdconj/contact.hpp"
+#include "hdconj/solve.hpp"
+#include "refusal.hpp"
+#include "targets.hpp"
 
 namespace hdconj::fuzz {
 namespace {
@@ -30,11 +30,11 @@ void finite(std::vector<Vec2> const& points, std::string const& what)
         throw Find(what + " is not finite");
 }
 
-void judge_numbers(Solution const& s)
+void validate_numbers(Solution const& s)
 {
     PairGeometry const& g = s.geometry;
-    finite({g.r_m, g.r_0, g.w0, g.pitch_line, g.addendum, g.dedendum, g.flexspline_inner_radius, g.circular_spline_inner_radius,
-            g.land_half_angle, g.space_depth, g.ratio},
+    finite({g.r_m, g.r_0, g.w0, g.pitch_line, g.addendum, g.dedendum, g.flexspline_inner_radius,
+            g.circular_spline_inner_radius, g.land_half_angle, g.space_depth, g.ratio},
            "geometry");
     finite(s.flexspline_outline, "flexspline outline");
     finite(s.neutral_curve, "neutral curve");
@@ -45,7 +45,8 @@ void judge_numbers(Solution const& s)
         finite(branch.point, "points of branch " + branch.segment_name);
     }
     for (ConjugateZone const& zone : s.zones)
-        finite({zone.u_begin, zone.u_end, zone.phi_begin, zone.phi_end, zone.t_begin, zone.t_end}, "zone of " + zone.segment_name);
+        finite({zone.u_begin, zone.u_end, zone.phi_begin, zone.phi_end, zone.t_begin, zone.t_end},
+               "zone of " + zone.segment_name);
     for (auto const& outline : s.circular_spline.outline)
         finite(outline, "circular spline");
     for (auto const& tooth : s.tooth_family)
@@ -54,7 +55,7 @@ void judge_numbers(Solution const& s)
     finite({s.error.chord, s.error.point, s.error.arc_length}, "error estimate");
 }
 
-void judge_pieces(std::vector<OutlinePiece> const& pieces, std::size_t count)
+void validate_pieces(std::vector<OutlinePiece> const& pieces, std::size_t count)
 {
     for (OutlinePiece const& piece : pieces) {
         if (piece.first > piece.last || piece.last >= count)
@@ -62,7 +63,7 @@ void judge_pieces(std::vector<OutlinePiece> const& pieces, std::size_t count)
     }
 }
 
-void judge_indices(Solution const& s)
+void validate_indices(Solution const& s)
 {
     if (s.circular_spline.outline.empty() || s.circular_spline.outline.front().size() < 2)
         throw Find("no outline");
@@ -77,11 +78,11 @@ void judge_indices(Solution const& s)
         if (landmark < 0 || static_cast<std::size_t>(landmark) >= count)
             throw Find("a landmark outside the outline");
     }
-    judge_pieces(s.circular_spline.pieces, count);
-    judge_pieces(s.flexspline_pieces, s.flexspline_outline.size());
+    validate_pieces(s.circular_spline.pieces, count);
+    validate_pieces(s.flexspline_pieces, s.flexspline_outline.size());
 }
 
-void judge_pair(Solution const& s)
+void validate_pair(Solution const& s)
 {
     double const tolerance = s.scene.solver.tolerance;
     if (!s.check)
@@ -94,15 +95,15 @@ void judge_pair(Solution const& s)
 }
 
 /// The same drive in contact, on a coarse grid.
-void judge_contact(Scene scene)
+void validate_contact(Scene scene)
 {
     constexpr int few = 12;
     scene.contact->flank_points = std::min(scene.contact->flank_points, few);
-    ContactStudy const study = contact(scene);
+    ContactStudy const study = study_contact(scene);
     finite(study.map.gap, "gap map");
     for (ContactCase const& each : study.cases) {
-        finite({each.clearing_offset, each.clearing_tip, each.clearing_root, each.state.take_up, each.state.take_up_back, each.state.share,
-                each.state.share_error, each.state.smallest_gap},
+        finite({each.clearing_offset, each.clearing_tip, each.clearing_root, each.state.take_up,
+                each.state.take_up_back, each.state.share, each.state.share_error, each.state.smallest_gap},
                "contact");
         if (!(each.state.share >= 0 && each.state.share <= 1))
             throw Find("a share of contact outside 0 ... 1");
@@ -122,11 +123,11 @@ void scene_solve(Bytes input)
         if (scene.slices)
             scene.slices->count = std::min(scene.slices->count, most_slices);
         Solution const solution = solve(scene);
-        judge_numbers(solution);
-        judge_indices(solution);
+        validate_numbers(solution);
+        validate_indices(solution);
         if (scene.contact)
-            judge_contact(scene);
-        judge_pair(solution);
+            validate_contact(scene);
+        validate_pair(solution);
     });
 }
 

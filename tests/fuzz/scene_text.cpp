@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <vector>
 
-#include "fuzz/refusal.hpp"
-#include "fuzz/targets.hpp"
-#include "hdconj/io/scene_json.hpp"
-#include "hdconj/io/scene_reading.hpp"
-#include "hdconj/scene/plan.hpp"
+#include "hdconj/plan.hpp"
+#include "hdconj/read_scene.hpp"
+#include "refusal.hpp"
+#include "targets.hpp"
 
 namespace hdconj::fuzz {
 namespace {
@@ -28,10 +27,10 @@ void scene_text(Bytes input)
     std::string_view const all = text_of(input);
     std::size_t const end = all.find('\0');
     auto const overrides = end == std::string_view::npos ? std::vector<std::string>{} : lines_of(all.substr(end + 1));
-    SceneReading reading = examine_scene(all.substr(0, end), "fuzz.toml", {}, overrides);
+    scene::SceneReading reading = examine_scene(all.substr(0, end), "fuzz.toml", {}, overrides);
     if (!accepted([&] { examine_geometry(reading); }))
         return;
-    judge_faults(reading.faults);
+    validate_faults(reading.faults);
     if (check_json("fuzz.toml", reading.faults, nullptr).empty())
         throw Find("faults without JSON");
     if (!reading.faults.empty())
@@ -40,10 +39,11 @@ void scene_text(Bytes input)
     if (describe(plan).empty() || check_json("fuzz.toml", {}, &plan).empty())
         throw Find("a plan without words");
     // What --set leaves is written into results: it must be the same scene again.
-    SceneReading const again = examine_scene(reading.scene.text, "again.toml");
+    scene::SceneReading const again = examine_scene(reading.scene.text, "again.toml");
     if (!again.faults.empty())
         throw Find("the scene as recorded is refused: " + describe(again.faults));
-    if (again.scene.drive.module != reading.scene.drive.module || again.scene.solver.tolerance != reading.scene.solver.tolerance)
+    if (again.scene.drive.module != reading.scene.drive.module ||
+        again.scene.solver.tolerance != reading.scene.solver.tolerance)
         throw Find("the scene as recorded is another one");
 }
 

@@ -26,8 +26,8 @@ struct Find : std::logic_error
 /// A scene as text: read, judged, planned. Lines after the first NUL byte are --set overrides.
 void scene_text(Bytes input);
 
-/// A file of points, for each family of teeth and wave generators that reads one: a first line "FAMILY key=word ..." and then
-/// the file. The family is built, nothing is solved.
+/// A file of points, for each family of teeth and wave generators that reads one: a first line "FAMILY key=word ..."
+/// and then the file. The family is built, nothing is solved.
 void csv_profile(Bytes input);
 
 /// A drive (drive_text.hpp) through `solve`.

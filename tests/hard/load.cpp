@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hdconj/numeric/error.hpp"
-#include "hdconj/pipeline/load.hpp"
+#include "hdconj/error.hpp"
+#include "hdconj/load.hpp"
 #include "row.hpp"
 
-using namespace hdconj;
-using namespace hdconj::test;
+namespace hdconj::test::load_cases {
 
 namespace {
 
@@ -19,7 +18,8 @@ LoadCase loaded(Overrides const& keys, double torque_nm, LoadStudy* whole = null
     LoadOptions options;
     options.torque = torque_nm * 1e3;
     options.curve = false;
-    LoadStudy study = load(builtin_scene(Overrides{"slices.count=3", "contact.flank_points=60", "bearing.circles=5"} + keys), options);
+    LoadStudy study = study_load(
+        builtin_scene(Overrides{"slices.count=3", "contact.flank_points=60", "bearing.circles=5"} + keys), options);
     LoadCase result = study.cases.front();
     if (whole != nullptr)
         *whole = std::move(study);
@@ -44,8 +44,9 @@ void check_laws(LoadCase const& c)
 std::string told(LoadCase const& c)
 {
     LoadedState const& s = c.curve.front();
-    return "twist " + number(s.twist * 180 * 60 / 3.14159265358979) + "', " + std::to_string(s.teeth) + " teeth, residual " + number(s.residual * 1e6) + " nm, " + std::to_string(s.rounds)
-           + " rounds, complementarity " + number(s.complementarity);
+    return "twist " + three_digits(s.twist * 180 * 60 / 3.14159265358979) + "', " + std::to_string(s.teeth) +
+           " teeth, residual " + three_digits(s.residual * 1e6) + " nm, " + std::to_string(s.rounds) +
+           " rounds, complementarity " + three_digits(s.complementarity);
 }
 
 }  // namespace
@@ -75,22 +76,23 @@ HARD_ROW("every tooth that is near", "a torque of 1000 N m", "balance")
     say(told(c));
 }
 
-HARD_ROW("a tip about to snap over the edge of a land", "2.8 N m with 75 um of side clearance: guesses are drawn back to a balance that is not stable", "the balance that is")
+HARD_ROW("a tip about to snap over the edge of a land",
+         "2.8 N m with 75 um of side clearance: guesses are drawn back to a balance that is not stable",
+         "the balance that is")
 {
-    LoadCase const c = loaded({"slices.count=9", "contact.flank_points=200", "bearing.circles=13", "circular_spline.backlash_offset=0.075"}, 2.8);
+    LoadCase const c = loaded(
+        {"slices.count=9", "contact.flank_points=200", "bearing.circles=13", "circular_spline.backlash_offset=0.075"},
+        2.8);
     check_laws(c);
     say(told(c));
 }
 
 HARD_ROW("more than the teeth can carry", "a torque of 1e7 N m", "an error that names the torque")
 {
-    try
-    {
+    try {
         (void)loaded({"circular_spline.backlash_offset=0.09"}, 1e7);
         FAIL("a torque of 1e7 N m was carried");
-    }
-    catch (NumericalError const& error)
-    {
+    } catch (NumericalError const& error) {
         CHECK(std::string(error.what()).starts_with("load: torque of 10000000.000000 N m: "));
         say(error.what());
     }
@@ -107,7 +109,8 @@ HARD_ROW("a side clearance of 1e-12 mm", "gaps of roundings", "as with none")
 {
     LoadCase const c = loaded({"circular_spline.backlash_offset=1e-12"}, 5);
     check_laws(c);
-    CHECK(c.curve.front().twist == Approx(loaded({"circular_spline.backlash_offset=0.0"}, 5).curve.front().twist).epsilon(1e-6));
+    CHECK(c.curve.front().twist ==
+          Approx(loaded({"circular_spline.backlash_offset=0.0"}, 5).curve.front().twist).epsilon(1e-6));
     say(told(c));
 }
 
@@ -127,13 +130,10 @@ HARD_ROW("two circles of the bearing", "as few as there may be", "balance")
 
 HARD_ROW("one ball", "the ring may move across it", "an error with reason and remedy")
 {
-    try
-    {
+    try {
         (void)loaded({"bearing.balls=1", "circular_spline.backlash_offset=0.065"}, 20);
         FAIL("a ring on one ball was loaded");
-    }
-    catch (InputError const& error)
-    {
+    } catch (InputError const& error) {
         CHECK(std::string(error.what()).find("bearing.balls") != std::string::npos);
         CHECK(std::string(error.what()).find("line of balls") != std::string::npos);
         say(error.what());
@@ -142,17 +142,14 @@ HARD_ROW("one ball", "the ring may move across it", "an error with reason and re
 
 HARD_ROW("two balls", "on the major axis, the ring hangs between them", "balance, or an error with place")
 {
-    try
-    {
+    try {
         LoadStudy study;
         LoadCase const c = loaded({"bearing.balls=2", "circular_spline.backlash_offset=0.065"}, 5, &study);
         check_laws(c);
         REQUIRE(c.bearing.ball_force.size() == 1);
         CHECK(c.bearing.ball_force.front() > 100);
-        say(told(c) + ", ball " + number(c.bearing.ball_force.front()) + " N");
-    }
-    catch (NumericalError const& error)
-    {
+        say(told(c) + ", ball " + three_digits(c.bearing.ball_force.front()) + " N");
+    } catch (NumericalError const& error) {
         CHECK(std::string(error.what()).find("load: ") == 0);
         say(error.what());
     }
@@ -160,14 +157,12 @@ HARD_ROW("two balls", "on the major axis, the ring hangs between them", "balance
 
 HARD_ROW("two balls beside the major axis", "the cam leaves the ring there", "balance, or an error with place")
 {
-    try
-    {
-        LoadCase const c = loaded({"bearing.balls=2", "bearing.ball_phase_deg=90", "circular_spline.backlash_offset=0.065"}, 5);
+    try {
+        LoadCase const c =
+            loaded({"bearing.balls=2", "bearing.ball_phase_deg=90", "circular_spline.backlash_offset=0.065"}, 5);
         check_laws(c);
         say(told(c));
-    }
-    catch (NumericalError const& error)
-    {
+    } catch (NumericalError const& error) {
         CHECK(std::string(error.what()).find(": ") != std::string::npos);
         say(error.what());
     }
@@ -175,13 +170,10 @@ HARD_ROW("two balls beside the major axis", "the cam leaves the ring there", "ba
 
 HARD_ROW("a wall of 5 mm", "it leaves no room for the circular spline's land", "an error with place and remedy")
 {
-    try
-    {
+    try {
         (void)loaded({"flexspline.wall=5.0", "circular_spline.backlash_offset=0.065"}, 20);
         FAIL("a circular spline without a land was loaded");
-    }
-    catch (NumericalError const& error)
-    {
+    } catch (NumericalError const& error) {
         CHECK(std::string(error.what()).find("write a circular_spline.inner_radius above") != std::string::npos);
         say(error.what());
     }
@@ -194,7 +186,8 @@ HARD_ROW("a wall of 0.05 mm", "the ring under the teeth is thinner than the barr
     say(told(c));
 }
 
-HARD_ROW("teeth in each other's way when assembled", "one outline in a cup that cones, no side clearance given", "the least clearance is added and said")
+HARD_ROW("teeth in each other's way when assembled", "one outline in a cup that cones, no side clearance given",
+         "the least clearance is added and said")
 {
     LoadCase const c = loaded({"circular_spline.backlash_offset=0.0"}, 0.01);
     check_laws(c);
@@ -209,3 +202,5 @@ HARD_ROW("an edge of 1 nm", "as sharp as a number can say", "balance")
     check_laws(c);
     say(told(c));
 }
+
+}  // namespace hdconj::test::load_cases

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// One hard case is one test, named by what is hard, why, and the outcome it must have: `ctest -L hard` prints the table.
+/// One hard case is one test, named by what is hard, why, and the outcome it must have: `ctest -L hard` prints the
+/// table.
 #pragma once
 
 #include <cmath>
@@ -10,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "hdconj/io/scene_toml.hpp"
-#include "hdconj/pipeline/solve.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/solve.hpp"
 #include "support/catch.hpp"
 
 #define HARD_ROW(name, cause, outcome) TEST_CASE(name " | " cause " | " outcome, "[hard]")
@@ -26,7 +27,7 @@ inline void say(std::string const& measured)
     std::cout << "| " << std::string(Catch::getResultCapture().getCurrentTestName()) << " | " << measured << " |\n";
 }
 
-inline std::string number(double value)
+inline std::string three_digits(double value)
 {
     std::ostringstream text;
     text.precision(3);
@@ -52,8 +53,7 @@ inline bool all_finite(Solution const& s)
     bool good = fine(s.flexspline_outline) && fine(s.neutral_curve);
     for (auto const& slice : s.circular_spline.outline)
         good = good && fine(slice);
-    for (BranchRecord const& branch : s.branches)
-    {
+    for (BranchRecord const& branch : s.branches) {
         good = good && fine(branch.point);
         for (std::size_t i = 0; i < branch.u.size(); ++i)
             good = good && std::isfinite(branch.u[i]) && std::isfinite(branch.phi[i]) && std::isfinite(branch.t[i]);
@@ -63,16 +63,19 @@ inline bool all_finite(Solution const& s)
 
 inline bool same_bits(Solution const& a, Solution const& b)
 {
-    if (a.circular_spline.outline != b.circular_spline.outline || a.circular_spline.landmarks != b.circular_spline.landmarks
-        || a.branches.size() != b.branches.size() || a.flexspline_outline != b.flexspline_outline)
+    if (a.circular_spline.outline != b.circular_spline.outline ||
+        a.circular_spline.landmarks != b.circular_spline.landmarks || a.branches.size() != b.branches.size() ||
+        a.flexspline_outline != b.flexspline_outline)
         return false;
     for (std::size_t i = 0; i < a.branches.size(); ++i)
-        if (a.branches[i].u != b.branches[i].u || a.branches[i].t != b.branches[i].t || a.branches[i].point != b.branches[i].point)
+        if (a.branches[i].u != b.branches[i].u || a.branches[i].t != b.branches[i].t ||
+            a.branches[i].point != b.branches[i].point)
             return false;
     return true;
 }
 
-/// A right answer: finite, touched within @p roundings of the radius and never entered, chords as asked, and the same bits on 1, 2 and 4 threads.
+/// A right answer: finite, touched within @p roundings of the radius and never entered, chords as asked, and the same
+/// bits on 1, 2 and 4 threads.
 inline Solution right_answer_of(Scene scene, std::string const& note)
 {
     scene.solver.threads = 1;
@@ -86,13 +89,13 @@ inline Solution right_answer_of(Scene scene, std::string const& note)
     CHECK(solution.check->smallest_clearance >= offset - roundings * radius - 1e-13 - solution.error.point);
     CHECK(solution.check->smallest_clearance <= offset + scene.solver.tolerance);
     CHECK(solution.error.chord <= scene.solver.tolerance);
-    for (int threads : {2, 4})
-    {
+    for (int threads : {2, 4}) {
         scene.solver.threads = threads;
         CHECK(same_bits(solution, solve(scene)));
     }
-    say(std::to_string(solution.circular_spline.outline.front().size()) + " points, clearance " + number(solution.check->smallest_clearance)
-        + " mm, point error " + number(solution.error.point) + " mm" + (note.empty() ? "" : ", " + note));
+    say(std::to_string(solution.circular_spline.outline.front().size()) + " points, clearance " +
+        three_digits(solution.check->smallest_clearance) + " mm, point error " + three_digits(solution.error.point) +
+        " mm" + (note.empty() ? "" : ", " + note));
     return solution;
 }
 
@@ -104,12 +107,9 @@ inline Solution right_answer(Overrides const& overrides, std::string const& note
 /// Refused with a message that holds @p part.
 inline void refused_job(std::function<void()> const& job, std::string const& part)
 {
-    try
-    {
+    try {
         job();
-    }
-    catch (std::runtime_error const& error)
-    {
+    } catch (std::runtime_error const& error) {
         INFO(error.what());
         CHECK_THAT(error.what(), ContainsSubstring(part));
         std::string text = error.what();

@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <vector>
 
-#include "hdconj/io/scene_toml.hpp"
-#include "hdconj/pipeline/solve.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/solve.hpp"
 #include "support/catch.hpp"
 
-using namespace hdconj;
+namespace hdconj::test::scenes_cases {
 
 TEST_CASE("every scene of data/scenes solves and passes its own check over a full turn", "[hard][scenes]")
 {
@@ -19,8 +19,7 @@ TEST_CASE("every scene of data/scenes solves and passes its own check over a ful
             scenes.push_back(entry.path());
     std::sort(scenes.begin(), scenes.end());
     CHECK(scenes.size() >= 11);
-    for (auto const& scene : scenes)
-    {
+    for (auto const& scene : scenes) {
         INFO(scene.filename().string());
         Solution const solution = solve(read_scene(scene));
         for (Vec2 const& p : solution.circular_spline.outline.front())
@@ -31,3 +30,5 @@ TEST_CASE("every scene of data/scenes solves and passes its own check over a ful
         CHECK(solution.error.chord <= solution.scene.solver.tolerance);
     }
 }
+
+}  // namespace hdconj::test::scenes_cases

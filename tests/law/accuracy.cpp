@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Deterministic gates of the work-precision studies, and what an error estimate must be: a bound, and not far above. Times are never looked at.
+// Deterministic gates of the work-precision studies, and what an error estimate must be: a bound, and not far above.
+// Times are never looked at.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -8,11 +9,11 @@
 #include <utility>
 #include <vector>
 
-#include "hdconj/io/scene_toml.hpp"
-#include "hdconj/numeric/error.hpp"
-#include "hdconj/study/accuracy.hpp"
-#include "hdconj/study/ladder.hpp"
-#include "hdconj/study/reference_outline.hpp"
+#include "accuracy/convergence_series.hpp"
+#include "accuracy/reference/reference_outline.hpp"
+#include "hdconj/accuracy.hpp"
+#include "hdconj/error.hpp"
+#include "hdconj/read_scene.hpp"
 #include "support/catch.hpp"
 #include "support/oracle/estimate_law.hpp"
 #include "support/oracle/run.hpp"
@@ -20,7 +21,7 @@
 #include "support/oracle/touch_law.hpp"
 #include "support/random_designs.hpp"
 
-using namespace hdconj;
+namespace hdconj::test::accuracy_cases {
 
 namespace {
 
@@ -33,7 +34,8 @@ AccuracyReport measured(std::vector<std::string> const& studies, int sample)
     return measure_accuracy(oracle::type_50(), options);
 }
 
-StudyLadder const& ladder(std::vector<StudyLadder> const& all, std::string const& method, std::string const& drive = "type-50")
+ConvergenceSeries const& series(std::vector<ConvergenceSeries> const& all, std::string const& method,
+                                std::string const& drive = "type-50")
 {
     for (auto const& each : all)
         if (each.method == method && each.drive == drive)
@@ -42,10 +44,10 @@ StudyLadder const& ladder(std::vector<StudyLadder> const& all, std::string const
     return all.front();
 }
 
-void falls(StudyLadder const& steps)
+void falls(ConvergenceSeries const& steps)
 {
-    for (std::size_t i = 0; i + 1 < steps.rungs.size(); ++i)
-        CHECK(steps.rungs[i + 1].error < steps.rungs[i].error);
+    for (std::size_t i = 0; i + 1 < steps.levels.size(); ++i)
+        CHECK(steps.levels[i + 1].error < steps.levels[i].error);
 }
 
 }  // namespace
@@ -53,7 +55,7 @@ void falls(StudyLadder const& steps)
 TEST_CASE("accuracy: the reference in 50 digits is touched by the oracle's tooth", "[accuracy]")
 {
     Scene const scene = oracle::type_50();
-    ReferenceCurve const truth = reference_outline(scene);
+    accuracy::ReferenceCurve const truth = accuracy::reference_outline(scene);
     CHECK(truth.error() < 1e-15);
     oracle::TouchScan scan(scene);
     double worst = 0;
@@ -77,10 +79,10 @@ TEST_CASE("accuracy: smooth wave generators are traced by another path in 50 dig
         Scene scene = read_scene(std::string(HDCONJ_SOURCE_DIR) + "/data/scenes/" + family + ".toml");
         scene.solver.tolerance = 1e-9;
         REQUIRE(check_accuracy(scene, {}).empty());
-        ReferenceCurve const truth = reference_outline(scene);
+        accuracy::ReferenceCurve const truth = accuracy::reference_outline(scene);
         CHECK(truth.error() < 1e-15);
         Solution const solution = solve(scene);
-        CurveDifference const difference = truth.compare(solution.circular_spline.outline.front(), 1e-6);
+        accuracy::CurveDifference const difference = truth.compare(solution.circular_spline.outline.front(), 1e-6);
         CHECK(difference.points < 1e-12);
         CHECK(difference.hausdorff <= solution.error.chord + solution.error.point);
         CHECK(difference.hausdorff > 0.5 * scene.solver.tolerance);
@@ -91,62 +93,62 @@ TEST_CASE("accuracy: smooth wave generators are traced by another path in 50 dig
 TEST_CASE("accuracy: order, monotone error, work and branches of the ladders", "[accuracy]")
 {
     auto const report = measured({"tolerance", "sampling", "motion-model"}, 2);
-    auto const all = ladders_of(report);
+    auto const all = accuracy::convergence_series(report);
     CHECK(report.sample == 2);
     CHECK(report.reference_error < 1e-13 / 100);
     CHECK(report.reference_entry < 1e-6);
 
-    auto const& solve = ladder(all, "solve");
+    auto const& solve = series(all, "solve");
     CHECK(solve.order == Approx(1).margin(0.05));
     falls(solve);
-    for (auto const& rung : solve.rungs) {
-        INFO("tolerance " << rung.value);
-        CHECK(rung.error <= rung.value);
-        CHECK(rung.error > 0.5 * rung.value);   // and no points are wasted
-        CHECK(rung.missed == 0);
-        CHECK(rung.extra == 0);
-        CHECK(rung.residual < 1e-12);
+    for (auto const& level : solve.levels) {
+        INFO("tolerance " << level.value);
+        CHECK(level.error <= level.value);
+        CHECK(level.error > 0.5 * level.value);  // and no points are wasted
+        CHECK(level.missed == 0);
+        CHECK(level.extra == 0);
+        CHECK(level.residual < 1e-12);
     }
     // work: fewest points grow as the root of 1/tolerance
-    CHECK(solve.rungs.back().evaluations <= 5000);
-    CHECK(solve.rungs.back().points <= 620);
-    falls(ladder(all, "solve", worst_of_sample));
+    CHECK(solve.levels.back().evaluations <= 5000);
+    CHECK(solve.levels.back().points <= 620);
+    falls(series(all, "solve", accuracy::worst_of_sample));
 
-    auto const& equal = ladder(all, "equal steps of u");
-    auto const& adaptive = ladder(all, "adaptive");
+    auto const& equal = series(all, "equal steps of u");
+    auto const& adaptive = series(all, "adaptive");
     falls(equal);
     falls(adaptive);
     CHECK(adaptive.order == Approx(1).margin(0.05));
     CHECK(equal.order < -1.5);
     // the same error with a tenth of the points
-    CHECK(adaptive.rungs.back().error < equal.rungs.back().error);
-    CHECK(10 * adaptive.rungs[2].points < equal.rungs.back().points);
+    CHECK(adaptive.levels.back().error < equal.levels.back().error);
+    CHECK(10 * adaptive.levels[2].points < equal.levels.back().points);
 
     // first order stays at its floor, whatever the tolerance
-    auto const& first = ladder(all, "first order");
+    auto const& first = series(all, "first order");
     CHECK(first.floor > 1e-3);
     CHECK(first.floor < 5e-3);
-    CHECK(first.rungs.back().error == Approx(first.rungs.front().error).epsilon(0.1));
+    CHECK(first.levels.back().error == Approx(first.levels.front().error).epsilon(0.1));
 }
 
 TEST_CASE("accuracy: negative controls", "[accuracy]")
 {
     // a knob that must not matter: threads change no bit and no error
-    auto const all = ladders_of(measured({"threads"}, 0));
-    auto const& threads = ladder(all, "solve");
-    REQUIRE(threads.rungs.size() >= 2);
-    CHECK(threads.rungs[0].error == threads.rungs[1].error);
-    CHECK(threads.rungs[1].extra == 0);
+    auto const all = accuracy::convergence_series(measured({"threads"}, 0));
+    auto const& threads = series(all, "solve");
+    REQUIRE(threads.levels.size() >= 2);
+    CHECK(threads.levels[0].error == threads.levels[1].error);
+    CHECK(threads.levels[1].extra == 0);
     // beside what the machine gives to solves that share nothing else, repeat by repeat
-    auto const& apart = ladder(all, "solves side by side");
-    REQUIRE(apart.rungs.size() == threads.rungs.size());
-    for (std::size_t i = 0; i < threads.rungs.size(); ++i) {
-        CHECK(apart.rungs[i].value == threads.rungs[i].value);
-        CHECK(apart.rungs[i].median > 0);
+    auto const& apart = series(all, "solves side by side");
+    REQUIRE(apart.levels.size() == threads.levels.size());
+    for (std::size_t i = 0; i < threads.levels.size(); ++i) {
+        CHECK(apart.levels[i].value == threads.levels[i].value);
+        CHECK(apart.levels[i].median > 0);
     }
     // and an outline that is wrong is seen to be: by a point, and by a stretch left out
     Scene scene = oracle::type_50();
-    ReferenceCurve const truth = reference_outline(scene);
+    accuracy::ReferenceCurve const truth = accuracy::reference_outline(scene);
     auto outline = solve(scene).circular_spline.outline.front();
     CHECK(truth.compare(outline, 1e-5).hausdorff < 1e-6);
     auto spoiled = outline;
@@ -159,27 +161,27 @@ TEST_CASE("accuracy: negative controls", "[accuracy]")
 
 TEST_CASE("accuracy: fit, union, roots and number types do what they are shown for", "[accuracy]")
 {
-    auto const all = ladders_of(measured({"polynomial-fit", "union", "roots", "number-type"}, 0));
+    auto const all = accuracy::convergence_series(measured({"polynomial-fit", "union", "roots", "number-type"}, 0));
     // more degrees do not bring the thesis' fit below its floor
-    auto const& fit = ladder(all, "fit, exact motion");
-    for (auto const& rung : fit.rungs)
-        CHECK(rung.error > 1e-4);
-    falls(ladder(all, "points joined, exact motion"));
-    falls(ladder(all, "union of positions"));
+    auto const& fit = series(all, "fit, exact motion");
+    for (auto const& level : fit.levels)
+        CHECK(level.error > 1e-4);
+    falls(series(all, "points joined, exact motion"));
+    falls(series(all, "union of positions"));
     // the scan loses pairs that certification finds, and finds none that are not there
-    auto const& scan = ladder(all, "scan and bracket (spline)");
-    CHECK(scan.rungs.front().missed > 0);
-    for (auto const& rung : scan.rungs)
-        CHECK(rung.extra == 0);
-    for (std::size_t i = 0; i + 1 < scan.rungs.size(); ++i)
-        CHECK(scan.rungs[i + 1].missed <= scan.rungs[i].missed);
-    CHECK(ladder(all, "certified (spline)").rungs.front().error < 1e-11);
-    CHECK(ladder(all, "closed form (arcs)").rungs.front().error < 1e-11);
-    CHECK(ladder(all, "float").rungs.front().error > 1e-8);
-    CHECK(ladder(all, "float").rungs.front().error < 1e-4);
-    CHECK(ladder(all, "double").rungs.front().error < 5e-14);
-    CHECK(ladder(all, "the program").rungs.front().error < 5e-14);
-    CHECK(ladder(all, "long double").rungs.front().error < 1e-16);
+    auto const& scan = series(all, "scan and bracket (spline)");
+    CHECK(scan.levels.front().missed > 0);
+    for (auto const& level : scan.levels)
+        CHECK(level.extra == 0);
+    for (std::size_t i = 0; i + 1 < scan.levels.size(); ++i)
+        CHECK(scan.levels[i + 1].missed <= scan.levels[i].missed);
+    CHECK(series(all, "certified (spline)").levels.front().error < 1e-11);
+    CHECK(series(all, "closed form (arcs)").levels.front().error < 1e-11);
+    CHECK(series(all, "float").levels.front().error > 1e-8);
+    CHECK(series(all, "float").levels.front().error < 1e-4);
+    CHECK(series(all, "double").levels.front().error < 5e-14);
+    CHECK(series(all, "the program").levels.front().error < 5e-14);
+    CHECK(series(all, "long double").levels.front().error < 1e-16);
 }
 
 TEST_CASE("accuracy: what the thesis' iteration finds off the flank is a missed point and no error", "[accuracy]")
@@ -190,40 +192,50 @@ TEST_CASE("accuracy: what the thesis' iteration finds off the flank is a missed 
         char const* profile;
         char const* wave_generator;
     };
-    for (Row const& row : {Row{"name = 'bezier'\nmodule = 0.25\nflexspline_teeth = 200\ncircular_spline_teeth = 202\n[flexspline]\nwall = 0.7\n",
-                               "family = 'bezier'\ndegree = 3\npoints = [[0.06,0.2],[0.12,0.13],[0.15,0.08],[0.165,0.0],[0.18,-0.08],[0.21,-0.17],[0.29,-0.28]]\n",
-                               "family = 'four-roller'\nradial_deformation = 0.25\nwaves = 2\nroller_angle_deg = 30\n"},
-                           Row{"name = 'involute'\nmodule = 0.4\nflexspline_teeth = 120\ncircular_spline_teeth = 122\n[flexspline]\nwall = 0.8\n",
-                               "family = 'involute'\naddendum = 0.3\ndedendum = 0.4\npressure_angle_deg = 27\nthickness = 0.6\n", "family = 'ellipse'\nradial_deformation = 0.4\nwaves = 2\n"},
-                           Row{"name = 'straight'\nmodule = 0.3\nflexspline_teeth = 180\ncircular_spline_teeth = 183\n[flexspline]\nwall = 0.6\n",
-                               "family = 'straight'\naddendum = 0.24\ndedendum = 0.33\nthickness = 0.46\npressure_angle_deg = 30\n", "family = 'cosine'\nradial_deformation = 0.3\nwaves = 3\n"}}) {
+    for (Row const& row :
+         {Row{"name = 'bezier'\nmodule = 0.25\nflexspline_teeth = 200\ncircular_spline_teeth = 202\n[flexspline]\nwall "
+              "= 0.7\n",
+              "family = 'bezier'\ndegree = 3\npoints = "
+              "[[0.06,0.2],[0.12,0.13],[0.15,0.08],[0.165,0.0],[0.18,-0.08],[0.21,-0.17],[0.29,-0.28]]\n",
+              "family = 'four-roller'\nradial_deformation = 0.25\nwaves = 2\nroller_angle_deg = 30\n"},
+          Row{"name = 'involute'\nmodule = 0.4\nflexspline_teeth = 120\ncircular_spline_teeth = "
+              "122\n[flexspline]\nwall = 0.8\n",
+              "family = 'involute'\naddendum = 0.3\ndedendum = 0.4\npressure_angle_deg = 27\nthickness = 0.6\n",
+              "family = 'ellipse'\nradial_deformation = 0.4\nwaves = 2\n"},
+          Row{"name = 'straight'\nmodule = 0.3\nflexspline_teeth = 180\ncircular_spline_teeth = "
+              "183\n[flexspline]\nwall = 0.6\n",
+              "family = 'straight'\naddendum = 0.24\ndedendum = 0.33\nthickness = 0.46\npressure_angle_deg = 30\n",
+              "family = 'cosine'\nradial_deformation = 0.3\nwaves = 3\n"}}) {
         INFO(row.drive);
-        Scene const scene = parse_scene(std::string("[drive]\n") + row.drive + "[flexspline.profile]\n" + row.profile + "[wave_generator]\n" + row.wave_generator, "test");
+        Scene const scene = parse_scene(std::string("[drive]\n") + row.drive + "[flexspline.profile]\n" + row.profile +
+                                            "[wave_generator]\n" + row.wave_generator,
+                                        "test");
         AccuracyOptions options;
         options.studies = {"polynomial-fit", "motion-model"};
         options.quick = true;
         options.sample = 0;
-        auto const all = ladders_of(measure_accuracy(scene, options));
-        auto const of = [&](std::string const& method) { return ladder(all, method, scene.drive.name); };
+        auto const all = accuracy::convergence_series(measure_accuracy(scene, options));
+        auto const of = [&](std::string const& method) { return series(all, method, scene.drive.name); };
         // points on the flank are as far off as the model is, where stray ones are off by a tooth
         double const model = of("first order").floor;
         REQUIRE(model > 0);
         constexpr int positions = 60;
         int missed = 0;
         for (std::string const way : {"fit, ", "points joined, "})
-            for (auto const& rung : of(way + "first order").rungs) {
-                INFO(way << rung.value);
-                CHECK(rung.error < 2 * model);
-                CHECK(rung.points + rung.missed == (way == "fit, " ? positions : rung.value));
-                missed += rung.missed;
+            for (auto const& level : of(way + "first order").levels) {
+                INFO(way << level.value);
+                CHECK(level.error < 2 * model);
+                CHECK(level.points + level.missed == (way == "fit, " ? positions : level.value));
+                missed += level.missed;
             }
         CHECK(missed > 0);
-        for (auto const& rung : of("fit, exact motion").rungs) {
-            CHECK(rung.missed == 0);
-            CHECK(rung.points == positions);
+        for (auto const& level : of("fit, exact motion").levels) {
+            CHECK(level.missed == 0);
+            CHECK(level.points == positions);
         }
         // a coarse grid may lose its way, but what it keeps is right: every point to the scan's own rounding
-        for (auto const& record : measure_accuracy(scene, {.studies = {"polynomial-fit"}, .sample = 0, .quick = true}).records)
+        for (auto const& record :
+             measure_accuracy(scene, {.studies = {"polynomial-fit"}, .sample = 0, .quick = true}).records)
             if (record.method == "points joined, exact motion") {
                 CHECK(record.points + record.missed == record.value);
                 CHECK(record.error < 1e-9);
@@ -236,20 +248,26 @@ TEST_CASE("accuracy: tolerances that are measured are ones that the scene takes"
     // teeth of two micrometres, and of ten millimetres
     for (auto const& [module, teeth] : {std::pair{0.002, 100}, std::pair{10.0, 200}}) {
         INFO("module " << module);
-        auto const length = [m = module](char const* key, double modules) { return std::string(key) + " = " + std::to_string(modules * m) + "\n"; };
-        std::string const text = "[drive]\nname = 'scaled'\n" + length("module", 1) + "flexspline_teeth = " + std::to_string(teeth) + "\ncircular_spline_teeth = " + std::to_string(teeth + 2) + "\n[flexspline]\n" + length("wall", 2)
-                                 + "[flexspline.profile]\nfamily = 'straight'\npressure_angle_deg = 30\n" + length("addendum", 0.8) + length("dedendum", 1.1) + length("thickness", 1.5)
-                                 + "[wave_generator]\nfamily = 'cosine'\nwaves = 2\n" + length("radial_deformation", 1);
+        auto const length = [m = module](char const* key, double modules) {
+            return std::string(key) + " = " + std::to_string(modules * m) + "\n";
+        };
+        std::string const text =
+            "[drive]\nname = 'scaled'\n" + length("module", 1) + "flexspline_teeth = " + std::to_string(teeth) +
+            "\ncircular_spline_teeth = " + std::to_string(teeth + 2) + "\n[flexspline]\n" + length("wall", 2) +
+            "[flexspline.profile]\nfamily = 'straight'\npressure_angle_deg = 30\n" + length("addendum", 0.8) +
+            length("dedendum", 1.1) + length("thickness", 1.5) + "[wave_generator]\nfamily = 'cosine'\nwaves = 2\n" +
+            length("radial_deformation", 1);
         Scene const scene = parse_scene(text, "test");
-        auto const all = ladders_of(measure_accuracy(scene, {.studies = {"tolerance"}, .sample = 0, .repeats = 1}));
-        auto const& rungs = ladder(all, "solve", "scaled").rungs;
-        CHECK(rungs.size() >= 8);
-        for (StudyRung const& rung : rungs) {
+        auto const all = accuracy::convergence_series(
+            measure_accuracy(scene, {.studies = {"tolerance"}, .sample = 0, .repeats = 1}));
+        auto const& levels = series(all, "solve", "scaled").levels;
+        CHECK(levels.size() >= 8);
+        for (ConvergenceLevel const& level : levels) {
             char setting[64];
-            std::snprintf(setting, sizeof setting, "solver.tolerance=%.17g", rung.value);
+            std::snprintf(setting, sizeof setting, "solver.tolerance=%.17g", level.value);
             INFO(setting);
             CHECK_NOTHROW(parse_scene(text, "test", {}, {setting}));
-            CHECK(rung.error <= rung.estimate);
+            CHECK(level.error <= level.estimate);
         }
     }
 }
@@ -294,7 +312,10 @@ TEST_CASE("accuracy: every study is of the sample too", "[accuracy]")
     }
 }
 
-TEST_CASE("accuracy: where contacts of a curve merge, a point uncertain along the outline is no further off it than the estimate says, which is little", "[accuracy]")
+TEST_CASE(
+    "accuracy: where contacts of a curve merge, a point uncertain along the outline is no further off it than the "
+    "estimate says, which is little",
+    "[accuracy]")
 {
     for (std::string const name : {"bezier", "b-spline"}) {
         Scene scene = read_scene(std::string(HDCONJ_SOURCE_DIR) + "/data/scenes/" + name + ".toml");
@@ -366,3 +387,5 @@ TEST_CASE("accuracy: zones end at the same angles in another unit of length, wit
     }
     CHECK(ends > 200);
 }
+
+}  // namespace hdconj::test::accuracy_cases

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The error estimate against 50 digits on every drive that can be solved: wave generators, motion models, tooth families, the reverse problem.
+// The error estimate against 50 digits on every drive that can be solved: wave generators, motion models, tooth
+// families, the reverse problem.
 #include <cmath>
 #include <cstddef>
 #include <fstream>
 #include <string>
 #include <vector>
 
-#include "hdconj/io/scene_toml.hpp"
-#include "hdconj/study/accuracy.hpp"
-#include "hdconj/study/reference_outline.hpp"
+#include "accuracy/reference/reference_outline.hpp"
+#include "hdconj/accuracy.hpp"
+#include "hdconj/read_scene.hpp"
 #include "support/catch.hpp"
 #include "support/family_designs.hpp"
 #include "support/oracle/estimate_law.hpp"
@@ -18,7 +19,7 @@
 #include "support/random_wave_generators.hpp"
 #include "support/temporary_folder.hpp"
 
-using namespace hdconj;
+namespace hdconj::test::accuracy_of_drives_cases {
 
 namespace {
 
@@ -28,7 +29,8 @@ Scene measured_at(Scene scene, std::size_t number)
     constexpr std::size_t decades = 7;
     scene.solver.threads = 1;
     scene.circular_spline.root_clearance = 0;
-    scene.solver.tolerance = std::pow(10.0, -3 - static_cast<double>(number % decades)) * std::max(1.0, scene.drive.module);
+    scene.solver.tolerance =
+        std::pow(10.0, -3 - static_cast<double>(number % decades)) * std::max(1.0, scene.drive.module);
     return scene;
 }
 
@@ -75,7 +77,8 @@ TEST_CASE("accuracy: every tooth family has estimates that bound the error", "[a
 {
     hdconj::test::TemporaryFolder const folder;
     std::uint64_t seed = 950;
-    for (std::string const family : {"straight", "involute", "cycloid", "s-tooth", "arc-chain", "bezier", "b-spline", "points"}) {
+    for (std::string const family :
+         {"straight", "involute", "cycloid", "s-tooth", "arc-chain", "bezier", "b-spline", "points"}) {
         designs::FamilyDesigns draw(family, ++seed, folder.path());
         std::vector<Scene> scenes;
         for (std::size_t i = 0; i < designs_wanted(1, 60); ++i)
@@ -105,7 +108,7 @@ TEST_CASE("accuracy: a table of a cosine comes to the cosine's outline as its ro
 {
     hdconj::test::TemporaryFolder const folder;
     Scene scene = oracle::type_50();
-    ReferenceCurve const cosine = reference_outline(scene);
+    accuracy::ReferenceCurve const cosine = accuracy::reference_outline(scene);
     double const w0 = 0.25;
     scene.wave_generator.shape = {};
     scene.wave_generator.shape.path = "wave_generator";
@@ -120,7 +123,7 @@ TEST_CASE("accuracy: a table of a cosine comes to the cosine's outline as its ro
             out << 180.0 * i / rows << "," << w0 * std::cos(2 * std::acos(-1.0) * i / rows) << "\n";
         out.close();
         scene.wave_generator.shape.given["file"] = {name, 0};
-        apart.push_back(cosine.largest_distance(reference_outline(scene).points()));
+        apart.push_back(cosine.largest_distance(accuracy::reference_outline(scene).points()));
     }
     // the tooth stands on the curve's normal: third order in the rows
     CHECK(apart[0] < 1e-4);
@@ -136,9 +139,9 @@ TEST_CASE("accuracy: the linear models keep to their own outlines, and second or
     auto const apart = [&](double w0) {
         Scene drive = scene;
         drive.wave_generator.shape.given["radial_deformation"].value = w0;
-        ReferenceCurve const exact = reference_outline(drive).inner();
+        accuracy::ReferenceCurve const exact = accuracy::reference_outline(drive).inner();
         drive.solver.kinematics = Kinematics::first_order;
-        return exact.largest_distance(reference_outline(drive).inner().points());
+        return exact.largest_distance(accuracy::reference_outline(drive).inner().points());
     };
     double const far = apart(0.25), near = apart(0.2);
     CHECK(far > 1e-4);
@@ -154,7 +157,9 @@ TEST_CASE("accuracy: every family of the data runs its ladder of tolerances", "[
     for (std::string const name : {"four-roller", "cam-table", "circular-spline-given", "bezier"}) {
         Scene scene = scene_file(name);
         // each other model once
-        scene.solver.kinematics = name == "cam-table" ? Kinematics::first_order : name == "bezier" ? Kinematics::material : Kinematics::exact;
+        scene.solver.kinematics = name == "cam-table" ? Kinematics::first_order
+                                  : name == "bezier"  ? Kinematics::material
+                                                      : Kinematics::exact;
         INFO(name);
         AccuracyReport const report = measure_accuracy(scene, options);
         CHECK(report.reference_error < 1e-15);
@@ -170,3 +175,5 @@ TEST_CASE("accuracy: every family of the data runs its ladder of tolerances", "[
         }
     }
 }
+
+}  // namespace hdconj::test::accuracy_of_drives_cases

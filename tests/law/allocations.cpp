@@ -6,9 +6,9 @@
 #include <new>
 #include <vector>
 
-#include "hdconj/io/scene_toml.hpp"
-#include "hdconj/pipeline/contact.hpp"
-#include "hdconj/pipeline/solve.hpp"
+#include "hdconj/contact.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/solve.hpp"
 #include "support/catch.hpp"
 
 namespace {
@@ -60,7 +60,7 @@ namespace {
 using namespace hdconj;
 
 /// Allocations of one call, after a first one that fills what is made once.
-template<class Call>
+template <class Call>
 std::size_t allocations_in(Call const& call)
 {
     (void)call();
@@ -78,7 +78,7 @@ std::size_t allocations_of(Scene const& scene)
 /// Of one contact study.
 std::size_t allocations_of_contact(Scene const& scene)
 {
-    return allocations_in([&] { return contact(scene); });
+    return allocations_in([&] { return study_contact(scene); });
 }
 
 /// One effect that a verb makes nothing of.
@@ -91,7 +91,8 @@ struct Effect
 void add_coning(Scene& scene)
 {
     scene.coning.emplace();
-    scene.coning->model = "linear";
+    scene.coning->model = ConingModel::linear;
+    scene.coning->axial_shift = AxialShift::none;
     scene.coning->bottom_to_middle = 9;
 }
 
@@ -102,14 +103,15 @@ void add_cup(Scene& scene)
 }
 
 /// What contact has no use for, and solve neither.
-std::vector<Effect> const of_other_verbs{{"load", [](Scene& s) { s.load.emplace(); }}, {"wedm", [](Scene& s) { s.wedm.emplace(); }}, {"cup and bearing", add_cup}};
+std::vector<Effect> const of_other_verbs{{"load", [](Scene& s) { s.load.emplace(); }},
+                                         {"wedm", [](Scene& s) { s.wedm.emplace(); }},
+                                         {"cup and bearing", add_cup}};
 
 /// Each of @p effects, added to @p base, leaves the allocations of a run as they are.
 void check_free(Scene const& base, std::vector<Effect> const& effects, std::size_t (*allocations_of_run)(Scene const&))
 {
     std::size_t const plain = allocations_of_run(base);
-    for (Effect const& effect : effects)
-    {
+    for (Effect const& effect : effects) {
         INFO(effect.name);
         Scene with = base;
         effect.add(with);
@@ -131,12 +133,15 @@ TEST_CASE("effects that solve has no use for cost it no allocation", "[effects]"
     check_free(base,
                {{"contact", [](Scene& s) { s.contact.emplace(); }},
                 {"coning", add_coning},
-                {"tilt", [](Scene& s) { s.tilt = Tilt{0.01, "radial", 0}; }},
+                {"tilt",
+                 [](Scene& s) {
+                     s.tilt = Tilt{0.01, TiltKind::radial, 0};
+                 }},
                 {"backlash", [](Scene& s) { s.circular_spline.backlash_offset = 0; }}},
                allocations_of);
     // an effect whose stage runs allocates: the count can tell
     Scene slices = base;
-    slices.slices = Slices{3, "tilted", 0};
+    slices.slices = Slices{3, ToothSurface::tilted, 0};
     std::size_t const sliced = allocations_of(slices);
     CHECK(sliced > plain);
     Scene backlash = base;
@@ -146,11 +151,11 @@ TEST_CASE("effects that solve has no use for cost it no allocation", "[effects]"
     Scene cone = slices;
     add_coning(cone);
     CHECK(allocations_of(cone) == sliced);
-    cone.slices->surface = "per-slice";
+    cone.slices->surface = ToothSurface::per_slice;
     CHECK(allocations_of(cone) > sliced);
     // a tilt moves what is there, a draft makes outlines
     Scene draft = slices;
-    draft.tilt = Tilt{0.003, "draft", 0};
+    draft.tilt = Tilt{0.003, TiltKind::draft, 0};
     CHECK(allocations_of(draft) > sliced);
 }
 
@@ -164,14 +169,14 @@ TEST_CASE("effects that contact has no use for cost it no allocation", "[effects
     check_free(base, of_other_verbs, allocations_of_contact);
     // what it has a use for
     Scene slices = base;
-    slices.slices = Slices{3, "tilted", 0};
+    slices.slices = Slices{3, ToothSurface::tilted, 0};
     std::size_t const sliced = allocations_of_contact(slices);
     CHECK(sliced > plain);
     Scene cone = slices;
     add_coning(cone);
     CHECK(allocations_of_contact(cone) > sliced);
     Scene tilt = slices;
-    tilt.tilt = Tilt{0.003, "radial", 0};
+    tilt.tilt = Tilt{0.003, TiltKind::radial, 0};
     CHECK(allocations_of_contact(tilt) > sliced);
     Scene automatic = base;
     automatic.circular_spline.automatic_backlash = true;

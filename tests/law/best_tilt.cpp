@@ -3,12 +3,11 @@
 /// The search for the best tilt where not every tilt makes a surface.
 #include <numbers>
 
-#include "hdconj/pipeline/contact.hpp"
+#include "hdconj/contact.hpp"
 #include "support/catch.hpp"
 #include "support/coned_drive.hpp"
 
-using namespace hdconj;
-using namespace hdconj::test;
+namespace hdconj::test::best_tilt_cases {
 
 namespace {
 
@@ -17,13 +16,13 @@ constexpr double degree = std::numbers::pi / 180;
 ContactStudy best_draft(double from, double to)
 {
     ContactOptions options;
-    options.surfaces = {"tilted"};
-    options.kinds = {"draft"};
+    options.surfaces = {ToothSurface::tilted};
+    options.kinds = {TiltKind::draft};
     options.tilts = {from * degree, to * degree};
     options.best = true;
     options.best_from = from * degree;
     options.best_to = to * degree;
-    return contact(builtin_scene(with(coned("none"), {"slices.count=3", "contact.flank_points=20"})), options);
+    return study_contact(builtin_scene(with(coned("none"), {"slices.count=3", "contact.flank_points=20"})), options);
 }
 
 }  // namespace
@@ -34,8 +33,7 @@ TEST_CASE("best tilt: ends that make no surface are left out and named", "[law][
     REQUIRE(study.cases.size() == 1);
     CHECK(study.cases.front().tilt == Approx(-0.1 * degree));
     REQUIRE(study.best.size() == 2);
-    for (BestTilt const& best : study.best)
-    {
+    for (BestTilt const& best : study.best) {
         CHECK(best.refused > 0);
         CHECK(!best.refusal.empty());
         CHECK(best.possible_from == Approx(-0.1 * degree));
@@ -52,8 +50,12 @@ TEST_CASE("best tilt: it fails only where no tilt makes a surface", "[law][conta
     CHECK_THROWS_AS(best_draft(2.6, 2.8), NumericalError);
     // listed without a search, every tilt is asked for by itself
     ContactOptions options;
-    options.surfaces = {"tilted"};
-    options.kinds = {"draft"};
+    options.surfaces = {ToothSurface::tilted};
+    options.kinds = {TiltKind::draft};
     options.tilts = {2.6 * degree};
-    CHECK_THROWS_AS(contact(builtin_scene(with(coned("none"), {"slices.count=3", "contact.flank_points=20"})), options), NumericalError);
+    CHECK_THROWS_AS(
+        study_contact(builtin_scene(with(coned("none"), {"slices.count=3", "contact.flank_points=20"})), options),
+        NumericalError);
 }
+
+}  // namespace hdconj::test::best_tilt_cases

@@ -5,30 +5,30 @@
 #include <cmath>
 #include <numbers>
 
-#include "hdconj/axial/cone.hpp"
-#include "hdconj/contact/full_turn.hpp"
+#include "hdconj/distance/full_turn.hpp"
 #include "support/catch.hpp"
 #include "support/contact_scenes.hpp"
 #include "support/oracle/touch.hpp"
 #include "support/polyline.hpp"
+#include "surface/cone.hpp"
 
-using namespace hdconj;
-using namespace hdconj::test;
+namespace hdconj::test::contact_cases {
 
 TEST_CASE("contact law: a conjugate surface clears itself in each of its slices", "[law][contact]")
 {
-    // Between its points the flank is a cubic, which at 1e-6 differs from the envelope by up to some 2e-9 where it bends most (falling faster than the tolerance):
-    // what the tooth is found to enter by there depends on where the search looks, so the outline is a finer one.
-    for (std::string const name : {"type-50", "liu-2025", "ellipse"})
-    {
-        Scene const scene = read_scene(file_of(name), small(with(with({"circular_spline.width=7.0", "solver.tolerance=1e-7"}, coned()), sliced(5, "per-slice"))));
+    // Between its points the flank is a cubic, which at 1e-6 differs from the envelope by up to some 2e-9 where it
+    // bends most (falling faster than the tolerance): what the tooth is found to enter by there depends on where the
+    // search looks, so the outline is a finer one.
+    for (std::string const name : {"type-50", "liu-2025", "ellipse"}) {
+        Scene const scene = read_scene(
+            file_of(name),
+            small(with(with({"circular_spline.width=7.0", "solver.tolerance=1e-7"}, coned()), sliced(5, "per-slice"))));
         ContactCase const one = only_case(scene);
         INFO(name);
         CHECK(one.clearing_offset == 0);
         CHECK_FALSE(one.raised);
         REQUIRE(one.slices.size() == 5);
-        for (SliceClearance const& slice : one.slices)
-        {
+        for (SliceClearance const& slice : one.slices) {
             INFO("z " << slice.z << ": " << slice.flank.clearance);
             CHECK(std::abs(slice.flank.clearance) <= 1e-10);
             CHECK(slice.root.clearance >= -1e-9);
@@ -38,21 +38,25 @@ TEST_CASE("contact law: a conjugate surface clears itself in each of its slices"
 
 TEST_CASE("contact law: clearances of a tilted type-50 are the oracle's and the design's", "[law][contact]")
 {
-    // Design 3.4, cone with its apex 0.43 mm above the cup's bottom, zero clearance, tilted radially. "Over the flank" is here: all points of the circular
-    // spline between land corner and flank end, and the depth of each of them in the nearest tooth over a full turn. At z = -3.5 the worst is the
-    // land corner, and the design's numbers are met to 2 um. At z = +3.5 it is the flank end, and this gives -70, -62, -38, -3 where the design says -81,
-    // -72, -48, -3. The design's numbers are right for a flank that reaches 14 um further, to x = 0.0447 on the land in the root, under the tip of the tooth:
-    // one place that gives all three. In the middle of the root it is -100, -87, -53, which the program tells apart as the root's.
+    // Design 3.4, cone with its apex 0.43 mm above the cup's bottom, zero clearance, tilted radially. "Over the flank"
+    // is here: all points of the circular spline between land corner and flank end, and the depth of each of them in
+    // the nearest tooth over a full turn. At z = -3.5 the worst is the land corner, and the design's numbers are met to
+    // 2 um. At z = +3.5 it is the flank end, and this gives -70, -62, -38, -3 where the design says -81, -72, -48, -3.
+    // The design's numbers are right for a flank that reaches 14 um further, to x = 0.0447 on the land in the root,
+    // under the tip of the tooth: one place that gives all three. In the middle of the root it is -100, -87, -53, which
+    // the program tells apart as the root's.
     struct Row
     {
         double tilt_deg, at_bottom_end, at_open_end, root, design_at_open_end;
     };
-    for (Row const& row : {Row{0, -78, -69.9, -99.6, -81}, {0.2, -88, -61.9, -87.4, -72}, {0.77, -117, -37.6, -52.5, -48}, {1.67, -157, -3.4, 0, 0}})
-    {
+    for (Row const& row : {Row{0, -78, -69.9, -99.6, -81},
+                           {0.2, -88, -61.9, -87.4, -72},
+                           {0.77, -117, -37.6, -52.5, -48},
+                           {1.67, -157, -3.4, 0, 0}}) {
         Keys const keys = with(with(small(coned()), sliced(3, "tilted")), tilted(row.tilt_deg));
         ContactCase const one = only_case(builtin_scene(keys));
-        INFO("tilt " << row.tilt_deg << ": " << one.slices.front().flank.clearance / um << ", " << one.slices.back().flank.clearance / um << ", root "
-                     << one.slices.back().root.clearance / um);
+        INFO("tilt " << row.tilt_deg << ": " << one.slices.front().flank.clearance / um << ", "
+                     << one.slices.back().flank.clearance / um << ", root " << one.slices.back().root.clearance / um);
         CHECK(one.slices.front().flank.clearance / um == Approx(row.at_bottom_end).margin(2.2));
         CHECK(one.slices.back().flank.clearance / um == Approx(row.at_open_end).margin(0.1));
         if (row.root < 0)
@@ -63,13 +67,13 @@ TEST_CASE("contact law: clearances of a tilted type-50 are the oracle's and the 
         auto const& outline = plane.circular_spline.outline.front();
         auto const& marks = plane.circular_spline.landmarks;
         ConedDrive const drive(builtin_scene(keys), 3);
-        for (std::size_t const k : {0u, 2u})
-        {
+        for (std::size_t const k : {0u, 2u}) {
             oracle::TouchScan scan(drive.slice_scene(k), 600);
             double worst = 1;
             int where = marks[3];
             auto const look = [&](int i) {
-                Vec2 const p = moved_radially(outline[static_cast<std::size_t>(i)], drive.z()[k] * std::tan(row.tilt_deg * degree));
+                Vec2 const p = surface::moved_radially(outline[static_cast<std::size_t>(i)],
+                                                       drive.z()[k] * std::tan(row.tilt_deg * degree));
                 double const distance = scan.nearest({p.x(), p.y()}).distance;
                 where = distance < worst ? i : where;
                 worst = std::min(worst, distance);
@@ -83,12 +87,13 @@ TEST_CASE("contact law: clearances of a tilted type-50 are the oracle's and the 
                 look(i);
             double const found = (k == 0 ? one.slices.front() : one.slices.back()).flank.clearance;
             CHECK(found == Approx(worst).margin(0.1 * um));
-            if (k == 2 && row.root < 0)
-            {
+            if (k == 2 && row.root < 0) {
                 // the root is flat there to a tenth of a micrometre
                 Vec2 const bottom = outline[static_cast<std::size_t>(marks[2])];
-                Vec2 const under_the_tip = moved_radially({0.0447, bottom.y()}, drive.z()[k] * std::tan(row.tilt_deg * degree));
-                CHECK(scan.nearest({under_the_tip.x(), under_the_tip.y()}).distance / um == Approx(row.design_at_open_end).margin(1));
+                Vec2 const under_the_tip =
+                    surface::moved_radially({0.0447, bottom.y()}, drive.z()[k] * std::tan(row.tilt_deg * degree));
+                CHECK(scan.nearest({under_the_tip.x(), under_the_tip.y()}).distance / um ==
+                      Approx(row.design_at_open_end).margin(1));
             }
         }
     }
@@ -96,27 +101,27 @@ TEST_CASE("contact law: clearances of a tilted type-50 are the oracle's and the 
 
 TEST_CASE("contact law: the clearing offset clears and a micrometre less does not", "[law][contact]")
 {
-    for (Keys const& surface : {with(sliced(3, "tilted"), tilted(0.2)), sliced(3, "tilted"), sliced(3, "ruled"), with(sliced(3, "tilted"), tilted(0.2, "draft"))})
-    {
+    for (Keys const& surface : {with(sliced(3, "tilted"), tilted(0.2)), sliced(3, "tilted"), sliced(3, "ruled"),
+                                with(sliced(3, "tilted"), tilted(0.2, "draft"))}) {
         Scene const scene = builtin_scene(with(with({"contact.flank_points=200"}, coned()), surface));
         ContactCase const one = only_case(scene);
-        INFO(one.surface << " " << one.kind << " " << one.tilt / degree << ": offset " << one.clearing_offset / um);
+        INFO(to_string(one.surface) << " " << to_string(one.kind) << " " << one.tilt / degree << ": offset "
+                                    << one.clearing_offset / um);
         // the straight lines between conjugate end planes stay clear of the slices between them on this drive
-        bool const needed = one.surface != "ruled";
+        bool const needed = one.surface != ToothSurface::ruled;
         CHECK((one.clearing_offset > 1 * um) == needed);
         // finer points than the program looked at
         ConedDrive drive(scene, 3);
-        FlankGrid const fine = drive.flanks_to_tip({one.surface, one.kind.empty() ? "radial" : one.kind, one.tilt}, one.clearing_tip, one.clearing_offset, 700);
+        contact::FlankGrid const fine = drive.flanks_to_tip(
+            {one.surface, one.kind.value_or(TiltKind::radial), one.tilt}, one.clearing_tip, one.clearing_offset, 700);
         auto const least = [&](double offset) {
-            FlankGrid const moved = moved_into_material(fine, offset);
+            contact::FlankGrid const moved = contact::moved_into_material(fine, offset);
             double worst = 1;
-            for (std::size_t k = 0; k < fine.slices(); ++k)
-            {
+            for (std::size_t k = 0; k < fine.slices(); ++k) {
                 auto const& motion = drive.maker->motion(k).motion;
-                FullTurnClearance<ErasedMotion> const turns(drive.tooth, motion, drive.pitch(), 1);
-                TurnMinimum last = turns(moved.point[1][k].front());
-                for (Vec2 const& p : moved.point[1][k])
-                {
+                distance::FullTurnClearance<motion::ErasedMotion> const turns(drive.tooth, motion, drive.pitch(), 1);
+                distance::TurnMinimum last = turns(moved.point[1][k].front());
+                for (Vec2 const& p : moved.point[1][k]) {
                     last = turns(p, &last);
                     worst = std::min(worst, last.distance);
                 }
@@ -132,17 +137,17 @@ TEST_CASE("contact law: the clearing offset clears and a micrometre less does no
 TEST_CASE("contact law: the flank moved by a side clearance is the flank solved with it", "[law][contact]")
 {
     ConedDrive drive(builtin_scene(), 1);
-    for (double const offset : {1e-4, 0.003, 0.02})
-    {
+    for (double const offset : {1e-4, 0.003, 0.02}) {
         double const tip = drive.middle.geometry.circular_spline_inner_radius;
-        FlankGrid const moved = moved_into_material(drive.flanks_to_tip({"tilted", "radial", 0}, tip, offset, 200), offset);
-        auto const own = solve(builtin_scene({"circular_spline.backlash_offset=" + number(offset), "solver.tolerance=1e-8"})).circular_spline.outline.front();
-        for (std::size_t flank = 0; flank < 2; ++flank)
-        {
+        contact::FlankGrid const moved = contact::moved_into_material(
+            drive.flanks_to_tip({ToothSurface::tilted, TiltKind::radial, 0}, tip, offset, 200), offset);
+        auto const own =
+            solve(builtin_scene({"circular_spline.backlash_offset=" + number(offset), "solver.tolerance=1e-8"}))
+                .circular_spline.outline.front();
+        for (std::size_t flank = 0; flank < 2; ++flank) {
             double worst = 0;
             std::size_t looked = 0;
-            for (Vec2 const& p : moved.point[flank][0])
-            {
+            for (Vec2 const& p : moved.point[flank][0]) {
                 double const d = distance_to_polyline(own, p);
                 looked += d < 1.05e-8;
                 worst = std::max(worst, d);
@@ -154,15 +159,15 @@ TEST_CASE("contact law: the flank moved by a side clearance is the flank solved 
     }
 }
 
-TEST_CASE("contact law: slices made for the sections of a cup that shifts along its axis are touched and not entered", "[law][contact]")
+TEST_CASE("contact law: slices made for the sections of a cup that shifts along its axis are touched and not entered",
+          "[law][contact]")
 {
     Keys const cone = with(with(coned("mapped"), sliced(3, "per-slice")), {"contact.flank_points=60"});
-    for (Keys const& drive : {Keys{}, Keys{"solver.kinematics=material"}, Keys{"wave_generator.family=ellipse"}, Keys{"circular_spline.width=5"}})
-    {
+    for (Keys const& drive : {Keys{}, Keys{"solver.kinematics=material"}, Keys{"wave_generator.family=ellipse"},
+                              Keys{"circular_spline.width=5"}}) {
         ContactCase const one = only_case(builtin_scene(with(cone, drive)));
         CAPTURE(one.backlash_offset, one.state.smallest_gap);
-        for (auto const& slice : one.slices)
-        {
+        for (auto const& slice : one.slices) {
             CHECK(slice.flank.clearance > -1e-9);
             CHECK(slice.flank.clearance < 1e-6);
         }
@@ -170,22 +175,27 @@ TEST_CASE("contact law: slices made for the sections of a cup that shifts along 
         CHECK(one.backlash_offset < 1e-9);
         CHECK(one.state.smallest_gap > -1e-9);
     }
-    ConedDrive rollers(builtin_scene(with(coned("mapped"), {"wave_generator.family=four-roller", "wave_generator.roller_angle_deg=25"})), 3);
+    ConedDrive rollers(builtin_scene(with(coned("mapped"),
+                                          {"wave_generator.family=four-roller", "wave_generator.roller_angle_deg=25"})),
+                       3);
     CHECK(rollers.maker->note_on_sections().find("has breaks") != std::string::npos);
     CHECK(ConedDrive(builtin_scene(coned("mapped")), 3).maker->note_on_sections().empty());
 }
 
 TEST_CASE("contact law: both flanks are alike at no torque", "[law][contact]")
 {
-    for (std::string const shift : {"none", "mapped"})
-    {
-        ContactState const state = only_case(builtin_scene(small(with(with(coned(shift), sliced(3, "per-slice")), {"circular_spline.backlash_offset=0.05"})))).state;
+    for (std::string const shift : {"none", "mapped"}) {
+        ContactState const state = only_case(builtin_scene(small(with(with(coned(shift), sliced(3, "per-slice")),
+                                                                      {"circular_spline.backlash_offset=0.05"}))))
+                                       .state;
         INFO(shift);
         CHECK(state.take_up == Approx(state.take_up_back).margin(1e-13));
     }
     // and with the wave generator off a tooth space one flank at an angle is the other at the opposite one
     auto const at = [](double angle) {
-        return only_case(builtin_scene(small({"circular_spline.backlash_offset=0.01", "contact.wave_generator_angle_deg=" + number(angle)}))).state;
+        return only_case(builtin_scene(small({"circular_spline.backlash_offset=0.01",
+                                              "contact.wave_generator_angle_deg=" + number(angle)})))
+            .state;
     };
     ContactState const plus = at(0.37), minus = at(-0.37);
     CHECK(plus.take_up == Approx(minus.take_up_back).margin(1e-13));
@@ -193,15 +203,17 @@ TEST_CASE("contact law: both flanks are alike at no torque", "[law][contact]")
     CHECK(plus.smallest_gap == Approx(minus.smallest_gap).margin(1e-12));
 }
 
-TEST_CASE("contact law: nothing changes when the wave generator turns by one pitch of the circular spline", "[law][contact]")
+TEST_CASE("contact law: nothing changes when the wave generator turns by one pitch of the circular spline",
+          "[law][contact]")
 {
     auto const at = [](double angle) {
         return only_case(builtin_scene(small(with(with(coned("mapped"), sliced(3, "tilted")),
-                                                  {"circular_spline.backlash_offset=0.15", "contact.wave_generator_angle_deg=" + number(angle)})))).state;
+                                                  {"circular_spline.backlash_offset=0.15",
+                                                   "contact.wave_generator_angle_deg=" + number(angle)}))))
+            .state;
     };
     ContactState const one = at(0.4), next = at(0.4 + 360.0 / 202), far = at(0.4 - 7 * 360.0 / 202);
-    for (ContactState const& other : {next, far})
-    {
+    for (ContactState const& other : {next, far}) {
         CHECK(other.take_up == Approx(one.take_up).margin(1e-12));
         CHECK(other.take_up_back == Approx(one.take_up_back).margin(1e-12));
         CHECK(other.share == Approx(one.share).margin(1e-9));
@@ -215,18 +227,29 @@ TEST_CASE("contact law: nothing changes when the wave generator turns by one pit
 TEST_CASE("contact law: a drive twice or a quarter as large has lengths twice or a quarter as large", "[law][contact]")
 {
     auto const scaled = [](double s) {
-        Keys keys{"contact.flank_points=60", "contact.contact_gap=" + number(s * 1e-3), "solver.tolerance=" + number(s * 0x1p-20)};
-        for (auto const& [key, value] : std::map<std::string, double>{{"drive.module", 0.25}, {"flexspline.wall", 0.7}, {"flexspline.profile.addendum", 0.225},
-                 {"flexspline.profile.dedendum", 0.303}, {"flexspline.profile.convex_radius", 0.2701}, {"flexspline.profile.convex_offset", 0.0982},
-                 {"flexspline.profile.concave_radius", 0.5145}, {"flexspline.profile.concave_rise", 0.0671}, {"flexspline.profile.tip_line_from", 0.19},
-                 {"wave_generator.radial_deformation", 0.25}, {"circular_spline.width", 7.0}, {"circular_spline.backlash_offset", 0.02},
-                 {"circular_spline.inner_radius", 25.025}, {"coning.bottom_to_middle", 9.0}, {"coning.apex_height", 0.43}})
+        Keys keys{"contact.flank_points=60", "contact.contact_gap=" + number(s * 1e-3),
+                  "solver.tolerance=" + number(s * 0x1p-20)};
+        for (auto const& [key, value] : std::map<std::string, double>{{"drive.module", 0.25},
+                                                                      {"flexspline.wall", 0.7},
+                                                                      {"flexspline.profile.addendum", 0.225},
+                                                                      {"flexspline.profile.dedendum", 0.303},
+                                                                      {"flexspline.profile.convex_radius", 0.2701},
+                                                                      {"flexspline.profile.convex_offset", 0.0982},
+                                                                      {"flexspline.profile.concave_radius", 0.5145},
+                                                                      {"flexspline.profile.concave_rise", 0.0671},
+                                                                      {"flexspline.profile.tip_line_from", 0.19},
+                                                                      {"wave_generator.radial_deformation", 0.25},
+                                                                      {"circular_spline.width", 7.0},
+                                                                      {"circular_spline.backlash_offset", 0.02},
+                                                                      {"circular_spline.inner_radius", 25.025},
+                                                                      {"coning.bottom_to_middle", 9.0},
+                                                                      {"coning.apex_height", 0.43}})
             keys.push_back(key + "=" + number(s * value));
-        return only_case(builtin_scene(with(with(keys, {"coning.model=linear", "coning.axial_shift=mapped"}), with(sliced(3, "tilted"), tilted(0.1)))));
+        return only_case(builtin_scene(with(with(keys, {"coning.model=linear", "coning.axial_shift=mapped"}),
+                                            with(sliced(3, "tilted"), tilted(0.1)))));
     };
     ContactCase const one = scaled(1);
-    for (double const s : {2.0, 0.25})
-    {
+    for (double const s : {2.0, 0.25}) {
         ContactCase const other = scaled(s);
         INFO("scale " << s);
         CHECK(other.clearing_offset == Approx(s * one.clearing_offset).epsilon(1e-12));
@@ -244,8 +267,10 @@ TEST_CASE("contact law: a whole study has the same bits for 1 and 2 threads", "[
     auto const study = [](int threads) {
         ContactOptions options;
         options.tilts = {0, 0.2 * degree};
-        options.surfaces = {"tilted", "per-slice"};
-        return contact(builtin_scene(small(with(with(coned("mapped"), sliced(3, "tilted")), {"solver.threads=" + std::to_string(threads)}))), options);
+        options.surfaces = {ToothSurface::tilted, ToothSurface::per_slice};
+        return study_contact(builtin_scene(small(with(with(coned("mapped"), sliced(3, "tilted")),
+                                                      {"solver.threads=" + std::to_string(threads)}))),
+                             options);
     };
     ContactStudy const one = study(1), two = study(2);
     REQUIRE(one.cases.size() == two.cases.size());
@@ -253,17 +278,17 @@ TEST_CASE("contact law: a whole study has the same bits for 1 and 2 threads", "[
     CHECK(one.shown == two.shown);
     CHECK(one.map.gap == two.map.gap);
     CHECK(one.solution.circular_spline.outline == two.solution.circular_spline.outline);
-    for (std::size_t i = 0; i < one.cases.size(); ++i)
-    {
+    for (std::size_t i = 0; i < one.cases.size(); ++i) {
         CHECK(one.cases[i].clearing_offset == two.cases[i].clearing_offset);
         CHECK(one.cases[i].clearing_root == two.cases[i].clearing_root);
         CHECK(one.cases[i].state.take_up == two.cases[i].state.take_up);
         CHECK(one.cases[i].state.contact_area == two.cases[i].state.contact_area);
         CHECK(one.cases[i].state.share_error == two.cases[i].state.share_error);
-        for (std::size_t k = 0; k < one.cases[i].slices.size(); ++k)
-        {
+        for (std::size_t k = 0; k < one.cases[i].slices.size(); ++k) {
             CHECK(one.cases[i].slices[k].flank.clearance == two.cases[i].slices[k].flank.clearance);
             CHECK(one.cases[i].slices[k].root.clearance == two.cases[i].slices[k].root.clearance);
         }
     }
 }
+
+}  // namespace hdconj::test::contact_cases

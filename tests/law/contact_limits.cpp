@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Limits of effects along the axis and of contact: with nothing to move they change nothing, and tend to nothing with what they are made of.
+/// Limits of effects along the axis and of contact: with nothing to move they change nothing, and tend to nothing with
+/// what they are made of.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -9,8 +10,7 @@
 #include "support/contact_scenes.hpp"
 #include "support/polyline.hpp"
 
-using namespace hdconj;
-using namespace hdconj::test;
+namespace hdconj::test::contact_limits_cases {
 
 namespace {
 
@@ -21,7 +21,7 @@ std::map<Stage, int> entered(Scene const& scene, Verb verb)
     if (verb == Verb::solve)
         (void)solve(scene, observer);
     else
-        (void)contact(scene, {}, observer);
+        (void)study_contact(scene, {}, observer);
     return count;
 }
 
@@ -48,8 +48,7 @@ TEST_CASE("contact law: one slice is the plane drive bit for bit whatever effect
 {
     Solution const plane = solve(builtin_scene());
     for (std::string const surface : {"tilted", "ruled", "per-slice"})
-        for (Keys const& effects : {Keys{}, coned(), coned("mapped"), tilted(0.7), with(coned(), tilted(0.7))})
-        {
+        for (Keys const& effects : {Keys{}, coned(), coned("mapped"), tilted(0.7), with(coned(), tilted(0.7))}) {
             Solution const sliced_drive = solve(builtin_scene(with(sliced(1, surface), effects)));
             CHECK(sliced_drive.circular_spline.outline == plane.circular_spline.outline);
             CHECK(sliced_drive.circular_spline.z == plane.circular_spline.z);
@@ -59,23 +58,24 @@ TEST_CASE("contact law: one slice is the plane drive bit for bit whatever effect
         }
 }
 
-TEST_CASE("contact law: effects without anything to move leave the bits and their stages are not entered", "[law][contact]")
+TEST_CASE("contact law: effects without anything to move leave the bits and their stages are not entered",
+          "[law][contact]")
 {
     Solution const plane = solve(builtin_scene());
     // a tilt of zero and slices of one outline repeat it
-    for (Keys const& keys : {with(sliced(5, "tilted"), tilted(0)), sliced(5, "tilted"), with(sliced(5, "tilted"), coned()), with(sliced(4, "per-slice"), {})})
-    {
+    for (Keys const& keys : {with(sliced(5, "tilted"), tilted(0)), sliced(5, "tilted"),
+                             with(sliced(5, "tilted"), coned()), with(sliced(4, "per-slice"), {})}) {
         Solution const drive = solve(builtin_scene(keys));
         for (auto const& outline : drive.circular_spline.outline)
             CHECK(outline == plane.circular_spline.outline.front());
     }
-    std::vector<Stage> const axial{Stage::coning, Stage::surface, Stage::tilt, Stage::clearance, Stage::gap_map, Stage::contact};
+    std::vector<Stage> const axial{Stage::coning,    Stage::surface, Stage::tilt,
+                                   Stage::clearance, Stage::gap_map, Stage::contact};
     std::map<Stage, int> base = entered(builtin_scene(), Verb::solve);
     for (Stage const stage : axial)
         CHECK(base[stage] == 0);
     // tables that change nothing enter nothing
-    for (Keys const& keys : {coned(), tilted(0.7), Keys{"contact.contact_gap=0.002"}})
-    {
+    for (Keys const& keys : {coned(), tilted(0.7), Keys{"contact.contact_gap=0.002"}}) {
         std::map<Stage, int> counts = entered(builtin_scene(keys), Verb::solve);
         for (Stage const stage : axial)
             CHECK(counts[stage] == 0);
@@ -95,7 +95,8 @@ TEST_CASE("contact law: effects without anything to move leave the bits and thei
     CHECK(plain[Stage::coning] == 0);
     CHECK(plain[Stage::tilt] == 0);
     CHECK(plain[Stage::contact] >= 1);
-    std::map<Stage, int> coned_contact = entered(builtin_scene(small(with(sliced(3, "tilted"), coned()))), Verb::contact);
+    std::map<Stage, int> coned_contact =
+        entered(builtin_scene(small(with(sliced(3, "tilted"), coned()))), Verb::contact);
     CHECK(coned_contact[Stage::coning] >= 1);
     CHECK(coned_contact[Stage::tilt] == 0);
 }
@@ -104,27 +105,21 @@ TEST_CASE("contact law: outlines tend to the plane one with the tilt in first or
 {
     Solution const plane = solve(builtin_scene());
     auto const& base = plane.circular_spline.outline.front();
-    for (std::string const kind : {"radial", "draft"})
-    {
-        for (double const angle : {1e-3, 1e-6, 1e-9, 1e-12, -1e-3, -1e-9})
-        {
+    for (std::string const kind : {"radial", "draft"}) {
+        for (double const angle : {1e-3, 1e-6, 1e-9, 1e-12, -1e-3, -1e-9}) {
             Solution const drive = solve(builtin_scene(with(sliced(3, "tilted"), tilted(angle, kind))));
             double const wanted = 3.5 * std::tan(std::abs(angle) * degree);
             INFO(kind << " " << angle);
             auto const& outlines = drive.circular_spline.outline;
             REQUIRE(outlines.size() == 3);
-            if (kind == "radial")
-            {
+            if (kind == "radial") {
                 CHECK(outlines[1] == base);
                 for (std::size_t const k : {0u, 2u})
                     CHECK(furthest(outlines[k], base) == Approx(wanted).margin(1e-14));
-            }
-            else
-            {
+            } else {
                 // another choice of points: both polygons are right to the chord error
                 CHECK(furthest_from(base, outlines[1]) < 1.05e-6);
-                for (std::size_t const k : {0u, 2u})
-                {
+                for (std::size_t const k : {0u, 2u}) {
                     CHECK(furthest_from(base, outlines[k]) < 1.42 * wanted + 1.05e-6);
                     CHECK(furthest(outlines[k], outlines[1]) >= wanted * (1 - 1e-9) - 1e-14);
                     CHECK(furthest(outlines[k], outlines[1]) < 2.5 * wanted + 2e-12);
@@ -134,18 +129,19 @@ TEST_CASE("contact law: outlines tend to the plane one with the tilt in first or
     }
 }
 
-TEST_CASE("contact law: outlines of a coned drive tend to the plane one with the length of the cup in first order", "[law][contact]")
+TEST_CASE("contact law: outlines of a coned drive tend to the plane one with the length of the cup in first order",
+          "[law][contact]")
 {
     Solution const plane = solve(builtin_scene());
     double before = 0;
-    for (double const length : {1e2, 1e4, 1e6, 1e8})
-    {
+    for (double const length : {1e2, 1e4, 1e6, 1e8}) {
         // the last one is more than a scene may ask for
         Scene scene = builtin_scene(coned());
         scene.coning->bottom_to_middle = length;
         ConedDrive drive(scene, 3);
-        MatchedOutline const outline = drive.surface("per-slice", "radial", 0, 1e-6, 0);
-        double const moved = std::max(furthest(outline.points[0], outline.points[1]), furthest(outline.points[2], outline.points[1]));
+        conjugate::MatchedOutline const outline = drive.surface(ToothSurface::per_slice, TiltKind::radial, 0, 1e-6, 0);
+        double const moved =
+            std::max(furthest(outline.points[0], outline.points[1]), furthest(outline.points[2], outline.points[1]));
         INFO("length " << length << ": " << moved);
         CHECK(furthest_from(plane.circular_spline.outline.front(), outline.points[1]) < 1.05e-6);
         // amplitudes differ by w0 z/length; points of one origin move by a few times that
@@ -159,13 +155,13 @@ TEST_CASE("contact law: outlines of a coned drive tend to the plane one with the
 
 TEST_CASE("contact law: contact of a coned drive tends to that of the plane one", "[law][contact]")
 {
-    ContactState const plane = only_case(builtin_scene(small(with({"circular_spline.backlash_offset=0.002"}, sliced(3, "tilted"))))).state;
-    for (std::string const shift : {"none", "mapped"})
-    {
+    ContactState const plane =
+        only_case(builtin_scene(small(with({"circular_spline.backlash_offset=0.002"}, sliced(3, "tilted"))))).state;
+    for (std::string const shift : {"none", "mapped"}) {
         double before = 0;
-        for (double const length : {1e2, 1e4, 1e6})
-        {
-            ContactCase const one = only_case(builtin_scene(small(with(with({"circular_spline.backlash_offset=0.002"}, sliced(3, "tilted")), coned(shift, length)))));
+        for (double const length : {1e2, 1e4, 1e6}) {
+            ContactCase const one = only_case(builtin_scene(small(
+                with(with({"circular_spline.backlash_offset=0.002"}, sliced(3, "tilted")), coned(shift, length)))));
             double const difference = std::abs(one.state.take_up - plane.take_up);
             INFO(shift << ", length " << length << ": " << difference);
             // no more than the change of shape over the reach: (w0 z + r u_z'...)/length over 25 mm
@@ -180,9 +176,10 @@ TEST_CASE("contact law: contact of a coned drive tends to that of the plane one"
 TEST_CASE("contact law: area grows with the contact gap and is gone with it", "[law][contact]")
 {
     double before = 0;
-    for (double const gap : {1e-9, 1e-7, 1e-5, 1e-4, 1e-3, 0.003, 0.01, 0.025})
-    {
-        ContactCase const one = only_case(builtin_scene(with({"contact.flank_points=200", "circular_spline.backlash_offset=0.005", "contact.contact_gap=" + number(gap)}, {})));
+    for (double const gap : {1e-9, 1e-7, 1e-5, 1e-4, 1e-3, 0.003, 0.01, 0.025}) {
+        ContactCase const one = only_case(builtin_scene(with(
+            {"contact.flank_points=200", "circular_spline.backlash_offset=0.005", "contact.contact_gap=" + number(gap)},
+            {})));
         INFO("gap " << gap << ": share " << one.state.share);
         CHECK(one.state.share >= before);
         CHECK(one.state.share <= 1);
@@ -197,9 +194,9 @@ TEST_CASE("contact law: area grows with the contact gap and is gone with it", "[
 TEST_CASE("contact law: play goes to nothing with the side clearance", "[law][contact]")
 {
     double before = 1;
-    for (double const offset : {1e-2, 1e-4, 1e-6})
-    {
-        ContactState const state = only_case(builtin_scene(small({"circular_spline.backlash_offset=" + number(offset)}))).state;
+    for (double const offset : {1e-2, 1e-4, 1e-6}) {
+        ContactState const state =
+            only_case(builtin_scene(small({"circular_spline.backlash_offset=" + number(offset)}))).state;
         INFO("offset " << offset << " play " << state.backlash());
         CHECK(state.backlash() > 2 * offset / 26);
         CHECK(state.backlash() < 4 * offset / 25);
@@ -207,3 +204,5 @@ TEST_CASE("contact law: play goes to nothing with the side clearance", "[law][co
         before = state.backlash();
     }
 }
+
+}  // namespace hdconj::test::contact_limits_cases

@@ -7,17 +7,18 @@
 #include <string>
 #include <vector>
 
-#include "hdconj/io/scene_toml.hpp"
-#include "hdconj/pipeline/contact.hpp"
-#include "hdconj/pipeline/solve.hpp"
-#include "hdconj/wavegen/length_kept.hpp"
-#include "pipeline/place_teeth.hpp"
+#include "contact/study/place_teeth.hpp"
+#include "elastic/bent_cup.hpp"
+#include "hdconj/contact.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/solve.hpp"
 #include "support/catch.hpp"
 #include "support/coned_drive.hpp"
+#include "wavegen/length_kept.hpp"
 // behind the envelope's headers, which have a Station of their own
-#include "hdconj/pipeline/elastic_cup.hpp"
+#include "hdconj/elastic_cup.hpp"
 
-using namespace hdconj;
+namespace hdconj::test::elastic_cup_cases {
 
 namespace {
 
@@ -45,17 +46,20 @@ TEST_CASE("solving with the elastic cup enters its stage once and others not at 
     CHECK_THAT(with.notes.front(), ContainsSubstring("cones by 1.2"));
 
     std::map<Stage, int> linear;
-    Solution const without = solve(read_scene(std::string(HDCONJ_SOURCE_DIR) + "/data/scenes/type-50-coned.toml", {"slices.count=3"}),
-                                   [&](Stage stage) { ++linear[stage]; });
+    Solution const without =
+        solve(read_scene(std::string(HDCONJ_SOURCE_DIR) + "/data/scenes/type-50-coned.toml", {"slices.count=3"}),
+              [&](Stage stage) { ++linear[stage]; });
     CHECK(linear.count(Stage::cup) == 0);
     CHECK(without.cup == nullptr);
 }
 
 TEST_CASE("a cup and a bearing that nobody asks for change no bit", "[elastic_cup]")
 {
-    std::vector<std::string> const tables{"bearing.type=elastic", "bearing.width=6", "bearing.ring_thickness=1.2", "flexspline.cup.length=15",
-                                          "flexspline.cup.barrel_wall=0.4", "flexspline.cup.bottom=0.5", "flexspline.cup.corner_radius=2",
-                                          "flexspline.cup.flange_radius=13", "flexspline.cup.tooth_width=8"};
+    std::vector<std::string> const tables{"bearing.type=elastic",           "bearing.width=6",
+                                          "bearing.ring_thickness=1.2",     "flexspline.cup.length=15",
+                                          "flexspline.cup.barrel_wall=0.4", "flexspline.cup.bottom=0.5",
+                                          "flexspline.cup.corner_radius=2", "flexspline.cup.flange_radius=13",
+                                          "flexspline.cup.tooth_width=8"};
     std::map<Stage, int> count;
     Solution const with = solve(builtin_scene(tables), [&](Stage stage) { ++count[stage]; });
     Solution const base = solve(builtin_scene());
@@ -72,15 +76,14 @@ TEST_CASE("the outline of the elastic cup is one for any number of threads", "[e
 TEST_CASE("teeth on the elastic cup touch the outlines of their own slices and enter none", "[elastic_cup]")
 {
     ContactOptions options;
-    options.surfaces = {"tilted", "per-slice"};
+    options.surfaces = {ToothSurface::tilted, ToothSurface::per_slice};
     std::string const shift = GENERATE("none", "mapped");
     CAPTURE(shift);
-    ContactStudy const study = contact(elastic_scene({"coning.axial_shift=" + shift}), options);
+    ContactStudy const study = study_contact(elastic_scene({"coning.axial_shift=" + shift}), options);
     REQUIRE(study.cases.size() == 2);
     ContactCase const &tilted = study.cases[0], &own = study.cases[1];
     CHECK(own.backlash_offset < 1e-6);
-    for (auto const& slice : own.slices)
-    {
+    for (auto const& slice : own.slices) {
         CHECK(slice.flank.clearance > -1e-6);
         CHECK(slice.flank.clearance < 1e-5);
     }
@@ -99,13 +102,14 @@ TEST_CASE("a stiffer wave generator cones the cup less, and its slices are more 
     auto const spread = [](std::vector<std::string> const& keys) {
         auto const cup = elastic_cup(elastic_scene(keys));
         double const r_m = cup->section().inner_radius + cup->section().ring_wall / 2;
-        auto const w = [&](double z) { return displacement_at(cup->displacement(9 + z, r_m), 0).w[0]; };
+        auto const w = [&](double z) { return wavegen::displacement_at(cup->displacement(9 + z, r_m), 0).w[0]; };
         return w(3.5) - w(-3.5);
     };
     double const free = spread({"bearing.axially=free"});
     double const ring = spread({});
     double const rigid = spread({"!bearing.ring_thickness", "!bearing.axially", "bearing.type=rigid"});
-    double const pressed = spread({"!bearing.ring_thickness", "!bearing.axially", "bearing.type=rigid", "bearing.fit=0.02"});
+    double const pressed =
+        spread({"!bearing.ring_thickness", "!bearing.axially", "bearing.type=rigid", "bearing.fit=0.02"});
     CHECK(free > ring);
     CHECK(ring > rigid);
     CHECK(rigid > pressed);
@@ -123,32 +127,33 @@ TEST_CASE("teeth in planes across the elastic cup stand where the displaced wall
     Scene const scene = elastic_scene({"bearing.angles=48", "bearing.circles=13"});
     test::ConedDrive drive(scene, 3);
     drive.middle.cup = solve(elastic_scene({"bearing.angles=48", "bearing.circles=13", "!slices"})).cup;
-    drive.bench->cup = drive.middle.cup.get();
-    BentCup const& cup = *drive.middle.cup;
+    drive.context->cup = drive.middle.cup.get();
+    elastic::BentCup const& cup = *drive.middle.cup;
     double const r_m = drive.middle.geometry.r_m, k = static_cast<double>(drive.z_f()) / drive.z_c();
     // height of the wall that lies in the plane z, by bisection, and its displacement there
     auto const in_plane = [&](double phi, double z) {
         double low = z - 0.5, high = z + 0.5;
-        for (int i = 0; i < 60; ++i)
-        {
+        for (int i = 0; i < 60; ++i) {
             double const h = (low + high) / 2;
             (h + cup.axial(9 + h, r_m, phi).u_z < z ? low : high) = h;
         }
-        auto const at = displacement_at(length_kept(cup.displacement(9 + low, r_m), r_m), phi);
+        auto const at = wavegen::displacement_at(wavegen::length_kept(cup.displacement(9 + low, r_m), r_m), phi);
         return Vec2(r_m + at.w[0], at.v[0]);
     };
-    ToothPlaces const places = detail::tooth_places(*drive.bench, 0);
+    contact::ToothPoses const places = contact::tooth_places(*drive.context, 0);
     constexpr double step = 1e-5;
     for (int const tooth : {0, 7, 23, 41})
-        for (std::size_t slice = 0; slice < 3; ++slice)
-        {
+        for (std::size_t slice = 0; slice < 3; ++slice) {
             double const phi = 2 * std::numbers::pi * tooth / drive.z_f(), z = drive.z()[slice];
             Vec2 const at = in_plane(phi, z), slope = (in_plane(phi + step, z) - in_plane(phi - step, z)) / (2 * step);
             double const gamma = (1 - k) * phi, theta = gamma - std::atan2(slope.x() - at.y(), at.x() + slope.y());
-            Vec2 const origin(at.x() * std::sin(gamma) + at.y() * std::cos(gamma), at.x() * std::cos(gamma) - at.y() * std::sin(gamma));
+            Vec2 const origin(at.x() * std::sin(gamma) + at.y() * std::cos(gamma),
+                              at.x() * std::cos(gamma) - at.y() * std::sin(gamma));
             Pose const& pose = places.pose[static_cast<std::size_t>(tooth - places.first) * 3 + slice];
             CAPTURE(tooth, z);
             CHECK((pose.origin - origin).norm() < 2e-5);
             CHECK(std::abs(std::sin(std::atan2(pose.sine, pose.cosine) - theta)) < 5e-5);
         }
 }
+
+}  // namespace hdconj::test::elastic_cup_cases

@@ -6,13 +6,15 @@
 #include <iostream>
 #include <sstream>
 
-#include "hdconj/io/scene_toml.hpp"
-#include "hdconj/numeric/error.hpp"
-#include "hdconj/pipeline/solve.hpp"
+#include "hdconj/error.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/solve.hpp"
 #include "support/catch.hpp"
 #include "support/family_designs.hpp"
 #include "support/oracle/touch_law.hpp"
 #include "support/temporary_folder.hpp"
+
+namespace hdconj::test::families_cases {
 
 using namespace oracle;
 using hdconj::Scene;
@@ -58,8 +60,9 @@ void check_family(std::string const& family, std::uint64_t seed, int limit_of_re
         solving += std::chrono::duration<double>(middle - start).count();
         judging += std::chrono::duration<double>(Clock::now() - middle).count();
     }
-    std::cout << "touch law, " << family << ": " << accepted << " accepted, " << refused << " refused, " << draw.drawn << " drawn, " << points
-              << " points, worst " << worst << " mm; solving " << solving << " s, judging " << judging << " s\n";
+    std::cout << "touch law, " << family << ": " << accepted << " accepted, " << refused << " refused, " << draw.drawn
+              << " drawn, " << points << " points, worst " << worst << " mm; solving " << solving << " s, judging "
+              << judging << " s\n";
     for (auto const& text : broken)
         std::cout << "law broken by:\n" << text << "\n\n";
     CHECK(broken.empty());
@@ -134,3 +137,5 @@ TEST_CASE("the oracle's distance to a curved flank is a step along its normal", 
         }
     }
 }
+
+}  // namespace hdconj::test::families_cases

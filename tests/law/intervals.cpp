@@ -8,6 +8,8 @@
 #include "support/oracle/envelope.hpp"
 #include "support/oracle/run.hpp"
 
+namespace hdconj::test::intervals_cases {
+
 using namespace oracle;
 using hdconj::ConjugateZone;
 using hdconj::Kinematics;
@@ -118,3 +120,5 @@ TEST_CASE("intervals: no contact near the joint of type-50", "[intervals]")
         CHECK(fold);
     }
 }
+
+}  // namespace hdconj::test::intervals_cases

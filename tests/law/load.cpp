@@ -1,28 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
 /// Laws of a drive under torque: what must hold whatever the numbers are.
-#include "hdconj/pipeline/load.hpp"
+#include "hdconj/load.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <string>
+#include <vector>
 
-#include "hdconj/io/scene_toml.hpp"
-#include "hdconj/numeric/error.hpp"
-#include "hdconj/pipeline/contact.hpp"
-#include "hdconj/pipeline/solve.hpp"
+#include "hdconj/contact.hpp"
+#include "hdconj/error.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/solve.hpp"
+#include "hdconj/units.hpp"
 #include "support/catch.hpp"
 
-using namespace hdconj;
+namespace hdconj::test::load_cases {
 
 namespace {
 
-constexpr double newton_metre = 1e3;
-
 using Keys = std::vector<std::string>;
 
-/// Few enough slices and points that a torque takes a fraction of a second; side clearance as large as the thesis' play.
+/// Few enough slices and points that a torque takes a fraction of a second; side clearance as large as the thesis'
+/// play.
 Scene quick(Keys const& more = {})
 {
     Keys keys{"slices.count=3", "contact.flank_points=80", "circular_spline.backlash_offset=0.09", "bearing.circles=5"};
@@ -47,8 +49,8 @@ LoadedState const& only(LoadStudy const& study)
 
 TEST_CASE("torque the other way round loads the other flanks alike", "[load]")
 {
-    LoadStudy const forth = load(quick(), at_torque(20 * newton_metre));
-    LoadStudy const back = load(quick(), at_torque(-20 * newton_metre));
+    LoadStudy const forth = study_load(quick(), at_torque(20 * newton_metre));
+    LoadStudy const back = study_load(quick(), at_torque(-20 * newton_metre));
     LoadedState const& a = only(forth);
     LoadedState const& b = only(back);
     CHECK(a.twist > 0);
@@ -63,12 +65,13 @@ TEST_CASE("torque the other way round loads the other flanks alike", "[load]")
     REQUIRE(m.angle.size() == n.angle.size());
     std::size_t const spaces = m.angle.size();
     for (std::size_t s = 0; s < spaces; ++s)
-        for (std::size_t k = 0; k < m.z.size(); ++k)
-        {
+        for (std::size_t k = 0; k < m.z.size(); ++k) {
             // the space at -angle, of the sector that repeats
             double const mirrored = -m.angle[s];
             double const pitch = m.angle[1] - m.angle[0];
-            auto const i = static_cast<std::size_t>(std::lround((mirrored - n.angle.front()) / pitch) + static_cast<long>(spaces)) % spaces;
+            auto const i = static_cast<std::size_t>(std::lround((mirrored - n.angle.front()) / pitch) +
+                                                    static_cast<long>(spaces)) %
+                           spaces;
             CHECK(n.force[n.index(i, 0, k)] == Approx(m.force[m.index(s, 1, k)]).margin(1e-3 * largest));
         }
 }
@@ -76,9 +79,8 @@ TEST_CASE("torque the other way round loads the other flanks alike", "[load]")
 TEST_CASE("a torque that goes to zero leaves the play, and grows the twist", "[load]")
 {
     double last = 0;
-    for (double torque : {1e-3, 1.0, 10.0, 28.0})
-    {
-        LoadStudy const study = load(quick(), at_torque(torque * newton_metre));
+    for (double torque : {1e-3, 1.0, 10.0, 28.0}) {
+        LoadStudy const study = study_load(quick(), at_torque(torque * newton_metre));
         double const half = study.cases.front().backlash / 2;
         CHECK(half > 0);
         CHECK(only(study).twist > half);
@@ -90,7 +92,7 @@ TEST_CASE("a torque that goes to zero leaves the play, and grows the twist", "[l
         CHECK(only(study).complementarity < 1e-10);
         CHECK(only(study).stiffness > 0);
     }
-    LoadStudy const none = load(quick(), at_torque(0));
+    LoadStudy const none = study_load(quick(), at_torque(0));
     CHECK(only(none).twist == 0);
     CHECK(only(none).teeth == 0);
     CHECK(only(none).largest_pressure == 0);
@@ -98,25 +100,25 @@ TEST_CASE("a torque that goes to zero leaves the play, and grows the twist", "[l
 
 TEST_CASE("the wave generator's torque does the work of the drive's", "[load]")
 {
-    // Turning the wave generator by a turns the circular spline by a (z_c - z_f)/z_c: without friction the mean over a pitch is T times that.
+    // Turning the wave generator by a turns the circular spline by a (z_c - z_f)/z_c: without friction the mean over a
+    // pitch is T times that.
     constexpr double torque = 28 * newton_metre;
     double mean = 0;
     constexpr int angles = 4;
     double const pitch_deg = 360.0 / 202 * 202 / 2 / 101;  // after which the same teeth come again
-    for (int i = 0; i < angles; ++i)
-    {
+    for (int i = 0; i < angles; ++i) {
         Scene const scene = quick({"contact.wave_generator_angle_deg=" + std::to_string(pitch_deg * i / angles)});
-        mean += only(load(scene, at_torque(torque))).wave_generator_torque / angles;
+        mean += only(study_load(scene, at_torque(torque))).wave_generator_torque / angles;
     }
     CHECK(mean == Approx(torque / 101).epsilon(0.05));
 }
 
 TEST_CASE("a drive under torque has the same bits for any number of threads", "[load]")
 {
-    LoadStudy const one = load(quick({"solver.threads=1"}), at_torque(15 * newton_metre));
-    for (int threads : {2, 3})
-    {
-        LoadStudy const more = load(quick({"solver.threads=" + std::to_string(threads)}), at_torque(15 * newton_metre));
+    LoadStudy const one = study_load(quick({"solver.threads=1"}), at_torque(15 * newton_metre));
+    for (int threads : {2, 3}) {
+        LoadStudy const more =
+            study_load(quick({"solver.threads=" + std::to_string(threads)}), at_torque(15 * newton_metre));
         CHECK(only(one).twist == only(more).twist);
         CHECK(only(one).largest_pressure == only(more).largest_pressure);
         CHECK(one.cases.front().map.force == more.cases.front().map.force);
@@ -125,12 +127,33 @@ TEST_CASE("a drive under torque has the same bits for any number of threads", "[
     }
 }
 
+TEST_CASE("the error of a stage contains that of the grid", "[load]")
+{
+    LoadOptions options = at_torque(10 * newton_metre);
+    options.curve = true;
+    options.points = 2;
+    LoadCase const found = study_load(quick(), options).cases.front();
+    REQUIRE(found.estimated);
+    std::vector<double> twist, torque;
+    for (std::size_t i = 1; i <= found.rated; ++i) {
+        twist.push_back(found.curve[i].twist);
+        torque.push_back(found.curve[i].torque);
+    }
+    StiffnessStages const fit = stiffness_stages(twist, torque);
+    CHECK(found.stages.first == fit.first);
+    double const elastic = found.curve[found.rated].twist - found.backlash / 2;
+    double const grid = (found.error.twist + found.backlash_error / 2) / elastic;
+    CHECK(grid > 0);
+    CHECK(found.stages.first_error == Approx(fit.first_error + grid * fit.first));
+    CHECK(found.stages.second_error == Approx(fit.second_error + grid * fit.second));
+}
+
 TEST_CASE("only the verb load enters the stages of a load", "[load]")
 {
     std::map<Stage, int> count;
     (void)solve(builtin_scene(), [&](Stage stage) { ++count[stage]; });
     CHECK(count[Stage::cup] + count[Stage::influence] + count[Stage::assembly] + count[Stage::load] == 0);
-    (void)load(quick(), at_torque(newton_metre), [&](Stage stage) { ++count[stage]; });
+    (void)study_load(quick(), at_torque(newton_metre), [&](Stage stage) { ++count[stage]; });
     CHECK(count[Stage::influence] == 1);
     CHECK(count[Stage::assembly] == 1);
     CHECK(count[Stage::load] == 1);
@@ -139,25 +162,22 @@ TEST_CASE("only the verb load enters the stages of a load", "[load]")
 TEST_CASE("more than the teeth can carry is said", "[load]")
 {
     // a torque that lifts the teeth over each other, or presses them flat: an error that names the torque
-    try
-    {
-        (void)load(quick(), at_torque(1e5 * newton_metre));
+    try {
+        (void)study_load(quick(), at_torque(1e5 * newton_metre));
         FAIL("teeth of type-50 carry 100 kN m");
-    }
-    catch (NumericalError const& error)
-    {
+    } catch (NumericalError const& error) {
         CHECK(std::string(error.what()).find("N m") != std::string::npos);
     }
 }
 
 TEST_CASE("many balls are a line of balls", "[load][balls]")
 {
-    LoadStudy const line = load(quick(), at_torque(20 * newton_metre));
+    LoadStudy const line = study_load(quick(), at_torque(20 * newton_metre));
     double last = 1e9;
     double total = 0;
-    for (int balls : {20, 60, 200})
-    {
-        LoadStudy const single = load(quick({"bearing.balls=" + std::to_string(balls)}), at_torque(20 * newton_metre));
+    for (int balls : {20, 60, 200}) {
+        LoadStudy const single =
+            study_load(quick({"bearing.balls=" + std::to_string(balls)}), at_torque(20 * newton_metre));
         CAPTURE(balls);
         double const apart = std::abs(only(single).wave_generator_force / only(line).wave_generator_force - 1);
         CHECK(apart < 0.8 * last);
@@ -183,8 +203,9 @@ TEST_CASE("many balls are a line of balls", "[load][balls]")
 
 TEST_CASE("an odd number of balls is a ring without symmetry that differs little from an even one", "[load][balls]")
 {
-    LoadStudy const even = load(quick({"bearing.balls=22", "bearing.ball_phase_deg=0"}), at_torque(20 * newton_metre));
-    LoadStudy const odd = load(quick({"bearing.balls=23"}), at_torque(20 * newton_metre));
+    LoadStudy const even =
+        study_load(quick({"bearing.balls=22", "bearing.ball_phase_deg=0"}), at_torque(20 * newton_metre));
+    LoadStudy const odd = study_load(quick({"bearing.balls=23"}), at_torque(20 * newton_metre));
     CHECK(even.sectors == 2);
     CHECK(odd.sectors == 1);
     CHECK(odd.cases.front().bearing.ball_force.size() == 23);
@@ -196,18 +217,18 @@ TEST_CASE("an odd number of balls is a ring without symmetry that differs little
 
 TEST_CASE("balls with play stand off the ring under load too", "[load][balls]")
 {
-    for (Keys const& more : {Keys{}, Keys{"bearing.balls=24"}})
-    {
+    for (Keys const& more : {Keys{}, Keys{"bearing.balls=24"}}) {
         Keys keys = more;
         for (std::string const loose : {"bearing.cam_oversize=-0.01", "circular_spline.inner_radius=25.06"})
             keys.push_back(loose);
-        LoadStudy const study = load(quick(keys), at_torque(20 * newton_metre));
+        LoadStudy const study = study_load(quick(keys), at_torque(20 * newton_metre));
         std::vector<double> const& force = study.cases.front().bearing.ball_force;
         CHECK(*std::min_element(force.begin(), force.end()) == 0);
         CHECK(*std::max_element(force.begin(), force.end()) > 0);
         CHECK(only(study).residual < 1e-6);
         CHECK(only(study).complementarity < 1e-10);
-        CHECK(only(study).wave_generator_force < only(load(quick(more), at_torque(20 * newton_metre))).wave_generator_force);
+        CHECK(only(study).wave_generator_force <
+              only(study_load(quick(more), at_torque(20 * newton_metre))).wave_generator_force);
     }
 }
 
@@ -218,23 +239,25 @@ TEST_CASE("estimates bound the distance to a fine grid", "[load][errors]")
     {
         double w0, wall, clearance, angle, torque;
     };
-    for (Drawn const& d : {Drawn{0.254, 0.66, 0.09, 0.4, 22}, Drawn{0.262, 0.55, 0.065, 1.1, 9}, Drawn{0.258, 0.8, 0.08, 0.2, 40}})
-    {
-        Keys const keys{"wave_generator.radial_deformation=" + std::to_string(d.w0), "flexspline.wall=" + std::to_string(d.wall),
-                        "circular_spline.backlash_offset=" + std::to_string(d.clearance), "contact.wave_generator_angle_deg=" + std::to_string(d.angle)};
+    for (Drawn const& d :
+         {Drawn{0.254, 0.66, 0.09, 0.4, 22}, Drawn{0.262, 0.55, 0.065, 1.1, 9}, Drawn{0.258, 0.8, 0.08, 0.2, 40}}) {
+        Keys const keys{"wave_generator.radial_deformation=" + std::to_string(d.w0),
+                        "flexspline.wall=" + std::to_string(d.wall),
+                        "circular_spline.backlash_offset=" + std::to_string(d.clearance),
+                        "contact.wave_generator_angle_deg=" + std::to_string(d.angle)};
         Keys fine = keys, coarse = keys;
         for (std::string const more : {"slices.count=5", "contact.flank_points=80", "bearing.circles=5"})
             coarse.push_back(more);
         for (std::string const more : {"slices.count=9", "contact.flank_points=160", "bearing.circles=9"})
             fine.push_back(more);
-        LoadStudy const a = load(builtin_scene(coarse), at_torque(d.torque * newton_metre));
-        LoadStudy const b = load(builtin_scene(fine), at_torque(d.torque * newton_metre));
+        LoadStudy const a = study_load(builtin_scene(coarse), at_torque(d.torque * newton_metre));
+        LoadStudy const b = study_load(builtin_scene(fine), at_torque(d.torque * newton_metre));
         LoadCase const& c = a.cases.front();
         CAPTURE(d.w0, d.wall, d.clearance, d.torque);
         REQUIRE(c.estimated);
-        for (double LoadedState::* const figure : {&LoadedState::twist, &LoadedState::stiffness, &LoadedState::contact_share, &LoadedState::near_share, &LoadedState::largest_force,
-                                                   &LoadedState::wave_generator_force, &LoadedState::lobe_force})
-        {
+        for (double LoadedState::*const figure :
+             {&LoadedState::twist, &LoadedState::stiffness, &LoadedState::contact_share, &LoadedState::near_share,
+              &LoadedState::largest_force, &LoadedState::wave_generator_force, &LoadedState::lobe_force}) {
             CAPTURE(only(a).*figure, only(b).*figure);
             CHECK(c.error.*figure > 0);
             CHECK(std::abs(only(a).*figure - only(b).*figure) <= c.error.*figure);
@@ -243,14 +266,15 @@ TEST_CASE("estimates bound the distance to a fine grid", "[load][errors]")
         CHECK(std::abs(a.cup.coning_major - b.cup.coning_major) <= a.cup.coning_major_error);
         CHECK(c.error.largest_stress > 0);
     }
-    LoadStudy const two = load(quick({"slices.count=2"}), at_torque(20 * newton_metre));
+    LoadStudy const two = study_load(quick({"slices.count=2"}), at_torque(20 * newton_metre));
     CHECK_FALSE(two.cases.front().estimated);
     CHECK(two.cases.front().curve_error.empty());
 }
 
 TEST_CASE("every torque of a curve has an estimate that bounds its distance to a fine grid", "[load][errors]")
 {
-    Keys const keys{"wave_generator.radial_deformation=0.257", "flexspline.wall=0.6", "circular_spline.backlash_offset=0.07", "contact.wave_generator_angle_deg=0.7"};
+    Keys const keys{"wave_generator.radial_deformation=0.257", "flexspline.wall=0.6",
+                    "circular_spline.backlash_offset=0.07", "contact.wave_generator_angle_deg=0.7"};
     Keys fine = keys, coarse = keys;
     for (std::string const more : {"slices.count=3", "contact.flank_points=60", "bearing.circles=5"})
         coarse.push_back(more);
@@ -259,14 +283,15 @@ TEST_CASE("every torque of a curve has an estimate that bounds its distance to a
     LoadOptions options = at_torque(30 * newton_metre);
     options.curve = true;
     options.points = 2;
-    LoadCase const c = load(builtin_scene(coarse), options).cases.front(), f = load(builtin_scene(fine), options).cases.front();
+    LoadCase const c = study_load(builtin_scene(coarse), options).cases.front(),
+                   f = study_load(builtin_scene(fine), options).cases.front();
     REQUIRE(c.curve_error.size() == c.curve.size());
     REQUIRE(f.curve.size() == c.curve.size());
-    for (std::size_t i = 0; i < c.curve.size(); ++i)
-    {
+    for (std::size_t i = 0; i < c.curve.size(); ++i) {
         CAPTURE(c.curve[i].torque, c.curve[i].twist, f.curve[i].twist);
         REQUIRE(c.curve_error[i]);
-        for (double LoadedState::* const figure : {&LoadedState::twist, &LoadedState::contact_share, &LoadedState::wave_generator_force})
+        for (double LoadedState::*const figure :
+             {&LoadedState::twist, &LoadedState::contact_share, &LoadedState::wave_generator_force})
             CHECK(std::abs(c.curve[i].*figure - f.curve[i].*figure) <= (*c.curve_error[i]).*figure);
         CHECK((c.curve[i].torque == 0 || c.curve_error[i]->twist > 0));
     }
@@ -277,13 +302,10 @@ TEST_CASE("every torque of a curve has an estimate that bounds its distance to a
 
 TEST_CASE("more harmonics than the teeth tell apart are refused", "[load]")
 {
-    try
-    {
-        (void)load(quick({"load.torque=28", "load.harmonics=300"}));
+    try {
+        (void)study_load(quick({"load.torque=28", "load.harmonics=300"}));
         FAIL("300 harmonics of 200 teeth were taken");
-    }
-    catch (InputError const& error)
-    {
+    } catch (InputError const& error) {
         CHECK(std::string(error.what()).find("write at most 100") != std::string::npos);
     }
 }
@@ -291,47 +313,62 @@ TEST_CASE("more harmonics than the teeth tell apart are refused", "[load]")
 TEST_CASE("a tip circle that nobody gave does not make a load fail", "[load]")
 {
     // four fifths of type-50's tooth: the cup cones away from a land at the standard tip circle
-    Keys const keys{"drive.module=0.2", "drive.flexspline_teeth=300", "drive.circular_spline_teeth=302", "wave_generator.radial_deformation=0.19", "flexspline.profile.addendum=0.18",
-                    "flexspline.profile.dedendum=0.2424", "flexspline.profile.convex_radius=0.21608", "flexspline.profile.convex_offset=0.07856", "flexspline.profile.concave_radius=0.4116",
-                    "flexspline.profile.concave_rise=0.05368", "flexspline.profile.tip_line_from=0.152", "contact.flank_points=40", "slices.count=2"};
+    Keys const keys{"drive.module=0.2",
+                    "drive.flexspline_teeth=300",
+                    "drive.circular_spline_teeth=302",
+                    "wave_generator.radial_deformation=0.19",
+                    "flexspline.profile.addendum=0.18",
+                    "flexspline.profile.dedendum=0.2424",
+                    "flexspline.profile.convex_radius=0.21608",
+                    "flexspline.profile.convex_offset=0.07856",
+                    "flexspline.profile.concave_radius=0.4116",
+                    "flexspline.profile.concave_rise=0.05368",
+                    "flexspline.profile.tip_line_from=0.152",
+                    "contact.flank_points=40",
+                    "slices.count=2"};
     Keys standard = keys, narrow = keys;
     standard.push_back("!circular_spline.inner_radius");
     narrow.push_back("circular_spline.inner_radius=30.01");
-    LoadStudy const study = load(quick(standard), at_torque(10 * newton_metre));
+    LoadStudy const study = study_load(quick(standard), at_torque(10 * newton_metre));
     CHECK(study.tip_widened > 0);
     CHECK(study.solution.geometry.circular_spline_inner_radius == Approx(30.01 + study.tip_widened).epsilon(1e-12));
     CHECK(only(study).residual < 1e-6);
-    CHECK_THROWS_WITH(load(quick(narrow), at_torque(10 * newton_metre)), ContainsSubstring("inner_radius above 30.02"));
-    CHECK(load(quick(), at_torque(newton_metre)).tip_widened == 0);
+    CHECK_THROWS_WITH(study_load(quick(narrow), at_torque(10 * newton_metre)),
+                      ContainsSubstring("inner_radius above 30.02"));
+    CHECK(study_load(quick(), at_torque(newton_metre)).tip_widened == 0);
 }
 
 TEST_CASE("contact and load take the same part: the scene's own where nothing enters it", "[load][contact]")
 {
     constexpr double arcmin = std::numbers::pi / (180 * 60);
     // the same grid of the bearing for both
-    Keys const coned{"coning.model=elastic", "coning.bottom_to_middle=9", "slices.surface=tilted", "bearing.circles=13"};
+    Keys const coned{"coning.model=elastic", "coning.bottom_to_middle=9", "slices.surface=tilted",
+                     "bearing.circles=13"};
     struct Row
     {
         Keys more;
-        double least_tip, largest_tip;   // [mm]
+        double least_tip, largest_tip;  // [mm]
     };
-    // the scene's tip circle though another, wider one goes with the least clearing offset; and where the side clearance leaves no land, one that does
-    for (Row const& row : std::vector<Row>{{{"circular_spline.inner_radius=25.2", "tilt.angle_deg=0.3"}, 25.2, 25.2}, {{"circular_spline.backlash_offset=0.08"}, 25.1023, 25.12}, {{}, 25.1127, 25.13}})
-    {
+    // the scene's tip circle though another, wider one goes with the least clearing offset; and where the side
+    // clearance leaves no land, one that does
+    for (Row const& row : std::vector<Row>{{{"circular_spline.inner_radius=25.2", "tilt.angle_deg=0.3"}, 25.2, 25.2},
+                                           {{"circular_spline.backlash_offset=0.08"}, 25.1023, 25.12},
+                                           {{}, 25.1127, 25.13}}) {
         Keys keys = coned;
         keys.insert(keys.end(), row.more.begin(), row.more.end());
         INFO(row.more.size() << " more keys, tip circle from " << row.least_tip << " mm");
-        ContactCase const rigid = contact(quick(keys)).cases.front();
+        ContactCase const rigid = study_contact(quick(keys)).cases.front();
         CHECK(rigid.tip >= row.least_tip);
         CHECK(rigid.tip <= row.largest_tip);
         CHECK(rigid.tip < rigid.clearing_tip);
         CHECK_FALSE(rigid.raised);
         CHECK(rigid.closest_flank().clearance > 0);
         CHECK(rigid.clearance_error < 1e-3);
-        // edges that are round under load are sharp in contact; three slices know the bent cup to about a twentieth of a minute
+        // edges that are round under load are sharp in contact; three slices know the bent cup to about a twentieth of
+        // a minute
         constexpr double alike = 0.1 * arcmin;
         keys.push_back("load.edge_radius=0.001");
-        LoadCase const loaded = load(quick(keys), at_torque(1e-4 * newton_metre)).cases.front();
+        LoadCase const loaded = study_load(quick(keys), at_torque(1e-4 * newton_metre)).cases.front();
         CHECK(loaded.tip == Approx(rigid.tip).epsilon(1e-12));
         CHECK(loaded.backlash_offset == rigid.backlash_offset);
         CHECK_FALSE(loaded.raised);
@@ -339,6 +376,9 @@ TEST_CASE("contact and load take the same part: the scene's own where nothing en
         if (row.least_tip == row.largest_tip)
             CHECK(solve(quick(keys)).geometry.circular_spline_inner_radius == rigid.tip);
         else
-            CHECK_THROWS_WITH(solve(quick(keys)), ContainsSubstring("inner_radius above " + std::to_string(row.least_tip).substr(0, 6)));
+            CHECK_THROWS_WITH(solve(quick(keys)),
+                              ContainsSubstring("inner_radius above " + std::to_string(row.least_tip).substr(0, 6)));
     }
 }
+
+}  // namespace hdconj::test::load_cases

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "hdconj/contact/full_turn.hpp"
+#include "hdconj/distance/full_turn.hpp"
 #include "hdconj/envelope/find_branches.hpp"
 #include "hdconj/motion/material_motion.hpp"
 #include "hdconj/wavegen/displacement_of.hpp"
@@ -18,21 +18,24 @@
 #include "support/oracle/run.hpp"
 #include "support/type50.hpp"
 
+namespace hdconj::test::material_cases {
+
 using namespace oracle;
-using hdconj::AnyWaveShape;
-using hdconj::CosineCam;
 using hdconj::Kinematics;
-using hdconj::MaterialMotion;
-using hdconj::NeutralCurve;
 using hdconj::Scene;
 using hdconj::Solution;
+using hdconj::motion::MaterialMotion;
+using hdconj::wavegen::AnyWaveShape;
+using hdconj::wavegen::CosineCam;
+using hdconj::wavegen::NeutralCurve;
 
 namespace {
 
-hdconj::Profile tooth_of(Scene const& scene)
+hdconj::profile::Profile tooth_of(Scene const& scene)
 {
     hdconj::Faults faults;
-    hdconj::Profile tooth = hdconj::build_profile(scene.flexspline.profile, hdconj::test::place_of(scene), faults);
+    hdconj::profile::Profile tooth =
+        hdconj::profile::build_profile(scene.flexspline.profile, hdconj::test::place_of(scene), faults);
     REQUIRE(faults.empty());
     return tooth;
 }
@@ -52,9 +55,11 @@ struct Deviation
 Deviation touch_of(Solution const& solution, MaterialMotion const& motion)
 {
     Scene const& scene = solution.scene;
-    hdconj::Profile const tooth = tooth_of(scene);
-    int const lobe_pitches = (scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth) / scene.wave_generator.waves;
-    hdconj::FullTurnClearance<MaterialMotion> const clearance(tooth, motion, 2 * std::numbers::pi / scene.drive.circular_spline_teeth, lobe_pitches);
+    hdconj::profile::Profile const tooth = tooth_of(scene);
+    int const lobe_pitches =
+        (scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth) / scene.wave_generator.waves;
+    hdconj::distance::FullTurnClearance<MaterialMotion> const clearance(
+        tooth, motion, 2 * std::numbers::pi / scene.drive.circular_spline_teeth, lobe_pitches);
     Deviation worst;
     for (auto const& piece : solution.circular_spline.pieces)
         for (std::size_t i = piece.first; i <= piece.last; ++i) {
@@ -77,21 +82,24 @@ TEST_CASE("material motion of the exact displacement has the exact motion's outl
         Solution const solution = hdconj::solve(scene);
         CosineCam const cam{solution.geometry.w0, scene.wave_generator.waves};
         double const r_m = solution.geometry.r_m;
-        MaterialMotion const same(displacement_of(NeutralCurve<CosineCam>(cam, r_m)), r_m, ratio_of(scene));
+        MaterialMotion const same(hdconj::wavegen::displacement_of(hdconj::wavegen::NeutralCurve<CosineCam>(cam, r_m)),
+                                  r_m, ratio_of(scene));
         Deviation const worst = touch_of(solution, same);
-        std::cout << scene.drive.name << ", exact outline under the material motion of the exact displacement: touched to " << worst.touched
+        std::cout << scene.drive.name
+                  << ", exact outline under the material motion of the exact displacement: touched to " << worst.touched
                   << " mm, entered by " << worst.entered << " mm, " << worst.points << " points\n";
         CHECK(worst.points > 100);
         CHECK(worst.touched < 1e-12);
         CHECK(worst.entered < 1e-12);
 
-        hdconj::Profile const tooth = tooth_of(scene);
-        auto const set = hdconj::find_branches(hdconj::Envelope<MaterialMotion>(tooth, same, 0), 1);
+        hdconj::profile::Profile const tooth = tooth_of(scene);
+        auto const set = hdconj::envelope::find_branches(hdconj::envelope::Envelope<MaterialMotion>(tooth, same, 0), 1);
         CHECK(set.record.certified());
         CHECK(set.branches.size() == solution.branches.size());
 
         // Negative control: the linear mode is another motion.
-        Deviation const other = touch_of(solution, MaterialMotion(hdconj::inextensional_mode(cam), r_m, ratio_of(scene)));
+        Deviation const other =
+            touch_of(solution, MaterialMotion(hdconj::wavegen::inextensional_mode(cam), r_m, ratio_of(scene)));
         CHECK(other.touched > 1e-3);
         CHECK(other.entered > 1e-4);
     }
@@ -133,10 +141,12 @@ TEST_CASE("touch law: random designs with the material motion", "[touch][random]
             std::cout << "refused design:\n" << designs::toml_of(scene) << error.what() << "\n\n";
         }
     }
-    std::cout << "touch law, material motion: " << solved_now << " designs (" << ellipses << " ellipses, " << rings << " rings), " << refused
-              << " refused, " << points << " points, worst " << worst << " mm\n";
+    std::cout << "touch law, material motion: " << solved_now << " designs (" << ellipses << " ellipses, " << rings
+              << " rings), " << refused << " refused, " << points << " points, worst " << worst << " mm\n";
     CHECK(solved_now == wanted);
     CHECK(ellipses >= 5);
     CHECK(rings >= 5);
     CHECK(refused <= 1);
 }
+
+}  // namespace hdconj::test::material_cases

@@ -8,13 +8,15 @@
 #include "support/oracle/sweep.hpp"
 #include "support/oracle/touch_law.hpp"
 
+namespace hdconj::test::oracle_cases {
+
 using namespace oracle;
 using hdconj::Kinematics;
 using hdconj::Scene;
 
 namespace {
 
-double degrees(double angle)
+double in_degrees(double angle)
 {
     return angle * 180 / pi<double>();
 }
@@ -29,7 +31,7 @@ std::vector<double> contacts_of_end(Scene const& scene, std::string const& piece
             continue;
         std::vector<double> found;
         for (double const s : contact_positions(motion, tooth.on_whole(i, t)))
-            found.push_back(degrees(motion.phi(s)));
+            found.push_back(in_degrees(motion.phi(s)));
         return found;
     }
     throw std::invalid_argument("no piece " + piece);
@@ -113,7 +115,8 @@ TEST_CASE("oracle: the neutral curve closes", "[oracle]")
 TEST_CASE("oracle: two quadratures and three number types agree on the motion", "[oracle]")
 {
     GaussLegendre<Fifty> const rule(30);
-    for (Scene const& scene : {type_50(), liu_2025(), type_50(Kinematics::first_order), liu_2025(Kinematics::material)}) {
+    for (Scene const& scene :
+         {type_50(), liu_2025(), type_50(Kinematics::first_order), liu_2025(Kinematics::material)}) {
         Motion<Fifty> const exact(scene);
         Motion<double> const quick(scene);
         Motion<long double> const middle(scene);
@@ -255,3 +258,5 @@ TEST_CASE("random designs: the text reads back as the same scene", "[oracle]")
         }
     }
 }
+
+}  // namespace hdconj::test::oracle_cases

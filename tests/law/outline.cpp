@@ -6,11 +6,13 @@
 #include <array>
 #include <optional>
 
-#include "hdconj/numeric/error.hpp"
+#include "hdconj/error.hpp"
 #include "support/catch.hpp"
 #include "support/oracle/chain.hpp"
 #include "support/oracle/run.hpp"
 #include "support/oracle/touch_law.hpp"
+
+namespace hdconj::test::outline_cases {
 
 using namespace oracle;
 using hdconj::Kinematics;
@@ -36,7 +38,11 @@ std::vector<Point<double>> chain_of(Solution const& solution)
 /// The scenes that every law is asked on: known drives, then random ones.
 std::vector<Scene> scenes(int random)
 {
-    std::vector<Scene> all{type_50(), type_50(Kinematics::first_order), liu_2025(), liu_2025(Kinematics::first_order), type_50(Kinematics::material),
+    std::vector<Scene> all{type_50(),
+                           type_50(Kinematics::first_order),
+                           liu_2025(),
+                           liu_2025(Kinematics::first_order),
+                           type_50(Kinematics::material),
                            liu_2025(Kinematics::material)};
     designs::RandomDesigns draw(50);
     for (int i = 0; i < random; ++i)
@@ -239,3 +245,5 @@ TEST_CASE("outline: the finished pair clears over a full turn", "[outline]")
         CHECK(solution.check->points > 0);
     });
 }
+
+}  // namespace hdconj::test::outline_cases

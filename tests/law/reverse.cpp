@@ -4,11 +4,13 @@
 #include <array>
 #include <fstream>
 
-#include "hdconj/numeric/error.hpp"
+#include "hdconj/error.hpp"
 #include "support/catch.hpp"
 #include "support/reverse_law.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/type50.hpp"
+
+namespace hdconj::test::reverse_cases {
 
 using namespace oracle;
 using hdconj::Scene;
@@ -25,7 +27,8 @@ TEST_CASE("a skew tooth and its mirror image are solved as mirror images, and to
         constexpr int half = 20;
         for (int i = -half; i <= half; ++i) {
             double const t = static_cast<double>(i) / half;
-            file << side * 0.30 * t + 0.02 * side * (1 - t * t) << "," << 0.2 - 0.48 * (0.6 * t * t + 0.4 * t * t * t * t) << "\n";
+            file << side * 0.30 * t + 0.02 * side * (1 - t * t) << ","
+                 << 0.2 - 0.48 * (0.6 * t * t + 0.4 * t * t * t * t) << "\n";
         }
         file.close();
         std::string const text =
@@ -109,7 +112,8 @@ TEST_CASE("the outline of a reverse result is cut where the scene says", "[rever
             continue;
         for (std::size_t i = piece.first; i <= piece.last; ++i) {
             double const angle = half_pitch - std::atan2(std::abs(points[i].x()), points[i].y());
-            Point<double> const p{points[i].norm() * std::sin(angle), teeth.pitch_radius - points[i].norm() * std::cos(angle)};
+            Point<double> const p{points[i].norm() * std::sin(angle),
+                                  teeth.pitch_radius - points[i].norm() * std::cos(angle)};
             CHECK(std::abs(teeth.tooth.distance_from_pitch_line(p)) < 1e-12);
         }
     }
@@ -119,7 +123,8 @@ TEST_CASE("a vanishing side clearance gives the tooth without", "[reverse]")
 {
     Solution const base = hdconj::solve(given_scene());
     for (double const offset : {1e-12, 1e-9, 1e-6}) {
-        Solution const moved = hdconj::solve(given_scene({"circular_spline.backlash_offset=" + designs::text_of(offset)}));
+        Solution const moved =
+            hdconj::solve(given_scene({"circular_spline.backlash_offset=" + designs::text_of(offset)}));
         double worst = 0;
         for (std::size_t i = 0; i < moved.flexspline_pieces.size(); ++i)
             for (auto const end : {&hdconj::OutlinePiece::first, &hdconj::OutlinePiece::last})
@@ -151,3 +156,5 @@ TEST_CASE("a tooth that would be pointed below its tip is refused with its heigh
         CHECK(what.find("flexspline.addendum") != std::string::npos);
     }
 }
+
+}  // namespace hdconj::test::reverse_cases

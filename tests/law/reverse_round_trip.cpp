@@ -5,12 +5,14 @@
 #include <iostream>
 #include <sstream>
 
-#include "hdconj/contact/tooth_distance.hpp"
+#include "hdconj/distance/tooth_distance.hpp"
 #include "hdconj/profile/registry.hpp"
 #include "support/catch.hpp"
 #include "support/reverse_law.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/type50.hpp"
+
+namespace hdconj::test::reverse_round_trip_cases {
 
 using namespace oracle;
 using hdconj::Scene;
@@ -19,8 +21,8 @@ using hdconj::Vec2;
 
 namespace {
 
-/// The stretch of type-50's circular spline that its convex arc makes, as a right flank that points inward, y from the pitch line,
-/// between two heights.
+/// The stretch of type-50's circular spline that its convex arc makes, as a right flank that points inward, y from the
+/// pitch line, between two heights.
 std::vector<Vec2> solved_flank(Solution const& there, double lowest, double highest)
 {
     double const pitch_radius = there.geometry.r_m + there.geometry.pitch_line + there.geometry.w0;
@@ -62,9 +64,11 @@ Solution solved_back(Solution const& there, std::vector<Vec2> const& flank, std:
     file.close();
     std::ostringstream text;
     text.precision(17);
-    text << "[drive]\nmodule = 0.25\nflexspline_teeth = 200\ncircular_spline_teeth = 202\n[flexspline]\nwall = 0.7\naddendum = "
+    text << "[drive]\nmodule = 0.25\nflexspline_teeth = 200\ncircular_spline_teeth = 202\n[flexspline]\nwall = "
+            "0.7\naddendum = "
          << addendum
-         << "\ndedendum = 0.303\n[wave_generator]\nfamily = \"cosine\"\nradial_deformation = 0.25\n[circular_spline]\ninner_radius = "
+         << "\ndedendum = 0.303\n[wave_generator]\nfamily = \"cosine\"\nradial_deformation = "
+            "0.25\n[circular_spline]\ninner_radius = "
          << there.geometry.r_m + there.geometry.pitch_line + there.geometry.w0 - tip
          << "\n[circular_spline.profile]\nfamily = \"points\"\nfile = \"flank.csv\"\n";
     return hdconj::solve(hdconj::parse_scene(text.str(), "round trip", folder.path()));
@@ -79,8 +83,8 @@ struct RoundTrip
 
 RoundTrip compared(Solution const& back, double from)
 {
-    hdconj::Profile const tooth = hdconj::test::type50_tooth();
-    hdconj::ToothDistance const distance(tooth);
+    hdconj::profile::Profile const tooth = hdconj::test::type50_tooth();
+    hdconj::distance::ToothDistance const distance(tooth);
     RoundTrip trip;
     for (auto const& piece : back.flexspline_pieces) {
         for (std::size_t i = piece.first; i <= piece.last; ++i) {
@@ -113,7 +117,8 @@ TEST_CASE("round trip: a flank that was solved for, given and solved back, is th
         CHECK(trip.seen > 100);
         CHECK(trip.deepest <= trip.worst);
         errors.push_back(trip.worst);
-        std::cout << "round trip through " << count << " points: " << trip.worst << " mm, " << trip.seen << " points compared\n";
+        std::cout << "round trip through " << count << " points: " << trip.worst << " mm, " << trip.seen
+                  << " points compared\n";
     }
     // a cubic spline tends to fourth order
     for (std::size_t i = 1; i < errors.size(); ++i)
@@ -149,11 +154,11 @@ TEST_CASE("a given tooth of arcs is solved in closed form, and as a spline gives
     Solution const arcs = hdconj::solve(given_scene());
     hdconj::Faults faults;
     Scene const scene = given_scene();
-    hdconj::Profile const tooth = hdconj::build_profile(
+    hdconj::profile::Profile const tooth = hdconj::profile::build_profile(
         *scene.circular_spline.profile, {scene.drive.module, 202, 0, 0, "", true, 2, 2}, faults);
     REQUIRE(faults.empty());
     for (auto const& piece : tooth.pieces)
-        CHECK_FALSE(std::holds_alternative<hdconj::CurvePiece>(piece.shape));
+        CHECK_FALSE(std::holds_alternative<hdconj::profile::CurvePiece>(piece.shape));
 
     // the same flank as points of a spline
     hdconj::test::TemporaryFolder const folder;
@@ -164,14 +169,15 @@ TEST_CASE("a given tooth of arcs is solved in closed form, and as a spline gives
             continue;
         constexpr int count = 100;
         for (int i = 0; i <= count; ++i) {
-            Vec2 const p = hdconj::point_at(piece.shape, static_cast<double>(i) / count);
+            Vec2 const p = hdconj::profile::point_at(piece.shape, static_cast<double>(i) / count);
             file << p.x() << "," << p.y() - tooth.pitch_line << "\n";
         }
     }
     file.close();
     std::string text = arcs.scene.text;
     std::size_t const from = text.find("[circular_spline.profile]");
-    text.replace(from, text.find("[solver]") - from, "[circular_spline.profile]\nfamily = \"points\"\nfile = \"flank.csv\"\n");
+    text.replace(from, text.find("[solver]") - from,
+                 "[circular_spline.profile]\nfamily = \"points\"\nfile = \"flank.csv\"\n");
     text.replace(text.find("addendum = 0.2250"), 17, "addendum = 0.02  ");
     Solution const spline = hdconj::solve(hdconj::parse_scene(text, "as points", folder.path()));
     // the spline tooth ends where its convex arc ends, so only what that arc makes can be compared
@@ -196,3 +202,5 @@ TEST_CASE("a given tooth of arcs is solved in closed form, and as a spline gives
     CHECK(seen > 50);
     CHECK(worst < 1.1e-6);  // the chord error of the polygon that it is measured against
 }
+
+}  // namespace hdconj::test::reverse_round_trip_cases

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The touch law of the reverse problem: each point of the solved flexspline flank is touched by a circular-spline tooth at some position and entered at none.
+/// The touch law of the reverse problem: each point of the solved flexspline flank is touched by a circular-spline
+/// tooth at some position and entered at none.
 #include <iostream>
 #include <map>
 #include <sstream>
 
-#include "hdconj/contact/tooth_distance.hpp"
+#include "hdconj/distance/tooth_distance.hpp"
 #include "hdconj/profile/registry.hpp"
 #include "support/catch.hpp"
 #include "support/reverse_law.hpp"
+
+namespace hdconj::test::reverse_touch_cases {
 
 using namespace oracle;
 using hdconj::Scene;
@@ -27,7 +30,8 @@ TEST_CASE("reverse touch law: the given tooth of data/scenes, every point", "[to
              {"flexspline.neutral_offset=0.1"},
              {"wave_generator.family=ellipse"},
              {"wave_generator.family=four-roller", "wave_generator.roller_angle_deg=30"},
-             {"wave_generator.family=four-roller", "wave_generator.roller_angle_deg=30", "solver.kinematics=first-order"},
+             {"wave_generator.family=four-roller", "wave_generator.roller_angle_deg=30",
+              "solver.kinematics=first-order"},
              {"wave_generator.family=two-disc", "wave_generator.wrap_angle_deg=30"},
              {"wave_generator.waves=1", "drive.circular_spline_teeth=201", "wave_generator.radial_deformation=0.14",
               "flexspline.addendum=0.1", "circular_spline.profile.addendum=0.12"},
@@ -40,7 +44,8 @@ TEST_CASE("reverse touch law: the given tooth of data/scenes, every point", "[to
     }
 }
 
-// Found by the law of accuracy on random drives: what lay above the open end of the last curve counted as outside, and nothing was left of the tooth.
+// Found by the law of accuracy on random drives: what lay above the open end of the last curve counted as outside, and
+// nothing was left of the tooth.
 TEST_CASE("reverse touch law: curves of the outermost teeth that end below the tip", "[touch][reverse]")
 {
     for (char const* const text : {R"(
@@ -74,7 +79,8 @@ backlash_offset = 0.0
 [solver]
 kinematics = "exact"
 tolerance = 1e-08
-)", R"(
+)",
+                                   R"(
 [drive]
 name = "random reverse"
 module = 0.11227474569595795
@@ -156,8 +162,8 @@ TEST_CASE("reverse touch law: random designs", "[touch][random][reverse]")
             broken.push_back(text.str());
         }
     }
-    std::cout << "reverse touch law, random designs: " << wanted << " of " << draw.drawn << " drawn, " << refusals.size()
-              << " refused, " << points << " points, worst " << worst << " mm\n";
+    std::cout << "reverse touch law, random designs: " << wanted << " of " << draw.drawn << " drawn, "
+              << refusals.size() << " refused, " << points << " points, worst " << worst << " mm\n";
     for (auto const& [what, count] : kinds)
         std::cout << "  " << what << ": " << count << "\n";
     for (auto const& text : broken)
@@ -174,7 +180,8 @@ TEST_CASE("reverse touch law: random designs", "[touch][random][reverse]")
 TEST_CASE("every tooth family is taken on the circular spline and touched", "[touch][reverse]")
 {
     std::size_t families = 0;
-    for (std::string const name : {"arc-chain", "b-spline", "bezier", "cycloid", "involute", "points", "s-tooth", "straight", "type-50"}) {
+    for (std::string const name :
+         {"arc-chain", "b-spline", "bezier", "cycloid", "involute", "points", "s-tooth", "straight", "type-50"}) {
         // the tooth of a forward scene, put on the other member
         Scene scene = hdconj::read_scene(std::string(HDCONJ_SOURCE_DIR) + "/data/scenes/" + name + ".toml");
         double const m = scene.drive.module;
@@ -191,19 +198,21 @@ TEST_CASE("every tooth family is taken on the circular spline and touched", "[to
 
         // by the oracle's motion and the exact distance to the given tooth
         hdconj::Faults faults;
-        hdconj::Profile const tooth = hdconj::build_profile(
-            *scene.circular_spline.profile,
-            {m, scene.drive.circular_spline_teeth, 0, 0, scene.folder.string(), true, scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth, 2},
-            faults);
+        hdconj::profile::Profile const tooth =
+            hdconj::profile::build_profile(*scene.circular_spline.profile,
+                                           {m, scene.drive.circular_spline_teeth, 0, 0, scene.folder.string(), true,
+                                            scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth, 2},
+                                           faults);
         REQUIRE(faults.empty());
-        hdconj::ToothDistance const distance(tooth);
+        hdconj::distance::ToothDistance const distance(tooth);
         Scene as_forward = scene;
         as_forward.flexspline.inner_radius = solution.geometry.flexspline_inner_radius;
         Motion<double> const motion(as_forward);
         double const pitch_line = solution.geometry.pitch_line;
         double const seat = solution.geometry.circular_spline_inner_radius + tooth.addendum + tooth.pitch_line;
         auto const at = [&](Vec2 const& p, int k, double u) {
-            auto const there = turned_clockwise(motion.pose(u).to_circular_spline({p.x(), p.y() + pitch_line}), -(k - 0.5) * motion.pitch());
+            auto const there = turned_clockwise(motion.pose(u).to_circular_spline({p.x(), p.y() + pitch_line}),
+                                                -(k - 0.5) * motion.pitch());
             return distance({-there.x, seat - there.y}).distance;
         };
         for (auto const& piece : solution.flexspline_pieces) {
@@ -251,3 +260,5 @@ TEST_CASE("every tooth family is taken on the circular spline and touched", "[to
     }
     CHECK(families == 9);
 }
+
+}  // namespace hdconj::test::reverse_touch_cases

@@ -10,10 +10,12 @@
 #include <set>
 #include <sstream>
 
-#include "hdconj/numeric/error.hpp"
+#include "hdconj/error.hpp"
 #include "support/catch.hpp"
 #include "support/check_touch.hpp"
 #include "support/oracle/run.hpp"
+
+namespace hdconj::test::touch_cases {
 
 using namespace oracle;
 using hdconj::Kinematics;
@@ -208,3 +210,5 @@ TEST_CASE("touch law: designs that were refused once", "[touch][random]")
         std::cout << "  " << count << " x " << reason << "\n";
     CHECK(refusals.empty());
 }
+
+}  // namespace hdconj::test::touch_cases

@@ -10,6 +10,8 @@
 #include "support/oracle/sweep.hpp"
 #include "support/oracle/touch_law.hpp"
 
+namespace hdconj::test::union_cases {
+
 using namespace oracle;
 using hdconj::Scene;
 using hdconj::Solution;
@@ -79,3 +81,5 @@ TEST_CASE("union: the outline is the boundary of 20 000 united tooth positions",
         CHECK(wrong.swept > 1.2e-6 + allowed);
     }
 }
+
+}  // namespace hdconj::test::union_cases

@@ -6,12 +6,14 @@
 #include <iostream>
 #include <string>
 
-#include "hdconj/numeric/error.hpp"
+#include "hdconj/error.hpp"
 #include "support/catch.hpp"
 #include "support/check_touch.hpp"
 #include "support/oracle/run.hpp"
 #include "support/random_wave_generators.hpp"
 #include "support/temporary_folder.hpp"
+
+namespace hdconj::test::wave_generators_cases {
 
 using namespace oracle;
 using hdconj::Scene;
@@ -32,7 +34,8 @@ void touch_law_holds(std::string const& family, std::uint64_t seed)
         Scene const scene = draw.next(folder.path());
         INFO(designs::toml_of(scene));
         try {
-            Solution const solution = hdconj::solve(hdconj::parse_scene(designs::toml_of(scene), "generated scene", folder.path()));
+            Solution const solution =
+                hdconj::solve(hdconj::parse_scene(designs::toml_of(scene), "generated scene", folder.path()));
             TouchScan scan(solution.scene, 1200);
             auto const report = touch_law(solution, scan, most, static_cast<std::uint64_t>(i));
             check_touched(report);
@@ -43,8 +46,8 @@ void touch_law_holds(std::string const& family, std::uint64_t seed)
             std::cout << family << ", refused: " << error.what() << "\n" << designs::toml_of(scene) << "\n";
         }
     }
-    std::cout << "touch law, " << family << ": " << wanted - refused << " designs, " << refused << " refused, " << points << " points, worst "
-              << worst << " mm\n";
+    std::cout << "touch law, " << family << ": " << wanted - refused << " designs, " << refused << " refused, "
+              << points << " points, worst " << worst << " mm\n";
     CHECK(refused == 0);
 }
 
@@ -74,3 +77,5 @@ TEST_CASE("touch law: cam from a table", "[touch][wavegen]")
 {
     touch_law_holds("table", 15);
 }
+
+}  // namespace hdconj::test::wave_generators_cases

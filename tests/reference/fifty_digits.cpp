@@ -9,6 +9,8 @@
 #include "support/oracle/envelope.hpp"
 #include "support/oracle/run.hpp"
 
+namespace hdconj::test::fifty_digits_cases {
+
 using namespace oracle;
 using hdconj::BranchRecord;
 using hdconj::Kinematics;
@@ -121,9 +123,9 @@ TEST_CASE("50 digits: points of every branch of type-50", "[reference]")
             REQUIRE(branch.u.size() == branch.t.size());
         }
         Errors const errors = judged(solution, 1000);
-        std::cout << "50 digits, " << to_string(kinematics) << ": "
-                  << errors.samples << " samples, " << errors.corners << " of corners; angle " << errors.phi
-                  << " rad, point " << errors.point << " mm (" << errors.where << ")\n";
+        std::cout << "50 digits, " << hdconj::to_string(kinematics) << ": " << errors.samples << " samples, "
+                  << errors.corners << " of corners; angle " << errors.phi << " rad, point " << errors.point << " mm ("
+                  << errors.where << ")\n";
         INFO(errors.where);
         CHECK(errors.samples >= 300);
         CHECK(errors.corners > 0);
@@ -155,3 +157,5 @@ TEST_CASE("50 digits: r_0 and derived dimensions of type-50", "[reference]")
     CHECK(solution.geometry.r_0 - solution.geometry.r_m == Approx(-2.567e-3).epsilon(0).margin(5e-7));
     CHECK(solution.geometry.ratio == -100.0);
 }
+
+}  // namespace hdconj::test::fifty_digits_cases

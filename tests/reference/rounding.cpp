@@ -9,6 +9,8 @@
 #include "support/rounding/cases.hpp"
 #include "support/rounding/special.hpp"
 
+namespace hdconj::test::rounding_cases {
+
 using namespace rounding;
 
 namespace {
@@ -39,7 +41,8 @@ TEST_CASE("the formulas of the rounding study are those of an envelope", "[refer
         for (Place const& place : places(drive.in_double(), 2)) {
             INFO(drive.scene().drive.name << " piece " << place.piece << " u " << place.u);
             Fifty const u(place.u), step("1e-14");
-            Steps<Fifty> const at = exact_steps(drive, place, u), before = exact_steps(drive, place, u - step), after = exact_steps(drive, place, u + step);
+            Steps<Fifty> const at = exact_steps(drive, place, u), before = exact_steps(drive, place, u - step),
+                               after = exact_steps(drive, place, u + step);
             // the oracle's way: frames from tangents, velocities from differences
             CHECK(static_cast<double>(abs(oracle::normal_velocity(motion, {at.contact, at.normal}, u))) < 1e-30);
             CHECK(static_cast<double>(length(motion.pose(u).to_circular_spline(at.contact) - at.point)) < 1e-40);
@@ -94,14 +97,17 @@ TEST_CASE("folds and cusps do not disturb the envelope", "[reference]")
     FourTypes const drive(swallowtail());
     std::size_t const concave = 0;
     int const sign = place_at(drive.in_double(), concave, 0.5, 0.1).sign;
-    Fifty const cusp = special_position(drive, concave, sign, 0.003, [](auto const& s, auto const&) { return s.speed; });
+    Fifty const cusp =
+        special_position(drive, concave, sign, 0.003, [](auto const& s, auto const&) { return s.speed; });
     for (int k = 3; k < 12; ++k) {
         double const u = static_cast<double>(cusp) + std::pow(10.0, -k);
         Inputs<Fifty> const in = drive.in_fifty().inputs(concave, 0.5, u, sign);
-        Losses const wrong = errors(steps(drive.in_double().inputs(concave, 0.5, u, sign)), steps(in), in, drive.height());
+        Losses const wrong =
+            errors(steps(drive.in_double().inputs(concave, 0.5, u, sign)), steps(in), in, drive.height());
         INFO("1e-" << k << " after the cusp");
         double const roundoff = std::numeric_limits<double>::epsilon();
-        double const r_m = static_cast<double>(drive.in_fifty().motion.r_m), height = static_cast<double>(drive.height());
+        double const r_m = static_cast<double>(drive.in_fifty().motion.r_m),
+                     height = static_cast<double>(drive.height());
         CHECK(wrong[judged_across] < 3 * roundoff * r_m / height);
         // the speed is right to roundoff of what it is the difference of: its sign is lost that near only
         CHECK(wrong[judged_speed] < 1e4 * roundoff * std::pow(10.0, k));
@@ -135,3 +141,5 @@ TEST_CASE("the table of conditions is that of the program beside it", "[referenc
     }
     CHECK(row == judged_count);
 }
+
+}  // namespace hdconj::test::rounding_cases

@@ -44,13 +44,14 @@ void take(std::array<Worst, judged_count>& worst, Contact const& c)
     for (std::size_t i = 0; i < judged_count; ++i) {
         if (c.condition[i] > worst[i].condition[i])
             worst[i].at = c;
-        for (auto member : {&Worst::condition, &Worst::in_float, &Worst::in_double, &Worst::in_long_double, &Worst::in_program})
-            (worst[i].*member)[i] = std::max((worst[i].*member)[i],
-                                             member == &Worst::condition   ? c.condition[i]
-                                             : member == &Worst::in_float  ? c.in_float[i]
-                                             : member == &Worst::in_double ? c.in_double[i]
-                                             : member == &Worst::in_long_double ? c.in_long_double[i]
-                                                                                : c.in_program[i]);
+        for (auto member :
+             {&Worst::condition, &Worst::in_float, &Worst::in_double, &Worst::in_long_double, &Worst::in_program})
+            (worst[i].*member)[i] =
+                std::max((worst[i].*member)[i], member == &Worst::condition        ? c.condition[i]
+                                                : member == &Worst::in_float       ? c.in_float[i]
+                                                : member == &Worst::in_double      ? c.in_double[i]
+                                                : member == &Worst::in_long_double ? c.in_long_double[i]
+                                                                                   : c.in_program[i]);
     }
 }
 
@@ -68,8 +69,9 @@ void write_cases(std::string const& folder)
         std::cerr << name << ": " << all.size() << " contacts\n";
         for (std::size_t i = 0; i < judged_count; ++i) {
             Worst const& w = worst[i];
-            out << name << ',' << judged_names[i] << ',' << printed(w.condition[i]) << ',' << digits(w.in_float[i]) << ',' << digits(w.in_double[i])
-                << ',' << digits(w.in_long_double[i]) << ',' << (w.in_program[i] > 0 ? digits(w.in_program[i]) : "-") << ',' << w.at.piece << ','
+            out << name << ',' << judged_names[i] << ',' << printed(w.condition[i]) << ',' << digits(w.in_float[i])
+                << ',' << digits(w.in_double[i]) << ',' << digits(w.in_long_double[i]) << ','
+                << (w.in_program[i] > 0 ? digits(w.in_program[i]) : "-") << ',' << w.at.piece << ','
                 << printed(w.at.place.u * deg_per_rad) << '\n';
         }
     }
@@ -79,9 +81,11 @@ void write_cases(std::string const& folder)
 void write_random(std::string const& folder, int designs)
 {
     std::ofstream out(folder + "/rounding-random.csv");
-    out << "# worst condition of each step in " << designs << " random designs (tests/support/random_designs.hpp, seed " << random_seed
+    out << "# worst condition of each step in " << designs << " random designs (tests/support/random_designs.hpp, seed "
+        << random_seed
         << "), exact motion, and digits lost there; written by tests/reference/rounding_study.cpp\n"
-           "step,median,ninety_nine_percent,worst,double_digits,program_digits,design,module,z_f,z_c,waves,family,piece,u_deg\n";
+           "step,median,ninety_nine_percent,worst,double_digits,program_digits,design,module,z_f,z_c,waves,family,"
+           "piece,u_deg\n";
     struct Found
     {
         Contact contact;
@@ -107,20 +111,25 @@ void write_random(std::string const& folder, int designs)
     }
     for (std::size_t i = 0; i < judged_count; ++i) {
         std::sort(worst[i].begin(), worst[i].end());
-        auto const quantile = [&](double share) { return worst[i][static_cast<std::size_t>(share * static_cast<double>(worst[i].size() - 1))]; };
+        auto const quantile = [&](double share) {
+            return worst[i][static_cast<std::size_t>(share * static_cast<double>(worst[i].size() - 1))];
+        };
         Found const& f = record[i];
-        out << judged_names[i] << ',' << printed(quantile(0.5)) << ',' << printed(quantile(0.99)) << ',' << printed(quantile(1)) << ','
-            << digits(f.contact.in_double[i]) << ',' << (f.contact.in_program[i] > 0 ? digits(f.contact.in_program[i]) : "-") << ',' << f.design << ','
-            << printed(f.scene.drive.module) << ',' << f.scene.drive.flexspline_teeth << ',' << f.scene.drive.circular_spline_teeth << ','
-            << f.scene.wave_generator.waves << ',' << f.scene.flexspline.profile.family << ',' << f.contact.piece << ','
+        out << judged_names[i] << ',' << printed(quantile(0.5)) << ',' << printed(quantile(0.99)) << ','
+            << printed(quantile(1)) << ',' << digits(f.contact.in_double[i]) << ','
+            << (f.contact.in_program[i] > 0 ? digits(f.contact.in_program[i]) : "-") << ',' << f.design << ','
+            << printed(f.scene.drive.module) << ',' << f.scene.drive.flexspline_teeth << ','
+            << f.scene.drive.circular_spline_teeth << ',' << f.scene.wave_generator.waves << ','
+            << f.scene.flexspline.profile.family << ',' << f.contact.piece << ','
             << printed(f.contact.place.u * deg_per_rad) << '\n';
     }
 }
 
-/// Error of the position found for a profile point that is touched twice, @p apart before the fold, and how far the point
-/// found is from the envelope (over the tooth's height).
+/// Error of the position found for a profile point that is touched twice, @p apart before the fold, and how far the
+/// point found is from the envelope (over the tooth's height).
 template <class T>
-void write_fold_row(std::ofstream& out, FourTypes const& drive, std::size_t piece, int sign, Fifty const& fold, Fifty const& apart)
+void write_fold_row(std::ofstream& out, FourTypes const& drive, std::size_t piece, int sign, Fifty const& fold,
+                    Fifty const& apart)
 {
     Fifty const u = fold + apart;
     Inputs<Fifty> exact = drive.in_fifty().inputs(piece, 0.5, 0, sign);
@@ -144,7 +153,8 @@ void write_fold_row(std::ofstream& out, FourTypes const& drive, std::size_t piec
     at_found.phi = drive.in_fifty().motion.phi(at_found.u);
     auto const pose = drive.in_fifty().motion.pose(at_found.u);
     Point<Fifty> const shift = pose.to_circular_spline(right.contact) - right.point;
-    out << ',' << printed(static_cast<double>(wrong)) << ',' << printed(static_cast<double>(abs(dot(shift, right.across)) / drive.height()));
+    out << ',' << printed(static_cast<double>(wrong)) << ','
+        << printed(static_cast<double>(abs(dot(shift, right.across)) / drive.height()));
 }
 
 void write_fold(std::string const& folder)
@@ -152,10 +162,13 @@ void write_fold(std::string const& folder)
     FourTypes const drive(oracle::type_50());
     std::size_t const convex = 1;
     int const sign = place_at(drive.in_double(), convex, 0.5, 0.1).sign;
-    Fifty const fold = special_position(drive, convex, sign, 0.03, [](auto const& s, auto const& in) { return turning(s, in); });
+    Fifty const fold =
+        special_position(drive, convex, sign, 0.03, [](auto const& s, auto const& in) { return turning(s, in); });
     std::ofstream out(folder + "/rounding-fold.csv");
-    out << "# type-50, convex arc: the contact turns back at u = " << fold.str(12) << "; a profile point touches `apart` after it.\n"
-           "# error of the position found from n.v = 0 [rad], and of the envelope point across the envelope (tooth heights)\n"
+    out << "# type-50, convex arc: the contact turns back at u = " << fold.str(12)
+        << "; a profile point touches `apart` after it.\n"
+           "# error of the position found from n.v = 0 [rad], and of the envelope point across the envelope (tooth "
+           "heights)\n"
            "apart,float,float_across,double,double_across,long_double,long_double_across\n";
     for (int k = 0; k <= 42; ++k) {
         Fifty const apart = pow(Fifty(10), -Fifty(k) / 4 - Fifty(1) / 2);
@@ -169,7 +182,8 @@ void write_fold(std::string const& folder)
 
 /// Relative errors of one type at the position of that type next to @p u; nothing when the type has none there.
 template <class T>
-void write_at(std::ofstream& out, FourTypes const& drive, std::size_t piece, int sign, Fifty const& u, Fifty const& from, Judged first, Judged second)
+void write_at(std::ofstream& out, FourTypes const& drive, std::size_t piece, int sign, Fifty const& u,
+              Fifty const& from, Judged first, Judged second)
 {
     T const rounded(u);
     Fifty const apart = abs(Fifty(rounded) - from), wanted = abs(u - from);
@@ -188,8 +202,8 @@ void write_at(std::ofstream& out, FourTypes const& drive, std::size_t piece, int
     out << ',' << printed(wrong[first]) << ',' << printed(wrong[second]);
 }
 
-void write_all_types(std::ofstream& out, FourTypes const& drive, std::size_t piece, int sign, Fifty const& u, Fifty const& from, Judged first,
-                     Judged second)
+void write_all_types(std::ofstream& out, FourTypes const& drive, std::size_t piece, int sign, Fifty const& u,
+                     Fifty const& from, Judged first, Judged second)
 {
     write_at<float>(out, drive, piece, sign, u, from, first, second);
     write_at<double>(out, drive, piece, sign, u, from, first, second);
@@ -202,9 +216,11 @@ void write_cusp(std::string const& folder)
     FourTypes const drive(swallowtail());
     std::size_t const concave = 0;
     int const sign = place_at(drive.in_double(), concave, 0.5, 0.1).sign;
-    Fifty const cusp = special_position(drive, concave, sign, 0.003, [](auto const& s, auto const&) { return s.speed; });
+    Fifty const cusp =
+        special_position(drive, concave, sign, 0.003, [](auto const& s, auto const&) { return s.speed; });
     std::ofstream out(folder + "/rounding-cusp.csv");
-    out << "# swallowtail design, concave arc: cusp of the envelope at u = " << cusp.str(12) << "; `apart` after it.\n"
+    out << "# swallowtail design, concave arc: cusp of the envelope at u = " << cusp.str(12)
+        << "; `apart` after it.\n"
            "# relative error of the envelope's speed, and error of the point across the envelope (tooth heights)\n"
            "apart,float,float_across,double,double_across,long_double,long_double_across\n";
     for (int k = 0; k <= 48; ++k) {
@@ -229,7 +245,8 @@ void write_fast(std::string const& folder)
             inside.push_back(u);
     }
     std::ofstream out(folder + "/rounding-fast.csv");
-    out << "# fast contact design, straight flank: errors of the point along and across the envelope (tooth heights) while the contact runs\n"
+    out << "# fast contact design, straight flank: errors of the point along and across the envelope (tooth heights) "
+           "while the contact runs\n"
            "# over the flank; `place` = height on the flank, 0 root, 1 tip\n"
            "u_deg,place,float,float_across,double,double_across,long_double,long_double_across\n";
     if (inside.empty())

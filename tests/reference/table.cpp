@@ -14,6 +14,8 @@
 #include "support/oracle/reference_table.hpp"
 #include "support/oracle/run.hpp"
 
+namespace hdconj::test::table_cases {
+
 using namespace oracle;
 using hdconj::BranchRecord;
 using hdconj::Kinematics;
@@ -155,8 +157,8 @@ TEST_CASE("reference table: the other motion models against the exact one", "[re
         Tooth<Fifty> const tooth(scene);
         Motion<Fifty> const motion(scene);
         double largest = 0, along = 0;
-        std::printf("%s less exact, right half of the tooth, um\n%-16s %6s %9s %9s %9s\n", std::string(to_string(kinematics)).c_str(), "piece", "t",
-                    "phi deg", "normal", "whole");
+        std::printf("%s less exact, right half of the tooth, um\n%-16s %6s %9s %9s %9s\n",
+                    std::string(hdconj::to_string(kinematics)).c_str(), "piece", "t", "phi deg", "normal", "whole");
         for (auto const& row : computed_rows(scene, kinematics)) {
             double const t = static_cast<double>(row.t);
             auto const partner = exact.find({key_of(row), count[key_of(row)]++});
@@ -171,11 +173,13 @@ TEST_CASE("reference table: the other motion models against the exact one", "[re
             largest = std::max(largest, std::abs(across));
             along = std::max(along, whole);
             if (static_cast<int>(t * table_steps) % 4 == 0)
-                std::printf("%-16s %6.3f %9.3f %9.3f %9.3f\n", row.piece.c_str(), t, static_cast<double>(row.phi) * 180 / pi<double>(), across,
-                            whole);
+                std::printf("%-16s %6.3f %9.3f %9.3f %9.3f\n", row.piece.c_str(), t,
+                            static_cast<double>(row.phi) * 180 / pi<double>(), across, whole);
         }
         std::printf("largest: %.3f across the profile, %.3f at the same profile point\n", largest, along);
         CHECK(largest > 2);
         CHECK(largest < 4);
     }
 }
+
+}  // namespace hdconj::test::table_cases

@@ -3,7 +3,7 @@
 /// The touch law as a check.
 #pragma once
 
-#include "support/catch.hpp"
+#include "catch.hpp"
 #include "support/oracle/touch_law.hpp"
 
 namespace oracle {

@@ -9,24 +9,24 @@
 #include <string>
 #include <vector>
 
-#include "hdconj/axial/coning.hpp"
-#include "hdconj/axial/slice_places.hpp"
-#include "hdconj/io/scene_toml.hpp"
-#include "hdconj/pipeline/solve.hpp"
-#include "pipeline/contact_case.hpp"
-#include "pipeline/drive.hpp"
-#include "pipeline/finer_surface.hpp"
-#include "pipeline/part_flanks.hpp"
-#include "pipeline/place_teeth.hpp"
+#include "contact/clearance/part_flanks.hpp"
+#include "contact/study/contact_case.hpp"
+#include "contact/study/place_teeth.hpp"
+#include "contact/study/refined_flanks.hpp"
+#include "drive/drive.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/solve.hpp"
 #include "support/oracle/motion.hpp"
+#include "surface/coning.hpp"
+#include "surface/slice_places.hpp"
 
 namespace hdconj::test {
 
 /// Keys of the linear coning of type-50 (design 3.4).
 inline std::vector<std::string> coned(std::string const& axial_shift = "none", double bottom_to_middle = 9.0)
 {
-    return {"coning.model=linear", "coning.bottom_to_middle=" + std::to_string(bottom_to_middle), "coning.apex_height=0.43",
-            "coning.axial_shift=" + axial_shift};
+    return {"coning.model=linear", "coning.bottom_to_middle=" + std::to_string(bottom_to_middle),
+            "coning.apex_height=0.43", "coning.axial_shift=" + axial_shift};
 }
 
 inline std::vector<std::string> with(std::vector<std::string> keys, std::vector<std::string> const& more)
@@ -44,17 +44,30 @@ class ConedDrive
 {
   public:
     ConedDrive(Scene const& given, int slices, int threads = 1, double face_width = 7.0)
-        : scene(given), plan(make_plan(given, Verb::contact)), clock(plan, observer), middle(solve(without_axial_effects(given)))
+        : scene(given),
+          plan(make_plan(given, Verb::contact)),
+          clock(plan, observer),
+          middle(solve(without_axial_effects(given)))
     {
         Faults faults;
-        tooth = detail::given_tooth(scene, faults);
-        shape = detail::wave_shape(scene, tooth, faults);
+        tooth = drive::given_tooth(scene, faults);
+        shape = drive::wave_shape(scene, tooth, faults);
         if (!faults.empty())
             throw InputError(faults);
         middle.scene.coning = scene.coning;
-        maker.emplace(middle, tooth, shape, slice_places(slices, face_width), threads);
-        bench.emplace(detail::ContactBench{scene, tooth, shape, middle.geometry, *maker, {1e-3, 200, 0, 0}, threads, face_width,
-                                           {scene.solver.tolerance, middle.geometry.r_m + middle.geometry.w0 + tooth.pitch_line + tooth.addendum}, clock, places});
+        maker.emplace(middle, tooth, shape, surface::slice_places(slices, face_width), threads);
+        context.emplace(contact::ContactContext{
+            scene,
+            tooth,
+            shape,
+            middle.geometry,
+            *maker,
+            {1e-3, 200, 0, 0},
+            threads,
+            face_width,
+            {scene.solver.tolerance, middle.geometry.r_m + middle.geometry.w0 + tooth.pitch_line + tooth.addendum},
+            clock,
+            places});
     }
     ConedDrive(ConedDrive const&) = delete;
     ConedDrive& operator=(ConedDrive const&) = delete;
@@ -63,21 +76,30 @@ class ConedDrive
     [[nodiscard]] int z_c() const { return scene.drive.circular_spline_teeth; }
     [[nodiscard]] double pitch() const { return 2 * std::numbers::pi / z_c(); }
     [[nodiscard]] std::vector<double> const& z() const { return maker->z(); }
-    [[nodiscard]] double factor(std::size_t k) const { return scene.coning ? coning_mode(*scene.coning).factor(z()[k]) : 1.0; }
-
-    [[nodiscard]] MatchedOutline surface(std::string const& kind_of_surface, std::string const& kind = "radial", double tilt = 0, double chord = 1e-6, int intervals = 200)
+    [[nodiscard]] double factor(std::size_t k) const
     {
-        detail::SurfaceChoice const choice{kind_of_surface, kind, tilt};
-        return (*maker)(choice, maker->needed_tip(choice), chord, intervals);
+        return scene.coning ? surface::coning_mode(*scene.coning).factor(z()[k]) : 1.0;
     }
-    [[nodiscard]] FlankGrid flanks(MatchedOutline const& outline, int points = 200) const { return flank_grid(outline, z(), points); }
+
+    [[nodiscard]] conjugate::MatchedOutline surface(ToothSurface kind_of_surface, TiltKind kind = TiltKind::radial,
+                                                    double tilt = 0, double chord = 1e-6, int intervals = 200)
+    {
+        surface::SurfaceSpec const choice{kind_of_surface, kind, tilt};
+        return maker->outline(choice, maker->needed_tip(choice).radius, {chord, intervals, true});
+    }
+    [[nodiscard]] contact::FlankGrid flanks(conjugate::MatchedOutline const& outline, int points = 200) const
+    {
+        return contact::flank_grid(outline, z(), points);
+    }
 
     /// Flanks that reach the tip circle @p tip when they are moved by @p distance, at about @p points places.
-    [[nodiscard]] FlankGrid flanks_to_tip(detail::SurfaceChoice const& choice, double tip, double distance, int points)
+    [[nodiscard]] contact::FlankGrid flanks_to_tip(surface::SurfaceSpec const& choice, double tip, double distance,
+                                                   int points)
     {
-        detail::ContactBench fine = *bench;
+        contact::ContactContext fine = *context;
         fine.request.flank_points = points;
-        return detail::part_flanks(fine, *maker, choice, detail::surface_of(fine, choice, tip), tip, distance).grid;
+        contact::CaseSurface const surface(fine, choice);
+        return contact::part_flanks(surface, surface.outline(tip), tip, distance).grid;
     }
 
     /// A slice as a drive of its own, for the oracle, whose motion and tooth are not the program's.
@@ -93,13 +115,13 @@ class ConedDrive
     Scene scene;
     Plan plan;
     StageObserver observer;
-    detail::StageClock clock;
-    detail::PlaceCache places;
+    drive::StageClock clock;
+    contact::ToothPoseCache places;
     Solution middle;
-    Profile tooth;
-    AnyWaveShape shape;
-    std::optional<detail::SurfaceMaker> maker;
-    std::optional<detail::ContactBench> bench;
+    profile::Profile tooth;
+    wavegen::AnyWaveShape shape;
+    std::optional<surface::ToothSurfaceBuilder> maker;
+    std::optional<contact::ContactContext> context;
 
   private:
     static Scene without_axial_effects(Scene scene)
@@ -118,8 +140,7 @@ class ConedDrive
 inline double oracle_parameter(oracle::Motion<double> const& motion, double phi)
 {
     double low = phi - 0.2, high = phi + 0.2;
-    for (int i = 0; i < 80; ++i)
-    {
+    for (int i = 0; i < 80; ++i) {
         double const s = 0.5 * (low + high);
         (motion.phi(s) < phi ? low : high) = s;
     }

@@ -8,13 +8,13 @@
 #include <string>
 #include <vector>
 
-#include "hdconj/pipeline/contact.hpp"
-#include "support/coned_drive.hpp"
+#include "coned_drive.hpp"
+#include "hdconj/contact.hpp"
+#include "hdconj/units.hpp"
 
 namespace hdconj::test {
 
 inline constexpr double degree = std::numbers::pi / 180;
-inline constexpr double um = 1e-3;
 
 using Keys = std::vector<std::string>;
 
@@ -43,7 +43,7 @@ inline Keys small(Keys const& more)
 
 inline ContactCase only_case(Scene const& scene, ContactOptions const& options = {})
 {
-    return contact(scene, options).cases.front();
+    return study_contact(scene, options).cases.front();
 }
 
 }  // namespace hdconj::test

@@ -15,7 +15,10 @@ class Draws
   public:
     explicit Draws(std::uint64_t seed) : engine_(seed) {}
 
-    double between(double low, double high) { return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53; }
+    double between(double low, double high)
+    {
+        return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
+    }
     int whole(int low, int high) { return static_cast<int>(std::floor(between(low, high + 1))); }
     bool chance(double share) { return between(0, 1) < share; }
     double about(double value, double share) { return value * between(1 - share, 1 + share); }

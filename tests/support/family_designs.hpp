@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "support/random_designs.hpp"
+#include "random_designs.hpp"
 
 namespace designs {
 
@@ -62,7 +62,9 @@ class FamilyDesigns
     void tooth(Scene& scene, double m, int n)
     {
         auto& given = scene.flexspline.profile.given;
-        auto const put = [&](char const* key, hdconj::ParameterValue value) { given[key] = {std::move(value), 0}; };
+        auto const put = [&](char const* key, hdconj::scene::ParameterValue value) {
+            given[key] = {std::move(value), 0};
+        };
         double const pi = oracle::pi<double>();
         double const addendum = std::min(m * draws_.between(0.4, 0.95), 0.95 * w0_);
         double const dedendum = addendum * draws_.between(1.1, 1.5);
@@ -97,7 +99,7 @@ class FamilyDesigns
             put("tip_thickness", m * draws_.between(0.15, 0.7));
             double left = draws_.between(25, 50);
             put("tip_angle_deg", left);
-            hdconj::NumberRows rows;
+            hdconj::scene::NumberRows rows;
             if (draws_.chance(0.2))
                 rows.push_back({m * draws_.between(0.01, 0.1)});
             for (int i = draws_.whole(1, 3); i > 0; --i) {
@@ -110,11 +112,12 @@ class FamilyDesigns
             rows.push_back({-m * draws_.between(1, 3), 85.0 - left});
             put("pieces", rows);
         } else if (family_ == "bezier") {
-            double const tip = m * draws_.between(0.1, 0.35), mid = thickness / 2, root = std::min(mid + dedendum * draws_.between(0.2, 0.6), 0.48 * pi * m);
-            hdconj::NumberRows rows{{tip, addendum},
-                                    {mid * draws_.between(0.7, 0.95), addendum * draws_.between(0.4, 0.7)},
-                                    {mid * draws_.between(0.8, 1.05), -dedendum * draws_.between(0.0, 0.5)},
-                                    {root, -dedendum}};
+            double const tip = m * draws_.between(0.1, 0.35), mid = thickness / 2,
+                         root = std::min(mid + dedendum * draws_.between(0.2, 0.6), 0.48 * pi * m);
+            hdconj::scene::NumberRows rows{{tip, addendum},
+                                           {mid * draws_.between(0.7, 0.95), addendum * draws_.between(0.4, 0.7)},
+                                           {mid * draws_.between(0.8, 1.05), -dedendum * draws_.between(0.0, 0.5)},
+                                           {root, -dedendum}};
             if (draws_.chance(0.5))
                 rows.insert(rows.begin() + 2, {mid * draws_.between(0.85, 1.0), addendum * draws_.between(-0.1, 0.3)});
             put("points", rows);
@@ -127,8 +130,9 @@ class FamilyDesigns
     void put_points(Scene& scene, double m, double addendum, double dedendum, double thickness)
     {
         int const count = draws_.whole(5, 12);
-        double const lean = std::tan(draws_.between(5, 20) * oracle::pi<double>() / 180), head = draws_.between(0.0, 0.5) / m, foot = draws_.between(0.0, 0.4) / m;
-        hdconj::NumberRows rows;
+        double const lean = std::tan(draws_.between(5, 20) * oracle::pi<double>() / 180),
+                     head = draws_.between(0.0, 0.5) / m, foot = draws_.between(0.0, 0.4) / m;
+        hdconj::scene::NumberRows rows;
         for (int i = 0; i < count; ++i) {
             double const y = addendum - (addendum + dedendum) * i / (count - 1);
             double const x = thickness / 2 - lean * y - (y > 0 ? head * y * y : -foot * y * y);

@@ -6,15 +6,17 @@
 #include <cstdlib>
 #include <string>
 
-#include "io/picture_gnuplot.hpp"
-#include "support/catch.hpp"
+#include "catch.hpp"
+#include "report/plots/gnuplot.hpp"
 
 namespace hdconj::test {
+
+inline constexpr double six_digits = 1e-5;  ///< relative, of what scripts print
 
 /// Says so where there is none.
 inline bool no_gnuplot()
 {
-    if (!gnuplot::is_installed()) {
+    if (!report::gnuplot::is_installed()) {
         WARN("gnuplot is not installed: no picture was drawn");
         return true;
     }

@@ -13,12 +13,10 @@ namespace hdconj::test {
 inline void collect_keys(nlohmann::json const& json, std::set<std::string>& keys)
 {
     for (auto const& [key, value] : json.items()) {
-        if (json.is_object()) {
+        if (json.is_object())
             keys.insert(key);
-        }
-        if (value.is_structured()) {
+        if (value.is_structured())
             collect_keys(value, keys);
-        }
     }
 }
 
@@ -27,9 +25,8 @@ inline nlohmann::json without_times(nlohmann::json summary, char const* verb)
 {
     summary.erase("timing");
     summary.erase("files");
-    for (auto& each : summary.at(verb).at("cases")) {
+    for (auto& each : summary.at(verb).at("cases"))
         each.erase("time_s");
-    }
     return summary;
 }
 

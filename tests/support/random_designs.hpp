@@ -13,9 +13,9 @@
 #include <exception>
 #include <string>
 
-#include "hdconj/scene/scene.hpp"
+#include "hdconj/scene.hpp"
+#include "random_pairs.hpp"
 #include "support/oracle/touch.hpp"
-#include "support/random_pairs.hpp"
 
 namespace designs {
 
@@ -37,7 +37,7 @@ inline std::string text_of(double value)
 }
 
 /// A list of lists of numbers, one row a line.
-inline std::string text_of(hdconj::NumberRows const& rows)
+inline std::string text_of(hdconj::scene::NumberRows const& rows)
 {
     std::string text = "[\n";
     for (auto const& row : rows) {
@@ -54,12 +54,12 @@ inline std::string toml_of(Scene const& scene)
 {
     std::string text;
     auto const line = [&](std::string const& key, std::string const& value) { text += key + " = " + value + "\n"; };
-    auto const family = [&](hdconj::FamilyChoice const& choice) {
+    auto const family = [&](hdconj::scene::FamilyChoice const& choice) {
         line("family", "\"" + choice.family + "\"");
         for (auto const& [key, parameter] : choice.given) {
             if (auto const* word = std::get_if<std::string>(&parameter.value))
                 line(key, "\"" + *word + "\"");
-            else if (auto const* rows = std::get_if<hdconj::NumberRows>(&parameter.value))
+            else if (auto const* rows = std::get_if<hdconj::scene::NumberRows>(&parameter.value))
                 line(key, text_of(*rows));
             else if (key == "degree")
                 line(key, std::to_string(static_cast<int>(std::get<double>(parameter.value))));
@@ -89,7 +89,7 @@ inline std::string toml_of(Scene const& scene)
     if (scene.circular_spline.inner_radius)
         line("inner_radius", text_of(*scene.circular_spline.inner_radius));
     text += "[solver]\n";
-    line("kinematics", "\"" + std::string(to_string(scene.solver.kinematics)) + "\"");
+    line("kinematics", "\"" + std::string(hdconj::to_string(scene.solver.kinematics)) + "\"");
     line("tolerance", text_of(scene.solver.tolerance));
     line("threads", std::to_string(scene.solver.threads));
     return text;
@@ -107,7 +107,7 @@ inline Scene scaled(Scene scene, double factor)
         for (auto& [key, parameter] : choice->given)
             if (auto* number = std::get_if<double>(&parameter.value))
                 *number *= key.ends_with("_deg") || key == "deflection" || key == "degree" ? 1 : factor;
-            else if (auto* rows = std::get_if<hdconj::NumberRows>(&parameter.value))
+            else if (auto* rows = std::get_if<hdconj::scene::NumberRows>(&parameter.value))
                 for (auto& row : *rows)
                     for (std::size_t i = 0; i < row.size(); ++i)
                         row[i] *= key == "pieces" && i == 1 ? 1 : factor;
@@ -159,7 +159,9 @@ class RandomDesigns
         scene.drive.name = "random";
         double const w0 = draw_pair(draws_, scene), m = scene.drive.module;
         auto& profile = scene.flexspline.profile;
-        auto const put = [&](char const* key, hdconj::ParameterValue const& value) { profile.given[key] = {value, 0}; };
+        auto const put = [&](char const* key, hdconj::scene::ParameterValue const& value) {
+            profile.given[key] = {value, 0};
+        };
         double const tallest = 0.95 * w0;
         double dedendum = 0;
         if (draws_.chance(0.3)) {
@@ -226,7 +228,8 @@ inline bool is_valid(Scene const& scene)
         if (!is_gently_bent(motion) || !is_upright(tooth, m))
             return false;
         // A formula that does not come up to the tip, or down to the root.
-        if (!(std::abs(tooth.tip_corner().y - tooth.addendum) < 1e-9 * m) || !(std::abs(tooth.root().y + tooth.dedendum) < 1e-9 * m))
+        if (!(std::abs(tooth.tip_corner().y - tooth.addendum) < 1e-9 * m) ||
+            !(std::abs(tooth.root().y + tooth.dedendum) < 1e-9 * m))
             return false;
         // The middle of the land must stay.
         double const tip = tip_circle(scene), half_pitch = motion.pitch() / 2;

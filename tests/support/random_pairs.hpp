@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What seeded random drives have in common, whichever tooth is given: the pair around the tooth, and what makes a drawn tooth a tooth.
+/// What seeded random drives have in common, whichever tooth is given: the pair around the tooth, and what makes a
+/// drawn tooth a tooth.
 #pragma once
 
 #include <cmath>
 
-#include "hdconj/scene/scene.hpp"
-#include "support/draws.hpp"
+#include "draws.hpp"
+#include "hdconj/scene.hpp"
 #include "support/oracle/motion.hpp"
 #include "support/oracle/tooth.hpp"
 
@@ -31,14 +32,16 @@ inline double draw_pair(Draws& draws, Scene& scene)
     return w0;
 }
 
-/// What a drive may have or not: another neutral layer, another inner radius of a flexspline whose teeth have that @p dedendum, side clearance.
+/// What a drive may have or not: another neutral layer, another inner radius of a flexspline whose teeth have that @p
+/// dedendum, side clearance.
 inline void draw_options(Draws& draws, Scene& scene, double dedendum)
 {
     double const m = scene.drive.module;
     if (draws.chance(0.3))
         scene.flexspline.neutral_offset = scene.flexspline.wall * draws.between(-0.2, 0.3);
     if (draws.chance(0.2))
-        scene.flexspline.inner_radius = m * scene.drive.flexspline_teeth / 2 - dedendum - scene.flexspline.wall + m * draws.between(-0.1, 0.1);
+        scene.flexspline.inner_radius =
+            m * scene.drive.flexspline_teeth / 2 - dedendum - scene.flexspline.wall + m * draws.between(-0.1, 0.1);
     if (draws.chance(0.25))
         scene.circular_spline.backlash_offset = m * draws.between(0, 0.03);
 }

@@ -2,16 +2,16 @@
 /// @file
 /// Seeded random drives of the reverse problem: a circular-spline tooth and the heights of the flexspline's.
 ///
-/// A design is valid by the oracle's judgement alone: the given tooth is a tooth, either member's tips clear the other's
-/// roots, and the middle of the flexspline's tip is not swept.
+/// A design is valid by the oracle's judgement alone: the given tooth is a tooth, either member's tips clear the
+/// other's roots, and the middle of the flexspline's tip is not swept.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
 #include <string>
 
+#include "random_designs.hpp"
 #include "support/oracle/reverse_touch.hpp"
-#include "support/random_designs.hpp"
 
 namespace designs {
 
@@ -58,7 +58,9 @@ class RandomReverseDesigns
         double const w0 = draw_pair(draws_, scene), m = scene.drive.module;
         auto& profile = scene.circular_spline.profile.emplace();
         profile.path = "circular_spline.profile";
-        auto const put = [&](char const* key, hdconj::ParameterValue const& value) { profile.given[key] = {value, 0}; };
+        auto const put = [&](char const* key, hdconj::scene::ParameterValue const& value) {
+            profile.given[key] = {value, 0};
+        };
         double const tallest = 0.95 * w0;
         double addendum = 0, dedendum = 0;
         if (draws_.chance(0.35)) {

@@ -12,8 +12,8 @@
 #include <string>
 #include <utility>
 
+#include "random_designs.hpp"
 #include "support/oracle/touch.hpp"
-#include "support/random_designs.hpp"
 
 namespace designs {
 
@@ -21,7 +21,10 @@ namespace designs {
 class WaveGeneratorDesigns
 {
   public:
-    WaveGeneratorDesigns(std::string family, std::uint64_t seed) : family_(std::move(family)), engine_(seed), drives_(seed) {}
+    WaveGeneratorDesigns(std::string family, std::uint64_t seed)
+        : family_(std::move(family)), engine_(seed), drives_(seed)
+    {
+    }
 
     /// A drive with this wave generator; by the oracle's judgement alone the middle of its land stays unswept.
     Scene next(std::filesystem::path const& folder)
@@ -30,9 +33,10 @@ class WaveGeneratorDesigns
             Scene scene = drives_.next();
             auto& generator = scene.wave_generator;
             double const w0 = std::get<double>(generator.shape.given.at("radial_deformation").value);
-            if (family_ == "ellipse" ? generator.waves != 2 : (family_ == "four-roller" || family_ == "two-disc") && generator.waves < 2)
+            if (family_ == "ellipse" ? generator.waves != 2
+                                     : (family_ == "four-roller" || family_ == "two-disc") && generator.waves < 2)
                 continue;
-            hdconj::FamilyChoice shape;
+            hdconj::scene::FamilyChoice shape;
             shape.family = family_;
             shape.path = generator.shape.path;
             auto const put = [&](char const* key, double value) { shape.given[key] = {value, 0}; };
@@ -54,7 +58,8 @@ class WaveGeneratorDesigns
                 out << "angle_deg,w_mm\n";
                 for (int i = 0; i <= rows; ++i) {
                     double const x = 2 * std::numbers::pi * i / rows;
-                    out << 360.0 * i / (n * rows) << "," << 7 + w0 * (std::cos(x) + second * std::cos(2 * x) + skew * std::sin(2 * x)) << "\n";
+                    out << 360.0 * i / (n * rows) << ","
+                        << 7 + w0 * (std::cos(x) + second * std::cos(2 * x) + skew * std::sin(2 * x)) << "\n";
                 }
                 shape.given["file"] = {name, 0};
                 scene.folder = folder;
@@ -79,7 +84,8 @@ class WaveGeneratorDesigns
         for (int i = -200; i < 200; ++i) {
             auto const a = scan.motion.pose(half * i / 200).along, b = scan.motion.pose(half * (i + 1) / 200).along;
             double const turn = std::atan2(a.x * b.y - a.y * b.x, oracle::dot(a, b));
-            double const turned_back = scan.motion.turn_ratio * (scan.motion.phi(half * (i + 1) / 200) - scan.motion.phi(half * i / 200));
+            double const turned_back =
+                scan.motion.turn_ratio * (scan.motion.phi(half * (i + 1) / 200) - scan.motion.phi(half * i / 200));
             if (!(turned_back - turn > 0.1 * half / 200))
                 return false;
         }

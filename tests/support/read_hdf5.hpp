@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "io/hdf5_handle.hpp"
+#include "io/hdf5/hdf5_handle.hpp"
 
 namespace hdconj::test {
 
@@ -19,14 +19,15 @@ struct Read
 
 inline Read read(hid_t file, char const* name)
 {
-    hdf5::Dataset const dataset(H5Dopen2(file, name, H5P_DEFAULT), "open");
-    hdf5::Space const space(H5Dget_space(dataset), "space");
+    io::hdf5::Dataset const dataset(H5Dopen2(file, name, H5P_DEFAULT), "open");
+    io::hdf5::Space const space(H5Dget_space(dataset), "space");
     Read result;
     result.shape.resize(static_cast<std::size_t>(H5Sget_simple_extent_ndims(space)));
     H5Sget_simple_extent_dims(space, result.shape.data(), nullptr);
     result.values.resize(static_cast<std::size_t>(H5Sget_simple_extent_npoints(space)));
     if (!result.values.empty()) {
-        hdf5::checked(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, result.values.data()), "read");
+        io::hdf5::checked(H5Dread(dataset, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, result.values.data()),
+                          "read");
     }
     return result;
 }
@@ -36,7 +37,7 @@ inline bool has_link(hid_t file, char const* name)
     return H5Lexists(file, name, H5P_DEFAULT) > 0;
 }
 
-inline hdf5::File open_file(std::filesystem::path const& file)
+inline io::hdf5::File open_file(std::filesystem::path const& file)
 {
     return {H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), "open"};
 }

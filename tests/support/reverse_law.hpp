@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "support/check_touch.hpp"
+#include "check_touch.hpp"
+#include "random_reverse_designs.hpp"
 #include "support/oracle/reverse_touch.hpp"
 #include "support/oracle/run.hpp"
-#include "support/random_reverse_designs.hpp"
 
 namespace oracle {
 
@@ -37,11 +37,13 @@ inline TouchReport reverse_touch_law(hdconj::Solution const& solution, ReverseTo
     for (auto const& piece : solution.flexspline_pieces) {
         std::size_t const count = piece.last - piece.first;
         std::size_t const stride = std::max<std::size_t>(1, count * solution.flexspline_pieces.size() / most);
-        for (std::size_t i = piece.first; i <= piece.last; i = i < piece.last ? std::min(i + stride, piece.last) : i + 1)
+        for (std::size_t i = piece.first; i <= piece.last;
+             i = i < piece.last ? std::min(i + stride, piece.last) : i + 1)
             look(point_of(outline[i]), piece.kind, i);
         if (piece.kind == "root wall" || piece.kind == "land")
             for (double share : {0.01, 0.25, 0.5, 0.75, 0.99})
-                look(point_of(outline[piece.first] + share * (outline[piece.last] - outline[piece.first])), "straight", piece.first);
+                look(point_of(outline[piece.first] + share * (outline[piece.last] - outline[piece.first])), "straight",
+                     piece.first);
     }
     return report;
 }

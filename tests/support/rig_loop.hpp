@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "hdconj/pipeline/measured.hpp"
-#include "support/sample_load_study.hpp"
+#include "hdconj/measured.hpp"
+#include "sample_load_study.hpp"
 
 namespace hdconj::sample {
 
@@ -17,11 +17,11 @@ struct Rig
     double torque = rated_torque;
     int cycles = 4;
     int per_branch = 200;
-    double angle_noise = 0;     ///< standard deviation [rad]
-    double angle_step = 0;      ///< readings to the next step [rad]; 0: exact
-    double friction = 0;        ///< the angle lags by this on either side [rad]
-    double offset = 0;          ///< of the angle [rad]
-    bool last_stretch = true;   ///< up to 1/28 of the torque again, as the thesis does
+    double angle_noise = 0;    ///< standard deviation [rad]
+    double angle_step = 0;     ///< readings to the next step [rad]; 0: exact
+    double friction = 0;       ///< the angle lags by this on either side [rad]
+    double offset = 0;         ///< of the angle [rad]
+    bool last_stretch = true;  ///< up to 1/28 of the torque again, as the thesis does
     unsigned seed = 1;
 };
 
@@ -42,9 +42,8 @@ inline MeasuredCurve rig_loop(Rig const& rig)
         curve.line.push_back(static_cast<int>(curve.line.size()) + 2);
     };
     auto const run = [&](double from, double to, int steps) {
-        for (int i = 1; i <= steps; ++i) {
+        for (int i = 1; i <= steps; ++i)
             add(from + (to - from) * i / steps, to > from ? -1 : 1);
-        }
     };
     add(0, -1);
     for (int i = 0; i < rig.cycles; ++i) {
@@ -53,9 +52,8 @@ inline MeasuredCurve rig_loop(Rig const& rig)
         run(0, -rig.torque, rig.per_branch);
         run(-rig.torque, 0, rig.per_branch);
     }
-    if (rig.last_stretch) {
+    if (rig.last_stretch)
         run(0, rig.torque / 28, std::max(1, rig.per_branch / 28));
-    }
     return curve;
 }
 

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <string>
 
-#include "support/temporary_folder.hpp"
+#include "temporary_folder.hpp"
 
 namespace hdconj::test {
 
@@ -48,9 +48,8 @@ template <class Action>
 int in_child(Action action)
 {
     pid_t const child = ::fork();
-    if (child == 0) {
+    if (child == 0)
         ::_exit(action());
-    }
     int waited = 0;
     ::waitpid(child, &waited, 0);
     return status_of_wait(waited);

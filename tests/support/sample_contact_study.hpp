@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A contact study to write, made without the solver: slices of the sample's outline moved as a radial tilt does, gaps by a formula
-/// that looks like a short cup's. Right shape and size for files and pictures, not a reference for numbers.
+/// A contact study to write, made without the solver: slices of the sample's outline moved as a radial tilt does, gaps
+/// by a formula that looks like a short cup's. Right shape and size for files and pictures, not a reference for
+/// numbers.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "hdconj/pipeline/contact_study.hpp"
-#include "support/sample_solution.hpp"
+#include "hdconj/contact.hpp"
+#include "sample_solution.hpp"
 
 namespace hdconj::sample {
 
 inline constexpr double degree = std::numbers::pi / 180;
-inline constexpr double apex = -8.57;          // z of the cone's apex
-inline constexpr double half_width = 3.5;      // of the circular spline
+inline constexpr double apex = -8.57;      // z of the cone's apex
+inline constexpr double half_width = 3.5;  // of the circular spline
 inline constexpr double contact_gap = 1e-3;
 
 inline double amplitude_at(double z)
@@ -23,7 +24,8 @@ inline double amplitude_at(double z)
     return deformation * (z - apex) / (0 - apex);
 }
 
-/// Slices at equal distances, the outline moved radially by z tan(tilt). Landmarks of a whole outline: land corners, ends of the flanks.
+/// Slices at equal distances, the outline moved radially by z tan(tilt). Landmarks of a whole outline: land corners,
+/// ends of the flanks.
 inline CircularSplineOutline slices(CircularSplineOutline const& one, int count, double tilt)
 {
     CircularSplineOutline result;
@@ -32,18 +34,17 @@ inline CircularSplineOutline slices(CircularSplineOutline const& one, int count,
         double const z = count == 1 ? 0 : half_width * (2.0 * k / (count - 1) - 1);
         result.z.push_back(z);
         result.outline.push_back(flat);
-        for (auto& point : result.outline.back()) {
+        for (auto& point : result.outline.back())
             point.y() += z * std::tan(tilt);
-        }
         // Still from mid-land to mid-land.
         double const half_pitch = std::numbers::pi / circular_spline_teeth;
-        for (auto* const end : {&result.outline.back().front(), &result.outline.back().back()}) {
+        for (auto* const end : {&result.outline.back().front(), &result.outline.back().back()})
             *end = end->norm() * Vec2(std::copysign(std::sin(half_pitch), end->x()), std::cos(half_pitch));
-        }
     }
     int const last = static_cast<int>(flat.size()) - 1, middle = last / 2;
     int end = last - 1;
-    while (end > middle + 2 && flat[static_cast<std::size_t>(end - 1)].x() > flat[static_cast<std::size_t>(middle + 1)].x()) {
+    while (end > middle + 2 &&
+           flat[static_cast<std::size_t>(end - 1)].x() > flat[static_cast<std::size_t>(middle + 1)].x()) {
         --end;
     }
     result.landmarks = {1, last - end, middle, end, last - 1};
@@ -51,8 +52,8 @@ inline CircularSplineOutline slices(CircularSplineOutline const& one, int count,
     return result;
 }
 
-/// Gap of the driving (right) or the other flank: closed about @p angle 20 deg behind the major axis, opening to both sides, tipped in z
-/// by a cone that the tilt meets only in part.
+/// Gap of the driving (right) or the other flank: closed about @p angle 20 deg behind the major axis, opening to both
+/// sides, tipped in z by a cone that the tilt meets only in part.
 inline double gap_at(double angle, int flank, double z, double station, double deepest)
 {
     double const turned = std::remainder(angle - 0.3, std::numbers::pi);
@@ -67,18 +68,15 @@ inline GapMap gap_map(std::vector<double> const& z, int spaces, int stations, do
 {
     GapMap map;
     map.z = z;
-    for (int p = 0; p < stations; ++p) {
+    for (int p = 0; p < stations; ++p)
         map.station.push_back(static_cast<double>(p) / (stations - 1));
-    }
-    for (int s = 0; s < spaces; ++s) {
+    for (int s = 0; s < spaces; ++s)
         map.angle.push_back(std::remainder(2 * std::numbers::pi * s / spaces - 0.01, 2 * std::numbers::pi));
-    }
     for (double const angle : map.angle) {
         for (int const flank : {GapMap::left, GapMap::right}) {
             for (double const height : map.z) {
-                for (double const station : map.station) {
+                for (double const station : map.station)
                     map.gap.push_back(gap_at(angle, flank, height, station, deepest));
-                }
             }
         }
     }
@@ -108,7 +106,7 @@ inline ContactState contact_state(double share, double play)
 }
 
 /// @param best  tilt where its clearing offset is least and its area largest [rad]
-inline ContactCase contact_case(std::string const& surface, std::string const& kind, double tilt, double best,
+inline ContactCase contact_case(ToothSurface surface, std::optional<TiltKind> kind, double tilt, double best,
                                 std::vector<double> const& z)
 {
     ContactCase result;
@@ -116,7 +114,8 @@ inline ContactCase contact_case(std::string const& surface, std::string const& k
     result.kind = kind;
     result.tilt = tilt;
     double const off = std::abs(tilt - best) / degree;
-    double const offset = surface == "per-slice" ? 0 : 0.009 + (kind == "draft" ? 0.14 : 0.045) * off;
+    double const offset =
+        surface == ToothSurface::per_slice ? 0 : 0.009 + (kind == TiltKind::draft ? 0.14 : 0.045) * off;
     result.clearing_offset = result.backlash_offset = offset;
     result.raised = off > 1.5;
     result.clearing_tip = tip_radius + (off > 1 ? 0.02 : 0);
@@ -132,18 +131,20 @@ inline ContactCase contact_case(std::string const& surface, std::string const& k
         slice.root_error = 2 * slice.flank_error;
         result.slices.push_back(slice);
     }
-    double const share = surface == "per-slice" ? 0.31 : 0.05 + 0.17 / (1 + std::pow(off / (kind == "draft" ? 0.1 : 0.35), 2));
+    double const share = surface == ToothSurface::per_slice
+                             ? 0.31
+                             : 0.05 + 0.17 / (1 + std::pow(off / (kind == TiltKind::draft ? 0.1 : 0.35), 2));
     result.state = contact_state(share, result.backlash_of_clearing);
     result.state.flank_area = 915.5;
     result.state.flank_area_error = 0.07;
-    result.ruled_deviation = surface == "ruled" ? 0.0034 : 0;
+    result.ruled_deviation = surface == ToothSurface::ruled ? 0.0034 : 0;
     result.clearance_error = 2e-5;
     result.root_clearance_error = 3e-5;
     result.clearing_offset_error = 1.2e-5;
     result.clearing_tip_error = 1e-6;
     result.clearing_root_error = 4e-6;
     result.backlash_of_clearing_error = 5e-7;
-    result.ruled_deviation_error = surface == "ruled" ? 1e-5 : 0;
+    result.ruled_deviation_error = surface == ToothSurface::ruled ? 1e-5 : 0;
     result.seconds = 0.11;
     return result;
 }
@@ -152,26 +153,24 @@ inline ContactStudy contact_study(int slice_count = 9)
 {
     ContactStudy study;
     study.solution = solution();
-    study.solution.scene.coning.emplace().model = "linear";
-    study.solution.scene.tilt = Tilt{0.6 * degree, "radial", 4};
-    study.solution.scene.slices = Slices{slice_count, "tilted", 5};
+    study.solution.scene.coning.emplace().model = ConingModel::linear;
+    study.solution.scene.tilt = Tilt{0.6 * degree, TiltKind::radial, 4};
+    study.solution.scene.slices = Slices{slice_count, ToothSurface::tilted, 5};
     study.solution.circular_spline = slices(study.solution.circular_spline, slice_count, 0.6 * degree);
     auto const& z = study.solution.circular_spline.z;
-    for (int i = 0; i <= 10; ++i) {
-        study.cases.push_back(contact_case("tilted", "radial", 0.2 * i * degree, 0.77 * degree, z));
-    }
-    for (int i = 0; i <= 10; ++i) {
-        study.cases.push_back(contact_case("tilted", "draft", 0.2 * i * degree, 0.21 * degree, z));
-    }
-    study.cases.push_back(contact_case("ruled", "", 0, 0.05 * degree, z));
-    study.cases.push_back(contact_case("per-slice", "", 0, 0, z));
+    for (int i = 0; i <= 10; ++i)
+        study.cases.push_back(contact_case(ToothSurface::tilted, TiltKind::radial, 0.2 * i * degree, 0.77 * degree, z));
+    for (int i = 0; i <= 10; ++i)
+        study.cases.push_back(contact_case(ToothSurface::tilted, TiltKind::draft, 0.2 * i * degree, 0.21 * degree, z));
+    study.cases.push_back(contact_case(ToothSurface::ruled, std::nullopt, 0, 0.05 * degree, z));
+    study.cases.push_back(contact_case(ToothSurface::per_slice, std::nullopt, 0, 0, z));
     study.shown = 3;
-    for (int i = 0; i < 5; ++i) {
+    for (int i = 0; i < 5; ++i)
         study.cases[3].revolution.push_back(contact_state(0.19 + 0.01 * i, 0.002));
-    }
-    study.best = {{"area", "radial", 0.77 * degree, 1e-4 * degree, 0.22, 0.004, false, 0, 2 * degree},
-                  {"clearing offset", "radial", 0.77 * degree, 1e-4 * degree, 0.009, 1e-5, false, 0, 2 * degree},
-                  {"area", "draft", 0.21 * degree, 1e-4 * degree, 0.22, 0.004, true, 0, 2 * degree}};
+    study.best = {
+        {"area", TiltKind::radial, 0.77 * degree, 1e-4 * degree, 0.22, 0.004, false, 0, 2 * degree},
+        {"clearing offset", TiltKind::radial, 0.77 * degree, 1e-4 * degree, 0.009, 1e-5, false, 0, 2 * degree},
+        {"area", TiltKind::draft, 0.21 * degree, 1e-4 * degree, 0.22, 0.004, true, 0, 2 * degree}};
     study.contact_gap = contact_gap;
     study.pitch_radius = 25;
     study.map = gap_map(z, static_cast<int>(circular_spline_teeth), 41);

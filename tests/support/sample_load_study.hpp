@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A load study to write, made without the solver: the inextensional cup, two-stage curves and pressures by formulas that look like a short cup's.
-/// Right shape and size for files and pictures, not a reference for numbers.
+/// A load study to write, made without the solver: the inextensional cup, two-stage curves and pressures by formulas
+/// that look like a short cup's. Right shape and size for files and pictures, not a reference for numbers.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,13 @@
 #include <cmath>
 #include <numbers>
 
-#include "hdconj/pipeline/load_study.hpp"
-#include "support/sample_contact_study.hpp"
+#include "hdconj/load.hpp"
+#include "sample_contact_study.hpp"
 
 namespace hdconj::sample {
 
-inline constexpr double nm = 1000;                       // N mm
-inline constexpr double nm_per_degree = nm / degree;     // N mm/rad
+inline constexpr double nm = 1000;                    // N mm
+inline constexpr double nm_per_degree = nm / degree;  // N mm/rad
 inline constexpr double rated_torque = 28 * nm;
 inline constexpr double minute = degree / 60;
 
@@ -67,13 +67,13 @@ inline LoadMap load_map(std::vector<double> const& z, int spaces)
     LoadMap map;
     map.torque = rated_torque;
     map.z = z;
-    for (int s = 0; s < spaces; ++s) {
+    for (int s = 0; s < spaces; ++s)
         map.angle.push_back(std::numbers::pi * ((s + 0.5) / spaces - 0.5));
-    }
     for (double const angle : map.angle) {
         for (int const flank : {GapMap::left, GapMap::right}) {
             for (double const height : z) {
-                double const hill = std::cos(angle - 0.35), edge = 0.5 - 0.5 * height / half_width * std::cos(2 * angle);
+                double const hill = std::cos(angle - 0.35),
+                             edge = 0.5 - 0.5 * height / half_width * std::cos(2 * angle);
                 double const load = flank == GapMap::right ? std::max(0.0, std::pow(hill, 3) * edge - 0.25) * 9 : 0.0;
                 map.line_load.push_back(load);
                 map.force.push_back(load * 2 * half_width / static_cast<double>(z.size()));
@@ -86,7 +86,8 @@ inline LoadMap load_map(std::vector<double> const& z, int spaces)
     return map;
 }
 
-inline LoadCase load_case(std::string const& surface, std::string const& kind, double tilt, TwoStages const& stages, std::vector<double> const& z)
+inline LoadCase load_case(ToothSurface surface, std::optional<TiltKind> kind, double tilt, TwoStages const& stages,
+                          std::vector<double> const& z)
 {
     LoadCase result;
     result.surface = surface;
@@ -96,9 +97,8 @@ inline LoadCase load_case(std::string const& surface, std::string const& kind, d
     result.backlash = stages.backlash;
     constexpr int points = 14;
     auto const run = [&](double from, double to, double side) {
-        for (int i = 1; i <= points; ++i) {
+        for (int i = 1; i <= points; ++i)
             result.curve.push_back(loaded_state(stages, from + (to - from) * i / points, side));
-        }
     };
     result.curve.push_back(loaded_state(stages, 0, 1));
     run(0, rated_torque, 1);
@@ -106,12 +106,15 @@ inline LoadCase load_case(std::string const& surface, std::string const& kind, d
     run(0, -rated_torque, -1);
     result.rated = points;
     result.map = load_map(z, 101);
-    result.stages = {stages.first, stages.second, stages.knee, stages.twist(stages.knee), 0.4 * nm_per_degree, 0.6 * nm_per_degree, 0.1 * nm, 0.05 * nm, true};
+    result.stages = {
+        stages.first, stages.second, stages.knee, stages.twist(stages.knee), 0.4 * nm_per_degree, 0.6 * nm_per_degree,
+        0.1 * nm,     0.05 * nm,     true};
     result.seconds = 0.9;
     return result;
 }
 
-/// Bottom plate and barrel wall of quadrilaterals; every fourth node is a corner of nothing, as the middle of a side is.
+/// Bottom plate and barrel wall of quadrilaterals; every fourth node is a corner of nothing, as the middle of a side
+/// is.
 inline CupShape cup_shape()
 {
     CupShape shape;
@@ -140,16 +143,18 @@ inline CupShape cup_shape()
         shape.cells.push_back({across[i][0], across[i + 1][0], across[i + 1][1], across[i][1]});
     }
     constexpr int angles = 36;
-    for (int a = 0; a < angles; ++a) {
+    for (int a = 0; a < angles; ++a)
         shape.phi.push_back(std::numbers::pi * a / angles);
-    }
     for (double const phi : shape.phi) {
         for (std::size_t p = 0; p < shape.r.size(); ++p) {
             double const factor = std::max(0.0, (shape.z[p] - apex) / (0 - apex));
             shape.u_r.push_back(deformation * factor * std::cos(2 * phi));
             shape.u_t.push_back(-deformation / 2 * factor * std::sin(2 * phi) + 0.01 * factor);
-            shape.u_z.push_back(-0.18 * std::cos(2 * phi) * shape.r[p] / inner * std::min(1.0, (shape.r[p] - clamp) / 5));
-            shape.stress.push_back(120 + 330 * std::exp(-std::pow((shape.z[p] + 4.6) / 1.5, 2)) * std::pow(std::cos(phi), 2) + 90 * (inner + 1 - shape.r[p]) / (inner - clamp));
+            shape.u_z.push_back(-0.18 * std::cos(2 * phi) * shape.r[p] / inner *
+                                std::min(1.0, (shape.r[p] - clamp) / 5));
+            shape.stress.push_back(120 +
+                                   330 * std::exp(-std::pow((shape.z[p] + 4.6) / 1.5, 2)) * std::pow(std::cos(phi), 2) +
+                                   90 * (inner + 1 - shape.r[p]) / (inner - clamp));
         }
     }
     return shape;
@@ -159,11 +164,14 @@ inline LoadStudy load_study(int slice_count = 9)
 {
     LoadStudy study;
     study.solution = solution();
-    study.solution.scene.slices = Slices{slice_count, "tilted", 5};
+    study.solution.scene.slices = Slices{slice_count, ToothSurface::tilted, 5};
     study.solution.circular_spline = slices(study.solution.circular_spline, slice_count, 0.2 * degree);
     auto const& z = study.solution.circular_spline.z;
-    study.cases = {load_case("tilted", "", 0, {7.8 * minute, 55.6 * nm_per_degree, 131.5 * nm_per_degree, 13 * nm}, z),
-                   load_case("tilted", "radial", 0.2 * degree, {}, z), load_case("tilted", "draft", 0.2 * degree, {5.1 * minute, 120 * nm_per_degree, 240 * nm_per_degree, 11 * nm}, z)};
+    study.cases = {load_case(ToothSurface::tilted, std::nullopt, 0,
+                             {7.8 * minute, 55.6 * nm_per_degree, 131.5 * nm_per_degree, 13 * nm}, z),
+                   load_case(ToothSurface::tilted, TiltKind::radial, 0.2 * degree, {}, z),
+                   load_case(ToothSurface::tilted, TiltKind::draft, 0.2 * degree,
+                             {5.1 * minute, 120 * nm_per_degree, 240 * nm_per_degree, 11 * nm}, z)};
     study.cases[0].raised = true;
     study.cases[0].tip = 25.107695;
     study.cases[2].tip = 25.03;

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "hdconj/pipeline/solution.hpp"
+#include "hdconj/solution.hpp"
 
 namespace hdconj::sample {
 
@@ -131,9 +131,8 @@ inline std::vector<BranchRecord> branches()
 inline std::vector<Vec2> mirrored(std::vector<Vec2> right)
 {
     std::vector<Vec2> all;
-    for (auto const& point : right) {
+    for (auto const& point : right)
         all.emplace_back(-point.x(), point.y());
-    }
     std::reverse(all.begin(), all.end());
     all.insert(all.end(), right.begin(), right.end());
     return all;
@@ -146,9 +145,8 @@ inline std::vector<std::vector<Vec2>> tooth_family(int positions)
     for (int i = 0; i < positions; ++i) {
         Pose const pose = pose_at(std::numbers::pi * ((i + 0.5) / positions - 0.5));
         family.emplace_back();
-        for (auto const& point : tooth) {
+        for (auto const& point : tooth)
             family.back().push_back(pose(point));
-        }
     }
     return family;
 }
@@ -167,9 +165,8 @@ inline std::vector<Vec2> outline(int levels)
         for (auto const& tooth : family) {
             for (std::size_t k = tooth.size() / 2; k + 1 < tooth.size(); ++k) {
                 double const a = tooth[k].y() - y, b = tooth[k + 1].y() - y;
-                if (a >= 0 && b < 0) {
+                if (a >= 0 && b < 0)
                     widest = std::max(widest, tooth[k].x() + (tooth[k + 1].x() - tooth[k].x()) * a / (a - b));
-                }
             }
         }
         right.emplace_back(widest, y);
@@ -202,7 +199,8 @@ inline Solution solution()
                                 branch.phi.front(), branch.phi.back(), branch.t.front(), branch.t.back(), 3e-13, 5e-14,
                                 branch.on_boundary, branch.on_boundary});
     }
-    result.certificate.undecided = {{"convex arc right", 0.25, 0.5, 3e-7, 2e-17, "a contact touches the end of a profile piece"}};
+    result.certificate.undecided = {
+        {"convex arc right", 0.25, 0.5, 3e-7, 2e-17, "a contact touches the end of a profile piece"}};
     auto const boundary = outline(120);
     int const last = static_cast<int>(boundary.size()) - 1;
     result.circular_spline = {{0.0},

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Wire programs to write, made by formulas without the solver: a square hole, and a toothed ring r = R + a cos(z theta) whose
-/// parallel curves are known exactly.
+/// Wire programs to write, made by formulas without the solver: a square hole, and a toothed ring r = R + a cos(z
+/// theta) whose parallel curves are known exactly.
 #pragma once
 
 #include <cmath>
 #include <numbers>
 
-#include "hdconj/wedm/wire_program.hpp"
+#include "hdconj/wedm.hpp"
 
 namespace hdconj::sample {
 
@@ -32,7 +32,9 @@ inline WireProgram square_hole(double tilt = wire_tilt)
     WirePass pass;
     pass.offset = offset;
     double const low = half - offset, up = low - shift;
-    auto const add = [&](double x, double y, WireTag tag) { pass.moves.push_back({Vec2(low * x, low * y), Vec2(up * x, up * y), tag, -1}); };
+    auto const add = [&](double x, double y, WireTag tag) {
+        pass.moves.push_back({Vec2(low * x, low * y), Vec2(up * x, up * y), tag, -1});
+    };
     add(0, 0, WireTag::thread);
     add(0, -1, WireTag::lead_in);
     add(1, -1, WireTag::contour);
@@ -56,14 +58,15 @@ struct RingPoint
 
 inline RingPoint ring_point(double theta, double lowered)
 {
-    double const radius = ring_radius - lowered + ring_depth * std::cos(wire_teeth * theta);
+    double const r = ring_radius - lowered + ring_depth * std::cos(wire_teeth * theta);
     double const slope = -ring_depth * wire_teeth * std::sin(wire_teeth * theta);
     Vec2 const out = direction(theta), along = left_of(out);
-    return {radius * out, (radius * out - slope * along).normalized()};
+    return {r * out, (r * out - slope * along).normalized()};
 }
 
 /// @p points per tooth space; passes leave the stock given; the upper face is smaller by T tan(tilt) along the radii.
-inline WireProgram wire_ring(double tilt = wire_tilt, int points = 48, std::vector<double> const& stock = {0.02, 0.005, 0})
+inline WireProgram wire_ring(double tilt = wire_tilt, int points = 48,
+                             std::vector<double> const& stock = {0.02, 0.005, 0})
 {
     WireProgram program;
     program.name = "ring";
@@ -77,9 +80,8 @@ inline WireProgram wire_ring(double tilt = wire_tilt, int points = 48, std::vect
     for (int k = 0; k < count; ++k) {
         program.nominal.lower.push_back(ring_point(theta(k), 0).point);
         program.nominal.upper.push_back(ring_point(theta(k), shift).point);
-        if (k % (points / 4) == 0) {
+        if (k % (points / 4) == 0)
             program.nominal.sync.push_back(static_cast<std::size_t>(k));
-        }
     }
     Vec2 const start = (ring_radius - 3) * direction(theta(0));
     int number = 0;
@@ -97,7 +99,8 @@ inline WireProgram wire_ring(double tilt = wire_tilt, int points = 48, std::vect
             WireTag tag = i == 0 ? WireTag::lead_in : i > count ? WireTag::overlap : WireTag::contour;
             tag = number == 1 && i == count - before_end ? WireTag::stop : tag;
             int const space = ((k % count + count) % count) / points;
-            pass.moves.push_back({Vec2(low.point - pass.offset * low.normal), Vec2(up.point - pass.offset * up.normal), tag, i == 0 ? -1 : space});
+            pass.moves.push_back({Vec2(low.point - pass.offset * low.normal), Vec2(up.point - pass.offset * up.normal),
+                                  tag, i == 0 ? -1 : space});
         }
         pass.moves.push_back({start, start, WireTag::lead_out, -1});
         program.passes.push_back(pass);

@@ -21,9 +21,8 @@ class TemporaryFolder
     TemporaryFolder()
     {
         std::string pattern = (std::filesystem::temp_directory_path() / "hdconj-test-XXXXXX").string();
-        if (::mkdtemp(pattern.data()) == nullptr) {
+        if (::mkdtemp(pattern.data()) == nullptr)
             throw std::runtime_error("no temporary folder");
-        }
         path_ = pattern;
     }
     ~TemporaryFolder()
@@ -41,9 +40,8 @@ class TemporaryFolder
     [[nodiscard]] std::vector<std::string> names() const
     {
         std::vector<std::string> found;
-        for (auto const& entry : std::filesystem::directory_iterator(path_)) {
+        for (auto const& entry : std::filesystem::directory_iterator(path_))
             found.push_back(entry.path().filename().string());
-        }
         return found;
     }
 
@@ -58,6 +56,12 @@ inline std::string content(std::filesystem::path const& file)
     std::ostringstream all;
     all << in.rdbuf();
     return all.str();
+}
+
+/// Writes @p text to a @p file.
+inline void write(std::filesystem::path const& file, std::string const& text)
+{
+    std::ofstream(file, std::ios::binary) << text;
 }
 
 }  // namespace hdconj::test

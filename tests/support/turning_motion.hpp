@@ -20,19 +20,19 @@ struct Turning
     double square = 0;  ///< of q_y in u
 
     Pose pose(double) const { return {}; }
-    MotionRates rates(double u) const
+    motion::MotionRates rates(double u) const
     {
         double const d = u - at;
         return {{0, {1, rate * d + square * d * d}}, {0, {0, rate + 2 * square * d}}, 1, 1, 1, 1};
     }
-    ToothAngles angles(double u) const { return {u, u}; }
+    motion::ToothAngles angles(double u) const { return {u, u}; }
     double half_lobe() const { return 1; }
     std::span<double const> breaks() const { return {}; }
     bool symmetric() const { return false; }
 };
 
 /// x = t, y' = p(t) given by its Bernstein coefficients: f = q_y - q_x p(t).
-inline CurvePiece with_slope(std::vector<double> const& p)
+inline profile::CurvePiece with_slope(std::vector<double> const& p)
 {
     std::vector<double> x, y{0.5};
     auto const n = static_cast<double>(p.size());

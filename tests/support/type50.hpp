@@ -5,27 +5,29 @@
 
 #include <utility>
 
-#include "hdconj/io/scene_toml.hpp"
 #include "hdconj/motion/exact_motion.hpp"
 #include "hdconj/motion/first_order_motion.hpp"
 #include "hdconj/profile/registry.hpp"
+#include "hdconj/read_scene.hpp"
 #include "hdconj/wavegen/cosine_cam.hpp"
 
 namespace hdconj::test {
 
-using Exact = ExactMotion<CosineCam>;
-using FirstOrder = FirstOrderMotion<CosineCam>;
+using Exact = motion::ExactMotion<wavegen::CosineCam>;
+using FirstOrder = motion::FirstOrderMotion<wavegen::CosineCam>;
 
-inline ToothPlace place_of(Scene const& scene)
+inline profile::ToothPlace place_of(Scene const& scene)
 {
-    return {scene.drive.module, scene.drive.flexspline_teeth, scene.flexspline.wall, scene.flexspline.neutral_offset, scene.folder.string(), false};
+    return {scene.drive.module,    scene.drive.flexspline_teeth,
+            scene.flexspline.wall, scene.flexspline.neutral_offset,
+            scene.folder.string(), false};
 }
 
-inline Profile type50_tooth(std::vector<std::string> const& overrides = {})
+inline profile::Profile type50_tooth(std::vector<std::string> const& overrides = {})
 {
     Scene const scene = builtin_scene(overrides);
     Faults faults;
-    Profile tooth = build_profile(scene.flexspline.profile, place_of(scene), faults);
+    profile::Profile tooth = profile::build_profile(scene.flexspline.profile, place_of(scene), faults);
     if (!faults.empty())
         throw InputError(faults);
     return tooth;
@@ -39,12 +41,12 @@ inline constexpr double type50_ratio = static_cast<double>(type50_z_f) / type50_
 
 inline Exact type50_motion(int waves = 2, double w0 = type50_w0)
 {
-    return Exact(NeutralCurve<CosineCam>(CosineCam{w0, waves}, type50_r_m), type50_ratio);
+    return Exact(wavegen::NeutralCurve<wavegen::CosineCam>(wavegen::CosineCam{w0, waves}, type50_r_m), type50_ratio);
 }
 
 inline FirstOrder type50_first_order(int waves = 2, double w0 = type50_w0)
 {
-    return FirstOrder(CosineCam{w0, waves}, type50_r_m, type50_ratio);
+    return FirstOrder(wavegen::CosineCam{w0, waves}, type50_r_m, type50_ratio);
 }
 
 }  // namespace hdconj::test

@@ -8,25 +8,24 @@
 #include <cmath>
 #include <optional>
 
+#include "hdconj/base/tolerance.hpp"
 #include "hdconj/envelope/envelope.hpp"
 #include "hdconj/numeric/bracketed_root.hpp"
-#include "hdconj/numeric/tolerance.hpp"
 
-namespace hdconj {
+namespace hdconj::conjugate {
 
 /// An envelope arc of the tooth some pitches away.
-template<RelativeMotion Motion>
+template <motion::RelativeMotion Motion>
 struct TurnedArc
 {
-    Envelope<Motion> const& envelope;
-    ContactArc const& arc;
+    envelope::Envelope<Motion> const& envelope;
+    envelope::ContactArc const& arc;
     double angle;  ///< clockwise [rad]
 
-    [[nodiscard]] EnvelopePoint point(double u) const
+    [[nodiscard]] envelope::EnvelopePoint point(double u) const
     {
-        EnvelopePoint e = envelope.point(arc, u);
-        if (angle != 0)
-        {
+        envelope::EnvelopePoint e = envelope.point(arc, u);
+        if (angle != 0) {
             e.p = turned_clockwise(e.p, angle);
             e.n = turned_clockwise(e.n, angle);
         }
@@ -36,7 +35,7 @@ struct TurnedArc
     /// dp/du.
     [[nodiscard]] Vec2 velocity(double u) const
     {
-        Contact const c = envelope.contact(arc, u);
+        envelope::Contact const c = envelope.contact(arc, u);
         Vec2 const along = envelope.motion().pose(u).rotate(right_of(c.n)) * (c.advance / c.slowness);
         return angle != 0 ? turned_clockwise(along, angle) : along;
     }
@@ -45,23 +44,23 @@ struct TurnedArc
 /// Parameters at which arcs @p a and @p b cross, from guesses that are within about @p chord of the crossing.
 ///
 /// Newton on a(u_a) - b(u_b). Nothing when it leaves the arcs, wanders off or the arcs are parallel there.
-/// Accuracy: the two points agree to the roundoff of the coordinates; the corner itself to that divided by the sine of the angle.
-template<RelativeMotion Motion>
-[[nodiscard]] std::optional<std::array<double, 2>> crossing_of_arcs(TurnedArc<Motion> const& a, double u_a, TurnedArc<Motion> const& b, double u_b,
+/// Accuracy: the two points agree to the roundoff of the coordinates; the corner itself to that divided by the sine of
+/// the angle.
+template <motion::RelativeMotion Motion>
+[[nodiscard]] std::optional<std::array<double, 2>> crossing_of_arcs(TurnedArc<Motion> const& a, double u_a,
+                                                                    TurnedArc<Motion> const& b, double u_b,
                                                                     double chord, Tolerance const& tolerance)
 {
     Vec2 const start = a.point(u_a).p;
     constexpr int budget = 40;
     double last = tolerance.scale;
-    for (int k = 0; k < budget; ++k)
-    {
+    for (int k = 0; k < budget; ++k) {
         Vec2 const pa = a.point(u_a).p;
         Vec2 const gap = pa - b.point(u_b).p;
         double const size = gap.norm();
-        // where the contact runs fast along its profile, its rounding is a multiple of that of the coordinates: the end is
-        // reached when a step no longer halves a gap that is no gap any more
-        if (size <= tolerance.roundoff() / 8 || (size <= tolerance.coincidence() && size >= last / 2))
-        {
+        // where the contact runs fast along its profile, its rounding is a multiple of that of the coordinates: the end
+        // is reached when a step no longer halves a gap that is no gap any more
+        if (size <= tolerance.roundoff() / 8 || (size <= tolerance.coincidence() && size >= last / 2)) {
             // two polygons within `chord` of their arcs cross no farther from the arcs' crossing than this
             constexpr double shallow = 4096;
             if ((pa - start).norm() > shallow * chord)
@@ -86,8 +85,9 @@ template<RelativeMotion Motion>
 ///
 /// Brackets outward from the guess in doubling steps, then bisects and interpolates: never a lost sign.
 /// @param height_of  a smooth function of a point, its slope about 1
-template<RelativeMotion Motion, class Height>
-[[nodiscard]] std::optional<double> crossing_at_height(TurnedArc<Motion> const& a, Height const& height_of, double u, double chord)
+template <motion::RelativeMotion Motion, class Height>
+[[nodiscard]] std::optional<double> crossing_at_height(TurnedArc<Motion> const& a, Height const& height_of, double u,
+                                                       double chord)
 {
     auto const height = [&](double at) { return height_of(a.point(at).p); };
     double const h = height(u);
@@ -95,17 +95,15 @@ template<RelativeMotion Motion, class Height>
         return u;
     double const speed = a.velocity(u).norm();
     double step = chord / (std::isfinite(speed) && speed > 0 ? speed : 1);
-    while (step <= a.arc.u_end - a.arc.u_begin)
-    {
-        for (double side : {-1.0, 1.0})
-        {
+    while (step <= a.arc.u_end - a.arc.u_begin) {
+        for (double side : {-1.0, 1.0}) {
             double const other = std::clamp(u + side * step, a.arc.u_begin, a.arc.u_end);
             double const h_other = height(other);
             if (std::signbit(h_other) == std::signbit(h) && h_other != 0)
                 continue;
             double const low = std::min(u, other);
             double const high = std::max(u, other);
-            BracketedRoot const root = bracketed_root(height, low, high);
+            numeric::BracketedRoot const root = numeric::bracketed_root(height, low, high);
             if (root.found)
                 return root.x;
         }
@@ -115,10 +113,12 @@ template<RelativeMotion Motion, class Height>
 }
 
 /// Parameter at which the arc crosses the circle of @p radius about the origin, nearest to the guess @p u.
-template<RelativeMotion Motion>
-[[nodiscard]] std::optional<double> crossing_with_circle(TurnedArc<Motion> const& a, double radius, double u, double chord)
+template <motion::RelativeMotion Motion>
+[[nodiscard]] std::optional<double> crossing_with_circle(TurnedArc<Motion> const& a, double radius, double u,
+                                                         double chord)
 {
-    return crossing_at_height(a, [radius](Vec2 const& p) { return p.norm() - radius; }, u, chord);
+    return crossing_at_height(
+        a, [radius](Vec2 const& p) { return p.norm() - radius; }, u, chord);
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::conjugate

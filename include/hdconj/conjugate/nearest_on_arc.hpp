@@ -8,7 +8,7 @@
 
 #include "hdconj/conjugate/crossing.hpp"
 
-namespace hdconj {
+namespace hdconj::conjugate {
 
 /// A point of an arc and its distance from the point it was sought for [mm].
 struct NearestOnArc
@@ -18,12 +18,11 @@ struct NearestOnArc
 };
 
 /// Nearest point of @p arc to @p p, from the guess @p u: some steps of Newton's method along the arc, kept inside it.
-template<RelativeMotion Motion>
+template <motion::RelativeMotion Motion>
 [[nodiscard]] NearestOnArc nearest_on(TurnedArc<Motion> const& arc, Vec2 const& p, double u)
 {
     constexpr int steps = 4;
-    for (int i = 0; i < steps; ++i)
-    {
+    for (int i = 0; i < steps; ++i) {
         Vec2 const v = arc.velocity(u);
         double const step = (p - arc.point(u).p).dot(v) / v.squaredNorm();
         if (!std::isfinite(step))
@@ -33,4 +32,4 @@ template<RelativeMotion Motion>
     return {u, (arc.point(u).p - p).norm()};
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::conjugate

@@ -7,9 +7,9 @@
 #include <initializer_list>
 #include <vector>
 
-#include "hdconj/geometry/vec2.hpp"
+#include "hdconj/base/vec2.hpp"
 
-namespace hdconj {
+namespace hdconj::conjugate {
 
 /// Polygons with the arc, the tooth and the parameter that each vertex came from.
 class SweptPolygons
@@ -21,9 +21,10 @@ class SweptPolygons
     /// Where a polygon came from.
     struct Source
     {
-        int arc = -1;           ///< -1: the floor, a wall
-        int copy = 0;           ///< the tooth this many pitches clockwise
-        std::vector<double> u;  ///< parameter of each vertex; on the floor the angle from the y axis, on a line x, on a wall y
+        int arc = -1;  ///< -1: the floor, a wall
+        int copy = 0;  ///< the tooth this many pitches clockwise
+        std::vector<double>
+            u;  ///< parameter of each vertex; on the floor the angle from the y axis, on a line x, on a wall y
     };
 
     /// Adds a stretch of an arc for every tooth that reaches the middle pitch or the spaces beside it.
@@ -66,4 +67,4 @@ class SweptPolygons
     std::vector<Source> sources_;
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::conjugate

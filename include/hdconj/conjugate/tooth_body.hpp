@@ -11,17 +11,17 @@
 #include <string>
 #include <vector>
 
+#include "hdconj/base/tolerance.hpp"
 #include "hdconj/conjugate/body_polygons.hpp"
 #include "hdconj/conjugate/crossing.hpp"
 #include "hdconj/conjugate/nearest_on_arc.hpp"
 #include "hdconj/conjugate/side_by_side.hpp"
 #include "hdconj/conjugate/tooth_foot.hpp"
 #include "hdconj/conjugate/tooth_space.hpp"
-#include "hdconj/numeric/error.hpp"
-#include "hdconj/numeric/tolerance.hpp"
+#include "hdconj/error.hpp"
 #include "hdconj/region/outer_boundary.hpp"
 
-namespace hdconj {
+namespace hdconj::conjugate {
 
 /// How far the tooth may reach in its own frame [mm].
 struct BodyLimits
@@ -36,25 +36,27 @@ struct ToothBody
 {
     std::vector<BoundaryPiece> left;
     std::vector<BoundaryPiece> right;
-    std::size_t segments = 0;      ///< given to the arrangement, all attempts
-    double polygon_chord = 0;      ///< of the attempt that was accepted
-    double gap = 0;                ///< largest distance between branches that were taken for one [mm]
+    std::size_t segments = 0;  ///< given to the arrangement, all attempts
+    double polygon_chord = 0;  ///< of the attempt that was accepted
+    double gap = 0;            ///< largest distance between branches that were taken for one [mm]
 };
 
 /// Finds the largest tooth around the y axis that none of the moving teeth enters, cut flat at the tip.
 ///
-/// What the teeth sweep hangs down on both sides of the axis; the tooth is the part of the rest that is reached from below, and its
-/// flanks are followed from the tip down to their feet: where the other tooth touches with the very end of its tip (its contact normal
-/// is along its own centre line, beyond which the other side of it touches), or where half the pitch is reached.
-/// Polygons decide only which arc follows which, as in ToothSpaceFinder; every corner is solved on the arcs. A flank that was itself made
-/// by two conjugate zones touches the tooth twice, and two branches then run side by side, closer than anything tells apart: where they
-/// have no corner, and are no farther apart than a small part of the tolerance, the flank changes from one to the other across the gap.
-template<RelativeMotion Motion>
+/// What the teeth sweep hangs down on both sides of the axis; the tooth is the part of the rest that is reached from
+/// below, and its flanks are followed from the tip down to their feet: where the other tooth touches with the very end
+/// of its tip (its contact normal is along its own centre line, beyond which the other side of it touches), or where
+/// half the pitch is reached. Polygons decide only which arc follows which, as in ToothSpaceFinder; every corner is
+/// solved on the arcs. A flank that was itself made by two conjugate zones touches the tooth twice, and two branches
+/// then run side by side, closer than anything tells apart: where they have no corner, and are no farther apart than a
+/// small part of the tolerance, the flank changes from one to the other across the gap.
+template <motion::RelativeMotion Motion>
 class ToothBodyFinder
 {
   public:
     /// @param chord  chord error of the first polygons [mm]
-    ToothBodyFinder(std::vector<SweptTooth<Motion>> const& teeth, BodyLimits const& limits, Tolerance tolerance, double chord)
+    ToothBodyFinder(std::vector<SweptTooth<Motion>> const& teeth, BodyLimits const& limits, Tolerance tolerance,
+                    double chord)
         : teeth_(teeth), limits_(limits), tolerance_(tolerance), chord_(chord)
     {
     }
@@ -63,19 +65,19 @@ class ToothBodyFinder
     {
         double chord = chord_;
         constexpr int attempts = 5;
-        for (int attempt = 0; attempt < attempts; ++attempt, chord /= 16)
-        {
+        for (int attempt = 0; attempt < attempts; ++attempt, chord /= 16) {
             constexpr int strict = 2;
             across_gaps_ = attempt >= strict;
             auto const body = find(std::max(chord, tolerance_.coincidence()), attempt > 0);
             if (body)
                 return *body;
         }
-        throw NumericalError("region", place_, "the boundary of the flexspline tooth could not be put together: " + cause_);
+        throw NumericalError(ErrorCode::no_outline, "region", place_,
+                             "the boundary of the flexspline tooth could not be put together: " + cause_);
     }
 
   private:
-    using Runs = std::vector<BoundaryRun>;
+    using Runs = std::vector<region::BoundaryRun>;
 
     [[nodiscard]] std::optional<ToothBody> find(double chord, bool graded)
     {
@@ -87,16 +89,15 @@ class ToothBodyFinder
         for (double const side : {-1.0, 1.0})
             swept_.add_wall(side * beyond_the_feet * limits_.half_width, limits_.tip, limits_.half_width);
         floor_ = swept_.add_floor_line(limits_.tip, limits_.half_width);
-        OuterBoundary const boundary = outer_boundary(swept_.polygons(), floor_);
+        region::OuterBoundary const boundary = region::outer_boundary(swept_.polygons(), floor_);
         segments_ += boundary.segments;
         // farther out curves hang loose because more teeth were left out
-        for (Vec2 const& p : boundary.loose)
-        {
+        for (Vec2 const& p : boundary.loose) {
             if (std::abs(p.x()) <= limits_.half_width)
                 return fail(p, "branches that should cross there miss each other as polygons");
         }
         Runs const& runs = boundary.runs;
-        auto const land = std::find_if(runs.begin(), runs.end(), [&](BoundaryRun const& run) {
+        auto const land = std::find_if(runs.begin(), runs.end(), [&](region::BoundaryRun const& run) {
             return run.curve == floor_ && swept_.u_at(floor_, run.begin) >= 0 && swept_.u_at(floor_, run.end) <= 0;
         });
         if (land == runs.end())
@@ -110,8 +111,7 @@ class ToothBodyFinder
         body.polygon_chord = chord;
         if (!follow(right, 1, chord, body.right) || !follow(left, -1, chord, body.left))
             return std::nullopt;
-        if (gap_ > 0)
-        {
+        if (gap_ > 0) {
             body.right = without_changes(teeth_, body.right, smallest_step(), gap_);
             body.left = without_changes(teeth_, body.left, smallest_step(), gap_);
         }
@@ -121,7 +121,8 @@ class ToothBodyFinder
 
     std::nullopt_t fail(Vec2 const& where, std::string cause)
     {
-        place_ = "near (" + std::to_string(where.x()) + ", " + std::to_string(where.y()) + ") mm of the flexspline tooth's frame";
+        place_ = "near (" + std::to_string(where.x()) + ", " + std::to_string(where.y()) +
+                 ") mm of the flexspline tooth's frame";
         cause_ = std::move(cause);
         return std::nullopt;
     }
@@ -130,47 +131,51 @@ class ToothBodyFinder
     {
         double const lowest = swept_.lowest_on_axis();
         if (lowest < limits_.tip)
-            throw NumericalError("region", "tip of the flexspline tooth",
-                                 "the circular spline's teeth sweep down to " + std::to_string(limits_.tip - lowest)
-                                     + " mm below it on the tooth's centre line, so that the tooth would be pointed there; write a smaller "
-                                       "flexspline.addendum, a larger wave_generator.radial_deformation or a smaller circular_spline.profile.addendum");
+            throw NumericalError(ErrorCode::no_outline, "region", "tip of the flexspline tooth",
+                                 "the circular spline's teeth sweep down to " + std::to_string(limits_.tip - lowest) +
+                                     " mm below it on the tooth's centre line, so that the tooth would be pointed "
+                                     "there",
+                                 "write a smaller "
+                                 "flexspline.addendum, a larger wave_generator.radial_deformation or a smaller "
+                                 "circular_spline.profile.addendum");
     }
 
     /// One flank. @p runs  from the tip outward, as the walk met them; @p side  1: right, -1: left
     bool follow(Runs const& runs, int side, double chord, std::vector<BoundaryPiece>& flank)
     {
         // positions in the order in which the flank is followed
-        auto const first = [&](BoundaryRun const& run) { return side > 0 ? run.end : run.begin; };
-        auto const last = [&](BoundaryRun const& run) { return side > 0 ? run.begin : run.end; };
-        auto const piece_of = [&](BoundaryRun const& run) {
+        auto const first = [&](region::BoundaryRun const& run) { return side > 0 ? run.end : run.begin; };
+        auto const last = [&](region::BoundaryRun const& run) { return side > 0 ? run.begin : run.end; };
+        auto const piece_of = [&](region::BoundaryRun const& run) {
             SweptPolygons::Source const& source = swept_.source(run.curve);
-            return BoundaryPiece{source.arc, source.copy, swept_.u_at(run.curve, first(run)), swept_.u_at(run.curve, last(run))};
+            return BoundaryPiece{source.arc, source.copy, swept_.u_at(run.curve, first(run)),
+                                 swept_.u_at(run.curve, last(run))};
         };
         auto const at_tip = [&](BoundaryPiece const& piece, double& u) {
-            auto const exact = crossing_at_height(of(piece), [&](Vec2 const& p) { return p.y() - limits_.tip; }, u, chord);
+            auto const exact = crossing_at_height(
+                of(piece), [&](Vec2 const& p) { return p.y() - limits_.tip; }, u, chord);
             u = exact.value_or(u);
             return exact.has_value();
         };
-        auto const of_a_tooth = [&](BoundaryRun const& run) { return swept_.source(run.curve).arc >= 0; };
-        for (std::size_t i = 0; i < runs.size() && of_a_tooth(runs[i]); ++i)
-        {
+        auto const of_a_tooth = [&](region::BoundaryRun const& run) { return swept_.source(run.curve).arc >= 0; };
+        for (std::size_t i = 0; i < runs.size() && of_a_tooth(runs[i]); ++i) {
             BoundaryPiece piece = flank.empty() ? piece_of(runs[i]) : next_;
             if (flank.empty() && !at_tip(piece, piece.begin))
                 return fail(point(piece, piece.begin), "a flank does not cross the tip where its polygon does"), false;
             bool const more = i + 1 < runs.size() && of_a_tooth(runs[i + 1]);
-            if (more)
-            {
+            if (more) {
                 next_ = piece_of(runs[i + 1]);
-                if (!shared_end(swept_.polygon(runs[i].curve), last(runs[i]), swept_.polygon(runs[i + 1].curve), first(runs[i + 1]))
-                    && !meet(piece, next_, chord))
+                if (!shared_end(swept_.polygon(runs[i].curve), last(runs[i]), swept_.polygon(runs[i + 1].curve),
+                                first(runs[i + 1])) &&
+                    !meet(piece, next_, chord))
                     return false;
             }
-            auto const foot = foot_on(teeth_[static_cast<std::size_t>(piece.copy)], piece, swept_.source(runs[i].curve).u, side, limits_.half_width);
+            auto const foot = conjugate::foot_on(teeth_[static_cast<std::size_t>(piece.copy)], piece,
+                                                 swept_.source(runs[i].curve).u, side, limits_.half_width);
             if (foot && *foot == piece.begin)
                 return !flank.empty() || (fail(point(piece, piece.begin), "the flank ends at the tip"), false);
             flank.push_back(piece);
-            if (foot)
-            {
+            if (foot) {
                 flank.back().end = *foot;
                 return true;
             }
@@ -219,7 +224,7 @@ class ToothBodyFinder
     double chord_;
     SweptPolygons swept_{0};
     int floor_ = -1;
-    BoundaryPiece next_;   ///< the piece after the one at hand, its beginning solved
+    BoundaryPiece next_;  ///< the piece after the one at hand, its beginning solved
     std::size_t segments_ = 0;
     bool across_gaps_ = false;
     double gap_ = 0;
@@ -227,4 +232,4 @@ class ToothBodyFinder
     std::string cause_;
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::conjugate

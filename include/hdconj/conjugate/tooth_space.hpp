@@ -13,21 +13,21 @@
 #include <utility>
 #include <vector>
 
+#include "hdconj/base/tolerance.hpp"
 #include "hdconj/conjugate/arc_polygons.hpp"
 #include "hdconj/conjugate/crossing.hpp"
 #include "hdconj/envelope/branch.hpp"
-#include "hdconj/numeric/error.hpp"
-#include "hdconj/numeric/tolerance.hpp"
+#include "hdconj/error.hpp"
 #include "hdconj/region/outer_boundary.hpp"
 
-namespace hdconj {
+namespace hdconj::conjugate {
 
 /// A stretch of the boundary of one pitch: on a contact arc, or on the tip circle.
 struct BoundaryPiece
 {
-    int arc = -1;        ///< index into the arcs given; -1: land on the tip circle
-    int copy = 0;        ///< the tooth this many pitches clockwise of the one at the y axis
-    double begin = 0;    ///< u where the boundary (left to right) enters; on a land the angle from the y axis
+    int arc = -1;      ///< index into the arcs given; -1: land on the tip circle
+    int copy = 0;      ///< the tooth this many pitches clockwise of the one at the y axis
+    double begin = 0;  ///< u where the boundary (left to right) enters; on a land the angle from the y axis
     double end = 0;
 };
 
@@ -35,33 +35,42 @@ struct BoundaryPiece
 struct ToothSpace
 {
     std::vector<BoundaryPiece> pieces;
-    std::size_t segments = 0;      ///< given to the arrangement, all attempts
-    double polygon_chord = 0;      ///< of the attempt that was accepted
+    std::size_t segments = 0;  ///< given to the arrangement, all attempts
+    double polygon_chord = 0;  ///< of the attempt that was accepted
 };
 
 /// Whether two runs share an end point that both their polygons have; positions count vertices.
-[[nodiscard]] inline bool shared_end(std::vector<Vec2> const& before, double end, std::vector<Vec2> const& after, double begin)
+[[nodiscard]] inline bool shared_end(std::vector<Vec2> const& before, double end, std::vector<Vec2> const& after,
+                                     double begin)
 {
     auto const is_end = [](std::vector<Vec2> const& polygon, double position) {
         return position == 0 || position == static_cast<double>(polygon.size() - 1);
     };
-    auto const vertex = [](std::vector<Vec2> const& polygon, double position) { return polygon[static_cast<std::size_t>(position)]; };
+    auto const vertex = [](std::vector<Vec2> const& polygon, double position) {
+        return polygon[static_cast<std::size_t>(position)];
+    };
     return is_end(before, end) && is_end(after, begin) && vertex(before, end) == vertex(after, begin);
 }
 
 /// Finds the tooth space of design 3.3 for the bounding arcs of an envelope: outer boundary of the swept region,
 /// neighbours included, cut at the tip circle.
 ///
-/// Polygons of the arcs decide only which arc follows which; where two arcs cross, the corner is then solved on the arcs
-/// themselves. If the polygons mislead (a corner does not converge where they cross), they are made 16 times finer.
-template<RelativeMotion Motion>
+/// Polygons of the arcs decide only which arc follows which; where two arcs cross, the corner is then solved on the
+/// arcs themselves. If the polygons mislead (a corner does not converge where they cross), they are made 16 times
+/// finer.
+template <motion::RelativeMotion Motion>
 class ToothSpaceFinder
 {
   public:
     /// @param chord  chord error of the first polygons [mm]
-    ToothSpaceFinder(Envelope<Motion> const& envelope, std::vector<ContactArc> const& arcs, double tip_radius, int teeth, Tolerance tolerance,
-                     double chord)
-        : envelope_(envelope), arcs_(arcs), tip_radius_(tip_radius), pitch_(2 * std::numbers::pi / teeth), tolerance_(tolerance), chord_(chord)
+    ToothSpaceFinder(envelope::Envelope<Motion> const& envelope, std::vector<envelope::ContactArc> const& arcs,
+                     double tip_radius, int teeth, Tolerance tolerance, double chord)
+        : envelope_(envelope),
+          arcs_(arcs),
+          tip_radius_(tip_radius),
+          pitch_(2 * std::numbers::pi / teeth),
+          tolerance_(tolerance),
+          chord_(chord)
     {
     }
 
@@ -69,13 +78,13 @@ class ToothSpaceFinder
     {
         double chord = chord_;
         constexpr int attempts = 5;
-        for (int attempt = 0; attempt < attempts; ++attempt, chord /= 16)
-        {
+        for (int attempt = 0; attempt < attempts; ++attempt, chord /= 16) {
             auto const space = find(std::max(chord, tolerance_.coincidence()), attempt > 0);
             if (space)
                 return *space;
         }
-        throw NumericalError("region", place_, "the boundary of the swept region could not be put together: " + cause_);
+        throw NumericalError(code_, "region", place_,
+                             "the boundary of the swept region could not be put together: " + cause_);
     }
 
   private:
@@ -86,22 +95,24 @@ class ToothSpaceFinder
         refuse_short_flanks(chord);
         swept_.join_ends(tolerance_.coincidence());
         int const floor = swept_.add_floor(tip_radius_, chord);
-        OuterBoundary const boundary = outer_boundary(swept_.polygons(), floor);
+        region::OuterBoundary const boundary = region::outer_boundary(swept_.polygons(), floor);
         segments_ += boundary.segments;
         // at the rim of the window curves hang loose because their neighbours were left out
-        for (Vec2 const& p : boundary.loose)
-        {
+        for (Vec2 const& p : boundary.loose) {
             if (std::abs(std::atan2(p.x(), p.y())) > pitch_ / 2)
                 continue;
+            code_ = ErrorCode::no_outline;
             place_ = "near (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ") mm";
             cause_ = "branches that should cross there miss each other as polygons";
             return std::nullopt;
         }
-        std::vector<BoundaryRun> const runs = middle_pitch(boundary.runs, floor);
-        if (runs.empty())
-        {
+        std::vector<region::BoundaryRun> const runs = middle_pitch(boundary.runs, floor);
+        if (runs.empty()) {
+            code_ = ErrorCode::no_land;
             place_ = "tip circle";
-            cause_ = "the boundary does not come down to a land on both sides; write a larger circular_spline.inner_radius, or a smaller wave_generator.radial_deformation";
+            cause_ =
+                "the boundary does not come down to a land on both sides; write a larger circular_spline.inner_radius, "
+                "or a smaller wave_generator.radial_deformation";
             return std::nullopt;
         }
         return refine(runs, floor, chord);
@@ -112,21 +123,25 @@ class ToothSpaceFinder
     {
         double const reached = swept_.radius_between_spaces();
         if (reached > tip_radius_)
-            throw NumericalError("region", "tip circle",
-                                 "no tip land is left on the circular spline: half-way between two tooth spaces the teeth sweep up to a radius of "
-                                     + std::to_string(reached) + " mm, where the circular spline's teeth would be pointed, and the tip circle is at "
-                                     + std::to_string(tip_radius_) + " mm; write a circular_spline.inner_radius above "
-                                     + std::to_string(reached) + ", a larger wave_generator.radial_deformation or a smaller addendum");
+            throw NumericalError(
+                ErrorCode::no_land, "region", "tip circle",
+                "no tip land is left on the circular spline: half-way between two tooth spaces the teeth sweep up to a "
+                "radius of " +
+                    std::to_string(reached) +
+                    " mm, where the circular spline's teeth would be pointed, and the tip circle is at " +
+                    std::to_string(tip_radius_) + " mm",
+                "write a circular_spline.inner_radius above " + std::to_string(reached) +
+                    ", a larger wave_generator.radial_deformation or a smaller addendum");
     }
 
-    /// A flank that ends with the tooth's own profile, at its root, outside of all others and above the tip circle bounds nothing from there down.
+    /// A flank that ends with the tooth's own profile, at its root, outside of all others and above the tip circle
+    /// bounds nothing from there down.
     void refuse_short_flanks(double chord) const
     {
         int const last = static_cast<int>(envelope_.profile().pieces.size()) - 1;
         double highest = 0;
-        for (ContactArc const& arc : arcs_)
-            for (auto const& [u, t] : {std::pair(arc.u_begin, arc.t_begin), std::pair(arc.u_end, arc.t_end)})
-            {
+        for (envelope::ContactArc const& arc : arcs_)
+            for (auto const& [u, t] : {std::pair(arc.u_begin, arc.t_begin), std::pair(arc.u_end, arc.t_end)}) {
                 if (!arc.bounding || !((arc.piece == 0 && t == 0) || (arc.piece == last && t == 1)))
                     continue;
                 Vec2 const end = envelope_.point(arc, u).p;
@@ -134,18 +149,23 @@ class ToothSpaceFinder
                     highest = std::max(highest, end.norm());
             }
         if (highest > tip_radius_)
-            throw NumericalError("region", "tip circle",
-                                 "a flank ends at a radius of " + std::to_string(highest) + " mm, where the flexspline's tooth ends at its root, and does not come down to the tip circle at "
-                                     + std::to_string(tip_radius_) + " mm; write a circular_spline.inner_radius above " + std::to_string(highest)
-                                     + ", a smaller circular_spline.backlash_offset or a smaller wave_generator.radial_deformation");
+            throw NumericalError(
+                ErrorCode::no_land, "region", "tip circle",
+                "a flank ends at a radius of " + std::to_string(highest) +
+                    " mm, where the flexspline's tooth ends at its root, and does not come down to the tip circle at " +
+                    std::to_string(tip_radius_) + " mm",
+                "write a circular_spline.inner_radius above " + std::to_string(highest) +
+                    ", a smaller circular_spline.backlash_offset or a smaller wave_generator.radial_deformation");
     }
 
     /// The runs from the land at -half a pitch to the land at +half a pitch; nothing when the walk did not pass them.
-    [[nodiscard]] std::vector<BoundaryRun> middle_pitch(std::vector<BoundaryRun> const& runs, int floor) const
+    [[nodiscard]] std::vector<region::BoundaryRun> middle_pitch(std::vector<region::BoundaryRun> const& runs,
+                                                                int floor) const
     {
         auto const land_over = [&](double angle) {
-            return std::find_if(runs.begin(), runs.end(), [&](BoundaryRun const& run) {
-                return run.curve == floor && swept_.u_at(floor, run.begin) <= angle && swept_.u_at(floor, run.end) >= angle;
+            return std::find_if(runs.begin(), runs.end(), [&](region::BoundaryRun const& run) {
+                return run.curve == floor && swept_.u_at(floor, run.begin) <= angle &&
+                       swept_.u_at(floor, run.end) >= angle;
             });
         };
         auto const left = land_over(-pitch_ / 2);
@@ -156,25 +176,25 @@ class ToothSpaceFinder
     }
 
     /// Exact ends of every run; nothing when two neighbours do not meet where their polygons say.
-    [[nodiscard]] std::optional<ToothSpace> refine(std::vector<BoundaryRun> runs, int floor, double chord)
+    [[nodiscard]] std::optional<ToothSpace> refine(std::vector<region::BoundaryRun> runs, int floor, double chord)
     {
         ToothSpace space;
         space.segments = segments_;
         space.polygon_chord = chord;
-        for (BoundaryRun const& run : runs)
-        {
+        for (region::BoundaryRun const& run : runs) {
             SweptPolygons::Source const& source = swept_.source(run.curve);
-            space.pieces.push_back({source.arc, source.copy, swept_.u_at(run.curve, run.begin), swept_.u_at(run.curve, run.end)});
+            space.pieces.push_back(
+                {source.arc, source.copy, swept_.u_at(run.curve, run.begin), swept_.u_at(run.curve, run.end)});
         }
         space.pieces.front().begin = -pitch_ / 2;
         space.pieces.back().end = pitch_ / 2;
-        for (std::size_t i = 0; i + 1 < runs.size(); ++i)
-        {
+        for (std::size_t i = 0; i + 1 < runs.size(); ++i) {
             auto const& before = swept_.polygon(runs[i].curve);
             auto const& after = swept_.polygon(runs[i + 1].curve);
             BoundaryPiece& a = space.pieces[i];
             BoundaryPiece& b = space.pieces[i + 1];
-            if (runs[i].curve != floor && runs[i + 1].curve != floor && shared_end(before, runs[i].end, after, runs[i + 1].begin))
+            if (runs[i].curve != floor && runs[i + 1].curve != floor &&
+                shared_end(before, runs[i].end, after, runs[i + 1].begin))
                 continue;
             bool met = false;
             if (runs[i].curve == floor)
@@ -190,30 +210,32 @@ class ToothSpaceFinder
         return space;
     }
 
-    /// Where several branches meet in a point, which is a joint of the profile, they cross there more than once within rounding: what lies between is no stretch.
+    /// Where several branches meet in a point, which is a joint of the profile, they cross there more than once within
+    /// rounding: what lies between is no stretch.
     void drop_roundings(std::vector<BoundaryPiece>& pieces) const
     {
-        constexpr double shallow = 16;   // branches that meet at a small angle are cut by more than their own rounding apart
+        constexpr double shallow =
+            16;  // branches that meet at a small angle are cut by more than their own rounding apart
         double const nothing = shallow * tolerance_.roundoff();
         auto const is_rounding = [&](BoundaryPiece const& piece) {
             if (piece.arc < 0)
                 return false;
             TurnedArc<Motion> const arc = turned(piece);
             Vec2 const begin = arc.point(piece.begin).p;
-            return (arc.point(piece.end).p - begin).norm() <= nothing && (arc.point(0.5 * (piece.begin + piece.end)).p - begin).norm() <= nothing;
+            return (arc.point(piece.end).p - begin).norm() <= nothing &&
+                   (arc.point(0.5 * (piece.begin + piece.end)).p - begin).norm() <= nothing;
         };
         pieces.erase(std::remove_if(pieces.begin(), pieces.end(), is_rounding), pieces.end());
-        for (std::size_t i = 1; i < pieces.size();)
-        {
+        for (std::size_t i = 1; i < pieces.size();) {
             BoundaryPiece& before = pieces[i - 1];
             BoundaryPiece const& piece = pieces[i];
-            bool const forward = before.begin < before.end, same = piece.arc >= 0 && before.arc == piece.arc && before.copy == piece.copy && forward == (piece.begin < piece.end);
-            if (same && (turned(before).point(before.end).p - turned(piece).point(piece.begin).p).norm() <= nothing)
-            {
+            bool const forward = before.begin < before.end, same = piece.arc >= 0 && before.arc == piece.arc &&
+                                                                   before.copy == piece.copy &&
+                                                                   forward == (piece.begin < piece.end);
+            if (same && (turned(before).point(before.end).p - turned(piece).point(piece.begin).p).norm() <= nothing) {
                 before.end = piece.end;
                 pieces.erase(pieces.begin() + static_cast<std::ptrdiff_t>(i));
-            }
-            else
+            } else
                 ++i;
         }
     }
@@ -227,8 +249,8 @@ class ToothSpaceFinder
     {
         TurnedArc<Motion> const arc = turned(piece);
         auto const exact = crossing_with_circle(arc, tip_radius_, u, chord);
-        if (!exact)
-        {
+        if (!exact) {
+            code_ = ErrorCode::no_land;
             place_ = "tip circle";
             cause_ = "a flank does not cross the tip circle where its polygon does";
             return false;
@@ -244,9 +266,9 @@ class ToothSpaceFinder
         TurnedArc<Motion> const arc_a = turned(a);
         TurnedArc<Motion> const arc_b = turned(b);
         auto const exact = crossing_of_arcs(arc_a, a.end, arc_b, b.begin, chord, tolerance_);
-        if (!exact)
-        {
+        if (!exact) {
             Vec2 const p = arc_a.point(a.end).p;
+            code_ = ErrorCode::no_outline;
             place_ = "near (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ") mm";
             cause_ = "two branches cross there as polygons but not as curves";
             return false;
@@ -256,16 +278,17 @@ class ToothSpaceFinder
         return true;
     }
 
-    Envelope<Motion> const& envelope_;
-    std::vector<ContactArc> const& arcs_;
+    envelope::Envelope<Motion> const& envelope_;
+    std::vector<envelope::ContactArc> const& arcs_;
     double tip_radius_;
     double pitch_;
     Tolerance tolerance_;
     double chord_;
     SweptPolygons swept_{pitch_};
     std::size_t segments_ = 0;
+    ErrorCode code_ = ErrorCode::no_outline;
     std::string place_ = "tooth space";
     std::string cause_;
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::conjugate

@@ -12,27 +12,34 @@
 #include <utility>
 #include <vector>
 
+#include "hdconj/base/parallel.hpp"
 #include "hdconj/envelope/chord_bound.hpp"
 #include "hdconj/envelope/chord_measure.hpp"
 #include "hdconj/envelope/contact_batch.hpp"
 #include "hdconj/envelope/envelope.hpp"
-#include "hdconj/envelope/first_look.hpp"
+#include "hdconj/envelope/probe_chords.hpp"
 #include "hdconj/envelope/sampled_arc.hpp"
-#include "hdconj/numeric/parallel.hpp"
 
-namespace hdconj::detail {
+namespace hdconj::envelope {
 
-/// One arc being sampled. Three looks: some twenty points, refined where neighbours turn too much for their chords' errors to be trusted; for a long
-/// polygon some hundred more, where those of the first look say; and the polygon.
-template<RelativeMotion Motion>
+/// One arc being sampled. Three looks: some twenty points, refined where neighbours turn too much for their chords'
+/// errors to be trusted; for a long polygon some hundred more, where those of the first look say; and the polygon.
+template <motion::RelativeMotion Motion>
 class ArcSampler
 {
   public:
-    ArcSampler(Envelope<Motion> const& envelope, ContactArc const& arc, double from, double to, double chord, int threads, ChordTest test)
-        : envelope_(envelope), arc_(arc), window_(arc), batch_(contact_batch(envelope, arc)), chord_(chord), threads_(threads), test_(test)
+    ArcSampler(Envelope<Motion> const& envelope, ContactArc const& arc, double from, double to, double chord,
+               int threads, ChordTest test)
+        : envelope_(envelope),
+          arc_(arc),
+          window_(arc),
+          batch_(contact_batch(envelope, arc)),
+          chord_(chord),
+          threads_(threads),
+          test_(test)
     {
-        // the share of the smooth parameter that [from, to] covers is not needed: a parameter that is smooth at both of its own
-        // ends is enough, and it is only at true ends that the arc's speed has a root singularity
+        // the share of the smooth parameter that [from, to] covers is not needed: a parameter that is smooth at both of
+        // its own ends is enough, and it is only at true ends that the arc's speed has a root singularity
         window_.u_begin = std::min(from, to);
         window_.u_end = std::max(from, to);
         if (window_.u_begin != arc.u_begin)
@@ -55,9 +62,10 @@ class ArcSampler
         return result;
     }
 
-    /// The polygon whose chords are estimated, in order of u, part by part as it is made: of a long one nothing is kept but what @p take keeps. Without points in the result.
+    /// The polygon whose chords are estimated, in order of u, part by part as it is made: of a long one nothing is kept
+    /// but what @p take keeps. Without points in the result.
     /// @param take  (points, how many are to come with them, unless chords are cut)
-    template<class Take>
+    template <class Take>
     SampledArc in_parts(Take&& take)
     {
         ChordMeasure const measure = measured();
@@ -67,21 +75,22 @@ class ArcSampler
         std::vector<EnvelopePoint> points(longest + 1);
         SampledArc result;
         make_room(result.points, longest + 1);
-        for (std::size_t first = 0; first < count; first += block)
-        {
+        for (std::size_t first = 0; first < count; first += block) {
             std::size_t const size = std::min(block, count - first);
             std::size_t const known = first == 0 ? 0 : 1;
-            if (first > 0)
-            {
+            if (first > 0) {
                 stations.front() = stations[block];
                 points.front() = points[block];
             }
-            place(measure, count, first + known, std::span(stations).subspan(known, size + 1 - known), std::span(points).subspan(known, size + 1 - known));
-            chord_errors(std::span(points).first(size + 1), std::span(errors).first(size), std::span(bends).first(size));
+            place(measure, count, first + known, std::span(stations).subspan(known, size + 1 - known),
+                  std::span(points).subspan(known, size + 1 - known));
+            chord_errors(std::span(points).first(size + 1), std::span(errors).first(size),
+                         std::span(bends).first(size));
             result.points.clear();
             if (first == 0)
                 result.points.push_back(points.front());
-            cut_coarse_chords([&](double s) { return at(s); }, std::span(stations).first(size + 1), std::span(points).first(size + 1), std::span(errors).first(size), chord_,
+            cut_coarse_chords([&](double s) { return at(s); }, std::span(stations).first(size + 1),
+                              std::span(points).first(size + 1), std::span(errors).first(size), chord_,
                               ChordTest::estimate, result);
             take(std::span<EnvelopePoint const>(result.points), count - first + 1 - known);
         }
@@ -96,11 +105,10 @@ class ArcSampler
 
     [[nodiscard]] ChordMeasure measured()
     {
-        ChordMeasure measure = first_look([&](double s) { return at(s); }, chord_, evaluations_);
+        ChordMeasure measure = probe_chords([&](double s) { return at(s); }, chord_, evaluations_);
         constexpr std::size_t closer = 256;
-        constexpr double worth_a_closer_look = 4;   // chords a point of it
-        if (measure.total() > worth_a_closer_look * closer)
-        {
+        constexpr double worth_a_closer_look = 4;  // chords a point of it
+        if (measure.total() > worth_a_closer_look * closer) {
             place(measure, closer);
             look_(points_, threads_);
             measure = ChordMeasure(stations_, look_.errors, chord_);
@@ -126,22 +134,24 @@ class ArcSampler
         parallel_for((points_.size() + block - 1) / block, threads_, blocks_worth_a_thread, [&](std::size_t b) {
             std::size_t const first = b * block;
             std::size_t const size = std::min(block, points_.size() - first);
-            place(measure, count, first, std::span(stations_).subspan(first, size), std::span(points_).subspan(first, size));
+            place(measure, count, first, std::span(stations_).subspan(first, size),
+                  std::span(points_).subspan(first, size));
         });
         evaluations_ += points_.size();
     }
 
     /// The same, of stations @p first, @p first + 1, ... only; no more than a block of them.
-    void place(ChordMeasure const& measure, std::size_t count, std::size_t first, std::span<double> stations, std::span<EnvelopePoint> points) const
+    void place(ChordMeasure const& measure, std::size_t count, std::size_t first, std::span<double> stations,
+               std::span<EnvelopePoint> points) const
     {
         measure.shares(count, first, stations);
-        if (!batch_)
-        {
+        if (!batch_) {
             std::transform(stations.begin(), stations.end(), points.begin(), [&](double s) { return at(s); });
             return;
         }
         std::array<double, block + 1> u;
-        std::transform(stations.begin(), stations.end(), u.begin(), [&](double s) { return arc_parameter_to_u(window_, s); });
+        std::transform(stations.begin(), stations.end(), u.begin(),
+                       [&](double s) { return arc_parameter_to_u(window_, s); });
         point_batch(envelope_, arc_, *batch_, std::span<double const>(u).first(stations.size()), points);
     }
 
@@ -152,28 +162,26 @@ class ArcSampler
         auto const point_at = [&](double s) { return at(s); };
         double worst = 0;
         constexpr int attempts = 4;
-        for (int attempt = 1;; ++attempt)
-        {
+        for (int attempt = 1;; ++attempt) {
             place(measure, count);
             look_(points_, threads_);
             bound_chords(point_at, stations_, points_, look_, evaluations_);
             // where many chords are a little too coarse, a few more over the whole arc are fewer than a cut in each
             worst = *std::max_element(errors.begin(), errors.end());
-            auto const failing = static_cast<std::size_t>(std::count_if(errors.begin(), errors.end(), [&](double error) { return error > chord_; }));
-            double const grown = std::max(static_cast<double>(count + 1), std::ceil(static_cast<double>(count) * std::sqrt(worst / chord_)));
+            auto const failing = static_cast<std::size_t>(
+                std::count_if(errors.begin(), errors.end(), [&](double error) { return error > chord_; }));
+            double const grown = std::max(static_cast<double>(count + 1),
+                                          std::ceil(static_cast<double>(count) * std::sqrt(worst / chord_)));
             if (failing == 0 || attempt == attempts || !(grown < static_cast<double>(count + failing)))
                 break;
             count = static_cast<std::size_t>(grown);
         }
         SampledArc result;
         result.evaluations = evaluations_;
-        if (worst <= chord_)
-        {
+        if (worst <= chord_) {
             result.chord = worst;
             result.points = std::move(points_);
-        }
-        else
-        {
+        } else {
             make_room(result.points, points_.size());
             result.points.push_back(points_.front());
             cut_coarse_chords(point_at, stations_, points_, errors, chord_, test_, result);
@@ -194,4 +202,4 @@ class ArcSampler
     std::size_t evaluations_ = 0;
 };
 
-}  // namespace hdconj::detail
+}  // namespace hdconj::envelope

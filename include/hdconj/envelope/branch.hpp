@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace hdconj {
+namespace hdconj::envelope {
 
 /// Why a branch ends.
 enum class BranchEnd
@@ -21,13 +21,17 @@ enum class BranchEnd
 
 [[nodiscard]] inline std::string to_string(BranchEnd end)
 {
-    switch (end)
-    {
-    case BranchEnd::segment_end: return "segment end";
-    case BranchEnd::double_root: return "double root";
-    case BranchEnd::cusp: return "cusp";
-    case BranchEnd::range_end: return "range end";
-    case BranchEnd::continues: return "continues";
+    switch (end) {
+        case BranchEnd::segment_end:
+            return "segment end";
+        case BranchEnd::double_root:
+            return "double root";
+        case BranchEnd::cusp:
+            return "cusp";
+        case BranchEnd::range_end:
+            return "range end";
+        case BranchEnd::continues:
+            return "continues";
     }
     return {};
 }
@@ -38,16 +42,17 @@ struct ContactArc
     int piece = 0;
     /// arcs and corners: sign of the normal; curves: which root in increasing t; lines: 0
     int candidate = 0;
-    int roots = 1;               ///< curves: number of roots on the open interval
+    int roots = 1;  ///< curves: number of roots on the open interval
     double u_begin = 0;
     double u_end = 0;
-    double t_begin = 0;          ///< local piece parameter, exact at segment ends
+    double t_begin = 0;  ///< local piece parameter, exact at segment ends
     double t_end = 0;
     BranchEnd begins = BranchEnd::segment_end;
     BranchEnd ends = BranchEnd::segment_end;
-    bool resting = false;        ///< arcs: the centre stands still to roundoff while the contact runs along, so t is taken linear in u
-    bool bounding = false;       ///< locally a boundary of the swept region (outer envelope)
-    std::vector<double> reversals; ///< where t(u) turns back: ends of conjugate zones
+    bool resting =
+        false;  ///< arcs: the centre stands still to roundoff while the contact runs along, so t is taken linear in u
+    bool bounding = false;          ///< locally a boundary of the swept region (outer envelope)
+    std::vector<double> reversals;  ///< where t(u) turns back: ends of conjugate zones
 };
 
 /// Consecutive contact arcs on one segment, u increasing.
@@ -60,15 +65,15 @@ struct Branch
 
 /// A place where the number of roots is not known: within `width` of u a branch may exist that was not found.
 ///
-/// Its contacts lie where |f| <= F; as f is the speed of the tooth along its own normal, the tooth covers during that interval at
-/// most reach = F width more than the known branches say, measured along the normal.
+/// Its contacts lie where |f| <= F; as f is the speed of the tooth along its own normal, the tooth covers during that
+/// interval at most reach = F width more than the known branches say, measured along the normal.
 struct RootDoubt
 {
-    int piece = -1;            ///< of the profile; -1: all
-    double t = 0;              ///< local piece parameter
+    int piece = -1;  ///< of the profile; -1: all
+    double t = 0;    ///< local piece parameter
     double u = 0;
-    double width = 0;          ///< of the interval about u [rad]
-    double reach = 0;          ///< how far such a branch can stand out of the known ones [mm]
+    double width = 0;  ///< of the interval about u [rad]
+    double reach = 0;  ///< how far such a branch can stand out of the known ones [mm]
     std::string what;
 };
 
@@ -77,10 +82,10 @@ struct TraceRecord
 {
     std::size_t evaluations = 0;
     std::size_t roots = 0;
-    std::vector<RootDoubt> doubts;    ///< in the order of the profile
+    std::vector<RootDoubt> doubts;  ///< in the order of the profile
 
     /// Every interval was decided: no root is missing, none invented.
     [[nodiscard]] bool certified() const { return doubts.empty(); }
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::envelope

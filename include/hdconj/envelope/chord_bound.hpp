@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// How far an envelope arc runs from a chord between two of its points: estimated from the chord's ends, or looked at between them.
+/// How far an envelope arc runs from a chord between two of its points: estimated from the chord's ends, or looked at
+/// between them.
 #pragma once
 
 #include <algorithm>
@@ -10,16 +11,17 @@
 #include <span>
 #include <vector>
 
+#include "hdconj/base/parallel.hpp"
 #include "hdconj/envelope/envelope.hpp"
-#include "hdconj/numeric/parallel.hpp"
 
-namespace hdconj::detail {
+namespace hdconj::envelope {
 
 /// The next order of the expansion, so that chord_error() is a bound.
 inline constexpr double next_order = 1.02;
 
 /// Largest distance from its chord of the cubic that has the given ends and end normals: for a circular arc length
-/// times turn over 8; right to the next order for any smooth curve, inflexions included. Rounded up by 2 per cent for that.
+/// times turn over 8; right to the next order for any smooth curve, inflexions included. Rounded up by 2 per cent for
+/// that.
 [[nodiscard]] inline double chord_error(EnvelopePoint const& a, EnvelopePoint const& b)
 {
     Vec2 const chord = b.p - a.p;
@@ -45,16 +47,15 @@ inline constexpr double next_order = 1.02;
     return next_order * length * worst;
 }
 
-/// Largest distance from the chord first ... last of the curve that is a cubic with their normals between any two neighbours of @p points.
-/// The chord's length where that is no graph over the chord.
+/// Largest distance from the chord first ... last of the curve that is a cubic with their normals between any two
+/// neighbours of @p points. The chord's length where that is no graph over the chord.
 [[nodiscard]] inline double distance_from_chord(std::span<EnvelopePoint const> points)
 {
     Vec2 const origin = points.front().p;
     Vec2 const chord = points.back().p - origin;
     double const length = chord.norm();
     double worst = 0;
-    if (length == 0)
-    {
+    if (length == 0) {
         for (EnvelopePoint const& e : points)
             worst = std::max(worst, (e.p - origin).norm());
         return worst;
@@ -62,8 +63,7 @@ inline constexpr double next_order = 1.02;
     Vec2 const along = chord / length;
     double const side = cross(along, points.front().n);
     double x0 = 0, y0 = 0, m0 = 0;
-    for (std::size_t i = 0; i < points.size(); ++i)
-    {
+    for (std::size_t i = 0; i < points.size(); ++i) {
         Vec2 const from_origin = points[i].p - origin;
         double const x = along.dot(from_origin);
         double const y = cross(along, from_origin);
@@ -71,8 +71,7 @@ inline constexpr double next_order = 1.02;
         if (!(up * side > 0) || (i > 0 && !(x > x0)))
             return length;
         double const m = -along.dot(points[i].n) / up;
-        if (i > 0)
-        {
+        if (i > 0) {
             // y0 + c1 s + c2 s^2 + c3 s^3 over s in [0, 1]
             double const width = x - x0;
             double const c1 = width * m0;
@@ -94,12 +93,13 @@ inline constexpr double next_order = 1.02;
 
 /// Upper bound of the distance of the arc s -> @p at(s) from its chord over [s0, s1], whose ends are @p a and @p b.
 ///
-/// Cubics through 2, 4, ... 16 parts. Their error is of fourth order: with each halving it falls to a sixteenth, so what is left is below the last
-/// change and a sixteenth of what was left before, whichever is more (a change may be small by chance); that is added. Done when it is a per cent.
+/// Cubics through 2, 4, ... 16 parts. Their error is of fourth order: with each halving it falls to a sixteenth, so
+/// what is left is below the last change and a sixteenth of what was left before, whichever is more (a change may be
+/// small by chance); that is added. Done when it is a per cent.
 /// @param first_doubt  relative error of the cubic over the whole chord, at most
-template<class At>
-[[nodiscard]] double chord_bound(At const& at, double s0, EnvelopePoint const& a, double s1, EnvelopePoint const& b, double first_doubt,
-                                 std::size_t& evaluations)
+template <class At>
+[[nodiscard]] double chord_bound(At const& at, double s0, EnvelopePoint const& a, double s1, EnvelopePoint const& b,
+                                 double first_doubt, std::size_t& evaluations)
 {
     constexpr std::size_t most = 16;
     std::array<EnvelopePoint, most + 1> points;
@@ -110,11 +110,9 @@ template<class At>
     used[1] = b;
     double fine = distance_from_chord(std::span(used).first(2));
     double doubt = first_doubt * fine;
-    for (std::size_t parts = 2;; parts *= 2)
-    {
+    for (std::size_t parts = 2;; parts *= 2) {
         std::size_t const step = most / parts;
-        for (std::size_t i = step; i < most; i += 2 * step)
-        {
+        for (std::size_t i = step; i < most; i += 2 * step) {
             points[i] = at(s0 + (s1 - s0) * (static_cast<double>(i) / most));
             ++evaluations;
         }
@@ -130,8 +128,9 @@ template<class At>
     }
 }
 
-/// chord_error() of every chord between neighbouring @p points, bit for bit, many at once; and its bend [1/mm], the turn of the normal over the length, 0 where that
-/// is more than a quarter turn or there is no length. Both outputs have one place less than @p points.
+/// chord_error() of every chord between neighbouring @p points, bit for bit, many at once; and its bend [1/mm], the
+/// turn of the normal over the length, 0 where that is more than a quarter turn or there is no length. Both outputs
+/// have one place less than @p points.
 void chord_errors(std::span<EnvelopePoint const> points, std::span<double> errors, std::span<double> bends);
 
 /// Errors and bends of chords; blocks of fixed size, whatever the number of threads.
@@ -150,35 +149,39 @@ struct ChordLook
         parallel_for((count + block - 1) / block, threads, blocks_worth_a_thread, [&](std::size_t b) {
             std::size_t const first = b * block;
             std::size_t const size = std::min(block, count - first);
-            chord_errors({points.data() + first, size + 1}, {errors.data() + first, size}, {bends.data() + first, size});
+            chord_errors({points.data() + first, size + 1}, {errors.data() + first, size},
+                         {bends.data() + first, size});
         });
     }
 };
 
 /// Whether chord @p i has neighbours on either side that bend as it does, so that chord_error() is not below its error.
 ///
-/// Where curvature changes by a tenth from chord to chord, what the cubic over one leaves out, L^4 y''''/384 of L^2 y''/8, is below half a per
-/// cent, a quarter of what chord_error() adds.
+/// Where curvature changes by a tenth from chord to chord, what the cubic over one leaves out, L^4 y''''/384 of L^2
+/// y''/8, is below half a per cent, a quarter of what chord_error() adds.
 [[nodiscard]] inline bool bends_alike(std::span<double const> bends, std::size_t i)
 {
     constexpr double alike = 1.1;
-    auto const agree = [&](double a, double b) { return a * b > 0 && std::abs(a) <= alike * std::abs(b) && std::abs(b) <= alike * std::abs(a); };
+    auto const agree = [&](double a, double b) {
+        return a * b > 0 && std::abs(a) <= alike * std::abs(b) && std::abs(b) <= alike * std::abs(a);
+    };
     return i > 0 && i + 1 < bends.size() && agree(bends[i], bends[i - 1]) && agree(bends[i], bends[i + 1]);
 }
 
-/// For each chord between neighbouring @p points, at @p stations: its error estimated from its ends, as @p look has it, where its neighbours bend as it does (bends_alike()); else
-/// its bound, which is put in its place.
-template<class At>
-void bound_chords(At const& at, std::vector<double> const& stations, std::vector<EnvelopePoint> const& points, ChordLook& look, std::size_t& evaluations)
+/// For each chord between neighbouring @p points, at @p stations: its error estimated from its ends, as @p look has it,
+/// where its neighbours bend as it does (bends_alike()); else its bound, which is put in its place.
+template <class At>
+void bound_chords(At const& at, std::vector<double> const& stations, std::vector<EnvelopePoint> const& points,
+                  ChordLook& look, std::size_t& evaluations)
 {
     std::size_t const count = points.size() - 1;
     constexpr std::size_t many = 16;
     double const first_doubt = count < many ? 1 : 0.1;
-    for (std::size_t i = 0; i < count; ++i)
-    {
+    for (std::size_t i = 0; i < count; ++i) {
         if (!bends_alike(look.bends, i))
-            look.errors[i] = chord_bound(at, stations[i], points[i], stations[i + 1], points[i + 1], first_doubt, evaluations);
+            look.errors[i] =
+                chord_bound(at, stations[i], points[i], stations[i + 1], points[i + 1], first_doubt, evaluations);
     }
 }
 
-}  // namespace hdconj::detail
+}  // namespace hdconj::envelope

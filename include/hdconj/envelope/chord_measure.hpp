@@ -10,10 +10,11 @@
 #include <utility>
 #include <vector>
 
-namespace hdconj::detail {
+namespace hdconj::envelope {
 
-/// How many chords of a wanted error an arc takes up to each of some stations along it. A chord's error is of second order in its length, so a
-/// cell between two stations whose chord has the error e takes sqrt(e / wanted) of them; inside a cell their density is taken linear.
+/// How many chords of a wanted error an arc takes up to each of some stations along it. A chord's error is of second
+/// order in its length, so a cell between two stations whose chord has the error e takes sqrt(e / wanted) of them;
+/// inside a cell their density is taken linear.
 ///
 /// Accuracy: the density's is of second order in the cells; chords placed by it differ in error by twice that.
 class ChordMeasure
@@ -27,8 +28,7 @@ class ChordMeasure
     {
         for (std::size_t i = 1; i < stations_.size(); ++i)
             chords_[i] = chords_[i - 1] + std::sqrt(errors[i - 1] / wanted);
-        for (std::size_t i = 0; i < stations_.size(); ++i)
-        {
+        for (std::size_t i = 0; i < stations_.size(); ++i) {
             std::size_t const low = i == 0 ? 0 : i - 1;
             std::size_t const high = std::min(i + 1, stations_.size() - 1);
             density_[i] = (chords_[high] - chords_[low]) / (stations_[high] - stations_[low]);
@@ -38,15 +38,16 @@ class ChordMeasure
     /// Chords that the whole arc takes.
     [[nodiscard]] double total() const { return chords_.back(); }
 
-    /// Stations @p first, @p first + 1, ... of those that cut the arc into @p count equal shares; 0 and @p count are its ends. No station depends on
-    /// which others are asked for.
+    /// Stations @p first, @p first + 1, ... of those that cut the arc into @p count equal shares; 0 and @p count are
+    /// its ends. No station depends on which others are asked for.
     void shares(std::size_t count, std::size_t first, std::span<double> result) const
     {
-        auto const wanted_at = [&](std::size_t k) { return chords_.back() * static_cast<double>(k) / static_cast<double>(count); };
+        auto const wanted_at = [&](std::size_t k) {
+            return chords_.back() * static_cast<double>(k) / static_cast<double>(count);
+        };
         auto const found = std::lower_bound(chords_.begin() + 1, chords_.end() - 1, wanted_at(first));
         auto cell = static_cast<std::size_t>(found - chords_.begin());
-        for (std::size_t i = 0; i < result.size(); ++i)
-        {
+        for (std::size_t i = 0; i < result.size(); ++i) {
             double const wanted = wanted_at(first + i);
             while (cell + 1 < chords_.size() && chords_[cell] < wanted)
                 ++cell;
@@ -71,4 +72,4 @@ class ChordMeasure
     std::vector<double> density_;
 };
 
-}  // namespace hdconj::detail
+}  // namespace hdconj::envelope

@@ -12,14 +12,14 @@
 #include "hdconj/numeric/bernstein_roots.hpp"
 #include "hdconj/profile/pieces.hpp"
 
-namespace hdconj {
+namespace hdconj::envelope {
 
 /// One contact of the tooth (offset outward by d) with its envelope, in the tooth frame.
 struct Contact
 {
-    double t = 0;              ///< local parameter of the piece, 0 ... 1 inside it
-    Vec2 x = Vec2::Zero();     ///< point of the offset profile [mm]
-    Vec2 n = Vec2::Zero();     ///< outward unit normal
+    double t = 0;           ///< local parameter of the piece, 0 ... 1 inside it
+    Vec2 x = Vec2::Zero();  ///< point of the offset profile [mm]
+    Vec2 n = Vec2::Zero();  ///< outward unit normal
     /// Velocity of the envelope point along right_of(n), per unit of the motion's parameter, times `slowness`.
     /// It is written as a quotient because it has a pole at a double root of the meshing condition.
     double advance = 0;
@@ -27,10 +27,11 @@ struct Contact
     /// Positive: nearby positions of the tooth stay behind this point, so that it can bound the swept region.
     /// Zero: cusp of the envelope. Scaled by a positive factor.
     double bound = 0;
-    double bound_size = 0;     ///< size of the terms of `bound`, cancellations undone: its error is some roundings of this
-    double turning = 0;        ///< df/du at the contact: zero where the contact reverses along the profile
-    double turning_size = 0;   ///< the same for `turning`
-    /// Error of the point along its tangent per unit of roundoff [mm]: large where the contact runs fast along the profile.
+    double bound_size = 0;  ///< size of the terms of `bound`, cancellations undone: its error is some roundings of this
+    double turning = 0;     ///< df/du at the contact: zero where the contact reverses along the profile
+    double turning_size = 0;  ///< the same for `turning`
+    /// Error of the point along its tangent per unit of roundoff [mm]: large where the contact runs fast along the
+    /// profile.
     double rounding = 0;
 };
 
@@ -38,9 +39,10 @@ struct Contact
 ///
 /// f = n.V with V the velocity of the arc's centre (design 3.2), so n = sign * V turned by +90 degrees / |V|. With
 /// a' = cross(V, V')/|V|^2 the turning rate of V and r = radius + d, the envelope point moves along right_of(n) at
-/// sign |V| + r (omega - a'), and it bounds the swept region locally iff sgn(r) (|V|^3 + sign r (omega |V|^2 - cross(V, V'))) > 0.
-/// Degenerate: V = 0 (the whole arc touches): n is not finite.
-[[nodiscard]] inline Contact arc_contact(ArcPiece const& arc, MotionRates const& rates, int sign, double d)
+/// sign |V| + r (omega - a'), and it bounds the swept region locally iff sgn(r) (|V|^3 + sign r (omega |V|^2 - cross(V,
+/// V'))) > 0. Degenerate: V = 0 (the whole arc touches): n is not finite.
+[[nodiscard]] inline Contact arc_contact(profile::ArcPiece const& arc, motion::MotionRates const& rates, int sign,
+                                         double d)
 {
     Vec2 const v = rates.twist(arc.centre);
     Vec2 const v1 = rates.change(arc.centre);
@@ -69,10 +71,10 @@ struct Contact
     return c;
 }
 
-/// Contact of an arc whose centre stands still to roundoff while the contact runs from t_begin at u_begin to t_end at u_end: all normals
-/// between touch at once, and t is taken linear in u. It bounds the swept region locally iff sign (turn of the normal) < 0,
-/// the limit of arc_contact() for V -> 0.
-[[nodiscard]] inline Contact resting_contact(ArcPiece const& arc, ContactArc const& along, double u, double d)
+/// Contact of an arc whose centre stands still to roundoff while the contact runs from t_begin at u_begin to t_end at
+/// u_end: all normals between touch at once, and t is taken linear in u. It bounds the swept region locally iff sign
+/// (turn of the normal) < 0, the limit of arc_contact() for V -> 0.
+[[nodiscard]] inline Contact resting_contact(profile::ArcPiece const& arc, ContactArc const& along, double u, double d)
 {
     double const share = (u - along.u_begin) / (along.u_end - along.u_begin);
     double const turn = (arc.to - arc.from) * (along.t_end - along.t_begin) / (along.u_end - along.u_begin);
@@ -89,7 +91,8 @@ struct Contact
 }
 
 /// The part common to lines and curves: profile point @p x, unit normal, curvature @p k (convex positive).
-[[nodiscard]] inline Contact smooth_contact(Vec2 const& x, Vec2 const& n, double k, MotionRates const& rates, double d)
+[[nodiscard]] inline Contact smooth_contact(Vec2 const& x, Vec2 const& n, double k, motion::MotionRates const& rates,
+                                            double d)
 {
     Vec2 const tangent = right_of(n);
     double const omega = rates.twist.omega;
@@ -109,17 +112,18 @@ struct Contact
     // at a double root the error is that of a square root
     constexpr double square_root = 0x1p26;
     c.rounding = std::min(v_size / std::abs(f_s), square_root * x.norm());
-    c.bound_size = (std::abs(k) * v_size + rates.omega_size) * std::abs(slide_d) + std::abs(f_s) * v_size + std::abs(stretch) * c.turning_size;
+    c.bound_size = (std::abs(k) * v_size + rates.omega_size) * std::abs(slide_d) + std::abs(f_s) * v_size +
+                   std::abs(stretch) * c.turning_size;
     return c;
 }
 
 /// Contact of a straight line: f is linear along it. Outside the line t is outside 0 ... 1.
 /// Degenerate: theta' = 0 gives t = +-infinity (or NaN where the whole line touches).
-[[nodiscard]] inline Contact line_contact(LinePiece const& line, MotionRates const& rates, double d)
+[[nodiscard]] inline Contact line_contact(profile::LinePiece const& line, motion::MotionRates const& rates, double d)
 {
     Vec2 const n = line.normal();
     double const f_a = n.dot(rates.twist(line.a));
-    double const s = f_a / rates.twist.omega;   // f(s) = f_a - omega s
+    double const s = f_a / rates.twist.omega;  // f(s) = f_a - omega s
     Vec2 const x = line.a + s * line.tangent();
     Contact c = smooth_contact(x, n, 0, rates, d);
     c.t = s / line.length();
@@ -127,7 +131,8 @@ struct Contact
 }
 
 /// Contact of a curve at its parameter @p t, which must be a root of the meshing condition.
-[[nodiscard]] inline Contact curve_contact(CurvePiece const& curve, MotionRates const& rates, double t, double d)
+[[nodiscard]] inline Contact curve_contact(profile::CurvePiece const& curve, motion::MotionRates const& rates, double t,
+                                           double d)
 {
     Vec2 const x1 = curve.first(t);
     double const speed = x1.norm();
@@ -137,30 +142,31 @@ struct Contact
     return c;
 }
 
-/// Bernstein coefficients in t of f(., u) = theta' A + q_x B + q_y C; returns how far they may be, by rounding, from those
-/// of the exact curve under the exact @p twist.
-inline double meshing_polynomial(CurvePiece const& curve, Twist const& twist, std::span<double> out)
+/// Bernstein coefficients in t of f(., u) = theta' A + q_x B + q_y C; returns how far they may be, by rounding, from
+/// those of the exact curve under the exact @p twist.
+inline double meshing_polynomial(profile::CurvePiece const& curve, PlanarVelocity const& twist, std::span<double> out)
 {
     double size = 0;
-    for (std::size_t i = 0; i < out.size(); ++i)
-    {
+    for (std::size_t i = 0; i < out.size(); ++i) {
         double const a = twist.omega * curve.a()[i];
         double const b = twist.q.x() * curve.b()[i];
         double const c = twist.q.y() * curve.c()[i];
         out[i] = a + b + c;
         size = std::max(size, std::abs(a) + std::abs(b) + std::abs(c));
     }
-    double const stored = std::abs(twist.omega) * curve.a_error() + (std::abs(twist.q.x()) + std::abs(twist.q.y())) * curve.b_error();
+    double const stored =
+        std::abs(twist.omega) * curve.a_error() + (std::abs(twist.q.x()) + std::abs(twist.q.y())) * curve.b_error();
     return 4 * unit_roundoff * size + stored;
 }
 
 /// All parameters at which the curve touches its envelope now; see bernstein_roots for what is proved.
-[[nodiscard]] inline BernsteinRoots curve_contacts(CurvePiece const& curve, Twist const& twist)
+[[nodiscard]] inline numeric::BernsteinRoots curve_contacts(profile::CurvePiece const& curve,
+                                                            PlanarVelocity const& twist)
 {
-    BernsteinWork work{};
+    numeric::BernsteinWork work{};
     std::span<double> const f(work.data(), curve.a().size());
     double const noise = meshing_polynomial(curve, twist, f);
-    return bernstein_roots(f, noise);
+    return numeric::bernstein_roots(f, noise);
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::envelope

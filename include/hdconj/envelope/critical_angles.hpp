@@ -16,26 +16,24 @@
 #include "hdconj/numeric/bernstein_roots.hpp"
 #include "hdconj/profile/profile.hpp"
 
-namespace hdconj {
+namespace hdconj::envelope {
 
 /// Something happens to the contacts of a piece at u, at local parameter t.
 struct CriticalAngle
 {
     double u = 0;
-    double t = 0;           ///< 0, 1: a contact crosses that end; else two contacts merge here
+    double t = 0;  ///< 0, 1: a contact crosses that end; else two contacts merge here
     bool merge = false;
-    int change = 0;         ///< contacts after u less those before: +-1 at an end, +-2 at a merge; 0: not known
+    int change = 0;  ///< contacts after u less those before: +-1 at an end, +-2 at a merge; 0: not known
 };
 
-namespace detail {
-
 /// Sign of df/dt at an end of a piece, 0 where rounding hides it; known for curves only.
-[[nodiscard]] inline int slope_at_end(PieceShape const& shape, Twist const& twist, double t)
+[[nodiscard]] inline int slope_at_end(profile::PieceShape const& shape, PlanarVelocity const& twist, double t)
 {
-    auto const* curve = std::get_if<CurvePiece>(&shape);
+    auto const* curve = std::get_if<profile::CurvePiece>(&shape);
     if (curve == nullptr)
         return 0;
-    BernsteinWork f{};
+    numeric::BernsteinWork f{};
     std::size_t const size = curve->a().size();
     double const noise = meshing_polynomial(*curve, twist, {f.data(), size});
     std::size_t const inner = t == 0 ? 1 : size - 2;
@@ -44,89 +42,89 @@ namespace detail {
     return rise > 2 * noise ? 1 : rise < -2 * noise ? -1 : 0;
 }
 
-}  // namespace detail
-
-/// Instants in (a, b) at which a contact crosses an end of @p shape: all roots in u of f(t_end, u) = n_end . v(x_end, u).
+/// Instants in (a, b) at which a contact crosses an end of @p shape: all roots in u of f(t_end, u) = n_end . v(x_end,
+/// u).
 ///
-/// On each panel of @p rates this is a Bernstein polynomial with a stated error; its roots are isolated as in bernstein_roots, across
-/// panels, and refined on the motion itself. A near-double root is a contact that touches the end and turns back, or crosses it
-/// for a time too short to be told from none: it is recorded as a doubt.
+/// On each panel of @p rates this is a Bernstein polynomial with a stated error; its roots are isolated as in
+/// bernstein_roots, across panels, and refined on the motion itself. A near-double root is a contact that touches the
+/// end and turns back, or crosses it for a time too short to be told from none: it is recorded as a doubt.
 /// @param piece  number of the piece, for the record
-template<RelativeMotion Motion>
-void end_crossings(PieceShape const& shape, int piece, Motion const& motion, RatesModel const& rates, double a, double b,
-                   std::vector<CriticalAngle>& out, TraceRecord& record)
+template <motion::RelativeMotion Motion>
+void end_crossings(profile::PieceShape const& shape, int piece, Motion const& motion, motion::RatesModel const& rates,
+                   double a, double b, std::vector<CriticalAngle>& out, TraceRecord& record)
 {
-    auto const crossings = [&](PieceEnd const& end, double t) {
+    auto const crossings = [&](profile::PieceEnd const& end, double t) {
         // on a corner or arc the centre moves, not the point: the same value, since the arc turns about its centre
         auto const f = [&](double u) {
             ++record.evaluations;
             return end.normal.dot(motion.rates(u).twist(end.point));
         };
-        auto const take = [&](RootCluster const& cluster) {
+        auto const take = [&](numeric::RootCluster const& cluster) {
             ++record.roots;
             double u = 0.5 * (cluster.lo + cluster.hi);
-            if (cluster.near_double)
-            {
+            if (cluster.near_double) {
                 double const width = cluster.hi - cluster.lo;
-                record.doubts.push_back({piece, t, u, width, cluster.size * width, "a contact touches the end of a profile piece"});
+                record.doubts.push_back(
+                    {piece, t, u, width, cluster.size * width, "a contact touches the end of a profile piece"});
                 if (cluster.left == cluster.right || cluster.left == 0 || cluster.right == 0)
                     return;
-            }
-            else
-            {
-                u = root_in(cluster, f);
+            } else {
+                u = numeric::root_in(cluster, f);
             }
             if (!(u > a && u < b))
                 return;
-            int const slope = detail::slope_at_end(shape, motion.rates(u).twist, t);
+            int const slope = slope_at_end(shape, motion.rates(u).twist, t);
             int const after = cluster.right != 0 ? cluster.right : -cluster.left;
             out.push_back({u, t, false, t == 0 ? -after * slope : after * slope});
         };
-        RootClusters<decltype(take)> clusters(take);
-        double const along = cross(end.point, end.normal);   // n_x y - n_y x with the sign of theta'
+        numeric::RootClusters<decltype(take)> clusters(take);
+        double const along = cross(end.point, end.normal);  // n_x y - n_y x with the sign of theta'
         double const across = std::abs(end.normal.x()) + std::abs(end.normal.y());
-        for (RatesPanel const& panel : rates.panels)
-        {
+        for (motion::RatesPanel const& panel : rates.panels) {
             if (!(panel.u1 > a && panel.u0 < b))
                 continue;
-            RatesVector c = -along * panel.omega + end.normal.x() * panel.q_x + end.normal.y() * panel.q_y;
-            double const size = end.point.norm() * panel.omega.cwiseAbs().maxCoeff() + panel.q_x.cwiseAbs().maxCoeff() + panel.q_y.cwiseAbs().maxCoeff();
-            double const noise = std::abs(along) * panel.omega_error + across * panel.q_error + 4 * unit_roundoff * size;
+            motion::RatesVector c = -along * panel.omega + end.normal.x() * panel.q_x + end.normal.y() * panel.q_y;
+            double const size = end.point.norm() * panel.omega.cwiseAbs().maxCoeff() + panel.q_x.cwiseAbs().maxCoeff() +
+                                panel.q_y.cwiseAbs().maxCoeff();
+            double const noise =
+                std::abs(along) * panel.omega_error + across * panel.q_error + 4 * unit_roundoff * size;
             double const slope_noise = std::abs(along) * panel.omega_slope + across * panel.q_slope;
-            bernstein_isolate(std::span<double>(c.data(), rates_coefficients), panel.u0, panel.u1, noise, slope_noise, clusters);
+            numeric::bernstein_isolate(std::span<double>(c.data(), motion::rates_coefficients), panel.u0, panel.u1,
+                                       noise, slope_noise, clusters);
         }
         clusters.finish();
     };
-    crossings(start_of(shape), 0);
-    crossings(end_of(shape), 1);
+    crossings(profile::start_of(shape), 0);
+    crossings(profile::end_of(shape), 1);
 }
 
-/// All critical angles of a piece in (a, b), increasing. On curves those a rounding apart get the same u, in their order.
-template<RelativeMotion Motion>
-[[nodiscard]] std::vector<CriticalAngle> critical_angles(PieceShape const& shape, int piece, Motion const& motion, RatesModel const& rates,
+/// All critical angles of a piece in (a, b), increasing. On curves those a rounding apart get the same u, in their
+/// order.
+template <motion::RelativeMotion Motion>
+[[nodiscard]] std::vector<CriticalAngle> critical_angles(profile::PieceShape const& shape, int piece,
+                                                         Motion const& motion, motion::RatesModel const& rates,
                                                          double a, double b, TraceRecord& record)
 {
     std::vector<CriticalAngle> found;
     end_crossings(shape, piece, motion, rates, a, b, found, record);
-    if (auto const* curve = std::get_if<CurvePiece>(&shape))
-    {
+    if (auto const* curve = std::get_if<profile::CurvePiece>(&shape)) {
         DoubleRoots const merges = DoubleRootSearch(*curve, rates, a, b)();
-        for (DoubleRoot const& root : merges.roots)
-        {
+        for (DoubleRoot const& root : merges.roots) {
             if (!root.separated)
-                record.doubts.push_back({piece, root.t, root.u, root.u_width, root.size / curve->first(root.t).norm() * root.u_width,
+                record.doubts.push_back({piece, root.t, root.u, root.u_width,
+                                         root.size / curve->first(root.t).norm() * root.u_width,
                                          "contacts merge, or nearly merge, in more than one point"});
             found.push_back({root.u, root.t, true, root.change});
         }
         record.roots += merges.roots.size();
     }
     // at the same instant contacts appear before others vanish
-    std::stable_sort(found.begin(), found.end(),
-                     [](CriticalAngle const& x, CriticalAngle const& y) { return x.u != y.u ? x.u < y.u : x.change > y.change; });
-    // no contact can be followed between instants that are a rounding apart; one on an arc that has just that time to run from end
-    // to end is a matter of its own
-    if (std::holds_alternative<CurvePiece>(shape))
-    {
+    std::stable_sort(found.begin(), found.end(), [](CriticalAngle const& x, CriticalAngle const& y) {
+        return x.u != y.u ? x.u < y.u : x.change > y.change;
+    });
+    // no contact can be followed between instants that are a rounding apart; one on an arc that has just that time to
+    // run from end to end is a matter of its own
+    if (std::holds_alternative<profile::CurvePiece>(shape)) {
         for (std::size_t i = 1; i < found.size(); ++i)
             if (same_instant(found[i - 1].u, found[i].u))
                 found[i].u = found[i - 1].u;
@@ -134,4 +132,4 @@ template<RelativeMotion Motion>
     return found;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::envelope

@@ -10,7 +10,7 @@
 #include "hdconj/envelope/critical_angles.hpp"
 #include "hdconj/envelope/smooth_ranges.hpp"
 
-namespace hdconj {
+namespace hdconj::envelope {
 
 /// Between two neighbouring cuts the number of contacts is constant and each is a smooth function of u.
 struct CutRange
@@ -32,4 +32,4 @@ struct CutRange
     std::vector<double> cuts;
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::envelope

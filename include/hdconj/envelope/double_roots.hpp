@@ -12,18 +12,19 @@
 
 #include "hdconj/envelope/meshing_patch.hpp"
 
-namespace hdconj {
+namespace hdconj::envelope {
 
 /// Two contacts merge at (t, u); or a box in which that was not decided.
 struct DoubleRoot
 {
     double t = 0;
     double u = 0;
-    double t_width = 0;       ///< the point lies within t +- t_width/2 and u +- u_width/2, whatever the rounding
+    double t_width = 0;  ///< the point lies within t +- t_width/2 and u +- u_width/2, whatever the rounding
     double u_width = 0;
-    int change = 0;           ///< +2: two contacts appear as u grows, -2: they vanish; 0: not known
-    double size = 0;          ///< not separated: largest |f| in the box
-    bool separated = true;    ///< false: no point, one or several (three contacts merging, a merge that parts again at once)
+    int change = 0;   ///< +2: two contacts appear as u grows, -2: they vanish; 0: not known
+    double size = 0;  ///< not separated: largest |f| in the box
+    bool separated =
+        true;  ///< false: no point, one or several (three contacts merging, a merge that parts again at once)
 };
 
 /// Double roots of a curve, and what the search took.
@@ -38,31 +39,35 @@ struct DoubleRoots
     }
 };
 
-/// All (t, u) in [0, 1] x [a, b] with f = f_t = 0; geometrically the instants at which the instantaneous centre of rotation
-/// crosses the evolute of the curve.
+/// All (t, u) in [0, 1] x [a, b] with f = f_t = 0; geometrically the instants at which the instantaneous centre of
+/// rotation crosses the evolute of the curve.
 ///
-/// F = (f, f_t) is a tensor-product Bernstein polynomial to a stated error e. A box without zero among the coefficients of f or of
-/// f_t, widened by the error, is empty. Let J be the Jacobian of F, Y the inverse of its middle over the box X widened by an eighth,
-/// X', and E >= |1 - Y J| on X' with row sums below q < 1, from the ranges of the coefficients. By the mean value theorem every zero x
-/// in X of any function within e satisfies, for any z in X',
+/// F = (f, f_t) is a tensor-product Bernstein polynomial to a stated error e. A box without zero among the coefficients
+/// of f or of f_t, widened by the error, is empty. Let J be the Jacobian of F, Y the inverse of its middle over the box
+/// X widened by an eighth, X', and E >= |1 - Y J| on X' with row sums below q < 1, from the ranges of the coefficients.
+/// By the mean value theorem every zero x in X of any function within e satisfies, for any z in X',
 ///   |x - z| <= (1 - E)^-1 |Y| (|F(z)| + e)                                    (1)
-/// so X' holds at most one; z is what Newton's method gives. Where the box (1) about z lies inside X' the zero exists (Brouwer);
-/// where it misses X, X is empty. Else X is cut across the direction in which F varies more. A box in which F stays within
-/// five times its error, or varies by less than it, is not cut further: it and its neighbours are reported as one root that is not separated.
-/// The work is bounded by `budget` boxes; what is left then is reported in the same way.
-/// Merges within rounding of an end of the curve are left out: there one contact crosses the end, and that is solved for.
-/// Accuracy: (1), stated with each root. Domain: the errors are those of the RatesModel.
+/// so X' holds at most one; z is what Newton's method gives. Where the box (1) about z lies inside X' the zero exists
+/// (Brouwer); where it misses X, X is empty. Else X is cut across the direction in which F varies more. A box in which
+/// F stays within five times its error, or varies by less than it, is not cut further: it and its neighbours are
+/// reported as one root that is not separated. The work is bounded by `budget` boxes; what is left then is reported in
+/// the same way. Merges within rounding of an end of the curve are left out: there one contact crosses the end, and
+/// that is solved for. Accuracy: (1), stated with each root. Domain: the errors are those of the RatesModel.
 class DoubleRootSearch
 {
   public:
-    DoubleRootSearch(CurvePiece const& curve, RatesModel const& rates, double a, double b) : curve_(curve), rates_(rates), a_(a), b_(b) {}
+    DoubleRootSearch(profile::CurvePiece const& curve, motion::RatesModel const& rates, double a, double b)
+        : curve_(curve), rates_(rates), a_(a), b_(b)
+    {
+    }
 
     [[nodiscard]] DoubleRoots operator()()
     {
-        for (RatesPanel const& panel : rates_.panels)
+        for (motion::RatesPanel const& panel : rates_.panels)
             if (panel.u1 > a_ && panel.u0 < b_)
                 visit(MeshingPatch(curve_, panel));
-        std::sort(found_.roots.begin(), found_.roots.end(), [](DoubleRoot const& x, DoubleRoot const& y) { return x.u < y.u; });
+        std::sort(found_.roots.begin(), found_.roots.end(),
+                  [](DoubleRoot const& x, DoubleRoot const& y) { return x.u < y.u; });
         return std::move(found_);
     }
 
@@ -84,7 +89,8 @@ class DoubleRootSearch
         Range const f_tu = box.by_tu();
         if (settled(box, f_t, f_u, f_tt, f_tu))
             return;
-        bool const in_noise = f.largest() <= (indistinct + 1) * f.noise && f_t.largest() <= (indistinct + 1) * f_t.noise;
+        bool const in_noise =
+            f.largest() <= (indistinct + 1) * f.noise && f_t.largest() <= (indistinct + 1) * f_t.noise;
         double const smallest = 4 * unit_roundoff;
         bool const wide_t = box.t1 - box.t0 > smallest;
         bool const wide_u = box.u1 - box.u0 > smallest * std::max(std::abs(a_), std::abs(b_));
@@ -95,13 +101,10 @@ class DoubleRootSearch
         if (in_noise || std::max(along_t, along_u) < 1 || found_.boxes >= budget || !(wide_t || wide_u))
             return not_separated(box);
         constexpr double half = 0.5;
-        if (wide_t && (along_t >= along_u || !wide_u))
-        {
+        if (wide_t && (along_t >= along_u || !wide_u)) {
             visit(box.part_in_t(0, half));
             visit(box.part_in_t(half, 1));
-        }
-        else
-        {
+        } else {
             visit(box.part_in_u(0, half));
             visit(box.part_in_u(half, 1));
         }
@@ -115,7 +118,8 @@ class DoubleRootSearch
 
         [[nodiscard]] double factor() const { return excess.rowwise().sum().maxCoeff(); }
     };
-    [[nodiscard]] static std::optional<Contraction> contraction(Range const& f_t, Range const& f_u, Range const& f_tt, Range const& f_tu)
+    [[nodiscard]] static std::optional<Contraction> contraction(Range const& f_t, Range const& f_u, Range const& f_tt,
+                                                                Range const& f_tu)
     {
         Eigen::Matrix2d middle, radius;
         middle << f_t.middle(), f_u.middle(), f_tt.middle(), f_tu.middle();
@@ -151,8 +155,7 @@ class DoubleRootSearch
         Eigen::Vector2d z(0.5, 0.5);
         Eigen::Vector2d reach(1, 1);
         constexpr int steps = 40;
-        for (int k = 0; k < steps; ++k)
-        {
+        for (int k = 0; k < steps; ++k) {
             MeshingPatch::Jet const j = wide.jet(z.x(), z.y());
             Eigen::Vector2d const value(j.f, j.s);
             reach = spread * (c->inverse.cwiseAbs() * (value.cwiseAbs() + error));
@@ -173,7 +176,8 @@ class DoubleRootSearch
         bool const appears = (at.r > 0) != (at.ss > 0);
         double const wide_t = wide.t1 - wide.t0;
         double const wide_u = wide.u1 - wide.u0;
-        record({wide.t0 + z.x() * wide_t, wide.u0 + z.y() * wide_u, 2 * reach.x() * wide_t, 2 * reach.y() * wide_u, appears ? 2 : -2, 0, true});
+        record({wide.t0 + z.x() * wide_t, wide.u0 + z.y() * wide_u, 2 * reach.x() * wide_t, 2 * reach.y() * wide_u,
+                appears ? 2 : -2, 0, true});
         return true;
     }
 
@@ -184,7 +188,8 @@ class DoubleRootSearch
             return;
         // the neighbour of a box finds the same root on their common border
         for (DoubleRoot const& other : found_.roots)
-            if (other.separated && std::abs(other.t - root.t) <= t + 0.5 * other.t_width && std::abs(other.u - root.u) <= 0.5 * (root.u_width + other.u_width))
+            if (other.separated && std::abs(other.t - root.t) <= t + 0.5 * other.t_width &&
+                std::abs(other.u - root.u) <= 0.5 * (root.u_width + other.u_width))
                 return;
         found_.roots.push_back(root);
     }
@@ -197,13 +202,12 @@ class DoubleRootSearch
         double size = box.value().largest();
         // boxes that touch are one
         std::vector<DoubleRoot>& roots = found_.roots;
-        for (std::size_t i = 0; i < roots.size();)
-        {
+        for (std::size_t i = 0; i < roots.size();) {
             DoubleRoot const& other = roots[i];
-            bool const apart = other.separated || std::abs(other.t - 0.5 * (t0 + t1)) > 0.5 * (other.t_width + t1 - t0)
-                               || std::abs(other.u - 0.5 * (u0 + u1)) > 0.5 * (other.u_width + u1 - u0);
-            if (apart)
-            {
+            bool const apart = other.separated ||
+                               std::abs(other.t - 0.5 * (t0 + t1)) > 0.5 * (other.t_width + t1 - t0) ||
+                               std::abs(other.u - 0.5 * (u0 + u1)) > 0.5 * (other.u_width + u1 - u0);
+            if (apart) {
                 ++i;
                 continue;
             }
@@ -218,11 +222,11 @@ class DoubleRootSearch
         roots.push_back({0.5 * (t0 + t1), 0.5 * (u0 + u1), t1 - t0, u1 - u0, 0, size, false});
     }
 
-    CurvePiece const& curve_;
-    RatesModel const& rates_;
+    profile::CurvePiece const& curve_;
+    motion::RatesModel const& rates_;
     double a_;
     double b_;
     DoubleRoots found_;
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::envelope

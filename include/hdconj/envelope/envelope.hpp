@@ -10,55 +10,58 @@
 #include "hdconj/envelope/contact.hpp"
 #include "hdconj/profile/profile.hpp"
 
-namespace hdconj {
+namespace hdconj::envelope {
 
 /// A point of the envelope in the circular-spline frame.
 struct EnvelopePoint
 {
     double u = 0;
-    double t = 0;              ///< local piece parameter
-    Vec2 p = Vec2::Zero();     ///< [mm]
-    Vec2 n = Vec2::Zero();     ///< outward normal of the swept region's side that touches here
-    double error = 0;          ///< estimated rounding error of p, along the curve [mm]
+    double t = 0;           ///< local piece parameter
+    Vec2 p = Vec2::Zero();  ///< [mm]
+    Vec2 n = Vec2::Zero();  ///< outward normal of the swept region's side that touches here
+    double error = 0;       ///< estimated rounding error of p, along the curve [mm]
 };
 
 /// Profile and motion together, with the parallel offset that the envelope is wanted at.
 ///
 /// The envelope of the tooth offset by d is the offset of its envelope: n.v = 0 holds at the same instants, since
 /// the turn omega x (d n) has no part along n.
-template<RelativeMotion Motion>
+template <motion::RelativeMotion Motion>
 class Envelope
 {
   public:
-    Envelope(Profile const& profile, Motion const& motion, double offset) : profile_(&profile), motion_(&motion), offset_(offset) {}
+    Envelope(profile::Profile const& profile, Motion const& motion, double offset)
+        : profile_(&profile), motion_(&motion), offset_(offset)
+    {
+    }
 
-    [[nodiscard]] Profile const& profile() const { return *profile_; }
+    [[nodiscard]] profile::Profile const& profile() const { return *profile_; }
     [[nodiscard]] Motion const& motion() const { return *motion_; }
     [[nodiscard]] double offset() const { return offset_; }
 
     /// Contact followed by @p arc at @p u.
     [[nodiscard]] Contact contact(ContactArc const& arc, double u) const
     {
-        PieceShape const& shape = profile_->pieces[static_cast<std::size_t>(arc.piece)].shape;
+        profile::PieceShape const& shape = profile_->pieces[static_cast<std::size_t>(arc.piece)].shape;
         if (arc.resting)
-            return resting_contact(std::get<ArcPiece>(shape), arc, u, offset_);
+            return resting_contact(std::get<profile::ArcPiece>(shape), arc, u, offset_);
         return contact(arc, u, motion_->rates(u));
     }
 
     /// The same where the rates at @p u are known.
-    [[nodiscard]] Contact contact(ContactArc const& arc, double u, MotionRates const& rates) const
+    [[nodiscard]] Contact contact(ContactArc const& arc, double u, motion::MotionRates const& rates) const
     {
-        PieceShape const& shape = profile_->pieces[static_cast<std::size_t>(arc.piece)].shape;
-        if (auto const* circle = std::get_if<ArcPiece>(&shape))
+        profile::PieceShape const& shape = profile_->pieces[static_cast<std::size_t>(arc.piece)].shape;
+        if (auto const* circle = std::get_if<profile::ArcPiece>(&shape))
             return arc_contact(*circle, rates, arc.candidate, offset_);
-        if (auto const* line = std::get_if<LinePiece>(&shape))
+        if (auto const* line = std::get_if<profile::LinePiece>(&shape))
             return line_contact(*line, rates, offset_);
-        auto const& curve = std::get<CurvePiece>(shape);
+        auto const& curve = std::get<profile::CurvePiece>(shape);
         return curve_contact(curve, rates, followed_root(curve, rates.twist, arc, u), offset_);
     }
 
-    /// Envelope point followed by @p arc at @p u. Where the arc begins or ends with an end of its piece this is that end's
-    /// path, so that neighbouring pieces meet however fast their contacts run.
+    /// Envelope point followed by @p arc at @p u. Where the arc begins or ends with an end of its piece this is that
+    /// end's path, so that neighbouring pieces meet however fast their contacts run.
     [[nodiscard]] EnvelopePoint point(ContactArc const& arc, double u) const
     {
         // some roundings in the pose, some in the meshing condition
@@ -67,7 +70,7 @@ class Envelope
             return end_point(arc, u, arc.t_begin);
         if (u == arc.u_end && is_end(arc.t_end))
             return end_point(arc, u, arc.t_end);
-        MotionState const state = state_of(*motion_, u);
+        motion::MotionState const state = motion::state_of(*motion_, u);
         Contact const c = arc.resting ? contact(arc, u) : contact(arc, u, state.rates);
         double const doubt = roundings * unit_roundoff * c.rounding;
         // a contact that runs fast is uncertain along the profile: rounding must not carry it over the end
@@ -78,21 +81,24 @@ class Envelope
         return {u, c.t, p, pose.rotate(c.n), roundings * unit_roundoff * p.norm() + doubt};
     }
 
-    /// How far @p e may be from the true curve [mm]. Where the contact runs fast along a curve, as where two merge, the point is uncertain along it; but tooth and envelope touch
-    /// there, and a point of the tooth that is doubt away is off the envelope by doubt^2 times half of what their curvatures differ by, of which twice the sum is taken.
+    /// How far @p e may be from the true curve [mm]. Where the contact runs fast along a curve, as where two merge, the
+    /// point is uncertain along it; but tooth and envelope touch there, and a point of the tooth that is doubt away is
+    /// off the envelope by doubt^2 times half of what their curvatures differ by, of which twice the sum is taken.
     [[nodiscard]] double off_curve(ContactArc const& arc, EnvelopePoint const& e) const
     {
         constexpr double roundings = 8;
         double const fixed = roundings * unit_roundoff * e.p.norm();
         double const doubt = e.error - fixed;
-        auto const* curve = std::get_if<CurvePiece>(&profile_->pieces[static_cast<std::size_t>(arc.piece)].shape);
+        auto const* curve =
+            std::get_if<profile::CurvePiece>(&profile_->pieces[static_cast<std::size_t>(arc.piece)].shape);
         if (curve == nullptr || !(doubt > fixed))
             return e.error;
-        MotionRates const rates = motion_->rates(e.u);
+        motion::MotionRates const rates = motion_->rates(e.u);
         Contact const c = curve_contact(*curve, rates, e.t, offset_);
         Vec2 const x1 = curve->first(e.t);
         double const k = -cross(x1, curve->second(e.t)) / (x1.squaredNorm() * x1.norm());
-        double const of_tooth = std::abs(k / (1 + k * offset_)), of_envelope = std::abs((rates.twist.omega * c.slowness - k * c.turning) / c.advance);
+        double const of_tooth = std::abs(k / (1 + k * offset_)),
+                     of_envelope = std::abs((rates.twist.omega * c.slowness - k * c.turning) / c.advance);
         double const off = (of_tooth + of_envelope) * doubt * doubt;
         return off < doubt ? fixed + off : e.error;  // not where it is infinite or no number
     }
@@ -100,21 +106,21 @@ class Envelope
   private:
     [[nodiscard]] static bool is_end(double t) { return t == 0 || t == 1; }
 
-    [[nodiscard]] PieceEnd end_of_piece(ContactArc const& arc, double t) const
+    [[nodiscard]] profile::PieceEnd end_of_piece(ContactArc const& arc, double t) const
     {
-        PieceShape const& shape = profile_->pieces[static_cast<std::size_t>(arc.piece)].shape;
-        return t == 0 ? start_of(shape) : end_of(shape);
+        profile::PieceShape const& shape = profile_->pieces[static_cast<std::size_t>(arc.piece)].shape;
+        return t == 0 ? profile::start_of(shape) : profile::end_of(shape);
     }
 
     [[nodiscard]] bool near_end(ContactArc const& arc, Contact const& c, double doubt) const
     {
-        PieceEnd const end = end_of_piece(arc, c.t > 0.5 ? 1 : 0);
+        profile::PieceEnd const end = end_of_piece(arc, c.t > 0.5 ? 1 : 0);
         return (c.x - end.point - offset_ * end.normal).norm() <= doubt;
     }
 
     [[nodiscard]] EnvelopePoint end_point(ContactArc const& arc, double u, double t) const
     {
-        PieceEnd const end = end_of_piece(arc, t);
+        profile::PieceEnd const end = end_of_piece(arc, t);
         Pose const pose = motion_->pose(u);
         Vec2 const p = pose(end.point + offset_ * end.normal);
         constexpr double roundings = 8;
@@ -122,23 +128,26 @@ class Envelope
     }
 
     /// The root that this arc follows. Roots keep their order between two critical u; next to an end, where roundoff
-    /// may add or drop one, the root nearest to the chord between the known ends is taken. At an end that was solved for the solved
-    /// parameter holds: of two contacts that merge, roots at the same u are still the square root of roundoff apart.
-    [[nodiscard]] double followed_root(CurvePiece const& curve, Twist const& twist, ContactArc const& arc, double u) const
+    /// may add or drop one, the root nearest to the chord between the known ends is taken. At an end that was solved
+    /// for the solved parameter holds: of two contacts that merge, roots at the same u are still the square root of
+    /// roundoff apart.
+    [[nodiscard]] double followed_root(profile::CurvePiece const& curve, PlanarVelocity const& twist,
+                                       ContactArc const& arc, double u) const
     {
-        auto const solved = [](BranchEnd end) { return end == BranchEnd::double_root || end == BranchEnd::segment_end; };
+        auto const solved = [](BranchEnd end) {
+            return end == BranchEnd::double_root || end == BranchEnd::segment_end;
+        };
         if (u == arc.u_begin && solved(arc.begins))
             return arc.t_begin;
         if (u == arc.u_end && solved(arc.ends))
             return arc.t_end;
-        BernsteinRoots const found = curve_contacts(curve, twist);
+        numeric::BernsteinRoots const found = curve_contacts(curve, twist);
         if (found.count == arc.roots)
             return found.t[static_cast<std::size_t>(arc.candidate)];
         double const share = (u - arc.u_begin) / (arc.u_end - arc.u_begin);
         double const guess = arc.t_begin + share * (arc.t_end - arc.t_begin);
         double best = share < 0.5 ? arc.t_begin : arc.t_end;
-        for (int i = 0; i < found.count; ++i)
-        {
+        for (int i = 0; i < found.count; ++i) {
             double const t = found.t[static_cast<std::size_t>(i)];
             if (std::abs(t - guess) < std::abs(best - guess))
                 best = t;
@@ -146,13 +155,13 @@ class Envelope
         return best;
     }
 
-    Profile const* profile_;
+    profile::Profile const* profile_;
     Motion const* motion_;
     double offset_;
 };
 
-/// A smooth parameter s in [0, 1] for an arc: u(s) is quadratic at an end where two contacts merge, so that the contact moves
-/// there at finite speed.
+/// A smooth parameter s in [0, 1] for an arc: u(s) is quadratic at an end where two contacts merge, so that the contact
+/// moves there at finite speed.
 [[nodiscard]] inline double arc_parameter_to_u(ContactArc const& arc, double s)
 {
     bool const fold_begin = arc.begins == BranchEnd::double_root;
@@ -168,4 +177,4 @@ class Envelope
     return s >= 1 ? arc.u_end : arc.u_begin + share * (arc.u_end - arc.u_begin);
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::envelope

@@ -10,12 +10,12 @@
 #include <variant>
 #include <vector>
 
+#include "hdconj/base/parallel.hpp"
 #include "hdconj/envelope/contact_batch.hpp"
 #include "hdconj/envelope/cusps.hpp"
 #include "hdconj/envelope/trace.hpp"
-#include "hdconj/numeric/parallel.hpp"
 
-namespace hdconj {
+namespace hdconj::envelope {
 
 /// Branches in the order of the profile, and what it took.
 struct BranchSet
@@ -23,8 +23,6 @@ struct BranchSet
     std::vector<Branch> branches;
     TraceRecord record;
 };
-
-namespace detail {
 
 /// Whether arc @p b goes on where @p a stops: across a critical angle or a joint of pieces inside one segment.
 [[nodiscard]] inline bool goes_on(ContactArc const& a, ContactArc const& b)
@@ -39,7 +37,7 @@ namespace detail {
 }
 
 /// Fewest pieces that are worth a thread. @param long_job  as for find_branches()
-template<RelativeMotion Motion>
+template <motion::RelativeMotion Motion>
 [[nodiscard]] std::size_t pieces_worth_a_thread(Envelope<Motion> const& envelope, bool long_job)
 {
     // microseconds, about
@@ -48,8 +46,8 @@ template<RelativeMotion Motion>
     auto const& pieces = envelope.profile().pieces;
     bool const batch = batch_motion(envelope.motion()).has_value();
     double total = 0;
-    for (ProfilePiece const& piece : pieces)
-        total += !batch ? other_motion : std::holds_alternative<CurvePiece>(piece.shape) ? curve : line_or_arc;
+    for (profile::ProfilePiece const& piece : pieces)
+        total += !batch ? other_motion : std::holds_alternative<profile::CurvePiece>(piece.shape) ? curve : line_or_arc;
     return static_cast<std::size_t>(std::ceil(enough * static_cast<double>(pieces.size()) / total));
 }
 
@@ -59,13 +57,11 @@ template<RelativeMotion Motion>
     std::size_t const none = arcs.size();
     std::vector<std::size_t> next(arcs.size(), none);
     std::vector<bool> continued(arcs.size(), false);
-    std::size_t first = 0;   // of the pieces that touch that of arc i
-    for (std::size_t i = 0; i < arcs.size(); ++i)
-    {
+    std::size_t first = 0;  // of the pieces that touch that of arc i
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
         while (arcs[first].piece + 1 < arcs[i].piece)
             ++first;
-        for (std::size_t j = first; j < arcs.size() && arcs[j].piece <= arcs[i].piece + 1; ++j)
-        {
+        for (std::size_t j = first; j < arcs.size() && arcs[j].piece <= arcs[i].piece + 1; ++j) {
             if (i == j || continued[j] || !goes_on(arcs[i], arcs[j]))
                 continue;
             next[i] = j;
@@ -74,13 +70,11 @@ template<RelativeMotion Motion>
         }
     }
     std::vector<Branch> branches;
-    for (std::size_t i = 0; i < arcs.size(); ++i)
-    {
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
         if (continued[i])
             continue;
         Branch branch{segment, corner, {}};
-        for (std::size_t k = i; k != none; k = next[k])
-        {
+        for (std::size_t k = i; k != none; k = next[k]) {
             branch.arcs.push_back(arcs[k]);
             if (next[k] != none)
                 branch.arcs.back().ends = BranchEnd::continues;
@@ -92,22 +86,20 @@ template<RelativeMotion Motion>
     return branches;
 }
 
-}  // namespace detail
-
-/// Every branch of {f = 0} for u over the lobe [-pi/n, pi/n]: regular ones on lines, arcs and curves, corner paths on convex corners.
-/// Pieces are traced in parallel; the result does not depend on the number of threads.
+/// Every branch of {f = 0} for u over the lobe [-pi/n, pi/n]: regular ones on lines, arcs and curves, corner paths on
+/// convex corners. Pieces are traced in parallel; the result does not depend on the number of threads.
 /// @param long_job  what follows keeps all threads busy, so that they may as well be woken for this
 /// @throws NumericalError naming the piece and the place
-template<RelativeMotion Motion>
+template <motion::RelativeMotion Motion>
 [[nodiscard]] BranchSet find_branches(Envelope<Motion> const& envelope, int threads, bool long_job = false)
 {
     auto const& pieces = envelope.profile().pieces;
     std::vector<std::vector<ContactArc>> arcs(pieces.size());
     std::vector<TraceRecord> records(pieces.size());
-    std::vector<RatesModel> rates;
+    std::vector<motion::RatesModel> rates;
     for (SmoothRange const& range : smooth_ranges(envelope.motion()))
-        rates.push_back(rates_model(envelope.motion(), range.a, range.b));
-    parallel_for(pieces.size(), threads, detail::pieces_worth_a_thread(envelope, long_job), [&](std::size_t i) {
+        rates.push_back(motion::rates_model(envelope.motion(), range.a, range.b));
+    parallel_for(pieces.size(), threads, pieces_worth_a_thread(envelope, long_job), [&](std::size_t i) {
         std::vector<ContactArc> const whole = PieceTracer<Motion>(envelope, rates, static_cast<int>(i))(records[i]);
         for (ContactArc const& arc : whole)
             for (ContactArc& part : cut_at_cusps(envelope, arc, records[i]))
@@ -115,33 +107,30 @@ template<RelativeMotion Motion>
     });
 
     BranchSet set;
-    for (RatesModel const& model : rates)
-    {
+    for (motion::RatesModel const& model : rates) {
         if (!model.resolved)
             set.record.doubts.push_back({-1, 0, 0.5 * (model.panels.front().u0 + model.panels.back().u1),
-                                         model.panels.back().u1 - model.panels.front().u0, std::numeric_limits<double>::infinity(),
+                                         model.panels.back().u1 - model.panels.front().u0,
+                                         std::numeric_limits<double>::infinity(),
                                          "the motion is not smooth between its breaks"});
     }
-    for (TraceRecord& record : records)
-    {
+    for (TraceRecord& record : records) {
         set.record.evaluations += record.evaluations;
         set.record.roots += record.roots;
         std::move(record.doubts.begin(), record.doubts.end(), std::back_inserter(set.record.doubts));
     }
-    for (std::size_t i = 0; i < pieces.size();)
-    {
+    for (std::size_t i = 0; i < pieces.size();) {
         std::vector<ContactArc> together = std::move(arcs[i]);
         std::size_t j = i + 1;
-        while (j < pieces.size() && pieces[j].segment == pieces[i].segment && !pieces[j].corner && !pieces[i].corner)
-        {
+        while (j < pieces.size() && pieces[j].segment == pieces[i].segment && !pieces[j].corner && !pieces[i].corner) {
             std::move(arcs[j].begin(), arcs[j].end(), std::back_inserter(together));
             ++j;
         }
-        for (Branch& branch : detail::link(together, pieces[i].segment, pieces[i].corner))
+        for (Branch& branch : link(together, pieces[i].segment, pieces[i].corner))
             set.branches.push_back(std::move(branch));
         i = j;
     }
     return set;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::envelope

@@ -11,28 +11,28 @@
 #include "hdconj/envelope/chord_bound.hpp"
 #include "hdconj/envelope/envelope.hpp"
 
-namespace hdconj {
+namespace hdconj::envelope {
 
 /// Points along an arc from u_from to u_to (in either direction), both included, and the chord error reached.
 struct SampledArc
 {
     std::vector<EnvelopePoint> points;
-    double chord = 0;              ///< estimated largest distance of the polygon from the curve [mm]
-    double error = 0;              ///< how far a point may be from the true curve by rounding, largest of all: an estimate [mm]
+    double chord = 0;  ///< estimated largest distance of the polygon from the curve [mm]
+    double error = 0;  ///< how far a point may be from the true curve by rounding, largest of all: an estimate [mm]
     std::size_t evaluations = 0;
 };
 
 /// What is asked of the chords of a sampled arc.
 enum class ChordTest
 {
-    estimate,  ///< from the ends of each chord alone, some per cent low where few chords make an arc: for polygons that nothing is promised of
-    bound      ///< wherever curvature changes from chord to chord the arc is looked at between the ends: `chord` is not below the true error
+    estimate,  ///< from the ends of each chord alone, some per cent low where few chords make an arc: for polygons that
+               ///< nothing is promised of
+    bound      ///< wherever curvature changes from chord to chord the arc is looked at between the ends: `chord` is not
+               ///< below the true error
 };
 
-namespace detail {
-
 /// Room in @p column for @p more and for some that are cut out of long chords.
-template<class Column>
+template <class Column>
 void make_room(Column& column, std::size_t more)
 {
     constexpr std::size_t few = 16;
@@ -40,12 +40,13 @@ void make_room(Column& column, std::size_t more)
         column.reserve(std::max(column.size() + more + more / few, 2 * column.capacity()));
 }
 
-/// Ends of the chords of @p points that are short enough, and of the others cut in halves until they are, added to @p result, which has the first of @p points.
+/// Ends of the chords of @p points that are short enough, and of the others cut in halves until they are, added to @p
+/// result, which has the first of @p points.
 /// @param at      s -> EnvelopePoint
 /// @param errors  of the chords between @p stations
-template<class At>
-void cut_coarse_chords(At const& at, std::span<double const> stations, std::span<EnvelopePoint const> points, std::span<double const> errors, double chord, ChordTest test,
-                       SampledArc& result)
+template <class At>
+void cut_coarse_chords(At const& at, std::span<double const> stations, std::span<EnvelopePoint const> points,
+                       std::span<double const> errors, double chord, ChordTest test, SampledArc& result)
 {
     constexpr int deepest = 40;
     struct Open
@@ -57,25 +58,22 @@ void cut_coarse_chords(At const& at, std::span<double const> stations, std::span
     };
     auto const error_of = [&](double s0, EnvelopePoint const& a, double s1, EnvelopePoint const& b) {
         constexpr double first_doubt = 1;
-        return test == ChordTest::estimate ? chord_error(a, b) : chord_bound(at, s0, a, s1, b, first_doubt, result.evaluations);
+        return test == ChordTest::estimate ? chord_error(a, b)
+                                           : chord_bound(at, s0, a, s1, b, first_doubt, result.evaluations);
     };
     std::vector<Open> stack;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i)
-    {
+    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
         double const first = errors[i];
-        if (first <= chord)
-        {
+        if (first <= chord) {
             result.chord = std::max(result.chord, first);
             result.points.push_back(points[i + 1]);
             continue;
         }
         stack.push_back({stations[i], stations[i + 1], points[i], points[i + 1], 0, first});
-        while (!stack.empty())
-        {
+        while (!stack.empty()) {
             Open const now = stack.back();
             stack.pop_back();
-            if (now.error > chord && now.depth < deepest && now.s1 > now.s0)
-            {
+            if (now.error > chord && now.depth < deepest && now.s1 > now.s0) {
                 double const s = 0.5 * (now.s0 + now.s1);
                 EnvelopePoint const middle = at(s);
                 ++result.evaluations;
@@ -89,5 +87,4 @@ void cut_coarse_chords(At const& at, std::span<double const> stations, std::span
     }
 }
 
-}  // namespace detail
-}  // namespace hdconj
+}  // namespace hdconj::envelope

@@ -9,26 +9,32 @@
 #include "hdconj/envelope/cut_range.hpp"
 #include "hdconj/envelope/envelope.hpp"
 
-namespace hdconj {
+namespace hdconj::envelope {
 
-/// Contact arcs of a line, arc or corner on one smooth range: membership of the candidates is constant between cuts, so the middle
-/// of each interval stands for all of it.
-template<RelativeMotion Motion>
+/// Contact arcs of a line, arc or corner on one smooth range: membership of the candidates is constant between cuts, so
+/// the middle of each interval stands for all of it.
+template <motion::RelativeMotion Motion>
 class ClosedFormTracer
 {
   public:
-    ClosedFormTracer(Envelope<Motion> const& envelope, int piece, CutRange const& range) : envelope_(envelope), piece_(piece), range_(range) {}
+    ClosedFormTracer(Envelope<Motion> const& envelope, int piece, CutRange const& range)
+        : envelope_(envelope), piece_(piece), range_(range)
+    {
+    }
 
     /// Appends the arcs to @p out.
     void operator()(std::vector<ContactArc>& out)
     {
-        bool const circle = std::holds_alternative<ArcPiece>(shape());
+        bool const circle = std::holds_alternative<profile::ArcPiece>(shape());
         for (int candidate : circle ? std::vector<int>{-1, 1} : std::vector<int>{0})
             trace(candidate, out);
     }
 
   private:
-    [[nodiscard]] PieceShape const& shape() const { return envelope_.profile().pieces[static_cast<std::size_t>(piece_)].shape; }
+    [[nodiscard]] profile::PieceShape const& shape() const
+    {
+        return envelope_.profile().pieces[static_cast<std::size_t>(piece_)].shape;
+    }
 
     /// Lines have one candidate, arcs two opposite normals.
     void trace(int candidate, std::vector<ContactArc>& out)
@@ -38,8 +44,7 @@ class ClosedFormTracer
         arc.piece = piece_;
         arc.candidate = candidate;
         bool open = false;
-        for (std::size_t i = 0; i + 1 < cuts.size(); ++i)
-        {
+        for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
             if (!(cuts[i + 1] > cuts[i]))
                 continue;
             double const t = envelope_.contact(arc, 0.5 * (cuts[i] + cuts[i + 1])).t;
@@ -73,14 +78,15 @@ class ClosedFormTracer
     /// Whether the arc's centre moves less than coordinates are rounded by while the contact runs along the arc.
     [[nodiscard]] bool rests(ContactArc const& arc) const
     {
-        auto const* circle = std::get_if<ArcPiece>(&shape());
+        auto const* circle = std::get_if<profile::ArcPiece>(&shape());
         if (circle == nullptr || arc.candidate == 0 || arc.t_begin == arc.t_end)
             return false;
         auto const centre = [&](double u) { return envelope_.motion().pose(u)(circle->centre); };
         Vec2 const begin = centre(arc.u_begin);
         constexpr double roundings = 8;
         double const rounding = roundings * unit_roundoff * begin.norm();
-        return (centre(arc.u_end) - begin).norm() <= rounding && (centre(0.5 * (arc.u_begin + arc.u_end)) - begin).norm() <= rounding;
+        return (centre(arc.u_end) - begin).norm() <= rounding &&
+               (centre(0.5 * (arc.u_begin + arc.u_end)) - begin).norm() <= rounding;
     }
 
     Envelope<Motion> const& envelope_;
@@ -88,4 +94,4 @@ class ClosedFormTracer
     CutRange const& range_;
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::envelope

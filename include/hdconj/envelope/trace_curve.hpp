@@ -12,17 +12,17 @@
 
 #include "hdconj/envelope/cut_range.hpp"
 #include "hdconj/envelope/envelope.hpp"
-#include "hdconj/numeric/error.hpp"
+#include "hdconj/error.hpp"
 
-namespace hdconj {
+namespace hdconj::envelope {
 
 /// Contact arcs of a curve on one smooth range.
 /// @throws NumericalError where the counts of contacts contradict each other
-template<RelativeMotion Motion>
+template <motion::RelativeMotion Motion>
 class CurveTracer
 {
   public:
-    CurveTracer(Envelope<Motion> const& envelope, CurvePiece const& curve, int piece, CutRange const& range)
+    CurveTracer(Envelope<Motion> const& envelope, profile::CurvePiece const& curve, int piece, CutRange const& range)
         : envelope_(envelope), curve_(curve), piece_(piece), range_(range)
     {
     }
@@ -35,25 +35,24 @@ class CurveTracer
         std::size_t const last = range_.cuts.size() - 1;
         std::vector<std::vector<double>> at_cut(range_.cuts.size());
         std::vector<std::size_t> first_changed(range_.cuts.size(), 0);
-        for (std::size_t i = 0; i <= last; ++i)
-        {
+        for (std::size_t i = 0; i <= last; ++i) {
             bool const inner = i > 0 && i < last;
             int const before = i > 0 ? counts_[i - 1] : counts_[i];
             int const after = i < last ? counts_[i] : counts_[i - 1];
             // at an end of the range what rounding adds or hides lies next to an end of the curve
             double const where = inner ? range_.critical[i - 1].t : 0;
-            at_cut[i] = parameters(curve_, motion.rates(range_.cuts[i]).twist, static_cast<std::size_t>(std::min(before, after)), where);
+            at_cut[i] = parameters(curve_, motion.rates(range_.cuts[i]).twist,
+                                   static_cast<std::size_t>(std::min(before, after)), where);
             if (inner)
-                first_changed[i] = static_cast<std::size_t>(std::upper_bound(at_cut[i].begin(), at_cut[i].end(), where) - at_cut[i].begin());
+                first_changed[i] = static_cast<std::size_t>(
+                    std::upper_bound(at_cut[i].begin(), at_cut[i].end(), where) - at_cut[i].begin());
             if (inner && !range_.critical[i - 1].merge)
                 first_changed[i] = where == 0 ? 0 : at_cut[i].size();
         }
-        for (std::size_t i = 0; i < last; ++i)
-        {
+        for (std::size_t i = 0; i < last; ++i) {
             if (!(range_.cuts[i + 1] > range_.cuts[i]))
                 continue;
-            for (int k = 0; k < counts_[i]; ++k)
-            {
+            for (int k = 0; k < counts_[i]; ++k) {
                 ContactArc arc;
                 arc.piece = piece_;
                 arc.candidate = k;
@@ -68,7 +67,8 @@ class CurveTracer
                         return {at_cut[cut][index], range_.at_end()};
                     std::size_t const changed = static_cast<std::size_t>(counts_[i]) - at_cut[cut].size();
                     if (index >= first_changed[cut] && index < first_changed[cut] + changed)
-                        return {range_.critical[cut - 1].t, range_.critical[cut - 1].merge ? BranchEnd::double_root : BranchEnd::segment_end};
+                        return {range_.critical[cut - 1].t,
+                                range_.critical[cut - 1].merge ? BranchEnd::double_root : BranchEnd::segment_end};
                     if (index >= first_changed[cut])
                         index -= changed;
                     return {at_cut[cut][index], BranchEnd::continues};
@@ -81,17 +81,17 @@ class CurveTracer
     }
 
   private:
-    /// Number of contacts between cuts: seen in the middle of the longest interval whose roots are all simple, and from there on by
-    /// what each critical angle changes; compared with what is seen in all other such intervals.
+    /// Number of contacts between cuts: seen in the middle of the longest interval whose roots are all simple, and from
+    /// there on by what each critical angle changes; compared with what is seen in all other such intervals.
     void count_contacts()
     {
         std::size_t const intervals = range_.cuts.size() - 1;
         std::vector<int> seen(intervals, -1);
         std::size_t anchor = intervals;
         auto const length = [&](std::size_t i) { return range_.cuts[i + 1] - range_.cuts[i]; };
-        for (std::size_t i = 0; i < intervals; ++i)
-        {
-            BernsteinRoots const roots = curve_contacts(curve_, envelope_.motion().rates(range_.cuts[i] + 0.5 * length(i)).twist);
+        for (std::size_t i = 0; i < intervals; ++i) {
+            numeric::BernsteinRoots const roots =
+                curve_contacts(curve_, envelope_.motion().rates(range_.cuts[i] + 0.5 * length(i)).twist);
             bool sure = length(i) > 0 && roots.complete;
             for (int k = 0; k < roots.count; ++k)
                 sure = sure && roots.width[static_cast<std::size_t>(k)] == 0;
@@ -103,7 +103,8 @@ class CurveTracer
         }
         auto const place = [&] { return "profile piece " + std::to_string(piece_); };
         if (anchor == intervals)
-            throw NumericalError("envelope", place(), "its contacts are not distinct at any instant: the meshing condition vanishes");
+            throw NumericalError(ErrorCode::no_solution, "envelope", place(),
+                                 "its contacts are not distinct at any instant: the meshing condition vanishes");
         counts_.assign(intervals, 0);
         counts_[anchor] = seen[anchor];
         auto const change = [&](std::size_t event, std::size_t from, std::size_t to) {
@@ -117,16 +118,19 @@ class CurveTracer
             counts_[i] = counts_[i + 1] + change(i, i + 1, i);
         for (std::size_t i = 0; i < intervals; ++i)
             if (counts_[i] < 0 || (seen[i] >= 0 && seen[i] != counts_[i]))
-                throw NumericalError("envelope", place(), "contacts on both sides of a critical angle do not match");
+                throw NumericalError(ErrorCode::not_converged, "envelope", place(),
+                                     "contacts on both sides of a critical angle do not match");
     }
 
     /// The @p wanted contacts at one instant; where rounding adds or hides some they are those nearest to @p where.
-    [[nodiscard]] static std::vector<double> parameters(CurvePiece const& curve, Twist const& twist, std::size_t wanted, double where)
+    [[nodiscard]] static std::vector<double> parameters(profile::CurvePiece const& curve, PlanarVelocity const& twist,
+                                                        std::size_t wanted, double where)
     {
-        BernsteinRoots const roots = curve_contacts(curve, twist);
+        numeric::BernsteinRoots const roots = curve_contacts(curve, twist);
         std::vector<double> t(roots.t.begin(), roots.t.begin() + roots.count);
         auto const nearest = [&] {
-            return std::min_element(t.begin(), t.end(), [&](double x, double y) { return std::abs(x - where) < std::abs(y - where); });
+            return std::min_element(t.begin(), t.end(),
+                                    [&](double x, double y) { return std::abs(x - where) < std::abs(y - where); });
         };
         while (t.size() > wanted)
             t.erase(nearest());
@@ -136,10 +140,10 @@ class CurveTracer
     }
 
     Envelope<Motion> const& envelope_;
-    CurvePiece const& curve_;
+    profile::CurvePiece const& curve_;
     int piece_;
     CutRange const& range_;
-    std::vector<int> counts_;   ///< contacts between cuts
+    std::vector<int> counts_;  ///< contacts between cuts
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::envelope

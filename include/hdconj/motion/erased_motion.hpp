@@ -7,13 +7,13 @@
 
 #include "hdconj/motion/relative_motion.hpp"
 
-namespace hdconj {
+namespace hdconj::motion {
 
 /// A relative motion of any model, referred to and not owned. Same values as the model's own, bit for bit.
 class ErasedMotion
 {
   public:
-    template<RelativeMotion Motion>
+    template <RelativeMotion Motion>
     explicit ErasedMotion(Motion const& motion) : object_(&motion), calls_(&calls_of<Motion>)
     {
     }
@@ -36,13 +36,13 @@ class ErasedMotion
         bool (*symmetric)(void const*);
     };
 
-    template<class Motion>
+    template <class Motion>
     static Motion const& as(void const* object)
     {
         return *static_cast<Motion const*>(object);
     }
 
-    template<class Motion>
+    template <class Motion>
     static constexpr Calls calls_of{[](void const* o, double u) { return as<Motion>(o).pose(u); },
                                     [](void const* o, double u) { return as<Motion>(o).rates(u); },
                                     [](void const* o, double u) { return as<Motion>(o).angles(u); },
@@ -54,4 +54,4 @@ class ErasedMotion
     Calls const* calls_;
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::motion

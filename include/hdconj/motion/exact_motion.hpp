@@ -11,7 +11,7 @@
 #include "hdconj/motion/relative_motion.hpp"
 #include "hdconj/wavegen/neutral_curve.hpp"
 
-namespace hdconj {
+namespace hdconj::motion {
 
 /// Motion of design 3.1 with parameter u, the polar angle on the deformed neutral curve:
 /// gamma = u - (z_f/z_c) phi(u), theta = gamma - atan(rho'/rho), origin rho (sin gamma, cos gamma).
@@ -21,13 +21,13 @@ namespace hdconj {
 ///   q_x = S - k rho^2/r_m,   q_y = k rho rho'/r_m.
 /// (From q = R^T P' with sin(gamma - theta) = rho'/S, cos(gamma - theta) = rho/S, phi' = S/r_m.)
 /// Accuracy: pose to a few roundings of r_m; q_x loses the two digits of S - k rho^2/r_m ~ r_m (1 - k).
-template<WaveShape Shape>
+template <wavegen::WaveShape Shape>
 class ExactMotion
 {
   public:
-    ExactMotion(NeutralCurve<Shape> curve, double tooth_ratio) : curve_(std::move(curve)), k_(tooth_ratio) {}
+    ExactMotion(wavegen::NeutralCurve<Shape> curve, double tooth_ratio) : curve_(std::move(curve)), k_(tooth_ratio) {}
 
-    [[nodiscard]] NeutralCurve<Shape> const& curve() const { return curve_; }
+    [[nodiscard]] wavegen::NeutralCurve<Shape> const& curve() const { return curve_; }
     [[nodiscard]] double tooth_ratio() const { return k_; }
     [[nodiscard]] double half_lobe() const { return std::numbers::pi / curve_.shape().waves(); }
     [[nodiscard]] std::span<double const> breaks() const { return curve_.shape().breaks(); }
@@ -38,14 +38,14 @@ class ExactMotion
     /// Both, from one look at the wave.
     [[nodiscard]] MotionState state(double u) const
     {
-        RadialDisplacement const d = curve_.shape()(u);
+        wavegen::RadialDisplacement const d = curve_.shape()(u);
         return {pose(u, d), rates(d)};
     }
 
     [[nodiscard]] ToothAngles angles(double u) const { return {u, curve_.phi(u)}; }
 
   private:
-    [[nodiscard]] Pose pose(double u, RadialDisplacement const& d) const
+    [[nodiscard]] Pose pose(double u, wavegen::RadialDisplacement const& d) const
     {
         double const rho = curve_.r_0() + d.w;
         double const gamma = u - k_ * curve_.phi(u, d);
@@ -57,7 +57,7 @@ class ExactMotion
         return {c * cos_tilt + s * sin_tilt, s * cos_tilt - c * sin_tilt, {rho * s, rho * c}};
     }
 
-    [[nodiscard]] MotionRates rates(RadialDisplacement const& d) const
+    [[nodiscard]] MotionRates rates(wavegen::RadialDisplacement const& d) const
     {
         double const rho = curve_.r_0() + d.w;
         double const k = k_ / curve_.r_m();
@@ -76,8 +76,8 @@ class ExactMotion
                 std::abs(s1) + 2 * k * rho * w1 + k * (d.w1 * d.w1 + rho * std::abs(d.w2))};
     }
 
-    NeutralCurve<Shape> curve_;
+    wavegen::NeutralCurve<Shape> curve_;
     double k_;  ///< z_f / z_c
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::motion

@@ -8,31 +8,34 @@
 #include <span>
 #include <utility>
 
+#include "hdconj/error.hpp"
 #include "hdconj/motion/relative_motion.hpp"
-#include "hdconj/numeric/error.hpp"
 #include "hdconj/numeric/periodic_integral.hpp"
 #include "hdconj/wavegen/radial_displacement.hpp"
 
-namespace hdconj {
+namespace hdconj::motion {
 
-/// Thesis (2-16), (2-17), (2-19) with parameter phi: rho = r_m + w(phi), v = -integral of w (less its mean, which is of second
-/// order, so that v is periodic),
-/// phi_1 = phi + v/r_m, gamma = phi_1 - k phi, and the normal turned against the undeformed radius by mu = (v - w')/r_m,
-/// theta = (1 - k) phi + mu, k = z_f/z_c.
+/// Thesis (2-16), (2-17), (2-19) with parameter phi: rho = r_m + w(phi), v = -integral of w (less its mean, which is of
+/// second order, so that v is periodic), phi_1 = phi + v/r_m, gamma = phi_1 - k phi, and the normal turned against the
+/// undeformed radius by mu = (v - w')/r_m, theta = (1 - k) phi + mu, k = z_f/z_c.
 ///
-/// For the cosine cam mu = (n - 1/n) w0 sin(n phi)/r_m, the 1.5 of (2-16) for n = 2. The printed (2-15) is the angle against
-/// the deformed radius, w'/r_m = gamma - theta here; mixing the two is the trap named in design 3.1.
-/// Accuracy: as a model of the inextensible curve, an error of order w0^2/r_m; as arithmetic, a few roundings of r_m.
-template<WaveShape Shape>
+/// For the cosine cam mu = (n - 1/n) w0 sin(n phi)/r_m, the 1.5 of (2-16) for n = 2. The printed (2-15) is the angle
+/// against the deformed radius, w'/r_m = gamma - theta here; mixing the two is the trap named in design 3.1. Accuracy:
+/// as a model of the inextensible curve, an error of order w0^2/r_m; as arithmetic, a few roundings of r_m.
+template <wavegen::WaveShape Shape>
 class FirstOrderMotion
 {
   public:
     FirstOrderMotion(Shape shape, double r_m, double tooth_ratio)
-        : shape_(std::move(shape)), r_m_(r_m), k_(tooth_ratio),
-          w_([this](double phi) { return shape_(phi).w; }, 2 * std::numbers::pi / shape_.waves(), shape_.breaks()), mean_(negligible_or(w_.mean()))
+        : shape_(std::move(shape)),
+          r_m_(r_m),
+          k_(tooth_ratio),
+          w_([this](double phi) { return shape_(phi).w; }, 2 * std::numbers::pi / shape_.waves(), shape_.breaks()),
+          mean_(negligible_or(w_.mean()))
     {
         if (!w_.resolved())
-            throw NumericalError("motion", "tangential displacement", "the wave generator's shape is not smooth enough to be integrated");
+            throw NumericalError(ErrorCode::not_smooth, "motion", "tangential displacement",
+                                 "the wave generator's shape is not smooth enough to be integrated");
     }
 
     [[nodiscard]] Shape const& shape() const { return shape_; }
@@ -45,7 +48,7 @@ class FirstOrderMotion
 
     [[nodiscard]] Pose pose(double phi) const
     {
-        RadialDisplacement const d = shape_(phi);
+        wavegen::RadialDisplacement const d = shape_(phi);
         double const gamma = (1 - k_) * phi + v(phi, d) / r_m_;
         double const theta = gamma - d.w1 / r_m_;
         double const rho = r_m_ + d.w;
@@ -54,10 +57,10 @@ class FirstOrderMotion
 
     [[nodiscard]] MotionRates rates(double phi) const
     {
-        RadialDisplacement const d = shape_(phi);
+        wavegen::RadialDisplacement const d = shape_(phi);
         double const w = d.w - mean_;
         double const rho = r_m_ + d.w;
-        double const tilt = d.w1 / r_m_;    // gamma - theta
+        double const tilt = d.w1 / r_m_;  // gamma - theta
         double const tilt1 = d.w2 / r_m_;
         double const gamma1 = 1 - k_ - w / r_m_;
         double const gamma2 = -d.w1 / r_m_;
@@ -77,7 +80,10 @@ class FirstOrderMotion
     [[nodiscard]] ToothAngles angles(double phi) const { return {phi + v(phi) / r_m_, phi}; }
 
   private:
-    [[nodiscard]] double v(double phi, RadialDisplacement const& d) const { return mean_ * phi - w_(phi, d.sine, d.cosine); }
+    [[nodiscard]] double v(double phi, wavegen::RadialDisplacement const& d) const
+    {
+        return mean_ * phi - w_(phi, d.sine, d.cosine);
+    }
 
     /// What is left of a mean that is 0 by its formula is rounding, and would spoil exact symmetry.
     [[nodiscard]] double negligible_or(double mean) const
@@ -88,8 +94,8 @@ class FirstOrderMotion
     Shape shape_;
     double r_m_;
     double k_;
-    PeriodicIntegral w_;
+    numeric::PeriodicIntegral w_;
     double mean_;
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::motion

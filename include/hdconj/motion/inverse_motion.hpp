@@ -4,15 +4,15 @@
 #pragma once
 
 #include <cmath>
-#include <numbers>
 #include <span>
 
 #include "hdconj/motion/relative_motion.hpp"
 
-namespace hdconj {
+namespace hdconj::motion {
 
-/// Frame of circular-spline tooth @p k in the circular-spline frame: tooth k stands (k - 1/2) pitches clockwise of the y axis, so that 0 and
-/// 1 are the walls of the space there. Origin at @p radius from the axis, y towards the axis: turned clockwise by that angle and pi.
+/// Frame of circular-spline tooth @p k in the circular-spline frame: tooth k stands (k - 1/2) pitches clockwise of the
+/// y axis, so that 0 and 1 are the walls of the space there. Origin at @p radius from the axis, y towards the axis:
+/// turned clockwise by that angle and pi.
 [[nodiscard]] inline Pose circular_spline_seat(int k, double pitch, double radius)
 {
     double const angle = (k - 0.5) * pitch;
@@ -21,18 +21,18 @@ namespace hdconj {
     return {-c, -s, {radius * s, radius * c}};
 }
 
-/// A body that rests in the circular-spline frame at `seat` (x -> G x + b_0), seen from the flexspline tooth, whose motion is
-/// p = R x + P with velocity v(x) = omega right_of(x) + q in its own frame:
+/// A body that rests in the circular-spline frame at `seat` (x -> G x + b_0), seen from the flexspline tooth, whose
+/// motion is p = R x + P with velocity v(x) = omega right_of(x) + q in its own frame:
 ///
 ///   pose   A = R^T G,  b = R^T (b_0 - P)
 ///   twist  -omega,  -A^T v(b)
 ///   change -omega',  -A^T v'(b),   v'(x) = omega' right_of(x) + q'
 ///
-/// The last line has no further terms: those from A' and b' = -v(b) cancel. By the symmetry of a lobe, P and R at u + 2 pi/n are those
-/// at u turned by (z_c - z_f)/n pitches, so that tooth k after a lobe does what tooth k - (z_c - z_f)/n does in this one.
-/// Choose the seat near the tooth: b is then of the tooth's size.
-/// Accuracy: that of the motion's own P, some roundings of its radius.
-template<RelativeMotion Motion>
+/// The last line has no further terms: those from A' and b' = -v(b) cancel. By the symmetry of a lobe, P and R at u + 2
+/// pi/n are those at u turned by (z_c - z_f)/n pitches, so that tooth k after a lobe does what tooth k - (z_c - z_f)/n
+/// does in this one. Choose the seat near the tooth: b is then of the tooth's size. Accuracy: that of the motion's own
+/// P, some roundings of its radius.
+template <RelativeMotion Motion>
 class InverseMotion
 {
   public:
@@ -40,7 +40,8 @@ class InverseMotion
 
     [[nodiscard]] double half_lobe() const { return motion_->half_lobe(); }
     [[nodiscard]] std::span<double const> breaks() const { return motion_->breaks(); }
-    /// One body alone is not its own mirror image; the bodies k and 1 - k are each other's where the motion is symmetric.
+    /// One body alone is not its own mirror image; the bodies k and 1 - k are each other's where the motion is
+    /// symmetric.
     [[nodiscard]] static bool symmetric() { return false; }
     [[nodiscard]] ToothAngles angles(double u) const { return motion_->angles(u); }
     [[nodiscard]] Pose const& seat() const { return seat_; }
@@ -48,8 +49,8 @@ class InverseMotion
     [[nodiscard]] Pose pose(double u) const
     {
         Pose const tooth = motion_->pose(u);
-        return {seat_.cosine * tooth.cosine + seat_.sine * tooth.sine, seat_.sine * tooth.cosine - seat_.cosine * tooth.sine,
-                tooth.inverse(seat_.origin)};
+        return {seat_.cosine * tooth.cosine + seat_.sine * tooth.sine,
+                seat_.sine * tooth.cosine - seat_.cosine * tooth.sine, tooth.inverse(seat_.origin)};
     }
 
     [[nodiscard]] MotionRates rates(double u) const
@@ -74,4 +75,4 @@ class InverseMotion
     Pose seat_;
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::motion

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Material motion: the displacement of each point of the ring is given, the tooth stands on the displaced curve's normal.
+/// Material motion: the displacement of each point of the ring is given, the tooth stands on the displaced curve's
+/// normal.
 #pragma once
 
 #include <algorithm>
@@ -10,22 +11,23 @@
 #include <string>
 #include <utility>
 
+#include "hdconj/error.hpp"
 #include "hdconj/motion/relative_motion.hpp"
-#include "hdconj/numeric/error.hpp"
+#include "hdconj/units.hpp"
 #include "hdconj/wavegen/material_displacement.hpp"
 
-namespace hdconj {
+namespace hdconj::motion {
 
 /// Motion with parameter phi, the undeformed angle, of the point P = R e_r + v e_t, R = r_m + w(phi) (design 3.4).
 ///
-/// P' = A e_r + B e_t with A = w' - v, B = R + v'; S = sqrt(A^2 + B^2), the tilt of the normal against e_r is atan2(A, B).
-/// With k = z_f/z_c the frame of the circular spline has turned by k phi, and there
+/// P' = A e_r + B e_t with A = w' - v, B = R + v'; S = sqrt(A^2 + B^2), the tilt of the normal against e_r is atan2(A,
+/// B). With k = z_f/z_c the frame of the circular spline has turned by k phi, and there
 ///
 ///   gamma = (1 - k) phi, theta = gamma - tilt, origin R (sin gamma, cos gamma) + v (cos gamma, -sin gamma),
 ///   theta' = 1 - k - (A' B - A B')/S^2,   q_x = S + k (A v - B R)/S,   q_y = k (B v + A R)/S.
 ///
-/// (From q = R^T P' with A/S and B/S for sine and cosine of the tilt.) The displacement is taken as it is, stretching or not.
-/// Domain: R > 0 and B > 0 for every phi, so that the curve goes round the axis and does not fold back.
+/// (From q = R^T P' with A/S and B/S for sine and cosine of the tilt.) The displacement is taken as it is, stretching
+/// or not. Domain: R > 0 and B > 0 for every phi, so that the curve goes round the axis and does not fold back.
 /// Accuracy: pose to a few roundings of r_m; q_x loses the two digits of S - k B R/S ~ r_m (1 - k).
 class MaterialMotion
 {
@@ -33,21 +35,24 @@ class MaterialMotion
     /// @param r_m          radius of the undeformed neutral curve [mm]
     /// @param tooth_ratio  z_f/z_c
     /// @throws NumericalError outside the domain, or so near its limit that it cannot be told
-    MaterialMotion(MaterialDisplacement displacement, double r_m, double tooth_ratio)
-        : displacement_(std::move(displacement)), r_m_(r_m), k_(tooth_ratio), bound_(displacement_bounds(displacement_)),
-          symmetric_(is_symmetric(displacement_))
+    MaterialMotion(wavegen::MaterialDisplacement displacement, double r_m, double tooth_ratio)
+        : displacement_(std::move(displacement)),
+          r_m_(r_m),
+          k_(tooth_ratio),
+          bound_(wavegen::displacement_bounds(displacement_)),
+          symmetric_(wavegen::is_symmetric(displacement_))
     {
         require_graph();
     }
 
-    [[nodiscard]] MaterialDisplacement const& displacement() const { return displacement_; }
+    [[nodiscard]] wavegen::MaterialDisplacement const& displacement() const { return displacement_; }
     [[nodiscard]] double half_lobe() const { return std::numbers::pi / displacement_.waves; }
     [[nodiscard]] static std::span<double const> breaks() { return {}; }
     [[nodiscard]] bool symmetric() const { return symmetric_; }
 
     [[nodiscard]] Pose pose(double phi) const
     {
-        auto const [w, v] = displacement_at(displacement_, phi);
+        auto const [w, v] = wavegen::displacement_at(displacement_, phi);
         double const radius = r_m_ + w[0];
         double const a = w[1] - v[0];
         double const b = radius + v[1];
@@ -59,7 +64,7 @@ class MaterialMotion
 
     [[nodiscard]] MotionRates rates(double phi) const
     {
-        auto const [w, v] = displacement_at(displacement_, phi);
+        auto const [w, v] = wavegen::displacement_at(displacement_, phi);
         double const radius = r_m_ + w[0];
         double const a = w[1] - v[0], a1 = w[2] - v[1], a2 = w[3] - v[2];
         double const b = radius + v[1], b1 = w[1] + v[2], b2 = w[2] + v[3];
@@ -72,14 +77,15 @@ class MaterialMotion
         double const y = (b * v[0] + a * radius) / s;
         double const x1 = (a1 * v[0] + a * v[1] - b1 * radius - b * w[1] - x * s1) / s;
         double const y1 = (b1 * v[0] + b * v[1] + a1 * radius + a * w[1] - y * s1) / s;
-        MotionRates rates{{1 - k_ - bend / s2, {s + k_ * x, k_ * y}}, {2 * bend * s1 / (s2 * s) - bend1 / s2, {s1 + k_ * x1, k_ * y1}}};
+        MotionRates rates{{1 - k_ - bend / s2, {s + k_ * x, k_ * y}},
+                          {2 * bend * s1 / (s2 * s) - bend1 / s2, {s1 + k_ * x1, k_ * y1}}};
         set_sizes(rates, radius, b, s);
         return rates;
     }
 
     [[nodiscard]] ToothAngles angles(double phi) const
     {
-        PointDisplacement const at = displacement_at(displacement_, phi);
+        wavegen::PointDisplacement const at = wavegen::displacement_at(displacement_, phi);
         return {phi + std::atan2(at.v[0], r_m_ + at.w[0]), phi};
     }
 
@@ -103,36 +109,36 @@ class MaterialMotion
     void require_graph() const
     {
         constexpr int fewest = 64, most = 1 << 16;
-        constexpr double degrees = 180 / std::numbers::pi;
         double const steepest = bound_.w[1] + bound_.v[2];
         // most displacements are so small against the ring that none of their values has to be looked at
         if (r_m_ - bound_.w[0] - bound_.v[1] > steepest * half_lobe() / most)
             return;
-        for (int points = fewest; points <= most; points *= 2)
-        {
+        for (int points = fewest; points <= most; points *= 2) {
             double least = r_m_;
-            for (int i = 0; i < points; ++i)
-            {
+            for (int i = 0; i < points; ++i) {
                 double const phi = half_lobe() * (2.0 * i / points - 1);
-                PointDisplacement const at = displacement_at(displacement_, phi);
+                wavegen::PointDisplacement const at = wavegen::displacement_at(displacement_, phi);
                 least = std::min(least, r_m_ + at.w[0] + std::min(0.0, at.v[1]));
                 // a NaN too is outside
                 if (!(r_m_ + at.w[0] > 0 && r_m_ + at.w[0] + at.v[1] > 0))
-                    throw NumericalError("motion", "displacement at phi = " + std::to_string(phi * degrees) + " deg",
-                                         "the displaced neutral curve folds back or reaches the axis; make the displacement smaller");
+                    throw NumericalError(ErrorCode::no_solution, "motion",
+                                         "displacement at phi = " + std::to_string(phi * per_deg) + " deg",
+                                         "the displaced neutral curve folds back or reaches the axis",
+                                         "make the displacement smaller");
             }
             if (least > steepest * half_lobe() / points)
                 return;
         }
-        throw NumericalError("motion", "displacement of the neutral curve",
-                             "cannot be told from one that folds back or reaches the axis; make the displacement smaller or smoother");
+        throw NumericalError(ErrorCode::no_solution, "motion", "displacement of the neutral curve",
+                             "cannot be told from one that folds back or reaches the axis",
+                             "make the displacement smaller or smoother");
     }
 
-    MaterialDisplacement displacement_;
+    wavegen::MaterialDisplacement displacement_;
     double r_m_;
     double k_;
-    PointDisplacement bound_;
+    wavegen::PointDisplacement bound_;
     bool symmetric_;
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::motion

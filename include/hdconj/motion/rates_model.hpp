@@ -8,12 +8,13 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
+#include "hdconj/base/tolerance.hpp"
 #include "hdconj/motion/relative_motion.hpp"
-#include "hdconj/numeric/tolerance.hpp"
 
-namespace hdconj {
+namespace hdconj::motion {
 
 /// Degree of the model in u: with it a lobe takes about ten panels.
 inline constexpr int rates_degree = 12;
@@ -26,9 +27,9 @@ struct RatesPanel
     double u0 = 0;
     double u1 = 0;
     RatesVector omega, q_x, q_y;
-    double omega_error = 0;   ///< |theta' - model|, rounding of the rates themselves included
-    double q_error = 0;       ///< the same for q_x and for q_y [mm]
-    double omega_slope = 0;   ///< |d/ds (theta' - model)|
+    double omega_error = 0;  ///< |theta' - model|, rounding of the rates themselves included
+    double q_error = 0;      ///< the same for q_x and for q_y [mm]
+    double omega_slope = 0;  ///< |d/ds (theta' - model)|
     double q_slope = 0;
 };
 
@@ -36,10 +37,8 @@ struct RatesPanel
 struct RatesModel
 {
     std::vector<RatesPanel> panels;
-    bool resolved = true;   ///< false: on some panel the rates are not smooth enough for the errors to be known
+    bool resolved = true;  ///< false: on some panel the rates are not smooth enough for the errors to be known
 };
-
-namespace detail {
 
 /// Fixed matrices of the model: from values at the Chebyshev nodes to both kinds of coefficients, and from Bernstein
 /// coefficients to values and slopes half-way between the nodes.
@@ -47,10 +46,10 @@ struct RatesTransform
 {
     using Square = Eigen::Matrix<double, rates_coefficients, rates_coefficients>;
     using Check = Eigen::Matrix<double, rates_degree, rates_coefficients>;
-    RatesVector node;                               ///< in 0 ... 1, increasing
+    RatesVector node;  ///< in 0 ... 1, increasing
     Eigen::Matrix<double, rates_degree, 1> between;
     Square chebyshev;
-    Square bernstein;                               ///< from Chebyshev coefficients
+    Square bernstein;  ///< from Chebyshev coefficients
     Check value, slope;
 
     [[nodiscard]] static RatesTransform const& get()
@@ -74,20 +73,16 @@ struct RatesTransform
             node[j] = place(j);
         for (int j = 0; j < n; ++j)
             between[j] = place(j + 0.5);
-        for (int k = 0; k <= n; ++k)
-        {
-            for (int j = 0; j <= n; ++j)
-            {
+        for (int k = 0; k <= n; ++k) {
+            for (int j = 0; j <= n; ++j) {
                 double const half = (j == 0 || j == n ? 0.5 : 1.0) * (k == 0 || k == n ? 0.5 : 1.0);
                 // nodes increase, so that T_k has the sign (-1)^k at the first
                 chebyshev(k, j) = 2 * half / n * std::cos(std::numbers::pi * k * (n - j) / n);
             }
         }
         // T_k has the Bernstein coefficients (-1)^(k-i) C(2k, 2i)/C(k, i) at its own degree; raised to degree n
-        for (int k = 0; k <= n; ++k)
-        {
-            for (int i = 0; i <= n; ++i)
-            {
+        for (int k = 0; k <= n; ++k) {
+            for (int i = 0; i <= n; ++i) {
                 double sum = 0;
                 for (int l = std::max(0, i - (n - k)); l <= std::min(k, i); ++l)
                     sum += ((k - l) % 2 == 0 ? 1 : -1) * binomial(2 * k, 2 * l) * binomial(n - k, i - l);
@@ -97,10 +92,8 @@ struct RatesTransform
         auto const basis = [&](int m, int i, double s) {
             return i < 0 || i > m ? 0.0 : binomial(m, i) * std::pow(s, i) * std::pow(1 - s, m - i);
         };
-        for (int j = 0; j < n; ++j)
-        {
-            for (int i = 0; i <= n; ++i)
-            {
+        for (int j = 0; j < n; ++j) {
+            for (int i = 0; i <= n; ++i) {
                 value(j, i) = basis(n, i, between[j]);
                 slope(j, i) = n * (basis(n - 1, i - 1, between[j]) - basis(n - 1, i, between[j]));
             }
@@ -109,7 +102,7 @@ struct RatesTransform
 };
 
 /// Builds panels by halving.
-template<RelativeMotion Motion>
+template <RelativeMotion Motion>
 class RatesFit
 {
   public:
@@ -121,8 +114,7 @@ class RatesFit
         Eigen::Matrix<double, rates_coefficients, 3> values;
         double omega_size = 0;
         double q_size = 0;
-        for (int j = 0; j <= rates_degree; ++j)
-        {
+        for (int j = 0; j <= rates_degree; ++j) {
             MotionRates const r = motion_.rates(a + fixed.node[j] * (b - a));
             values.row(j) << r.twist.omega, r.twist.q.x(), r.twist.q.y();
             omega_size = std::max(omega_size, r.omega_size);
@@ -134,21 +126,27 @@ class RatesFit
         double const omega_rounding = roundings * unit_roundoff * omega_size;
         double const q_rounding = roundings * unit_roundoff * q_size;
         bool const fine = tail[0] <= omega_rounding && std::max(tail[1], tail[2]) <= q_rounding;
-        if (!fine && depth < deepest)
-        {
+        if (!fine && depth < deepest) {
             double const middle = 0.5 * (a + b);
             (*this)(a, middle, depth + 1);
             (*this)(middle, b, depth + 1);
             return;
         }
-        RatesPanel panel{a, b, fixed.bernstein * c.col(0), fixed.bernstein * c.col(1), fixed.bernstein * c.col(2),
-                         omega_rounding + tail[0], q_rounding + std::max(tail[1], tail[2]), 0, 0};
+        RatesPanel panel{a,
+                         b,
+                         fixed.bernstein * c.col(0),
+                         fixed.bernstein * c.col(1),
+                         fixed.bernstein * c.col(2),
+                         omega_rounding + tail[0],
+                         q_rounding + std::max(tail[1], tail[2]),
+                         0,
+                         0};
         // what the interpolant does not know of: rates and their derivatives between the nodes
-        for (int j = 0; j < rates_degree; ++j)
-        {
+        for (int j = 0; j < rates_degree; ++j) {
             MotionRates const r = motion_.rates(a + fixed.between[j] * (b - a));
             auto const off = [&](RatesVector const& model, double rate, double change) {
-                return std::pair(std::abs(fixed.value.row(j).dot(model) - rate), std::abs(fixed.slope.row(j).dot(model) - change * (b - a)));
+                return std::pair(std::abs(fixed.value.row(j).dot(model) - rate),
+                                 std::abs(fixed.slope.row(j).dot(model) - change * (b - a)));
             };
             auto const [omega, omega_slope] = off(panel.omega, r.twist.omega, r.change.omega);
             auto const [x, x_slope] = off(panel.q_x, r.twist.q.x(), r.change.q.x());
@@ -162,12 +160,13 @@ class RatesFit
         constexpr double markov = 2 * rates_degree * rates_degree;
         panel.omega_slope = std::max(panel.omega_slope, markov * omega_rounding);
         panel.q_slope = std::max(panel.q_slope, markov * q_rounding);
-        out_.resolved = out_.resolved && fine && panel.omega_error <= unexpected * omega_rounding && panel.q_error <= unexpected * q_rounding;
+        out_.resolved = out_.resolved && fine && panel.omega_error <= unexpected * omega_rounding &&
+                        panel.q_error <= unexpected * q_rounding;
         out_.panels.push_back(panel);
     }
 
   private:
-    static constexpr double roundings = 16;   ///< of the sizes that the motion states, in a rate
+    static constexpr double roundings = 16;  ///< of the sizes that the motion states, in a rate
     static constexpr double safety = 2;
     static constexpr double unexpected = 16;  ///< an error between the nodes that the coefficients did not announce
     static constexpr int deepest = 12;
@@ -176,23 +175,22 @@ class RatesFit
     RatesModel& out_;
 };
 
-}  // namespace detail
-
 /// Model of @p motion on [@p a, @p b].
 ///
-/// Errors: the interpolant at 13 Chebyshev nodes, halved until the last two coefficients are roundoff of the rates; the stated
-/// error is 16 roundings of the sizes that the motion gives for its terms, plus these two, or twice the largest difference met at
-/// 12 further points, if that is more; for the derivative the same against the motion's own derivative.
-/// Assumed, not proved: on a panel the rates are analytic, with Chebyshev coefficients that go on falling, so that all beyond the
-/// last sum to less than it. That holds between the breaks that a motion declares; a kink that it does not declare ends as
-/// `resolved = false`. For the cosine cam a test proves the error by Cauchy's bound in the complex plane.
-template<RelativeMotion Motion>
+/// Errors: the interpolant at 13 Chebyshev nodes, halved until the last two coefficients are roundoff of the rates; the
+/// stated error is 16 roundings of the sizes that the motion gives for its terms, plus these two, or twice the largest
+/// difference met at 12 further points, if that is more; for the derivative the same against the motion's own
+/// derivative. Assumed, not proved: on a panel the rates are analytic, with Chebyshev coefficients that go on falling,
+/// so that all beyond the last sum to less than it. That holds between the breaks that a motion declares; a kink that
+/// it does not declare ends as `resolved = false`. For the cosine cam a test proves the error by Cauchy's bound in the
+/// complex plane.
+template <RelativeMotion Motion>
 [[nodiscard]] RatesModel rates_model(Motion const& motion, double a, double b)
 {
     RatesModel model;
     if (b > a)
-        detail::RatesFit<Motion>(motion, model)(a, b, 0);
+        RatesFit<Motion>(motion, model)(a, b, 0);
     return model;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::motion

@@ -11,32 +11,31 @@
 #include <type_traits>
 #include <vector>
 
+#include "hdconj/base/tolerance.hpp"
 #include "hdconj/numeric/bracketed_root.hpp"
 #include "hdconj/numeric/chebyshev.hpp"
-#include "hdconj/numeric/tolerance.hpp"
 
-namespace hdconj {
+namespace hdconj::numeric {
 
 /// A root, or a place where two roots are too close to tell apart.
 struct IsolatedRoot
 {
     double x = 0;
-    double width = 0;         ///< 0 for a simple root; else the roots, if any, lie within x +- width/2
-    bool near_double = false; ///< |f| and |f'| are both below what double precision can tell from 0
+    double width = 0;          ///< 0 for a simple root; else the roots, if any, lie within x +- width/2
+    bool near_double = false;  ///< |f| and |f'| are both below what double precision can tell from 0
 };
 
 /// Roots in increasing order, and whether every piece of the interval was decided.
 struct RootSet
 {
     std::vector<IsolatedRoot> roots;
-    bool certified = true;        ///< every piece shown empty, monotone with one root, or near-double; see all_roots for the premise
-    bool vanishes = false;        ///< f is zero to roundoff on a whole piece
+    bool certified =
+        true;  ///< every piece shown empty, monotone with one root, or near-double; see all_roots for the premise
+    bool vanishes = false;  ///< f is zero to roundoff on a whole piece
     std::size_t evaluations = 0;
 };
 
-namespace detail {
-
-template<class F>
+template <class F>
 class RootIsolation
 {
   public:
@@ -48,8 +47,7 @@ class RootIsolation
     /// @param tail_before  interpolation error on the interval that this one was cut from
     void operator()(double a, double b, double fa, double fb, double tail_before)
     {
-        if (out_.evaluations > budget)
-        {
+        if (out_.evaluations > budget) {
             out_.certified = false;
             return;
         }
@@ -66,8 +64,7 @@ class RootIsolation
         double const noise = 32 * unit_roundoff * scale_;
         double const tail = chebyshev_tail(c);
         double const doubt = noise + 4 * tail;
-        if (values.cwiseAbs().maxCoeff() <= noise)
-        {
+        if (values.cwiseAbs().maxCoeff() <= noise) {
             out_.vanishes = true;
             out_.roots.push_back({middle, b - a, true});
             return;
@@ -80,8 +77,7 @@ class RootIsolation
         // Markov: an error e of a degree-N interpolant is at most N^2 e in its derivative
         double const slope_doubt = chebyshev_degree * chebyshev_degree * doubt;
         bool const rising_or_falling = resolved && !empty && std::abs(d[0]) > chebyshev_spread(d) + slope_doubt;
-        if ((empty || rising_or_falling) && agrees(c, middle, half, doubt))
-        {
+        if ((empty || rising_or_falling) && agrees(c, middle, half, doubt)) {
             if (rising_or_falling)
                 monotone(a, b, fa, fb);
             return;
@@ -97,13 +93,15 @@ class RootIsolation
     }
 
   private:
-    /// The interpolant against f at places that no node of any cut shares: a function that runs through many waves between the nodes
-    /// can look like a smooth one at all of them.
+    /// The interpolant against f at places that no node of any cut shares: a function that runs through many waves
+    /// between the nodes can look like a smooth one at all of them.
     [[nodiscard]] bool agrees(ChebyshevVector const& c, double middle, double half, double doubt)
     {
         constexpr std::array<double, 3> places{-0.7320508, 0.0954451, 0.6180339};
         out_.evaluations += places.size();
-        return std::all_of(places.begin(), places.end(), [&](double x) { return std::abs(f_(middle + half * x) - chebyshev_value(c, x)) <= 2 * doubt; });
+        return std::all_of(places.begin(), places.end(), [&](double x) {
+            return std::abs(f_(middle + half * x) - chebyshev_value(c, x)) <= 2 * doubt;
+        });
     }
 
     static constexpr double split = -0.0097;
@@ -138,49 +136,43 @@ class RootIsolation
     RootSet& out_;
 };
 
-}  // namespace detail
-
 /// All roots of @p f on [@p a, @p b].
 ///
 /// The interval is bisected until each piece is, by the coefficients of a Chebyshev interpolant that resolves f to
-/// roundoff, (1) free of roots: |c_0| > sum |c_k|, or (2) monotone: the same for the derivative, hence at most one root,
-/// decided by the signs at its ends and refined by bracketing on f itself, or (3) shorter than 2^-44 of the interval
-/// with |f| below roundoff: reported as a near-double root with its width.
+/// roundoff, (1) free of roots: |c_0| > sum |c_k|, or (2) monotone: the same for the derivative, hence at most one
+/// root, decided by the signs at its ends and refined by bracketing on f itself, or (3) shorter than 2^-44 of the
+/// interval with |f| below roundoff: reported as a near-double root with its width.
 ///
-/// What is proved and what is not: given that the interpolant is within 4 times its last three coefficients (plus roundoff) of f, and
-/// its derivative within 16^2 times that, (1) and (2) are proofs. That premise is tested, at three further points of each piece, and
-/// it is true when the coefficients go on falling, as those of an analytic function do once they are small; but f is known by its
-/// values only, so a feature much narrower than a piece that leaves no trace at its 20 points is not seen. Use it for functions that are
-/// known to be analytic on [a, b] and near it. Where a bound is at hand (polynomials with stated errors) use bernstein_isolate, which
-/// proves.
+/// What is proved and what is not: given that the interpolant is within 4 times its last three coefficients (plus
+/// roundoff) of f, and its derivative within 16^2 times that, (1) and (2) are proofs. That premise is tested, at three
+/// further points of each piece, and it is true when the coefficients go on falling, as those of an analytic function
+/// do once they are small; but f is known by its values only, so a feature much narrower than a piece that leaves no
+/// trace at its 20 points is not seen. Use it for functions that are known to be analytic on [a, b] and near it. Where
+/// a bound is at hand (polynomials with stated errors) use bernstein_isolate, which proves.
 /// @param scale  size of the terms that f is summed from; sets what counts as roundoff of f
 /// Domain: f smooth on [a, b] (kinks end as (3)). Degenerate: f = 0 on a piece is reported as `vanishes`.
 /// Not smooth, or noisier than `scale` says: the work is bounded and `certified` is false.
 /// Accuracy: simple roots to the last bits that f supports.
-template<class F>
+template <class F>
 [[nodiscard]] RootSet all_roots(F&& f, double a, double b, double scale)
 {
     RootSet found;
     if (!(b > a))
         return found;
     constexpr double smallest_share = 0x1p-44;
-    detail::RootIsolation<std::remove_reference_t<F>> isolate(f, scale, (b - a) * smallest_share, found);
+    RootIsolation<std::remove_reference_t<F>> isolate(f, scale, (b - a) * smallest_share, found);
     found.evaluations = 2;
     isolate(a, b, f(a), f(b), std::numeric_limits<double>::infinity());
     // two neighbouring undecided pieces are one near-double root
     std::vector<IsolatedRoot> merged;
-    for (IsolatedRoot const& root : found.roots)
-    {
-        if (root.near_double && !merged.empty() && merged.back().near_double
-            && root.x - merged.back().x <= root.width + merged.back().width)
-        {
+    for (IsolatedRoot const& root : found.roots) {
+        if (root.near_double && !merged.empty() && merged.back().near_double &&
+            root.x - merged.back().x <= root.width + merged.back().width) {
             IsolatedRoot& last = merged.back();
             double const low = last.x - last.width / 2;
             double const high = root.x + root.width / 2;
             last = {0.5 * (low + high), high - low, true};
-        }
-        else
-        {
+        } else {
             merged.push_back(root);
         }
     }
@@ -188,4 +180,4 @@ template<class F>
     return found;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::numeric

@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace hdconj {
+namespace hdconj::numeric {
 
 /// Largest degree that the fixed work arrays hold; a profile curve of degree d needs 2 d - 1.
 inline constexpr int bernstein_max_degree = 23;
@@ -61,14 +61,12 @@ using BernsteinWork = std::array<double, bernstein_max_degree + 1>;
 [[nodiscard]] inline std::vector<double> bernstein_raised(std::span<double const> c, std::size_t degree)
 {
     std::vector<double> raised(c.begin(), c.end());
-    while (raised.size() < degree + 1)
-    {
+    while (raised.size() < degree + 1) {
         double const n = static_cast<double>(raised.size());
         std::vector<double> next(raised.size() + 1);
         next.front() = raised.front();
         next.back() = raised.back();
-        for (std::size_t i = 1; i < raised.size(); ++i)
-        {
+        for (std::size_t i = 1; i < raised.size(); ++i) {
             double const share = static_cast<double>(i) / n;
             next[i] = share * raised[i - 1] + (1 - share) * raised[i];
         }
@@ -82,12 +80,11 @@ inline void bernstein_split(std::span<double> c, std::span<double> right, double
 {
     std::size_t const n = c.size() - 1;
     right[n] = c[n];
-    for (std::size_t r = 1; r <= n; ++r)
-    {
+    for (std::size_t r = 1; r <= n; ++r) {
         for (std::size_t i = n; i >= r; --i)
             c[i] = c[i - 1] + t * (c[i] - c[i - 1]);
         right[n - r] = c[n];
     }
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::numeric

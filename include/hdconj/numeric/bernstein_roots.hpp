@@ -10,28 +10,27 @@
 #include <limits>
 #include <span>
 
+#include "hdconj/base/tolerance.hpp"
 #include "hdconj/numeric/bernstein.hpp"
 #include "hdconj/numeric/bracketed_root.hpp"
 #include "hdconj/numeric/root_clusters.hpp"
-#include "hdconj/numeric/tolerance.hpp"
 
-namespace hdconj {
+namespace hdconj::numeric {
 
 /// Roots of a Bernstein polynomial on [0, 1], increasing.
 struct BernsteinRoots
 {
     std::array<double, bernstein_max_degree + 1> t{};
-    std::array<double, bernstein_max_degree + 1> width{};  ///< 0: simple; else near-double: every root there lies within t +- width/2
+    std::array<double, bernstein_max_degree + 1>
+        width{};  ///< 0: simple; else near-double: every root there lies within t +- width/2
     int count = 0;
     bool complete = true;  ///< false: more near-double places than the degree allows roots
 };
 
-namespace detail {
-
 /// What the coefficients of one piece prove, given that each is right to +-noise.
 struct CoefficientProof
 {
-    int left = 0;           ///< certain sign at the ends, or 0
+    int left = 0;  ///< certain sign at the ends, or 0
     int right = 0;
     bool one_sign = false;  ///< no root
     bool crossing = false;  ///< exactly one root, between certain signs, of every polynomial within the noise
@@ -48,16 +47,14 @@ struct CoefficientProof
     proof.left = sign(c.front());
     proof.right = sign(c.back());
     int before = proof.left;
-    int uncertain = 0;   // since the last certain sign
+    int uncertain = 0;  // since the last certain sign
     int changes = 0;
     bool certain = proof.left != 0 && proof.right != 0;
     bool clear = certain;
-    for (double value : c)
-    {
+    for (double value : c) {
         proof.largest = std::max(proof.largest, std::abs(value));
         int const now = sign(value);
-        if (now == 0)
-        {
+        if (now == 0) {
             ++uncertain;
             certain = false;
             continue;
@@ -76,8 +73,7 @@ struct CoefficientProof
     double const doubt = 2 * noise + (n > 0 ? slope_noise / n : 0);
     double least = std::numeric_limits<double>::infinity();
     int direction = 0;
-    for (std::size_t i = 1; i < c.size(); ++i)
-    {
+    for (std::size_t i = 1; i < c.size(); ++i) {
         double const step = c[i] - c[i - 1];
         int const way = step > doubt ? 1 : step < -doubt ? -1 : 0;
         if (way == 0 || (direction != 0 && way != direction))
@@ -90,24 +86,23 @@ struct CoefficientProof
     return proof;
 }
 
-}  // namespace detail
-
 /// Feeds @p clusters with the stretches of one polynomial on x in [a, b].
 ///
 /// @param c            Bernstein coefficients, each right to +-@p noise; overwritten
-/// @param slope_noise  further error of the derivative with respect to x * 1/(b - a), for functions that are no polynomials
-/// Cuts at 1/2 add at most degree * roundoff * largest coefficient to the noise of each half, which is carried along. A piece is
-/// cut until its coefficients prove it free of roots, crossed once or monotone, or its largest coefficient is 4 noise.
-template<class Sink>
-void bernstein_isolate(std::span<double> c, double a, double b, double noise, double slope_noise, RootClusters<Sink>& clusters)
+/// @param slope_noise  further error of the derivative with respect to x * 1/(b - a), for functions that are no
+/// polynomials Cuts at 1/2 add at most degree * roundoff * largest coefficient to the noise of each half, which is
+/// carried along. A piece is cut until its coefficients prove it free of roots, crossed once or monotone, or its
+/// largest coefficient is 4 noise.
+template <class Sink>
+void bernstein_isolate(std::span<double> c, double a, double b, double noise, double slope_noise,
+                       RootClusters<Sink>& clusters)
 {
-    detail::CoefficientProof const proof = detail::prove_signs(c, noise, slope_noise);
+    CoefficientProof const proof = prove_signs(c, noise, slope_noise);
     if (proof.one_sign)
         return clusters.one_sign(a, proof.left);
     if (proof.crossing)
         return clusters.crossing(a, b, proof.left, proof.right);
-    if (proof.direction != 0)
-    {
+    if (proof.direction != 0) {
         double const reach = 2 * noise / proof.slope * (b - a);
         return clusters.monotone(a, b, proof.left, proof.right, proof.direction, reach);
     }
@@ -126,7 +121,7 @@ void bernstein_isolate(std::span<double> c, double a, double b, double noise, do
 
 /// The root of @p f in a cluster that holds one simple root. Where roundoff hides the change of sign, at an end of the
 /// axis or on a cut, the end of the cluster with the smaller |f|.
-template<class F>
+template <class F>
 [[nodiscard]] double root_in(RootCluster const& cluster, F&& f)
 {
     double const f_lo = f(cluster.lo);
@@ -139,23 +134,22 @@ template<class F>
 
 /// All roots in [0, 1] of every polynomial whose Bernstein coefficients differ from @p c by at most @p noise.
 ///
-/// Theorem. Let p be such a polynomial. Outside the intervals t +- width/2 of the near-double roots, p has exactly the simple
-/// roots listed, and where none is near p exceeds the noise. (A root within roundoff of 0 or 1 is listed there and may lie just
-/// outside.) Within such an interval |c(t)| stays within a few noises: p may have no root there, one or more.
-/// Proof. Variation diminishing: a polynomial has at most as many roots as its coefficients have changes of sign, and as many but
-/// for an even number. A coefficient counts as certain only beyond the noise, and an uncertain one is tried with both signs. Where
-/// all differences of coefficients exceed twice the noise, p is monotone. The noise of each piece includes the rounding of all
-/// cuts before it.
-/// Accuracy: simple roots to noise / |slope|. For a pair of roots at distance D, curvature k: told apart where k D^2 / 8 exceeds
-/// some noises (about D > 1e-7 where noise is roundoff), else one near-double root of width about sqrt(32 noise / k), which holds both.
+/// Theorem. Let p be such a polynomial. Outside the intervals t +- width/2 of the near-double roots, p has exactly the
+/// simple roots listed, and where none is near p exceeds the noise. (A root within roundoff of 0 or 1 is listed there
+/// and may lie just outside.) Within such an interval |c(t)| stays within a few noises: p may have no root there, one
+/// or more. Proof. Variation diminishing: a polynomial has at most as many roots as its coefficients have changes of
+/// sign, and as many but for an even number. A coefficient counts as certain only beyond the noise, and an uncertain
+/// one is tried with both signs. Where all differences of coefficients exceed twice the noise, p is monotone. The noise
+/// of each piece includes the rounding of all cuts before it. Accuracy: simple roots to noise / |slope|. For a pair of
+/// roots at distance D, curvature k: told apart where k D^2 / 8 exceeds some noises (about D > 1e-7 where noise is
+/// roundoff), else one near-double root of width about sqrt(32 noise / k), which holds both.
 [[nodiscard]] inline BernsteinRoots bernstein_roots(std::span<double const> c, double noise)
 {
     BernsteinRoots roots;
     auto const f = [&](double t) { return bernstein_value(c, t); };
     auto const record = [&](RootCluster const& cluster) {
         auto const i = static_cast<std::size_t>(roots.count);
-        if (i >= roots.t.size())
-        {
+        if (i >= roots.t.size()) {
             roots.complete = false;
             return;
         }
@@ -171,4 +165,4 @@ template<class F>
     return roots;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::numeric

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hdconj/numeric/tolerance.hpp"
+#include "hdconj/base/tolerance.hpp"
 
-namespace hdconj {
+namespace hdconj::numeric {
 
 /// A minimum and where it is.
 struct BracketedMinimum
@@ -17,17 +17,22 @@ struct BracketedMinimum
     double value = 0;
 };
 
-/// Smallest value of @p f from @p a towards @p b, f(a) = @p fa given; (a, fa) itself where the function does not fall from there.
+/// Smallest value of @p f from @p a towards @p b, f(a) = @p fa given; (a, fa) itself where the function does not fall
+/// from there.
 ///
-/// Golden section (Kiefer 1953), which needs no derivative: a smooth minimum and the point of a V are found alike. Ends where neither end of the
-/// bracket lies more than @p enough above the smallest value, or at the last bits of the place: a function that is convex there is then right to
-/// 3 @p enough. One that has several minima gives one of them.
-template<class F>
+/// Golden section (Kiefer 1953), which needs no derivative: a smooth minimum and the point of a V are found alike. The
+/// search ends where neither end of the bracket lies more than @p enough above the smallest value, or at the last bits
+/// of the place. For a function that is convex there, this bounds the error of the value by 3 @p enough. A function
+/// with several minima gives one of them.
+///
+/// boost::math::tools::brent_find_minima() does not serve here: it ends by the width of the bracket and does not return
+/// the values at its ends, so that it bounds the place of the minimum and not its value.
+template <class F>
 [[nodiscard]] BracketedMinimum minimum_beside(F&& f, double a, double b, double fa, double enough)
 {
     // so near that what falls at all falls there
     constexpr double step = 0x1p-10;
-    constexpr double golden = 0.38196601125010515;   // (3 - sqrt 5)/2
+    constexpr double golden = 0.38196601125010515;  // (3 - sqrt 5)/2
     double x = a + step * (b - a);
     double at_x = f(x);
     if (!(at_x < fa))
@@ -35,22 +40,18 @@ template<class F>
     double const size = std::max(std::abs(a), std::abs(b));
     double at_a = fa, at_b = f(b);
     constexpr int budget = 120;
-    for (int i = 0; i < budget; ++i)
-    {
+    for (int i = 0; i < budget; ++i) {
         if (std::abs(b - a) <= 4 * unit_roundoff * size || std::max(at_a, at_b) - at_x <= enough)
             break;
         bool const beyond = std::abs(b - x) > std::abs(x - a);
         double const y = beyond ? x + golden * (b - x) : x - golden * (x - a);
         double const at_y = f(y);
-        if (at_y < at_x)
-        {
+        if (at_y < at_x) {
             (beyond ? a : b) = x;
             (beyond ? at_a : at_b) = at_x;
             x = y;
             at_x = at_y;
-        }
-        else
-        {
+        } else {
             (beyond ? b : a) = y;
             (beyond ? at_b : at_a) = at_y;
         }
@@ -58,9 +59,10 @@ template<class F>
     return at_b < at_x ? BracketedMinimum{b, at_b} : BracketedMinimum{x, at_x};
 }
 
-/// Smallest value of @p f from @p a to @p b, whole numbers, f(a) = @p fa given, where the function may have several minima: looked at at all whole numbers
-/// between, and followed from those that are smaller than their neighbours (minimum_beside()).
-template<class F>
+/// Smallest value of @p f from @p a to @p b, whole numbers, f(a) = @p fa given, where the function may have several
+/// minima: looked at at all whole numbers between, and followed from those that are smaller than their neighbours
+/// (minimum_beside()).
+template <class F>
 [[nodiscard]] BracketedMinimum minimum_of_steps(F&& f, double a, double b, double fa, double enough)
 {
     auto const steps = static_cast<int>(std::lround(std::abs(b - a)));
@@ -71,15 +73,13 @@ template<class F>
         if (found.value < best.value)
             best = found;
     };
-    double before = fa, here = fa;   // of the step before, and of this one
-    for (int i = 0; i <= steps; ++i)
-    {
+    double before = fa, here = fa;  // of the step before, and of this one
+    for (int i = 0; i <= steps; ++i) {
         double const x = a + step * i;
         double const after = i < steps ? f(x + step) : here;
         if (here < best.value)
             best = {x, here};
-        if (here <= before && here <= after)
-        {
+        if (here <= before && here <= after) {
             if (i > 0)
                 follow(x, x - step, here);
             if (i < steps)
@@ -91,4 +91,4 @@ template<class F>
     return best;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::numeric

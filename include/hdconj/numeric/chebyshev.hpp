@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace hdconj {
+namespace hdconj::numeric {
 
 /// Degree of the interpolants: with bisection of the interval, 16 resolves the smooth functions of a gear pair
 /// to roundoff on a few pieces.
@@ -33,14 +33,12 @@ using ChebyshevVector = Eigen::Matrix<double, chebyshev_nodes, 1>;
 {
     static Eigen::Matrix<double, chebyshev_nodes, chebyshev_nodes> const transform = [] {
         Eigen::Matrix<double, chebyshev_nodes, chebyshev_nodes> m;
-        for (int k = 0; k < chebyshev_nodes; ++k)
-        {
-            for (int j = 0; j < chebyshev_nodes; ++j)
-            {
+        for (int k = 0; k < chebyshev_nodes; ++k) {
+            for (int j = 0; j < chebyshev_nodes; ++j) {
                 bool const end_j = j == 0 || j == chebyshev_degree;
                 bool const end_k = k == 0 || k == chebyshev_degree;
-                m(k, j) = (end_j ? 0.5 : 1.0) * (end_k ? 1.0 : 2.0) / chebyshev_degree
-                          * std::cos(std::numbers::pi * k * j / chebyshev_degree);
+                m(k, j) = (end_j ? 0.5 : 1.0) * (end_k ? 1.0 : 2.0) / chebyshev_degree *
+                          std::cos(std::numbers::pi * k * j / chebyshev_degree);
             }
         }
         return m;
@@ -64,8 +62,7 @@ using ChebyshevVector = Eigen::Matrix<double, chebyshev_nodes, 1>;
 {
     double b1 = 0;
     double b2 = 0;
-    for (int k = chebyshev_degree; k >= 1; --k)
-    {
+    for (int k = chebyshev_degree; k >= 1; --k) {
         double const b0 = c[k] + 2 * x * b1 - b2;
         b2 = b1;
         b1 = b0;
@@ -79,10 +76,11 @@ using ChebyshevVector = Eigen::Matrix<double, chebyshev_nodes, 1>;
     return c.tail<chebyshev_nodes - 1>().lpNorm<1>();
 }
 
-/// Size of the last three coefficients: an estimate of the interpolation error, right where the coefficients go on falling.
+/// Size of the last three coefficients: an estimate of the interpolation error, right where the coefficients go on
+/// falling.
 [[nodiscard]] inline double chebyshev_tail(ChebyshevVector const& c)
 {
     return c.tail<3>().lpNorm<1>();
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::numeric

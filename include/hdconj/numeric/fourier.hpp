@@ -10,9 +10,9 @@
 #include <numbers>
 #include <vector>
 
-#include "hdconj/numeric/tolerance.hpp"
+#include "hdconj/base/tolerance.hpp"
 
-namespace hdconj {
+namespace hdconj::numeric {
 
 /// sum_k a_k cos(k w u) + b_k sin(k w u), k = 0 ... ; w = 2 pi / period.
 class FourierSeries
@@ -21,12 +21,11 @@ class FourierSeries
     /// Samples @p f at 2^m points of one period, m raised until the last quarter of the coefficients is roundoff,
     /// of the sums or of f itself.
     /// Converges geometrically for analytic f. `resolved()` says whether the limit of 4096 points was enough.
-    template<class F>
+    template <class F>
     FourierSeries(F&& f, double period) : frequency_(2 * std::numbers::pi / period)
     {
         double before = std::numeric_limits<double>::infinity();
-        for (std::size_t points = smallest; points <= largest && !resolved_; points *= 2)
-        {
+        for (std::size_t points = smallest; points <= largest && !resolved_; points *= 2) {
             fit(f, points);
             // a tail that no longer falls is the rounding error of f itself
             resolved_ = resolved_ || (relative_error_ > before / 4 && relative_error_ <= noisiest);
@@ -48,11 +47,9 @@ class FourierSeries
     /// Integral from 0 to @p u, given the sine and cosine of w u (often at hand already).
     [[nodiscard]] double integral(double u, double sine, double cosine) const
     {
-        if (even_)
-        {
+        if (even_) {
             double s1 = 0, s2 = 0;
-            for (std::size_t k = a_.size() - 1; k >= 1; --k)
-            {
+            for (std::size_t k = a_.size() - 1; k >= 1; --k) {
                 double const s0 = ai_[k] + 2 * cosine * s1 - s2;
                 s2 = s1;
                 s1 = s0;
@@ -61,8 +58,7 @@ class FourierSeries
         }
         // Clenshaw for sum (a_k sin(k x) + b_k (1 - cos(k x))) / (k w), evaluated as two series in one pass
         double s1 = 0, s2 = 0, c1 = 0, c2 = 0;
-        for (std::size_t k = a_.size() - 1; k >= 1; --k)
-        {
+        for (std::size_t k = a_.size() - 1; k >= 1; --k) {
             double const s0 = ai_[k] + 2 * cosine * s1 - s2;
             s2 = s1;
             s1 = s0;
@@ -85,13 +81,12 @@ class FourierSeries
     static constexpr std::size_t largest = 4096;
     static constexpr double noisiest = 0x1p-30;
 
-    template<class F>
+    template <class F>
     void fit(F& f, std::size_t points)
     {
         std::vector<double> values(points), cosine(points), sine(points);
         double const step = 2 * std::numbers::pi / static_cast<double>(points);
-        for (std::size_t j = 0; j < points; ++j)
-        {
+        for (std::size_t j = 0; j < points; ++j) {
             double const x = step * static_cast<double>(j);
             values[j] = f(x / frequency_);
             cosine[j] = std::cos(x);
@@ -101,10 +96,8 @@ class FourierSeries
         a_.assign(terms, 0);
         b_.assign(terms, 0);
         double const weight = 2 / static_cast<double>(points);
-        for (std::size_t k = 0; k < terms; ++k)
-        {
-            for (std::size_t j = 0; j < points; ++j)
-            {
+        for (std::size_t k = 0; k < terms; ++k) {
+            for (std::size_t j = 0; j < points; ++j) {
                 std::size_t const m = (k * j) % points;
                 a_[k] += weight * values[j] * cosine[m];
                 b_[k] += weight * values[j] * sine[m];
@@ -113,8 +106,7 @@ class FourierSeries
         a_[0] /= 2;
         double tail = 0;
         size_ = std::abs(a_[0]);
-        for (std::size_t k = 1; k < terms; ++k)
-        {
+        for (std::size_t k = 1; k < terms; ++k) {
             double const size = std::hypot(a_[k], b_[k]);
             size_ = std::max(size_, size);
             if (k >= terms - terms / 4)
@@ -132,7 +124,8 @@ class FourierSeries
         constexpr double negligible = unit_roundoff / 16;
         std::size_t used = a_.size();
         // an even function has no sines; what the sums leave of them is rounding and would spoil exact symmetry
-        double const odd = *std::max_element(b_.begin(), b_.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
+        double const odd =
+            *std::max_element(b_.begin(), b_.end(), [](double x, double y) { return std::abs(x) < std::abs(y); });
         even_ = std::abs(odd) <= 8 * unit_roundoff * size_;
         if (even_)
             std::fill(b_.begin(), b_.end(), 0.0);
@@ -143,8 +136,7 @@ class FourierSeries
         ai_.assign(used, 0);
         bi_.assign(used, 0);
         bi_sum_ = 0;
-        for (std::size_t k = 1; k < used; ++k)
-        {
+        for (std::size_t k = 1; k < used; ++k) {
             double const kw = static_cast<double>(k) * frequency_;
             ai_[k] = a_[k] / kw;
             bi_[k] = b_[k] / kw;
@@ -158,7 +150,7 @@ class FourierSeries
     double size_ = 0;  ///< largest coefficient
     double relative_error_ = 1;
     bool resolved_ = false;
-    bool even_ = false;   ///< no sines
+    bool even_ = false;  ///< no sines
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::numeric

@@ -11,25 +11,24 @@
 #include <span>
 #include <vector>
 
+#include "hdconj/base/tolerance.hpp"
 #include "hdconj/numeric/chebyshev.hpp"
-#include "hdconj/numeric/tolerance.hpp"
 
-namespace hdconj {
+namespace hdconj::numeric {
 
 /// Integral of f as Chebyshev series on panels.
 ///
-/// One period is cut at the breaks and bisected further until each panel's interpolant of degree 16 has a tail below some
-/// roundings of the largest |f|, or the tail no longer falls with the panel's length, which is the rounding error of f itself.
-/// Accuracy: relative_error() against the largest |f|; `resolved()` says whether every panel got there.
+/// One period is cut at the breaks and bisected further until each panel's interpolant of degree 16 has a tail below
+/// some roundings of the largest |f|, or the tail no longer falls with the panel's length, which is the rounding error
+/// of f itself. Accuracy: relative_error() against the largest |f|; `resolved()` says whether every panel got there.
 class PanelIntegral
 {
   public:
     /// @param breaks  in (-period/2, period/2], increasing, at least one
-    template<class F>
+    template <class F>
     PanelIntegral(F&& f, double period, std::span<double const> breaks) : period_(period)
     {
-        for (std::size_t i = 0; i < breaks.size(); ++i)
-        {
+        for (std::size_t i = 0; i < breaks.size(); ++i) {
             double const end = i + 1 < breaks.size() ? breaks[i + 1] : breaks[0] + period;
             // the end belongs to the panel after it
             add(f, breaks[i], end, end - unit_roundoff * period, std::numeric_limits<double>::infinity());
@@ -55,7 +54,7 @@ class PanelIntegral
         std::array<double, chebyshev_nodes + 1> c;
     };
 
-    template<class F>
+    template <class F>
     void add(F& f, double a, double b, double last_inside, double tail_before)
     {
         double const half = 0.5 * (b - a);
@@ -70,8 +69,7 @@ class PanelIntegral
         bool const noise_reached = tail > tail_before / 4 && tail <= noisiest * largest_;
         bool const fine = tail <= roundings * largest_ || noise_reached;
         bool const divisible = b - a > period_ * smallest_share;
-        if (!fine && divisible)
-        {
+        if (!fine && divisible) {
             add(f, a, a + half, std::min(a + half, last_inside), tail);
             add(f, a + half, b, last_inside, tail);
             return;
@@ -86,15 +84,13 @@ class PanelIntegral
         Panel p{a, half, panels_.empty() ? 0 : panels_.back().before + panels_.back().mean_times_length, 0, {}};
         auto const coefficient = [&](int k) { return k < chebyshev_nodes ? c[k] : 0.0; };
         // integral of T_k: T_{k+1}/(2(k+1)) - T_{k-1}/(2(k-1)), T_0 -> T_1
-        for (int k = 1; k <= chebyshev_nodes; ++k)
-        {
+        for (int k = 1; k <= chebyshev_nodes; ++k) {
             double const lower = k == 1 ? 2 * coefficient(0) : coefficient(k - 1);
             p.c[static_cast<std::size_t>(k)] = (lower - coefficient(k + 1)) / (2 * k);
         }
         double at_start = 0;
         double at_end = 0;
-        for (int k = chebyshev_nodes; k >= 1; --k)
-        {
+        for (int k = chebyshev_nodes; k >= 1; --k) {
             at_end += p.c[static_cast<std::size_t>(k)];
             at_start += (k % 2 == 0 ? 1 : -1) * p.c[static_cast<std::size_t>(k)];
         }
@@ -108,13 +104,13 @@ class PanelIntegral
         double const first = panels_.front().begin;
         double const turns = std::floor((u - first) / period_);
         double const v = turns == 0 ? u : u - turns * period_;
-        auto const after = std::upper_bound(panels_.begin() + 1, panels_.end(), v, [](double x, Panel const& p) { return x < p.begin; });
+        auto const after = std::upper_bound(panels_.begin() + 1, panels_.end(), v,
+                                            [](double x, Panel const& p) { return x < p.begin; });
         Panel const& p = *(after - 1);
         double const x = (v - p.begin) / p.half - 1;
         double b1 = 0;
         double b2 = 0;
-        for (std::size_t k = chebyshev_nodes; k >= 1; --k)
-        {
+        for (std::size_t k = chebyshev_nodes; k >= 1; --k) {
             double const b = p.c[k] + 2 * x * b1 - b2;
             b2 = b1;
             b1 = b;
@@ -131,4 +127,4 @@ class PanelIntegral
     std::vector<Panel> panels_;
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::numeric

@@ -9,7 +9,7 @@
 #include "hdconj/numeric/fourier.hpp"
 #include "hdconj/numeric/panel_integral.hpp"
 
-namespace hdconj {
+namespace hdconj::numeric {
 
 /// Integral from 0 of a periodic function.
 /// Accuracy: relative_error() against its size; `resolved()` says whether the representation reached roundoff.
@@ -17,7 +17,7 @@ class PeriodicIntegral
 {
   public:
     /// @param breaks  angles in (-period/2, period/2] at which f is not analytic, increasing; may be empty
-    template<class F>
+    template <class F>
     PeriodicIntegral(F&& f, double period, std::span<double const> breaks)
     {
         if (breaks.empty())
@@ -28,7 +28,10 @@ class PeriodicIntegral
 
     [[nodiscard]] double mean() const { return smooth_ ? smooth_->mean() : panels_->mean(); }
     [[nodiscard]] bool resolved() const { return smooth_ ? smooth_->resolved() : panels_->resolved(); }
-    [[nodiscard]] double relative_error() const { return smooth_ ? smooth_->relative_error() : panels_->relative_error(); }
+    [[nodiscard]] double relative_error() const
+    {
+        return smooth_ ? smooth_->relative_error() : panels_->relative_error();
+    }
 
     /// The series, where there are no breaks.
     [[nodiscard]] FourierSeries const* series() const { return smooth_ ? &*smooth_ : nullptr; }
@@ -44,4 +47,4 @@ class PeriodicIntegral
     std::optional<PanelIntegral> panels_;
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::numeric

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace hdconj {
+namespace hdconj::numeric {
 
 /// Between x = lo and hi: one simple root, or a place where the function stays within its noise.
 struct RootCluster
@@ -21,11 +21,11 @@ struct RootCluster
 
 /// Joins stretches, given in increasing order without gaps, into clusters.
 ///
-/// A sign is certain where the function exceeds its noise. Cuts may fall on roots: a stretch that is monotone but has an
-/// uncertain end is joined with its neighbour, and two that are monotone in the same direction hold one simple root between them.
-/// What stays undecided is reported from the last certain sign before it to the first after it.
+/// A sign is certain where the function exceeds its noise. Cuts may fall on roots: a stretch that is monotone but has
+/// an uncertain end is joined with its neighbour, and two that are monotone in the same direction hold one simple root
+/// between them. What stays undecided is reported from the last certain sign before it to the first after it.
 /// @tparam Sink  called with each RootCluster, in order
-template<class Sink>
+template <class Sink>
 class RootClusters
 {
   public:
@@ -59,8 +59,7 @@ class RootClusters
         else if (direction != direction_)
             simple_ = false;
         hi_ = hi;
-        if (right != 0)
-        {
+        if (right != 0) {
             close(simple_ ? hi : std::min(hi, lo + reach), right);
             sign_ = right;
         }
@@ -105,7 +104,7 @@ class RootClusters
     Sink sink_;
     bool open_ = false;
     bool simple_ = true;
-    int sign_ = 0;        ///< last certain sign
+    int sign_ = 0;  ///< last certain sign
     int left_ = 0;
     int direction_ = 0;
     double bracket_ = 0;  ///< from where the open cluster is monotone
@@ -114,4 +113,4 @@ class RootClusters
     double size_ = 0;
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::numeric

@@ -9,29 +9,29 @@
 #include <utility>
 #include <vector>
 
+#include "hdconj/error.hpp"
 #include "hdconj/numeric/bracketed_root.hpp"
 #include "hdconj/profile/polynomial_curve.hpp"
 #include "hdconj/profile/profile.hpp"
-#include "hdconj/scene/fault.hpp"
 #include "hdconj/scene/parameter_fault.hpp"
 #include "hdconj/scene/parameters.hpp"
 
-namespace hdconj {
+namespace hdconj::profile {
 
 /// What a family is told about the gear it makes a tooth for.
 ///
-/// The gear's centre lies on the y axis, module teeth / 2 below the pitch line of a tooth on the flexspline, and as far above that of
-/// a tooth on the circular spline, which points inward: y is outward on the one and inward on the other.
+/// The gear's centre lies on the y axis, module teeth / 2 below the pitch line of a tooth on the flexspline, and as far
+/// above that of a tooth on the circular spline, which points inward: y is outward on the one and inward on the other.
 struct ToothPlace
 {
     double module = 0;
-    int teeth = 0;              ///< z_f; z_c of a tooth on the circular spline
-    double wall = 0;            ///< delta; 0 on the circular spline: its tooth frame has its origin at the root
+    int teeth = 0;    ///< z_f; z_c of a tooth on the circular spline
+    double wall = 0;  ///< delta; 0 on the circular spline: its tooth frame has its origin at the root
     double neutral_offset = 0;
-    std::string folder;         ///< where relative file names start
-    bool internal = false;      ///< a tooth on the circular spline
-    int tooth_difference = 2;   ///< z_c - z_f
-    int waves = 2;              ///< n
+    std::string folder;        ///< where relative file names start
+    bool internal = false;     ///< a tooth on the circular spline
+    int tooth_difference = 2;  ///< z_c - z_f
+    int waves = 2;             ///< n
 
     /// y of the gear's centre, from the pitch line.
     [[nodiscard]] double centre() const { return (internal ? 0.5 : -0.5) * module * teeth; }
@@ -45,30 +45,30 @@ struct FlankSegment
     std::vector<PieceShape> pieces;
 };
 
+/// A segment that is a curve, in pieces.
+[[nodiscard]] FlankSegment curve_segment(std::string name, std::vector<CurvePiece> pieces);
+
 /// Right flank from tip to root -> whole symmetric tooth: the flank mirrored, a flat tip land between the
 /// two flanks when they do not meet at x = 0, corners inserted where the normals make a convex angle.
 /// @param dedendum  gives the pitch line: y = wall/2 + dedendum + neutral_offset in the tooth frame
-[[nodiscard]] Profile symmetric_tooth(std::vector<FlankSegment> const& right_flank,
-                                      ToothPlace const& place,
-                                      double addendum,
-                                      double dedendum);
+[[nodiscard]] Profile symmetric_tooth(std::vector<FlankSegment> const& right_flank, ToothPlace const& place,
+                                      double addendum, double dedendum);
 
 /// Whole tooth given from left root to right root, y from the pitch line.
-[[nodiscard]] Profile whole_tooth(std::vector<FlankSegment> const& segments,
-                                  ToothPlace const& place,
-                                  double addendum,
-                                  double dedendum,
-                                  bool mirror_symmetric);
+[[nodiscard]] Profile whole_tooth(std::vector<FlankSegment> const& segments, ToothPlace const& place, double addendum,
+                                  double dedendum, bool mirror_symmetric);
 
-/// Tips of typed numbers: half a tip thickness above minus this share of the addendum counts as pointed, not as crossed.
-inline constexpr double pointed_tip = 1e-9;   // digits that designers type
+/// Tips of typed numbers: half a tip thickness above minus this share of the addendum counts as pointed, not as
+/// crossed.
+inline constexpr double pointed_tip = 1e-9;  // digits that designers type
 
-/// The argument between @p from and @p to at which a flank's height is @p y, for a height that changes in one direction only;
-/// nothing when it does not reach @p y.
-template<class F>
+/// The argument between @p from and @p to at which a flank's height is @p y, for a height that changes in one direction
+/// only; nothing when it does not reach @p y.
+template <class F>
 [[nodiscard]] std::optional<double> at_height(F&& flank, double y, double from, double to)
 {
-    BracketedRoot const root = bracketed_root([&](double s) { return flank(s).point.y() - y; }, std::min(from, to), std::max(from, to));
+    numeric::BracketedRoot const root = numeric::bracketed_root([&](double s) { return flank(s).point.y() - y; },
+                                                                std::min(from, to), std::max(from, to));
     if (!root.found)
         return std::nullopt;
     // the bracket is as wide as the roundings of its ends; one Newton step leaves those of the height
@@ -76,10 +76,8 @@ template<class F>
     return root.x + (y - there.point.y()) / there.slope.y();
 }
 
-/// Tooth thickness at the pitch line: the key `thickness`, half the pitch when absent. A fault when it leaves no space between the teeth.
-[[nodiscard]] double thickness_at_pitch(FamilyChoice const& choice, ToothPlace const& place, Faults& faults);
+/// Tooth thickness at the pitch line: the key `thickness`, half the pitch when absent. A fault when it leaves no space
+/// between the teeth.
+[[nodiscard]] double thickness_at_pitch(scene::FamilyChoice const& choice, ToothPlace const& place, Faults& faults);
 
-/// A number as a user would write it: shortest text that reads back the same to 6 digits.
-[[nodiscard]] std::string short_number(double value);
-
-}  // namespace hdconj
+}  // namespace hdconj::profile

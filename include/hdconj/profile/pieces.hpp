@@ -11,11 +11,11 @@
 #include <utility>
 #include <vector>
 
-#include "hdconj/geometry/vec2.hpp"
+#include "hdconj/base/tolerance.hpp"
+#include "hdconj/base/vec2.hpp"
 #include "hdconj/numeric/bernstein.hpp"
-#include "hdconj/numeric/tolerance.hpp"
 
-namespace hdconj {
+namespace hdconj::profile {
 
 /// Straight piece from a to b.
 struct LinePiece
@@ -29,7 +29,8 @@ struct LinePiece
 };
 
 /// Circular arc: points centre + radius n, where the outward normal n turns from angle `from` to angle `to`.
-/// radius > 0 convex (angles fall), radius < 0 concave (angles rise), radius 0 a convex corner with its cone of normals.
+/// radius > 0 convex (angles fall), radius < 0 concave (angles rise), radius 0 a convex corner with its cone of
+/// normals.
 struct ArcPiece
 {
     Vec2 centre = Vec2::Zero();
@@ -41,15 +42,25 @@ struct ArcPiece
 };
 
 /// Polynomial curve x(t), t in [0, 1], in Bernstein form, with the three functions of t that its meshing condition is
-/// made of: f(t, u) = theta'(u) A(t) + q_x(u) B(t) + q_y(u) C(t), (B, C) = N = x' turned by +90 degrees, A = N_x y - N_y x = -x.x'.
+/// made of: f(t, u) = theta'(u) A(t) + q_x(u) B(t) + q_y(u) C(t), (B, C) = N = x' turned by +90 degrees, A = N_x y -
+/// N_y x = -x.x'.
 class CurvePiece
 {
   public:
     CurvePiece(std::vector<double> x, std::vector<double> y);
 
-    [[nodiscard]] Vec2 point(double t) const { return {bernstein_value(x_, t), bernstein_value(y_, t)}; }
-    [[nodiscard]] Vec2 first(double t) const { return {bernstein_value(x1_, t), bernstein_value(y1_, t)}; }
-    [[nodiscard]] Vec2 second(double t) const { return {bernstein_value(x2_, t), bernstein_value(y2_, t)}; }
+    [[nodiscard]] Vec2 point(double t) const
+    {
+        return {numeric::bernstein_value(x_, t), numeric::bernstein_value(y_, t)};
+    }
+    [[nodiscard]] Vec2 first(double t) const
+    {
+        return {numeric::bernstein_value(x1_, t), numeric::bernstein_value(y1_, t)};
+    }
+    [[nodiscard]] Vec2 second(double t) const
+    {
+        return {numeric::bernstein_value(x2_, t), numeric::bernstein_value(y2_, t)};
+    }
     [[nodiscard]] std::span<double const> a() const { return a_; }
     [[nodiscard]] std::span<double const> b() const { return b_; }
     [[nodiscard]] std::span<double const> c() const { return c_; }
@@ -66,22 +77,28 @@ class CurvePiece
 };
 
 inline CurvePiece::CurvePiece(std::vector<double> x, std::vector<double> y)
-    : x_(std::move(x)), y_(std::move(y)), x1_(bernstein_derivative(x_)), y1_(bernstein_derivative(y_)),
-      x2_(bernstein_derivative(x1_)), y2_(bernstein_derivative(y1_))
+    : x_(std::move(x)),
+      y_(std::move(y)),
+      x1_(numeric::bernstein_derivative(x_)),
+      y1_(numeric::bernstein_derivative(y_)),
+      x2_(numeric::bernstein_derivative(x1_)),
+      y2_(numeric::bernstein_derivative(y1_))
 {
-    std::vector<double> const xx = bernstein_product(x_, x1_);
-    std::vector<double> const yy = bernstein_product(y_, y1_);
+    std::vector<double> const xx = numeric::bernstein_product(x_, x1_);
+    std::vector<double> const yy = numeric::bernstein_product(y_, y1_);
     std::size_t const degree = xx.size() - 1;
     a_.resize(xx.size());
     for (std::size_t i = 0; i < xx.size(); ++i)
         a_[i] = -xx[i] - yy[i];
-    b_ = bernstein_raised(y1_, degree);
+    b_ = numeric::bernstein_raised(y1_, degree);
     for (double& value : b_)
         value = -value;
-    c_ = bernstein_raised(x1_, degree);
-    // each product is a convex sum of n terms whose factors are right to 3 roundings; raising rounds three times a degree
+    c_ = numeric::bernstein_raised(x1_, degree);
+    // each product is a convex sum of n terms whose factors are right to 3 roundings; raising rounds three times a
+    // degree
     auto const largest = [](std::vector<double> const& v) {
-        return std::abs(*std::max_element(v.begin(), v.end(), [](double p, double q) { return std::abs(p) < std::abs(q); }));
+        return std::abs(
+            *std::max_element(v.begin(), v.end(), [](double p, double q) { return std::abs(p) < std::abs(q); }));
     };
     double const slope = largest(x1_) + largest(y1_);
     auto const n = static_cast<double>(x_.size());
@@ -89,4 +106,4 @@ inline CurvePiece::CurvePiece(std::vector<double> x, std::vector<double> y)
     b_error_ = (3 * n + 3) * unit_roundoff * slope;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::profile

@@ -9,12 +9,13 @@
 #include <numbers>
 #include <vector>
 
-#include "hdconj/numeric/error.hpp"
+#include "hdconj/error.hpp"
 #include "hdconj/profile/pieces.hpp"
 
-namespace hdconj {
+namespace hdconj::profile {
 
-/// Degree of the pieces: the meshing condition then has degree 2 * 9 - 1 = 17 of the 23 that Bernstein work arrays hold.
+/// Degree of the pieces: the meshing condition then has degree 2 * 9 - 1 = 17 of the 23 that Bernstein work arrays
+/// hold.
 inline constexpr int polynomial_curve_degree = 9;
 
 /// Point and derivative of a curve at one value of its parameter.
@@ -24,8 +25,6 @@ struct CurveJet
     Vec2 slope;
 };
 
-namespace detail {
-
 inline constexpr int inner_nodes = polynomial_curve_degree - 3;
 
 /// B_i^n(t) for all i.
@@ -34,8 +33,7 @@ inline constexpr int inner_nodes = polynomial_curve_degree - 3;
     Eigen::Matrix<double, polynomial_curve_degree + 1, 1> b;
     b.setZero();
     b[0] = 1;
-    for (int n = 1; n <= polynomial_curve_degree; ++n)
-    {
+    for (int n = 1; n <= polynomial_curve_degree; ++n) {
         for (int i = n; i >= 1; --i)
             b[i] = (1 - t) * b[i] + t * b[i - 1];
         b[0] *= 1 - t;
@@ -50,7 +48,7 @@ inline constexpr int inner_nodes = polynomial_curve_degree - 3;
 }
 
 /// The polynomial with the curve's end points and end derivatives that passes through the curve at the inner nodes.
-template<class F>
+template <class F>
 [[nodiscard]] CurvePiece hermite_interpolant(F&& curve, double from, double to)
 {
     using Square = Eigen::Matrix<double, inner_nodes, inner_nodes>;
@@ -70,16 +68,14 @@ template<class F>
     c.row(polynomial_curve_degree - 1) = (end.point - begin.point - third * end.slope).transpose();
     c.row(polynomial_curve_degree) = (end.point - begin.point).transpose();
     Eigen::Matrix<double, inner_nodes, 2> right;
-    for (int j = 0; j < inner_nodes; ++j)
-    {
+    for (int j = 0; j < inner_nodes; ++j) {
         double const t = inner_node(j);
         Vec2 const wanted = curve(from + t * (to - from)).point - begin.point;
         right.row(j) = wanted.transpose() - bernstein_basis(t).transpose() * c;
     }
     c.template middleRows<inner_nodes>(2) = solver.solve(right);
     std::vector<double> x, y;
-    for (int i = 0; i <= polynomial_curve_degree; ++i)
-    {
+    for (int i = 0; i <= polynomial_curve_degree; ++i) {
         bool const last = i == polynomial_curve_degree;
         x.push_back(last ? end.point.x() : begin.point.x() + c(i, 0));
         y.push_back(last ? end.point.y() : begin.point.y() + c(i, 1));
@@ -87,30 +83,31 @@ template<class F>
     return {std::move(x), std::move(y)};
 }
 
-}  // namespace detail
-
 /// Pieces of degree 9 for the curve s -> @p curve(s), s running from @p from to @p to (in either direction).
 ///
-/// Each piece has the curve's points and derivatives at its ends, so that joints are continuous to the last bit and share their
-/// tangent to roundoff, and passes through the curve at six Chebyshev points between; intervals are halved until the piece is within
+/// Each piece has the curve's points and derivatives at its ends, so that joints are continuous to the last bit and
+/// share their tangent to roundoff, and passes through the curve at six Chebyshev points between; intervals are halved
+/// until the piece is within
 /// @p accuracy [mm] of the curve, parameter for parameter, at 23 more points.
 /// Domain: analytic curve with a derivative that does not vanish. The error falls with the tenth power of the interval.
-/// @throws NumericalError when 12 halvings are not enough: the curve is not smooth, or @p accuracy is below its rounding
-template<class F>
-[[nodiscard]] std::vector<CurvePiece> polynomial_curve(F&& curve, double from, double to, double accuracy, int halvings = 12)
+/// @throws NumericalError when 12 halvings are not enough: the curve is not smooth, or @p accuracy is below its
+/// rounding
+template <class F>
+[[nodiscard]] std::vector<CurvePiece> polynomial_curve(F&& curve, double from, double to, double accuracy,
+                                                       int halvings = 12)
 {
-    CurvePiece piece = detail::hermite_interpolant(curve, from, to);
+    CurvePiece piece = hermite_interpolant(curve, from, to);
     constexpr int probes = 23;
     double worst = 0;
-    for (int i = 1; i <= probes; ++i)
-    {
+    for (int i = 1; i <= probes; ++i) {
         double const t = static_cast<double>(i) / (probes + 1);
         worst = std::max(worst, (piece.point(t) - curve(from + t * (to - from)).point).norm());
     }
     if (worst <= accuracy)
         return {std::move(piece)};
     if (halvings == 0)
-        throw NumericalError("profile", "polynomial pieces of a curve", "the curve is not smooth enough for the accuracy asked for");
+        throw NumericalError(ErrorCode::not_smooth, "profile", "polynomial pieces of a curve",
+                             "the curve is not smooth enough for the accuracy asked for");
     double const middle = 0.5 * (from + to);
     std::vector<CurvePiece> pieces = polynomial_curve(curve, from, middle, accuracy, halvings - 1);
     for (CurvePiece& next : polynomial_curve(curve, middle, to, accuracy, halvings - 1))
@@ -119,6 +116,6 @@ template<class F>
 }
 
 /// Accuracy of curve pieces as a share of the tooth's height.
-inline constexpr double curve_accuracy = 0x1p-47;   // 7e-15: some tens of roundings of the height itself
+inline constexpr double curve_accuracy = 0x1p-47;  // 7e-15: some tens of roundings of the height itself
 
-}  // namespace hdconj
+}  // namespace hdconj::profile

@@ -10,7 +10,7 @@
 
 #include "hdconj/profile/pieces.hpp"
 
-namespace hdconj {
+namespace hdconj::profile {
 
 using PieceShape = std::variant<LinePiece, ArcPiece, CurvePiece>;
 
@@ -18,8 +18,8 @@ using PieceShape = std::variant<LinePiece, ArcPiece, CurvePiece>;
 struct ProfilePiece
 {
     PieceShape shape;
-    int segment = 0;      ///< index into Profile::segment_names; for a corner the segment before it
-    double t_begin = 0;   ///< segment parameter at the piece's start, 0 ... 1
+    int segment = 0;     ///< index into Profile::segment_names; for a corner the segment before it
+    double t_begin = 0;  ///< segment parameter at the piece's start, 0 ... 1
     double t_end = 1;
     bool corner = false;
 };
@@ -37,10 +37,12 @@ struct Profile
     double root_half_width = 0;     ///< largest |x|
 };
 
-/// Whether any piece is a curve, whose contacts and distances are roots of polynomials: a point of it takes some thirty times as long as one of a line or an arc.
+/// Whether any piece is a curve, whose contacts and distances are roots of polynomials: a point of it takes some thirty
+/// times as long as one of a line or an arc.
 [[nodiscard]] inline bool has_curves(Profile const& profile)
 {
-    return std::any_of(profile.pieces.begin(), profile.pieces.end(), [](ProfilePiece const& piece) { return std::holds_alternative<CurvePiece>(piece.shape); });
+    return std::any_of(profile.pieces.begin(), profile.pieces.end(),
+                       [](ProfilePiece const& piece) { return std::holds_alternative<CurvePiece>(piece.shape); });
 }
 
 /// First and last point and outward normal of a piece.
@@ -65,4 +67,16 @@ struct PieceEnd
 /// Polygon of the whole tooth, chord error <= @p chord [mm], in the tooth frame.
 [[nodiscard]] std::vector<Vec2> polygon_of(Profile const& profile, double chord);
 
-}  // namespace hdconj
+/// Whether a piece of the profile is its tip: the flat land there or a corner at its height.
+[[nodiscard]] inline bool is_tip(Profile const& profile, int piece)
+{
+    PieceShape const& shape = profile.pieces[static_cast<std::size_t>(piece)].shape;
+    double const top = profile.pitch_line + profile.addendum;
+    double const near = 1024 * unit_roundoff * std::abs(top);
+    bool const corner = profile.pieces[static_cast<std::size_t>(piece)].corner;
+    bool const flat = std::holds_alternative<LinePiece>(shape);
+    return (corner || flat) && std::abs(start_of(shape).point.y() - top) <= near &&
+           std::abs(end_of(shape).point.y() - top) <= near;
+}
+
+}  // namespace hdconj::profile

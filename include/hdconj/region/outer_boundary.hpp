@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <vector>
 
-#include "hdconj/geometry/vec2.hpp"
+#include "hdconj/base/vec2.hpp"
 
-namespace hdconj {
+namespace hdconj::region {
 
 /// A stretch of one curve on the boundary. Positions count vertices of the curve's polygon, with a fraction
 /// inside a segment; begin > end where the boundary runs against the curve.
@@ -24,8 +24,8 @@ struct OuterBoundary
 {
     std::vector<BoundaryRun> runs;
     std::size_t segments = 0;
-    /// Places where segments stick out into the open side and bound nothing. The curves of a swept region have none on its
-    /// outer side, so there they tell of polygons too coarse to cross where their curves do.
+    /// Places where segments stick out into the open side and bound nothing. The curves of a swept region have none on
+    /// its outer side, so there they tell of polygons too coarse to cross where their curves do.
     std::vector<Vec2> loose;
 };
 
@@ -39,4 +39,4 @@ struct OuterBoundary
 /// @throws NumericalError when the floor is not reached again
 [[nodiscard]] OuterBoundary outer_boundary(std::vector<std::vector<Vec2>> const& curves, int floor);
 
-}  // namespace hdconj
+}  // namespace hdconj::region

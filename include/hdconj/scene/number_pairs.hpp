@@ -10,10 +10,10 @@
 #include <string_view>
 #include <vector>
 
-#include "hdconj/scene/fault.hpp"
+#include "hdconj/error.hpp"
 #include "hdconj/scene/parameters.hpp"
 
-namespace hdconj {
+namespace hdconj::scene {
 
 /// The work grows with each row: 10 000 points of a flank take some seconds.
 inline constexpr std::size_t most_number_pairs = 10000;
@@ -42,14 +42,18 @@ struct NumberPairs
 };
 
 /// The file that @p choice names under @p key. @param folder  where a relative name starts
-[[nodiscard]] std::filesystem::path number_file(FamilyChoice const& choice, std::string_view key, std::filesystem::path const& folder);
+[[nodiscard]] std::filesystem::path number_file(FamilyChoice const& choice, std::string_view key,
+                                                std::filesystem::path const& folder);
 
-/// Reads the CSV file that @p choice names under @p key: two finite numbers a line, separated by comma, semicolon, tab or blanks;
-/// '#' starts a comment, one header line is allowed, which may name units: "x [inch]"; without them the columns are in mm and degrees. At most most_number_pairs rows of a regular file. Nothing is read when there are faults.
+/// Reads the CSV file that @p choice names under @p key: two finite numbers a line, separated by comma, semicolon, tab
+/// or blanks;
+/// '#' starts a comment, one header line is allowed, which may name units: "x [inch]"; without them the columns are in
+/// mm and degrees. At most most_number_pairs rows of a regular file. Nothing is read when there are faults.
 /// @param folder  where a relative name starts
 /// @param columns what the two hold; they are returned in mm and degrees
 /// @param what    the columns, for messages: "x,y in mm"
-[[nodiscard]] NumberPairs read_number_pairs(FamilyChoice const& choice, std::string_view key, std::string const& folder, std::array<ColumnQuantity, 2> const& columns,
-                                            std::string_view what, Faults& faults);
+[[nodiscard]] NumberPairs read_number_pairs(FamilyChoice const& choice, std::string_view key, std::string const& folder,
+                                            std::array<ColumnQuantity, 2> const& columns, std::string_view what,
+                                            Faults& faults);
 
-}  // namespace hdconj
+}  // namespace hdconj::scene

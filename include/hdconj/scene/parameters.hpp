@@ -4,6 +4,7 @@
 /// about its keys, and the values a scene gives them.
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -12,7 +13,7 @@
 #include <variant>
 #include <vector>
 
-namespace hdconj {
+namespace hdconj::scene {
 
 /// What kind of value a key takes; decides type check and printed unit.
 enum class Quantity
@@ -37,9 +38,9 @@ struct ParameterSpec
     Quantity quantity;
     std::string_view meaning;  ///< one phrase, for --help and error messages
     bool required = true;
-    /// Allowed words for word, length_or_word. Forms of a row for rows, such as "[radius, sweep_deg]": a column whose name
-    /// ends in _deg takes degrees, `radius` any number but 0, `length` a length of 0 or more, others a length. at_least and at_most
-    /// then count rows.
+    /// Allowed words for word, length_or_word. Forms of a row for rows, such as "[radius, sweep_deg]": a column whose
+    /// name ends in _deg takes degrees, `radius` any number but 0, `length` a length of 0 or more, others a length.
+    /// at_least and at_most then count rows.
     std::vector<std::string_view> words{};
     double at_least = -std::numeric_limits<double>::infinity();
     double at_most = std::numeric_limits<double>::infinity();
@@ -89,4 +90,4 @@ struct FamilyChoice
     [[nodiscard]] std::string text_of(std::string_view key) const;
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::scene

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A scene before it is judged: what stands where in the file, whatever the file's language.
+/// A scene before it is validated: what stands where in the file, whatever the file's language.
 #pragma once
 
 #include <string>
 #include <vector>
 
-namespace hdconj {
+namespace hdconj::scene {
 
 struct RawEntry;
 
@@ -42,4 +42,4 @@ struct RawEntry
     std::string origin;  ///< "--set" when it comes from the command line
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::scene

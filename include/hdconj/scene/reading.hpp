@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// From raw tables to a scene: every key and value judged against the schema and the families, then against each
+/// From raw tables to a scene: every key and value is validated against the schema and the families, then against each
 /// other.
 #pragma once
 
@@ -8,12 +8,12 @@
 #include <string>
 #include <vector>
 
-#include "hdconj/scene/fault.hpp"
+#include "hdconj/error.hpp"
+#include "hdconj/scene.hpp"
 #include "hdconj/scene/raw.hpp"
-#include "hdconj/scene/scene.hpp"
 #include "hdconj/scene/schema.hpp"
 
-namespace hdconj {
+namespace hdconj::scene {
 
 /// The families that a scene may name.
 struct SceneFamilies
@@ -34,8 +34,8 @@ struct SceneReading
     bool geometry_known = false;               ///< all that check_scene needs is there: its faults can be found too
 };
 
-/// Judges @p root, the top table of a scene.
-[[nodiscard]] SceneReading judge_scene(RawValue const& root, SceneFamilies const& families);
+/// Validates @p root, the top table of a scene.
+[[nodiscard]] SceneReading validate_scene(RawValue const& root, SceneFamilies const& families);
 
 /// Faults between values that are each right: tooth difference and waves, tolerance and module, effects that
 /// exclude each other. Only values in @p reading.known are looked at.
@@ -44,4 +44,4 @@ struct SceneReading
 /// Fills in line and origin of faults that name a key of @p scene but no line, and the value as it was written.
 void locate(Faults& faults, Scene const& scene);
 
-}  // namespace hdconj
+}  // namespace hdconj::scene

@@ -4,15 +4,14 @@
 /// template of messages and docs/scene.md follow. Keys of the families are not here: families declare their own.
 #pragma once
 
-#include <numbers>
 #include <optional>
 #include <string_view>
 #include <vector>
 
+#include "hdconj/scene.hpp"
 #include "hdconj/scene/parameters.hpp"
-#include "hdconj/scene/scene.hpp"
 
-namespace hdconj {
+namespace hdconj::scene {
 
 /// One key of a table.
 struct KeySpec
@@ -20,7 +19,7 @@ struct KeySpec
     ParameterSpec spec;
     std::string_view example;                 ///< a good value as it stands in a scene
     std::optional<ParameterValue> standard;   ///< value when absent; nothing: required, or absence has a meaning
-    void (*store)(Scene&, Parameter const&);  ///< puts a judged value into the scene
+    void (*store)(Scene&, Parameter const&);  ///< puts a valid value into the scene
 };
 
 /// Which list of families extends a table.
@@ -37,7 +36,7 @@ enum class Presence
     required,
     optional,
     alternative,  ///< one of several, of which exactly one must be there
-    effect  ///< there: the effect is computed; absent: it has no object
+    effect        ///< there: the effect is computed; absent: it has no object
 };
 
 /// One table.
@@ -53,12 +52,6 @@ struct TableSpec
 
 /// All tables, a table before its sub-tables, in the order of docs/scene.md.
 [[nodiscard]] std::vector<TableSpec> const& scene_schema();
-
-/// Degrees appear in a scene only; the reader multiplies by this.
-inline constexpr double rad_per_deg = std::numbers::pi / 180;
-
-/// Torques are in N m in a scene only.
-inline constexpr double n_mm_per_n_m = 1000;
 
 /// Bounds that keep typing errors out; nothing in the mathematics needs them.
 namespace bounds {
@@ -80,22 +73,22 @@ inline constexpr double largest_tilt_deg = 45;    ///< excluded
 inline constexpr double least_modulus = 1;        ///< of elasticity [MPa]
 inline constexpr double largest_modulus = 1e7;    ///< [MPa]
 inline constexpr double largest_poissons_ratio = 0.499;
-inline constexpr double least_tooth_share = 1e-6; ///< of steel in the layer of teeth
-inline constexpr double least_stiffness = 1;      ///< of the line of balls [N/mm^2]
-inline constexpr double largest_stiffness = 1e9;  ///< [N/mm^2]
-inline constexpr int most_balls = 400;            ///< of the wave generator's bearing
-inline constexpr int fewest_angles = 8;           ///< where bearing and cup may touch, in a lobe
+inline constexpr double least_tooth_share = 1e-6;  ///< of steel in the layer of teeth
+inline constexpr double least_stiffness = 1;       ///< of the line of balls [N/mm^2]
+inline constexpr double largest_stiffness = 1e9;   ///< [N/mm^2]
+inline constexpr int most_balls = 400;             ///< of the wave generator's bearing
+inline constexpr int fewest_angles = 8;            ///< where bearing and cup may touch, in a lobe
 inline constexpr int most_angles = 512;
 inline constexpr int fewest_circles = 2;
 inline constexpr int most_circles = 101;
-inline constexpr double least_torque = 1e-9;      ///< [N m]
-inline constexpr double largest_torque = 1e9;     ///< [N m]
+inline constexpr double least_torque = 1e-9;   ///< [N m]
+inline constexpr double largest_torque = 1e9;  ///< [N m]
 inline constexpr int most_torques = 1000;
 inline constexpr int fewest_harmonics = 8;
 inline constexpr int most_harmonics = 400;
-inline constexpr int most_passes = 20;            ///< of the wire
-inline constexpr int fewest_decimals = 2;         ///< of rounded wire coordinates in mm
+inline constexpr int most_passes = 20;     ///< of the wire
+inline constexpr int fewest_decimals = 2;  ///< of rounded wire coordinates in mm
 inline constexpr int most_decimals = 9;
 }  // namespace bounds
 
-}  // namespace hdconj
+}  // namespace hdconj::scene

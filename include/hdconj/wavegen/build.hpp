@@ -7,11 +7,11 @@
 #include <string_view>
 #include <utility>
 
-#include "hdconj/scene/fault.hpp"
+#include "hdconj/error.hpp"
 #include "hdconj/scene/parameter_fault.hpp"
 #include "hdconj/scene/parameters.hpp"
 
-namespace hdconj {
+namespace hdconj::wavegen {
 
 /// What a family is told about the drive it deforms.
 struct WaveGeneratorPlace
@@ -24,15 +24,16 @@ struct WaveGeneratorPlace
 /// The key that most families share.
 inline constexpr std::string_view radial_deformation = "radial_deformation";
 
-[[nodiscard]] inline ParameterSpec radial_deformation_key()
+[[nodiscard]] inline scene::ParameterSpec radial_deformation_key()
 {
-    return {radial_deformation, Quantity::positive_length, "largest radial deformation w0 of the neutral curve"};
+    return {radial_deformation, scene::Quantity::positive_length, "largest radial deformation w0 of the neutral curve"};
 }
 
 /// The fault of a family that has no shape with this number of waves.
-[[nodiscard]] inline Fault waves_fault(FamilyChoice const& choice, int waves, std::string reason, std::string remedy)
+[[nodiscard]] inline Fault waves_fault(scene::FamilyChoice const& choice, int waves, std::string reason,
+                                       std::string remedy)
 {
     return {choice.path + ".waves", choice.line, std::to_string(waves), std::move(reason), std::move(remedy)};
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::wavegen

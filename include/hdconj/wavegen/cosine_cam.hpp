@@ -9,7 +9,7 @@
 #include "hdconj/wavegen/build.hpp"
 #include "hdconj/wavegen/radial_displacement.hpp"
 
-namespace hdconj {
+namespace hdconj::wavegen {
 
 /// Radial displacement of a cosine cam.
 /// Domain: any u. Accuracy: that of sin and cos.
@@ -35,12 +35,12 @@ struct CosineCam
     }
 
     /// What the scene reader needs to know.
-    [[nodiscard]] static FamilyDescription describe()
+    [[nodiscard]] static scene::FamilyDescription describe()
     {
         return {"cosine", "cosine cam, w = w0 cos(n u)", {radial_deformation_key()}};
     }
 
-    [[nodiscard]] static CosineCam build(FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults&)
+    [[nodiscard]] static CosineCam build(scene::FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults&)
     {
         return {choice.number_or(radial_deformation, 0), place.waves};
     }
@@ -51,4 +51,4 @@ inline std::optional<CosineCam> CosineCam::as_cosine() const
     return *this;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::wavegen

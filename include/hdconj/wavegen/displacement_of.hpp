@@ -10,24 +10,22 @@
 #include <numbers>
 #include <string>
 
-#include "hdconj/numeric/error.hpp"
+#include "hdconj/error.hpp"
 #include "hdconj/numeric/fourier.hpp"
 #include "hdconj/wavegen/material_displacement.hpp"
 #include "hdconj/wavegen/neutral_curve.hpp"
 
-namespace hdconj {
+namespace hdconj::wavegen {
 
-namespace detail {
-
-/// d = u - phi of the point of @p curve whose undeformed angle is @p phi, by Newton: dphi/du = sqrt(rho^2 + rho'^2)/r_m.
-template<WaveShape Shape>
+/// d = u - phi of the point of @p curve whose undeformed angle is @p phi, by Newton: dphi/du = sqrt(rho^2 +
+/// rho'^2)/r_m.
+template <WaveShape Shape>
 [[nodiscard]] double angle_gained(NeutralCurve<Shape> const& curve, double phi)
 {
     constexpr int budget = 60;
     double u = phi;
     double last_step = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < budget; ++i)
-    {
+    for (int i = 0; i < budget; ++i) {
         RadialDisplacement const d = curve.shape()(u);
         double const step = (curve.phi(u, d) - phi) * curve.r_m() / std::hypot(curve.r_0() + d.w, d.w1);
         // steps that no longer fall are the rounding of phi(u)
@@ -38,48 +36,49 @@ template<WaveShape Shape>
         if (step == 0)
             return u - phi;
     }
-    throw NumericalError("neutral curve", "point at phi = " + std::to_string(phi), "its polar angle did not converge");
+    throw NumericalError(ErrorCode::not_converged, "neutral curve", "point at phi = " + std::to_string(phi),
+                         "its polar angle did not converge");
 }
-
-}  // namespace detail
 
 /// w and v of @p curve: the point rho(u) e_r(u), rho = r_0 + w_u(u), that stood at phi(u) has with d = u - phi
 ///
 ///   w = r_0 - r_m + w_u - 2 rho sin^2(d/2),   v = rho sin d.
 ///
 /// A MaterialMotion of it is the ExactMotion of the curve, with phi for parameter.
-/// Accuracy: coefficients to some roundings of r_m (those of phi(u)), and below them 0; a derivative of order j has the error of the
-/// last coefficient times the j-th power of its order.
-/// Domain: shapes without breaks. @throws NumericalError otherwise, or when a series is not resolved.
-template<WaveShape Shape>
+/// Accuracy: coefficients to some roundings of r_m (those of phi(u)), and below them 0; a derivative of order j has the
+/// error of the last coefficient times the j-th power of its order. Domain: shapes without breaks. @throws
+/// NumericalError otherwise, or when a series is not resolved.
+template <WaveShape Shape>
 [[nodiscard]] MaterialDisplacement displacement_of(NeutralCurve<Shape> const& curve)
 {
     Shape const& shape = curve.shape();
     if (!shape.breaks().empty())
-        throw NumericalError("neutral curve", "series in the undeformed angle",
+        throw NumericalError(ErrorCode::not_smooth, "neutral curve", "series in the undeformed angle",
                              "the wave generator's third derivative jumps, which a series does not follow");
     double const period = 2 * std::numbers::pi / shape.waves();
-    FourierSeries const w(
+    numeric::FourierSeries const w(
         [&](double phi) {
-            double const d = detail::angle_gained(curve, phi);
+            double const d = angle_gained(curve, phi);
             double const displaced = shape(phi + d).w;
             double const half = std::sin(d / 2);
             return curve.r_0() - curve.r_m() + displaced - 2 * (curve.r_0() + displaced) * half * half;
         },
         period);
     // on top of r_m, whose roundings v has
-    FourierSeries const v(
+    numeric::FourierSeries const v(
         [&](double phi) {
-            double const d = detail::angle_gained(curve, phi);
+            double const d = angle_gained(curve, phi);
             return curve.r_m() + (curve.r_0() + shape(phi + d).w) * std::sin(d);
         },
         period);
     if (!w.resolved() || !v.resolved())
-        throw NumericalError("neutral curve", "series in the undeformed angle", "the wave generator's shape is not smooth enough for it");
-    auto const above = [](double noise, double coefficient) { return std::abs(coefficient) > noise ? coefficient : 0.0; };
+        throw NumericalError(ErrorCode::not_smooth, "neutral curve", "series in the undeformed angle",
+                             "the wave generator's shape is not smooth enough for it");
+    auto const above = [](double noise, double coefficient) {
+        return std::abs(coefficient) > noise ? coefficient : 0.0;
+    };
     MaterialDisplacement result{shape.waves(), {}};
-    for (std::size_t k = 0; k < std::max(w.terms(), v.terms()); ++k)
-    {
+    for (std::size_t k = 0; k < std::max(w.terms(), v.terms()); ++k) {
         double const v_cosine = v.cosine(k) - (k == 0 ? curve.r_m() : 0);
         DisplacementHarmonic h{above(w.noise(), w.cosine(k)), above(w.noise(), w.sine(k)), above(v.noise(), v_cosine),
                                above(v.noise(), v.sine(k))};
@@ -92,4 +91,4 @@ template<WaveShape Shape>
     return result;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::wavegen

@@ -8,14 +8,15 @@
 #include "hdconj/wavegen/build.hpp"
 #include "hdconj/wavegen/radial_displacement.hpp"
 
-namespace hdconj {
+namespace hdconj::wavegen {
 
 /// Neutral curve rho(u) = a b / sqrt(a^2 sin^2 u + b^2 cos^2 u) with a = r_m + w0 and b such that the
 /// circumference is 2 pi r_m exactly, 4 a E(sqrt(1 - b^2/a^2)) = 2 pi r_m (Yao et al. 2025 approximate this b by
 /// Ramanujan's formula). The displacement is measured from r_m: w = rho - r_m.
 ///
 /// Derivatives: with g = a^2 sin^2 u + b^2 cos^2 u, rho' = -rho g'/(2 g), and so on.
-/// Domain: 0 < w0 < (pi/2 - 1) r_m, where b reaches 0; two waves. Accuracy: a few roundings of r_m; b to 2 units in its last place.
+/// Domain: 0 < w0 < (pi/2 - 1) r_m, where b reaches 0; two waves. Accuracy: a few roundings of r_m; b to 2 units in its
+/// last place.
 class EllipseCam
 {
   public:
@@ -36,9 +37,9 @@ class EllipseCam
         double const half = 0.5 * (a_ * a_ - b_ * b_);
         double const g = b_ * b_ + 2 * half * sin_u * sin_u;
         double const rho = a_ * b_ / std::sqrt(g);
-        double const p1 = -half * s / g;               // -g'/(2 g), g' = (a^2 - b^2) sin 2u
-        double const p2 = -2 * half * c / g;           // -g''/(2 g)
-        double const p3 = 4 * half * s / g;            // -g'''/(2 g)
+        double const p1 = -half * s / g;      // -g'/(2 g), g' = (a^2 - b^2) sin 2u
+        double const p2 = -2 * half * c / g;  // -g''/(2 g)
+        double const p3 = 4 * half * s / g;   // -g'''/(2 g)
         // rho'/rho = p1, p1' = p2 + 2 p1^2, p2' = p3 + 2 p1 p2
         double const p1_u = p2 + 2 * p1 * p1;
         double const rho1 = rho * p1;
@@ -50,12 +51,14 @@ class EllipseCam
         return {w0_ + a_ * drop, rho1, rho2, rho3, s, c};
     }
 
-    [[nodiscard]] static FamilyDescription describe()
+    [[nodiscard]] static scene::FamilyDescription describe()
     {
-        return {"ellipse", "elliptic neutral curve, semi-axis r_m + w0, as long as the ring", {radial_deformation_key()}};
+        return {
+            "ellipse", "elliptic neutral curve, semi-axis r_m + w0, as long as the ring", {radial_deformation_key()}};
     }
 
-    [[nodiscard]] static EllipseCam build(FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults& faults);
+    [[nodiscard]] static EllipseCam build(scene::FamilyChoice const& choice, WaveGeneratorPlace const& place,
+                                          Faults& faults);
 
   private:
     double w0_ = 0;
@@ -63,4 +66,4 @@ class EllipseCam
     double b_ = 1;
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::wavegen

@@ -10,7 +10,7 @@
 #include "hdconj/wavegen/build.hpp"
 #include "hdconj/wavegen/radial_displacement.hpp"
 
-namespace hdconj {
+namespace hdconj::wavegen {
 
 /// Thin inextensible ring under radial forces at +-beta about each of its n lobes (n = 2: four rollers; beta = 0: two).
 ///
@@ -40,15 +40,22 @@ class FourRoller
         return {f * (a.w + b.w), f * (a.w1 + b.w1), f * (a.w2 + b.w2), f * (a.w3 + b.w3)};
     }
 
-    [[nodiscard]] static FamilyDescription describe()
+    [[nodiscard]] static scene::FamilyDescription describe()
     {
         return {"four-roller",
                 "ring under four roller forces (n = 2), w from ring theory",
                 {radial_deformation_key(),
-                 {"roller_angle_deg", Quantity::angle_deg, "rollers this far on either side of the major axis, beta; 0: two rollers", true, {}, 0, 90}}};
+                 {"roller_angle_deg",
+                  scene::Quantity::angle_deg,
+                  "rollers this far on either side of the major axis, beta; 0: two rollers",
+                  true,
+                  {},
+                  0,
+                  90}}};
     }
 
-    [[nodiscard]] static FourRoller build(FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults& faults);
+    [[nodiscard]] static FourRoller build(scene::FamilyChoice const& choice, WaveGeneratorPlace const& place,
+                                          Faults& faults);
 
   private:
     /// G and its derivatives.
@@ -59,7 +66,8 @@ class FourRoller
         double const y = x - period * std::floor(x / period) - h_;
         double const s = std::sin(y);
         double const c = std::cos(y);
-        return {-0.5 + e_ * (bend_ * c + y * s), e_ * (s * (1 - bend_) + y * c), e_ * (c * (2 - bend_) - y * s), e_ * (s * (bend_ - 3) - y * c)};
+        return {-0.5 + e_ * (bend_ * c + y * s), e_ * (s * (1 - bend_) + y * c), e_ * (c * (2 - bend_) - y * s),
+                e_ * (s * (bend_ - 3) - y * c)};
     }
 
     double w0_ = 0;
@@ -72,4 +80,4 @@ class FourRoller
     std::array<double, 2> breaks_{};
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::wavegen

@@ -7,36 +7,36 @@
 #include <cstddef>
 #include <numbers>
 
-#include "hdconj/numeric/error.hpp"
+#include "hdconj/error.hpp"
 #include "hdconj/numeric/fourier.hpp"
 #include "hdconj/wavegen/material_displacement.hpp"
 #include "hdconj/wavegen/radial_displacement.hpp"
 
-namespace hdconj {
+namespace hdconj::wavegen {
 
-/// What a linear shell or finite-element model of the ring gives: w(phi) is the wave generator's shape at the *undeformed* angle,
-/// and v' = -(w - its mean), no hoop strain of first order, with v(0) = 0. The mean of w is of second order in families that have one; it
-/// stays in w and is kept out of v, which it would not leave periodic.
+/// What a linear shell or finite-element model of the ring gives: w(phi) is the wave generator's shape at the
+/// *undeformed* angle, and v' = -(w - its mean), no hoop strain of first order, with v(0) = 0. The mean of w is of
+/// second order in families that have one; it stays in w and is kept out of v, which it would not leave periodic.
 /// Accuracy: Fourier coefficients to roundoff of the largest; those that are rounding are 0.
 /// Domain: shapes without breaks. @throws NumericalError otherwise, or when the series is not resolved to roundoff.
-template<WaveShape Shape>
+template <WaveShape Shape>
 [[nodiscard]] MaterialDisplacement inextensional_mode(Shape const& shape)
 {
     if (!shape.breaks().empty())
-        throw NumericalError("wave generator", "series in the undeformed angle",
-                             "the shape's third derivative jumps, which a series does not follow; use the exact or the first-order motion");
-    FourierSeries const w([&](double phi) { return shape(phi).w; }, 2 * std::numbers::pi / shape.waves());
+        throw NumericalError(ErrorCode::not_smooth, "wave generator", "series in the undeformed angle",
+                             "the shape's third derivative jumps, which a series does not follow",
+                             "use the exact or the "
+                             "first-order motion");
+    numeric::FourierSeries const w([&](double phi) { return shape(phi).w; }, 2 * std::numbers::pi / shape.waves());
     if (!w.resolved())
-        throw NumericalError("wave generator", "series in the undeformed angle",
-                             "the shape is not smooth enough for it; use the exact or the first-order motion");
+        throw NumericalError(ErrorCode::not_smooth, "wave generator", "series in the undeformed angle",
+                             "the shape is not smooth enough for it", "use the exact or the first-order motion");
     auto const above_noise = [&](double coefficient) { return std::abs(coefficient) > w.noise() ? coefficient : 0.0; };
     MaterialDisplacement mode{shape.waves(), {}};
     double v_at_0 = 0;
-    for (std::size_t k = 0; k < w.terms(); ++k)
-    {
+    for (std::size_t k = 0; k < w.terms(); ++k) {
         DisplacementHarmonic h{above_noise(w.cosine(k)), above_noise(w.sine(k)), 0, 0};
-        if (k > 0)
-        {
+        if (k > 0) {
             double const order = static_cast<double>(k) * shape.waves();
             h.v_cosine = h.w_sine / order;
             h.v_sine = -h.w_cosine / order;
@@ -49,4 +49,4 @@ template<WaveShape Shape>
     return mode;
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::wavegen

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-namespace hdconj {
+namespace hdconj::wavegen {
 
 /// Coefficients [mm] of one harmonic of w and v.
 struct DisplacementHarmonic
@@ -59,8 +59,7 @@ struct PointDisplacement
         sum[2] -= order * order * term;
         sum[3] -= order * order * slope;
     };
-    for (DisplacementHarmonic const& h : displacement.harmonics)
-    {
+    for (DisplacementHarmonic const& h : displacement.harmonics) {
         add(at.w, h.w_cosine, h.w_sine);
         add(at.v, h.v_cosine, h.v_sine);
         double const next = s * cosine + c * sine;
@@ -76,12 +75,10 @@ struct PointDisplacement
 {
     PointDisplacement bound;
     double order = 0;
-    for (DisplacementHarmonic const& h : displacement.harmonics)
-    {
+    for (DisplacementHarmonic const& h : displacement.harmonics) {
         double w = std::hypot(h.w_cosine, h.w_sine);
         double v = std::hypot(h.v_cosine, h.v_sine);
-        for (std::size_t j = 0; j < bound.w.size(); ++j)
-        {
+        for (std::size_t j = 0; j < bound.w.size(); ++j) {
             bound.w[j] += w;
             bound.v[j] += v;
             w *= order;
@@ -96,7 +93,9 @@ struct PointDisplacement
 inline void drop_empty_tail(MaterialDisplacement& displacement)
 {
     auto& all = displacement.harmonics;
-    auto const is_empty = [](DisplacementHarmonic const& h) { return h.w_cosine == 0 && h.w_sine == 0 && h.v_cosine == 0 && h.v_sine == 0; };
+    auto const is_empty = [](DisplacementHarmonic const& h) {
+        return h.w_cosine == 0 && h.w_sine == 0 && h.v_cosine == 0 && h.v_sine == 0;
+    };
     while (!all.empty() && is_empty(all.back()))
         all.pop_back();
 }
@@ -108,4 +107,4 @@ inline void drop_empty_tail(MaterialDisplacement& displacement)
                        [](DisplacementHarmonic const& h) { return h.w_sine == 0 && h.v_cosine == 0; });
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::wavegen

@@ -7,11 +7,11 @@
 #include <numbers>
 #include <utility>
 
-#include "hdconj/numeric/error.hpp"
+#include "hdconj/error.hpp"
 #include "hdconj/numeric/periodic_integral.hpp"
 #include "hdconj/wavegen/radial_displacement.hpp"
 
-namespace hdconj {
+namespace hdconj::wavegen {
 
 /// Closed inextensible neutral curve.
 ///
@@ -20,14 +20,16 @@ namespace hdconj {
 /// without its first-order approximation). The line element is integrated as a Fourier series, or panel by panel
 /// where the shape has breaks: spectral accuracy, relative error below 1e-14.
 /// Domain: rho > 0 everywhere. @throws NumericalError otherwise, or when the line element is not resolved to roundoff.
-template<WaveShape Shape>
+template <WaveShape Shape>
 class NeutralCurve
 {
   public:
-    NeutralCurve(Shape shape, double r_m) : shape_(std::move(shape)), r_m_(r_m), r_0_(closed_radius()), line_(series(r_0_))
+    NeutralCurve(Shape shape, double r_m)
+        : shape_(std::move(shape)), r_m_(r_m), r_0_(closed_radius()), line_(series(r_0_))
     {
         if (!line_.resolved())
-            throw NumericalError("neutral curve", "arc length", "the wave generator's shape is not smooth enough for its series");
+            throw NumericalError(ErrorCode::not_smooth, "neutral curve", "arc length",
+                                 "the wave generator's shape is not smooth enough for its series");
     }
 
     [[nodiscard]] Shape const& shape() const { return shape_; }
@@ -35,47 +37,47 @@ class NeutralCurve
     [[nodiscard]] double r_0() const { return r_0_; }
     [[nodiscard]] double relative_error() const { return line_.relative_error(); }
     /// Integral of the line element from 0: r_m phi.
-    [[nodiscard]] PeriodicIntegral const& length() const { return line_; }
+    [[nodiscard]] numeric::PeriodicIntegral const& length() const { return line_; }
 
     /// Undeformed angle phi of the point at polar angle @p u, phi(0) = 0. @p d is shape()(u).
-    [[nodiscard]] double phi(double u, RadialDisplacement const& d) const
-    {
-        return line_(u, d.sine, d.cosine) / r_m_;
-    }
+    [[nodiscard]] double phi(double u, RadialDisplacement const& d) const { return line_(u, d.sine, d.cosine) / r_m_; }
     [[nodiscard]] double phi(double u) const { return phi(u, shape_(u)); }
 
   private:
-    [[nodiscard]] PeriodicIntegral series(double r_0) const
+    [[nodiscard]] numeric::PeriodicIntegral series(double r_0) const
     {
         auto const element = [&](double u) {
             RadialDisplacement const d = shape_(u);
             return std::hypot(r_0 + d.w, d.w1);
         };
-        return PeriodicIntegral(element, 2 * std::numbers::pi / shape_.waves(), shape_.breaks());
+        return numeric::PeriodicIntegral(element, 2 * std::numbers::pi / shape_.waves(), shape_.breaks());
     }
 
     /// Newton on mean length: its slope with respect to r_0 is the mean of rho / sqrt(rho^2 + rho'^2), close to 1.
     [[nodiscard]] double closed_radius() const
     {
         if (!(r_m_ > shape_.amplitude()))
-            throw NumericalError("neutral curve", "radial deformation", "is not smaller than the neutral radius");
+            throw NumericalError(ErrorCode::no_solution, "neutral curve", "radial deformation",
+                                 "is not smaller than the neutral radius");
         constexpr int budget = 60;
         double r_0 = r_m_;
         double last_step = r_m_;
-        for (int i = 0; i < budget; ++i)
-        {
+        for (int i = 0; i < budget; ++i) {
             double const excess = series(r_0).mean() - r_m_;
             double const h = r_m_ * slope_step;
             double const slope = (series(r_0 + h).mean() - series(r_0 - h).mean()) / (2 * h);
             double const step = excess / slope;
             r_0 -= step;
             if (!(r_0 > shape_.amplitude()))
-                throw NumericalError("neutral curve", "closed length", "no base radius closes a curve that is deformed this much");
-            if (std::abs(step) <= 4 * unit_roundoff * r_m_ || (std::abs(step) >= std::abs(last_step) && std::abs(step) < noise * r_m_))
+                throw NumericalError(ErrorCode::no_solution, "neutral curve", "closed length",
+                                     "no base radius closes a curve that is deformed this much");
+            if (std::abs(step) <= 4 * unit_roundoff * r_m_ ||
+                (std::abs(step) >= std::abs(last_step) && std::abs(step) < noise * r_m_))
                 return r_0;
             last_step = step;
         }
-        throw NumericalError("neutral curve", "closed length", "the base radius did not converge");
+        throw NumericalError(ErrorCode::not_converged, "neutral curve", "closed length",
+                             "the base radius did not converge");
     }
 
     static constexpr double slope_step = 0x1p-12;
@@ -84,7 +86,7 @@ class NeutralCurve
     Shape shape_;
     double r_m_;
     double r_0_;
-    PeriodicIntegral line_;
+    numeric::PeriodicIntegral line_;
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::wavegen

@@ -6,7 +6,7 @@
 #include <concepts>
 #include <span>
 
-namespace hdconj {
+namespace hdconj::wavegen {
 
 /// w(u) and its derivatives at one angle.
 struct RadialDisplacement
@@ -19,15 +19,26 @@ struct RadialDisplacement
     double cosine = 1;  ///< cos(n u)
 };
 
-/// A wave generator family: radial displacement with period 2 pi / waves(), largest, amplitude(), at the major axis u = 0.
-/// w, w' and w'' are continuous; between breaks(), angles in increasing order in (-pi/n, pi/n], w is analytic.
-template<class S>
-concept WaveShape = requires(S const& shape, double u) {
-    { shape(u) } -> std::same_as<RadialDisplacement>;
-    { shape.waves() } -> std::convertible_to<int>;
-    { shape.amplitude() } -> std::convertible_to<double>;
-    { shape.even() } -> std::convertible_to<bool>;
-    { shape.breaks() } -> std::convertible_to<std::span<double const>>;
+/// A wave generator family: radial displacement with period 2 pi / waves(), largest, amplitude(), at the major axis u =
+/// 0. w, w' and w'' are continuous; between breaks(), angles in increasing order in (-pi/n, pi/n], w is analytic.
+template <class S>
+concept WaveShape = requires(S const& shape, double u)
+{
+    {
+        shape(u)
+        } -> std::same_as<RadialDisplacement>;
+    {
+        shape.waves()
+        } -> std::convertible_to<int>;
+    {
+        shape.amplitude()
+        } -> std::convertible_to<double>;
+    {
+        shape.even()
+        } -> std::convertible_to<bool>;
+    {
+        shape.breaks()
+        } -> std::convertible_to<std::span<double const>>;
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::wavegen

@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "hdconj/scene/fault.hpp"
+#include "hdconj/error.hpp"
 #include "hdconj/scene/parameters.hpp"
 #include "hdconj/wavegen/build.hpp"
 #include "hdconj/wavegen/cosine_cam.hpp"
@@ -18,7 +18,7 @@
 #include "hdconj/wavegen/table_cam.hpp"
 #include "hdconj/wavegen/two_disc.hpp"
 
-namespace hdconj {
+namespace hdconj::wavegen {
 
 /// Any registered wave generator shape, itself a WaveShape: motions are compiled once for all families, and
 /// choosing the family at each angle costs a jump beside the sine and cosine that follow.
@@ -28,11 +28,8 @@ class AnyWaveShape
     using Families = std::variant<CosineCam, EllipseCam, FourRoller, TwoDisc, TableCam, RingOnCam>;
 
     AnyWaveShape() = default;
-    template<WaveShape Shape>
-        requires(!std::same_as<Shape, AnyWaveShape>)
-    explicit AnyWaveShape(Shape shape) : shape_(std::move(shape))
-    {
-    }
+    template <WaveShape Shape>
+    requires(!std::same_as<Shape, AnyWaveShape>) explicit AnyWaveShape(Shape shape) : shape_(std::move(shape)) {}
 
     [[nodiscard]] Families const& family() const { return shape_; }
     [[nodiscard]] int waves() const
@@ -91,9 +88,10 @@ class AnyWaveShape
 
 /// Every registered wave generator family, in the order of registration.
 /// `waves` and `family` are keys of [wave_generator] itself, not of a family.
-[[nodiscard]] std::vector<FamilyDescription> const& wave_generator_families();
+[[nodiscard]] std::vector<scene::FamilyDescription> const& wave_generator_families();
 
 /// Builds the shape of @p choice for the ring of @p place; adds to @p faults what is wrong with it.
-[[nodiscard]] AnyWaveShape build_wave_shape(FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults& faults);
+[[nodiscard]] AnyWaveShape build_wave_shape(scene::FamilyChoice const& choice, WaveGeneratorPlace const& place,
+                                            Faults& faults);
 
-}  // namespace hdconj
+}  // namespace hdconj::wavegen

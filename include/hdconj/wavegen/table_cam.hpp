@@ -9,14 +9,15 @@
 #include "hdconj/wavegen/build.hpp"
 #include "hdconj/wavegen/radial_displacement.hpp"
 
-namespace hdconj {
+namespace hdconj::wavegen {
 
 /// Periodic cubic spline with continuous curvature through (angle, w) of one wave, the mean taken away.
 ///
-/// Whether the file holds the displacement, or the radius, of the neutral curve makes no difference: closing the curve's
-/// length fixes the mean radius. The angle is counted from the major axis. w''' jumps at the knots: these are the breaks.
-/// Domain: 4 angles or more, increasing, within one wave of 360/n degrees; the closing row (same value one wave on) may be given.
-/// Accuracy: passes through every row to roundoff; between rows O(h^4) for a table of a smooth cam, h^2 in w''.
+/// Whether the file holds the displacement, or the radius, of the neutral curve makes no difference: closing the
+/// curve's length fixes the mean radius. The angle is counted from the major axis. w''' jumps at the knots: these are
+/// the breaks. Domain: 4 angles or more, increasing, within one wave of 360/n degrees; the closing row (same value one
+/// wave on) may be given. Accuracy: passes through every row to roundoff; between rows O(h^4) for a table of a smooth
+/// cam, h^2 in w''.
 class TableCam
 {
   public:
@@ -28,24 +29,33 @@ class TableCam
     [[nodiscard]] int waves() const { return n_; }
     [[nodiscard]] double amplitude() const { return largest_; }
     [[nodiscard]] bool even() const { return even_; }
-    [[nodiscard]] std::span<double const> breaks() const { return spline_ ? std::span<double const>(spline_->knots) : std::span<double const>{}; }
+    [[nodiscard]] std::span<double const> breaks() const
+    {
+        return spline_ ? std::span<double const>(spline_->knots) : std::span<double const>{};
+    }
 
     [[nodiscard]] RadialDisplacement operator()(double u) const;
 
-    [[nodiscard]] static FamilyDescription describe()
+    [[nodiscard]] static scene::FamilyDescription describe()
     {
         return {"table",
                 "radial displacement from a file, by a periodic cubic spline",
-                {{"file", Quantity::file, "CSV file with columns angle in degrees from the major axis, radial displacement (or radius) in mm; one wave"}}};
+                {{"file", scene::Quantity::file,
+                  "CSV file with columns angle in degrees from the major axis, radial displacement (or radius) in mm; "
+                  "one wave"}}};
     }
 
-    [[nodiscard]] static TableCam build(FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults& faults);
+    [[nodiscard]] static TableCam build(scene::FamilyChoice const& choice, WaveGeneratorPlace const& place,
+                                        Faults& faults);
 
   private:
     /// Powers of (u - knot) on the interval that starts at a knot.
     struct Cubic
     {
         double c0, c1, c2, c3;
+
+        /// Largest value from the knot to @p h after it: at the knot, or where the slope vanishes.
+        [[nodiscard]] double largest(double h) const;
     };
     struct Spline
     {
@@ -59,4 +69,4 @@ class TableCam
     bool even_ = false;
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::wavegen

@@ -10,16 +10,19 @@
 #include "hdconj/wavegen/build.hpp"
 #include "hdconj/wavegen/radial_displacement.hpp"
 
-namespace hdconj {
+namespace hdconj::wavegen {
 
-/// n discs (n = 2: the two-disc generator), each touched by the ring over the wrap angle beta on either side of its lobe.
+/// n discs (n = 2: the two-disc generator), each touched by the ring over the wrap angle beta on either side of its
+/// lobe.
 ///
-/// On a disc, |u| <= beta, the neutral curve is exactly a circle of radius R about a centre at distance e from the axis:
+/// On a disc, |u| <= beta, the neutral curve is exactly a circle of radius R about a centre at distance e from the
+/// axis:
 ///   rho(u) = e cos u + sqrt(R^2 - e^2 sin^2 u),  e + R = r_m + w0.
-/// Between the discs the ring carries no load, its bending moment goes as c + d cos y, y = u - pi/n, and ring theory gives
+/// Between the discs the ring carries no load, its bending moment goes as c + d cos y, y = u - pi/n, and ring theory
+/// gives
 ///   rho(u) = C + A cos y + D y sin y.
-/// C, A, D make rho, rho' and rho'' (position, tangent, bending moment) continuous at beta; R makes the curve as long as
-/// the ring, 2 pi r_m. The disc presses with a line force at beta: w''' jumps there, which makes +-beta the breaks.
+/// C, A, D make rho, rho' and rho'' (position, tangent, bending moment) continuous at beta; R makes the curve as long
+/// as the ring, 2 pi r_m. The disc presses with a line force at beta: w''' jumps there, which makes +-beta the breaks.
 /// Domain: n >= 2, 0 < beta < pi/n, w0 small against r_m. The displacement is measured from r_m.
 /// Accuracy: a few roundings of r_m; as a model, the free part is that of a thin ring to first order in w0/r_m.
 class TwoDisc
@@ -33,7 +36,7 @@ class TwoDisc
     [[nodiscard]] double amplitude() const { return w0_; }
     [[nodiscard]] bool even() const { return true; }
     [[nodiscard]] std::span<double const> breaks() const { return breaks_; }
-    [[nodiscard]] double disc_radius() const { return disc_; }        ///< R, of the neutral curve on the disc
+    [[nodiscard]] double disc_radius() const { return disc_; }  ///< R, of the neutral curve on the disc
     [[nodiscard]] double eccentricity() const { return eccentricity_; }
 
     [[nodiscard]] RadialDisplacement operator()(double u) const
@@ -45,15 +48,22 @@ class TwoDisc
         return d;
     }
 
-    [[nodiscard]] static FamilyDescription describe()
+    [[nodiscard]] static scene::FamilyDescription describe()
     {
         return {"two-disc",
                 "ring on two eccentric discs (n = 2), free between them",
                 {radial_deformation_key(),
-                 {"wrap_angle_deg", Quantity::angle_deg, "the ring touches a disc this far on either side of the major axis, beta", true, {}, 0.1, 89}}};
+                 {"wrap_angle_deg",
+                  scene::Quantity::angle_deg,
+                  "the ring touches a disc this far on either side of the major axis, beta",
+                  true,
+                  {},
+                  0.1,
+                  89}}};
     }
 
-    [[nodiscard]] static TwoDisc build(FamilyChoice const& choice, WaveGeneratorPlace const& place, Faults& faults);
+    [[nodiscard]] static TwoDisc build(scene::FamilyChoice const& choice, WaveGeneratorPlace const& place,
+                                       Faults& faults);
 
   private:
     [[nodiscard]] RadialDisplacement on_disc(double u) const
@@ -73,7 +83,8 @@ class TwoDisc
     {
         double const s = std::sin(y);
         double const c = std::cos(y);
-        return {c_ + a_ * c + d_ * y * s, -a_ * s + d_ * (s + y * c), -a_ * c + d_ * (2 * c - y * s), a_ * s - d_ * (3 * s + y * c)};
+        return {c_ + a_ * c + d_ * y * s, -a_ * s + d_ * (s + y * c), -a_ * c + d_ * (2 * c - y * s),
+                a_ * s - d_ * (3 * s + y * c)};
     }
 
     void fit(double disc);
@@ -87,4 +98,4 @@ class TwoDisc
     std::array<double, 2> breaks_{-0.5, 0.5};
 };
 
-}  // namespace hdconj
+}  // namespace hdconj::wavegen

@@ -3,8 +3,8 @@
 /// Uses the header-only and the compiled part of hdconj::core.
 #include <string>
 
-#include "hdconj/geometry/vec2.hpp"
-#include "hdconj/scene/fault.hpp"
+#include "hdconj/base/vec2.hpp"
+#include "hdconj/error.hpp"
 
 int main()
 {

@@ -3,9 +3,9 @@
 /// From the built-in scene to a solution, as another program would.
 #include <cstdio>
 
-#include "hdconj/io/scene_toml.hpp"
-#include "hdconj/io/version.hpp"
-#include "hdconj/pipeline/solve.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/solve.hpp"
+#include "hdconj/version.hpp"
 
 int main()
 {

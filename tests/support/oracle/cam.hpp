@@ -4,7 +4,8 @@
 ///
 ///   cosine               w0 cos(n u)
 ///   ellipse              1/rho^2 = sin^2/b^2 + cos^2/a^2; b by bisection on the perimeter in the eccentric anomaly
-///   four-roller          classical solution of the ring under a force: cos y + y sin y and its rigid and constant parts, y
+///   four-roller          classical solution of the ring under a force: cos y + y sin y and its rigid and constant
+///   parts, y
 ///                        from the middle between two forces, the constants from w'(force) = 0 and no mean
 ///   two-disc             circle, and between the discs the same three functions, joined with their curvature; the
 ///                        disc's radius by bisection on the length
@@ -24,9 +25,9 @@
 #include <utility>
 #include <vector>
 
-#include "hdconj/scene/scene.hpp"
-#include "support/oracle/quadrature.hpp"
-#include "support/oracle/tooth.hpp"
+#include "hdconj/scene.hpp"
+#include "quadrature.hpp"
+#include "tooth.hpp"
 
 namespace oracle {
 
@@ -43,7 +44,8 @@ class Cam
   public:
     Cam() = default;
     /// @param r_m  radius of the undeformed neutral curve
-    Cam(hdconj::Scene const& scene, T const& r_m) : waves_(scene.wave_generator.waves), r_m_(r_m), half_(pi<T>() / T(waves_))
+    Cam(hdconj::Scene const& scene, T const& r_m)
+        : waves_(scene.wave_generator.waves), r_m_(r_m), half_(pi<T>() / T(waves_))
     {
         auto const& shape = scene.wave_generator.shape;
         T const degree = pi<T>() / T(180);
@@ -174,7 +176,8 @@ class Cam
             T const rho = r_m + joint.w, s2 = rho * rho + joint.slope * joint.slope;
             T const second = (s2 + joint.slope * joint.slope - s2 * sqrt(s2) / radius) / rho;
             T const y = beta - h, c = cos(y), s = sin(y);
-            // moment: w + w'' = C + 2 D cos y; slope: -A s + D (s + y c); value. Eliminate C by w'' - and A by the slope
+            // moment: w + w'' = C + 2 D cos y; slope: -A s + D (s + y c); value. Eliminate C by w'' - and A by the
+            // slope
             T const det = (-s) * (T(2) * c - y * s) - (s + y * c) * (-c);
             T const a = (joint.slope * (T(2) * c - y * s) - second * (s + y * c)) / det;
             T const d = ((-s) * second + c * joint.slope) / det;
@@ -322,7 +325,8 @@ class Cam
             T const h = j == 0 ? x[0] + period - x[i] : x[j] - x[i];
             T const q = (v - x[i]) / h, p = T(1) - q;
             // Hermite's form
-            T const w = y[i] * p * p * (T(1) + T(2) * q) + y[j] * q * q * (T(1) + T(2) * p) + h * p * q * (s[i] * p - s[j] * q);
+            T const w =
+                y[i] * p * p * (T(1) + T(2) * q) + y[j] * q * q * (T(1) + T(2) * p) + h * p * q * (s[i] * p - s[j] * q);
             T const slope = T(6) * p * q * (y[j] - y[i]) / h + s[i] * p * (p - T(2) * q) + s[j] * q * (q - T(2) * p);
             return {w - mean, slope};
         };

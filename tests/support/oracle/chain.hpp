@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "support/oracle/number.hpp"
+#include "number.hpp"
 
 namespace oracle {
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Right flanks of the curve families by the oracle's own formulas: an involute as the end of a string, cycloids as points of rolling
-/// circles, an S-tooth as its locus, splines by the second derivatives at their knots. Nothing of the library but the scene's data.
+/// Right flanks of the curve families by the oracle's own formulas: an involute as the end of a string, cycloids as
+/// points of rolling circles, an S-tooth as its locus, splines by the second derivatives at their knots. Nothing of the
+/// library but the scene's data.
 #pragma once
 
 #include <fstream>
@@ -11,9 +12,9 @@
 #include <string>
 #include <vector>
 
-#include "hdconj/scene/scene.hpp"
-#include "support/oracle/flank_curve.hpp"
-#include "support/oracle/number.hpp"
+#include "flank_curve.hpp"
+#include "hdconj/scene.hpp"
+#include "number.hpp"
 
 namespace oracle {
 
@@ -148,8 +149,8 @@ struct BezierCurve
 };
 
 /// Cubic spline with not-a-knot ends over chord length: second derivatives M at all points from
-/// h_{i-1} M_{i-1} + 2 (h_{i-1} + h_i) M_i + h_i M_{i+1} = 6 (divided differences) and equal third derivatives at both sides of
-/// the second and the last but one point.
+/// h_{i-1} M_{i-1} + 2 (h_{i-1} + h_i) M_i + h_i M_{i+1} = 6 (divided differences) and equal third derivatives at both
+/// sides of the second and the last but one point.
 template <class T>
 class ChordSpline
 {
@@ -183,10 +184,10 @@ class ChordSpline
     {
         T const h = h_[i], b = share, a = T(1) - share;
         T const six = T(6);
-        Point<T> const value = a * p_[i] + b * p_[i + 1] +
-                               (h * h / six) * ((a * a * a - a) * bend_[i] + (b * b * b - b) * bend_[i + 1]);
-        Point<T> const slope = (p_[i + 1] - p_[i]) +
-                               (h * h / six) * ((T(1) - T(3) * a * a) * bend_[i] + (T(3) * b * b - T(1)) * bend_[i + 1]);
+        Point<T> const value =
+            a * p_[i] + b * p_[i + 1] + (h * h / six) * ((a * a * a - a) * bend_[i] + (b * b * b - b) * bend_[i + 1]);
+        Point<T> const slope = (p_[i + 1] - p_[i]) + (h * h / six) * ((T(1) - T(3) * a * a) * bend_[i] +
+                                                                      (T(3) * b * b - T(1)) * bend_[i + 1]);
         return {value, slope};
     }
 
@@ -235,10 +236,10 @@ Curves<T> spline_curves(std::vector<Point<T>> points)
     return curves;
 }
 
-inline std::vector<Point<double>> rows_of(hdconj::FamilyChoice const& choice, std::string const& key)
+inline std::vector<Point<double>> rows_of(hdconj::scene::FamilyChoice const& choice, std::string const& key)
 {
     std::vector<Point<double>> points;
-    for (auto const& row : std::get<hdconj::NumberRows>(choice.given.find(key)->second.value))
+    for (auto const& row : std::get<hdconj::scene::NumberRows>(choice.given.find(key)->second.value))
         points.push_back({row.at(0), row.at(1)});
     return points;
 }

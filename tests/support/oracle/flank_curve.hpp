@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A stretch of flank given by any formula, for the oracle's tooth: nearest point by a table and root-finding in the formula itself.
+/// A stretch of flank given by any formula, for the oracle's tooth: nearest point by a table and root-finding in the
+/// formula itself.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "support/oracle/number.hpp"
+#include "number.hpp"
 
 namespace oracle {
 
@@ -73,9 +74,12 @@ class FlankCurve
     /// Whether @p p (between the ends in height) lies left of the curve.
     bool is_left(Point<T> const& p) const
     {
-        auto const above = std::upper_bound(table_.begin(), table_.end(), p.y, [](T const& y, Point<T> const& q) { return y < q.y; });
-        std::size_t const i = std::clamp<std::size_t>(static_cast<std::size_t>(above - table_.begin()), 1, table_.size() - 1);
-        T const low = std::min(table_[i - 1].x, table_[i].x) - spacing_, high = std::max(table_[i - 1].x, table_[i].x) + spacing_;
+        auto const above =
+            std::upper_bound(table_.begin(), table_.end(), p.y, [](T const& y, Point<T> const& q) { return y < q.y; });
+        std::size_t const i =
+            std::clamp<std::size_t>(static_cast<std::size_t>(above - table_.begin()), 1, table_.size() - 1);
+        T const low = std::min(table_[i - 1].x, table_[i].x) - spacing_,
+                high = std::max(table_[i - 1].x, table_[i].x) + spacing_;
         if (p.x < low || p.x > high)
             return p.x < low;
         return p.x < x_at(p.y, i);
@@ -91,12 +95,16 @@ class FlankCurve
     }
 
   private:
-    static T parameter(std::size_t i, std::size_t intervals) { return T(static_cast<int>(i)) / T(static_cast<int>(intervals)); }
+    static T parameter(std::size_t i, std::size_t intervals)
+    {
+        return T(static_cast<int>(i)) / T(static_cast<int>(intervals));
+    }
     static T parameter(std::size_t i, int intervals) { return parameter(i, static_cast<std::size_t>(intervals)); }
 
     T x_at(T const& y, std::size_t i) const
     {
-        T const s = root([&](T const& at) { return formula_(at).point.y - y; }, parameter(i - 1, table_.size() - 1), parameter(i, table_.size() - 1));
+        T const s = root([&](T const& at) { return formula_(at).point.y - y; }, parameter(i - 1, table_.size() - 1),
+                         parameter(i, table_.size() - 1));
         return formula_(s).point.x;
     }
 

@@ -11,8 +11,8 @@
 ///   rho = r_m + w0 cos(n phi), phi_1 = phi - w0 sin(n phi) / (n r_m),
 ///   mu = w0 (n - 1/n) sin(n phi) / r_m, turned by phi + mu - phi_2.
 ///
-/// Material: the point of the undeformed circle at phi goes to (r_m + w(phi)) e_r + v(phi) e_t with the cam's w at phi and
-/// v = -integral of (w - mean); its frame from the tangent vector dP/dphi.
+/// Material: the point of the undeformed circle at phi goes to (r_m + w(phi)) e_r + v(phi) e_t with the cam's w at phi
+/// and v = -integral of (w - mean); its frame from the tangent vector dP/dphi.
 ///
 /// The parameter `s` of a position is u (exact) or phi (first order, material).
 #pragma once
@@ -21,11 +21,11 @@
 #include <stdexcept>
 #include <vector>
 
-#include "hdconj/scene/scene.hpp"
-#include "support/oracle/cam.hpp"
-#include "support/oracle/number.hpp"
-#include "support/oracle/quadrature.hpp"
-#include "support/oracle/tooth.hpp"
+#include "cam.hpp"
+#include "hdconj/scene.hpp"
+#include "number.hpp"
+#include "quadrature.hpp"
+#include "tooth.hpp"
 
 namespace oracle {
 
@@ -265,7 +265,9 @@ class Motion
     {
         using std::abs;
         auto const mean_length = [&] {
-            return RunningIntegral<T>([this](T const& u) { return speed(u); }, T(2) * half_lobe(), cam_.breaks).total() / (T(2) * half_lobe());
+            return RunningIntegral<T>([this](T const& u) { return speed(u); }, T(2) * half_lobe(), cam_.breaks)
+                       .total() /
+                   (T(2) * half_lobe());
         };
         T a = r_m, fa = mean_length() - r_m;
         r_0 = r_m - fa;

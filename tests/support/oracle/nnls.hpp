@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Non-negative least squares by Lawson and Hanson (1974): the least of 1/2 f'G f - d'f over f >= 0 by a path of its own.
+/// Non-negative least squares by Lawson and Hanson (1974): the least of 1/2 f'G f - d'f over f >= 0 by a path of its
+/// own.
 #pragma once
 
 #include <Eigen/Cholesky>
@@ -22,8 +23,7 @@ inline Eigen::VectorXd nnls(Eigen::MatrixXd const& g, Eigen::VectorXd const& d)
     auto const solved = [&] {
         return Eigen::VectorXd(Eigen::MatrixXd(a(Eigen::all, passive)).colPivHouseholderQr().solve(right));
     };
-    for (;;)
-    {
+    for (;;) {
         Eigen::VectorXd slope = a.transpose() * (right - a * x);
         for (int i : passive)
             slope[i] = 0;
@@ -32,8 +32,7 @@ inline Eigen::VectorXd nnls(Eigen::MatrixXd const& g, Eigen::VectorXd const& d)
         if (slope.maxCoeff(&best) <= enough)
             return x;
         passive.push_back(static_cast<int>(best));
-        for (;;)
-        {
+        for (;;) {
             Eigen::VectorXd const z = solved();
             double step = 1;
             for (std::size_t i = 0; i < passive.size(); ++i)

@@ -9,7 +9,7 @@
 #include <limits>
 #include <vector>
 
-#include "support/oracle/number.hpp"
+#include "number.hpp"
 
 namespace oracle {
 
@@ -52,7 +52,8 @@ class RunningIntegral
   public:
     RunningIntegral() = default;
     /// @param breaks  in [-period/2, period/2], any order
-    RunningIntegral(std::function<T(T const&)> f, T const& period, std::vector<T> breaks) : f_(std::move(f)), period_(period)
+    RunningIntegral(std::function<T(T const&)> f, T const& period, std::vector<T> breaks)
+        : f_(std::move(f)), period_(period)
     {
         breaks.push_back(-period / T(2));
         breaks.push_back(T(0));

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "support/oracle/envelope.hpp"
+#include "envelope.hpp"
 
 namespace oracle {
 
@@ -40,7 +40,7 @@ inline std::string table_number(Fifty const& value)
 
 inline std::string table_line(TableRow const& row)
 {
-    std::string line(to_string(row.kinematics));
+    std::string line(hdconj::to_string(row.kinematics));
     line += "," + std::to_string(row.segment) + "," + row.piece + "," + row.t.str(6);
     for (Fifty const& value : {row.u, row.phi, row.point.x, row.point.y})
         line += "," + table_number(value);

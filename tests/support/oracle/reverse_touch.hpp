@@ -14,9 +14,9 @@
 #include <limits>
 #include <vector>
 
-#include "support/oracle/motion.hpp"
-#include "support/oracle/tooth.hpp"
-#include "support/oracle/touch.hpp"
+#include "motion.hpp"
+#include "tooth.hpp"
+#include "touch.hpp"
 
 namespace oracle {
 
@@ -67,8 +67,8 @@ class ReverseTouchScan
         double const high = teeth.pitch_line + 1.5 * *scene.flexspline.addendum;
         double const low = teeth.pitch_line - 1.5 * *scene.flexspline.dedendum;
         for (std::size_t i = 0; i + 1 < poses_.size(); ++i)
-            for (Point<double> const corner :
-                 {Point<double>{-wide, low}, Point<double>{wide, low}, Point<double>{-wide, high}, Point<double>{wide, high}})
+            for (Point<double> const corner : {Point<double>{-wide, low}, Point<double>{wide, low},
+                                               Point<double>{-wide, high}, Point<double>{wide, high}})
                 slack_ = std::max(
                     slack_, length(poses_[i + 1].to_circular_spline(corner) - poses_[i].to_circular_spline(corner)));
         reach_ = 2 + teeth.motion.pitches_per_turn / (2 * teeth.motion.waves);
@@ -113,8 +113,8 @@ class ReverseTouchScan
             }
         }
         using Fine = long double;
-        touch.distance = static_cast<double>(
-            fine_.distance(fine_.motion.pose(static_cast<Fine>(touch.s)), as<Fine>(p), touch.copy));
+        touch.distance =
+            static_cast<double>(fine_.distance(fine_.motion.pose(static_cast<Fine>(touch.s)), as<Fine>(p), touch.copy));
         return touch;
     }
 

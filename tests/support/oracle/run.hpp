@@ -5,8 +5,8 @@
 
 #include <string>
 
-#include "hdconj/io/scene_toml.hpp"
-#include "hdconj/pipeline/solve.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/solve.hpp"
 #include "support/random_designs.hpp"
 
 namespace oracle {

@@ -24,8 +24,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "support/oracle/motion.hpp"
-#include "support/oracle/tooth.hpp"
+#include "motion.hpp"
+#include "tooth.hpp"
 
 namespace oracle {
 

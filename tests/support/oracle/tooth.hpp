@@ -24,19 +24,19 @@
 #include <string>
 #include <vector>
 
-#include "hdconj/scene/scene.hpp"
-#include "support/oracle/families.hpp"
-#include "support/oracle/number.hpp"
+#include "families.hpp"
+#include "hdconj/scene.hpp"
+#include "number.hpp"
 
 namespace oracle {
 
 /// A number of the scene, read from its data without help from the library.
-inline bool given(hdconj::FamilyChoice const& choice, std::string const& key)
+inline bool given(hdconj::scene::FamilyChoice const& choice, std::string const& key)
 {
     return choice.given.count(key) == 1;
 }
 
-inline double number_of(hdconj::FamilyChoice const& choice, std::string const& key)
+inline double number_of(hdconj::scene::FamilyChoice const& choice, std::string const& key)
 {
     auto const found = choice.given.find(key);
     if (found == choice.given.end())
@@ -44,7 +44,7 @@ inline double number_of(hdconj::FamilyChoice const& choice, std::string const& k
     return std::get<double>(found->second.value);
 }
 
-inline double number_of(hdconj::FamilyChoice const& choice, std::string const& key, double otherwise)
+inline double number_of(hdconj::scene::FamilyChoice const& choice, std::string const& key, double otherwise)
 {
     return given(choice, key) ? number_of(choice, key) : otherwise;
 }
@@ -74,10 +74,10 @@ struct Piece
 {
     std::string name;  ///< "concave", "line", "convex", "tip line", "tip"
     bool arc = false;
-    Point<T> lower, upper;  ///< ends; for the tip: corner, then the middle
-    Point<T> centre;        ///< of an arc
-    T radius{};             ///< of an arc
-    int side = 1;           ///< arc: +1 body inside the circle (convex), -1 outside
+    Point<T> lower, upper;                         ///< ends; for the tip: corner, then the middle
+    Point<T> centre;                               ///< of an arc
+    T radius{};                                    ///< of an arc
+    int side = 1;                                  ///< arc: +1 body inside the circle (convex), -1 outside
     std::shared_ptr<FlankCurve<T> const> curve{};  ///< neither line nor arc
 
     /// Point at @p s, 0 at lower, 1 at upper, proportional to arc length.
@@ -276,7 +276,7 @@ class Tooth
         flank.push_back({name, true, lower, upper, centre, radius, side});
     }
 
-    void double_arc(hdconj::FamilyChoice const& profile)
+    void double_arc(hdconj::scene::FamilyChoice const& profile)
     {
         using std::acos;
         using std::atan2;
@@ -347,7 +347,8 @@ class Tooth
                 add_line("radial", base + ((base.y + dedendum) / -down.y) * down, base);
             } else
                 lowest = bisected(above(end, -dedendum), T(0), tan(alpha));
-            add_curve("involute", stretch<T>(end, lowest, bisected(above(end, addendum), tan(alpha), tan(alpha) + T(1))));
+            add_curve("involute",
+                      stretch<T>(end, lowest, bisected(above(end, addendum), tan(alpha), tan(alpha) + T(1))));
         } else if (profile.family == "cycloid") {
             RollingPoint<T> const outside{r, T(number_of(profile, "addendum_rolling_radius")), half / r, true};
             RollingPoint<T> const inside{r, T(number_of(profile, "dedendum_rolling_radius")), half / r, false};
@@ -355,14 +356,20 @@ class Tooth
             add_curve("epicycloid", stretch<T>(outside, T(0), bisected(above(outside, addendum), T(0), T(3)), 192));
         } else if (profile.family == "s-tooth") {
             T const kappa(number_of(profile, "deflection")), n(scene.wave_generator.waves);
-            HalfLocus<T> locus{T(scene.drive.module) * T(scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth) / T(2), n,
-                               kappa, T(0), {}};
+            HalfLocus<T> locus{
+                T(scene.drive.module) * T(scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth) / T(2),
+                n,
+                kappa,
+                T(0),
+                {}};
             using std::acos;
             T const steepest = kappa < T(1) ? acos(kappa) : acos(T(1) / kappa);
             auto const slope = [&](T const& eta) { return T(-1) * locus(eta).slope.x / locus(eta).slope.y; };
             bool const least = !given(profile, "pressure_angle_deg");
             T const tangent = least ? slope(steepest) : tan(T(number_of(profile, "pressure_angle_deg")) * degree);
-            T const begin = least ? steepest : bisected([&](T const& eta) { return slope(eta) - tangent; }, steepest + T(1e-9), T(3));
+            T const begin =
+                least ? steepest
+                      : bisected([&](T const& eta) { return slope(eta) - tangent; }, steepest + T(1e-9), T(3));
             locus.eta_datum = begin;
             T const rise(number_of(profile, "datum_rise", 0.0));
             if (rise < T(0))
@@ -374,7 +381,8 @@ class Tooth
             chain(profile);
         } else if (profile.family == "bezier") {
             auto const control = points_of(scene);
-            std::size_t const degree_of = static_cast<std::size_t>(number_of(profile, "degree", static_cast<double>(control.size() - 1)));
+            std::size_t const degree_of =
+                static_cast<std::size_t>(number_of(profile, "degree", static_cast<double>(control.size() - 1)));
             for (std::size_t last = control.size() - 1; last > 0; last -= degree_of) {
                 BezierCurve<T> curve;
                 for (std::size_t i = 0; i <= degree_of; ++i)
@@ -393,14 +401,14 @@ class Tooth
     }
 
     /// From the tip down, the heading turning by each sweep; the last piece ends where it comes to the root.
-    void chain(hdconj::FamilyChoice const& profile)
+    void chain(hdconj::scene::FamilyChoice const& profile)
     {
         using std::asin;
         using std::cos;
         using std::sin;
         Point<T> at{T(number_of(profile, "tip_thickness")) / T(2), addendum};
         T normal = T(number_of(profile, "tip_angle_deg")) * pi<T>() / T(180);
-        auto const& rows = std::get<hdconj::NumberRows>(profile.given.find("pieces")->second.value);
+        auto const& rows = std::get<hdconj::scene::NumberRows>(profile.given.find("pieces")->second.value);
         std::vector<Piece<T>> down;
         for (std::size_t i = 0; i < rows.size(); ++i) {
             bool const last = i + 1 == rows.size();
@@ -426,7 +434,7 @@ class Tooth
         flank.assign(down.rbegin(), down.rend());
     }
 
-    void straight(hdconj::FamilyChoice const& profile)
+    void straight(hdconj::scene::FamilyChoice const& profile)
     {
         using std::tan;
         T const slope = tan(T(number_of(profile, "pressure_angle_deg")) * pi<T>() / T(180));

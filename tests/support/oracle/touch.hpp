@@ -19,9 +19,9 @@
 #include <limits>
 #include <vector>
 
-#include "support/oracle/golden.hpp"
-#include "support/oracle/motion.hpp"
-#include "support/oracle/tooth.hpp"
+#include "golden.hpp"
+#include "motion.hpp"
+#include "tooth.hpp"
 
 namespace oracle {
 

@@ -13,8 +13,8 @@
 #include <string>
 #include <vector>
 
-#include "hdconj/pipeline/solution.hpp"
-#include "support/oracle/touch.hpp"
+#include "hdconj/solution.hpp"
+#include "touch.hpp"
 
 namespace oracle {
 

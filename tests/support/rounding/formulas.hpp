@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The contact of one arc or line with its envelope, step by step, as the formulas of docs/theory.md stand there and in any
-/// number type: what is lost where can be seen by comparing types.
+/// The contact of one arc or line with its envelope, step by step, as the formulas of docs/theory.md stand there and in
+/// any number type: what is lost where can be seen by comparing types.
 #pragma once
 
 #include <array>
@@ -19,33 +19,33 @@ using oracle::Point;
 template <class T>
 struct Inputs
 {
-    T u{}, phi{};                 ///< position, and its arc length over r_m
+    T u{}, phi{};                   ///< position, and its arc length over r_m
     T r_m{}, r_0{}, w0{}, ratio{};  ///< ratio = z_f / z_c
     int waves = 2;
     bool arc = true;
-    Point<T> a, b;                ///< arc: centre, unused; line: its ends (tooth frame)
-    T radius{};                   ///< arc: positive convex, negative concave
-    int sign = 1;                 ///< arc: which of the two normals
-    Point<T> x, n;                ///< a point of the piece and its normal, for the condition n.v = 0 there
+    Point<T> a, b;  ///< arc: centre, unused; line: its ends (tooth frame)
+    T radius{};     ///< arc: positive convex, negative concave
+    int sign = 1;   ///< arc: which of the two normals
+    Point<T> x, n;  ///< a point of the piece and its normal, for the condition n.v = 0 there
 };
 
 /// What comes out, in the order of computation.
 template <class T>
 struct Steps
 {
-    T phi{};          ///< arc length over r_m
-    T element{};      ///< S = sqrt(rho^2 + rho'^2)
-    T turn{};         ///< theta'
-    T q_x{};          ///< S - k rho^2 / r_m
+    T phi{};            ///< arc length over r_m
+    T element{};        ///< S = sqrt(rho^2 + rho'^2)
+    T turn{};           ///< theta'
+    T q_x{};            ///< S - k rho^2 / r_m
     Point<T> velocity;  ///< of the arc's centre, or of the line's lower end
-    Point<T> normal;  ///< at the contact
-    T place{};        ///< line: contact's distance from its lower end
-    Point<T> contact; ///< tooth frame
-    Point<T> point;   ///< circular-spline frame
-    Point<T> across;  ///< the normal in the circular-spline frame
-    T speed{};        ///< of the envelope point along its tangent; 0 at a cusp
-    T condition{};    ///< n.v at Inputs::x
-    T slope{};        ///< d(n.v)/du there; 0 where the contact turns back (fold)
+    Point<T> normal;    ///< at the contact
+    T place{};          ///< line: contact's distance from its lower end
+    Point<T> contact;   ///< tooth frame
+    Point<T> point;     ///< circular-spline frame
+    Point<T> across;    ///< the normal in the circular-spline frame
+    T speed{};          ///< of the envelope point along its tangent; 0 at a cusp
+    T condition{};      ///< n.v at Inputs::x
+    T slope{};          ///< d(n.v)/du there; 0 where the contact turns back (fold)
 };
 
 template <class T>
@@ -76,7 +76,9 @@ Steps<T> steps(Inputs<T> const& in)
     T const turn1 = -k * element1 - (rho * w3 - w1 * w2) / s2 + T(2) * bend * element1 / (s2 * out.element);
     T const q_x1 = element1 - T(2) * k * rho * w1, q_y1 = k * (w1 * w1 + rho * w2);
 
-    auto const velocity = [&](Point<T> const& x) -> Point<T> { return {out.turn * x.y + out.q_x, q_y - out.turn * x.x}; };
+    auto const velocity = [&](Point<T> const& x) -> Point<T> {
+        return {out.turn * x.y + out.q_x, q_y - out.turn * x.x};
+    };
     auto const change = [&](Point<T> const& x) -> Point<T> { return {turn1 * x.y + q_x1, q_y1 - turn1 * x.x}; };
     out.condition = dot(in.n, velocity(in.x));
     out.slope = dot(in.n, change(in.x));
@@ -105,7 +107,9 @@ Steps<T> steps(Inputs<T> const& in)
     T const gamma = in.u - in.ratio * in.phi, sg = sin(gamma), cg = cos(gamma);
     T const ct = rho / out.element, st = w1 / out.element;
     T const cos_theta = cg * ct + sg * st, sin_theta = sg * ct - cg * st;
-    auto const turned = [&](Point<T> const& p) -> Point<T> { return {p.x * cos_theta + p.y * sin_theta, p.y * cos_theta - p.x * sin_theta}; };
+    auto const turned = [&](Point<T> const& p) -> Point<T> {
+        return {p.x * cos_theta + p.y * sin_theta, p.y * cos_theta - p.x * sin_theta};
+    };
     out.point = turned(out.contact) + Point<T>{rho * sg, rho * cg};
     out.across = turned(out.normal);
     return out;
@@ -127,18 +131,28 @@ enum Judged
     judged_count
 };
 
-inline constexpr std::array<char const*, judged_count> judged_names{
-    "arc length phi", "line element S", "theta'",           "q_x",            "velocity V",
-    "contact normal or place", "point along the envelope", "point across the envelope", "envelope speed", "position of a profile point"};
+inline constexpr std::array<char const*, judged_count> judged_names{"arc length phi",
+                                                                    "line element S",
+                                                                    "theta'",
+                                                                    "q_x",
+                                                                    "velocity V",
+                                                                    "contact normal or place",
+                                                                    "point along the envelope",
+                                                                    "point across the envelope",
+                                                                    "envelope speed",
+                                                                    "position of a profile point"};
 
 using Losses = std::array<double, judged_count>;
 
 /// Errors of @p got against @p right, relative to the size named above. Sizes are those of @p right.
 template <class T>
-Losses errors(Steps<T> const& got, Steps<oracle::Fifty> const& right, Inputs<oracle::Fifty> const& in, oracle::Fifty const& height)
+Losses errors(Steps<T> const& got, Steps<oracle::Fifty> const& right, Inputs<oracle::Fifty> const& in,
+              oracle::Fifty const& height)
 {
     using oracle::Fifty;
-    auto const scalar = [](T const& a, Fifty const& b) -> Fifty { return abs(Fifty(a) - b) / (b == 0 ? Fifty(1) : Fifty(abs(b))); };
+    auto const scalar = [](T const& a, Fifty const& b) -> Fifty {
+        return abs(Fifty(a) - b) / (b == 0 ? Fifty(1) : Fifty(abs(b)));
+    };
     auto const apart = [](Point<T> const& a, Point<Fifty> const& b) { return oracle::as<Fifty>(a) - b; };
     Point<Fifty> const shift = apart(got.point, right.point);
     Point<Fifty> const along{right.across.y, -right.across.x};

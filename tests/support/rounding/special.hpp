@@ -6,7 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "support/rounding/study.hpp"
+#include "study.hpp"
 
 namespace rounding {
 
@@ -26,12 +26,16 @@ std::optional<T> root(F const& f, T a, T b)
     return a;
 }
 
-/// The first position in the lobe after @p from where @p what of a piece's contact changes sign with the contact inside the piece.
+/// The first position in the lobe after @p from where @p what of a piece's contact changes sign with the contact inside
+/// the piece.
 template <class What>
 Fifty special_position(FourTypes const& drive, std::size_t piece, int sign, double from, What const& what)
 {
     double const step = drive.in_double().motion.half_lobe() / 20000;
-    auto const in_double = [&](double u) { return what(steps(drive.in_double().inputs(piece, 0.5, u, sign)), drive.in_double().inputs(piece, 0.5, u, sign)); };
+    auto const in_double = [&](double u) {
+        return what(steps(drive.in_double().inputs(piece, 0.5, u, sign)),
+                    drive.in_double().inputs(piece, 0.5, u, sign));
+    };
     for (double u = from; u < drive.in_double().motion.half_lobe(); u += step) {
         Inputs<double> const in = drive.in_double().inputs(piece, 0.5, u, sign);
         auto const& p = drive.in_double().tooth.flank[piece];

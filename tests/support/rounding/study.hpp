@@ -2,8 +2,8 @@
 /// @file
 /// One drive in four number types: contacts all over the flank, what each step loses there, and what it has to lose.
 ///
-/// The numbers of the scene are rounded to float first, and so is every position u: all types start from the same drive,
-/// so what differs is arithmetic.
+/// The numbers of the scene are rounded to float first, and so is every position u: all types start from the same
+/// drive, so what differs is arithmetic.
 #pragma once
 
 #include <algorithm>
@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "drive/drive.hpp"
+#include "formulas.hpp"
 #include "hdconj/envelope/contact.hpp"
 #include "hdconj/motion/exact_motion.hpp"
-#include "hdconj/scene/scene.hpp"
+#include "hdconj/scene.hpp"
 #include "hdconj/wavegen/registry.hpp"
-#include "pipeline/drive.hpp"
-#include "support/rounding/formulas.hpp"
 
 namespace rounding {
 
@@ -131,7 +131,8 @@ inline std::vector<Place> places(Drive<double> const& drive, int per_piece, int 
 
 /// Condition of each step: relative change of the output when every number that the formulas start from changes by one
 /// unit, in the worst combination of signs.
-inline Losses conditions(Inputs<Fifty> const& in, Steps<Fifty> const& right, Fifty const& height, oracle::Motion<Fifty> const& motion)
+inline Losses conditions(Inputs<Fifty> const& in, Steps<Fifty> const& right, Fifty const& height,
+                         oracle::Motion<Fifty> const& motion)
 {
     Fifty const small("1e-22");
     Losses sum{};
@@ -147,10 +148,11 @@ inline Losses conditions(Inputs<Fifty> const& in, Steps<Fifty> const& right, Fif
         i.u *= factor;
         i.phi = motion.phi(i.u);
     });
-    for (Fifty Inputs<Fifty>::*number : {&Inputs<Fifty>::phi, &Inputs<Fifty>::r_m, &Inputs<Fifty>::r_0, &Inputs<Fifty>::w0, &Inputs<Fifty>::ratio,
-                                         &Inputs<Fifty>::radius})
+    for (Fifty Inputs<Fifty>::*number : {&Inputs<Fifty>::phi, &Inputs<Fifty>::r_m, &Inputs<Fifty>::r_0,
+                                         &Inputs<Fifty>::w0, &Inputs<Fifty>::ratio, &Inputs<Fifty>::radius})
         disturbed([&](Inputs<Fifty>& i) { i.*number *= factor; });
-    for (Point<Fifty> Inputs<Fifty>::*point : {&Inputs<Fifty>::a, &Inputs<Fifty>::b, &Inputs<Fifty>::x, &Inputs<Fifty>::n}) {
+    for (Point<Fifty> Inputs<Fifty>::*point :
+         {&Inputs<Fifty>::a, &Inputs<Fifty>::b, &Inputs<Fifty>::x, &Inputs<Fifty>::n}) {
         disturbed([&](Inputs<Fifty>& i) { (i.*point).x *= factor; });
         disturbed([&](Inputs<Fifty>& i) { (i.*point).y *= factor; });
     }
@@ -164,12 +166,14 @@ class Program
     explicit Program(Scene const& scene)
     {
         hdconj::Faults faults;
-        tooth_ = hdconj::detail::given_tooth(scene, faults);
-        hdconj::AnyWaveShape const shape = hdconj::detail::wave_shape(scene, tooth_, faults);
+        tooth_ = hdconj::drive::given_tooth(scene, faults);
+        hdconj::wavegen::AnyWaveShape const shape = hdconj::drive::wave_shape(scene, tooth_, faults);
         if (!faults.empty())
             throw hdconj::InputError(faults);
         double const ratio = static_cast<double>(scene.drive.flexspline_teeth) / scene.drive.circular_spline_teeth;
-        motion_.emplace(hdconj::NeutralCurve<hdconj::AnyWaveShape>(shape, hdconj::detail::ring_geometry(scene, tooth_).r_m), ratio);
+        motion_.emplace(hdconj::wavegen::NeutralCurve<hdconj::wavegen::AnyWaveShape>(
+                            shape, hdconj::drive::ring_geometry(scene, tooth_).r_m),
+                        ratio);
         for (auto piece = tooth_.pieces.rbegin(); piece != tooth_.pieces.rend(); ++piece) {
             if (!piece->corner)
                 flank_.push_back(piece->shape);
@@ -179,19 +183,19 @@ class Program
     /// Steps that the program has numbers for; the others stay 0 and are not compared.
     [[nodiscard]] Steps<double> operator()(Inputs<double> const& in, std::size_t piece) const
     {
-        hdconj::MotionRates const rates = motion_->rates(in.u);
+        hdconj::motion::MotionRates const rates = motion_->rates(in.u);
         Steps<double> out;
         out.phi = motion_->angles(in.u).phi;
         out.turn = rates.twist.omega;
         out.q_x = rates.twist.q.x();
-        hdconj::Contact contact;
-        if (auto const* arc = std::get_if<hdconj::ArcPiece>(&flank_[piece])) {
-            contact = hdconj::arc_contact(*arc, rates, in.sign, 0);
+        hdconj::envelope::Contact contact;
+        if (auto const* arc = std::get_if<hdconj::profile::ArcPiece>(&flank_[piece])) {
+            contact = hdconj::envelope::arc_contact(*arc, rates, in.sign, 0);
             out.velocity = of(rates.twist(arc->centre));
             out.speed = contact.advance / contact.slowness;
         } else {
-            auto const& line = std::get<hdconj::LinePiece>(flank_[piece]);
-            contact = hdconj::line_contact(line, rates, 0);
+            auto const& line = std::get<hdconj::profile::LinePiece>(flank_[piece]);
+            contact = hdconj::envelope::line_contact(line, rates, 0);
             // the program's lines run down the right flank
             out.velocity = of(rates.twist(line.b));
             out.place = line.length() * (1 - contact.t);
@@ -206,9 +210,9 @@ class Program
   private:
     static Point<double> of(hdconj::Vec2 const& v) { return {v.x(), v.y()}; }
 
-    hdconj::Profile tooth_;
-    std::optional<hdconj::ExactMotion<hdconj::AnyWaveShape>> motion_;
-    std::vector<hdconj::PieceShape> flank_;  ///< the right one from the root up
+    hdconj::profile::Profile tooth_;
+    std::optional<hdconj::motion::ExactMotion<hdconj::wavegen::AnyWaveShape>> motion_;
+    std::vector<hdconj::profile::PieceShape> flank_;  ///< the right one from the root up
 };
 
 /// What one contact loses: relative errors over the roundoff of the type, and the condition of each step.
@@ -224,7 +228,12 @@ class FourTypes
 {
   public:
     explicit FourTypes(Scene const& scene)
-        : scene_(as_float(scene)), float_(scene_), double_(scene_), long_(scene_), fifty_(scene_), program_(scene_),
+        : scene_(as_float(scene)),
+          float_(scene_),
+          double_(scene_),
+          long_(scene_),
+          fifty_(scene_),
+          program_(scene_),
           height_(fifty_.tooth.addendum + fifty_.tooth.dedendum)
     {
     }
@@ -304,7 +313,8 @@ class FourTypes
     }
 
     template <class T>
-    [[nodiscard]] Losses loss(Drive<T> const& drive, Place const& p, Steps<Fifty> const& right, Inputs<Fifty> const& in) const
+    [[nodiscard]] Losses loss(Drive<T> const& drive, Place const& p, Steps<Fifty> const& right,
+                              Inputs<Fifty> const& in) const
     {
         return in_roundoffs(steps(drive.inputs(p.piece, p.t, p.u, p.sign)), right, in);
     }

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// `contact`: how much flank touches, and what the circular spline's surface and tilt do to it.
+/// All lengths in mm, all angles in rad.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hdconj/error.hpp"
+#include "hdconj/plan.hpp"
+#include "hdconj/solution.hpp"
+#include "hdconj/units.hpp"
+
+namespace hdconj {
+
+/// Gaps of all flanks of the circular spline at one position, plain data.
+///
+/// A gap is the signed distance from a point of a circular-spline flank to the nearest flexspline tooth, in the plane
+/// of the slice; negative where the point is inside the tooth.
+struct GapMap
+{
+    /// Side of a tooth space, second index of the map.
+    enum Flank : int
+    {
+        left = 0,  ///< x < 0 in the frame of the tooth space
+        right = 1  ///< x > 0: the flank that the flexspline touches when it is turned clockwise
+    };
+
+    std::vector<double> z;  ///< (k) slices [mm]
+    std::vector<double>
+        station;  ///< (p) place along the flank: share of its arc length, 0 at the land corner ... 1 at the flank end
+    std::vector<double> angle;  ///< (s) centre line of the tooth space, clockwise from the major axis [rad], within
+                                ///< half a pitch of -pi ... pi, increasing
+    std::vector<double> gap;    ///< (s,2,k,p) [mm]
+
+    /// Place of a point in `gap`.
+    [[nodiscard]] std::size_t index(std::size_t space, int flank, std::size_t slice, std::size_t point) const
+    {
+        return ((space * 2 + static_cast<std::size_t>(flank)) * z.size() + slice) * station.size() + point;
+    }
+    /// The gap at a point [mm].
+    [[nodiscard]] double at(std::size_t space, int flank, std::size_t slice, std::size_t point) const
+    {
+        return gap[index(space, flank, slice, point)];
+    }
+};
+
+/// Where the teeth come closest, or enter deepest, over a full turn of the wave generator.
+struct Closest
+{
+    double clearance = 0;       ///< negative: the tooth enters by this much [mm]
+    Vec2 where = Vec2::Zero();  ///< on the circular spline, frame of the tooth space [mm]
+    double phi = 0;             ///< undeformed angle of the tooth [rad]
+};
+
+/// One slice over a full turn, the flexspline's section at the same place against it (design 3.4).
+struct SliceClearance
+{
+    double z = 0;            ///< [mm]
+    double amplitude = 0;    ///< radial deformation w0(z) of this slice [mm]
+    Closest flank;           ///< between land corner and flank end, both sides
+    Closest root;            ///< around the bottom of the space
+    double flank_error = 0;  ///< estimated, of this slice's smallest distance for itself, as `root_error` [mm]
+    double root_error = 0;   ///< the same of the smallest distance at the root [mm]
+};
+
+/// Contact at one angle of the wave generator. To first contact the circular spline is turned, wave generator and
+/// flexspline held; a cup that is turned in its place, wave generator and circular spline held, takes z_c/z_f times
+/// that angle (docs/theory.md, Take-up).
+struct ContactState
+{
+    double wave_generator =
+        0;               ///< angle of the wave generator from a tooth space, in the frame of the circular spline [rad]
+    double take_up = 0;  ///< turn of the circular spline to first contact, counter-clockwise: teeth go clockwise in its
+                         ///< spaces [rad]; negative: it had to be turned back
+    double take_up_back = 0;   ///< the same for the other flanks, clockwise [rad]
+    double take_up_error = 0;  ///< estimated: what may enter between slices, and of a side clearance that was looked
+                               ///< for its own error [rad]
+    double take_up_back_error = 0;  ///< the same of take_up_back [rad]
+    double contact_area = 0;        ///< [mm^2] of the flanks on the driving side with gap <= contact_gap
+    double contact_area_error = 0;  ///< estimated: what half as many points, fewer planes and the clearance's own error
+                                    ///< change, and patches that no plane meets, added up [mm^2]
+    double share = 0;               ///< of the area of all flanks on that side, 0 ... 1
+    double share_error = 0;         ///< estimated: from those of both areas
+    double share_error_along = 0;   ///< the part of it that the number of points along the flanks leaves open
+    double flank_area =
+        0;  ///< [mm^2] of all flanks on the driving side, of the part: from its tip circle on, side clearance included
+    double flank_area_error =
+        0;          ///< estimated: what fewer planes change, chords in place of arcs, and where the flanks end [mm^2]
+    int teeth = 0;  ///< tooth spaces with any contact on the driving side
+    int teeth_least = 0;            ///< tooth spaces that are in contact whatever the errors
+    int teeth_most = 0;             ///< tooth spaces that may be in contact within the errors
+    double smallest_gap = 0;        ///< before turning, either side [mm]
+    double smallest_gap_error = 0;  ///< estimated, as for take_up_error [mm]
+    int smallest_space = 0;         ///< tooth space where it is
+    double smallest_z = 0;          ///< and slice [mm]
+    /// Where it may lie as well: from the first to the last plane with a gap as small within its error, and on to the
+    /// planes beside them [mm].
+    double smallest_z_from = 0;
+    double smallest_z_to = 0;  ///< upper end of that interval [mm]
+    int smallest_spaces = 0;   ///< tooth spaces with such a gap
+    /// Play in which the circular spline can be turned; negative: it is wedged.
+    [[nodiscard]] double backlash() const { return take_up + take_up_back; }
+    /// Estimated error of the play: the sum of both errors.
+    [[nodiscard]] double backlash_error() const { return take_up_error + take_up_back_error; }
+};
+
+/// One surface of the circular spline: a row of the table.
+struct ContactCase
+{
+    ToothSurface surface = ToothSurface::tilted;  ///< kind of the surface
+    std::optional<TiltKind> kind;                 ///< nothing where there is no tilt
+    double tilt = 0;                              ///< [rad]
+    double backlash_offset = 0;                   ///< side clearance that the contact is computed with [mm]
+    bool raised = false;  ///< it is more than the scene gives, because with that the teeth enter the flanks
+    double tip = 0;  ///< and tip circle at z = 0: where nothing enters the flanks then the scene's, as much wider as
+                     ///< every slice's land and rim ask for; else clearing_tip [mm]
+    std::vector<SliceClearance> slices;  ///< with the side clearance that the scene gives; "auto": with none. The tip
+                                         ///< circle is the scene's, or as large as leaves a land
+    double clearing_offset = 0;  ///< least side clearance that leaves no interference on the flanks over a full turn,
+                                 ///< with that tip circle [mm]
+    double clearing_tip = 0;     ///< least tip circle at z = 0 that goes with it: every slice has a tip land and clears
+                                 ///< the rim, and the cleared flanks begin on it [mm]
+    double clearing_root = 0;    ///< least further root clearance, the same for the bottom [mm]
+    double backlash_of_clearing = 0;  ///< play that the clearing offset alone would make [rad]
+    ContactState state;  ///< at the scene's angle of the wave generator; of a revolution the one with the least share
+    std::vector<ContactState> revolution;  ///< one per angle asked for; empty without --revolution
+    double ruled_deviation = 0;            ///< "ruled": largest distance from the slices' own conjugate outlines [mm]
+    /// Estimated errors, of the slices as those of the whole width (docs/theory.md).
+    double clearance_error = 0;             ///< of closest_flank() [mm]
+    double root_clearance_error = 0;        ///< of the smallest root clearance of all slices [mm]
+    double clearing_offset_error = 0;       ///< [mm]
+    double clearing_tip_error = 0;          ///< [mm]
+    double clearing_root_error = 0;         ///< [mm]
+    double backlash_of_clearing_error = 0;  ///< [rad]
+    double ruled_deviation_error = 0;       ///< [mm]
+    /// Where closest_flank() may lie as well: as ContactState::smallest_z_from [mm].
+    double closest_z_from = 0;
+    double closest_z_to = 0;  ///< upper end of that interval [mm]
+    double seconds = 0;       ///< wall time [s]
+
+    /// Deepest interference of any slice's flanks; clearance where there is none.
+    [[nodiscard]] Closest const& closest_flank() const;
+    /// The slice in which it is; there is at least one slice.
+    [[nodiscard]] SliceClearance const& closest_slice() const;
+};
+
+/// The tilt of largest area, or of least clearing offset.
+struct BestTilt
+{
+    std::string what;                  ///< "area" or "clearing offset"
+    TiltKind kind = TiltKind::radial;  ///< of the tilt
+    double tilt = 0;                   ///< [rad]
+    double tolerance = 0;              ///< of the tilt [rad]
+    double value = 0;                  ///< share, or offset [mm]
+    double value_error = 0;            ///< estimated error of the value at that tilt
+    bool on_bound = false;             ///< the best lies at an end of the interval that was searched
+    double from = 0;                   ///< lower end of that interval [rad]
+    double to = 0;                     ///< upper end [rad]
+    double possible_from = 0;          ///< least tilt tried there at which a surface can be made [rad]
+    double possible_to = 0;            ///< largest such tilt [rad]
+    int refused = 0;                   ///< tilts tried there at which no surface can be made
+    std::string refusal{};             ///< why not the last of them; empty where none was refused
+};
+
+/// Result of study_contact().
+struct ContactStudy
+{
+    Solution solution;               ///< of the scene, its circular spline with the surface and slices of cases[shown]
+    std::vector<ContactCase> cases;  ///< in the order asked for, without those that are missing
+    std::vector<std::string>
+        missing;  ///< cases asked for that could not be made, each with the reason; solution.notes have them too
+    std::vector<BestTilt> best;  ///< with --best
+    std::size_t shown = 0;       ///< case that map and solution are of
+    double side_clearance = 0;   ///< that its outline includes: that of the case, or 0 where solution.notes say that it
+                                 ///< cannot be made with it [mm]
+    GapMap map;                  ///< of that case at its state, after take-up
+    double contact_gap = 0;      ///< [mm]
+    double pitch_radius = 0;     ///< m z_f/2, at which play is given as a length [mm]
+};
+
+inline SliceClearance const& ContactCase::closest_slice() const
+{
+    std::size_t worst = 0;
+    for (std::size_t k = 1; k < slices.size(); ++k)
+        if (slices[k].flank.clearance < slices[worst].flank.clearance)
+            worst = k;
+    return slices[worst];
+}
+
+inline Closest const& ContactCase::closest_flank() const
+{
+    return closest_slice().flank;
+}
+
+/// What is asked beside the scene. Empty lists: as the scene says.
+struct ContactOptions
+{
+    std::vector<double> tilts;           ///< [rad]
+    std::vector<ToothSurface> surfaces;  ///< ways to make the tooth surface
+    std::vector<TiltKind> kinds;         ///< kinds of tilt
+    bool best = false;                   ///< look for the best tilt of each kind
+    double best_from = 0;                ///< interval of tilts that is searched [rad]
+    double best_to = from_deg(2);        ///< [rad]
+    int revolution = 0;                  ///< angles of the wave generator over a revolution; 0: the scene's only
+};
+
+/// Told how much of the long work is done, 0 ... 1.
+using Progress = std::function<void(std::string const& what, double share)>;
+
+/// Slices that effects along the axis are looked at with where the scene has no [slices].
+inline constexpr int standard_slices = 17;
+
+/// Scene and options against each other.
+[[nodiscard]] Faults check_contact(Scene const& scene, ContactOptions const& options);
+
+/// Clearances, clearing offsets, play and contact areas of every combination of surface, kind and tilt
+/// (design 3.4, 3.5).
+///
+/// Gaps are distances in the planes of the slices, from exact points of the circular spline to exact teeth. With
+/// [coning] and axial_shift = "mapped" the teeth in a plane are those parts of the cup that have moved into it, for
+/// gaps and for full turns (ToothSurfaceBuilder::follows_sections() says where not). Same bits for any number of
+/// threads. A case that cannot be made leaves the others as they are and is named in ContactStudy::missing.
+/// @throws InputError for a scene or options that cannot be computed; NumericalError with stage, place and cause where
+/// no case can be made
+[[nodiscard]] ContactStudy study_contact(Scene const& scene, ContactOptions const& options = {},
+                                         StageObserver const& on_stage = {}, Progress const& progress = {});
+
+}  // namespace hdconj

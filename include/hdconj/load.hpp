@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// `load`: the elastic cup on its wave generator, teeth under torque.
+/// Lengths in mm, forces in N, torques in N mm, stresses in MPa, angles in rad.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hdconj/contact.hpp"
+#include "hdconj/solution.hpp"
+
+namespace hdconj {
+
+/// The drive at one torque, in equilibrium.
+///
+/// The wave generator and the cup's flange are held; torque and `twist` are those of the circular spline, so that their
+/// product is work. They count positive where the teeth go clockwise in their spaces, the twist from the middle of the
+/// play. With a held circular spline the flange turns z_c/z_f as far, under z_f/z_c of the torque (docs/theory.md,
+/// Take-up). A positive torque loads the right flanks of the tooth spaces (GapMap::right).
+struct LoadedState
+{
+    double torque = 0;                 ///< on the circular spline [N mm]
+    double twist = 0;                  ///< of the circular spline [rad]
+    double stiffness = 0;              ///< dT/d(twist) with the contacts that are closed [N mm/rad]
+    int teeth = 0;                     ///< tooth spaces that carry force
+    double contact_area = 0;           ///< of Hertz strips, cut where the force becomes zero between slices [mm^2]
+    double contact_share = 0;          ///< the same as a fraction of the area of all flanks on the loaded side
+    double near_share = 0;             ///< fraction of that area with gap <= contact_gap in the loaded shape
+    double node_share = 0;             ///< fraction of the (space, slice) nodes of that side that carry force
+    double largest_pressure = 0;       ///< Hertz [MPa]
+    int pressure_space = 0;            ///< its tooth space, an index into LoadMap::angle
+    double pressure_z = 0;             ///< its slice [mm]
+    double largest_force = 0;          ///< on one tooth [N]
+    double wave_generator_force = 0;   ///< sum of the forces between wave generator and cup, without direction [N]
+    double wave_generator_torque = 0;  ///< that the wave generator feels [N mm]
+    double lobe_force = 0;             ///< resultant on the cup over the lobe at the major axis, along that axis [N]
+    double lobe_force_across = 0;      ///< across that axis, clockwise positive [N]
+    double lobe_z = 0;                 ///< height at which lobe_force acts, above the middle of the bearing [mm]
+    double ball_force = 0;             ///< largest of a ball [N], of a line of balls [N/mm]; 0: a rigid bearing
+    double ball_phi = 0;               ///< its angle from the major axis [rad]
+    int balls = 0;                     ///< single balls that carry force
+    double largest_stress = 0;         ///< von Mises in the cup [MPa]; 0: not computed
+    double stress_z = 0;               ///< its height above the middle of the bearing [mm]
+    double stress_r = 0;               ///< its radius [mm]
+    double stress_phi = 0;             ///< its angle from the major axis [rad]
+    int rounds = 0;                    ///< iterations of the loaded shape
+    int steps = 0;                     ///< of the active set, in all iterations
+    double residual = 0;         ///< largest difference between the gaps of the loaded shape and the linear model [mm]
+    double complementarity = 0;  ///< relative residual of force and gap
+};
+
+/// Forces on the flanks at one torque over (space, flank, slice). The spaces are those of one sector of the ring, which
+/// repeats around it.
+struct LoadMap
+{
+    double torque = 0;              ///< [N mm]
+    std::vector<double> z;          ///< (k) [mm]
+    std::vector<double> angle;      ///< (s) centre line of the space from the major axis [rad], increasing
+    std::vector<double> force;      ///< (s,2,k) along the normal [N], all points of a flank together
+    std::vector<double> line_load;  ///< (s,2,k) [N/mm]
+    std::vector<double> pressure;   ///< (s,2,k) largest [MPa]
+    /// (s,2,k) smallest in the loaded shape [mm]; of a loaded contact minus its Hertz approach
+    std::vector<double> gap;
+    std::vector<double> height;  ///< (s,2,k) of that point along the flank, 0 at the land corner ... 1 at the flank end
+
+    /// Place of a node in the datasets over (s,2,k).
+    [[nodiscard]] std::size_t index(std::size_t space, int flank, std::size_t slice) const
+    {
+        return (space * 2 + static_cast<std::size_t>(flank)) * z.size() + slice;
+    }
+};
+
+/// Forces of the bearing at one torque over one sector of the ring.
+struct BearingMap
+{
+    std::vector<double> angle;       ///< (i) from the major axis [rad]
+    std::vector<double> z;           ///< (j) above the middle of the bearing [mm]
+    std::vector<double> force;       ///< (i,j) on the cup, outward [N]
+    std::vector<double> ball_angle;  ///< (b) [rad]; empty: a rigid bearing
+    std::vector<double> ball_force;  ///< (b) of single balls [N], of a line [N/mm]
+};
+
+/// Two straight lines through the loaded branch of a torque-twist curve, and their bend (thesis 5-2: C = dT/dphi in two
+/// stages).
+struct StiffnessStages
+{
+    double first = 0;       ///< [N mm/rad]
+    double second = 0;      ///< [N mm/rad]
+    double knee = 0;        ///< torque where they meet [N mm]; one line: 0
+    double knee_twist = 0;  ///< twist there [rad]
+    /// Of the slopes [N mm/rad]: the standard error of the fit and, in a LoadCase with error estimates, the estimated
+    /// discretisation error of the twist that the branch rises over.
+    double first_error = 0;
+    double second_error = 0;  ///< of the second stage [N mm/rad]
+    double knee_error = 0;    ///< standard error of the knee's torque [N mm]
+    double rms = 0;           ///< of the fit, in torque [N mm]
+    bool found = false;       ///< enough points for two lines
+};
+
+/// Two straight lines through (twist, torque) by least squares, the bend where they fit best. Points in order of
+/// growing torque, all of one sign. Fewer than six points, or no bend that chance would not make of a straight line
+/// with noise (1 %): `found` is false and both slopes are those of one line. Fewer than two different twists: all zero.
+/// Global least squares over slopes and bend (Hudson 1966), in time points^2.
+/// @throws std::logic_error where there are not as many torques as twists
+[[nodiscard]] StiffnessStages stiffness_stages(std::vector<double> const& twist, std::vector<double> const& torque);
+
+/// One surface of the circular spline under load.
+struct LoadCase
+{
+    ToothSurface surface = ToothSurface::tilted;  ///< as in ContactCase
+    std::optional<TiltKind> kind;                 ///< of the tilt, as in ContactCase; nothing where there is no tilt
+    double tilt = 0;                              ///< [rad]
+    double backlash_offset = 0;                   ///< side clearance [mm]
+    bool raised = false;  ///< the side clearance exceeds the scene's, with which the teeth press on both flanks
+    double tip = 0;       ///< tip circle at z = 0 [mm]
+    /// By how much the tip circle was widened beyond the surface's own, so that the teeth are clear or that a land is
+    /// left [mm].
+    double tip_change = 0;
+    double backlash = 0;             ///< play without torque [rad]; negative: the assembled teeth press on both flanks
+    std::vector<LoadedState> curve;  ///< in the order of loading: 0 to T, back to 0, to -T
+    std::size_t rated = 0;           ///< index of the largest torque in curve
+    LoadMap map;                     ///< at that torque
+    BearingMap bearing;              ///< at that torque
+    /// Estimated discretisation error of curve[rated]: four times the difference to a grid half as fine in slices,
+    /// flank points, circles of the bearing and harmonics (numbers of teeth and balls: once). Not a bound where a
+    /// figure does not converge: pressure_at_edge, LoadStudy::sharp_steps.
+    LoadedState error;
+    double backlash_error = 0;  ///< the same of the play [rad]
+    /// False: fewer than three slices, or no equilibrium on the coarse grid; the errors are 0 and mean nothing.
+    bool estimated = false;
+    /// The error of each state of the curve; none where the coarse grid has no equilibrium. Empty: fewer than three
+    /// slices.
+    std::vector<std::optional<LoadedState>> curve_error;
+    /// The largest pressure is at an end of the face width, where it grows with the number of slices.
+    bool pressure_at_edge = false;
+    StiffnessStages stages;  ///< of the branch 0 to T
+    double seconds = 0;      ///< wall time [s]
+};
+
+/// The cup in the section plane with its harmonics summed at the angles that are drawn.
+struct CupShape
+{
+    std::vector<double> r;                ///< (p) radii of the nodes of the section [mm]
+    std::vector<double> z;                ///< (p) their heights above the middle of the bearing [mm]
+    std::vector<std::vector<int>> cells;  ///< corner nodes of each element, counter-clockwise
+    std::vector<double> phi;              ///< (a) angles [rad]
+    std::vector<double> u_r;              ///< (a,p) radial displacement at the largest torque of the case shown [mm]
+    std::vector<double> u_t;              ///< (a,p) tangential displacement [mm]
+    std::vector<double> u_z;              ///< (a,p) axial displacement [mm]
+    std::vector<double> stress;           ///< (a,p) von Mises [MPa]; empty: not computed
+};
+
+/// The cup on the wave generator without torque.
+struct AssembledCup
+{
+    double coning_major = 0;  ///< slope of the radial displacement over the toothed width at the major axis, by least
+                              ///< squares [rad]
+    double coning_minor = 0;  ///< at the minor axis [rad]
+    std::vector<double> z;    ///< (k) slices [mm]
+    std::vector<double> w_major;            ///< (k) radial displacement at the major axis [mm]
+    std::vector<double> w_minor;            ///< (k) radial displacement at the minor axis [mm]
+    double wave_generator_force = 0;        ///< [N]
+    int contacts = 0;                       ///< nodes of the bearing that carry force
+    double largest_stress = 0;              ///< von Mises [MPa]; 0: not computed
+    double ball_force = 0;                  ///< largest of a ball [N], of a line [N/mm]; 0: a rigid bearing
+    double ball_phi = 0;                    ///< its angle [rad]
+    int balls = 0;                          ///< single balls that carry force
+    bool estimated = false;                 ///< the following errors are estimated, as those of a LoadCase
+    double coning_major_error = 0;          ///< [rad]
+    double coning_minor_error = 0;          ///< [rad]
+    double wave_generator_force_error = 0;  ///< [N]
+    double largest_stress_error = 0;        ///< [MPa]
+    double ball_force_error = 0;            ///< [N], [N/mm]
+};
+
+/// All cases of a drive under load.
+struct LoadStudy
+{
+    Solution solution;            ///< of the scene; its circular spline with the surface and slices of cases[shown]
+    AssembledCup cup;             ///< on its wave generator, without torque
+    std::vector<LoadCase> cases;  ///< in the order asked for, without those that are missing
+    std::vector<std::string> missing;  ///< as in ContactStudy
+    std::size_t shown = 0;             ///< case of least largest pressure, which `shape` is of
+    CupShape shape;                    ///< of the cup at the largest torque
+    int harmonics = 0;                 ///< largest circumferential harmonic
+    int sectors = 1;                   ///< how often the solved sector repeats around the ring
+    double contact_gap = 0;            ///< of near_share [mm]
+    double rated_torque = 0;           ///< [N mm]
+    double pitch_radius = 0;           ///< m z_f/2 [mm]
+    double edge_radius = 0;            ///< of the edges where teeth touch, given or standard [mm]
+    double tip_widened = 0;    ///< by how much the tip circle exceeds the standard one, which leaves no land [mm]; 0
+                               ///< where the scene gives it
+    int balls = 0;             ///< of the bearing; 0: a line, or a rigid bearing
+    bool sharp_steps = false;  ///< the wall grows to the tooth ring in ramps, whose corners have no largest stress
+};
+
+/// What is asked beside the scene. An empty list leaves the choice to the scene.
+struct LoadOptions
+{
+    std::vector<double> tilts;           ///< [rad]
+    std::vector<ToothSurface> surfaces;  ///< kinds of surface
+    std::vector<TiltKind> kinds;         ///< of the tilt
+    std::optional<double> torque;        ///< rated torque [N mm]
+    std::optional<int> points;           ///< torques on the way up
+    bool curve = true;                   ///< false: the rated torque only
+};
+
+/// Scene and options against each other.
+[[nodiscard]] Faults check_load(Scene const& scene, LoadOptions const& options);
+
+/// The scene as `load` takes it: with slices across the width and an elastic cup where it says nothing of them.
+[[nodiscard]] Scene loaded_scene(Scene asked, LoadOptions const& options = {});
+
+/// Every combination of surface, kind and tilt under torque (design 3.6).
+///
+/// The cup is elastic (Fourier harmonics); wave generator and flanks are unilateral contacts. Gaps and normals are
+/// recomputed in the loaded shape until the linear model and the geometry agree. Domain: small displacements of the cup
+/// about its undeformed shape; no friction. The result has the same bits for any number of threads.
+/// @param scene     the drive; it needs an elastic cup, see loaded_scene()
+/// @param options   what is asked beside the scene
+/// @param on_stage  is told each stage that begins; null: nobody
+/// @param progress  is told how much of the work is done; null: nobody
+/// @param talk      is told the first figures in words: force and coning of the assembled cup, then the play of each
+/// surface
+/// @throws InputError for a scene or options that cannot be computed; NumericalError with stage, place and cause where
+/// no case can be (LoadStudy::missing)
+[[nodiscard]] LoadStudy study_load(Scene const& scene, LoadOptions const& options = {},
+                                   StageObserver const& on_stage = {}, Progress const& progress = {},
+                                   std::function<void(std::string const&)> const& talk = {});
+
+}  // namespace hdconj

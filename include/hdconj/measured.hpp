@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// A torque-twist curve from a test rig: backlash and two-stage stiffness with their uncertainty. Angles in rad,
+/// torques in N mm, at the output.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hdconj/error.hpp"
+
+namespace hdconj {
+
+/// How readings of a test rig become torque and angle at the output; the input shaft is held by nothing, the output by
+/// the rig.
+struct RigInputs
+{
+    double torque_constant =
+        0;  ///< of the motor [N m/A]; 0: torques were read. Negative: current and angle count in opposite senses
+    double counts_per_turn = 0;   ///< of the encoder on the motor shaft, after multiplication; 0: angles were read
+    double ratio = 0;             ///< of the drive, without sign: motor turns per turn of the output
+    double efficiency = 1;        ///< static, of the torque between motor and output
+    double angle_per_spline = 1;  ///< angle of the output over that of a circular spline in the same contact, which a
+                                  ///< simulation turns; torques the other way round. Output cup: z_c/z_f
+};
+
+/// Samples in the order in which they were taken.
+struct MeasuredCurve
+{
+    std::string file;            ///< as the user gave it; empty: no curve
+    std::string columns;         ///< what was read of it, such as "current [A], position [counts]"
+    RigInputs rig;               ///< what was used of it
+    std::vector<double> twist;   ///< at the output [rad]
+    std::vector<double> torque;  ///< at the output [N mm]
+    std::vector<int> line;       ///< of the file, where each sample stands
+};
+
+/// A mean and its standard error.
+struct Estimate
+{
+    double value = 0;  ///< the mean
+    double error = 0;  ///< the larger of two: scatter of what was averaged / sqrt(count), and what the residuals of
+                       ///< each fit let expect
+    int count = 0;     ///< 0: nothing was averaged, value and error mean nothing
+};
+
+/// What a measured loop says, by the definitions of the thesis (5-2): C = dT/dphi in two stages, backlash the width of
+/// the loop without torque.
+struct MeasuredStiffness
+{
+    int cycles = 0;             ///< pairs of a positive and a negative load
+    double largest_torque = 0;  ///< [N mm]
+    double angle_step = 0;      ///< smallest difference of two angles: the resolution of the reading [rad]
+    double middle = 0;          ///< of the play [rad]; what `twist` of a simulation counts from
+    Estimate backlash;  ///< angle where the load has gone, from the positive side less from the negative side [rad]
+    Estimate first;     ///< stiffness of the first stage, over the loading branches that have a bend [N mm/rad]
+    Estimate second;    ///< stiffness of the second stage [N mm/rad]
+    Estimate knee;      ///< torque where they meet [N mm]
+    Estimate whole;     ///< stiffness of one line over each loading branch [N mm/rad]
+    int straight = 0;   ///< loading branches without a bend
+};
+
+/// Shares of the largest torque at which the loop is looked at.
+namespace measured_at {
+inline constexpr double reversal = 0.1;  ///< a branch ends where the torque has turned back by this; smaller is noise
+inline constexpr double loaded =
+    0.8;  ///< a branch that reaches less is no load cycle: the thesis ends with 1 N m of 28
+inline constexpr double no_load = 0.02;    ///< below, the drive may lie anywhere in its play
+inline constexpr double near_zero = 0.12;  ///< up to here the unloading branch is a straight line to zero torque
+}  // namespace measured_at
+
+/// Splits a curve where the torque turns, and takes from each branch what it has.
+///
+/// Load cycles 0, T, 0, -T, 0 in any number, beginning anywhere. Backlash per cycle: a straight line through the
+/// samples of each unloading branch between no_load and near_zero, taken to zero torque (fewer than three samples
+/// there: through the two nearest to zero, zero included). With friction that is the width of the loop at zero torque;
+/// without, the play, wherever the drive lay within it. Stiffness per loading branch: stiffness_stages() of its
+/// samples above no_load, negative branches turned round.
+/// @throws InputError where the samples are no such loop: one sign only, no unloading, torque that falls with the angle
+[[nodiscard]] MeasuredStiffness measured_stiffness(MeasuredCurve const& curve);
+
+/// A curve from a test rig and what it says; laid over the simulation.
+struct Measurement
+{
+    MeasuredCurve curve;      ///< as read
+    MeasuredStiffness found;  ///< backlash and stiffness of it
+};
+
+/// A larger file is refused before it is read. [bytes]
+inline constexpr std::size_t largest_measured_file = std::size_t{64} << 20;
+/// The fit looks at all pairs of a branch's samples: a second or two for this many.
+inline constexpr std::size_t most_samples = 100000;
+
+/// What the user says about the rig; units as typed.
+struct RigOptions
+{
+    std::optional<double> torque_constant;  ///< [N m/A]
+    std::optional<double> counts_per_turn;  ///< of the encoder on the motor shaft
+    std::optional<double> ratio;            ///< motor turns per turn of the output
+    std::optional<double> efficiency;       ///< of the torque between motor and output, 0 ... 1
+};
+
+/// A measured curve as far as it could be read, and every fault found.
+struct MeasuredReading
+{
+    MeasuredCurve curve;  ///< of no use where there are faults
+    Faults faults;        ///< all of them: of the options, the header, the rows, with line and column
+};
+
+/// Reads the columns "torque" or "current", and "angle" or "position"; others are left alone. Between the fields stands
+/// what the header has: semicolon, tab or comma. A line that begins with '#' is a comment. Units stand in brackets:
+/// torque [N m, N mm, mN m], current [A, mA], angle [deg, arcmin, arcsec, rad, mrad], position [counts]. Torque =
+/// torque constant x current x |ratio| x efficiency, angle = 2 pi counts / (counts per turn x |ratio|).
+/// @param file         CSV
+/// @param rig          what the user says about the rig
+/// @param scene_ratio  of the drive, where @p rig says none
+[[nodiscard]] MeasuredReading examine_measured(std::filesystem::path const& file, RigOptions const& rig,
+                                               double scene_ratio);
+
+}  // namespace hdconj

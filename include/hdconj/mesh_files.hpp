@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The toothed surface and the bent cup for other programs: ParaView, CAD, mesh generators, CalculiX.
+///
+/// A toothed surface is the ruled surface through the slices, quadrilaterals between neighbouring slices, one row from
+/// slice to slice; normals point out of the material. With one slice it is a cylinder as wide as
+/// `circular_spline.width`. Lengths in mm, frame of the circular spline.
+#pragma once
+
+#include <filesystem>
+
+#include "hdconj/contact.hpp"
+
+namespace hdconj {
+
+namespace elastic {
+class BentCup;
+}
+
+/// A tenth of a micrometre: below what can be made or measured. [mm]
+inline constexpr double surface_tolerance = 1e-4;
+
+/// Which part of the toothed surface is written, and how finely.
+struct SurfaceOptions
+{
+    bool ring = false;                     ///< all teeth; else one tooth space from mid-land to mid-land
+    double tolerance = surface_tolerance;  ///< [mm] points of an outline are left out where no slice moves by more than
+                                           ///< this; 0: all are kept
+};
+
+/// XDMF 3 of one tooth space, referring to the datasets in `/circular_spline/surface` of @p result, the HDF5 file of
+/// the same study, by its name relative to @p file: both may be moved together. The part of each cell (land, flank,
+/// root) is a cell attribute.
+/// @throws FileError where the name of @p result cannot stand in XDMF; InputError where there is no surface (one slice,
+/// no width)
+void write_xdmf(Solution const& solution, std::filesystem::path const& file, std::filesystem::path const& result);
+
+/// The same of what @p options say, with its numbers in an HDF5 file beside it, called as @p file with `.h5` appended.
+void write_xdmf(Solution const& solution, std::filesystem::path const& file, SurfaceOptions const& options);
+
+/// Binary STL: triangles in single precision (2e-6 mm at a radius of 25 mm), those with two corners in one place left
+/// out.
+void write_stl(Solution const& solution, std::filesystem::path const& file, SurfaceOptions const& options = {});
+
+/// Legacy VTK, binary, unstructured grid of quadrilaterals, double precision. Cell data `part`; where the study has a
+/// map, point data `gap` [mm] on the flanks and NaN, which means no data to VTK, off them. One tooth: the space with
+/// the largest contact on the driving side.
+void write_vtk(ContactStudy const& study, std::filesystem::path const& file, SurfaceOptions const& options = {});
+
+/// VTK's XML format, text: the whole undeformed cup as hexahedra with twenty nodes, point data `displacement` [mm]
+/// (ParaView's filter "Warp By Vector") and `von_mises` [MPa], extrapolated to the nodes and averaged there. Frame of
+/// the drive: x = r sin phi, y = r cos phi, z from the middle of the bearing.
+/// @param cup    the bent cup
+/// @param file   NAME.vtu
+/// @param steps  elements round the axis
+void write_vtu(elastic::BentCup const& cup, std::filesystem::path const& file, int steps = 96);
+
+/// A folder with a deck for CalculiX that needs nothing from here to run (`ccx linear`), and what it must come to:
+///
+///   linear.inp    cup of C3D20R, bottom clamped at the flange, forces of the bearing on the inner surface,
+///   geometrically linear expected.csv  node, r, z, phi_deg, u_r, u_t, u_z of some nodes whose displacements the deck
+///   prints files.txt     what is there
+///
+/// and where contact is asked for
+///
+///   contact.inp           the cup, and the bearing as a second body that touches it or does not, moved by the cam
+///   (rigid, or on the line of balls of an
+///                         elastic ring): another way to the same displacements, to what grids of contacts and a
+///                         penalty leave of it
+///   expected_contact.csv  resultant of the forces between them, on the part of the cup that is there
+///
+/// Of a cup that is its own mirror image half a lobe, otherwise the whole turn. Where the ring stands off its balls the
+/// deck leaves it free. Domain of the contact: balls without radial stiffness, a bearing with a width.
+/// @param cup      the bent cup
+/// @param folder   that is made, or replaced where it was written so before
+/// @param steps    elements round that
+/// @param contact  with the second deck
+/// @throws FileError where the folder cannot be made or holds other files
+void write_calculix(elastic::BentCup const& cup, std::filesystem::path const& folder, int steps = 48,
+                    bool contact = false);
+
+/// What can be known about that folder before the long work. @throws FileError
+void check_calculix(std::filesystem::path const& folder);
+
+}  // namespace hdconj

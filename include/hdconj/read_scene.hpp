@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Reads a scene from TOML, with or without an exception at its faults, and writes the plan as JSON.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hdconj/error.hpp"
+#include "hdconj/plan.hpp"
+#include "hdconj/scene.hpp"
+#include "hdconj/scene/reading.hpp"
+
+namespace hdconj {
+
+/// Reads a scene file.
+/// @param file       the TOML file
+/// @param overrides  "key.path=value" from --set, applied in order before validation
+/// @throws InputError with every fault of the file and the overrides
+[[nodiscard]] Scene read_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides = {});
+
+/// Parses a scene given as text; relative file names start at @p folder.
+[[nodiscard]] Scene parse_scene(std::string_view text, std::string const& name,
+                                std::filesystem::path const& folder = {},
+                                std::vector<std::string> const& overrides = {});
+
+/// The text of the built-in scene: the thesis' type-50 drive (data/scenes/type-50.toml).
+[[nodiscard]] std::string_view builtin_scene_text();
+
+/// The built-in scene.
+[[nodiscard]] Scene builtin_scene(std::vector<std::string> const& overrides = {});
+
+/// A larger file is no scene; it is refused before it is parsed. [bytes]
+inline constexpr std::size_t largest_scene = std::size_t{16} << 20;
+
+/// Reads scene file @p file with the @p overrides of --set ("key.path=value", or "!key.path" to remove).
+[[nodiscard]] scene::SceneReading examine_scene_file(std::filesystem::path const& file,
+                                                     std::vector<std::string> const& overrides = {});
+
+/// Reads a scene from text; relative file names start at @p folder.
+[[nodiscard]] scene::SceneReading examine_scene(std::string_view text, std::string const& name,
+                                                std::filesystem::path const& folder = {},
+                                                std::vector<std::string> const& overrides = {});
+
+/// Adds the faults that need geometry to be seen (check_scene) when all that it needs is known, in order of place. A
+/// key that has a fault already gets no second one.
+void examine_geometry(scene::SceneReading& reading);
+
+/// One JSON object: "scene", "faults" [{"path", "line", "value", "reason", "remedy", "origin"}], and, when there is a
+/// plan, "stages" [{"stage", "reason"}] and "absent" [{"effect", "remedy"}]. @p plan may be null.
+[[nodiscard]] std::string check_json(std::string const& scene_name, Faults const& faults, Plan const* plan);
+
+}  // namespace hdconj

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Writes and prints what `solve` computes, and reads it back for another verb.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "hdconj/file/written_file.hpp"
+#include "hdconj/solution.hpp"
+
+namespace hdconj {
+
+/// HDF5 result file, layout in docs/hdf5.md. Written to a temporary file and renamed.
+/// @throws FileError with the cause (disk full, no permission, a folder)
+void write_hdf5(Solution const& solution, std::filesystem::path const& file);
+
+/// DXF R12 (AC1009), POLYLINEs in mm, decimals to 1e-10 mm. Layers: CIRCULAR_SPLINE, one pitch (open, one polyline per
+/// slice at its z); FLEXSPLINE_TOOTH, the tooth at the major axis (open); NEUTRAL_CURVE (closed).
+/// @throws FileError
+void write_dxf(Solution const& solution, std::filesystem::path const& file);
+
+/// Picture of the tooth family, the branches by kind and the final outline; SVG or PNG by the file's ending.
+/// Drawn by gnuplot, which is looked for on the PATH.
+/// @throws InputError for another ending; FileError when gnuplot is missing or the file cannot be written
+void write_picture(Solution const& solution, std::filesystem::path const& file);
+
+/// What can be known before the long work: ending, gnuplot, target. Throws what write_picture() would.
+void check_picture(std::filesystem::path const& file);
+
+/// The printed summary that a designer reads.
+[[nodiscard]] std::string summary_text(Solution const& solution, std::vector<WrittenFile> const& written = {});
+
+/// The same figures as one JSON object, keys in docs/json.md. Numbers are finite or null.
+[[nodiscard]] std::string summary_json(Solution const& solution, std::vector<WrittenFile> const& written = {});
+
+/// What later work needs of a result file.
+struct StoredOutline
+{
+    std::string scene;              ///< text of the scene that was solved, after --set
+    CircularSplineOutline outline;  ///< bit for bit as it was written
+};
+
+/// Reads what write_hdf5 wrote of the circular spline, of `solve` and of `contact`.
+/// @throws InputError where @p file is none of our results, or its parts contradict each other
+[[nodiscard]] StoredOutline read_outline(std::filesystem::path const& file);
+
+}  // namespace hdconj

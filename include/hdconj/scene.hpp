@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The scene: everything a user says about a drive, as plain data.
+/// Lengths in mm, angles in rad (keys ending in _deg are converted by the reader).
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hdconj/scene/parameters.hpp"
+#include "hdconj/scene_words.hpp"
+
+namespace hdconj {
+
+/// The pair of gears.
+struct Drive
+{
+    std::string name;               ///< of the drive, for titles and file names
+    double module = 0;              ///< m [mm]
+    int flexspline_teeth = 0;       ///< z_f
+    int circular_spline_teeth = 0;  ///< z_c
+};
+
+/// Effect: the cup below the toothed ring, for what needs an elastic body. Heights along the axis, lengths in mm.
+struct Cup
+{
+    double length = 0;                   ///< from the outer face of the bottom to the open end
+    double barrel_wall = 0;              ///< of the barrel and of the land in front of the teeth
+    double bottom = 0;                   ///< thickness of the bottom
+    double corner_radius = 0;            ///< outer fillet between bottom and barrel
+    double flange_radius = 0;            ///< inside it the bottom is clamped
+    double tooth_width = 0;              ///< of the toothed ring
+    double front_land = 0;               ///< from the teeth to the open end
+    std::optional<double> rear_ramp;     ///< over which the wall grows to that of the ring; default as long as it grows
+    std::optional<double> front_ramp;    ///< the same in front
+    std::optional<double> rear_fillet;   ///< radius of an arc in place of the ramp
+    std::optional<double> front_fillet;  ///< the same in front
+    std::optional<double>
+        tooth_layer;            ///< effect: height of the teeth as a layer on the ring; absent: teeth do not stiffen it
+    double tooth_share = 0;     ///< of that layer that is steel
+    double youngs_modulus = 0;  ///< [MPa]
+    double poissons_ratio = 0;  ///< Poisson's ratio
+    int line = 0;               ///< of the table in the scene file, 1-based; 0: by --set
+};
+
+/// The flexspline: the elastic, externally toothed cup.
+struct Flexspline
+{
+    double wall = 0;                     ///< delta [mm], under the teeth
+    std::optional<double> inner_radius;  ///< [mm]; default m z_f/2 - h_f - delta
+    double neutral_offset = 0;           ///< [mm], neutral layer this far inside the middle of the wall
+    scene::FamilyChoice profile;         ///< no family where the circular spline's tooth is given
+    std::optional<double> addendum;      ///< h_a [mm] of the tooth that is solved for; absent where it is given
+    std::optional<double> dedendum;      ///< h_f [mm] of it
+    std::optional<Cup> cup;              ///< the cup below the teeth; absent: not given
+};
+
+/// The wave generator: the shape that deforms the flexspline.
+struct WaveGenerator
+{
+    scene::FamilyChoice shape;  ///< family and its parameters
+    int waves = 2;              ///< n
+};
+
+/// The circular spline: the internally toothed ring.
+struct CircularSpline
+{
+    std::optional<double> width;      ///< [mm], axial; recorded, used by axial effects
+    double backlash_offset = 0;       ///< [mm], along the normal, >= 0
+    bool automatic_backlash = false;  ///< "auto": the least offset that clears every slice over a full turn
+    double root_clearance = 0;        ///< [mm], along the centre line of the space, >= 0
+    double youngs_modulus = 210e3;    ///< [MPa]
+    double poissons_ratio = 0.3;      ///< Poisson's ratio, for loads
+    std::optional<double>
+        inner_radius;  ///< [mm], tip circle; default r_m + delta/2 + h_f + w0 - addendum of the given tooth
+    std::optional<scene::FamilyChoice>
+        profile;  ///< the reverse problem: this tooth is given, the flexspline's is solved for
+};
+
+/// How the drive is computed.
+struct Solver
+{
+    Kinematics kinematics = Kinematics::exact;  ///< model of the relative motion
+    double tolerance = 1e-6;                    ///< [mm], largest distance of an output outline from the true one
+    int threads = 0;                            ///< 0: all cores
+};
+
+/// Effect: the flexspline cones along the axis.
+struct Coning
+{
+    ConingModel model = ConingModel::linear;      ///< of the displacement along the axis
+    std::optional<double> bottom_to_middle;       ///< [mm]
+    double apex_height = 0;                       ///< of the apex above the cup's bottom [mm]
+    AxialShift axial_shift = AxialShift::mapped;  ///< whether gaps know of the axial displacement
+    int line = 0;                                 ///< of the table in the scene file, 1-based; 0: by --set
+};
+
+/// Effect: the wave generator's bearing, for what needs to know how it gives way. Lengths in mm.
+struct BearingChoice
+{
+    bool elastic = false;                    ///< whether its outer ring bends; otherwise its surface is that of the cam
+    double width = 0;                        ///< over which the cup may touch it
+    std::optional<double> ring_thickness;    ///< of the outer ring
+    double fit = 0;                          ///< interference of the outer ring with the cup, of radii
+    double cam_oversize = 0;                 ///< preload of the balls, of radii
+    std::optional<double> radial_stiffness;  ///< of the line of balls [N/mm per mm of arc]; default rigid
+    bool axially_held = true;                ///< whether the groove keeps the line of balls from moving along the axis
+    std::optional<int> balls;                ///< how many, each a force of its own under load; absent: a line
+    double ball_phase = 0;                   ///< angle of one of them from the major axis, clockwise [rad]
+    int angles = 0;                          ///< points of contact in a lobe
+    int circles = 0;                         ///< and over the width
+    int line = 0;                            ///< of the table in the scene file, 1-based; 0: by --set
+};
+
+/// Effect: tilted circular-spline teeth.
+struct Tilt
+{
+    double angle = 0;                  ///< [rad]
+    TiltKind kind = TiltKind::radial;  ///< how the outline is moved
+    int line = 0;                      ///< of the table in the scene file, 1-based; 0: by --set
+};
+
+/// Effect: more than one slice across the face width.
+struct Slices
+{
+    int count = 1;                                ///< number of slices, equally spaced over the face width
+    ToothSurface surface = ToothSurface::tilted;  ///< how the tooth surface is made
+    int line = 0;                                 ///< of the table in the scene file, 1-based; 0: by --set
+};
+
+/// What contact is asked for. Only the verb `contact` looks at it.
+struct ContactRequest
+{
+    double gap = 0;             ///< contact where the gap is no larger [mm]
+    int flank_points = 0;       ///< along each flank
+    double wave_generator = 0;  ///< angle of the wave generator from a tooth space [rad]
+    int line = 0;               ///< of the table in the scene file, 1-based; 0: by --set
+};
+
+/// What a load is asked for. Only the verb `load` looks at it.
+struct LoadRequest
+{
+    std::optional<double> torque;       ///< rated, on the circular spline [N mm]
+    int points = 0;                     ///< torques from 0 to the rated one
+    int harmonics = 0;                  ///< highest one around the circumference
+    std::optional<double> edge_radius;  ///< of the lands' edges under load [mm]; default 1/25 of the module
+    int line = 0;                       ///< of the table in the scene file, 1-based; 0: by --set
+};
+
+/// How the part is cut by wire. Only the verb `wedm` looks at it. Lengths in mm.
+struct WireRequest
+{
+    WirePart part = WirePart::circular_spline;  ///< that is cut
+    std::optional<double> thickness;            ///< of the workpiece; default circular_spline.width
+    double wire_diameter = 0;                   ///< stated by the user, never assumed
+    double spark_gap = 0;                       ///< between wire and part; stated by the user, never assumed
+    double lower_guide = 0;                     ///< lower guide point below the lower face
+    double upper_guide = 0;                     ///< upper guide point above the upper face
+    std::vector<double> stock;                  ///< left by each pass, in order; the last one leaves none
+    bool alternating = false;                   ///< every second pass runs against the first
+    int start = 0;                              ///< tooth space beside whose tip land the path begins
+    double lead_in = 0;                         ///< from the start hole's centre to the nominal contour
+    double start_hole_radius = 0;               ///< distance of its centre from the axis
+    double overlap = 0;                         ///< beyond the point where the contour closes
+    double stop_before = 0;                     ///< first pass: stop this far before it closes; 0: no stop
+    double tolerance = 0;                 ///< largest distance of the surface cut from the nominal one, residuals apart
+    double residual_limit = 0;            ///< residual material that is accepted
+    std::optional<double> surface_limit;  ///< error between the faces that is accepted; default the tolerance
+    double largest_tilt = 0;              ///< of the wire that the machine can make [rad]
+    std::optional<double> largest_travel;     ///< of each axis of each guide from the start hole, either way
+    std::optional<double> largest_uv_travel;  ///< of each axis of the upper guide against the lower one, either way
+    int decimals = 4;                         ///< of rounded outputs
+    std::string dialects;                     ///< names, separated by blanks; empty: all that fit
+    int line = 0;                             ///< of the table in the scene file, 1-based; 0: by --set
+};
+
+/// Where a key or table of the scene was given, for messages.
+struct GivenKey
+{
+    int line = 0;         ///< 1-based; 0: by --set
+    std::string written;  ///< the value as the user wrote it; empty for a table
+};
+
+/// A drive and what is to be computed of it. An effect that is absent has no object.
+struct Scene
+{
+    Drive drive;                            ///< table [drive]
+    Flexspline flexspline;                  ///< table [flexspline]
+    WaveGenerator wave_generator;           ///< table [wave_generator]
+    CircularSpline circular_spline;         ///< table [circular_spline]
+    Solver solver;                          ///< table [solver]
+    std::optional<Coning> coning;           ///< effect [coning]
+    std::optional<BearingChoice> bearing;   ///< effect [wave_generator.bearing]
+    std::optional<Tilt> tilt;               ///< effect [tilt]
+    std::optional<Slices> slices;           ///< effect [slices]
+    std::optional<ContactRequest> contact;  ///< table [contact]
+    std::optional<LoadRequest> load;        ///< table [load]
+    std::optional<WireRequest> wedm;        ///< table [wedm]
+
+    std::string text;                                    ///< the scene as given, after --set
+    std::map<std::string, GivenKey, std::less<>> given;  ///< each key and table that is there, by path
+    std::filesystem::path folder;                        ///< where relative file names start
+
+    /// Whether the circular spline's tooth is given and the flexspline's solved for.
+    [[nodiscard]] bool is_reverse() const { return circular_spline.profile.has_value(); }
+    /// Whether the cup's displacements come from the elastic model.
+    [[nodiscard]] bool is_elastic() const { return coning && coning->model == ConingModel::elastic; }
+    /// Whether gaps are computed where the cone has moved the wall to along the axis.
+    [[nodiscard]] bool maps_axial_shift() const { return coning && coning->axial_shift == AxialShift::mapped; }
+    /// The tooth that is given.
+    [[nodiscard]] scene::FamilyChoice const& given_profile() const
+    {
+        return is_reverse() ? *circular_spline.profile : flexspline.profile;
+    }
+    /// h_f of the flexspline tooth where the scene says it in so many words.
+    [[nodiscard]] std::optional<double> flexspline_dedendum() const
+    {
+        return is_reverse() ? flexspline.dedendum : flexspline.profile.number("dedendum");
+    }
+};
+
+}  // namespace hdconj

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The main job: from a scene to the conjugate circular spline.
+#pragma once
+
+#include "hdconj/error.hpp"
+#include "hdconj/plan.hpp"
+#include "hdconj/scene.hpp"
+#include "hdconj/solution.hpp"
+
+namespace hdconj {
+
+/// Solves for the member that is conjugate to the given tooth.
+///
+/// The tooth touches its envelope where n . v = 0, with its normal n and the relative velocity v (docs/theory.md;
+/// Litvin & Fuentes, Gear Geometry and Applied Theory, 2004, ch. 6). All branches of this condition are
+/// found; Solution::certificate says whether that is proved. Their outer boundary is the tooth space of the circular
+/// spline; in the reverse problem, with the circular spline's tooth given, it is the flexspline tooth.
+///
+/// Runs the stages of make_plan(scene), and no other. The result has the same bits for any number of threads.
+/// Accuracy: no point of an outline is farther than `solver.tolerance` from the true curve, see Solution::error.
+/// @param scene     lengths in mm, angles in rad; domain: scenes for which check_scene() finds no fault
+/// @param on_stage  told each stage that begins; null: nobody
+/// @throws InputError     the scene cannot describe a drive (exit status 2)
+/// @throws NumericalError a stage failed; says which, where and why (exit status 1)
+[[nodiscard]] Solution solve(Scene const& scene, StageObserver const& on_stage = {});
+
+}  // namespace hdconj

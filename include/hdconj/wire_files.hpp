@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// What `wedm` writes and prints: one list of wire moves in the dialects of CAD programs and machines.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hdconj/file/written_file.hpp"
+#include "hdconj/wedm.hpp"
+
+namespace hdconj {
+
+/// A dialect that wire programs can be written in.
+struct WireDialect
+{
+    std::string_view name;     ///< word for `--dialect`
+    std::string_view meaning;  ///< one line for --help
+    std::string_view
+        verified_by;  ///< reader that is not ours and accepts it; empty: not verified, on hardware or otherwise
+    bool only_untilted = false;  ///< can be written only where both faces are the same
+
+    /// Whether another reader than ours has accepted it.
+    [[nodiscard]] bool verified() const { return !verified_by.empty(); }
+};
+
+/// All dialects, in the order written.
+[[nodiscard]] std::vector<WireDialect> wire_dialects();
+
+/// Those that can be written of @p program.
+[[nodiscard]] std::vector<std::string> fitting_dialects(WireProgram const& program);
+
+/// A dialect whose own grid or lengths of files, which no key of the scene changes, have no room for a program.
+struct UnfitDialect
+{
+    std::string name;   ///< of the dialect
+    std::string place;  ///< "pass 1, block 67 (contour, tooth 151)"
+    std::string cause;  ///< why the program does not fit
+};
+
+/// Those of @p dialects (empty: of all) that cannot hold all of @p programs. Blocks that a grid loses cannot be joined
+/// to their neighbours: moves are already as long as the tolerance lets them be.
+[[nodiscard]] std::vector<UnfitDialect> unfit_dialects(WireSetUps const& programs,
+                                                       std::vector<std::string> const& dialects = {});
+
+/// A file of a wire program.
+struct WireFile
+{
+    std::string dialect;           ///< name of the dialect
+    std::string_view verified_by;  ///< as of the dialect
+    std::string name;              ///< in the folder
+    int set_up = 1;                ///< number of the clamping
+    int pass = 0;                  ///< 0: all passes
+    std::size_t blocks = 0;        ///< straight moves in it
+    std::size_t bytes = 0;         ///< size of the file
+    double unit = 0;               ///< last digit [mm]; 0: not rounded
+    double drift = 0;  ///< largest distance, along the whole path and in both faces, of what is read back from the
+                       ///< exact; of all files of its dialect [mm]
+
+    /// Whether another reader than ours has accepted the dialect.
+    [[nodiscard]] bool verified() const { return !verified_by.empty(); }
+};
+
+/// What can be known before the long work.
+/// @param folder    that the files will stand in
+/// @param dialects  empty: all that fit
+/// @param place     option or key that names them, for messages
+/// @throws InputError for a dialect that is not known; FileError where @p folder cannot be made, or holds files that
+/// are not ours
+void check_wire_files(std::filesystem::path const& folder, std::vector<std::string> const& dialects = {},
+                      std::string const& place = "--dialect");
+
+/// Writes the set-ups @p programs of one part into @p folder, with a list of the files, files.txt; where there are
+/// several, names of files say which they belong to. All or nothing: the files are made in a temporary folder beside
+/// it, each is read back from there and rebuilt to both faces within one unit of its last digit along the whole path,
+/// and then the folder is renamed. A folder that was written so before is replaced as a whole.
+///
+/// Checked before: pairing, finite numbers, closed paths from and to a vertical wire, no block of length zero in either
+/// plane after rounding; of the texts: characters, line lengths, no exponent, no negative zero; equal faces give equal
+/// words.
+/// @param programs  the set-ups of one part
+/// @param folder    that is made, or replaced where it was written so before
+/// @param dialects  empty: all that fit, unfit_dialects() left out; to say so is the caller's, in the warnings of
+/// the programs
+/// @throws NumericalError with file, line and cause where a check fails; InputError, FileError. Nothing is written
+/// then.
+std::vector<WireFile> write_wire_files(WireSetUps const& programs, std::filesystem::path const& folder,
+                                       std::vector<std::string> const& dialects = {});
+
+/// The printed summary that a machine operator reads: wire and gap, passes, faces, guides, files, residuals, what was
+/// checked.
+[[nodiscard]] std::string summary_text(WireSetUps const& programs, std::vector<WireFile> const& files = {});
+
+/// The same figures as one JSON object, keys in docs/json.md. Numbers are finite or null.
+[[nodiscard]] std::string summary_json(WireSetUps const& programs, std::vector<WireFile> const& files = {},
+                                       std::filesystem::path const& folder = {},
+                                       std::vector<WrittenFile> const& pictures = {});
+
+/// Names of the pictures of a wire program: NAME.svg or .png stands for three or four.
+struct WirePictures
+{
+    std::filesystem::path tooth;  ///< NAME-tooth.svg: one tooth space in both faces, with the wire
+    std::vector<std::filesystem::path>
+        rings;  ///< NAME-ring.svg: the whole contour, start hole, lead-in; NAME-ring1.svg and on of several set-ups
+    std::filesystem::path residual;  ///< NAME-residual.svg: what no pass reaches
+};
+
+/// Names of the pictures for @p file, NAME.svg or NAME.png.
+[[nodiscard]] WirePictures wire_picture_names(std::filesystem::path const& file, std::size_t set_ups = 1);
+
+/// What can be known before the long work. Throws what write_wire_pictures() would.
+void check_wire_pictures(std::filesystem::path const& file, std::size_t set_ups = 1);
+
+/// Draws them with gnuplot; the residual map only where there is any.
+std::vector<WrittenFile> write_wire_pictures(WireSetUps const& programs, std::filesystem::path const& file);
+
+}  // namespace hdconj

@@ -1,0 +1,263 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "convergence_series.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace hdconj::accuracy {
+namespace {
+
+bool is_number(double value)
+{
+    return value == value;
+}
+
+/// The larger of two numbers, one of which may not be measured.
+double worse(double a, double b)
+{
+    return !is_number(a) || b > a ? b : a;
+}
+
+double median_of(std::vector<double> values)
+{
+    std::sort(values.begin(), values.end());
+    std::size_t const half = values.size() / 2;
+    return values.size() % 2 == 1 ? values[half] : 0.5 * (values[half - 1] + values[half]);
+}
+
+ConvergenceLevel level_of(std::vector<StudyRecord const*> const& records)
+{
+    StudyRecord const& first = *records.front();
+    ConvergenceLevel level{first.study, first.drive, first.method, first.knob, first.unit, first.value};
+    std::vector<double> seconds;
+    for (StudyRecord const* record : records) {
+        level.error = worse(level.error, record->largest_error());
+        level.estimate = worse(level.estimate, record->estimate);
+        level.residual = worse(level.residual, record->residual);
+        level.memory = worse(level.memory, record->memory);
+        level.missed = std::max(level.missed, record->missed);
+        level.extra = std::max(level.extra, record->extra);
+        level.evaluations = std::max(level.evaluations, record->evaluations);
+        level.points = std::max(level.points, record->points);
+        level.threads = std::max(level.threads, record->threads);
+        seconds.push_back(record->seconds);
+    }
+    level.median = median_of(seconds);
+    level.least = *std::min_element(seconds.begin(), seconds.end());
+    level.most = *std::max_element(seconds.begin(), seconds.end());
+    return level;
+}
+
+/// Collects records by drive or sample, study, method, knob and value, all in the order of their first record.
+std::vector<ConvergenceSeries> collected(std::vector<StudyRecord> const& records, std::string const& scene)
+{
+    struct Open
+    {
+        ConvergenceSeries series;
+        std::vector<std::vector<StudyRecord const*>> levels;
+    };
+    std::vector<Open> open;
+    for (StudyRecord const& record : records) {
+        std::string const drive = record.drive == scene ? scene : worst_of_sample;
+        auto series = std::find_if(open.begin(), open.end(), [&](Open const& known) {
+            return known.series.study == record.study && known.series.drive == drive &&
+                   known.series.method == record.method && known.series.knob == record.knob;
+        });
+        if (series == open.end()) {
+            open.push_back({{record.study, drive, record.method, record.knob, record.unit, {}}, {}});
+            series = open.end() - 1;
+        }
+        auto level = std::find_if(series->levels.begin(), series->levels.end(),
+                                  [&](auto const& known) { return known.front()->value == record.value; });
+        if (level == series->levels.end()) {
+            series->levels.emplace_back();
+            level = series->levels.end() - 1;
+        }
+        level->push_back(&record);
+    }
+    std::vector<ConvergenceSeries> series_list;
+    for (Open& each : open) {
+        for (auto const& level : each.levels) {
+            each.series.levels.push_back(level_of(level));
+            ConvergenceLevel& made = each.series.levels.back();
+            made.drive = each.series.drive;
+            std::vector<std::string> names;
+            for (StudyRecord const* record : level)
+                names.push_back(record->drive);
+            std::sort(names.begin(), names.end());
+            for (StudyRecord const* record : level)
+                made.runs = std::max(made.runs, record->repeat + 1);
+            made.drives = static_cast<int>(std::unique(names.begin(), names.end()) - names.begin());
+        }
+        series_list.push_back(std::move(each.series));
+    }
+    return series_list;
+}
+
+ConvergenceLevel const* same_setting(std::vector<ConvergenceSeries> const& series_list, ConvergenceLevel const& level)
+{
+    for (ConvergenceSeries const& series : series_list)
+        if (series.drive == worst_of_sample && series.study == level.study && series.method == level.method &&
+            series.knob == level.knob)
+            for (ConvergenceLevel const& other : series.levels)
+                if (other.value == level.value)
+                    return &other;
+    return nullptr;
+}
+
+/// Levels of the whole program on the scene itself: settings that a user can make.
+std::vector<Recommendation> settings(std::vector<ConvergenceSeries> const& series_list)
+{
+    std::vector<Recommendation> all;
+    for (ConvergenceSeries const& series : series_list) {
+        if (series.study != "tolerance" || series.drive == worst_of_sample)
+            continue;
+        for (ConvergenceLevel const& level : series.levels) {
+            ConvergenceLevel const* sample = same_setting(series_list, level);
+            all.push_back({level, false, sample == nullptr ? not_measured : sample->error});
+        }
+    }
+    return all;
+}
+
+double worst_error(Recommendation const& setting)
+{
+    return worse(setting.sample_error, setting.level.error);
+}
+
+}  // namespace
+
+namespace {
+
+/// Levels whose order counts.
+std::vector<ConvergenceLevel const*> above(std::vector<ConvergenceLevel> const& levels, double floor)
+{
+    constexpr double clear_of_floor = 3;
+    std::vector<ConvergenceLevel const*> clear;
+    for (ConvergenceLevel const& level : levels)
+        if (level.value > 0 && level.error > 0 && !(is_number(floor) && !(level.error > clear_of_floor * floor)))
+            clear.push_back(&level);
+    return clear;
+}
+
+/// Whether the error of @p b is below that of @p a, and not by a hair.
+bool falls(ConvergenceLevel const& a, ConvergenceLevel const& b)
+{
+    constexpr double hair = 0.95;  // why_no_order() says so
+    return b.error < hair * a.error;
+}
+
+/// Knobs that an error falls with exponentially have no order.
+bool has_power_law(std::string const& knob)
+{
+    return knob != polynomial_degree;
+}
+
+}  // namespace
+
+double observed_order(std::vector<ConvergenceLevel> const& levels, double floor)
+{
+    double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
+    for (ConvergenceLevel const* level : above(levels, floor)) {
+        double const x = std::log(level->value), y = std::log(level->error);
+        ++n;
+        sx += x;
+        sy += y;
+        sxx += x * x;
+        sxy += x * y;
+    }
+    double const spread = n * sxx - sx * sx;
+    return n < 3 || !(spread > 0) ? not_measured : (n * sxy - sx * sy) / spread;
+}
+
+std::string why_no_order(std::vector<ConvergenceLevel> const& levels, double floor)
+{
+    std::vector<ConvergenceLevel const*> const clear = above(levels, floor);
+    constexpr std::size_t least = 3;
+    bool const fall =
+        std::adjacent_find(clear.begin(), clear.end(), [](ConvergenceLevel const* a, ConvergenceLevel const* b) {
+            return !falls(*a, *b);
+        }) == clear.end();
+    return clear.size() < least || fall ? std::string() : "errors do not fall by 5 % at every rung";
+}
+
+std::optional<ErrorPerStep> error_per_step(std::vector<ConvergenceLevel> const& levels)
+{
+    std::vector<ConvergenceLevel const*> const all = above(levels, not_measured);
+    auto const best =
+        std::min_element(all.begin(), all.end(),
+                         [](ConvergenceLevel const* a, ConvergenceLevel const* b) { return a->error < b->error; });
+    auto last = all.begin();  // until a hair is left
+    while (last != best && falls(**last, **(last + 1)))
+        ++last;
+    if (last == all.begin() || all.empty() || falls(**last, **best))
+        return {};
+    ConvergenceLevel const &from = **all.begin(), &to = **last;
+    return ErrorPerStep{std::pow(from.error / to.error, 1 / (to.value - from.value)), to.value};
+}
+
+double floor_of(std::vector<ConvergenceLevel> const& levels)
+{
+    if (levels.size() < 3)
+        return not_measured;
+    double const last = levels.back().error, before = levels[levels.size() - 2].error;
+    constexpr double tenth = 0.1;
+    if (!(last > 0) || !(before > 0) || std::abs(last - before) > tenth * last)
+        return not_measured;
+    double least = last;
+    for (ConvergenceLevel const& level : levels)
+        if (level.error > 0)
+            least = std::min(least, level.error);
+    return least;
+}
+
+std::vector<ConvergenceSeries> convergence_series(AccuracyReport const& report)
+{
+    std::vector<ConvergenceSeries> series_list = collected(report.records, report.scene.drive.name);
+    for (ConvergenceSeries& series : series_list) {
+        series.floor = floor_of(series.levels);
+        if (!has_power_law(series.knob))
+            continue;
+        series.no_order = why_no_order(series.levels, series.floor);
+        if (series.no_order.empty())
+            series.order = observed_order(series.levels, series.floor);
+    }
+    return series_list;
+}
+
+/// Errors are told with three digits: chords that are exactly as long as allowed, and the rounding of their ends, still
+/// keep what was asked.
+constexpr double as_printed = 1.005;
+
+std::optional<Recommendation> fastest_within(std::vector<ConvergenceSeries> const& series_list, double error)
+{
+    std::optional<Recommendation> best;
+    for (Recommendation setting : settings(series_list)) {
+        setting.reaches = worst_error(setting) <= as_printed * error;
+        bool const better =
+            !best || (setting.reaches && !best->reaches) ||
+            (setting.reaches == best->reaches &&
+             (setting.reaches ? setting.level.median < best->level.median : worst_error(setting) < worst_error(*best)));
+        if (better)
+            best = setting;
+    }
+    return best;
+}
+
+std::optional<Recommendation> finest_within(std::vector<ConvergenceSeries> const& series_list, double seconds)
+{
+    std::optional<Recommendation> best;
+    for (Recommendation setting : settings(series_list)) {
+        setting.reaches = setting.level.median <= seconds;
+        bool const better =
+            !best || (setting.reaches && !best->reaches) ||
+            (setting.reaches == best->reaches &&
+             (setting.reaches ? worst_error(setting) < worst_error(*best) : setting.level.median < best->level.median));
+        if (better)
+            best = setting;
+    }
+    return best;
+}
+
+}  // namespace hdconj::accuracy

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A flank as the thesis makes it: a grid in phi, iteration, a polynomial fit.
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+#include "convergence_series.hpp"
+#include "grid_fit.hpp"
+#include "hdconj/envelope/contact.hpp"
+#include "hdconj/motion/first_order_motion.hpp"
+#include "study_bench.hpp"
+
+namespace hdconj::accuracy {
+namespace {
+
+/// The flank stretch of the boundary, on the side of larger x, that is longest.
+conjugate::BoundaryPiece const* longest_flank(StudyBench const& bench)
+{
+    conjugate::BoundaryPiece const* longest = nullptr;
+    double most = 0;
+    for (std::size_t i = bench.drive.pieces.size() / 2; i < bench.drive.pieces.size(); ++i) {
+        conjugate::BoundaryPiece const& piece = bench.drive.pieces[i];
+        double const length = bench.reference.length(static_cast<int>(i));
+        if (bench.drive.is_flank(piece) && length > most) {
+            most = length;
+            longest = &piece;
+        }
+    }
+    return longest;
+}
+
+/// Of the contacts of a piece at an instant, the one nearest to @p wanted; not_measured where none is within its ends.
+double nearest_contact(profile::PieceShape const& shape, motion::MotionRates const& rates, double wanted)
+{
+    double nearest = not_measured;
+    auto const take = [&](double t) {
+        if (t >= -rounding_of_t && t <= 1 + rounding_of_t && !(std::abs(nearest - wanted) <= std::abs(t - wanted)))
+            nearest = t;
+    };
+    if (auto const* arc = std::get_if<profile::ArcPiece>(&shape)) {
+        take(envelope::arc_contact(*arc, rates, 1, 0).t);
+        take(envelope::arc_contact(*arc, rates, -1, 0).t);
+    } else if (auto const* line = std::get_if<profile::LinePiece>(&shape))
+        take(envelope::line_contact(*line, rates, 0).t);
+    else {
+        numeric::BernsteinRoots const roots =
+            envelope::curve_contacts(std::get<profile::CurvePiece>(shape), rates.twist);
+        for (int i = 0; i < roots.count; ++i)
+            take(roots.t[static_cast<std::size_t>(i)]);
+    }
+    return nearest;
+}
+
+/// Profile parameters of the contacts of @p motion at @p count equal steps from @p from to @p to: of @p piece itself
+/// where that is the drive's motion, else of the contact of that motion nearest to it.
+template <motion::RelativeMotion Motion>
+std::vector<double> contacts_of(StudyDrive const& drive, Motion const& motion, conjugate::BoundaryPiece const& piece,
+                                double from, double to, int count, bool own)
+{
+    envelope::ContactArc const& arc = drive.arc(piece);
+    profile::PieceShape const& shape = drive.tooth.pieces[static_cast<std::size_t>(arc.piece)].shape;
+    std::vector<double> contacts;
+    for (int i = 0; i < count; ++i) {
+        double const share = static_cast<double>(i) / (count - 1);
+        double const there =
+            drive.envelope(piece)
+                .point(arc, i == count - 1 ? piece.end : piece.begin + share * (piece.end - piece.begin))
+                .t;
+        contacts.push_back(own ? there : nearest_contact(shape, motion.rates(from + share * (to - from)), there));
+    }
+    return contacts;
+}
+
+/// A motion, and where it has the stretch that is fitted.
+template <motion::RelativeMotion Motion>
+struct FittedMotion
+{
+    Motion const& motion;
+    double from, to;
+    char const* model;
+    bool own;  ///< that of the drive
+};
+
+template <motion::RelativeMotion Motion>
+void fit_series(StudyBench const& bench, ReferenceCurve const& truth, conjugate::BoundaryPiece const& piece,
+                FittedMotion<Motion> const& fitted)
+{
+    StudyRecord record;
+    record.study = "polynomial-fit";
+    constexpr int least = 3, most = 9, of_quick = 6, positions = 60;
+    auto const contacts = [&](int count) {
+        return contacts_of(bench.drive, fitted.motion, piece, fitted.from, fitted.to, count, fitted.own);
+    };
+    auto const points = [&](GridAndFit& thesis, std::vector<double> const& there) {
+        return thesis.points(bench.drive, fitted.motion, piece, fitted.from, fitted.to, there);
+    };
+    record.method = std::string("fit, ") + fitted.model;
+    record.knob = polynomial_degree;
+    std::vector<double> const few = contacts(positions);
+    for (int degree = least; degree <= (bench.quick ? of_quick : most); ++degree) {
+        GridAndFit thesis;
+        GridPoints const grid = points(thesis, few);
+        bool const enough = static_cast<int>(grid.points.size()) > degree;
+        record.value = degree;
+        record.error = record.hausdorff =
+            enough ? truth.largest_distance(GridAndFit::fitted(grid.points, degree)) : not_measured;
+        record.missed = grid.missed;
+        record.extra = grid.extra;
+        record.evaluations = static_cast<double>(thesis.evaluations);
+        record.points = static_cast<double>(grid.points.size());
+        bench.measure(record, [&] {
+            GridPoints const again = points(thesis, few);
+            if (enough)
+                (void)GridAndFit::fitted(again.points, degree);
+        });
+    }
+    record.method = std::string("points joined, ") + fitted.model;
+    record.knob = "grid points";
+    constexpr int finest = 2000, finest_of_quick = 200;
+    for (int count = 10; count <= (bench.quick ? finest_of_quick : finest); count = count * 2 + count % 3) {
+        GridAndFit thesis;
+        std::vector<double> const there = contacts(count);
+        GridPoints const grid = points(thesis, there);
+        std::vector<Vec2> with_chords;
+        for (std::size_t i = 0; i + 1 < grid.points.size(); ++i)
+            if (grid.steps[i + 1] == grid.steps[i] + 1)
+                for (double const share : {0.0, 0.25, 0.5, 0.75})
+                    with_chords.push_back(grid.points[i] + share * (grid.points[i + 1] - grid.points[i]));
+        bool const some = !with_chords.empty();
+        record.value = count;
+        record.error = some ? truth.largest_distance(grid.points) : not_measured;
+        record.hausdorff = some ? truth.largest_distance(with_chords) : not_measured;
+        record.missed = grid.missed;
+        record.extra = grid.extra;
+        record.evaluations = static_cast<double>(thesis.evaluations);
+        record.points = static_cast<double>(grid.points.size());
+        bench.measure(record, [&] { (void)points(thesis, there); });
+    }
+}
+
+}  // namespace
+
+void study_fit(StudyBench const& bench)
+{
+    conjugate::BoundaryPiece const* piece = longest_flank(bench);
+    if (piece == nullptr) {
+        bench.leave_out("polynomial-fit", "no flank of the tooth bounds the tooth space, so there is nothing to fit");
+        return;
+    }
+    StudyDrive const& drive = bench.drive;
+    // a little longer than the stretch, since the first-order flank does not end where the exact one does; an arc's
+    // contact goes on beyond its end
+    conjugate::BoundaryPiece longer = *piece;
+    bool const closed_form = !std::holds_alternative<profile::CurvePiece>(
+        drive.tooth.pieces[static_cast<std::size_t>(drive.arc(*piece).piece)].shape);
+    double const more = closed_form ? (piece->end - piece->begin) / 16 : 0;
+    longer.begin -= more;
+    longer.end += more;
+    ReferenceCurve const truth = reference_of(drive, longer);
+    // the motion of the scene, and where that is the exact one the thesis' own beside it
+    char const* const model = drive.scene.solver.kinematics == Kinematics::exact      ? "exact motion"
+                              : drive.scene.solver.kinematics == Kinematics::material ? "material"
+                                                                                      : "first order";
+    auto const own = [&](auto const& motion) {
+        fit_series(bench, truth, *piece,
+                   FittedMotion<std::decay_t<decltype(motion)>>{motion, piece->begin, piece->end, model, true});
+    };
+    if (!drive.exact)
+        return own(drive.motion(*piece));
+    if (drive.reverse())
+        own(drive.motion(*piece));
+    else
+        own(*drive.exact);
+    motion::FirstOrderMotion<wavegen::AnyWaveShape> const first(
+        drive.shape, drive.geometry.r_m,
+        static_cast<double>(drive.scene.drive.flexspline_teeth) / drive.scene.drive.circular_spline_teeth);
+    auto const phi = [&](double u) { return drive.motion().angles(u).phi; };
+    auto const thesis = [&](auto const& motion) {
+        fit_series(bench, truth, *piece,
+                   FittedMotion<std::decay_t<decltype(motion)>>{motion, phi(piece->begin), phi(piece->end),
+                                                                "first order", false});
+    };
+    if (drive.reverse())
+        thesis(StudyMotion(first).seen_from_flexspline(drive.numbers[drive.tooth_of(*piece)], drive.pitch,
+                                                       drive.seat_radius));
+    else
+        thesis(first);
+}
+
+}  // namespace hdconj::accuracy

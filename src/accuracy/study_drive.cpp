@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "study_drive.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <numbers>
+#include <string>
+#include <utility>
+
+#include "accuracy/reference/reference_contact.hpp"
+#include "conjugate/outline.hpp"
+#include "hdconj/envelope/avoid_stationary_centres.hpp"
+#include "hdconj/envelope/find_branches.hpp"
+#include "hdconj/error.hpp"
+#include "hdconj/motion/first_order_motion.hpp"
+#include "hdconj/motion/material_motion.hpp"
+#include "hdconj/profile/registry.hpp"
+#include "hdconj/scene/number_pairs.hpp"
+#include "hdconj/solve.hpp"
+#include "hdconj/wavegen/inextensional_mode.hpp"
+
+namespace hdconj::accuracy {
+namespace {
+
+profile::Profile tooth_of(Scene const& scene)
+{
+    int const difference = scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth;
+    bool const reverse = scene.is_reverse();
+    Faults faults;
+    profile::Profile tooth = profile::build_profile(
+        scene.given_profile(),
+        {scene.drive.module, reverse ? scene.drive.circular_spline_teeth : scene.drive.flexspline_teeth,
+         reverse ? 0 : scene.flexspline.wall, reverse ? 0 : scene.flexspline.neutral_offset, scene.folder.string(),
+         reverse, difference, scene.wave_generator.waves},
+        faults);
+    if (!faults.empty())
+        throw InputError(faults);
+    return tooth;
+}
+
+ReferenceShape given_shape(std::string const& family)
+{
+    static std::map<std::string, ReferenceShape, std::less<>> const all = {
+        {"cosine", ReferenceShape::cosine},
+        {"ellipse", ReferenceShape::ellipse},
+        {"ring-on-cosine-cam", ReferenceShape::ring_on_cosine_cam},
+        {"four-roller", ReferenceShape::four_roller},
+        {"two-disc", ReferenceShape::two_disc},
+        {"table", ReferenceShape::table}};
+    auto const found = all.find(family);
+    if (found == all.end())
+        throw NumericalError(ErrorCode::no_reference, "reference", "wave generator \"" + family + "\"",
+                             "has no reference in 50 digits");
+    return found->second;
+}
+
+/// The rows of a table, without the one that closes the wave.
+std::vector<std::array<double, 2>> rows_of(Scene const& scene)
+{
+    Faults faults;
+    scene::NumberPairs const table =
+        scene::read_number_pairs(scene.wave_generator.shape, "file", scene.folder.string(),
+                                 {scene::ColumnQuantity::angle, scene::ColumnQuantity::length},
+                                 "angle in degrees, radial displacement in mm", faults);
+    if (!faults.empty())
+        throw InputError(faults);
+    std::vector<std::array<double, 2>> rows;
+    constexpr double typed = 1e-9;  // degrees, as the program reads it
+    for (scene::NumberPair const& row : table.rows)
+        if (rows.empty() || row.value[0] - rows.front()[0] < 360.0 / scene.wave_generator.waves - typed)
+            rows.push_back(row.value);
+    return rows;
+}
+
+/// The flexspline tooth's motion.
+StudyMotion motion_of(StudyDrive& drive, double ratio)
+{
+    double const r_m = drive.geometry.r_m;
+    switch (drive.scene.solver.kinematics) {
+        case Kinematics::first_order:
+            return StudyMotion(motion::FirstOrderMotion<wavegen::AnyWaveShape>(drive.shape, r_m, ratio));
+        case Kinematics::material:
+            return StudyMotion(motion::MaterialMotion(wavegen::inextensional_mode(drive.shape), r_m, ratio));
+        case Kinematics::exact:
+            break;
+    }
+    drive.exact =
+        std::make_shared<StudyExactMotion const>(wavegen::NeutralCurve<wavegen::AnyWaveShape>(drive.shape, r_m), ratio);
+    return StudyMotion(*drive.exact);
+}
+
+/// The circular-spline teeth that pass the flexspline tooth's centre line in a lobe, as it sees them.
+void see_from_flexspline(StudyDrive& drive)
+{
+    PairGeometry const& g = drive.geometry;
+    drive.seat_radius = g.circular_spline_inner_radius + drive.tooth.addendum + drive.tooth.pitch_line;
+    drive.limits.tip = g.pitch_line + g.addendum;
+    drive.limits.root = g.pitch_line - g.dedendum;
+    drive.limits.half_width = std::numbers::pi / drive.scene.drive.flexspline_teeth * (g.r_m + drive.limits.root);
+    drive.flexspline = drive.motions;
+    drive.motions.clear();
+    int const beside = (pitches_of_lobe(drive.scene) - 1) / 2;
+    for (int number = -beside; number <= 1 + beside; ++number) {
+        drive.numbers.push_back(number);
+        drive.motions.push_back(drive.flexspline.front().seen_from_flexspline(number, drive.pitch, drive.seat_radius));
+    }
+}
+
+}  // namespace
+
+int pitches_of_lobe(Scene const& scene)
+{
+    return (scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth) / scene.wave_generator.waves;
+}
+
+ReferenceNumbers StudyDrive::given() const
+{
+    scene::FamilyChoice const& choice = scene.wave_generator.shape;
+    ReferenceNumbers numbers_given{given_shape(choice.family),
+                                   geometry.w0,
+                                   scene.wave_generator.waves,
+                                   geometry.r_m,
+                                   choice.number_or("ring_thickness", 0),
+                                   0,
+                                   {},
+                                   scene.drive.flexspline_teeth,
+                                   scene.drive.circular_spline_teeth,
+                                   scene.solver.kinematics};
+    switch (numbers_given.shape) {
+        case ReferenceShape::four_roller:
+            numbers_given.angle_deg = choice.number_or("roller_angle_deg", 0);
+            break;
+        case ReferenceShape::two_disc:
+            numbers_given.angle_deg = choice.number_or("wrap_angle_deg", 0);
+            break;
+        case ReferenceShape::table:
+            numbers_given.rows = rows_of(scene);
+            break;
+        default:
+            break;
+    }
+    return numbers_given;
+}
+
+bool StudyDrive::is_flank(conjugate::BoundaryPiece const& piece) const
+{
+    if (piece.arc < 0)
+        return false;
+    int const made_by = arc(piece).piece;
+    return !tooth.pieces[static_cast<std::size_t>(made_by)].corner && !profile::is_tip(tooth, made_by);
+}
+
+Vec2 StudyDrive::placed(conjugate::BoundaryPiece const& piece, Vec2 const& p) const
+{
+    if (reverse())
+        return p - Vec2(0, geometry.pitch_line);
+    return piece.copy == 0 ? p : turned_clockwise(p, piece.copy * pitch);
+}
+
+StudyDrive drive_parts(Scene const& scene)
+{
+    Scene coarse = scene;
+    coarse.solver.tolerance = (scene.drive.module) * 0x1p-10;
+    StudyDrive drive;
+    drive.scene = scene;
+    drive.geometry = solve(coarse).geometry;
+    drive.pitch = 2 * std::numbers::pi / scene.drive.circular_spline_teeth;
+    drive.offset = scene.circular_spline.backlash_offset;
+    Faults faults;
+    drive.shape = wavegen::build_wave_shape(
+        scene.wave_generator.shape, {drive.geometry.r_m, scene.wave_generator.waves, scene.folder.string()}, faults);
+    if (!faults.empty())
+        throw InputError(faults);
+    drive.motions.push_back(
+        motion_of(drive, static_cast<double>(scene.drive.flexspline_teeth) / scene.drive.circular_spline_teeth));
+    drive.tooth = tooth_of(scene);
+    if (drive.reverse())
+        see_from_flexspline(drive);
+    else
+        drive.tooth = envelope::avoid_stationary_centres(std::move(drive.tooth), drive.motion());
+    return drive;
+}
+
+StudyDrive study_drive(Scene const& scene)
+{
+    StudyDrive drive = drive_parts(scene);
+    find_boundary(drive);
+    return drive;
+}
+
+std::vector<double> fold_angles(StudyMotion const& motion, std::vector<profile::CurvePiece> const& pieces)
+{
+    profile::Profile flank;
+    flank.segment_names = {"flank"};
+    for (profile::CurvePiece const& piece : pieces)
+        flank.pieces.push_back({piece, 0, 0, 1, false});
+    std::vector<double> angles;
+    for (envelope::Branch const& branch :
+         envelope::find_branches(envelope::Envelope<StudyMotion>(flank, motion, 0), 1).branches) {
+        for (envelope::ContactArc const& arc : branch.arcs) {
+            if (arc.begins == envelope::BranchEnd::double_root)
+                angles.push_back(arc.u_begin);
+            if (arc.ends == envelope::BranchEnd::double_root)
+                angles.push_back(arc.u_end);
+        }
+    }
+    std::sort(angles.begin(), angles.end());
+    angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
+    return angles;
+}
+
+}  // namespace hdconj::accuracy

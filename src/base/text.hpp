@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Small texts for messages: numbers as short as exact, user's text made safe to print.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hdconj {
+
+/// Shortest decimal text that reads back as @p value; with an exponent only when very small or large.
+[[nodiscard]] std::string number_text(double value);
+
+/// @p value with at most six significant digits.
+[[nodiscard]] std::string short_number(double value);
+
+/// @p text in double quotes.
+[[nodiscard]] std::string in_quotes(std::string_view text);
+
+/// @p text for a message: control characters as \xNN, cut with "..." after @p most bytes, never inside
+/// a UTF-8 sequence.
+[[nodiscard]] std::string printable(std::string_view text, std::size_t most = 80);
+
+/// The number that a text begins with, and what follows it.
+struct NumberInText
+{
+    double value;
+    std::string rest;  ///< without the blanks before it: "" of "0.7", "mm" of "0.7 mm"
+};
+
+/// The finite number at the beginning of @p text, if any; a decimal comma counts as a point.
+[[nodiscard]] std::optional<NumberInText> leading_number(std::string text);
+
+/// `"a", "b" or "c"`.
+[[nodiscard]] std::string quoted_list(std::vector<std::string_view> const& words);
+
+/// `a, b, c`.
+[[nodiscard]] std::string plain_list(std::vector<std::string_view> const& words);
+
+}  // namespace hdconj

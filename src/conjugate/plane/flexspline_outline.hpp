@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The outline of the flexspline tooth that the circular spline's teeth leave.
+#pragma once
+
+#include <vector>
+
+#include "conjugate/outline.hpp"
+#include "hdconj/conjugate/tooth_body.hpp"
+#include "hdconj/motion/erased_motion.hpp"
+#include "hdconj/motion/inverse_motion.hpp"
+
+namespace hdconj::conjugate {
+
+using Seen = motion::InverseMotion<motion::ErasedMotion>;  ///< a circular-spline tooth as the flexspline tooth sees it
+using Swept = SweptTooth<Seen>;
+
+/// Samples the flanks of a tooth to the tolerance and goes on below them to the root, in the frame of the tooth: from
+/// the left root to the right root.
+class FlexsplineOutline
+{
+  public:
+    /// @param given      the circular spline's tooth
+    /// @param teeth      what bounds the tooth: pieces of the body name them by their index
+    /// @param symmetric  the left flank is the mirror image of the right one
+    FlexsplineOutline(profile::Profile const& given, std::vector<Swept> const& teeth, BodyLimits const& limits,
+                      Tolerance tolerance, bool symmetric, int threads)
+        : given_(given), teeth_(teeth), limits_(limits), tolerance_(tolerance), symmetric_(symmetric), threads_(threads)
+    {
+    }
+
+    /// @throws NumericalError where the flanks reach below the root
+    [[nodiscard]] Outline operator()(ToothBody const& body) const;
+
+  private:
+    /// A flank from one end to the other; neighbouring pieces of one tooth are sampled together.
+    [[nodiscard]] Outline flank(std::vector<BoundaryPiece> const& pieces) const;
+    /// Below its foot nothing touches the tooth. It goes on straight to the root and leaves half of what is left of the
+    /// pitch to the space between two roots, outward by 45 degrees at most: what the tips sweep is all but level there.
+    [[nodiscard]] Vec2 root_below(Vec2 const& foot) const;
+
+    profile::Profile const& given_;
+    std::vector<Swept> const& teeth_;
+    BodyLimits const& limits_;
+    Tolerance tolerance_;
+    bool symmetric_;
+    int threads_;
+};
+
+}  // namespace hdconj::conjugate

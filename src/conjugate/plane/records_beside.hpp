@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Points of all branches while another job runs beside them.
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <cstddef>
+#include <exception>
+#include <utility>
+#include <vector>
+
+#include "base/deferred_tasks.hpp"
+#include "base/largest_first.hpp"
+#include "hdconj/base/parallel.hpp"
+#include "hdconj/envelope/find_branches.hpp"
+#include "records.hpp"
+#include "tooth_outline.hpp"
+
+namespace hdconj::conjugate {
+
+/// Fewest branches of @p envelope whose points are worth a thread, for branches as long as the tooth is high. @param
+/// chord  [mm]
+template <motion::RelativeMotion Motion>
+[[nodiscard]] std::size_t branches_worth_a_thread(envelope::Envelope<Motion> const& envelope, double chord)
+{
+    // chords of points that are made in rows; that are made one by one; and of contacts that are roots
+    constexpr double in_rows = 8192, one_by_one = in_rows / 8, roots = in_rows / 16;
+    profile::Profile const& tooth = envelope.profile();
+    double const enough = profile::has_curves(tooth)                  ? roots
+                          : envelope::batch_motion(envelope.motion()) ? in_rows
+                                                                      : one_by_one;
+    double const chords_of_a_flank = std::sqrt((tooth.addendum + tooth.dedendum) / chord);
+    return static_cast<std::size_t>(std::ceil(enough / chords_of_a_flank));
+}
+
+/// Every branch of @p envelope as it is written into results, sampled to the chord error @p chord [mm], while one
+/// thread calls @p beside(jobs), which has little in loops; it leaves to
+/// @p jobs what others may help with, and closes them when it throws. The same bits for every number of threads.
+/// @param shown        the tooth as results show it: made by whoever finds no branch left
+/// @param evaluations  gets what was added
+/// @throws what @p beside or the lowest of its jobs throws
+template <motion::RelativeMotion Motion, class Beside>
+[[nodiscard]] std::vector<BranchRecord> records_beside(envelope::Envelope<Motion> const& envelope,
+                                                       std::vector<envelope::Branch> const& branches, double chord,
+                                                       int threads, std::size_t& evaluations, ToothOutline const& shown,
+                                                       Beside const& beside)
+{
+    std::vector<BranchRecord> records(branches.size());
+    std::vector<std::size_t> made(branches.size(), 0);
+    // who helps at the end is no work that would be worth a thread
+    std::size_t const team = std::clamp<std::size_t>((1 + branches.size()) / branches_worth_a_thread(envelope, chord),
+                                                     1, static_cast<std::size_t>(threads));
+    std::vector<double> chords(branches.size(), 0);
+    if (team > 1) {
+        std::size_t const grain =
+            profile::has_curves(envelope.profile()) ? 2 : 64;  // a contact with a curve takes some microseconds
+        parallel_for(branches.size(), static_cast<int>(team), grain, [&](std::size_t i) {
+            for (envelope::ContactArc const& arc : branches[i].arcs)
+                chords[i] += envelope::expected_chords(envelope, arc, chord);
+        });
+    }
+    std::vector<std::size_t> const order = largest_first(chords);
+    DeferredTasks jobs;
+    std::atomic<std::size_t> next_shown = 0;
+    parallel_for(1 + order.size() + team, static_cast<int>(team), 1, [&](std::size_t k) {
+        if (k == 0)
+            return beside(jobs);
+        if (k > order.size()) {
+            for (std::size_t b = next_shown.fetch_add(1); b < shown.blocks(); b = next_shown.fetch_add(1))
+                shown(b);
+            return jobs.help();
+        }
+        std::size_t const i = order[k - 1];
+        records[i] = branch_record(envelope, branches[i], chord, made[i]);
+    });
+    jobs.finish();
+    for (std::size_t const count : made)
+        evaluations += count;
+    return records;
+}
+
+}  // namespace hdconj::conjugate

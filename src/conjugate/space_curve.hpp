@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The boundary of a tooth space as a curve of exact points, whatever motion it came from.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hdconj/conjugate/tooth_space.hpp"
+#include "hdconj/motion/erased_motion.hpp"
+#include "outline.hpp"
+
+namespace hdconj::conjugate {
+
+/// A point of the boundary.
+struct CurvePoint
+{
+    Vec2 p = Vec2::Zero();  ///< [mm]
+    Vec2 n = Vec2::Zero();  ///< unit normal into the circular spline's material
+};
+
+/// The boundary of one tooth space, left mid-land to right mid-land: pieces of contact arcs and lands on the tip
+/// circle.
+///
+/// Owns what its points are computed from, so that slices can be kept and sampled together. Points are exact contacts.
+class ToothSpaceBoundary
+{
+  public:
+    /// @param owner    keeps @p tooth and the object behind @p motion alive
+    /// @param offset   side clearance of the arcs [mm]
+    /// @param pieces   left mid-land to right mid-land, cut where x = 0
+    /// @param pitch    of the circular spline [rad]
+    ToothSpaceBoundary(std::shared_ptr<void const> owner, profile::Profile const& tooth, motion::ErasedMotion motion,
+                       double offset, std::vector<envelope::ContactArc> arcs, std::vector<BoundaryPiece> pieces,
+                       double tip_radius, double pitch)
+        : owner_(std::move(owner)),
+          tooth_(&tooth),
+          motion_(std::make_shared<motion::ErasedMotion>(motion)),
+          envelope_(tooth, *motion_, offset),
+          arcs_(std::move(arcs)),
+          pieces_(std::move(pieces)),
+          tip_radius_(tip_radius),
+          pitch_(pitch)
+    {
+    }
+
+    [[nodiscard]] profile::Profile const& tooth() const { return *tooth_; }
+    [[nodiscard]] motion::ErasedMotion const& motion() const { return *motion_; }
+    [[nodiscard]] std::vector<BoundaryPiece> const& pieces() const { return pieces_; }
+    [[nodiscard]] envelope::ContactArc const& arc(BoundaryPiece const& piece) const
+    {
+        return arcs_[static_cast<std::size_t>(piece.arc)];
+    }
+    [[nodiscard]] double tip_radius() const { return tip_radius_; }
+    [[nodiscard]] double pitch() const { return pitch_; }
+    [[nodiscard]] double offset() const { return envelope_.offset(); }
+    /// Whether the left half is the mirror image of the right one.
+    [[nodiscard]] bool symmetric() const { return tooth_->mirror_symmetric && motion_->symmetric(); }
+
+    /// Kind and segment of what made a piece, as in an outline.
+    [[nodiscard]] OutlineStretch made_by(BoundaryPiece const& piece) const;
+
+    /// Point of @p piece at its parameter @p u, between its begin and its end.
+    [[nodiscard]] CurvePoint at(BoundaryPiece const& piece, double u) const;
+
+    /// Profile parameter of the contact at @p u, 0 ... 1 along its segment.
+    [[nodiscard]] double profile_parameter(BoundaryPiece const& piece, double u) const;
+
+    /// Exact points along @p piece to a chord error, in its own direction.
+    [[nodiscard]] envelope::SampledArc sampled(BoundaryPiece const& piece, double chord) const;
+
+    /// The same boundary moved by @p distance along its normal into the material (negative: out of it), tip circle too,
+    /// its pieces cut or extended to where they meet then: corners stay sharp, as a constant-taper cut or a CAD draft
+    /// leaves them. Paths of the tooth's corners and of its tip that turn more sharply than by this radius are
+    /// left out: their neighbours meet instead. So is a stretch beside the tip circle that vanishes between its
+    /// neighbours: it has become a point before it is left out, and the corner in its place is no nearer to where it
+    /// was than @p distance. Exact: the contacts of an offset are those of the base.
+    /// @throws NumericalError where a flank would fold, or a piece would vanish elsewhere
+    [[nodiscard]] ToothSpaceBoundary moved_along_normal(double distance, Tolerance const& tolerance) const;
+
+  private:
+    /// Which part of a moved piece runs backwards.
+    enum class Vanished
+    {
+        nothing,
+        begin,
+        end,
+        whole
+    };
+    [[nodiscard]] Vanished vanished_part(ToothSpaceBoundary const& base, BoundaryPiece& piece) const;
+    /// Whether what is left of a piece meets @p neighbour; cuts it there.
+    [[nodiscard]] bool reaches(BoundaryPiece& rest, bool begin, BoundaryPiece const& neighbour, double distance,
+                               Tolerance const& tolerance) const;
+    /// @return whether they do
+    bool meet(BoundaryPiece& before, BoundaryPiece& after, double distance, Tolerance const& tolerance) const;
+    /// A piece that is not left between its neighbours.
+    struct NoPlace
+    {
+        std::size_t piece = 0;
+        std::string why;
+    };
+    /// Writes @p rests into @p moved, each cut or extended to where it meets the next. @return the first that has no
+    /// place
+    std::optional<NoPlace> join(std::vector<BoundaryPiece> const& before, std::vector<BoundaryPiece> const& rests,
+                                std::vector<std::uint8_t> const& cut, ToothSpaceBoundary& moved, double distance,
+                                Tolerance const& tolerance) const;
+    /// Distance of the nearest corner of a land [mm].
+    [[nodiscard]] double nearest_corner_of_land(envelope::SampledArc const& from) const;
+    [[nodiscard]] TurnedArc<motion::ErasedMotion> turned(BoundaryPiece const& piece) const
+    {
+        return {envelope_, arc(piece), piece.copy * pitch_};
+    }
+
+    std::shared_ptr<void const> owner_;
+    profile::Profile const* tooth_;
+    std::shared_ptr<motion::ErasedMotion const> motion_;  // the envelope keeps a pointer to it
+    envelope::Envelope<motion::ErasedMotion> envelope_;
+    std::vector<envelope::ContactArc> arcs_;
+    std::vector<BoundaryPiece> pieces_;
+    double tip_radius_;
+    double pitch_;
+};
+
+}  // namespace hdconj::conjugate

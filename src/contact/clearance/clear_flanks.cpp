@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "clear_flanks.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "clearing_search.hpp"
+#include "contact/gap_field.hpp"
+#include "contact/smallest_gap.hpp"
+#include "contact/study/contact_case.hpp"
+#include "contact/study/place_teeth.hpp"
+#include "hdconj/error.hpp"
+
+namespace hdconj::contact {
+
+namespace {
+
+/// Lifts the tip circle to where the flanks begin when they are moved by the offset with which they clear.
+void lift_tip(CaseSurface const& surface, SliceClearances const& clearances, Cleared& cleared)
+{
+    ContactContext const& context = surface.context();
+    constexpr double more = 1.25;
+    constexpr int budget = 8;
+    cleared.tip += lift_of_corners(cleared.flanks.grid, cleared.offset);
+    cleared.outline = surface.outline(cleared.tip);
+    double further = std::max(cleared.reach, cleared.offset);
+    for (int i = 0; i < budget; ++i) {
+        reach(surface, cleared, further);
+        context.clock.run(Stage::clearance, [&] {
+            ClearanceSet const set = flank_set(cleared.flanks.grid, !has_mirrored_flanks(context));
+            // the same flanks as before, a little less of them in slices whose corners rise less
+            if (clearances.worst(set, cleared.offset, clearances(set, cleared.offset)) <
+                -clearing_accuracy(context.tolerance))
+                cleared.offset = least_clearing(clearances, set, clearances(set, 0), context.tolerance);
+        });
+        if (cleared.offset <= cleared.reach)
+            return;
+        further = more * cleared.offset;
+    }
+    throw NumericalError(ErrorCode::not_converged, "contact", "clearing offset",
+                         "what is left of the flanks at the tip circle asks for ever more side clearance");
+}
+
+}  // namespace
+
+double clearance_for_assembly(CaseSurface const& surface, Cleared& cleared, double offset,
+                              std::vector<double> const& phases)
+{
+    ContactContext const& context = surface.context();
+    if (!context.scene.maps_axial_shift())
+        return offset;
+    auto const smallest_at = [&](double distance) {
+        if (distance > cleared.reach)
+            reach(surface, cleared, distance);
+        FlankGrid const moved = moved_into_material(cleared.flanks.grid, distance);
+        double smallest = std::numeric_limits<double>::infinity();
+        for (double const phase : phases) {
+            auto const places = context.places(context, phase);
+            GapField const field(context.tooth, moved, *places, context.scene.drive.flexspline_teeth,
+                                 context.scene.drive.circular_spline_teeth, phase);
+            smallest =
+                std::min(smallest, smallest_gap(field, field.map(0, context.threads), 0, -1, context.threads).gap);
+        }
+        return smallest;
+    };
+    double const enough = clearing_accuracy(context.tolerance);
+    if (smallest_at(offset) >= -enough)
+        return offset;
+    auto const raised = clearing_search(smallest_at, offset, enough);
+    if (!raised)
+        throw NumericalError(ErrorCode::not_converged, "contact", "side clearance",
+                             "did not converge with the wall's axial shift",
+                             "write axial_shift = \"none\" in [coning], or a larger "
+                             "circular_spline.backlash_offset");
+    return *raised;
+}
+
+Cleared clear_flanks(CaseSurface const& surface, SliceClearances const& clearances, double at_least)
+{
+    ContactContext const& context = surface.context();
+    Cleared result;
+    result.reach = at_least;
+    result.tip = surface.needed_tip();
+    // where moved flanks meet the tip circle has to follow until a land is left
+    auto const raise_tip = [&](conjugate::MatchedOutline const& outline, double distance) {
+        double const tip = tip_with_land(surface, outline, distance, result.tip);
+        return std::exchange(result.tip, tip) != tip;
+    };
+    for (int i = 0;; ++i) {
+        result.outline = surface.outline(result.tip);
+        result.flanks = part_flanks(surface, result.outline, result.tip, 0);
+        context.clock.run(Stage::clearance, [&] {
+            ClearanceSet const set = flank_set(result.flanks.grid, !has_mirrored_flanks(context));
+            result.offset = least_clearing(clearances, set, clearances(set, 0), context.tolerance);
+        });
+        if (!raise_tip(result.outline, std::max(result.offset, at_least)))
+            break;
+        refuse_to_lift_for_ever(i, result.tip);
+    }
+    if (result.offset > 0)
+        lift_tip(surface, clearances, result);
+    else if (result.reach > 0)
+        reach(surface, result, result.reach);
+    // a given clearance has more of the surface reach the tip circle, whose land may be narrower there
+    for (int i = 0; raise_tip(result.flanks.outline, std::max(result.offset, at_least)); ++i) {
+        refuse_to_lift_for_ever(i, result.tip);
+        result.outline = surface.outline(result.tip);
+        reach(surface, result, result.reach);
+    }
+    return result;
+}
+
+void check_as_made(CaseSurface const& surface, Cleared const& cleared)
+{
+    double const nominal_tip_radius = surface.nominal_tip_radius();
+    if (nominal_tip_radius != cleared.tip)
+        (void)surface.outline(nominal_tip_radius);
+}
+
+double clearing_offset_of(ContactContext const& context, surface::SurfaceSpec const& spec, bool as_made)
+{
+    CaseSurface const surface(context, spec);
+    Cleared const cleared = clear_flanks(surface, SliceClearances(context), 0);
+    if (as_made)
+        check_as_made(surface, cleared);
+    return cleared.offset;
+}
+
+ContactCase clearing_case(ContactContext const& context, surface::SurfaceSpec const& spec)
+{
+    Cleared const cleared = clear_flanks(CaseSurface(context, spec), SliceClearances(context), 0);
+    ContactCase result;
+    result.clearing_offset = cleared.offset;
+    result.clearing_tip = cleared.tip;
+    return result;
+}
+
+}  // namespace hdconj::contact

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Side clearance and tip circle with which the flanks of a surface clear.
+#pragma once
+
+#include <vector>
+
+#include "part_tip.hpp"
+#include "slice_clearance.hpp"
+
+namespace hdconj::contact {
+
+/// Side clearance and tip circle of @p spec, whose land is left with a side clearance of @p at_least too [mm].
+///
+/// Side clearance moves the flanks of neighbouring spaces towards each other, so the tip circle may have to follow
+/// until a land is left; what then is no flank any more needs no clearing. A larger tip circle never asks for more
+/// clearance: the loop ends. It also lifts the land corners: the tip circle follows to where the moved flanks begin,
+/// since what the surface has beyond them would be entered and ask for far more clearance, and that for more of it
+/// again.
+/// @throws NumericalError where they do not settle
+[[nodiscard]] Cleared clear_flanks(CaseSurface const& surface, SliceClearances const& clearances, double at_least);
+
+/// Whether the surface can also be made with the tip circle that the scene gives, not only with the one that clears: a
+/// case tells of both.
+/// @throws NumericalError where not, that of making it
+void check_as_made(CaseSurface const& surface, Cleared const& cleared);
+
+/// Offset that leaves no gap below zero where the map is looked at: beside the full turn, with the wall's axial shift.
+/// At least @p offset; the flanks of @p cleared then reach as far.
+[[nodiscard]] double clearance_for_assembly(CaseSurface const& surface, Cleared& cleared, double offset,
+                                            std::vector<double> const& phases);
+
+}  // namespace hdconj::contact

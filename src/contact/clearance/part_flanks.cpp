@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "part_flanks.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "hdconj/error.hpp"
+
+namespace hdconj::contact {
+namespace {
+
+/// What the moved flanks of a slice leave of the way down to its tip circle [mm].
+struct Missing
+{
+    double radial = 0;
+    double length = 0;  ///< along the flank
+};
+
+Missing missing(FlankGrid const& grid, std::size_t k, double distance)
+{
+    Missing most;
+    for (std::size_t f = 0; f < 2; ++f) {
+        double const tip = grid.tip.empty() ? grid.point[f][k].front().norm() : grid.tip[k];
+        Vec2 const& normal = grid.normal[f][k].front();
+        Vec2 const corner = grid.point[f][k].front() + distance * normal;
+        double const radial = corner.norm() - tip, slope = std::abs(cross(corner, normal)) / corner.norm();
+        if (!(radial > 0))
+            continue;
+        most.radial = std::max(most.radial, radial);
+        most.length = std::max(most.length, radial / slope);
+    }
+    return most;
+}
+
+/// The most of all slices.
+Missing missing(FlankGrid const& grid, double distance)
+{
+    Missing most;
+    for (std::size_t k = 0; k < grid.slices(); ++k) {
+        Missing const slice = missing(grid, k, distance);
+        most = {std::max(most.radial, slice.radial), std::max(most.length, slice.length)};
+    }
+    return most;
+}
+
+}  // namespace
+
+PartFlanks part_flanks(CaseSurface const& surface, conjugate::MatchedOutline const& at_tip, double tip, double distance)
+{
+    auto const grid_of = [&](conjugate::MatchedOutline const& outline) {
+        FlankGrid grid = flank_grid(outline, surface.z(), surface.context().request.flank_points);
+        grid.shift = surface.radial_shifts();
+        return grid;
+    };
+    PartFlanks made{at_tip, grid_of(at_tip)};
+    if (!(distance > 0))
+        return made;
+    std::vector<double> tips;
+    for (auto const& slice : at_tip.points)
+        tips.push_back(slice[at_tip.landmarks[4]].norm());
+    made.grid.tip = tips;
+    constexpr int budget = 6;
+    double beyond = 0, step = 1.25;  // a little more than is missing, since the normal turns
+    Missing left = missing(made.grid, distance);
+    for (int i = 0; i < budget && left.radial > 0; ++i) {
+        try {
+            conjugate::MatchedOutline further = surface.outline(tip - (beyond + step * left.radial));
+            beyond += step * left.radial;
+            made.grid = grid_of(further);
+            made.grid.tip = tips;
+            made.outline = std::move(further);
+            left = missing(made.grid, distance);
+        } catch (NumericalError const& error) {
+            if (!error.is_infeasible())
+                throw;
+            step *= 0.5;  // as far as there is a surface: see unseen_length()
+        }
+    }
+    return made;
+}
+
+double lift_of_corners(FlankGrid const& grid, double distance)
+{
+    return missing(grid, distance).radial;
+}
+
+std::vector<double> lifts_of_corners(FlankGrid const& grid, double distance)
+{
+    std::vector<double> lifts;
+    for (std::size_t k = 0; k < grid.slices(); ++k)
+        lifts.push_back(missing(grid, k, distance).radial);
+    return lifts;
+}
+
+double unseen_length(FlankGrid const& grid, double distance)
+{
+    return missing(grid, distance).length;
+}
+
+}  // namespace hdconj::contact

@@ -1,0 +1,221 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "slice_clearance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "clearing_search.hpp"
+#include "drive/drive.hpp"
+#include "hdconj/base/parallel.hpp"
+#include "hdconj/error.hpp"
+#include "hdconj/numeric/bracketed_minimum.hpp"
+
+namespace hdconj::contact {
+
+MovedSlice moved_slice(ClearanceSet const& set, std::size_t k, double distance)
+{
+    MovedSlice result;
+    if (set.flank == nullptr) {
+        for (std::size_t i = 0; i < set.point[k].size(); ++i)
+            result.point.emplace_back(set.point[k][i] + distance * set.way[k][i]);
+        return result;
+    }
+    result.flank = moved_into_material(slice_of(*set.flank, k), distance);
+    result.point = result.flank.point[GapMap::right].front();
+    if (set.point[k].size() > result.point.size())
+        result.point.insert(result.point.end(), result.flank.point[GapMap::left].front().begin(),
+                            result.flank.point[GapMap::left].front().end());
+    return result;
+}
+
+SliceClearances::SliceClearances(ContactContext const& context, surface::ToothSurfaceBuilder& maker)
+    : context_(context), maker_(maker), pitch_(2 * std::numbers::pi / context.scene.drive.circular_spline_teeth)
+{
+    std::size_t const slices = maker.z().size();
+    // slices that do not cone have one motion
+    std::size_t const different = context.scene.coning ? slices : 1;
+    maker.find_motions(different);
+    turns_.resize(different);
+    parallel_for(different, context.threads, 4, [&](std::size_t k) {
+        turns_[k] = std::make_unique<distance::FullTurnClearance<motion::ErasedMotion>>(
+            context_.tooth, maker_.motion(k).motion, pitch_, drive::pitches_per_lobe(context_.scene));
+    });
+}
+
+TurnMinima SliceClearances::operator()(ClearanceSet const& set, double distance,
+                                       std::vector<std::vector<std::uint8_t>> const* wanted) const
+{
+    std::vector<std::vector<distance::TurnMinimum>> minima(set.point.size());
+    parallel_for(set.point.size(), context_.threads, 1, [&](std::size_t k) {
+        distance::FullTurnClearance<motion::ErasedMotion> const& turn = *turns_[of(k)];
+        std::vector<Vec2> const place = moved_slice(set, k, distance).point;
+        minima[k].resize(place.size());
+        if (wanted == nullptr)
+            return turn(place, nullptr, minima[k]);
+        std::vector<Vec2> asked;
+        for (std::size_t i = 0; i < place.size(); ++i)
+            if ((*wanted)[k][i] != 0)
+                asked.push_back(place[i]);
+        std::vector<distance::TurnMinimum> found(asked.size());
+        turn(asked, nullptr, found);
+        for (std::size_t i = 0, next = 0; i < place.size(); ++i)
+            if ((*wanted)[k][i] != 0)
+                minima[k][i] = found[next++];
+    });
+    return minima;
+}
+
+Deepest SliceClearances::deepest(ClearanceSet const& set, std::size_t k, double distance,
+                                 std::vector<distance::TurnMinimum> const& minima, double below) const
+{
+    Deepest best;
+    MovedSlice const moved = moved_slice(set, k, distance);
+    std::vector<Vec2> const& place = moved.point;
+    for (std::size_t i = 0; i < minima.size(); ++i)
+        if (minima[i].distance < best.turn.distance)
+            best = {minima[i], place[i]};
+    if (set.flank == nullptr)
+        return best;
+    distance::FullTurnClearance<motion::ErasedMotion> const& turn = *turns_[of(k)];
+    FlankGrid const& grid = moved.flank;
+    double const enough = 4 * unit_roundoff * context_.tolerance.scale;
+    for (std::size_t i = 0; i < minima.size(); ++i) {
+        std::size_t const j = i % grid.points();
+        int const side = i < grid.points() ? GapMap::right : GapMap::left;
+        bool const first = j == 0, last = j + 1 == grid.points();
+        double const here = minima[i].distance;
+        if (!std::isfinite(here) || (!first && minima[i - 1].distance < here) ||
+            (!last && minima[i + 1].distance < here))
+            continue;
+        for (int const step : {-1, 1}) {
+            if (step < 0 ? first : last)
+                continue;
+            std::size_t const q = step < 0 ? i - 1 : i + 1;
+            // the distance falls no faster than the flank goes on
+            if (!(here - 0.5 * (place[i] - place[q]).norm() < std::min(below, best.turn.distance)))
+                continue;
+            auto const at = [&](double s) {
+                Vec2 const p = grid.between(side, 0, s);
+                distance::TurnMinimum const found = turn(p, &minima[i]);
+                if (found.distance < best.turn.distance)
+                    best = {found, p};
+                return found.distance;
+            };
+            (void)numeric::minimum_of_steps(at, grid.place(side, j), grid.place(side, step < 0 ? j - 1 : j + 1), here,
+                                            enough);
+        }
+    }
+    return best;
+}
+
+double SliceClearances::worst(ClearanceSet const& set, double distance, TurnMinima const& minima) const
+{
+    double on_points = std::numeric_limits<double>::infinity();
+    for (auto const& slice : minima)
+        for (distance::TurnMinimum const& m : slice)
+            on_points = std::min(on_points, m.distance);
+    std::vector<double> deep(minima.size());
+    parallel_for(minima.size(), context_.threads, 1,
+                 [&](std::size_t k) { deep[k] = deepest(set, k, distance, minima[k], on_points).turn.distance; });
+    return *std::min_element(deep.begin(), deep.end());
+}
+
+std::vector<double> SliceClearances::lowest(ClearanceSet const& set, double distance, TurnMinima const& minima) const
+{
+    std::vector<double> low(minima.size());
+    parallel_for(minima.size(), context_.threads, 1, [&](std::size_t k) {
+        low[k] = deepest(set, k, distance, minima[k], std::numeric_limits<double>::infinity()).turn.distance;
+    });
+    return low;
+}
+
+/// The clearance grows with the distance about as fast as it; false position on points that may decide, then all are
+/// asked.
+double least_clearing(SliceClearances const& clearances, ClearanceSet const& set, TurnMinima const& at_zero,
+                      Tolerance const& tolerance)
+{
+    double const worst = clearances.worst(set, 0, at_zero);
+    double const enough = std::max(clearing_accuracy(tolerance), set.known);
+    if (!(worst < -enough))
+        return 0;
+    // a place between two points may be less than either by half their distance
+    double between = 0;
+    for (std::size_t k = 0; set.flank != nullptr && k < set.point.size(); ++k)
+        for (std::size_t i = 1; i < set.point[k].size(); ++i)
+            if (i % set.flank->points() != 0)
+                between = std::max(between, 0.5 * (set.point[k][i] - set.point[k][i - 1]).norm());
+    std::vector<std::vector<std::uint8_t>> wanted(set.point.size());
+    for (std::size_t k = 0; k < set.point.size(); ++k)
+        for (distance::TurnMinimum const& m : at_zero[k])
+            wanted[k].push_back(m.distance - between <= worst / 2 ? 1 : 0);
+    // on the points that may decide, then on all, where others may have come in
+    auto const clearance_of = [&](std::vector<std::vector<std::uint8_t>> const* only) {
+        return [&clearances, &set, only](double distance) {
+            return clearances.worst(set, distance, clearances(set, distance, only));
+        };
+    };
+    auto const guess = clearing_search(clearance_of(&wanted), -worst, enough);
+    auto const distance = guess ? clearing_search(clearance_of(nullptr), *guess, enough) : guess;
+    if (!distance)
+        throw NumericalError(ErrorCode::not_converged, "contact", "clearing offset",
+                             "did not converge; the flank may be swallowed by the side clearance that it needs");
+    return *distance;
+}
+
+Closest closest(SliceClearances const& clearances, ClearanceSet const& set, std::size_t k, double distance,
+                std::vector<distance::TurnMinimum> const& minima)
+{
+    Deepest const found = clearances.deepest(set, k, distance, minima, std::numeric_limits<double>::infinity());
+    return {found.turn.distance, found.where, clearances.motion(k).angles(found.turn.u).phi};
+}
+
+/// One or both flanks as one list per slice: of a symmetric pair the right one stands for both.
+ClearanceSet flank_set(FlankGrid const& grid, bool both)
+{
+    ClearanceSet set{grid.point[GapMap::right], grid.normal[GapMap::right], 0, &grid};
+    if (both) {
+        for (std::size_t k = 0; k < grid.slices(); ++k) {
+            auto const& p = grid.point[GapMap::left][k];
+            auto const& n = grid.normal[GapMap::left][k];
+            set.point[k].insert(set.point[k].end(), p.begin(), p.end());
+            set.way[k].insert(set.way[k].end(), n.begin(), n.end());
+        }
+    }
+    return set;
+}
+
+/// Flat stretches of an outline have no points between their ends, so the bottom is divided anew.
+ClearanceSet root_set(conjugate::MatchedOutline const& outline, Tolerance const& tolerance)
+{
+    constexpr std::size_t intervals = 96;
+    std::size_t const first = outline.landmarks[1];
+    std::size_t const last = outline.landmarks[3];
+    ClearanceSet set;
+    set.known = 2 * tolerance.length;  // that of the outline, and that of the one that it was made to clear
+    for (auto const& points : outline.points) {
+        std::vector<double> length{0};
+        for (std::size_t i = first; i < last; ++i)
+            length.push_back(length.back() + (points[i + 1] - points[i]).norm());
+        set.point.emplace_back();
+        std::size_t at = 0;
+        for (std::size_t j = 0; j <= intervals; ++j) {
+            double const wanted = length.back() * static_cast<double>(j) / intervals;
+            while (at + 2 < length.size() && length[at + 1] < wanted)
+                ++at;
+            double const step = length[at + 1] - length[at];
+            double t = step > 0 ? std::clamp((wanted - length[at]) / step, 0.0, 1.0) : 0.0;
+            // a curve is what its points are, and a flat what is between them
+            if (step < length.back() / intervals)
+                t = t < 0.5 ? 0 : 1;
+            set.point.back().push_back((1 - t) * points[first + at] + t * points[first + at + 1]);
+        }
+        // the middle of the bottom is where the tip goes deepest
+        set.point.back().push_back(points[outline.landmarks[2]]);
+        set.way.emplace_back(set.point.back().size(), Vec2{0, 1});
+    }
+    return set;
+}
+
+}  // namespace hdconj::contact

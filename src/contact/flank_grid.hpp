@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Points of the flanks of a tooth space, slice by slice.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "conjugate/matched_outline.hpp"
+
+namespace hdconj::contact {
+
+/// Points of both flanks of one tooth space, the same for all spaces of a ring; flanks as in GapMap.
+struct FlankGrid
+{
+    std::vector<double> z;  ///< (k) [mm]
+    std::vector<double>
+        station;  ///< (p) share of the length in the middle slice, 0 at the land corner ... 1 at the flank end
+    /// [flank][slice][point], frame of the tooth space [mm]
+    std::array<std::vector<std::vector<Vec2>>, 2> point;
+    std::array<std::vector<std::vector<Vec2>>, 2> normal;  ///< unit, into the material
+
+    /// [flank][slice]: all points of the outline between the same two ends, in the same order, and their normals.
+    /// Empty: the points above are all there are.
+    std::array<std::vector<std::vector<Vec2>>, 2> line;
+    std::array<std::vector<std::vector<Vec2>>, 2> line_normal;
+    std::array<std::vector<std::size_t>, 2> index;  ///< place of point j among them
+
+    /// Place of point @p j along the line, as between() counts.
+    [[nodiscard]] double place(int flank, std::size_t j) const;
+
+    /// A point of the flank between its points: @p s counts the points of the line from the land corner on.
+    ///
+    /// The cubic that has their places and tangents (Hermite): it differs from the true flank by the square of the
+    /// outline's chord error over a radius of curvature and less. Beside a corner, where only one piece's tangent is
+    /// known, the other end's stands for it. Between centres of circles: the chord.
+    [[nodiscard]] Vec2 between(int flank, std::size_t slice, double s) const;
+
+    /// (k) where not empty: tip circle of the part [mm]. The points above begin on it or beyond it, where the flank
+    /// comes from that reaches it when it is moved into the material.
+    std::vector<double> tip;
+
+    /// (k) where not empty: how far a tilt of kind "radial" has moved the slice outward [mm]. Side clearance is laid
+    /// before that, as it is in the outline that is written.
+    std::vector<double> shift;
+
+    /// [flank][slice] where not empty: the points are centres of circles of this radius within the material, and gaps
+    /// are those of the circles [mm]
+    std::array<std::vector<double>, 2> radius;
+
+    [[nodiscard]] std::size_t slices() const { return z.size(); }
+    [[nodiscard]] std::size_t points() const { return station.size(); }
+};
+
+/// Points of a matched outline, @p count on each flank as evenly as its points allow: points of the outline itself, so
+/// that one point has one origin in all slices. Fewer where the outline has fewer.
+[[nodiscard]] FlankGrid flank_grid(conjugate::MatchedOutline const& outline, std::vector<double> const& z, int count);
+
+/// The grid moved along its normals into the material by the side clearance @p offset [mm], as a part that is made has
+/// it: where moved branches overlap at a corner or a tight bend they end at their crossing, in which the points of the
+/// overlap come together (trim_overlaps()). Where the grid has a tip circle, what is left beyond it comes together on
+/// it, and `station` counts from there. Centres of circles are moved alone.
+[[nodiscard]] FlankGrid moved_into_material(FlankGrid grid, double offset);
+
+/// Slice @p k alone.
+[[nodiscard]] FlankGrid slice_of(FlankGrid const& grid, std::size_t k);
+
+}  // namespace hdconj::contact

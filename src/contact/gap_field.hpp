@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Gaps of all flanks of the circular spline against all teeth, for any turn of the circular spline.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "flank_grid.hpp"
+#include "hdconj/contact.hpp"
+#include "hdconj/distance/tooth_distance.hpp"
+#include "tooth_poses.hpp"
+
+namespace hdconj::contact {
+
+/// Gap of any flank point, in the plane of its slice.
+///
+/// The nearest tooth of a space is one of the three that are nearest in angle; its distance is exact (ToothDistance).
+/// Turning the circular spline counter-clockwise by `turn` is looked at from it: all teeth turn clockwise about the
+/// axis of the drive, the wave with them.
+class GapField
+{
+  public:
+    struct Index
+    {
+        std::size_t space;
+        int flank;
+        std::size_t slice;
+        std::size_t point;
+    };
+
+    /// @param phase  undeformed angle of tooth 0 [rad]
+    GapField(profile::Profile const& tooth, FlankGrid const& grid, ToothPoses const& places, int flexspline_teeth,
+             int circular_spline_teeth, double phase);
+    GapField(GapField const&) = delete;
+    GapField& operator=(GapField const&) = delete;
+
+    [[nodiscard]] FlankGrid const& grid() const { return *grid_; }
+    [[nodiscard]] std::size_t spaces() const { return space_angle_.size(); }
+    /// Angle of the centre line of @p space from the major axis, -pi ... pi.
+    [[nodiscard]] double space_angle(std::size_t space) const { return space_angle_[space]; }
+
+    [[nodiscard]] double gap(Index const& i, double turn) const;
+
+    /// Gap of the flank between its points, at @p s as FlankGrid::between() counts.
+    [[nodiscard]] double gap_between(std::size_t space, int flank, std::size_t slice, double s, double turn) const;
+
+    /// The smallest gap between a point and its two neighbours on the flank, from @p gap at the point; no smaller one
+    /// beside it: @p gap. Looked for at all points of the outline between them, and followed from there
+    /// (minimum_of_steps()), to @p enough.
+    [[nodiscard]] double lowest_about(Index const& i, double gap, double turn, double enough) const;
+
+    /// Gaps of all points of one flank and slice at @p turn, into @p out, which is resized.
+    void along(std::size_t space, int flank, std::size_t slice, double turn, std::vector<double>& out) const;
+
+    /// The tooth that is nearest to a flank point, and its nearest point in its own frame.
+    struct Touch
+    {
+        int tooth = 0;  ///< number as in ToothPoses
+        distance::NearestPoint nearest;
+        Vec2 normal = Vec2::Zero();  ///< outward from the tooth, in the frame of the space
+    };
+    [[nodiscard]] Touch touch(Index const& i, double turn) const;
+
+    /// The same of any point of the frame of @p space, in the plane of @p slice.
+    [[nodiscard]] Touch touch(std::size_t space, std::size_t slice, Vec2 const& q, double turn) const;
+
+    /// All gaps at @p turn. Same bits for any number of threads.
+    [[nodiscard]] GapMap map(double turn, int threads) const;
+
+    /// Largest distance of a flank point from the axis: no gap changes faster than this with the turn [mm/rad].
+    [[nodiscard]] double reach() const { return reach_; }
+
+    /// Largest distance between neighbouring points of a flank: none between them has a gap that is less by more than
+    /// half of it [mm].
+    [[nodiscard]] double spacing() const { return spacing_; }
+
+  private:
+    /// x = R q - shift takes a point of a space into the frame of a tooth.
+    struct Placement
+    {
+        double cosine, sine;
+        Vec2 shift;
+        [[nodiscard]] Vec2 rotate_back(Vec2 const& v) const
+        {
+            return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y()};
+        }
+        [[nodiscard]] Vec2 operator()(Vec2 const& q) const
+        {
+            return Vec2{cosine * q.x() + sine * q.y(), -sine * q.x() + cosine * q.y()} - shift;
+        }
+    };
+    static constexpr int candidates = 3;
+    using Candidates = std::array<Placement, candidates>;
+    [[nodiscard]] Candidates candidates_of(std::size_t space, std::size_t slice, double turn) const;
+    [[nodiscard]] double nearest(Candidates const& teeth, Vec2 const& q) const;
+    [[nodiscard]] double radius(int flank, std::size_t slice) const;
+    [[nodiscard]] int candidate(std::size_t space, int c) const;
+
+    distance::ToothDistance distance_;
+    FlankGrid const* grid_;
+    ToothPoses const* places_;
+    std::vector<double> space_angle_;
+    std::vector<int> space_number_;
+    std::vector<int> nearest_tooth_;
+    double pitch_;
+    double reach_ = 0;
+    double spacing_ = 0;
+};
+
+/// Range of teeth that a GapField needs: first and last number.
+[[nodiscard]] std::array<int, 2> teeth_needed(int flexspline_teeth, int circular_spline_teeth, double phase);
+
+}  // namespace hdconj::contact

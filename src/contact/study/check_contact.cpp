@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "hdconj/contact.hpp"
+#include "hdconj/scene/schema.hpp"
+#include "hdconj/units.hpp"
+#include "surface_choices.hpp"
+
+namespace hdconj {
+
+Faults check_contact(Scene const& scene, ContactOptions const& options)
+{
+    Faults faults;
+    if (scene.is_reverse())
+        faults.push_back({"circular_spline.profile", scene.circular_spline.profile->line, "",
+                          "contact needs the flexspline's tooth, but the circular spline's is given",
+                          "give [flexspline.profile]; `hdconj solve` finds the tooth that this circular spline needs"});
+    if (!scene.circular_spline.width)
+        faults.push_back({"circular_spline.width", 0, "",
+                          "this key is missing: contact is an area, and needs the face width",
+                          "write width = 7.0, a length in mm, in [circular_spline]"});
+    double const steepest = scene::bounds::largest_tilt_deg * deg;
+    for (double const tilt : options.tilts) {
+        if (!std::isfinite(tilt))
+            faults.push_back(
+                {"--tilt", 0, short_number(tilt), "not a finite number", "write angles in degrees such as 0,0.1,0.2"});
+        else if (!(std::abs(tilt) < steepest))
+            faults.push_back({"--tilt", 0, short_number(tilt / deg), "teeth are not tilted by 45 degrees or more",
+                              "write angles in degrees such as 0,0.1,0.2"});
+    }
+    std::vector<ToothSurface> const surfaces =
+        contact::or_else(options.surfaces, scene.slices ? scene.slices->surface : ToothSurface::tilted);
+    std::vector<TiltKind> const kinds =
+        contact::or_else(options.kinds, scene.tilt ? scene.tilt->kind : TiltKind::radial);
+    bool const draft = std::find(kinds.begin(), kinds.end(), TiltKind::draft) != kinds.end();
+    bool const tilted = std::find(surfaces.begin(), surfaces.end(), ToothSurface::tilted) != surfaces.end();
+    std::string const first(to_string(surfaces.front()));
+    if (draft && !tilted) {
+        bool const by_kind = !options.kinds.empty();
+        faults.push_back(
+            {by_kind ? "--kind" : "--surface", 0, by_kind ? "draft" : first,
+             "a draft needs one outline to offset, but surface \"" + first + "\" has an outline for each slice",
+             "write --kind radial, or --surface tilted"});
+    }
+    if (options.best && !tilted)
+        faults.push_back(
+            {"--best", 0, "",
+             "the search is for the tilt of surface \"tilted\", but surface \"" + first + "\" is asked for",
+             "write --surface tilted, or list tilts with --tilt"});
+    if (options.best && !(options.best_to > options.best_from))
+        faults.push_back(
+            {"--best", 0, "", "the interval of tilts to search is empty", "write --tilt FROM,TO with FROM below TO"});
+    return faults;
+}
+
+}  // namespace hdconj

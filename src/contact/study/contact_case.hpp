@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// One surface of the circular spline against all teeth.
+#pragma once
+
+#include "contact/flank_grid.hpp"
+#include "contact_context.hpp"
+#include "hdconj/contact.hpp"
+
+namespace hdconj::contact {
+
+/// Everything about one surface. @p revolution angles beside the scene's own. @p map gets the gaps after take-up.
+[[nodiscard]] ContactCase contact_case(ContactContext const& context, surface::SurfaceSpec const& spec, int revolution,
+                                       GapMap* map);
+
+/// The flanks of one surface with the scene's side clearance, and its tip circle, as much wider as every slice's land
+/// and rim ask for; "auto": with the least that clears, and the tip circle that goes with it.
+struct FlankSurface
+{
+    conjugate::MatchedOutline outline;  ///< without side clearance
+    FlankGrid grid;                     ///< with it
+    double offset = 0;                  ///< [mm]
+    double tip = 0;                     ///< [mm]
+};
+/// @param clearing  as for "auto", whatever the scene says
+[[nodiscard]] FlankSurface flank_surface(ContactContext const& context, surface::SurfaceSpec const& spec,
+                                         bool clearing = false);
+
+/// Side clearance and tip circle of one surface, and nothing else.
+[[nodiscard]] ContactCase clearing_case(ContactContext const& context, surface::SurfaceSpec const& spec);
+
+/// What a scene's surface needs so that no slice is entered over a full turn.
+struct ClearingNeed
+{
+    double offset = 0;              ///< side clearance [mm]
+    double tip = 0;                 ///< tip circle [mm]
+    double nominal_tip_radius = 0;  ///< what it is without
+    double error =
+        0;  ///< bound of the side clearance's own error: what clears to clearing_accuracy(), over the least slope [mm]
+};
+[[nodiscard]] ClearingNeed clearing_need(Scene const& scene);
+
+/// The share of this surface alone, without errors, for searches: ContactCase::state's, the same bits.
+/// @param as_made  the surface must also exist with the tip circle that the scene gives, as contact_case() asks
+[[nodiscard]] double share_of(ContactContext const& context, surface::SurfaceSpec const& spec, bool as_made);
+
+/// The least side clearance of this surface alone, for searches.
+[[nodiscard]] double clearing_offset_of(ContactContext const& context, surface::SurfaceSpec const& spec, bool as_made);
+
+}  // namespace hdconj::contact

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The context of a study with all that it refers to.
+#pragma once
+
+#include <optional>
+#include <utility>
+
+#include "conjugate/plane/solve_plane.hpp"
+#include "contact_context.hpp"
+#include "drive/drive.hpp"
+#include "hdconj/check.hpp"
+#include "place_teeth.hpp"
+#include "surface/slice_places.hpp"
+
+namespace hdconj::contact {
+
+/// What contact is asked for where the scene does not say: flanks a micrometre apart touch.
+inline constexpr double standard_gap = 1e-3;  // [mm]
+inline constexpr ContactRequest standard_contact{standard_gap, 200, 0, 0};
+
+/// The pair at z = 0 without side clearance: what all surfaces start from.
+[[nodiscard]] inline Scene middle_scene(Scene const& scene)
+{
+    Scene middle = scene;
+    // the elastic cup moves z = 0 too
+    if (!scene.is_elastic())
+        middle.coning.reset();
+    middle.tilt.reset();
+    middle.slices.reset();
+    middle.contact.reset();
+    middle.circular_spline.automatic_backlash = false;
+    middle.circular_spline.backlash_offset = 0;
+    return middle;
+}
+
+/// That pair, solved.
+[[nodiscard]] inline conjugate::SolvedPlane solve_middle(Scene const& scene, StageObserver const& on_stage,
+                                                         std::optional<double> cup_error)
+{
+    conjugate::SolvedPlane plane;
+    Solution& middle = plane.solution;
+    middle.scene = middle_scene(scene);
+    if (Faults const faults = check_scene(middle.scene); !faults.empty())
+        throw InputError(faults);
+    middle.plan = make_plan(middle.scene);
+    drive::StageClock clock(middle.plan, on_stage);
+    conjugate::solve_plane(plane, clock, cup_error);
+    middle.timing = clock.times();
+    return plane;
+}
+
+/// Owns the data shared by all cases of a study.
+struct ContactStudyData
+{
+    /// @param planes  across the face width; absent: the scene's slices
+    ContactStudyData(Scene const& asked, Verb verb, StageObserver const& on_stage, std::optional<int> planes = {})
+        : scene(asked),
+          plan(make_plan(scene, verb)),
+          clock(plan, on_stage),
+          plane(solve_middle(scene, on_stage,
+                             plan.has(Stage::load) ? std::nullopt : std::optional(drive::width_of_slices(scene)))),
+          threads(middle.threads)
+    {
+        middle.scene.coning = scene.coning;
+        PairGeometry const& g = middle.geometry;
+        double const width = *scene.circular_spline.width;
+        int const slices = planes.value_or(scene.slices ? scene.slices->count : 1);
+        maker.emplace(middle, tooth, shape, surface::slice_places(slices, width), threads);
+        context.emplace(ContactContext{scene,
+                                       tooth,
+                                       shape,
+                                       g,
+                                       *maker,
+                                       scene.contact.value_or(standard_contact),
+                                       threads,
+                                       width,
+                                       {scene.solver.tolerance, g.r_m + g.w0 + tooth.pitch_line + tooth.addendum},
+                                       clock,
+                                       places,
+                                       middle.cup.get()});
+        clock.run(Stage::coning, [&] { maker->find_motions(maker->z().size()); });
+    }
+    ContactStudyData(ContactStudyData const&) = delete;
+    ContactStudyData& operator=(ContactStudyData const&) = delete;
+
+    Scene scene;
+    Plan plan;
+    drive::StageClock clock;
+    conjugate::SolvedPlane plane;
+    Solution& middle = plane.solution;
+    profile::Profile const& tooth = plane.tooth;
+    wavegen::AnyWaveShape const& shape = plane.shape;
+    int threads;
+    ToothPoseCache places;
+    std::optional<surface::ToothSurfaceBuilder> maker;
+    std::optional<ContactContext> context;
+};
+
+}  // namespace hdconj::contact

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The parts of a drive that follow from its scene without solving anything.
+#pragma once
+
+#include "hdconj/error.hpp"
+#include "hdconj/profile/profile.hpp"
+#include "hdconj/solution.hpp"
+#include "hdconj/wavegen/registry.hpp"
+
+namespace hdconj::drive {
+
+/// The tooth that the scene gives, in its own frame, or faults.
+[[nodiscard]] profile::Profile given_tooth(Scene const& scene, Faults& faults);
+
+/// Radii of the flexspline's ring that follow from scene and given tooth: inner radius m z_f/2 - h_f - delta unless
+/// given, r_m = inner radius + delta/2 - neutral_offset (design 3.1).
+[[nodiscard]] PairGeometry ring_geometry(Scene const& scene, profile::Profile const& tooth);
+
+/// The same, and what needs the amplitude of the wave generator: tip circle r_m + pitch line + w0 - h_a of the given
+/// tooth unless given (design 3.1, 5.1). In the reverse problem this puts the pitch line of the circular spline's tooth
+/// where that of the flexspline's is at the major axis.
+[[nodiscard]] PairGeometry pair_geometry(Scene const& scene, profile::Profile const& tooth, double amplitude);
+
+/// Wave generator's shape on the ring of @p tooth, or faults.
+[[nodiscard]] wavegen::AnyWaveShape wave_shape(Scene const& scene, profile::Profile const& tooth, Faults& faults);
+
+/// Radius of the origin of the frame of a given circular-spline tooth: the frame's y runs inward.
+[[nodiscard]] inline double given_tooth_seat(PairGeometry const& g, profile::Profile const& tooth)
+{
+    return g.circular_spline_inner_radius + tooth.addendum + tooth.pitch_line;
+}
+
+/// What only the assembled dimensions show: tooth against pitch, tips of either member against roots of the other.
+void validate_geometry(Scene const& scene, profile::Profile const& tooth, PairGeometry const& g, Faults& faults);
+
+/// The deformed neutral curve must be convex: a ring on a wave generator never bends inwards.
+void validate_curvature(Scene const& scene, profile::Profile const& tooth, wavegen::AnyWaveShape const& shape,
+                        double r_m, Faults& faults);
+
+/// Motion model against wave generator: "material" needs a shape that a Fourier series follows.
+void validate_kinematics(Scene const& scene, wavegen::AnyWaveShape const& shape, Faults& faults);
+
+/// Number of pitches by which the tooth moves along the circular spline in one lobe: (z_c - z_f)/n.
+[[nodiscard]] int pitches_per_lobe(Scene const& scene);
+
+/// The width over which a drive's slices stand: 0 where it has one plane [mm].
+[[nodiscard]] inline double width_of_slices(Scene const& scene)
+{
+    return scene.slices && scene.slices->count > 1 ? scene.circular_spline.width.value_or(0) : 0;
+}
+
+}  // namespace hdconj::drive

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "elastic_cup.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "drive.hpp"
+#include "elastic/bent_cup.hpp"
+#include "hdconj/base/parallel.hpp"
+#include "hdconj/check.hpp"
+#include "hdconj/elastic_cup.hpp"
+#include "hdconj/error.hpp"
+#include "hdconj/scene/schema.hpp"
+#include "hdconj/units.hpp"
+#include "wavegen/length_kept.hpp"
+
+namespace hdconj::drive {
+
+elastic::CupSection cup_section(Scene const& scene, double inner_radius)
+{
+    Cup const& cup = *scene.flexspline.cup;
+    double const step = std::abs(scene.flexspline.wall - cup.barrel_wall);
+    elastic::CupSection section;
+    section.inner_radius = inner_radius;
+    section.length = cup.length;
+    section.wall = cup.barrel_wall;
+    section.ring_wall = scene.flexspline.wall;
+    section.ring_end = cup.length - cup.front_land;
+    section.ring_begin = section.ring_end - cup.tooth_width;
+    section.rear_ramp = cup.rear_ramp.value_or(step);
+    section.front_ramp = cup.front_ramp.value_or(step);
+    section.rear_fillet = cup.rear_fillet.value_or(0);
+    section.front_fillet = cup.front_fillet.value_or(0);
+    if (cup.tooth_layer) {
+        section.tooth_layer = *cup.tooth_layer;
+        section.tooth_share = cup.tooth_share;
+    }
+    section.bottom = cup.bottom;
+    section.corner_radius = cup.corner_radius;
+    section.clamp_radius = cup.flange_radius;
+    section.material = {cup.youngs_modulus, cup.poissons_ratio};
+    return section;
+}
+
+elastic::Bearing bearing_of(Scene const& scene)
+{
+    BearingChoice const& choice = *scene.bearing;
+    elastic::Bearing bearing{*scene.coning->bottom_to_middle, choice.width, choice.fit, choice.cam_oversize,
+                             std::nullopt};
+    if (choice.elastic)
+        bearing.ring = elastic::BearingRing{*choice.ring_thickness, choice.axially_held, choice.radial_stiffness,
+                                            elastic::BearingRing{}.material};
+    return bearing;
+}
+
+void validate_cup(Scene const& scene, double inner_radius, Faults& faults)
+{
+    elastic::CupSection const section = cup_section(scene, inner_radius);
+    elastic::Bearing const bearing = bearing_of(scene);
+    std::string const origin = scene.flexspline.cup->line > 0 ? "" : "--set";
+    try {
+        (void)elastic::section_mesh(section, elastic::contact_mesh_size(bearing, scene.bearing->circles));
+    } catch (NumericalError const& error) {
+        faults.push_back({"flexspline.cup", scene.flexspline.cup->line, "", error.what(),
+                          "write dimensions that fit together", origin});
+        return;
+    }
+    auto const at = [&](std::string const& path, std::string const& reason, std::string const& remedy) {
+        auto const given = scene.given.find(path);
+        int const line = given == scene.given.end() ? 0 : given->second.line;
+        faults.push_back({path, line, given == scene.given.end() ? "" : given->second.written, reason, remedy,
+                          line > 0 ? "" : "--set"});
+    };
+    if (bearing.middle - bearing.width / 2 < section.corner_radius ||
+        bearing.middle + bearing.width / 2 > section.length)
+        at("bearing.width",
+           "the bearing would reach beyond the straight wall, from " + short_number(section.corner_radius) + " to " +
+               short_number(section.length) + " mm above the bottom: its middle is at " + short_number(bearing.middle) +
+               " mm",
+           "write a narrower bearing, or another coning.bottom_to_middle");
+    if (bearing.ring && bearing.ring->thickness >= inner_radius)
+        at("bearing.ring_thickness", "the cup's inner radius is " + short_number(inner_radius) + " mm",
+           "write a small part of that, such as 1.2");
+    double const half = scene.circular_spline.width.value_or(0) / 2;
+    bool const spread = scene.slices && scene.slices->count > 1;
+    if (spread && (bearing.middle - half < section.ring_begin || bearing.middle + half > section.ring_end))
+        at("circular_spline.width",
+           "the circular spline would reach beyond the flexspline's teeth, which stand from " +
+               short_number(section.ring_begin - bearing.middle) + " to " +
+               short_number(section.ring_end - bearing.middle) + " mm",
+           "write a smaller width, or another flexspline.cup.tooth_width");
+}
+
+std::shared_ptr<elastic::BentCup const> bent_cup(Scene const& scene, double inner_radius,
+                                                 wavegen::AnyWaveShape const& shape, int threads)
+{
+    auto cup = std::make_shared<elastic::BentCup const>(
+        cup_section(scene, inner_radius), bearing_of(scene), shape,
+        elastic::BentCupGrid{scene.bearing->angles, scene.bearing->circles}, threads);
+    auto const& balls = cup->contact().ball_force;
+    bool const loose = !balls.empty() && *std::max_element(balls.begin(), balls.end()) <= 0;
+    if (loose)
+        throw NumericalError(ErrorCode::no_contact, "elastic cup", "bearing",
+                             "the cam reaches no ball, and the cup stays round", "write a larger bearing.cam_oversize");
+    if (!(cup->contact().total_force > 0))
+        throw NumericalError(ErrorCode::no_contact, "elastic cup", "bearing",
+                             "it never touches the cup, which stays round", "write a larger bearing.fit");
+    return cup;
+}
+
+BentCupError cup_error(Scene const& scene, elastic::BentCup const& cup, wavegen::AnyWaveShape const& shape, double r_m,
+                       double width, int threads)
+{
+    elastic::BentCupGrid const grid = elastic::discretised_otherwise({scene.bearing->angles, scene.bearing->circles});
+    elastic::BentCup const other(cup.section(), cup.bearing(), shape, grid, threads);
+    std::vector<double> z = {cup.bearing().middle};
+    if (width > 0)
+        for (double const side : {-0.5, 0.5})
+            z.push_back(cup.bearing().middle + side * width);
+    return elastic::bent_cup_error(cup, other, z, r_m);
+}
+
+wavegen::MaterialDisplacement displacement_at(elastic::BentCup const& cup, double z, double r_m)
+{
+    return wavegen::length_kept(cup.displacement(cup.bearing().middle + z, r_m), r_m);
+}
+
+}  // namespace hdconj::drive
+
+namespace hdconj {
+namespace {
+
+/// To two digits, in plain figures.
+std::string rounded(double value)
+{
+    if (!(value > 0))
+        return "0";
+    double const digit = std::pow(10.0, std::floor(std::log10(value)) - 1);
+    return short_number(std::round(value / digit) * digit);
+}
+
+}  // namespace
+
+std::shared_ptr<elastic::BentCup const> elastic_cup(Scene const& scene)
+{
+    Faults faults = check_scene(scene);
+    if (!scene.is_elastic())
+        faults.push_back({"coning.model", scene.coning ? scene.coning->line : 0, "", "the scene has no elastic cup",
+                          "write model = \"elastic\" in [coning], with [flexspline.cup] and [bearing]; "
+                          "data/scenes/type-50-elastic.toml is an example"});
+    profile::Profile const tooth = drive::given_tooth(scene, faults);
+    wavegen::AnyWaveShape const shape = drive::wave_shape(scene, tooth, faults);
+    if (!faults.empty())
+        throw InputError(faults);
+    return drive::bent_cup(scene, drive::ring_geometry(scene, tooth).flexspline_inner_radius, shape,
+                           thread_count(scene.solver.threads));
+}
+
+BentCupError elastic_cup_error(Scene const& scene, elastic::BentCup const& cup)
+{
+    Faults faults;
+    profile::Profile const tooth = drive::given_tooth(scene, faults);
+    return drive::cup_error(scene, cup, drive::wave_shape(scene, tooth, faults), drive::ring_geometry(scene, tooth).r_m,
+                            drive::width_of_slices(scene), thread_count(scene.solver.threads));
+}
+
+std::string describe(elastic::BentCup const& cup, std::optional<BentCupError> const& error)
+{
+    elastic::WaveGeneratorContact const& contact = cup.contact();
+    auto const known = [&](double value, double BentCupError::*off, double unit) {
+        return short_number(value / unit) + (error ? " +- " + rounded((*error).*off / unit) : "");
+    };
+    std::string text = "elastic cup: cones by " + known(cup.coning(0), &BentCupError::coning_major, deg) +
+                       " degrees at the major axis; bearing and cup press each other with " +
+                       known(contact.total_force, &BentCupError::force, 1) + " N";
+    if (auto const widest = std::max_element(contact.ball_gap.begin(), contact.ball_gap.end());
+        widest != contact.ball_gap.end() && *widest > 0)
+        text += "; the ring stands off the balls by up to " + short_number(per_um * *widest) + " um";
+    return text;
+}
+
+}  // namespace hdconj

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Balls between cam and outer ring, which carry compression only.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "numeric/complementarity.hpp"
+
+namespace hdconj::elastic {
+
+struct BearingSurface;
+
+/// The line of balls at even angles of a lobe, and the response of the ring where it stands off the cam.
+///
+/// bearing_surface() holds the ring's line of balls on the cam all round. Where the ring stands off by h [mm] in place
+/// of 0, the balls' forces and the gaps between bearing and cup are
+///
+///   P = P_0 + K h + E' f,     g = G f - d - E h,     and balls push:   P >= 0,  h >= 0,  P h = 0.
+///
+/// h is a trigonometric polynomial through its values at the points; P are the forces [N] that do its work, of the part
+/// of the line that a point stands for. On a mirror plane P is half of what acts there, like any force of a Repetition.
+struct BallLine
+{
+    std::vector<double> phi;    ///< of the points [rad]
+    Eigen::VectorXd held;       ///< P_0: of the unloaded ring, held on the cam [N]
+    Eigen::MatrixXd stiffness;  ///< K [N/mm]: symmetric, positive but for motions of the whole ring
+    Eigen::MatrixXd lift;       ///< E: (contacts, points), the surface's rise for 1 mm of h
+};
+
+/// Where bearing and cup may touch: the force there acts evenly over `spread`, and gaps are means over it.
+struct BearingContacts
+{
+    std::vector<double> phi;      ///< of each contact [rad]
+    std::vector<Eigen::Index> z;  ///< row of BearingSurface of each
+    double spread = 0;            ///< [rad]
+};
+
+/// @param points  in a lobe, even; at most twice the harmonics of @p surface
+/// @param mirrored  for an even cam and contacts of half a lobe: points of half a lobe, both ends included
+/// @throws NumericalError for a rigid bearing, or points that the harmonics cannot tell apart
+[[nodiscard]] BallLine ball_line(BearingSurface const& surface, int waves, BearingContacts const& contacts, int points,
+                                 bool mirrored, int threads = 1);
+
+/// Contacts and balls in equilibrium.
+struct BallContact
+{
+    numeric::ComplementaritySolution contacts;
+    Eigen::VectorXd force;  ///< P [N]
+    Eigen::VectorXd gap;    ///< h [mm]
+    int rounds = 0;         ///< complementarity problems solved: 1 where no ball would have to pull
+};
+
+/// Solves @p problem, that of a ring held on the cam, with balls that push only. Where none has to pull, that is all
+/// that is done. Otherwise points are released and caught again until those that touch push and those that do not stand
+/// off.
+/// @param first    contact of @p problem that is the first of @p line; they follow each other
+/// @param start    points to begin with as released, of a neighbouring problem; empty: none
+/// @param problem  on return: compliance and approach with the ring free at the points where h > 0
+/// @throws NumericalError as solve_complementarity does, where no such set of points is found, and for a ring that can
+/// move as a whole
+[[nodiscard]] BallContact solve_on_balls(numeric::Complementarity& problem, Eigen::Index first, BallLine const& line,
+                                         numeric::ComplementarityOptions options = {},
+                                         std::vector<bool> const& start = {});
+
+}  // namespace hdconj::elastic

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The cup bent by its wave generator, and the displacement of the teeth on it.
+#pragma once
+
+#include "harmonic_field.hpp"
+#include "hdconj/wavegen/material_displacement.hpp"
+#include "wave_generator_contact.hpp"
+
+namespace hdconj::elastic {
+
+/// Axial displacement of a point of the wall and its derivatives.
+struct AxialMove
+{
+    double u_z = 0;     ///< [mm], positive towards the open end
+    double by_phi = 0;  ///< [mm/rad]
+    double by_z = 0;    ///< [1]
+};
+
+/// Resolution of the contact with the bearing.
+struct BentCupGrid
+{
+    int angles = 48;   ///< in a lobe, even; harmonics up to half of it times the waves
+    int circles = 13;  ///< over the bearing's width
+    int layers = 1;    ///< elements across the wall, at least
+};
+
+/// Cup, bearing and cam, solved: design 3.6 without load. Heights from the outer face of the cup's bottom.
+///
+/// The slice of the wall at a height and a radius moves by a Fourier series each for w, v and u_z: material motion
+/// takes the first two. First order in the displacements, like the contact; length_kept() adds the second order to
+/// place teeth.
+class BentCup
+{
+  public:
+    /// @param shape  of the cam, at the undeformed angle
+    /// @throws NumericalError for impossible dimensions or a contact that cannot be solved
+    template <wavegen::WaveShape Shape>
+    BentCup(CupSection const& section, Bearing const& bearing, Shape const& shape, BentCupGrid const& grid, int threads)
+        : BentCup(section, bearing, cam_series(shape, grid.angles), grid.circles, threads, grid.layers)
+    {
+    }
+    BentCup(CupSection const& section, Bearing const& bearing, CamSeries const& cam, int circles, int threads,
+            int layers = 1);
+
+    [[nodiscard]] CupSection const& section() const { return section_; }
+    [[nodiscard]] Bearing const& bearing() const { return bearing_; }
+    [[nodiscard]] CamSeries const& cam() const { return cam_; }
+    [[nodiscard]] FourierSolid const& solid() const { return solid_; }
+    [[nodiscard]] WaveGeneratorContact const& contact() const { return contact_; }
+    [[nodiscard]] HarmonicField const& field() const { return field_; }
+
+    /// w and v of the wall at height @p z that had the radius @p radius.
+    /// @throws NumericalError where there is no wall, or no teeth on it
+    [[nodiscard]] wavegen::MaterialDisplacement displacement(double z, double radius) const;
+    /// u_z of the wall there as a series, in the place of w; v is 0.
+    [[nodiscard]] wavegen::MaterialDisplacement axial_displacement(double z, double radius) const;
+    [[nodiscard]] AxialMove axial(double z, double radius, double phi) const;
+    /// Slope du_r/dz of the best line over the tooth ring, inner surface [rad]: the coning angle at @p phi.
+    [[nodiscard]] double coning(double phi) const;
+
+  private:
+    [[nodiscard]] SectionPoint place(double z, double radius) const;
+
+    CupSection section_;
+    Bearing bearing_;
+    CamSeries cam_;
+    FourierSolid solid_;
+    WaveGeneratorContact contact_;
+    HarmonicField field_;
+};
+
+}  // namespace hdconj::elastic

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Displacements and stresses in a whole body of revolution under loads on its stations.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+#include "influence.hpp"
+
+namespace hdconj::elastic {
+
+/// Amplitudes of all unknowns; rows: unknowns of the solid, columns: harmonics.
+///
+/// `even` goes with (u_r, u_z, u_t) = (U cos, W cos, V sin) n phi, `odd` with (U sin, W sin, -V cos) n phi.
+struct HarmonicField
+{
+    std::vector<int> harmonics;
+    Eigen::MatrixXd even;  ///< [mm]
+    Eigen::MatrixXd odd;
+};
+
+/// Stress components in the order rr, zz, tt, rz, rt, zt [MPa].
+using Stress = Eigen::Matrix<double, 6, 1>;
+
+/// The field under loads of the stations [N/rad], rows: stations, columns: harmonics, in the same two families: a
+/// radial or axial load p cos n phi + q sin n phi has even = p, odd = q; a tangential one p sin n phi + q cos n phi has
+/// even = p, odd = -q.
+/// @throws NumericalError as HarmonicSolver does
+[[nodiscard]] HarmonicField harmonic_field(FourierSolid const& solid, Supports const& supports,
+                                           std::vector<Station> const& stations, std::vector<int> const& harmonics,
+                                           Eigen::MatrixXd const& even, Eigen::MatrixXd const& odd, int threads = 1);
+
+/// Amplitudes U, W, V (rows) of each harmonic (columns) at a place: first those of `even`, then those of `odd`.
+struct PointAmplitudes
+{
+    Eigen::Matrix3Xd even;
+    Eigen::Matrix3Xd odd;
+};
+
+[[nodiscard]] PointAmplitudes amplitudes_at(SectionMesh const& mesh, HarmonicField const& field,
+                                            SectionPoint const& place);
+
+/// cos and sin of all harmonics of a field (rows) at some angles [rad] (columns).
+struct HarmonicWaves
+{
+    HarmonicWaves(HarmonicField const& field, std::vector<double> const& phi);
+
+    Eigen::MatrixXd cosine;
+    Eigen::MatrixXd sine;
+};
+
+/// (u_r, u_z, u_t) [mm] at the angles of @p waves (columns).
+[[nodiscard]] Eigen::Matrix3Xd displacements_at(SectionMesh const& mesh, HarmonicField const& field,
+                                                SectionPoint const& place, HarmonicWaves const& waves);
+
+/// (u_r, u_z, u_t) [mm].
+[[nodiscard]] Eigen::Vector3d displacement_at(SectionMesh const& mesh, HarmonicField const& field,
+                                              SectionPoint const& place, double phi);
+
+/// The same at a node of the section.
+[[nodiscard]] Eigen::Vector3d node_displacement(HarmonicField const& field, int node, double phi);
+
+/// Stress of first order. Most accurate at the reduced Gauss points, xi and eta = +-1/sqrt(3).
+[[nodiscard]] Stress stress_at(SectionMesh const& mesh, HarmonicField const& field, SectionPoint const& place,
+                               double phi);
+
+/// Equivalent stress of von Mises [MPa].
+[[nodiscard]] double von_mises(Stress const& stress);
+
+/// The largest equivalent stress of a body and where it is.
+struct StressPeak
+{
+    double stress = 0;       ///< [MPa]
+    Vec2 at = Vec2::Zero();  ///< (r, z) [mm]
+    double phi = 0;          ///< [rad]
+};
+
+/// Equivalent stress at each Gauss point, four to an element and two times two in (xi, eta) order, and at the angles @p
+/// phi: rows points, columns angles.
+[[nodiscard]] Eigen::MatrixXd gauss_stress(SectionMesh const& mesh, HarmonicField const& field,
+                                           std::vector<double> const& phi, int threads = 1);
+
+/// The reduced Gauss points of an element, in the order of gauss_stress().
+[[nodiscard]] std::vector<SectionPoint> gauss_points(SectionMesh const& mesh);
+
+/// Largest of gauss_stress().
+[[nodiscard]] StressPeak stress_peak(SectionMesh const& mesh, HarmonicField const& field,
+                                     std::vector<double> const& phi, int threads = 1);
+
+}  // namespace hdconj::elastic

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "contact_figures.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "number_text.hpp"
+
+namespace hdconj::figures {
+
+using namespace unit;
+
+namespace {
+
+/// How an error of a contact study is printed: as little of it as says how large it is.
+constexpr auto one_digit = significant<1>;
+
+}  // namespace
+
+Rows<ContactStudy> contact_study_figures()
+{
+    using T = ContactStudy;
+    static constexpr std::array rows = {
+        figure<&T::contact_gap>("contact_gap", um, "gap up to which flanks count as in contact",
+                                {"contact gap", significant<6>}),
+        figure<&T::pitch_radius>("pitch_radius", mm, "radius at which play is given as a length",
+                                 {"pitch circle", decimals<6>}),
+        figure<&T::shown>("shown", one, "number of the case that the circular spline and the map are of")};
+    return Rows<T>(rows);
+}
+
+Rows<ContactState> state_figures()
+{
+    using T = ContactState;
+    static constexpr std::array rows = {
+        figure<&T::wave_generator>("wave_generator", given_degree,
+                                   "angle of the wave generator from a tooth space of the circular spline",
+                                   {"wave generator", fixed<4>, nullptr, &degree}),
+        pair<&T::take_up, &T::take_up_error>("take_up", arcmin, "turn of the circular spline to first contact"),
+        pair<&T::take_up_back, &T::take_up_back_error>("take_up_back", arcmin, "the same turn for the other flanks"),
+        pair<&T::backlash, &T::backlash_error>("backlash", arcmin, "play in which the circular spline can be turned",
+                                               {"backlash", fixed<2>, one_digit})
+            .and_as_play(),
+        pair<&T::contact_area, &T::contact_area_error>("contact_area", mm2,
+                                                       "flank area whose gap is at most the contact gap"),
+        pair<&T::share, &T::share_error>("share", one, "its share of the area of all flanks on the driving side",
+                                         {"contact area", significant<4>, significant<2>, &percent}),
+        pair<&T::smallest_gap, &T::smallest_gap_error>("smallest_gap", um,
+                                                       "smallest gap before the take-up, either side"),
+        figure<&T::smallest_z>("smallest_z", mm, "height of the slice with that gap"),
+        figure<&T::smallest_z_from>("smallest_z_from", mm, "lower end of where it may lie as well"),
+        figure<&T::smallest_z_to>("smallest_z_to", mm, "upper end of where it may lie as well"),
+        figure<&T::teeth>("teeth", one, "tooth spaces in contact on the driving side", {"teeth", whole}),
+        figure<&T::teeth_least>("teeth_least", one, "spaces in contact whatever the errors"),
+        figure<&T::teeth_most>("teeth_most", one, "spaces that may be in contact within the errors"),
+        figure<&T::smallest_space>("smallest_space", one, "tooth space with the smallest gap"),
+        figure<&T::smallest_spaces>("smallest_spaces", one, "spaces with such a gap within its error")};
+    return Rows<T>(rows);
+}
+
+Rows<ContactCase> case_figures()
+{
+    using T = ContactCase;
+    static constexpr std::array rows = {
+        figure<&T::tilt>("tilt", given_degree, "tilt of the circular spline's teeth",
+                         {"tilt", significant<3>, nullptr, &degree}),
+        figure<&T::backlash_offset>("backlash_offset", um, "side clearance that the contact is computed with",
+                                    {"offset", fixed<2>}),
+        pair<&T::clearing_offset, &T::clearing_offset_error>(
+            "clearing_offset", um, "least side clearance without interference of the flanks over a full turn",
+            {"offset", fixed<2>, one_digit}),
+        figure<&T::tip>("tip_radius", mm, "tip circle at z = 0 that the contact is computed with",
+                        {"tip circle", decimals<4>}),
+        pair<&T::clearing_tip, &T::clearing_tip_error>("clearing_tip", mm,
+                                                       "least tip circle at z = 0 with the clearing offset",
+                                                       {"tip circle", decimals<4>, one_digit}),
+        pair<&T::clearing_root, &T::clearing_root_error>("clearing_root", um,
+                                                         "least further root clearance over a full turn",
+                                                         {"root clearance", significant<3>, one_digit}),
+        pair<&T::backlash_of_clearing, &T::backlash_of_clearing_error>("backlash_of_clearing", arcmin,
+                                                                       "play that the clearing offset alone would make",
+                                                                       {"backlash", fixed<2>, one_digit})
+            .and_as_play(),
+        figure<&T::state, &ContactState::flank_area>("flank_area", mm2, "area of all flanks on the driving side")
+            .with_error<&T::state, &ContactState::flank_area_error>(),
+        pair<&T::ruled_deviation, &T::ruled_deviation_error>(
+            "ruled_deviation", um, "largest distance of a ruled surface from the slices' own outlines",
+            {"deviation", significant<3>, one_digit}),
+        FigureOf<T>{"flank_clearance", um, "clearance where the flanks come closest over a full turn",
+                    [](T const& each) { return each.closest_flank().clearance; }}
+            .with_error<&T::clearance_error>()
+            .keyed("clearance")
+            .without(hdf5 | json_value)  // the closest place has them
+            .printed({"clearance", fixed<2>, one_digit}),
+        FigureOf<T>{"root_clearance", um, "clearance where the roots come closest over a full turn",
+                    [](T const& each) { return closest_root(each).root.clearance; }}
+            .with_error<&T::root_clearance_error>()
+            .without(hdf5_value | json_value),  // the slices have it
+        figure<&T::closest_z_from>("flank_z_from", mm, "lower end of where the closest place may lie",
+                                   {"from", fixed<3>})
+            .keyed("closest_z_from"),
+        figure<&T::closest_z_to>("flank_z_to", mm, "upper end of where the closest place may lie", {"to", fixed<3>})
+            .keyed("closest_z_to"),
+        figure<&T::raised>("raised", one, "whether the side clearance is more than the scene gives"),
+        figure<&T::seconds>("seconds", second, "time to compute the case").keyed("time")};
+    return Rows<T>(rows);
+}
+
+Rows<ClosestPlace> closest_figures()
+{
+    using Row = FigureOf<ClosestPlace>;
+    using Place = ClosestPlace const&;
+    static constexpr std::array rows = {
+        figure<&ClosestPlace::at, &Closest::clearance>("clearance", um, "smallest distance over a full turn",
+                                                       {"clearance", fixed<2>, one_digit})
+            .with_error<&ClosestPlace::error>(),
+        Row{"x", mm, "where, on the circular spline", [](Place place) { return place.at.where.x(); }}
+            .without(hdf5)  // a column of points
+            .printed({"x", fixed<4>}),
+        Row{"y", mm, "where, on the circular spline", [](Place place) { return place.at.where.y(); }}
+            .without(hdf5)
+            .printed({"y", fixed<4>}),
+        figure<&ClosestPlace::at, &Closest::phi>("phi", degree, "undeformed angle of the tooth", {"phi", fixed<3>})};
+    return Rows<ClosestPlace>(rows);
+}
+
+Rows<SliceClearance> slice_figures()
+{
+    static constexpr std::array rows = {
+        figure<&SliceClearance::z>("z", mm, "height of the slice", {"z", fixed<3>}),
+        figure<&SliceClearance::amplitude>("amplitude", mm, "radial deformation of the slice")};
+    return Rows<SliceClearance>(rows);
+}
+
+Rows<BestTilt> best_tilt_figures()
+{
+    using T = BestTilt;
+    constexpr Text bound = {"", significant<6>, nullptr, &degree};
+    static constexpr std::array rows = {
+        figure<&T::tilt>("tilt", given_degree, "the best tilt", {"tilt", decimals<4>, nullptr, &degree}),
+        figure<&T::tolerance>("tolerance", degree, "how well it is known", {"", one_digit}),
+        figure<&T::on_bound>("on_bound", one, "whether it lies at an end of the interval searched"),
+        figure<&T::refused>("refused", one, "tilts tried at which no surface can be made").without(hdf5),
+        figure<&T::possible_from>("possible_from", given_degree, "least tilt tried that makes a surface", bound)
+            .without(hdf5),
+        figure<&T::possible_to>("possible_to", given_degree, "largest tilt tried that makes a surface", bound)
+            .without(hdf5),
+        figure<&T::from>("from", given_degree, "lower end of the interval searched", bound).without(hdf5),
+        figure<&T::to>("to", given_degree, "upper end of the interval searched", bound).without(hdf5)};
+    return Rows<T>(rows);
+}
+
+FigureOf<BestTilt> best_value_figure(BestTilt const& best)
+{
+    static constexpr auto share =
+        pair<&BestTilt::value, &BestTilt::value_error>("value", one, "share of the contact area at the best tilt",
+                                                       {"contact area", significant<4>, one_digit, &percent})
+            .keyed("share");
+    static constexpr auto offset =
+        pair<&BestTilt::value, &BestTilt::value_error>("value", um, "least clearing offset at the best tilt",
+                                                       {"clearing offset", significant<3>, one_digit})
+            .keyed("clearing_offset");
+    return best.what == "area" ? share : offset;
+}
+
+std::string surface_name(ToothSurface surface, std::optional<TiltKind> kind, double tilt)
+{
+    std::string const name(to_string(surface));
+    return kind ? fmt::format("{}, {} {:g} deg", name, to_string(*kind), tilt * per_deg) : name;
+}
+
+SliceClearance const& closest_root(ContactCase const& each)
+{
+    return *std::min_element(each.slices.begin(), each.slices.end(),
+                             [](auto const& a, auto const& b) { return a.root.clearance < b.root.clearance; });
+}
+
+}  // namespace hdconj::figures

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// One row of a table of figures: everything that HDF5, JSON and text say of a number of a result.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <type_traits>
+
+#include "figure_units.hpp"
+
+namespace hdconj::figures {
+
+/// How the files hold a figure: as a floating-point number, as an integer, or as true and false (in HDF5 1 and 0).
+enum class Kind
+{
+    number,
+    count,
+    flag
+};
+
+/// Places that a figure is absent from; combined with |.
+enum Absent : unsigned
+{
+    hdf5_value = 1,
+    hdf5_error = 2,
+    json_value = 4,
+    json_error = 8,
+    hdf5 = hdf5_value | hdf5_error,
+    json = json_value | json_error
+};
+
+/// How the printed summary shows a figure; without formats it does not.
+struct Text
+{
+    char const* label = "";
+    std::string (*value)(double) = nullptr;
+    std::string (*error)(double) = nullptr;
+    Unit const* unit = nullptr;        ///< null: that of JSON
+    Unit const* error_unit = nullptr;  ///< null: that of the value in the text
+};
+
+namespace path {
+
+template <class Member>
+struct Owner;
+template <class Member, class Class>
+struct Owner<Member Class::*>
+{
+    using type = Class;
+};
+
+/// The value at the end of a path of members: read<&LoadCase::stages, &StiffnessStages::first>.
+template <auto first, auto... rest>
+auto read(typename Owner<decltype(first)>::type const& record)
+{
+    if constexpr (sizeof...(rest) == 0)
+        return std::invoke(first, record);
+    else
+        return read<rest...>(std::invoke(first, record));
+}
+
+template <auto first, auto... rest>
+double number(typename Owner<decltype(first)>::type const& record)
+{
+    return static_cast<double>(read<first, rest...>(record));
+}
+
+}  // namespace path
+
+/// One number of a @p Record: a column or an attribute in HDF5, a key in JSON, a figure in the text.
+///
+/// The name of its error is NAME_error, in JSON before the unit. Estimates that stand apart, in a group or object of
+/// their own, have the names of the values.
+template <class Record>
+struct FigureOf
+{
+    using Read = double (*)(Record const&);
+
+    char const* name;     ///< in HDF5
+    Unit unit;            ///< in HDF5 and in JSON
+    char const* meaning;  ///< in one line
+    Read value;
+    Kind kind = Kind::number;
+    Read error = nullptr;              ///< null: the figure is exact or has no estimate
+    bool apart = false;                ///< the errors stand in a group or object of their own
+    char const* key = nullptr;         ///< in JSON, before the unit; null: the name
+    char const* error_name = nullptr;  ///< of the error, before the unit; null: by the rule above
+    unsigned absent = 0;
+    bool as_play = false;  ///< JSON also gives the angle as a length at the pitch circle
+    Text text = {};
+
+    template <auto... members>
+    [[nodiscard]] constexpr FigureOf with_error() const
+    {
+        return with_error(path::number<members...>);
+    }
+    [[nodiscard]] constexpr FigureOf with_error(Read read) const
+    {
+        FigureOf row = *this;
+        row.error = read;
+        return row;
+    }
+    /// The errors stand apart, read by @p read.
+    [[nodiscard]] constexpr FigureOf with_error_apart(Read read) const
+    {
+        FigureOf row = with_error(read);
+        row.apart = true;
+        return row;
+    }
+    /// The errors stand apart: the same member of another record, which holds the errors.
+    [[nodiscard]] constexpr FigureOf with_error_apart() const { return with_error_apart(value); }
+    [[nodiscard]] constexpr FigureOf keyed(char const* stem, char const* error_stem = nullptr) const
+    {
+        FigureOf row = *this;
+        row.key = stem;
+        row.error_name = error_stem;
+        return row;
+    }
+    [[nodiscard]] constexpr FigureOf without(unsigned places) const
+    {
+        FigureOf row = *this;
+        row.absent |= places;
+        return row;
+    }
+    [[nodiscard]] constexpr FigureOf and_as_play() const
+    {
+        FigureOf row = *this;
+        row.as_play = true;
+        return row;
+    }
+    [[nodiscard]] constexpr FigureOf printed(Text const& how) const
+    {
+        FigureOf row = *this;
+        row.text = how;
+        return row;
+    }
+
+    [[nodiscard]] bool is_in(Absent place) const
+    {
+        bool const of_error = place == hdf5_error || place == json_error;
+        return (absent & place) == 0 && (!of_error || error != nullptr);
+    }
+    [[nodiscard]] std::string key_stem() const { return key != nullptr ? key : name; }
+    [[nodiscard]] std::string column_of_error() const
+    {
+        return apart ? name : error_name != nullptr ? error_name : std::string(name) + "_error";
+    }
+    [[nodiscard]] std::string json_key() const { return key_stem() + unit.suffix(); }
+    [[nodiscard]] std::string json_key_of_error() const
+    {
+        return (apart ? key_stem() : error_name != nullptr ? error_name : key_stem() + "_error") + unit.suffix();
+    }
+};
+
+/// The figure at the end of a path of members; its kind is that of the member's type.
+template <auto first, auto... rest>
+[[nodiscard]] constexpr auto figure(char const* name, Unit const& unit, char const* meaning, Text const& text = {})
+{
+    using Record = typename path::Owner<decltype(first)>::type;
+    using Value = decltype(path::read<first, rest...>(std::declval<Record const&>()));
+    constexpr Kind kind = std::is_same_v<Value, bool> ? Kind::flag
+                          : std::is_integral_v<Value> ? Kind::count
+                                                      : Kind::number;
+    return FigureOf<Record>{name, unit, meaning, path::number<first, rest...>, kind}.printed(text);
+}
+
+/// A figure and its error, both members of the record.
+template <auto value, auto error>
+[[nodiscard]] constexpr auto pair(char const* name, Unit const& unit, char const* meaning, Text const& text = {})
+{
+    return figure<value>(name, unit, meaning, text).template with_error<error>();
+}
+
+/// A table: all figures of a @p Record, in their order in JSON.
+template <class Record>
+class Rows
+{
+  public:
+    constexpr explicit Rows(std::span<FigureOf<Record> const> rows) : rows_(rows) {}
+    [[nodiscard]] auto begin() const { return rows_.begin(); }
+    [[nodiscard]] auto end() const { return rows_.end(); }
+    [[nodiscard]] std::size_t size() const { return rows_.size(); }
+
+    /// The first row called @p name. @throws std::logic_error where there is none
+    [[nodiscard]] FigureOf<Record> const& operator[](std::string_view name) const
+    {
+        for (auto const& row : rows_) {
+            if (name == row.name)
+                return row;
+        }
+        throw std::logic_error("no figure is called " + std::string(name));
+    }
+
+  private:
+    std::span<FigureOf<Record> const> rows_;
+};
+
+/// The figure as the printed summary shows it, without its unit.
+template <class Record>
+[[nodiscard]] std::string value_text(FigureOf<Record> const& row, Record const& record)
+{
+    return row.text.value((row.text.unit != nullptr ? *row.text.unit : row.unit).shown(row.value(record)));
+}
+
+/// Its error likewise.
+template <class Record>
+[[nodiscard]] std::string error_text(FigureOf<Record> const& row, Record const& record)
+{
+    Unit const* const unit = row.text.error_unit != nullptr ? row.text.error_unit : row.text.unit;
+    return row.text.error((unit != nullptr ? *unit : row.unit).shown(row.error(record)));
+}
+
+/// Value and unit: "24.347000 mm".
+template <class Record>
+[[nodiscard]] std::string value_with_unit(FigureOf<Record> const& row, Record const& record)
+{
+    return value_text(row, record) + " " + (row.text.unit != nullptr ? *row.text.unit : row.unit).text;
+}
+
+/// Error and unit: "+- 0.0032 um".
+template <class Record>
+[[nodiscard]] std::string error_with_unit(FigureOf<Record> const& row, Record const& record)
+{
+    Unit const* const unit = row.text.error_unit != nullptr ? row.text.error_unit : row.text.unit;
+    return "+- " + error_text(row, record) + " " + (unit != nullptr ? *unit : row.unit).text;
+}
+
+}  // namespace hdconj::figures

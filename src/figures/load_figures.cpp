@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "load_figures.hpp"
+
+#include <array>
+
+#include "number_text.hpp"
+
+namespace hdconj::figures {
+
+using namespace unit;
+
+namespace {
+
+template <class Row>
+constexpr Row json_only(Row const& row)
+{
+    return row.without(hdf5);
+}
+
+/// A figure whose error is the same member of the state that holds the errors.
+template <auto member>
+constexpr auto estimated(char const* name, Unit const& unit, char const* meaning, Text const& text = {})
+{
+    return figure<member>(name, unit, meaning, text).with_error_apart();
+}
+
+constexpr Text general(char const* label)
+{
+    return {label, table_number, two_digits};
+}
+
+constexpr auto teeth_figures(Unit const& ball)
+{
+    using T = LoadedState;
+    return std::array{
+        figure<&T::torque>("torque", newton_metre, "on the circular spline"),
+        estimated<&T::twist>("twist", arcmin, "of the circular spline, from the middle of the play",
+                             {"twist", fixed<2>, significant<2>}),
+        estimated<&T::stiffness>("stiffness", newton_metre_per_rad, "dT/d(twist) with the contacts closed"),
+        json_only(estimated<&T::stiffness>("stiffness", newton_metre_per_degree, "the same")),
+        estimated<&T::contact_area>("contact_area", mm2, "flank area under pressure"),
+        estimated<&T::contact_share>("contact_share", one, "its share of all flanks on the loaded side",
+                                     {"contact", significant<3>, significant<2>, &percent}),
+        estimated<&T::near_share>("near_share", one, "share of the flank whose gap is at most the contact gap",
+                                  {"near", significant<3>, significant<2>, &percent}),
+        estimated<&T::node_share>("node_share", one, "share of the nodes of spaces and slices that carry force"),
+        estimated<&T::largest_pressure>("largest_pressure", megapascal, "largest Hertz pressure",
+                                        {"pressure", table_number, table_number}),
+        figure<&T::pressure_z>("pressure_z", mm, "slice of the largest pressure", {"z", fixed<3>}),
+        estimated<&T::largest_force>("largest_force", newton, "largest force on one tooth",
+                                     {"force", table_number, significant<2>}),
+        estimated<&T::wave_generator_force>("wave_generator_force", newton,
+                                            "sum of the bearing's forces on the cup, without direction"),
+        estimated<&T::wave_generator_torque>("wave_generator_torque", newton_metre,
+                                             "torque that the wave generator feels",
+                                             {"wave generator", significant<4>, two_digits}),
+        estimated<&T::lobe_force>("lobe_force", newton,
+                                  "resultant of the bearing over the lobe at the major axis, along that axis",
+                                  general("along")),
+        estimated<&T::lobe_force_across>("lobe_force_across", newton, "the same across it, clockwise",
+                                         general("across")),
+        estimated<&T::lobe_z>("lobe_z", mm, "height at which the resultant acts", {"at z", fixed<2>, two_digits}),
+        figure<&T::ball_phi>("ball_phi", given_degree, "angle of the ball that is pressed most",
+                             {"at", fixed<1>, nullptr, &degree}),
+        estimated<&T::largest_stress>("largest_stress", megapascal, "largest von Mises stress of the cup",
+                                      {"stress", table_number, table_number}),
+        figure<&T::stress_z>("stress_z", mm, "height of that stress", {"z", fixed<2>}),
+        figure<&T::stress_r>("stress_r", mm, "radius of that stress", {"r", fixed<2>}),
+        figure<&T::stress_phi>("stress_phi", given_degree, "angle of that stress from the major axis",
+                               {"phi", fixed<1>, nullptr, &degree}),
+        figure<&T::residual>("residual", um, "gap solved for less that of the loaded shape, at contacts",
+                             {"gap", significant<2>}),
+        figure<&T::complementarity>("complementarity", one, "relative residual of force and gap",
+                                    {"force and gap", exponential<1>}),
+        estimated<&T::ball_force>("ball_force", ball, "largest force of a ball, or of the line of balls",
+                                  general("balls")),
+        figure<&T::balls>("balls", one, "single balls that carry", {"carry", whole}),
+        estimated<&T::teeth>("teeth", one, "tooth spaces that carry", {"teeth", whole, whole}).without(hdf5_error),
+        figure<&T::pressure_space>("pressure_space", one, "tooth space of the largest pressure"),
+        figure<&T::rounds>("rounds", one, "rounds of the geometry"),
+        figure<&T::steps>("steps", one, "steps of the active set")};
+}
+
+/// A figure whose error is another member of the record and stands apart.
+template <auto member, auto error>
+constexpr auto estimate_of(char const* name, Unit const& unit, char const* meaning, Text const& text)
+{
+    return figure<member>(name, unit, meaning, text).with_error_apart(path::number<error>);
+}
+
+constexpr auto cup_figures(Unit const& ball)
+{
+    using T = AssembledCup;
+    return std::array{
+        estimate_of<&T::coning_major, &T::coning_major_error>(
+            "coning_major", given_degree, "slope of the radial displacement over the toothed width at the major axis",
+            {"coning, major axis", fixed<4>, two_digits, &degree}),
+        estimate_of<&T::coning_minor, &T::coning_minor_error>("coning_minor", given_degree,
+                                                              "the same at the minor axis",
+                                                              {"coning, minor axis", fixed<4>, two_digits, &degree}),
+        estimate_of<&T::wave_generator_force, &T::wave_generator_force_error>(
+            "wave_generator_force", newton, "sum of the bearing's forces on the cup, without direction",
+            {"wave generator force", decimals<1>, two_digits}),
+        estimate_of<&T::largest_stress, &T::largest_stress_error>(
+            "largest_stress", megapascal, "largest von Mises stress", {"largest stress", decimals<1>, two_digits}),
+        estimate_of<&T::ball_force, &T::ball_force_error>("ball_force", ball,
+                                                          "largest force of a ball, or of the line of balls",
+                                                          {"largest force of", decimals<1>, two_digits})
+            .without(hdf5),  // an attribute without a unit in its name
+        figure<&T::ball_phi>("ball_phi", degree, "angle of that ball", {"at", fixed<1>}).without(hdf5 | json),
+        figure<&T::balls>("balls", one, "single balls that carry", {"carry", whole}).without(hdf5),
+        figure<&T::contacts>("contacts", one, "nodes of the bearing that carry force", {"places", whole})};
+}
+
+}  // namespace
+
+Rows<LoadStudy> load_study_figures()
+{
+    using T = LoadStudy;
+    static constexpr std::array rows = {
+        figure<&T::rated_torque>("rated_torque", newton_metre, "largest torque", {"at", significant<6>}),
+        figure<&T::contact_gap>("contact_gap", um, "gap of near_share", {"gap", significant<6>}),
+        figure<&T::pitch_radius>("pitch_radius", mm, "half the module times the flexspline's teeth"),
+        figure<&T::harmonics>("harmonics", one, "largest circumferential harmonic of the cup", {"harmonics", whole}),
+        figure<&T::sectors>("sectors", one, "how often the solved sector repeats around the ring"),
+        figure<&T::shown>("shown", one, "number of the case of least largest pressure"),
+        figure<&T::edge_radius>("edge_radius", um, "radius of the edges where teeth touch",
+                                {"edges of the teeth", significant<4>}),
+        json_only(
+            figure<&T::tip_widened>("tip_widened", um, "by how much the tip circle is wider than the standard one"))
+            .printed({"tip circle", decimals<1>}),
+        figure<&T::balls>("balls", one, "balls of the bearing; 0: a line of them, or a rigid bearing"),
+        json_only(figure<&T::sharp_steps>("sharp_steps", one,
+                                          "whether the wall has sharp steps, where stress grows with the mesh"))};
+    return Rows<T>(rows);
+}
+
+Rows<LoadedState> loaded_state_figures(int balls)
+{
+    static constexpr auto single = teeth_figures(newton), line = teeth_figures(newton_per_mm);
+    return Rows<LoadedState>(balls > 0 ? single : line);
+}
+
+Rows<AssembledCup> assembled_cup_figures(int balls)
+{
+    static constexpr auto single = cup_figures(newton), line = cup_figures(newton_per_mm);
+    return Rows<AssembledCup>(balls > 0 ? single : line);
+}
+
+Rows<LoadCase> load_case_figures()
+{
+    using T = LoadCase;
+    using Stages = StiffnessStages;
+    static constexpr std::array rows = {
+        figure<&T::tilt>("tilt", given_degree, "tilt of the circular spline's teeth",
+                         {"tilt", significant<3>, nullptr, &degree}),
+        figure<&T::backlash_offset>("backlash_offset", um, "side clearance", {"offset", fixed<2>}),
+        figure<&T::tip>("tip_radius", mm, "tip circle at z = 0", {"tip circle", decimals<6>}),
+        figure<&T::tip_change>("tip_change", um, "how much wider it is than the surface's own", {"wider", decimals<2>}),
+        pair<&T::backlash, &T::backlash_error>("backlash", arcmin, "play of the circular spline without torque")
+            .without(hdf5_error | json_error)  // with the estimates of the case
+            .printed({"backlash", fixed<2>, significant<2>}),
+        figure<&T::stages, &Stages::first>("first_stage", newton_metre_per_rad,
+                                           "slope of the first line of the loaded branch",
+                                           {"first", table_number, significant<2>, &newton_metre_per_degree})
+            .with_error<&T::stages, &Stages::first_error>()
+            .without(json_error),
+        json_only(figure<&T::stages, &Stages::first>("first_stage", newton_metre_per_degree, "the same")
+                      .with_error<&T::stages, &Stages::first_error>()),
+        figure<&T::stages, &Stages::second>("second_stage", newton_metre_per_rad,
+                                            "slope of the second line of the loaded branch",
+                                            {"second", table_number, significant<2>, &newton_metre_per_degree})
+            .with_error<&T::stages, &Stages::second_error>()
+            .without(json_error),
+        json_only(figure<&T::stages, &Stages::second>("second_stage", newton_metre_per_degree, "the same")
+                      .with_error<&T::stages, &Stages::second_error>()),
+        figure<&T::stages, &Stages::knee>("knee", newton_metre, "torque where the lines meet",
+                                          {"bend", table_number, significant<2>})
+            .with_error<&T::stages, &Stages::knee_error>(),
+        figure<&T::stages, &Stages::knee_twist>("knee_twist", arcmin, "twist where the lines meet"),
+        figure<&T::stages, &Stages::rms>("stages_rms", newton_metre, "root mean square of the fit, in torque"),
+        figure<&T::raised>("raised", one, "whether the side clearance is more than the scene gives"),
+        figure<&T::stages, &Stages::found>("stages_found", one, "whether the branch has a bend"),
+        figure<&T::seconds>("seconds", second, "time to compute the case").keyed("time")};
+    return Rows<T>(rows);
+}
+
+Rows<MeasuredStiffness> measured_curve_figures()
+{
+    using T = MeasuredStiffness;
+    static constexpr std::array rows = {
+        figure<&T::cycles>("cycles", one, "load cycles", {"cycles", whole}),
+        figure<&T::straight>("straight_branches", one, "loading branches without a bend", {"straight", whole}),
+        json_only(figure<&T::largest_torque>("largest_torque", newton_metre, "largest torque of the curve"))
+            .printed({"up to", significant<4>}),
+        figure<&T::angle_step>("angle_step", arcmin, "smallest difference of two angles",
+                               {"in steps of", significant<3>}),
+        figure<&T::middle>("middle", arcmin, "middle of the play")};
+    return Rows<T>(rows);
+}
+
+std::span<MeasuredFigure const> measured_figures()
+{
+    using Found = MeasuredStiffness const&;
+    using Case = LoadCase const&;
+    using Value = std::optional<double>;
+    static constexpr std::array figures = {
+        MeasuredFigure{"backlash", "backlash", arcmin, [](Found f) -> Estimate const& { return f.backlash; }, 1,
+                       [](Case c) { return Value(c.backlash); }},
+        MeasuredFigure{"first_stage", "first stage", newton_metre_per_degree,
+                       [](Found f) -> Estimate const& { return f.first; }, -2,
+                       [](Case c) { return c.stages.found ? Value(c.stages.first) : Value(); }},
+        MeasuredFigure{"second_stage", "second stage", newton_metre_per_degree,
+                       [](Found f) -> Estimate const& { return f.second; }, -2,
+                       [](Case c) { return c.stages.found ? Value(c.stages.second) : Value(); }},
+        MeasuredFigure{"knee", "knee between them", newton_metre, [](Found f) -> Estimate const& { return f.knee; }, -1,
+                       [](Case c) { return c.stages.found ? Value(c.stages.knee) : Value(); }},
+        MeasuredFigure{"whole", "one line", newton_metre_per_degree, [](Found f) -> Estimate const& { return f.whole; },
+                       -2,
+                       [](Case c) { return c.stages.found || c.stages.first == 0 ? Value() : Value(c.stages.first); }}};
+    return figures;
+}
+
+}  // namespace hdconj::figures

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Records as columns of a table, and figures as attributes.
+#pragma once
+
+#include <type_traits>
+#include <vector>
+
+#include "figures/figure_of.hpp"
+#include "hdf5_writer.hpp"
+
+namespace hdconj::io::hdf5 {
+
+/// Values of @p take over all records.
+template <class Records, class Take>
+auto column(Records const& records, Take take)
+{
+    using Value = std::decay_t<decltype(std::invoke(take, *records.begin()))>;
+    std::vector<std::conditional_t<std::is_same_v<Value, bool>, int, Value>> values;
+    values.reserve(records.size());
+    for (auto const& record : records)
+        values.push_back(std::invoke(take, record));
+    return values;
+}
+
+/// A column of doubles, or of integers for counts and flags.
+template <class Record, class Read>
+void write_column(Writer const& place, figures::FigureOf<Record> const& figure, std::string const& name, Read read,
+                  std::vector<Record> const& records)
+{
+    if (figure.kind == figures::Kind::number) {
+        place.numbers(name, column(records, read), figure.unit.stored);
+    } else {
+        place.integers(name, column(records, [&](Record const& record) { return static_cast<int>(read(record)); }));
+    }
+}
+
+/// Columns of the errors of all figures.
+template <class Record>
+void write_error_columns(Writer const& place, figures::Rows<Record> const& rows, std::vector<Record> const& records,
+                         std::string const& prefix = "")
+{
+    for (auto const& figure : rows) {
+        if (figure.is_in(figures::hdf5_error))
+            write_column(place, figure, prefix + figure.column_of_error(), figure.error, records);
+    }
+}
+
+/// Columns of all figures and of their errors, unless these stand apart.
+template <class Record>
+void write_columns(Writer const& place, figures::Rows<Record> const& rows, std::vector<Record> const& records,
+                   std::string const& prefix = "")
+{
+    for (auto const& figure : rows) {
+        if (figure.is_in(figures::hdf5_value))
+            write_column(place, figure, prefix + figure.name, figure.value, records);
+        if (figure.is_in(figures::hdf5_error) && !figure.apart)
+            write_column(place, figure, prefix + figure.column_of_error(), figure.error, records);
+    }
+}
+
+/// Attributes of one record, whose names end in the unit.
+template <class Record>
+void write_attributes(Writer const& place, figures::Rows<Record> const& rows, Record const& record)
+{
+    for (auto const& figure : rows) {
+        std::string const suffix = figure.unit.attribute_suffix();
+        if (figure.is_in(figures::hdf5_value) && figure.kind == figures::Kind::number)
+            place.attribute(figure.name + suffix, figure.value(record));
+        else if (figure.is_in(figures::hdf5_value))
+            place.attribute(figure.name, static_cast<int>(figure.value(record)));
+        if (figure.is_in(figures::hdf5_error))
+            place.attribute(std::string(figure.name) + "_error" + suffix, figure.error(record));
+    }
+}
+
+}  // namespace hdconj::io::hdf5

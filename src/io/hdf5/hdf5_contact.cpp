@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The layout of /contact and of the surface's mesh, as docs/hdf5.md describes them.
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+#include "figures/contact_figures.hpp"
+#include "hdconj/contact_files.hpp"
+#include "hdf5_columns.hpp"
+#include "hdf5_layout.hpp"
+
+namespace hdconj::io {
+namespace {
+
+using hdf5::column;
+using hdf5::Shape;
+using hdf5::write_columns;
+using hdf5::Writer;
+
+/// Columns of the places where flanks or roots come closest.
+void write_closest(Writer const& place, std::string const& prefix, std::vector<figures::ClosestPlace> const& closest)
+{
+    write_columns(place, figures::closest_figures(), closest, prefix);
+    place.points(prefix + "where", column(closest, [](auto const& each) { return each.at.where; }));
+}
+
+void write_contact_case(Writer const& place, ContactCase const& each)
+{
+    auto const& slices = each.slices;
+    using figures::ClosestPlace;
+    write_columns(place, figures::slice_figures(), slices);
+    write_closest(place, "flank_", column(slices, [](auto const& slice) {
+                      return ClosestPlace{slice.flank, slice.flank_error};
+                  }));
+    write_closest(place, "root_", column(slices, [](auto const& slice) {
+                      return ClosestPlace{slice.root, slice.root_error};
+                  }));
+    if (!each.revolution.empty()) {
+        place.group("revolution",
+                    [&](Writer const& turn) { write_columns(turn, figures::state_figures(), each.revolution); });
+    }
+}
+
+void write_contact_cases(Writer const& place, std::vector<ContactCase> const& cases)
+{
+    for (auto const& each : cases) {
+        if (each.slices.empty())
+            throw std::logic_error("a contact case without slices");
+    }
+    place.texts("surface", column(cases, [](auto const& each) { return std::string(to_string(each.surface)); }));
+    place.texts("kind", column(cases, [](auto const& each) { return std::string(to_string(each.kind)); }));
+    write_columns(place, figures::case_figures(), cases);
+    write_closest(place, "flank_", column(cases, [](auto const& each) {
+                      return figures::ClosestPlace{each.closest_flank(), each.clearance_error};
+                  }));
+    place.numbers("flank_z", column(cases, [](auto const& each) { return each.closest_slice().z; }), "mm");
+    write_columns(place, figures::state_figures(), column(cases, &ContactCase::state));
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        place.group(fmt::format("case_{:03}", i), [&](Writer const& group) { write_contact_case(group, cases[i]); });
+    }
+}
+
+void write_best(Writer const& place, std::vector<BestTilt> const& best)
+{
+    place.texts("what", column(best, &BestTilt::what));
+    place.texts("kind", column(best, [](auto const& each) { return std::string(to_string(each.kind)); }));
+    write_columns(place, figures::best_tilt_figures(), best);
+    // one column for all cases, whose units differ
+    place.numbers("value", column(best, &BestTilt::value), "1");
+    place.numbers("value_error", column(best, &BestTilt::value_error), "1");
+    place.texts("value_units", column(best, [](auto const& each) {
+                    return std::string(figures::best_value_figure(each).unit.stored);
+                }));
+    std::vector<double> interval;
+    for (auto const& each : best)
+        interval.insert(interval.end(), {each.from, each.to});
+    place.array("interval", {best.size(), 2}, interval.data(), "rad");
+}
+
+void write_gap_map(Writer const& place, GapMap const& map)
+{
+    Shape const shape = {map.angle.size(), 2, map.z.size(), map.station.size()};
+    if (map.gap.size() != shape[0] * shape[1] * shape[2] * shape[3])
+        throw std::logic_error("the gaps of a map do not match its spaces, slices and stations");
+    place.attribute("flanks", std::vector<std::string>{"left", "right"});
+    place.numbers("z", map.z, "mm");
+    place.numbers("station", map.station, "1");
+    place.numbers("angle", map.angle, "rad");
+    place.array("gap", shape, map.gap.data(), "mm");
+}
+
+}  // namespace
+
+void hdf5::write_surface(hdf5::Writer const& place, Surface const& surface)
+{
+    place.array("points", {surface.points.size(), 3}, surface.points.empty() ? nullptr : surface.points.front().data(),
+                "mm");
+    place.array("quads", {surface.quads.size(), 4}, surface.quads.empty() ? nullptr : surface.quads.front().data());
+    place.integers("part", surface.part);
+}
+
+void hdf5::write_spline_and_surface(hdf5::Writer const& place, Solution const& solution)
+{
+    write_circular_spline(place, solution.circular_spline);
+    if (has_surface(solution)) {
+        place.group("surface", [&](hdf5::Writer const& mesh) { hdf5::write_surface(mesh, tooth_surface(solution)); });
+    }
+}
+
+}  // namespace hdconj::io
+
+namespace hdconj {
+
+void write_hdf5(ContactStudy const& study, std::filesystem::path const& file)
+{
+    using io::hdf5::Writer;
+    io::hdf5::write_file(file, [&](Writer const& root) {
+        io::hdf5::write_solution(root, study.solution);
+        root.group("circular_spline", [&](Writer const& place) {
+            io::hdf5::write_spline_and_surface(place, study.solution);
+            place.attribute("side_clearance_mm", study.side_clearance);
+        });
+        root.group("contact", [&](Writer const& contact) {
+            io::hdf5::write_attributes(contact, figures::contact_study_figures(), study);
+            io::write_contact_cases(contact, study.cases);
+            if (!study.best.empty())
+                contact.group("best", [&](Writer const& best) { io::write_best(best, study.best); });
+            if (!study.map.gap.empty())
+                contact.group("map", [&](Writer const& map) { io::write_gap_map(map, study.map); });
+        });
+    });
+}
+
+}  // namespace hdconj

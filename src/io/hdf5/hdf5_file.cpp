@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The layout of the result file, as docs/hdf5.md describes it.
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdlib>
+#include <ctime>
+
+#include "figures/summary_figures.hpp"
+#include "hdconj/result_files.hpp"
+#include "hdconj/version.hpp"
+#include "hdf5_columns.hpp"
+#include "hdf5_layout.hpp"
+
+namespace hdconj::io {
+
+std::string hdf5::date_text()
+{
+    char const* const given = std::getenv("SOURCE_DATE_EPOCH");
+    std::time_t const seconds =
+        given != nullptr ? static_cast<std::time_t>(std::strtoll(given, nullptr, 10)) : std::time(nullptr);
+    std::tm fields = {};
+    gmtime_r(&seconds, &fields);
+    std::array<char, sizeof "-2147483648-12-31T23:59:59Z"> text = {};
+    std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &fields);
+    return text.data();
+}
+
+namespace {
+
+using hdf5::column;
+using hdf5::Writer;
+
+/// Number of this layout; goes up when a reader of the old one would misread the new one.
+constexpr int format_version = 1;
+
+void write_provenance(Writer const& root, Solution const& solution)
+{
+    root.attribute("format", std::string("hdconj"));
+    root.attribute("format_version", format_version);
+    root.attribute("program_version", std::string(program_version()));
+    root.attribute("git_revision", std::string(git_revision()));
+    root.attribute("build", std::string(build_description()));
+    root.attribute("date", hdf5::date_text());
+    root.attribute("drive", solution.scene.drive.name);
+    root.attribute("given", figures::given_member(solution));
+    root.attribute("scene", solution.scene.text);
+    root.attribute("threads", solution.threads);
+    root.attribute("plan", describe(solution.plan));
+    root.attribute("stages", column(solution.plan.stages,
+                                    [](auto const& planned) -> std::string { return to_string(planned.stage); }));
+    if (!solution.notes.empty())
+        root.attribute("notes", solution.notes);
+    root.flag("certified", solution.certificate.certified());
+}
+
+void write_branch(Writer const& branch, BranchRecord const& record, bool reverse)
+{
+    branch.attribute("kind", record.kind);
+    branch.attribute("segment", record.segment);
+    branch.attribute("segment_name", record.segment_name);
+    branch.attribute("begins", record.begins);
+    branch.attribute("ends", record.ends);
+    branch.flag("on_boundary", record.on_boundary);
+    if (reverse)
+        branch.attribute("tooth", record.tooth);
+    branch.numbers("u", record.u, "rad");
+    branch.numbers("phi", record.phi, "rad");
+    branch.numbers("t", record.t, "1");
+    branch.points("point", record.point);
+}
+
+void write_envelope(Writer const& root, Solution const& solution)
+{
+    root.group("envelope", [&](Writer const& envelope) {
+        bool const reverse = solution.scene.is_reverse();
+        envelope.attribute("segments", solution.segment_names);
+        envelope.attribute("frame", std::string(reverse ? "flexspline tooth" : "circular spline"));
+        for (std::size_t i = 0; i < solution.branches.size(); ++i) {
+            envelope.group(fmt::format("branch_{:03}", i),
+                           [&](Writer const& branch) { write_branch(branch, solution.branches[i], reverse); });
+        }
+    });
+}
+
+void write_intervals(Writer const& place, std::string const& name, std::vector<ConjugateZone> const& zones,
+                     double ConjugateZone::*begin, double ConjugateZone::*end, char const* units)
+{
+    std::vector<double> pairs;
+    for (auto const& zone : zones) {
+        pairs.push_back(zone.*begin);
+        pairs.push_back(zone.*end);
+    }
+    place.array(name, {zones.size(), 2}, pairs.data(), units);
+}
+
+void write_zones(Writer const& root, std::vector<ConjugateZone> const& zones)
+{
+    root.group("conjugate_zones", [&](Writer const& place) {
+        place.integers("branch", column(zones, [](auto const& zone) { return static_cast<int>(zone.branch); }));
+        place.integers("segment", column(zones, &ConjugateZone::segment));
+        hdf5::write_columns(place, figures::zone_figures(), zones);
+        write_intervals(place, "u", zones, &ConjugateZone::u_begin, &ConjugateZone::u_end, "rad");
+        write_intervals(place, "phi", zones, &ConjugateZone::phi_begin, &ConjugateZone::phi_end, "rad");
+        write_intervals(place, "t", zones, &ConjugateZone::t_begin, &ConjugateZone::t_end, "1");
+    });
+}
+
+/// The places that keep a result from being certified; empty where it is.
+void write_certificate(Writer const& root, std::vector<UndecidedPlace> const& places)
+{
+    root.group("undecided", [&](Writer const& place) {
+        place.texts("what", column(places, &UndecidedPlace::what));
+        place.texts("segment_name", column(places, &UndecidedPlace::segment_name));
+        hdf5::write_columns(place, figures::undecided_figures(), places);
+    });
+}
+
+void write_pieces(Writer const& member, std::vector<OutlinePiece> const& pieces)
+{
+    member.group("pieces", [&](Writer const& place) {
+        place.texts("kind", column(pieces, &OutlinePiece::kind));
+        place.texts("segment_name", column(pieces, &OutlinePiece::segment_name));
+        place.integers("first", column(pieces, [](auto const& piece) { return static_cast<int>(piece.first); }));
+        place.integers("last", column(pieces, [](auto const& piece) { return static_cast<int>(piece.last); }));
+    });
+}
+
+/// Names and units are those of JSON.
+void write_summary(Writer const& root, Solution const& solution)
+{
+    auto const write = [&](Writer const& summary, figures::Rows<Solution> const& rows) {
+        for (auto const& figure : rows) {
+            summary.attribute(figure.json_key(), figure.unit.shown(figure.value(solution)));
+            if (figure.error != nullptr)
+                summary.attribute(figure.json_key_of_error(), figure.unit.shown_error(figure.error(solution)));
+        }
+    };
+    root.group("summary", [&](Writer const& summary) {
+        write(summary, figures::geometry_figures());
+        if (solution.check)
+            write(summary, figures::clearance_figures());
+        write(summary, figures::error_figures());
+    });
+}
+
+void write_timing(Writer const& root, std::vector<StageTime> const& timing)
+{
+    root.group("timing", [&](Writer const& place) {
+        place.texts("stage", column(timing, &StageTime::stage));
+        place.numbers("seconds", column(timing, &StageTime::seconds), "s");
+    });
+}
+
+}  // namespace
+
+void hdf5::write_solution(hdf5::Writer const& root, Solution const& solution)
+{
+    write_provenance(root, solution);
+    root.group("flexspline", [&](hdf5::Writer const& place) {
+        place.points("outline", solution.flexspline_outline);
+        if (solution.scene.is_reverse())
+            write_pieces(place, solution.flexspline_pieces);
+    });
+    root.points("neutral_curve", solution.neutral_curve);
+    write_envelope(root, solution);
+    write_zones(root, solution.zones);
+    write_certificate(root, solution.certificate.undecided);
+    write_summary(root, solution);
+    write_timing(root, solution.timing);
+}
+
+void hdf5::write_circular_spline(hdf5::Writer const& place, CircularSplineOutline const& outline)
+{
+    std::size_t const slices = outline.outline.size();
+    std::size_t const points = slices == 0 ? 0 : outline.outline.front().size();
+    std::vector<double> flat;  // one slice is written as it lies
+    flat.reserve(slices > 1 ? slices * points * 2 : 0);
+    for (auto const& slice : outline.outline) {
+        if (slice.size() != points || outline.z.size() != slices)
+            throw std::logic_error("slices of the circular spline do not match each other or z");
+        if (slices > 1) {
+            for (auto const& point : slice) {
+                flat.push_back(point.x());
+                flat.push_back(point.y());
+            }
+        }
+    }
+    double const* const first = slices == 1 && points > 0 ? outline.outline.front().front().data() : flat.data();
+    place.numbers("z", outline.z, "mm");
+    place.array("outline", {slices, points, 2}, first, "mm");
+    place.integers("landmarks", outline.landmarks);
+    write_pieces(place, outline.pieces);
+}
+
+}  // namespace hdconj::io
+
+namespace hdconj {
+
+void write_hdf5(Solution const& solution, std::filesystem::path const& file)
+{
+    io::hdf5::write_file(file, [&](io::hdf5::Writer const& root) {
+        io::hdf5::write_solution(root, solution);
+        root.group("circular_spline", [&](io::hdf5::Writer const& place) {
+            io::hdf5::write_circular_spline(place, solution.circular_spline);
+        });
+    });
+}
+
+}  // namespace hdconj

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The parts of the result file that every verb writes.
+#pragma once
+
+#include "hdconj/solution.hpp"
+#include "hdf5_writer.hpp"
+#include "io/mesh/spline_surface.hpp"
+
+namespace hdconj::io::hdf5 {
+
+/// Now, or SOURCE_DATE_EPOCH where that is set (reproducible files): ISO 8601, UTC.
+[[nodiscard]] std::string date_text();
+
+/// All of docs/hdf5.md up to `/circular_spline`, summary and time.
+void write_solution(Writer const& root, Solution const& solution);
+
+/// The slices, into the group `/circular_spline`.
+/// @throws std::logic_error where slices differ in their number of points, or z in its number
+void write_circular_spline(Writer const& place, CircularSplineOutline const& outline);
+
+/// The same and, where the solution has one, the toothed surface as a mesh.
+void write_spline_and_surface(Writer const& place, Solution const& solution);
+
+/// The datasets of a mesh.
+void write_surface(Writer const& place, Surface const& surface);
+
+}  // namespace hdconj::io::hdf5

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The layout of /load, as docs/hdf5.md describes it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "figures/load_figures.hpp"
+#include "hdconj/load_files.hpp"
+#include "hdf5_columns.hpp"
+#include "hdf5_layout.hpp"
+
+namespace hdconj::io {
+namespace {
+
+using hdf5::column;
+using hdf5::Shape;
+using hdf5::write_columns;
+using hdf5::write_error_columns;
+using hdf5::Writer;
+
+/// Values of which there are as many as @p shape says.
+void write_checked(Writer const& place, std::string const& name, Shape const& shape, std::vector<double> const& values,
+                   char const* units)
+{
+    hsize_t size = 1;
+    for (auto const each : shape)
+        size *= each;
+    if (values.size() != size)
+        throw std::logic_error(name + " does not match what it is a function of");
+    place.array(name, shape, values.data(), units);
+}
+
+void write_load_map(Writer const& place, LoadMap const& map)
+{
+    Shape const shape = {map.angle.size(), 2, map.z.size()};
+    place.attribute("flanks", std::vector<std::string>{"left", "right"});
+    place.attribute("torque_Nmm", map.torque);
+    place.numbers("z", map.z, "mm");
+    place.numbers("angle", map.angle, "rad");
+    write_checked(place, "force", shape, map.force, "N");
+    write_checked(place, "line_load", shape, map.line_load, "N/mm");
+    write_checked(place, "pressure", shape, map.pressure, "MPa");
+    write_checked(place, "gap", shape, map.gap, "mm");
+    write_checked(place, "height", shape, map.height, "1");
+}
+
+void write_bearing(Writer const& place, BearingMap const& bearing, int balls)
+{
+    place.numbers("angle", bearing.angle, "rad");
+    place.numbers("z", bearing.z, "mm");
+    write_checked(place, "force", {bearing.angle.size(), bearing.z.size()}, bearing.force, "N");
+    if (!bearing.ball_angle.empty()) {
+        auto const& ball = figures::loaded_state_figures(balls)["ball_force"];
+        place.numbers("ball_angle", bearing.ball_angle, "rad");
+        write_checked(place, ball.name, {bearing.ball_angle.size()}, bearing.ball_force, ball.unit.stored);
+    }
+}
+
+void write_curve(Writer const& place, LoadCase const& each, figures::Rows<LoadedState> const& rows)
+{
+    write_columns(place, rows, each.curve);
+    place.group("error", [&](Writer const& group) {
+        std::vector<int> estimated;
+        std::vector<LoadedState> errors;  // zeros where there are none
+        for (std::size_t i = 0; i < each.curve.size(); ++i) {
+            auto const* error = figures::error_of(each, i);
+            estimated.push_back(error != nullptr ? 1 : 0);
+            errors.push_back(error != nullptr ? *error : LoadedState());
+        }
+        group.integers("estimated", estimated);
+        write_error_columns(group, rows, errors);
+    });
+}
+
+void write_load_case(Writer const& place, LoadCase const& each, int balls)
+{
+    place.group("curve", [&](Writer const& curve) { write_curve(curve, each, figures::loaded_state_figures(balls)); });
+    if (!each.bearing.angle.empty())
+        place.group("bearing", [&](Writer const& bearing) { write_bearing(bearing, each.bearing, balls); });
+    if (!each.map.angle.empty())
+        place.group("map", [&](Writer const& map) { write_load_map(map, each.map); });
+}
+
+/// Estimates, worth something where `estimated` is 1.
+void write_errors(Writer const& place, std::vector<LoadCase> const& cases, int balls)
+{
+    auto const& backlash = figures::load_case_figures()["backlash"];
+    place.integers("estimated", column(cases, &LoadCase::estimated));
+    place.integers("pressure_at_edge", column(cases, &LoadCase::pressure_at_edge));
+    place.numbers(backlash.name, column(cases, backlash.error), backlash.unit.stored);
+    write_error_columns(place, figures::loaded_state_figures(balls), column(cases, &LoadCase::error));
+}
+
+void write_load_cases(Writer const& place, std::vector<LoadCase> const& cases, int balls)
+{
+    std::vector<LoadedState> rated;
+    for (auto const& each : cases) {
+        auto const* state = figures::rated_state(each);
+        if (state == nullptr)
+            throw std::logic_error("a load case without a state at its largest torque");
+        rated.push_back(*state);
+    }
+    place.texts("surface", column(cases, [](auto const& each) { return std::string(to_string(each.surface)); }));
+    place.texts("kind", column(cases, [](auto const& each) { return std::string(to_string(each.kind)); }));
+    write_columns(place, figures::load_case_figures(), cases);
+    write_columns(place, figures::loaded_state_figures(balls), rated);
+    place.group("error", [&](Writer const& group) { write_errors(group, cases, balls); });
+    for (std::size_t i = 0; i < cases.size(); ++i) {
+        place.group(fmt::format("case_{:03}", i),
+                    [&](Writer const& group) { write_load_case(group, cases[i], balls); });
+    }
+}
+
+void write_cup(Writer const& place, AssembledCup const& cup, int balls)
+{
+    hdf5::write_attributes(place, figures::assembled_cup_figures(balls), cup);
+    place.attribute("ball_force", cup.ball_force);
+    place.attribute("estimated", cup.estimated ? 1 : 0);
+    place.numbers("z", cup.z, "mm");
+    write_checked(place, "w_major", {cup.z.size()}, cup.w_major, "mm");
+    write_checked(place, "w_minor", {cup.z.size()}, cup.w_minor, "mm");
+}
+
+/// Four corners a row; a triangle has its last one twice.
+std::vector<int> four_corners(std::vector<std::vector<int>> const& cells)
+{
+    std::vector<int> corners;
+    for (auto const& cell : cells) {
+        if (cell.size() != 3 && cell.size() != 4)
+            throw std::logic_error("an element of the cup with neither three corners nor four");
+        for (std::size_t i = 0; i < 4; ++i)
+            corners.push_back(cell[std::min(i, cell.size() - 1)]);
+    }
+    return corners;
+}
+
+void write_shape(Writer const& place, CupShape const& shape)
+{
+    Shape const size = {shape.phi.size(), shape.r.size()};
+    place.numbers("r", shape.r, "mm");
+    write_checked(place, "z", {shape.r.size()}, shape.z, "mm");
+    auto const corners = four_corners(shape.cells);
+    place.array("cells", {shape.cells.size(), 4}, corners.data());
+    place.numbers("phi", shape.phi, "rad");
+    write_checked(place, "u_r", size, shape.u_r, "mm");
+    write_checked(place, "u_t", size, shape.u_t, "mm");
+    write_checked(place, "u_z", size, shape.u_z, "mm");
+    if (!shape.stress.empty())
+        write_checked(place, "stress", size, shape.stress, "MPa");
+}
+
+void write_measured(Writer const& place, Measurement const& measured)
+{
+    auto const& [curve, found] = measured;
+    place.attribute("path", curve.file);
+    place.attribute("columns", curve.columns);
+    place.attribute("torque_constant_Nm_per_A", curve.rig.torque_constant);
+    place.attribute("counts_per_turn", curve.rig.counts_per_turn);
+    place.attribute("ratio", curve.rig.ratio);
+    place.attribute("efficiency", curve.rig.efficiency);
+    place.attribute("angle_per_spline", curve.rig.angle_per_spline);
+    hdf5::write_attributes(place, figures::measured_curve_figures(), found);
+    place.numbers("twist", curve.twist, "rad");
+    place.numbers("torque", curve.torque, "N mm");
+    for (auto const& figure : figures::measured_figures()) {
+        Estimate const& estimate = figure.value(found);
+        if (estimate.count > 0) {
+            place.numbers(figure.name, {estimate.value, estimate.error}, figure.unit.stored);
+            place.integers(std::string(figure.name) + "_count", {estimate.count});
+        }
+    }
+}
+
+}  // namespace
+}  // namespace hdconj::io
+
+namespace hdconj {
+
+void write_hdf5(LoadStudy const& study, std::filesystem::path const& file, Measurement const* measured)
+{
+    using io::hdf5::Writer;
+    io::hdf5::write_file(file, [&](Writer const& root) {
+        io::hdf5::write_solution(root, study.solution);
+        root.group("circular_spline",
+                   [&](Writer const& place) { io::hdf5::write_spline_and_surface(place, study.solution); });
+        root.group("load", [&](Writer const& load) {
+            io::hdf5::write_attributes(load, figures::load_study_figures(), study);
+            io::write_load_cases(load, study.cases, study.balls);
+            load.group("cup", [&](Writer const& cup) { io::write_cup(cup, study.cup, study.balls); });
+            if (!study.shape.r.empty())
+                load.group("shape", [&](Writer const& shape) { io::write_shape(shape, study.shape); });
+            if (measured != nullptr)
+                load.group("measured", [&](Writer const& place) { io::write_measured(place, *measured); });
+        });
+    });
+}
+
+}  // namespace hdconj

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The text of data/scenes/type-50.toml, put into the program when it is built.
+#pragma once
+
+#include <string_view>
+
+namespace hdconj::io {
+
+extern std::string_view const builtin_scene;
+
+}  // namespace hdconj::io

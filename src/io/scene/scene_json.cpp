@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/read_scene.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace hdconj {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json_of(Faults const& faults)
+{
+    Json list = Json::array();
+    for (auto const& fault : faults) {
+        list.push_back({{"path", fault.path},
+                        {"line", fault.line},
+                        {"value", fault.value},
+                        {"reason", fault.reason},
+                        {"remedy", fault.remedy},
+                        {"origin", fault.origin}});
+    }
+    return list;
+}
+
+void add_plan(Json& object, Plan const& plan)
+{
+    object["stages"] = Json::array();
+    for (auto const& planned : plan.stages) {
+        object["stages"].push_back({{"stage", to_string(planned.stage)}, {"reason", planned.reason}});
+    }
+    object["absent"] = Json::array();
+    for (auto const& effect : plan.absent) {
+        object["absent"].push_back({{"effect", effect.name}, {"remedy", effect.remedy}});
+    }
+}
+
+}  // namespace
+
+std::string check_json(std::string const& scene_name, Faults const& faults, Plan const* plan)
+{
+    Json object{{"scene", scene_name}, {"faults", json_of(faults)}};
+    if (plan != nullptr)
+        add_plan(object, *plan);
+    constexpr int indent = 2;
+    // A value may hold bytes that are no UTF-8; they are replaced, not thrown at.
+    return object.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
+}  // namespace hdconj

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The elastic cup on its wave generator with teeth that may touch: everything but the teeth's surfaces.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "elastic/ball_line.hpp"
+#include "flank_contacts.hpp"
+#include "hertz.hpp"
+#include "ring_response.hpp"
+#include "tooth_bending.hpp"
+
+namespace hdconj::load {
+
+/// Order of the stations of the cup in ElasticDrive::response: first the heights of the bearing, then four blocks with
+/// one station for each slice, radial, tangential, axial and turn.
+struct DriveStations
+{
+    std::size_t bearing = 0;  ///< heights at which the wave generator presses radially
+    std::size_t slices = 0;
+
+    [[nodiscard]] std::size_t radial(std::size_t slice) const { return bearing + slice; }
+    [[nodiscard]] std::size_t tangential(std::size_t slice) const { return bearing + slices + slice; }
+    [[nodiscard]] std::size_t axial(std::size_t slice) const { return bearing + 2 * slices + slice; }
+    [[nodiscard]] std::size_t turn(std::size_t slice) const { return bearing + 3 * slices + slice; }
+    [[nodiscard]] std::size_t count() const { return bearing + 4 * slices; }
+};
+
+/// The elastic model. Angles are on an even grid over one sector: tooth i stands at grid angle i steps_per_tooth.
+struct ElasticDrive
+{
+    DriveStations stations;
+    PointResponse response;  ///< of the cup
+    /// Of the outer ring of the bearing: `bearing` radial stations, outward. Absent: a rigid cam.
+    std::optional<PointResponse> outer_ring;
+    /// Between cam and outer ring, for the contacts heights within `bearing_steps`. Present with `outer_ring`.
+    std::optional<elastic::BallLine> balls;
+    int steps_per_tooth = 1;
+    std::vector<int> bearing_steps;  ///< grid angles at which the wave generator may press
+    Eigen::MatrixXd needed;          ///< (bearing, bearing_steps) how far the unloaded wave generator stands out [mm]
+    double phase = 0;                ///< angle of the first grid point [rad]
+    int flexspline_teeth = 0;
+    std::vector<double> slice_width;  ///< (slices) face width that a slice stands for [mm]
+    elastic::Elasticity flexspline, circular_spline;
+    double contact_depth = 0;  ///< at which the Hertz approach is taken: half a tooth [mm]
+    ToothBending bending;
+    /// Single balls: compliance of the ring between them, for the same contacts [mm/N].
+    std::optional<Eigen::MatrixXd> between_balls = std::nullopt;
+    /// Arc of the inner circle of the ring that a point of a line of balls stands for [mm]; 0: single balls, or none.
+    double ball_arc = 0;
+    std::vector<double> bearing_z = {};  ///< (bearing) above the middle of the bearing [mm]
+    std::vector<double> slice_z = {};    ///< (slices) above the middle of the bearing [mm]
+    /// Value of bearing_compliance(), which no torque changes [mm/N].
+    Eigen::MatrixXd bearing_compliance = {};
+
+    [[nodiscard]] LineContact line_contact(FlankContact const& c) const;
+};
+
+/// Compliance between the contacts of the bearing, heights within angles, of cup, outer ring and the ring between its
+/// balls: displacement at one contact under 1 N at another [mm/N]. Symmetric.
+[[nodiscard]] Eigen::MatrixXd bearing_compliance(ElasticDrive const& drive, int threads);
+
+}  // namespace hdconj::load

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Minima of the gap along one flank; private to src/load.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "flank_contacts.hpp"
+#include "flank_curve.hpp"
+
+namespace hdconj::load {
+
+/// One flank of a slice, seen from one tooth space.
+struct FlankView
+{
+    contact::GapField const& field;
+    FlankSearch const& search;
+    FlankCurve const& curve;
+    std::size_t space;
+    int flank;
+    std::size_t slice;
+    double radius;  ///< of the circles whose centres the curve joins [mm]; 0: the curve is the flank
+
+    [[nodiscard]] contact::GapField::Touch touch(Vec2 const& q) const
+    {
+        return field.touch(space, slice, q, search.turn);
+    }
+    [[nodiscard]] double gap(Vec2 const& q) const { return touch(q).nearest.distance - radius; }
+    /// Derivative of the gap along the flank; at an end of a stretch, from within the stretch.
+    [[nodiscard]] double slope(FlankCurve::Place const& at) const
+    {
+        return touch(curve.point(at)).normal.dot(curve.tangent(at));
+    }
+};
+
+/// Whether every gap of the flank is above the limit of the search, from every eighth point.
+[[nodiscard]] bool is_far(FlankView const& view);
+
+/// A place of least gap.
+struct GapMinimum
+{
+    FlankCurve::Place place;
+    bool at_end = false;  ///< the flank ends there with the gap still falling
+};
+
+/// All places below the limit where the gap turns from falling to rising, and ends of the flank.
+/// @param gap  at the points of the curve [mm]
+[[nodiscard]] std::vector<GapMinimum> gap_minima(FlankView const& view, std::vector<double> const& gap);
+
+}  // namespace hdconj::load

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cup_shape.hpp"
+
+#include <algorithm>
+#include <numbers>
+#include <utility>
+#include <vector>
+
+#include "hdconj/base/parallel.hpp"
+
+namespace hdconj::load {
+namespace {
+
+/// @p count even angles of one of @p sectors sectors [rad].
+std::vector<double> even_angles(int count, int sectors)
+{
+    std::vector<double> phi;
+    for (int i = 0; i < count; ++i)
+        phi.push_back(2 * std::numbers::pi * i / (sectors * count));
+    return phi;
+}
+
+/// Enters the corners of the elements as nodes. @returns where each of them stands in the mesh
+std::vector<elastic::SectionPoint> enter_section(LoadModel const& model, CupShape& shape)
+{
+    elastic::SectionMesh const& mesh = model.solid.mesh();
+    std::vector<int> number(mesh.nodes.size(), -1);
+    std::vector<elastic::SectionPoint> places;
+    constexpr double xi[] = {-1, 1, 1, -1}, eta[] = {-1, -1, 1, 1};
+    for (std::size_t e = 0; e < mesh.elements.size(); ++e) {
+        std::vector<int> cell;
+        for (std::size_t c = 0; c < 4; ++c) {
+            auto const node = static_cast<std::size_t>(mesh.elements[e][c]);
+            if (number[node] < 0) {
+                number[node] = static_cast<int>(shape.r.size());
+                shape.r.push_back(mesh.nodes[node].x());
+                shape.z.push_back(mesh.nodes[node].y() - model.middle);
+                places.push_back({e, xi[c], eta[c]});
+            }
+            cell.push_back(number[node]);
+        }
+        shape.cells.push_back(std::move(cell));
+    }
+    return places;
+}
+
+void enter_stress(LoadModel const& model, elastic::HarmonicField const& field, int threads, CupShape& shape)
+{
+    std::size_t const points = shape.r.size();
+    Eigen::MatrixXd const gauss = elastic::gauss_stress(model.solid.mesh(), field, shape.phi, threads);
+    std::vector<double> around(points, 0);
+    constexpr std::size_t nearest[] = {0, 1, 3, 2};  // Gauss point beside each corner
+    for (std::vector<int> const& cell : shape.cells)
+        for (int const node : cell)
+            around[static_cast<std::size_t>(node)] += 1;
+    for (std::size_t e = 0; e < shape.cells.size(); ++e)
+        for (std::size_t c = 0; c < 4; ++c) {
+            auto const point = static_cast<std::size_t>(shape.cells[e][c]);
+            for (std::size_t a = 0; a < shape.phi.size(); ++a)
+                shape.stress[a * points + point] +=
+                    gauss(static_cast<Eigen::Index>(4 * e + nearest[c]), static_cast<Eigen::Index>(a)) / around[point];
+        }
+}
+
+}  // namespace
+
+elastic::HarmonicField cup_field(LoadModel const& model, Eigen::MatrixXd const& forces, int threads)
+{
+    DriveStations const& layout = model.drive.stations;
+    PointResponse::Loads const loads = model.drive.response.loads(forces, model.drive.phase, threads);
+    auto const count = static_cast<Eigen::Index>(layout.turn(0));  // turns stand last
+    Eigen::MatrixXd even = loads.even.topRows(count), odd = loads.odd.topRows(count);
+    // a moment is the forces that do its work: turn = (V + n U)/r
+    for (Eigen::Index k = 0; k < even.cols(); ++k)
+        for (std::size_t slice = 0; slice < layout.slices; ++slice) {
+            auto const turn = static_cast<Eigen::Index>(layout.turn(slice));
+            auto const radial = static_cast<Eigen::Index>(layout.radial(slice)),
+                       tangential = static_cast<Eigen::Index>(layout.tangential(slice));
+            double const n = model.unit.harmonics[static_cast<std::size_t>(k)];
+            even(tangential, k) += loads.even(turn, k) / model.radius;
+            odd(tangential, k) += loads.odd(turn, k) / model.radius;
+            even(radial, k) += n * loads.even(turn, k) / model.radius;
+            odd(radial, k) += n * loads.odd(turn, k) / model.radius;
+        }
+    return elastic::harmonic_field(model.unit, even, odd, threads);
+}
+
+CupShape cup_shape(LoadModel const& model, elastic::HarmonicField const& field, int threads)
+{
+    constexpr int angles = 180;
+    CupShape shape;
+    std::vector<elastic::SectionPoint> const places = enter_section(model, shape);
+    shape.phi = even_angles(angles, 1);
+    std::size_t const points = places.size();
+    for (auto* values : {&shape.u_r, &shape.u_t, &shape.u_z, &shape.stress})
+        values->assign(points * shape.phi.size(), 0);
+    enter_stress(model, field, threads, shape);
+    elastic::HarmonicWaves const waves(field, shape.phi);
+    constexpr std::size_t grain = 32;
+    parallel_for(points, threads, grain, [&](std::size_t p) {
+        Eigen::Matrix3Xd const u = elastic::displacements_at(model.solid.mesh(), field, places[p], waves);
+        for (std::size_t a = 0; a < shape.phi.size(); ++a) {
+            auto const column = static_cast<Eigen::Index>(a);
+            shape.u_r[a * points + p] = u(0, column);
+            shape.u_z[a * points + p] = u(1, column);
+            shape.u_t[a * points + p] = u(2, column);
+        }
+    });
+    return shape;
+}
+
+CupStress cup_stress(LoadModel const& model, elastic::HarmonicField const& field, int threads)
+{
+    constexpr int angles = 90;
+    elastic::SectionMesh const& mesh = model.solid.mesh();
+    CupStress result;
+    result.peak = elastic::stress_peak(mesh, field, even_angles(angles, model.drive.response.sectors()), threads);
+    std::vector<elastic::SectionPoint> const points = elastic::gauss_points(mesh);
+    auto const distance = [&](elastic::SectionPoint const& point) {
+        return (elastic::position(mesh, point) - result.peak.at).squaredNorm();
+    };
+    auto const nearest = std::min_element(points.begin(), points.end(),
+                                          [&](auto const& a, auto const& b) { return distance(a) < distance(b); });
+    if (nearest == points.end())
+        return result;
+    for (double const xi : {-1.0, 1.0})
+        for (double const eta : {-1.0, 1.0}) {
+            auto const stress = elastic::stress_at(mesh, field, {nearest->element, xi, eta}, result.peak.phi);
+            result.at_corners = std::max(result.at_corners, elastic::von_mises(stress) - result.peak.stress);
+        }
+    return result;
+}
+
+}  // namespace hdconj::load

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Displacement and stress of the whole cup under load.
+#pragma once
+
+#include <Eigen/Core>
+
+#include "elastic/harmonic_field.hpp"
+#include "hdconj/load.hpp"
+#include "load_model.hpp"
+
+namespace hdconj::load {
+
+/// Displacement of the whole cup under forces on the drive's stations.
+[[nodiscard]] elastic::HarmonicField cup_field(LoadModel const& model, Eigen::MatrixXd const& forces, int threads);
+
+/// The cup at 180 angles as it is drawn; the stress at a corner of an element is the mean of the Gauss points around
+/// it.
+[[nodiscard]] CupShape cup_shape(LoadModel const& model, elastic::HarmonicField const& field, int threads);
+
+/// The largest von Mises stress of the cup.
+struct CupStress
+{
+    elastic::StressPeak peak;  ///< of the Gauss points at 90 angles of a sector [MPa]
+    double at_corners = 0;     ///< by how much the stress at the corners of that element exceeds it, at least 0 [MPa]
+};
+[[nodiscard]] CupStress cup_stress(LoadModel const& model, elastic::HarmonicField const& field, int threads);
+
+}  // namespace hdconj::load

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The elastic drive of a scene.
+#pragma once
+
+#include <vector>
+
+#include "contact/study/contact_context.hpp"
+#include "elastic/unit_fields.hpp"
+#include "load/elastic_drive.hpp"
+
+namespace hdconj::load {
+
+/// An elastic drive with the cup that it is made of.
+struct LoadModel
+{
+    elastic::FourierSolid solid;
+    elastic::UnitFields unit;  ///< of the drive's stations but for the turns
+    double radius;             ///< at which turns are taken [mm]
+    double middle;             ///< of the bearing above the cup's bottom [mm]
+    ElasticDrive drive;
+};
+
+/// Resolution of the model.
+struct LoadGrid
+{
+    std::vector<std::size_t> slices;  ///< indices among those of the context, increasing
+    int circles = 0;                  ///< over the bearing's width
+    int harmonics = 0;                ///< highest
+    int layers = 1;                   ///< elements across the cup's wall, at least
+};
+
+/// The resolution that the scene asks for.
+[[nodiscard]] LoadGrid load_grid(contact::ContactContext const& context);
+
+/// Cup, wave generator and teeth of @p context as `load` needs them.
+/// @throws NumericalError for a cup that cannot be meshed or a drive with too many teeth for the memory that a load
+/// takes
+[[nodiscard]] LoadModel load_model(contact::ContactContext const& context, LoadGrid const& resolution);
+
+}  // namespace hdconj::load

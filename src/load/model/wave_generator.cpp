@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "wave_generator.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "drive/elastic_cup.hpp"
+#include "elastic/ball_line.hpp"
+#include "elastic/discrete_balls.hpp"
+#include "elastic/wave_generator_contact.hpp"
+
+namespace hdconj::load {
+namespace {
+
+constexpr int most_angles = 128;  // of the wave generator's contact in one sector
+
+/// The shape at even angles of one sector.
+std::vector<double> sampled(wavegen::AnyWaveShape const& shape, int sectors, int samples)
+{
+    std::vector<double> w;
+    for (int i = 0; i < samples; ++i)
+        w.push_back(shape(2 * std::numbers::pi * i / (sectors * samples)).w);
+    return w;
+}
+
+/// Angles of the bearing's contacts in the order of ElasticDrive::bearing_steps [rad].
+std::vector<double> contact_angles(std::vector<int> const& steps, double phase, double step)
+{
+    std::vector<double> phi;
+    for (int const at : steps)
+        phi.push_back(phase + step * at);
+    return phi;
+}
+
+/// The contacts at @p phi, heights within angles.
+elastic::BearingContacts contacts_of(PlacedBearing const& placed, std::vector<double> const& phi)
+{
+    elastic::BearingContacts contacts{{}, {}, placed.spread};
+    for (double const angle : phi)
+        for (std::size_t j = 0; j < placed.circles.size(); ++j) {
+            contacts.phi.push_back(angle);
+            contacts.z.push_back(static_cast<Eigen::Index>(j));
+        }
+    return contacts;
+}
+
+/// How far the unloaded surface stands out at the angles @p phi: (circles, angles) [mm].
+Eigen::MatrixXd unloaded_surface(elastic::BearingSurface const& surface, int sectors, std::vector<double> const& phi)
+{
+    Eigen::MatrixXd needed(surface.cosine.rows(), static_cast<Eigen::Index>(phi.size()));
+    for (std::size_t i = 0; i < phi.size(); ++i) {
+        Eigen::VectorXd out = Eigen::VectorXd::Zero(surface.cosine.rows());
+        for (Eigen::Index k = 0; k < surface.cosine.cols(); ++k)
+            out += surface.cosine.col(k) * std::cos(static_cast<double>(k) * sectors * phi[i]) +
+                   surface.sine.col(k) * std::sin(static_cast<double>(k) * sectors * phi[i]);
+        needed.col(static_cast<Eigen::Index>(i)) = out;
+    }
+    return needed;
+}
+
+/// Adds the outer ring and the balls between it and the cam to @p model.
+/// @param points  of a line of balls in a sector
+void add_ring(BearingModel& model, PlacedBearing const& placed, elastic::BearingSurface const& surface,
+              contact::ContactContext const& context, RingGrid const& around, int points,
+              std::vector<double> const& phi)
+{
+    BearingChoice const& bearing = *context.scene.bearing;
+    int const sectors = around.sectors, threads = context.threads;
+    elastic::BearingContacts const contacts = contacts_of(placed, phi);
+    if (bearing.balls) {
+        elastic::DiscreteBalls single = elastic::discrete_balls(
+            surface, sectors, contacts, elastic::ball_angles(*bearing.balls, sectors, bearing.ball_phase),
+            placed.ball_stiffness);
+        model.needed -= Eigen::Map<Eigen::MatrixXd>(single.sag.data(), model.needed.rows(), model.needed.cols());
+        model.balls = std::move(single.balls);
+        model.between_balls = std::move(single.between);
+    } else {
+        model.balls = elastic::ball_line(surface, sectors, contacts, points, false, threads);
+        model.ball_arc = 2 * std::numbers::pi *
+                         (context.geometry.flexspline_inner_radius - placed.bearing.ring->thickness) /
+                         (sectors * static_cast<double>(model.balls->phi.size()));
+    }
+    std::vector<RingStation> const stations(placed.circles.size(), {RingStation::Parity::cosine, placed.spread});
+    model.outer_ring.emplace(stations, responses(*surface.compliance), sectors, around.angles(), threads);
+}
+
+}  // namespace
+
+std::vector<HarmonicResponse> responses(elastic::Influence const& influence)
+{
+    std::vector<HarmonicResponse> result;
+    for (std::size_t i = 0; i < influence.harmonics().size(); ++i)
+        result.push_back({influence.harmonics()[i], influence.compliance(i)});
+    return result;
+}
+
+PlacedBearing placed_bearing(contact::ContactContext const& context, int circles, RingGrid const& around)
+{
+    Scene const& scene = context.scene;
+    PlacedBearing result{drive::bearing_of(scene), {}, 2 * std::numbers::pi / around.sectors / around.angles(), {}};
+    if (scene.bearing->balls) {
+        // the part of a line's stiffness that one ball has
+        if (auto const line = std::exchange(result.bearing.ring->radial_stiffness, std::nullopt))
+            result.ball_stiffness = *line * 2 * std::numbers::pi *
+                                    (context.geometry.flexspline_inner_radius - result.bearing.ring->thickness) /
+                                    *scene.bearing->balls;
+    }
+    result.circles = elastic::bearing_circles(result.bearing, circles);
+    return result;
+}
+
+BearingModel bearing_model(PlacedBearing const& placed, contact::ContactContext const& context, RingGrid const& around,
+                           double phase, int highest)
+{
+    int const sectors = around.sectors, grid = around.angles();
+    int const samples = 2 * (highest / sectors);
+    // More angles than the harmonics resolve would leave the compliance singular.
+    int const angles = std::min({grid, most_angles * (around.lobes / sectors), samples});
+    BearingModel model;
+    for (int i = 0; i < angles; ++i)
+        model.bearing_steps.push_back(static_cast<int>(static_cast<long>(i) * grid / angles));
+    std::vector<double> const phi = contact_angles(model.bearing_steps, phase, placed.spread);
+    elastic::CamSeries const cam =
+        elastic::cam_series(sampled(context.shape, sectors, samples), sectors, context.shape.even());
+    elastic::BearingSurface const surface = elastic::bearing_surface(
+        placed.bearing, context.geometry.flexspline_inner_radius, cam, placed.circles, context.threads);
+    model.needed = unloaded_surface(surface, sectors, phi);
+    if (surface.compliance)
+        add_ring(model, placed, surface, context, around, std::min(samples, most_angles), phi);
+    return model;
+}
+
+}  // namespace hdconj::load

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Forces of the bearing at one torque.
+#pragma once
+
+#include "hdconj/load.hpp"
+#include "load/equilibrium.hpp"
+
+namespace hdconj::load {
+
+/// Forces between bearing and cup, and of the balls.
+[[nodiscard]] BearingMap bearing_map(ElasticDrive const& drive, Equilibrium const& state);
+
+/// The most heavily loaded ball.
+struct BallPeak
+{
+    double force = 0;  ///< [N], of a line [N/mm]
+    double phi = 0;    ///< angle from the major axis [rad]
+    int carrying = 0;  ///< single balls that carry force, all around the ring
+};
+[[nodiscard]] BallPeak ball_peak(ElasticDrive const& drive, Equilibrium const& state);
+
+/// Resultant over the lobe at the major axis. A force between two lobes counts half for either.
+struct LobeReaction
+{
+    double along = 0;   ///< along the major axis [N]
+    double across = 0;  ///< across it, clockwise positive [N]
+    double z = 0;       ///< height at which `along` acts [mm]
+};
+[[nodiscard]] LobeReaction lobe_reaction(BearingMap const& bearing, int sectors, int waves);
+
+/// Largest difference between the forces of the balls of two grids; of a line, interpolated between its points. Unlike
+/// the difference of the two peaks it is not small by chance.
+[[nodiscard]] double ball_distance(BearingMap const& fine, BearingMap const& coarse, int sectors);
+
+}  // namespace hdconj::load

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "loaded_scene.hpp"
+
+#include <fmt/format.h>
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <string_view>
+
+#include "base/text.hpp"
+#include "drive/drive.hpp"
+#include "drive/elastic_cup.hpp"
+#include "hdconj/check.hpp"
+#include "hdconj/contact.hpp"
+#include "hdconj/error.hpp"
+#include "load/model/ring_grid.hpp"
+
+namespace hdconj {
+namespace {
+
+void require_cup_and_bearing(Scene const& scene, Faults& faults)
+{
+    if (!scene.flexspline.cup)
+        faults.push_back({"flexspline.cup", 0, "", "this table is missing: a load needs the cup's dimensions",
+                          "write the line [flexspline.cup] and below it length = 15.0, barrel_wall = 0.4, bottom = "
+                          "0.5, corner_radius = 2.0, flange_radius = 13.0, "
+                          "tooth_width = 8.0, front_land = 2.0"});
+    if (!scene.bearing)
+        faults.push_back(
+            {"bearing", 0, "", "this table is missing: a load needs what pushes the cup outward",
+             "write the line [bearing] and below it type = \"elastic\", width = 6.0, ring_thickness = 1.2"});
+}
+
+void require_torque(Scene const& scene, LoadOptions const& options, Faults& faults)
+{
+    if (!options.torque && !(scene.load && scene.load->torque))
+        faults.push_back({"load.torque", scene.load ? scene.load->line : 0, "",
+                          "this key is missing: nothing says which torque is meant",
+                          "write torque = 28.0, in N m, in [load], or --torque 28"});
+    if (options.torque && !std::isfinite(*options.torque))
+        faults.push_back(
+            {"--torque", 0, short_number(*options.torque), "not a finite number", "write a torque in N m such as 28"});
+}
+
+/// @param highest  harmonic that the angles of the teeth resolve
+void validate_harmonics(LoadRequest const& request, int highest, Faults& faults)
+{
+    if (request.harmonics > highest)
+        faults.push_back({"load.harmonics", request.line, fmt::format("{}", request.harmonics),
+                          "more than the angles of the teeth tell apart", fmt::format("write at most {}", highest)});
+}
+
+}  // namespace
+
+Faults check_load(Scene const& scene, LoadOptions const& options)
+{
+    Faults faults = check_contact(scene, load::contact_options(options));
+    require_cup_and_bearing(scene, faults);
+    require_torque(scene, options, faults);
+    if (scene.load && scene.given.contains("load.harmonics"))
+        validate_harmonics(*scene.load, load::highest_harmonic(load::ring_grid(scene)), faults);
+    if (options.points && *options.points < 1)
+        faults.push_back({"--points", 0, fmt::format("{}", *options.points), "a curve has at least one torque",
+                          "write a whole number such as 10"});
+    return faults;
+}
+
+Scene loaded_scene(Scene asked, LoadOptions const& options)
+{
+    constexpr int load_slices = 9;
+    if (!asked.slices)
+        asked.slices =
+            Slices{load_slices, options.surfaces.empty() ? ToothSurface::tilted : options.surfaces.front(), 0};
+    bool const tilts = std::any_of(options.tilts.begin(), options.tilts.end(), [](double tilt) { return tilt != 0; });
+    if (tilts && !asked.tilt)
+        asked.tilt = Tilt{options.tilts.front(), options.kinds.empty() ? TiltKind::radial : options.kinds.front(), 0};
+    if (!asked.coning && asked.flexspline.cup) {
+        // The middle of the teeth is that of the bearing.
+        Cup const& cup = *asked.flexspline.cup;
+        asked.coning =
+            Coning{ConingModel::elastic, cup.length - cup.front_land - cup.tooth_width / 2, 0, AxialShift::mapped, 0};
+    }
+    return asked;
+}
+
+namespace load {
+namespace {
+
+/// Faults of a completed scene: the cup bends under load, whatever its outlines follow.
+Faults faults_of_loaded(Scene const& scene)
+{
+    Faults faults = check_scene(scene);
+    if (faults.empty() && !scene.is_elastic() && scene.coning->bottom_to_middle)
+        drive::validate_cup(
+            scene, drive::ring_geometry(scene, drive::given_tooth(scene, faults)).flexspline_inner_radius, faults);
+    return faults;
+}
+
+/// The tip circle that a scene leaves to the program [mm].
+double standard_tip(Scene const& scene)
+{
+    Faults faults;
+    profile::Profile const tooth = drive::given_tooth(scene, faults);
+    return drive::pair_geometry(scene, tooth, drive::wave_shape(scene, tooth, faults).amplitude())
+        .circular_spline_inner_radius;
+}
+
+}  // namespace
+
+ContactOptions contact_options(LoadOptions const& options)
+{
+    ContactOptions result;
+    result.tilts = options.tilts;
+    result.surfaces = options.surfaces;
+    result.kinds = options.kinds;
+    return result;
+}
+
+Scene checked_scene(Scene const& asked, LoadOptions const& options)
+{
+    Faults faults = check_load(asked, options);
+    Scene completed = loaded_scene(asked, options);
+    for (Fault const& more : faults.empty() ? faults_of_loaded(completed) : check_scene(asked))
+        faults.push_back(more);
+    if (!faults.empty())
+        throw InputError(faults);
+    return completed;
+}
+
+double rated_torque(Scene const& scene, LoadOptions const& options)
+{
+    return options.torque ? *options.torque : *scene.load->torque;
+}
+
+std::vector<double> loading_path(Scene const& scene, LoadOptions const& options)
+{
+    constexpr int standard_points = 10;
+    double const torque = rated_torque(scene, options);
+    if (!options.curve)
+        return {torque};
+    int const points = options.points.value_or(scene.load ? scene.load->points : standard_points);
+    std::vector<double> result;
+    for (int i = 0; i <= points; ++i)
+        result.push_back(torque * i / points);
+    for (int i = points - 1; i >= -points; --i)
+        result.push_back(torque * i / points);
+    return result;
+}
+
+LoadedDriveData contact_data(Scene const& scene, StageObserver const& on_stage)
+{
+    constexpr double step = 0.04;  // of the module
+    constexpr int most_steps = 10;
+    bool const given = scene.circular_spline.inner_radius.has_value() || scene.is_reverse();
+    Scene widened = scene;
+    for (int i = 0;; ++i) {
+        try {
+            if (i > 0)
+                widened.circular_spline.inner_radius = standard_tip(widened) + step * scene.drive.module;
+            return {std::make_unique<contact::ContactStudyData>(widened, Verb::load, on_stage),
+                    i * step * scene.drive.module};
+        } catch (NumericalError const& error) {
+            if (given || i == most_steps || error.code() != ErrorCode::no_land || error.stage() != "region")
+                throw;
+        }
+    }
+}
+
+}  // namespace load
+}  // namespace hdconj

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The scene of a load study: checked, completed, and solved without torque.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "contact/study/contact_study_data.hpp"
+#include "hdconj/load.hpp"
+
+namespace hdconj::load {
+
+/// loaded_scene() of a scene without faults. Everything that follows takes this scene.
+/// @throws InputError with all faults of scene and options
+[[nodiscard]] Scene checked_scene(Scene const& asked, LoadOptions const& options);
+
+/// The contact data of a drive under load.
+struct LoadedDriveData
+{
+    std::unique_ptr<contact::ContactStudyData> data;  ///< owns the scene
+    double tip_widened = 0;                           ///< LoadStudy::tip_widened [mm]
+};
+
+/// Where the scene gives no tip circle and the standard one, made for a ring that does not cone, leaves no land, the
+/// tip circle is widened in steps of 4 % of the module.
+/// @throws NumericalError where the drive has no solution
+[[nodiscard]] LoadedDriveData contact_data(Scene const& scene, StageObserver const& on_stage);
+
+/// What of the options concerns the surfaces.
+[[nodiscard]] ContactOptions contact_options(LoadOptions const& options);
+
+/// The largest torque of a study [N mm]. Domain: a checked scene.
+[[nodiscard]] double rated_torque(Scene const& scene, LoadOptions const& options);
+
+/// Torques in the order of loading [N mm]: from 0 up to the rated one, down again, and to the opposite one; without a
+/// curve the rated one alone. Domain: a checked scene.
+[[nodiscard]] std::vector<double> loading_path(Scene const& scene, LoadOptions const& options);
+
+}  // namespace hdconj::load

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "loaded_shape.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+
+#include "conjugate/plane/solve_motion.hpp"
+#include "contact/gap_field.hpp"
+#include "hdconj/base/parallel.hpp"
+#include "hdconj/motion/material_motion.hpp"
+#include "load/drive_series.hpp"
+#include "wavegen/length_kept.hpp"
+
+namespace hdconj::load {
+namespace {
+
+/// Series of w and v as MaterialMotion takes them.
+wavegen::MaterialDisplacement displacement_of(ElasticDrive const& drive, std::vector<double> const& w,
+                                              std::vector<double> const& v, double r_m)
+{
+    wavegen::MaterialDisplacement result;
+    result.waves = drive.response.sectors();
+    std::size_t const count = drive.response.harmonics().size();
+    for (std::size_t k = 0; k < count; ++k)
+        result.harmonics.push_back({w[2 * k], w[2 * k + 1], v[2 * k], v[2 * k + 1]});
+    return wavegen::length_kept(std::move(result), r_m);
+}
+
+/// A slice of a tooth and where it has moved to along the axis.
+struct MovedSlice
+{
+    Pose pose;
+    double place = 0;  ///< [mm]
+    double slope = 0;  ///< d place/dphi [mm/rad]
+};
+
+/// The section of the tooth by the plane at @p z: by the cubic through the four slices about it (fewer where there are
+/// fewer), and beyond. Its direction is normal to the section curve, which turns against the slices' own as
+/// SectionPoses says: what u_z changes along phi, the lean of the wall lifts.
+Pose section(std::vector<MovedSlice> const& tooth, double z, double r_m)
+{
+    std::size_t const slices = tooth.size();
+    std::size_t const window = std::min<std::size_t>(4, slices);
+    std::size_t above = 0;
+    while (above + 1 < slices && tooth[above].place <= z)
+        ++above;
+    std::size_t const first = std::min(above > window / 2 ? above - window / 2 : 0, slices - window);
+    Pose p{0, 0, Vec2::Zero()};
+    Vec2 lean = Vec2::Zero();  // d origin/dz
+    double slope = 0;
+    for (std::size_t j = first; j < first + window; ++j) {
+        double weight = 1, change = 0;
+        for (std::size_t i = first; i < first + window; ++i) {
+            if (i == j)
+                continue;
+            double const width = tooth[j].place - tooth[i].place;
+            change = (change * (z - tooth[i].place) + weight) / width;
+            weight *= (z - tooth[i].place) / width;
+        }
+        p.origin += weight * tooth[j].pose.origin;
+        p.cosine += weight * tooth[j].pose.cosine;
+        p.sine += weight * tooth[j].pose.sine;
+        lean += change * tooth[j].pose.origin;
+        slope += weight * tooth[j].slope;
+    }
+    Vec2 const tangent = r_m * p.rotate({1, 0});
+    Vec2 const turned = tangent - slope * lean;
+    double const angle = std::atan2(p.sine, p.cosine) - std::atan2(cross(tangent, turned), tangent.dot(turned));
+    return {std::cos(angle), std::sin(angle), p.origin};
+}
+
+}  // namespace
+
+LoadedShape loaded_shape(contact::ContactContext const& context, ElasticDrive const& drive,
+                         Eigen::MatrixXd const& forces)
+{
+    LoadedShape shape;
+    shape.series = displacements(drive, forces, context.threads);
+    double const r_m = context.geometry.r_m;
+    std::size_t const slices = drive.stations.slices;
+    std::vector<std::optional<motion::MaterialMotion>> motions(slices);
+    parallel_for(slices, context.threads, 2, [&](std::size_t k) {
+        motions[k].emplace(displacement_of(drive, shape.series[drive.stations.radial(k)],
+                                           shape.series[drive.stations.tangential(k)], r_m),
+                           r_m, conjugate::tooth_ratio(context.scene));
+    });
+    std::array<int, 2> const needed = contact::teeth_needed(context.scene.drive.flexspline_teeth,
+                                                            context.scene.drive.circular_spline_teeth, drive.phase);
+    auto const teeth = static_cast<std::size_t>(needed[1] - needed[0] + 1);
+    shape.places = contact::ToothPoses{needed[0], slices, std::vector<Pose>(teeth * slices)};
+    std::vector<double> const& z = drive.slice_z;
+    constexpr std::size_t grain = 32;
+    parallel_for(teeth, context.threads, grain, [&](std::size_t i) {
+        double const phi =
+            2 * std::numbers::pi * (needed[0] + static_cast<int>(i)) / context.scene.drive.flexspline_teeth +
+            drive.phase;
+        std::vector<MovedSlice> tooth(slices);
+        SeriesPlace const at(drive, phi);
+        for (std::size_t k = 0; k < slices; ++k) {
+            SeriesValue const along = at(shape.series[drive.stations.axial(k)]);
+            tooth[k] = {motions[k]->pose(phi), z[k] + along.value, along.slope};
+        }
+        for (std::size_t k = 0; k < slices; ++k)
+            shape.places.pose[i * slices + k] = slices < 2 ? tooth[k].pose : section(tooth, z[k], r_m);
+    });
+    return shape;
+}
+
+double normal_displacement(ElasticDrive const& drive, LoadedShape const& shape, FlankContact const& c)
+{
+    double const phi = 2 * std::numbers::pi * c.tooth / drive.flexspline_teeth + drive.phase;
+    SeriesPlace const place(drive, phi);
+    auto const at = [&](std::size_t station) { return place(shape.series[station]).value; };
+    return c.c_r * at(drive.stations.radial(c.slice)) + c.c_t * at(drive.stations.tangential(c.slice)) +
+           c.c_turn * at(drive.stations.turn(c.slice));
+}
+
+}  // namespace hdconj::load

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "play.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "contact/take_up.hpp"
+#include "hdconj/base/parallel.hpp"
+#include "hdconj/error.hpp"
+
+namespace hdconj::load {
+namespace {
+
+/// Turn from @p from on in the direction @p sense at which the first flank of either side touches: a tip may touch on
+/// the far side of its space. Newton's method on the smallest of all gaps, with steps within the gaps searched.
+double first_touch(LoadProblem const& problem, contact::GapField const& field, double from, double sense)
+{
+    double const limit = search_limit(problem);
+    double turn = from;
+    constexpr int most_steps = 60;
+    for (int i = 0; i < most_steps; ++i) {
+        double step = limit / field.reach();
+        for (FlankContact const& c : flank_contacts(field, flank_search(problem, turn, limit), problem.context.threads))
+            if (sense * c.lever > 0)
+                step = std::min(step, c.gap / (sense * c.lever));
+        turn += sense * step;
+        if (std::abs(step) * field.reach() <= gap_tolerance(problem))
+            break;
+    }
+    return turn;
+}
+
+/// Gaps of one sector of the ring without a turn; the other sectors have the same.
+GapMap sector_at_rest(LoadProblem const& problem, contact::GapField const& field)
+{
+    GapMap map{field.grid().z, field.grid().station, {}, {}};
+    std::size_t const spaces = spaces_of(problem), slices = map.z.size();
+    for (std::size_t s = 0; s < spaces; ++s)
+        map.angle.push_back(field.space_angle(s));
+    map.gap.resize(spaces * 2 * slices * map.station.size());
+    constexpr std::size_t grain = 4;
+    parallel_for(spaces, problem.context.threads, grain, [&](std::size_t s) {
+        std::vector<double> gap;
+        for (int const flank : {static_cast<int>(GapMap::left), static_cast<int>(GapMap::right)})
+            for (std::size_t k = 0; k < slices; ++k) {
+                field.along(s, flank, k, 0, gap);
+                std::copy(gap.begin(), gap.end(),
+                          map.gap.begin() + static_cast<std::ptrdiff_t>(map.index(s, flank, k, 0)));
+            }
+    });
+    return map;
+}
+
+Play touches_about(LoadProblem const& problem, contact::GapField const& field, double middle)
+{
+    return {first_touch(problem, field, middle, 1), -first_touch(problem, field, middle, -1)};
+}
+
+}  // namespace
+
+std::optional<Play> play_of(LoadProblem const& problem, LoadedShape const& shape)
+{
+    constexpr double model_accuracy = 1e-3;  // of the module: mesh and interpolation move teeth by some nanometres
+    auto const& drive = problem.context.scene.drive;
+    int const threads = problem.context.threads;
+    contact::GapField const field = gap_field(problem, shape, problem.edges);
+    GapMap const rest = sector_at_rest(problem, field);
+    double const pitch = 2 * std::numbers::pi / drive.circular_spline_teeth;
+    double const touches = model_accuracy * drive.module;
+    try {
+        Play const play{contact::take_up(field, rest, GapMap::right, pitch, threads, touches).turn,
+                        contact::take_up(field, rest, GapMap::left, pitch, threads, touches).turn};
+        return width_of(play) < 0 ? play : touches_about(problem, field, middle_of(play));
+    } catch (NumericalError const& error) {
+        if (error.code() != ErrorCode::no_contact && error.code() != ErrorCode::not_converged)
+            throw;
+        return std::nullopt;  // no turn within a pitch at which one side just touches
+    }
+}
+
+Play play_about(LoadProblem const& problem, LoadedShape const& shape, double middle)
+{
+    return touches_about(problem, gap_field(problem, shape, problem.edges), middle);
+}
+
+}  // namespace hdconj::load

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The play of an assembled drive without torque.
+#pragma once
+
+#include <optional>
+
+#include "load_problem.hpp"
+
+namespace hdconj::load {
+
+/// Turns of the flexspline at which flanks first touch on either side, without torque.
+struct Play
+{
+    double right = 0;  ///< to the first touch of right flanks, clockwise [rad]
+    double left = 0;   ///< to the first touch of left flanks, counter-clockwise [rad]
+};
+
+/// How far the drive turns freely [rad]; negative where teeth press on both flanks at every turn.
+[[nodiscard]] inline double width_of(Play const& play)
+{
+    return play.right + play.left;
+}
+/// The turn in the middle of the play [rad].
+[[nodiscard]] inline double middle_of(Play const& play)
+{
+    return 0.5 * (play.right - play.left);
+}
+
+/// The play of teeth in @p shape. Nothing where they interfere by more than the accuracy of the finite-element model at
+/// every turn within a pitch; of negative width where they interfere by less.
+[[nodiscard]] std::optional<Play> play_of(LoadProblem const& problem, LoadedShape const& shape);
+
+/// The play about the turn @p middle, which lies within it.
+[[nodiscard]] Play play_about(LoadProblem const& problem, LoadedShape const& shape, double middle);
+
+}  // namespace hdconj::load

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Equilibria from torque to torque.
+#pragma once
+
+#include "load_problem.hpp"
+#include "play.hpp"
+
+namespace hdconj::load {
+
+/// What every torque of a loading path starts from.
+struct TorqueContinuation
+{
+    LoadProblem const& problem;
+    Play play;             ///< without torque
+    LoadedDrive start;     ///< without torque; where the teeth press on both flanks, in balance
+    double middle = 0;     ///< turn from which twist counts [rad]
+    bool pressed = false;  ///< the assembled teeth press on both flanks
+};
+
+/// @param unloaded  the cup on its wave generator without any tooth in contact
+/// @param play      of the assembled drive; a negative width: the teeth press
+/// @throws NumericalError as converged_at() does where the teeth press
+[[nodiscard]] TorqueContinuation torque_continuation(LoadProblem const& problem, LoadedDrive const& unloaded,
+                                                     Play const& play);
+
+/// The drive at @p torque [N mm], continued from @p from, or from the first touch where @p from is not loaded to the
+/// side of @p torque.
+/// @throws NumericalError as converged_at() does
+[[nodiscard]] LoadedDrive advance(TorqueContinuation const& path, LoadedDrive const& from, double torque);
+
+}  // namespace hdconj::load

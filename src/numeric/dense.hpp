@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Dense matrices by several threads. Every result has the same bits for every number of them.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace hdconj::numeric {
+
+/// Rows and columns @p which of a square matrix.
+[[nodiscard]] Eigen::MatrixXd principal_part(Eigen::MatrixXd const& a, std::vector<int> const& which, int threads);
+
+/// Its lower triangle alone, which is what Cholesky looks at; elements above the diagonal are any numbers. Half the
+/// work.
+[[nodiscard]] Eigen::MatrixXd lower_principal_part(Eigen::MatrixXd const& a, std::vector<int> const& which,
+                                                   int threads);
+
+/// A x, from the columns where x is not 0: costs their number times the rows.
+[[nodiscard]] Eigen::VectorXd times(Eigen::MatrixXd const& a, Eigen::VectorXd const& x, int threads);
+
+/// Whether every element is a finite number. Exact.
+[[nodiscard]] bool all_finite(Eigen::MatrixXd const& a, int threads);
+
+/// Factor L of a symmetric positive definite A = L L'. Accuracy: as any Cholesky factor, |A - L L'| <= n eps |A|
+/// (Higham 2002, 10.1).
+class Cholesky
+{
+  public:
+    /// @param a  its lower triangle is looked at
+    Cholesky(Eigen::MatrixXd a, int threads);
+
+    /// Whether A, of finite elements, is positive definite, to rounding; there is no factor else.
+    [[nodiscard]] bool found() const { return found_; }
+    /// A^-1 b
+    [[nodiscard]] Eigen::VectorXd solve(Eigen::VectorXd const& b) const;
+
+  private:
+    Eigen::MatrixXd factor_;  ///< L in its lower triangle
+    bool found_ = true;
+};
+
+}  // namespace hdconj::numeric

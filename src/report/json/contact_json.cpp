@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The keys are an interface, described in docs/json.md.
+#include "figures/contact_figures.hpp"
+#include "hdconj/contact_files.hpp"
+#include "summary_object.hpp"
+
+namespace hdconj::report {
+namespace {
+
+/// Figures of @p record; angles of which the table says so also as play at the pitch circle.
+template <class Record>
+void add_with_play(Json& object, figures::Rows<Record> const& rows, Record const& record, ContactStudy const& study)
+{
+    add_figures(object, rows, record);
+    for (auto const& figure : rows) {
+        if (figure.as_play) {
+            auto const length = [&](double angle) {
+                return number(figures::unit::um.shown(figures::at_pitch_circle(angle, study)));
+            };
+            object[figure.key_stem() + figures::unit::um.suffix()] = length(figure.value(record));
+            object[figure.column_of_error() + figures::unit::um.suffix()] = length(figure.error(record));
+        }
+    }
+}
+
+Json contact_state_object(ContactState const& state, ContactStudy const& study)
+{
+    Json object = Json::object();
+    add_with_play(object, figures::state_figures(), state, study);
+    return object;
+}
+
+Json slice_object(SliceClearance const& slice)
+{
+    Json object = figures_object(figures::slice_figures(), slice);
+    object["flank"] = figures_object(figures::closest_figures(), {slice.flank, slice.flank_error});
+    object["root"] = figures_object(figures::closest_figures(), {slice.root, slice.root_error});
+    return object;
+}
+
+Json closest_flank_object(ContactCase const& each)
+{
+    Json object = figures_object(figures::closest_figures(), {each.closest_flank(), each.clearance_error});
+    auto const& height = figures::slice_figures()["z"];
+    object[height.json_key()] = value_of(height, each.closest_slice());
+    return object;
+}
+
+Json contact_case_object(ContactCase const& each, ContactStudy const& study)
+{
+    auto const state_object = [&](ContactState const& state) { return contact_state_object(state, study); };
+    Json object = {{"surface", to_string(each.surface)}, {"kind", to_string(each.kind)}};
+    add_with_play(object, figures::case_figures(), each, study);
+    object["closest_flank"] = each.slices.empty() ? Json(nullptr) : closest_flank_object(each);
+    object["state"] = state_object(each.state);
+    object["slices"] = list_of(each.slices, slice_object);
+    object["revolution"] = list_of(each.revolution, state_object);
+    return object;
+}
+
+Json best_object(BestTilt const& best)
+{
+    Json object = {{"what", best.what}, {"kind", to_string(best.kind)}};
+    add_figures(object, figures::best_tilt_figures(), best);
+    auto const value = figures::best_value_figure(best);
+    object[value.json_key()] = value_of(value, best);
+    object[value.json_key_of_error()] = error_of(value, best);
+    return object;
+}
+
+}  // namespace
+}  // namespace hdconj::report
+
+namespace hdconj {
+
+std::string summary_json(ContactStudy const& study, std::vector<WrittenFile> const& written)
+{
+    auto contact = report::figures_object(figures::contact_study_figures(), study);
+    contact["cases"] =
+        report::list_of(study.cases, [&](ContactCase const& each) { return report::contact_case_object(each, study); });
+    contact["best"] = report::list_of(study.best, report::best_object);
+    auto summary = report::summary_object(study.solution);
+    summary["contact"] = std::move(contact);
+    return report::finished(std::move(summary), study.solution, written);
+}
+
+}  // namespace hdconj

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The keys are an interface, described in docs/json.md.
+#include "figures/load_figures.hpp"
+#include "hdconj/load_files.hpp"
+#include "summary_object.hpp"
+
+namespace hdconj::report {
+namespace {
+
+Json loaded_state_object(LoadedState const& state, LoadStudy const& study)
+{
+    return figures_object(figures::loaded_state_figures(study.balls), state);
+}
+
+Json loaded_error_object(LoadedState const* error, LoadStudy const& study)
+{
+    return error != nullptr ? errors_object(figures::loaded_state_figures(study.balls), *error) : Json(nullptr);
+}
+
+Json bearing_object(BearingMap const& bearing, LoadStudy const& study)
+{
+    auto const degrees = [](double angle) { return number(figures::unit::degree.shown(angle)); };
+    Json object = {{"angle_deg", list_of(bearing.angle, degrees)},
+                   {"z_mm", list_of(bearing.z, number)},
+                   {"force_N", Json::array()},
+                   {"ball_angle_deg", list_of(bearing.ball_angle, degrees)}};
+    for (std::size_t i = 0; i < bearing.angle.size(); ++i) {
+        double sum = 0;
+        for (std::size_t j = 0; j < bearing.z.size(); ++j)
+            sum += bearing.force.at(i * bearing.z.size() + j);
+        object["force_N"].push_back(number(sum));
+    }
+    auto const& ball = figures::loaded_state_figures(study.balls)["ball_force"];
+    object[ball.json_key()] = list_of(bearing.ball_force, number);
+    return object;
+}
+
+Json load_case_object(LoadCase const& each, LoadStudy const& study)
+{
+    Json object = {{"surface", to_string(each.surface)}, {"kind", to_string(each.kind)}};
+    add_figures(object, figures::load_case_figures(), each);
+    auto const* rated = figures::rated_state(each);
+    object["rated"] = rated != nullptr ? loaded_state_object(*rated, study) : Json(nullptr);
+    object["rated_error"] = loaded_error_object(each.estimated ? &each.error : nullptr, study);
+    auto const& backlash = figures::load_case_figures()["backlash"];
+    object[backlash.json_key_of_error()] = each.estimated ? error_of(backlash, each) : Json(nullptr);
+    object["pressure_at_edge"] = each.pressure_at_edge;
+    object["bearing"] = bearing_object(each.bearing, study);
+    object["curve"] = Json::array();
+    for (std::size_t i = 0; i < each.curve.size(); ++i) {
+        Json state = loaded_state_object(each.curve[i], study);
+        state["error"] = loaded_error_object(figures::error_of(each, i), study);
+        object["curve"].push_back(std::move(state));
+    }
+    return object;
+}
+
+Json cup_object(AssembledCup const& cup, LoadStudy const& study)
+{
+    auto const rows = figures::assembled_cup_figures(study.balls);
+    Json object = figures_object(rows, cup);
+    object["error"] = cup.estimated ? errors_object(rows, cup) : Json(nullptr);
+    object["slices"] = Json::array();
+    for (std::size_t k = 0; k < cup.z.size(); ++k) {
+        object["slices"].push_back({{"z_mm", number(cup.z[k])},
+                                    {"w_major_mm", number(cup.w_major.at(k))},
+                                    {"w_minor_mm", number(cup.w_minor.at(k))}});
+    }
+    return object;
+}
+
+Json estimate_object(figures::MeasuredFigure const& figure, MeasuredStiffness const& found)
+{
+    Estimate const& estimate = figure.value(found);
+    if (estimate.count == 0)
+        return nullptr;
+    return {{"value" + figure.unit.suffix(), number(figure.unit.shown(estimate.value))},
+            {"error" + figure.unit.suffix(), number(figure.unit.shown(estimate.error))},
+            {"count", estimate.count}};
+}
+
+Json measured_object(Measurement const& measured)
+{
+    auto const& [curve, found] = measured;
+    Json object = {{"path", curve.file},
+                   {"columns", curve.columns},
+                   {"samples", curve.twist.size()},
+                   {"ratio", number(curve.rig.ratio)},
+                   {"angle_per_spline", number(curve.rig.angle_per_spline)}};
+    if (curve.rig.torque_constant != 0) {
+        object["torque_constant_Nm_per_A"] = number(curve.rig.torque_constant);
+        object["efficiency"] = number(curve.rig.efficiency);
+    }
+    if (curve.rig.counts_per_turn != 0)
+        object["counts_per_turn"] = number(curve.rig.counts_per_turn);
+    add_figures(object, figures::measured_curve_figures(), found);
+    for (auto const& figure : figures::measured_figures())
+        object[figure.name] = estimate_object(figure, found);
+    return object;
+}
+
+}  // namespace
+}  // namespace hdconj::report
+
+namespace hdconj {
+
+std::string summary_json(LoadStudy const& study, std::vector<WrittenFile> const& written, Measurement const* measured)
+{
+    auto load = report::figures_object(figures::load_study_figures(), study);
+    load["cup"] = report::cup_object(study.cup, study);
+    load["cases"] =
+        report::list_of(study.cases, [&](LoadCase const& each) { return report::load_case_object(each, study); });
+    if (measured != nullptr)
+        load["measured"] = report::measured_object(*measured);
+    auto summary = report::summary_object(study.solution);
+    summary["load"] = std::move(load);
+    return report::finished(std::move(summary), study.solution, written);
+}
+
+}  // namespace hdconj

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The figures of summary_text as JSON; the keys are an interface, described in docs/json.md.
+#include <algorithm>
+#include <cmath>
+
+#include "figures/summary_figures.hpp"
+#include "hdconj/version.hpp"
+#include "summary_object.hpp"
+
+namespace hdconj::report {
+namespace {
+
+/// Number of the set of keys; goes up when a key changes its meaning.
+constexpr int json_version = 1;
+
+Json drive_object(Solution const& solution)
+{
+    Json object = {{"name", solution.scene.drive.name}};
+    add_figures(object, figures::drive_figures(), solution);
+    object["kinematics"] = figures::kinematics_name(solution);
+    object["given"] = figures::given_member(solution);
+    return object;
+}
+
+Json branches_object(Solution const& solution)
+{
+    return {{"count", solution.branches.size()},
+            {"regular", figures::branches_of_kind(solution, "regular")},
+            {"corner", figures::branches_of_kind(solution, "corner")},
+            {"on_boundary", std::count_if(solution.branches.begin(), solution.branches.end(),
+                                          [](auto const& branch) { return branch.on_boundary; })}};
+}
+
+Json zone_object(ConjugateZone const& zone)
+{
+    Json object = {
+        {"segment", zone.segment}, {"segment_name", zone.segment_name}, {"kind", zone.kind}, {"branch", zone.branch}};
+    add_figures(object, figures::zone_figures(), zone);
+    return object;
+}
+
+Json pieces(std::vector<OutlinePiece> const& of)
+{
+    return list_of(of, [](OutlinePiece const& piece) -> Json {
+        return {
+            {"kind", piece.kind}, {"segment_name", piece.segment_name}, {"first", piece.first}, {"last", piece.last}};
+    });
+}
+
+Json certificate_object(RootCertificate const& certificate)
+{
+    Json const undecided = list_of(certificate.undecided, [](UndecidedPlace const& place) {
+        Json object = {{"segment_name", place.segment_name}};
+        add_figures(object, figures::undecided_figures(), place);
+        object["what"] = place.what;
+        return object;
+    });
+    return {{"certified", certificate.certified()}, {"undecided", undecided}};
+}
+
+/// All errors in one object.
+Json solution_errors(Solution const& solution)
+{
+    Json object = figures_object(figures::error_figures(), solution);
+    add_errors(object, figures::geometry_figures(), solution);
+    return object;
+}
+
+Json timing_object(Solution const& solution)
+{
+    Json const stages = list_of(solution.timing, [](StageTime const& entry) -> Json {
+        return {{"stage", entry.stage}, {"seconds", number(entry.seconds)}};
+    });
+    return {{"threads", solution.threads}, {"total_s", number(figures::total_seconds(solution))}, {"stages", stages}};
+}
+
+}  // namespace
+
+Json number(double value)
+{
+    return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json files_object(std::vector<WrittenFile> const& written)
+{
+    Json object = Json::object();
+    for (auto const& file : written)
+        object[file.kind] = {{"path", file.file.string()}, {"seconds", number(file.seconds)}};
+    return object;
+}
+
+Json summary_object(Solution const& solution)
+{
+    Json result = {{"format", "hdconj-summary"},
+                   {"format_version", json_version},
+                   {"program_version", program_version()},
+                   {"git_revision", git_revision()},
+                   {"drive", drive_object(solution)}};
+    add_values(result["geometry"], figures::geometry_figures(), solution);
+    result["branches"] = branches_object(solution);
+    result["conjugate_zones"] = list_of(solution.zones, zone_object);
+    if (solution.scene.is_reverse()) {
+        result["flexspline"] = {{"points", solution.flexspline_outline.size()},
+                                {"pieces", pieces(solution.flexspline_pieces)}};
+    }
+    if (!solution.notes.empty())
+        result["notes"] = solution.notes;
+    result["certificate"] = certificate_object(solution.certificate);
+    auto const& spline = solution.circular_spline;
+    result["circular_spline"] = {{"slices", spline.outline.size()},
+                                 {"points", figures::outline_points(solution)},
+                                 {"landmarks", spline.landmarks},
+                                 {"pieces", pieces(spline.pieces)}};
+    if (solution.check)
+        result["clearance"] = figures_object(figures::clearance_figures(), solution);
+    result["error"] = solution_errors(solution);
+    result["work"] = figures_object(figures::work_figures(), solution.work);
+    return result;
+}
+
+std::string finished(Json summary, Solution const& solution, std::vector<WrittenFile> const& written)
+{
+    summary["timing"] = timing_object(solution);
+    summary["files"] = files_object(written);
+    return printed(summary);
+}
+
+std::string printed(Json const& summary)
+{
+    constexpr int indent = 2;
+    return summary.dump(indent, ' ', false, Json::error_handler_t::replace) + '\n';
+}
+
+}  // namespace hdconj::report
+
+namespace hdconj {
+
+std::string summary_json(Solution const& solution, std::vector<WrittenFile> const& written)
+{
+    return report::finished(report::summary_object(solution), solution, written);
+}
+
+}  // namespace hdconj

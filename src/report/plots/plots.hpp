@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// The pictures of all verbs as scripts, see plot_script.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "figures/load_figures.hpp"
+#include "hdconj/accuracy_files.hpp"
+#include "hdconj/contact.hpp"
+#include "hdconj/solution.hpp"
+#include "hdconj/wedm.hpp"
+
+namespace hdconj::report {
+
+/// The tooth space with the teeth that sweep it, the branches of the envelope and the outline; of the reverse problem
+/// the flexspline tooth.
+[[nodiscard]] std::string tooth_space_script(Solution const& solution);
+
+/// Whether some surface was computed at two tilts or more.
+[[nodiscard]] bool has_tilt_curve(ContactStudy const& study);
+/// Contact area (left axis) and clearing offset (right axis) against tilt, a pair of curves for each surface and kind,
+/// the best tilts marked.
+[[nodiscard]] std::string tilt_script(ContactStudy const& study);
+/// Smallest gap along the flank over tooth space and slice, both flanks. Needs a map.
+[[nodiscard]] std::string map_script(ContactStudy const& study);
+/// Gap over the flank that has most contact, along the flank and z. Needs a map.
+[[nodiscard]] std::string flank_script(ContactStudy const& study);
+
+/// Whether some case was computed at two torques or more.
+[[nodiscard]] bool has_curve(LoadStudy const& study);
+/// Torque against twist: every case with its play, its two lines, and what was measured. @param measured  null: nothing
+[[nodiscard]] std::string load_curve_script(LoadStudy const& study, Measurement const* measured);
+/// Pressure over tooth space and slice of the case shown, and the force on each tooth. Needs its map.
+[[nodiscard]] std::string load_pressure_script(LoadStudy const& study);
+/// Section of the cup, as it is and deformed, at the major and the minor axis. Needs a shape.
+[[nodiscard]] std::string load_cup_script(LoadStudy const& study);
+/// Section of the cup coloured by the largest stress over all angles, and the stress around the axis where it is
+/// largest. Needs a shape with stress.
+[[nodiscard]] std::string load_stress_script(LoadStudy const& study);
+/// Whether there are single balls in the bearing of the case shown.
+[[nodiscard]] bool has_balls(LoadStudy const& study);
+/// Forces of the balls all round the ring at the largest torque of the case shown. Needs balls.
+[[nodiscard]] std::string load_ball_script(LoadStudy const& study);
+
+/// One tooth space in both faces, the wire of every pass and its circles.
+[[nodiscard]] std::string wire_tooth_script(WireProgram const& program);
+/// The whole contour, the start hole and the leads.
+[[nodiscard]] std::string wire_ring_script(WireProgram const& program);
+/// Height of what the last pass leaves, around the part, of all set-ups. Needs residuals.
+[[nodiscard]] std::string wire_residual_script(WireSetUps const& programs);
+
+/// What the picture of a study shows: error against time, or time against threads.
+[[nodiscard]] std::string picture_words(std::vector<ConvergenceSeries> const& series_list, std::string const& name);
+/// That picture.
+[[nodiscard]] std::string accuracy_script(StoredAccuracy const& study,
+                                          std::vector<ConvergenceSeries> const& series_list, std::string const& name);
+/// Whether a study has two points to draw.
+[[nodiscard]] bool has_picture(std::vector<ConvergenceSeries> const& series_list, std::string const& name);
+
+/// "type-50:  tilted, radial 0.2 deg,  28 N m": heads the pictures of one case under torque.
+[[nodiscard]] std::string shown_load(LoadStudy const& study);
+
+}  // namespace hdconj::report

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "load_table.hpp"
+
+#include <algorithm>
+
+#include "figures/load_figures.hpp"
+
+namespace hdconj::report {
+namespace {
+
+using ToldLoad = Told<LoadCase>;
+
+std::string begin_load_row(LoadCase const& each)
+{
+    return surface_columns(each.surface, each.kind, ToldLoad(figures::load_case_figures(), each)("tilt"));
+}
+
+bool is_moved(LoadCase const& each)
+{
+    return each.raised || each.tip_change > 0;
+}
+
+void write_values(Page& page, LoadStudy const& study, LoadCase const& each)
+{
+    ToldLoad const told(figures::load_case_figures(), each);
+    auto const& stages = each.stages;
+    bool const any = stages.first != 0;
+    std::string row = fmt::format("{}{:>8}{}{:>9}{:>9}{:>9}{:>8}", begin_load_row(each), told("backlash_offset"),
+                                  is_moved(each) ? '*' : ' ', told("backlash"), any ? told("first_stage") : "-",
+                                  stages.found ? told("second_stage")
+                                  : any        ? "="
+                                               : "-",
+                                  stages.found ? told("knee") : "-");
+    if (auto const* state = figures::rated_state(each)) {
+        Told const at(figures::loaded_state_figures(study.balls), *state);
+        row += fmt::format("{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", at("twist"), at("teeth"), at("contact_share"),
+                           at("near_share"), at("largest_pressure"), at("largest_force"),
+                           state->largest_stress > 0 ? at("largest_stress") : "-");
+    } else {
+        row += "   not computed";
+    }
+    page.line("{}", row);
+}
+
+void write_errors_of(Page& page, LoadStudy const& study, LoadCase const& each)
+{
+    if (!each.estimated) {
+        page.line("    +-     no estimate: it takes three slices, and a balance on a grid half as fine");
+        return;
+    }
+    ToldLoad const told(figures::load_case_figures(), each);
+    Told const at(figures::loaded_state_figures(study.balls), each.error);
+    bool const bend = each.stages.found;
+    page.line("{:<25}{:>8}{:>10}{:>9}{:>9}{:>8}{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", "    +-", "",
+              told.error("backlash"), each.stages.first != 0 ? told.error("first_stage") : "-",
+              bend ? told.error("second_stage") : "", bend ? told.error("knee") : "", at.error("twist"),
+              at.error("teeth"), at.error("contact_share"), at.error("near_share"),
+              each.pressure_at_edge ? "edge" : at.error("largest_pressure"), at.error("largest_force"),
+              each.error.largest_stress > 0 ? at.error("largest_stress") : "-");
+}
+
+/// The surfaces that did not stay as the scene gives them.
+void write_moved(Page& page, LoadStudy const& study)
+{
+    page.line(
+        "  *: with what the scene gives the assembled teeth press on both flanks, and this surface has what clears "
+        "over a full turn; or the side clearance leaves no land, and the tip circle follows:");
+    for (auto const& each : study.cases) {
+        ToldLoad const told(figures::load_case_figures(), each);
+        if (is_moved(each)) {
+            page.line("    {}{:>9} um side clearance, tip circle {}, {} wider than its own", begin_load_row(each),
+                      told("backlash_offset"), told.with_unit("tip_radius"), told.with_unit("tip_change"));
+        }
+    }
+}
+
+/// What the signs in the table mean, of those that are there.
+void write_legend(Page& page, LoadStudy const& study)
+{
+    auto const any = [&](auto condition) { return std::any_of(study.cases.begin(), study.cases.end(), condition); };
+    page.line(
+        "  contact: flank under pressure; near: gap no larger than {}; of the area of all flanks of the loaded side",
+        Told(figures::load_study_figures(), study).with_unit("contact_gap"));
+    page.line(
+        "  +-: four times the distance from a grid half as fine in slices, flank points, circles and harmonics, on "
+        "another mesh (below nine slices twelve times); of stages with the standard error of their fit");
+    if (any([](auto const& each) { return each.pressure_at_edge; })) {
+        page.line(
+            "  edge: the largest pressure is at an end of the face width, where it does not converge; what it adds up "
+            "to does");
+    }
+    if (study.sharp_steps) {
+        page.line(
+            "  stress: the wall steps from barrel to ring in sharp corners, where it grows with the mesh; rear_fillet "
+            "and front_fillet round them");
+    }
+    if (any(is_moved))
+        write_moved(page, study);
+    if (any([](auto const& each) { return !each.stages.found && each.stages.first != 0; }))
+        page.line("  =: one line, the curve has no bend that would make two stages of it");
+    if (any([](auto const& each) { return each.backlash < 0; }))
+        page.line("  backlash below zero: the assembled teeth press on both flanks");
+}
+
+}  // namespace
+
+void write_load_table(Page& page, LoadStudy const& study)
+{
+    // Tilt ends in column 25; the columns of the stages follow, then those of the largest torque.
+    page.line("\n{:<25}{:>44}   at {}", "", "", rated_torque(study));
+    page.line("  {:<10}{:<7}{:>6}{:>8}{:>10}{:>18}{:>8}{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", "surface", "kind",
+              "tilt", "offset", "backlash", "stiffness: stages", "bend", "twist", "teeth", "contact", "near",
+              "pressure", "force", "stress");
+    page.line("  {:<10}{:<7}{:>6}{:>8}{:>10}{:>9}{:>9}{:>8}{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", "", "", "deg", "um",
+              "arcmin", "N m/deg", "N m/deg", "N m", "arcmin", "", "%", "%", "MPa", "N", "MPa");
+    for (auto const& each : study.cases) {
+        write_values(page, study, each);
+        write_errors_of(page, study, each);
+    }
+    write_legend(page, study);
+}
+
+}  // namespace hdconj::report

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/load_files.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "figures/load_figures.hpp"
+#include "load_table.hpp"
+
+namespace hdconj::report {
+namespace {
+
+void write_load_setting(Page& page, LoadStudy const& study)
+{
+    auto const& cup = study.cup;
+    auto const rows = figures::assembled_cup_figures(study.balls);
+    Told const told(rows, cup);
+    page.line("\ncup on the wave generator, without torque");
+    auto const line = [&](char const* name, std::string const& label, std::string const& words) {
+        std::string const error = cup.estimated ? told.error_with_unit(name) : "";
+        page.figure(label, told.with_unit(name), error + (error.empty() || words.empty() ? "" : "; ") + words);
+    };
+    line("coning_major", rows["coning_major"].text.label, "slope of the radial displacement over the toothed width");
+    line("coning_minor", rows["coning_minor"].text.label, "");
+    write_slices(page, cup.z);
+    line("wave_generator_force", rows["wave_generator_force"].text.label,
+         "without direction, over " + told("contacts") + " places");
+    if (cup.ball_force > 0) {
+        bool const single = study.balls > 0;
+        line("ball_force", single ? "largest force of a ball" : "largest force of the balls",
+             single ? fmt::format("at {}; {} of {} balls carry", told.with_unit("ball_phi"), told("balls"), study.balls)
+                    : "of their line, at " + told.with_unit("ball_phi"));
+    }
+    if (cup.largest_stress > 0)
+        line("largest_stress", rows["largest_stress"].text.label, "von Mises, inside the elements");
+    auto const of_study = figures::load_study_figures();
+    Told const whole(of_study, study);
+    page.figure(of_study["edge_radius"], study, "radius under load");
+    if (study.tip_widened > 0) {
+        auto const tip = figures::geometry_figures()["tip_radius"];
+        page.figure("tip circle", fmt::format("{:.4f} mm", tip.value(study.solution)),
+                    fmt::format("circular spline; {} wider than the standard one, which leaves no land between spaces",
+                                whole.with_unit("tip_widened")));
+    }
+    page.figure("harmonics", "up to " + whole("harmonics"),
+                study.sectors > 1 ? fmt::format("the solved sector repeats {} times", study.sectors) : "");
+}
+
+std::string place_of_pressure(LoadCase const& each, LoadedState const& state)
+{
+    auto const space = static_cast<std::size_t>(state.pressure_space);
+    return space < each.map.angle.size()
+               ? fmt::format("tooth space at {} deg, ",
+                             figures::fixed<2>(figures::unit::degree.shown(each.map.angle[space])))
+               : "";
+}
+
+void write_largest(Page& page, LoadStudy const& study)
+{
+    page.line("\nwhere it is largest, at {}", rated_torque(study));
+    for (auto const& each : study.cases) {
+        auto const* state = figures::rated_state(each);
+        if (state == nullptr)
+            continue;
+        Told const told(figures::loaded_state_figures(study.balls), *state);
+        std::string text = fmt::format("  {}: pressure {} in the {}slice z = {}", figures::case_name(each),
+                                       told.with_unit("largest_pressure"), place_of_pressure(each, *state),
+                                       told.with_unit("pressure_z"));
+        if (state->largest_stress > 0) {
+            text += fmt::format("; stress {} at z = {}, r = {}, {}", told.with_unit("largest_stress"),
+                                told.with_unit("stress_z"), told.with_unit("stress_r"), told.with_unit("stress_phi"));
+        }
+        page.line("{}", text);
+    }
+}
+
+void write_bearing(Page& page, LoadStudy const& study, LoadCase const& each, LoadedState const& state)
+{
+    Told const told(figures::loaded_state_figures(study.balls), state);
+    Told const errors(figures::loaded_state_figures(study.balls), each.error);
+    auto const with_error = [&](char const* name) {
+        return told(name) + (each.estimated ? " +- " + errors.error(name) : "");
+    };
+    std::string text =
+        fmt::format("  {}: lobe at the major axis {} N along it, {} N across it, at z = {} mm; wave generator {} N m",
+                    figures::case_name(each), with_error("lobe_force"), with_error("lobe_force_across"),
+                    with_error("lobe_z"), with_error("wave_generator_torque"));
+    if (state.ball_force > 0) {
+        text +=
+            fmt::format("; balls up to {} {} at {}", with_error("ball_force"),
+                        figures::loaded_state_figures(study.balls)["ball_force"].unit.text, told.with_unit("ball_phi"));
+        text += study.balls > 0 ? fmt::format(", {} of {} carry", told("balls"), study.balls) : "";
+    }
+    page.line("{}", text);
+}
+
+void write_balls(Page& page, LoadStudy const& study, LoadCase const& each)
+{
+    std::string text;
+    for (std::size_t b = 0; b < each.bearing.ball_angle.size(); ++b) {
+        text += fmt::format("{}{:.1f} at {:.1f}", b > 0 ? ", " : "", each.bearing.ball_force[b],
+                            figures::unit::degree.shown(each.bearing.ball_angle[b]));
+    }
+    page.line("  {}: balls of {}, N at deg: {}", figures::case_name(each),
+              study.sectors > 1 ? fmt::format("1/{} of the ring", study.sectors) : "the ring", text);
+}
+
+/// How well the equations are solved: the worst of all states.
+void write_residuals(Page& page, LoadStudy const& study)
+{
+    LoadedState worst;
+    for (auto const& each : study.cases) {
+        for (auto const& state : each.curve) {
+            worst.residual = std::max(worst.residual, state.residual);
+            worst.complementarity = std::max(worst.complementarity, state.complementarity);
+            worst.rounds = std::max(worst.rounds, state.rounds);
+        }
+    }
+    Told const told(figures::loaded_state_figures(study.balls), worst);
+    page.line(
+        "  solved to: gap against the loaded shape {}, force and gap {} relative; {} rounds of the geometry at most",
+        told.with_unit("residual"), told("complementarity"), worst.rounds);
+}
+
+void write_load_places(Page& page, LoadStudy const& study)
+{
+    write_largest(page, study);
+    page.line("\nbearing, at {}", rated_torque(study));
+    for (auto const& each : study.cases) {
+        if (auto const* state = figures::rated_state(each))
+            write_bearing(page, study, each, *state);
+    }
+    for (auto const& each : study.cases) {
+        if (study.balls > 0)
+            write_balls(page, study, each);
+    }
+    write_residuals(page, study);
+}
+
+std::string rig_text(MeasuredCurve const& curve)
+{
+    std::string text = curve.columns;
+    if (curve.rig.torque_constant != 0) {
+        text += fmt::format(", {:g} N m/A", curve.rig.torque_constant);
+        text += curve.rig.efficiency != 1 ? fmt::format(", efficiency {:g}", curve.rig.efficiency) : "";
+    }
+    text += curve.rig.counts_per_turn != 0 ? fmt::format(", {:g} counts per turn", curve.rig.counts_per_turn) : "";
+    text += curve.rig.torque_constant != 0 || curve.rig.counts_per_turn != 0
+                ? fmt::format(", ratio {:g}", curve.rig.ratio)
+                : "";
+    return text;
+}
+
+/// What was measured beside what is simulated; nothing where neither has a value.
+void write_estimate(Page& page, figures::MeasuredFigure const& figure, Measurement const& measured,
+                    LoadCase const* simulated)
+{
+    Estimate const& estimate = figure.value(measured.found);
+    auto value = simulated != nullptr ? figure.simulated(*simulated) : std::nullopt;
+    if (value)
+        *value *= std::pow(measured.curve.rig.angle_per_spline, figure.angles);
+    if (estimate.count == 0 && !value)
+        return;
+    auto const& unit = figure.unit;
+    page.line("  {:<26}{:>24}{:>12}   {}", fmt::format("{} [{}]", figure.words, unit.text),
+              estimate.count == 0
+                  ? "-"
+                  : fmt::format("{:.4g} +- {:.2g}", unit.shown(estimate.value), unit.shown(estimate.error)),
+              estimate.count, value ? fmt::format("{:.4g}", unit.shown(*value)) : "-");
+}
+
+void write_measured(Page& page, LoadStudy const& study, Measurement const& measured)
+{
+    auto const& [curve, found] = measured;
+    auto const* simulated = figures::shown_case(study);
+    Told const told(figures::measured_curve_figures(), found);
+    page.line("\nmeasured: {} ({})", curve.file, rig_text(curve));
+    page.line("  {} samples, {} load cycle{} up to {}, angles in steps of {}", curve.twist.size(), told("cycles"),
+              plural(static_cast<std::size_t>(found.cycles)), told.with_unit("largest_torque"),
+              told.with_unit("angle_step"));
+    page.line("  {:<26}{:>24}{:>12}{}", "", "measured", "of",
+              simulated != nullptr ? "   simulated: " + figures::case_name(*simulated) : "");
+    for (auto const& figure : figures::measured_figures())
+        write_estimate(page, figure, measured, simulated);
+    if (curve.rig.angle_per_spline != 1) {
+        page.line(
+            "  at the output, the cup: it turns by {:.6g} times the angle of the circular spline, whose curve stands "
+            "above",
+            curve.rig.angle_per_spline);
+    }
+    if (found.straight > 0) {
+        page.line("  {} of {} loading branches have no bend and are no part of the stages", found.straight,
+                  found.whole.count);
+    }
+}
+
+}  // namespace
+
+std::string rated_torque(LoadStudy const& study)
+{
+    return Told(figures::load_study_figures(), study).with_unit("rated_torque");
+}
+
+}  // namespace hdconj::report
+
+namespace hdconj {
+
+std::string summary_text(LoadStudy const& study, std::vector<WrittenFile> const& written, Measurement const* measured)
+{
+    report::Page page;
+    report::write_drive(page, study.solution);
+    report::write_load_setting(page, study);
+    report::write_load_table(page, study);
+    report::write_load_places(page, study);
+    if (measured != nullptr)
+        report::write_measured(page, study, *measured);
+    report::write_notes(page, study.missing);
+    if (auto const* shown = figures::shown_case(study))
+        page.line("\ncup and circular spline, as written: {}", figures::case_name(*shown));
+    report::write_end(page, study.solution, written);
+    return page.text();
+}
+
+}  // namespace hdconj

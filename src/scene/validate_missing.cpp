@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+
+#include "key_finder.hpp"
+#include "validate_value.hpp"
+#include "validation.hpp"
+
+namespace hdconj::scene {
+namespace {
+
+/// Whether a key of @p table itself, not of a sub-table, was found outside of it: then the table is not forgotten.
+bool has_stray_key(Validation const& validation, TableSpec const& table)
+{
+    std::string const prefix = std::string(table.path) + ".";
+    return std::any_of(validation.attempted.lower_bound(prefix), validation.attempted.end(),
+                       [&prefix](std::string const& path) {
+                           return path.starts_with(prefix) && path.find('.', prefix.size()) == std::string::npos &&
+                                  find_table(path) == nullptr;
+                       });
+}
+
+std::string with_example(KeySpec const& key)
+{
+    return std::string(key.spec.key) + " = " + std::string(key.example);
+}
+
+/// Whether the scene cannot do without @p table. Where no tooth is given, the flexspline's is the one that is missing.
+bool is_wanted(Validation const& validation, TableSpec const& table)
+{
+    bool const has_other = validation.attempted.contains("circular_spline.profile");
+    return table.presence == Presence::required || (table.path == "flexspline.profile" && !has_other);
+}
+
+Fault missing_table(TableSpec const& table)
+{
+    std::string keys;
+    for (auto const& key : table.keys) {
+        if (key.spec.required)
+            keys += (keys.empty() ? "" : ", ") + with_example(key);
+    }
+    std::string const header = "[" + std::string(table.path) + "]";
+    return {std::string(table.path), 0, "", "this table is missing: " + std::string(table.meaning),
+            "write the line " + header + " and below it " + keys +
+                (table.presence == Presence::alternative
+                     ? ", or give the circular spline's tooth in [circular_spline.profile]"
+                     : "")};
+}
+
+/// Exactly one tooth is given, and the other one's height with it.
+void report_given_tooth(Validation& validation)
+{
+    auto& faults = validation.reading.faults;
+    auto const& visits = validation.visits;
+    auto const inner = visits.find("flexspline.profile");
+    auto const outer = visits.find("circular_spline.profile");
+    if (inner != visits.end() && outer != visits.end()) {
+        faults.push_back({"circular_spline.profile", outer->second.line, "",
+                          "both teeth are given, and each follows from the other",
+                          "remove [flexspline.profile] or [circular_spline.profile]", outer->second.origin});
+        return;
+    }
+    for (std::string const key : {"addendum", "dedendum"}) {
+        std::string const path = "flexspline." + key;
+        bool const attempted = validation.attempted.contains(path);
+        if (outer != visits.end() && !attempted) {
+            faults.push_back(
+                {path, outer->second.line, "",
+                 "this key is missing: with [circular_spline.profile] nothing else says how far the "
+                 "flexspline's teeth reach",
+                 "write " + key + " = " + (key == "addendum" ? "0.225" : "0.303") + ", a length in mm, in [flexspline]",
+                 outer->second.origin});
+        } else if (inner != visits.end() && attempted) {
+            auto const given = validation.reading.scene.given.find(path);
+            faults.push_back({path, given == validation.reading.scene.given.end() ? 0 : given->second.line,
+                              given == validation.reading.scene.given.end() ? "" : given->second.written,
+                              "the height of the flexspline tooth is told in [flexspline.profile]",
+                              "write it as flexspline.profile." + key + ", or remove it"});
+        }
+    }
+}
+
+void report_missing(Validation& validation, TableSpec const& table, ParameterSpec const& spec, std::string remedy)
+{
+    std::string const path = join(table.path, spec.key);
+    if (!spec.required || validation.attempted.contains(path))
+        return;
+    auto const visit = validation.visits.find(table.path);
+    bool const is_there = visit != validation.visits.end();
+    validation.reading.faults.push_back({path, is_there ? visit->second.line : 0, "",
+                                         "this key is missing: " + std::string(spec.meaning), std::move(remedy),
+                                         is_there ? visit->second.origin : ""});
+}
+
+void report_missing_keys(Validation& validation, TableSpec const& table)
+{
+    for (auto const& key : table.keys)
+        report_missing(validation, table, key.spec, "write " + with_example(key));
+    auto const families = validation.families_of(table.path);
+    if (families.size() != 1)
+        return;
+    for (auto const& spec : families.front()->parameters)
+        report_missing(validation, table, spec, "write " + std::string(spec.key) + " = ..., " + expectation(spec));
+}
+
+void store_defaults(Validation& validation, TableSpec const& table)
+{
+    auto& reading = validation.reading;
+    for (auto const& key : table.keys) {
+        std::string const path = join(table.path, key.spec.key);
+        if (key.standard && !validation.attempted.contains(path)) {
+            key.store(reading.scene, {*key.standard, 0});
+            reading.known.insert(path);
+        }
+    }
+}
+
+/// Whether @p path is a key, not a table, that tooth, neutral curve and tip circle depend on.
+bool is_geometry_key(std::string_view path)
+{
+    constexpr std::array<std::string_view, 4> tables{"drive.", "flexspline.", "wave_generator.", "circular_spline."};
+    constexpr std::array<std::string_view, 5> others{"drive.name", "drive.circular_spline_teeth",
+                                                     "wave_generator.waves", "circular_spline.width",
+                                                     "circular_spline.backlash_offset"};
+    if (std::find(others.begin(), others.end(), path) != others.end())
+        return false;
+    return find_table(path) == nullptr && std::any_of(tables.begin(), tables.end(), [path](std::string_view table) {
+               return path.starts_with(table);
+           });
+}
+
+/// Whether every required key of @p table and of its family was given and is right.
+bool required_keys_known(Validation const& validation, TableSpec const& table)
+{
+    auto const is_known = [&](ParameterSpec const& spec) {
+        std::string const path = join(table.path, spec.key);
+        return !spec.required || !is_geometry_key(path) || validation.reading.known.contains(path);
+    };
+    bool const own = std::all_of(table.keys.begin(), table.keys.end(),
+                                 [&is_known](KeySpec const& key) { return is_known(key.spec); });
+    if (!own || table.families == FamilyKind::none)
+        return own;
+    auto const families = validation.families_of(table.path);
+    return families.size() == 1 &&
+           std::all_of(families.front()->parameters.begin(), families.front()->parameters.end(), is_known);
+}
+
+}  // namespace
+
+void validate_missing(Validation& validation)
+{
+    for (auto const& table : scene_schema()) {
+        bool const is_there = validation.visits.contains(table.path);
+        bool const has_stray = has_stray_key(validation, table);
+        if (is_there || has_stray) {
+            report_missing_keys(validation, table);
+        } else if (is_wanted(validation, table) && !validation.attempted.contains(table.path)) {
+            validation.reading.faults.push_back(missing_table(table));
+        }
+        if (is_there || table.presence == Presence::required || table.presence == Presence::optional)
+            store_defaults(validation, table);
+    }
+    report_given_tooth(validation);
+}
+
+bool is_of_tooth_or_curve(Fault const& fault)
+{
+    bool const of_tip_circle =
+        fault.path.starts_with("circular_spline.") && !fault.path.starts_with("circular_spline.profile.");
+    return is_geometry_key(fault.path) && !of_tip_circle;
+}
+
+bool geometry_is_known(Validation const& validation)
+{
+    auto const& known = validation.reading.known;
+    bool const given_is_right =
+        std::all_of(validation.attempted.begin(), validation.attempted.end(),
+                    [&known](std::string const& path) { return !is_geometry_key(path) || known.contains(path); });
+    bool const inner = validation.visits.contains("flexspline.profile");
+    bool const outer = validation.visits.contains("circular_spline.profile");
+    bool const heights = known.contains("flexspline.addendum") && known.contains("flexspline.dedendum");
+    bool const one_tooth = inner != outer && outer == heights;
+    auto const& schema = scene_schema();
+    return given_is_right && one_tooth && std::all_of(schema.begin(), schema.end(), [&](TableSpec const& table) {
+               bool const needed = table.presence == Presence::required ||
+                                   (table.presence == Presence::alternative && validation.visits.contains(table.path));
+               return !needed || required_keys_known(validation, table);
+           });
+}
+
+}  // namespace hdconj::scene

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A list of lists of numbers against the forms that its rows may have.
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "hdconj/scene/schema.hpp"
+#include "validate_value.hpp"
+
+namespace hdconj::scene {
+namespace {
+
+using Kind = RawValue::Kind;
+
+/// Column names of a form: "[radius, sweep_deg]" -> radius, sweep_deg.
+std::vector<std::string_view> columns_of(std::string_view form)
+{
+    std::vector<std::string_view> columns;
+    std::string_view rest = form.substr(1, form.size() - 2);
+    for (std::size_t comma = 0; comma != std::string_view::npos;) {
+        comma = rest.find(", ");
+        columns.push_back(rest.substr(0, comma));
+        rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 2);
+    }
+    return columns;
+}
+
+bool is_number(RawValue const& value)
+{
+    return value.kind == Kind::integer || value.kind == Kind::number;
+}
+
+/// A row or a number of it as a message shows it.
+std::string text_of(RawValue const& value)
+{
+    if (is_number(value))
+        return number_text(value.number);
+    if (value.kind != Kind::array)
+        return value.kind == Kind::text ? "text" : "no number";
+    constexpr std::size_t most = 6;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(most, value.items.size()); ++i)
+        text += (i > 0 ? ", " : "") + (value.items[i].kind == Kind::array ? "[...]" : text_of(value.items[i]));
+    return "[" + text + (value.items.size() > most ? ", ...]" : "]");
+}
+
+/// Why @p value cannot stand in @p column; empty when it can.
+std::string column_fault(RawValue const& value, std::string_view column)
+{
+    if (!is_number(value))
+        return "is no number";
+    if (!std::isfinite(value.number))
+        return "is not a finite number";
+    if (column.ends_with("_deg"))
+        return "";
+    if (column == "radius")
+        return value.number == 0 ? "must not be 0" : "";
+    if (column == "length" && value.number < 0)
+        return "must not be negative";
+    return std::abs(value.number) > bounds::largest_length
+               ? "is larger than any drive (" + number_text(bounds::largest_length) + " mm)"
+               : "";
+}
+
+/// Every fault of one row, as the rest of a sentence about it.
+std::vector<std::string> row_faults(RawValue const& row, std::vector<std::string_view> const& forms)
+{
+    if (row.kind != Kind::array) {
+        return {" is no list"};
+    }
+    std::vector<std::string> faults;
+    for (auto const form : forms) {
+        auto const columns = columns_of(form);
+        if (columns.size() != row.items.size())
+            continue;
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            auto const fault = column_fault(row.items[i], columns[i]);
+            if (!fault.empty())
+                faults.push_back(": " + std::string(columns[i]) + " " + fault);
+        }
+        return faults;
+    }
+    return {" has " + std::to_string(row.items.size()) + (row.items.size() == 1 ? " number" : " numbers")};
+}
+
+}  // namespace
+
+std::variant<Parameter, Faults> validate_rows(ParameterSpec const& spec, RawEntry const& entry, std::string const& path)
+{
+    constexpr std::size_t most_faults = 20;
+    auto const& rows = entry.value.items;
+    std::string const remedy = write_instead(spec, "");
+    Faults faults;
+    NumberRows numbers;
+    auto const add = [&](RawValue const* row, std::string reason) {
+        int const line = row != nullptr && row->line > 0 ? row->line : entry.line;
+        std::string const value = row != nullptr ? printable(text_of(*row)) : entry.value.written;
+        faults.push_back({path, line, value, std::move(reason), remedy, entry.origin});
+    };
+    if (rows.size() > static_cast<std::size_t>(bounds::most_rows)) {
+        add(nullptr, "has more than " + std::to_string(bounds::most_rows) + " rows: give that many points in a file");
+        return faults;
+    }
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        for (auto const& fault : row_faults(rows[i], spec.words))
+            add(&rows[i], "row " + std::to_string(i + 1) + fault);
+        if (faults.size() >= most_faults) {
+            add(nullptr, "rows after row " + std::to_string(i + 1) + " were not looked at");
+            return faults;
+        }
+        std::vector<double> row;
+        for (auto const& item : rows[i].items)
+            row.push_back(item.number);
+        numbers.push_back(std::move(row));
+    }
+    if (static_cast<double>(rows.size()) < spec.at_least)
+        add(nullptr, "has " + std::to_string(rows.size()) + (rows.size() == 1 ? " row" : " rows"));
+    if (!faults.empty())
+        return faults;
+    return Parameter{std::move(numbers), entry.line};
+}
+
+}  // namespace hdconj::scene

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "hdconj/base/suggest.hpp"
+#include "key_finder.hpp"
+#include "validate_value.hpp"
+#include "validation.hpp"
+
+namespace hdconj::scene {
+namespace {
+
+using Kind = RawValue::Kind;
+
+/// The families that the key `family` of @p table leaves possible.
+std::vector<FamilyDescription const*> possible_families(std::vector<FamilyDescription> const& registered,
+                                                        RawValue const& table)
+{
+    std::vector<FamilyDescription const*> possible;
+    std::vector<std::string_view> names;
+    for (auto const& family : registered) {
+        possible.push_back(&family);
+        names.push_back(family.name);
+    }
+    for (auto const& entry : table.entries) {
+        bool const is_name = entry.key == "family" && entry.value.kind == Kind::text;
+        auto const meant = is_name ? nearest(entry.value.text, names) : std::nullopt;
+        if (meant) {
+            std::erase_if(possible, [&meant](FamilyDescription const* family) { return family->name != *meant; });
+        }
+    }
+    return possible;
+}
+
+/// The value of @p entry for key @p spec of @p table, or nothing after a fault.
+std::optional<Parameter> take_value(Validation& validation, TableSpec const& table, ParameterSpec const& spec,
+                                    std::string_view example, RawEntry const& entry, std::string const& spelled)
+{
+    std::string const path = join(table.path, spec.key);
+    validation.attempted.insert(path);
+    validation.reading.scene.given[path] = {entry.line, entry.value.written};
+    auto verdict = validate_value(spec, example, entry, spelled);
+    if (auto* const faults = std::get_if<Faults>(&verdict)) {
+        std::move(faults->begin(), faults->end(), std::back_inserter(validation.reading.faults));
+        return std::nullopt;
+    }
+    validation.reading.known.insert(path);
+    return std::get<Parameter>(std::move(verdict));
+}
+
+bool take_own_key(Validation& validation, TableSpec const& table, RawEntry const& entry, std::string const& spelled)
+{
+    for (auto const& key : table.keys) {
+        if (key.spec.key == entry.key) {
+            auto const spec = with_family_names(validation.families, table, key.spec);
+            auto const parameter = take_value(validation, table, spec, key.example, entry, spelled);
+            if (parameter)
+                key.store(validation.reading.scene, *parameter);
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Where the values of the family's keys of @p table go.
+FamilyChoice& choice_of(Scene& scene, TableSpec const& table)
+{
+    if (table.families == FamilyKind::wave_generator)
+        return scene.wave_generator.shape;
+    bool const outside = scene.circular_spline.profile && table.path == scene.circular_spline.profile->path;
+    return outside ? *scene.circular_spline.profile : scene.flexspline.profile;
+}
+
+bool take_family_key(Validation& validation, TableSpec const& table, RawEntry const& entry, std::string const& spelled)
+{
+    auto& choice = choice_of(validation.reading.scene, table);
+    for (auto const* const family : validation.families_of(table.path)) {
+        for (auto const& spec : family->parameters) {
+            if (spec.key == entry.key) {
+                auto parameter = take_value(validation, table, spec, "", entry, spelled);
+                if (parameter)
+                    choice.given.insert_or_assign(entry.key, std::move(*parameter));
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+Fault value_for_table(TableSpec const& spec, std::string const& spelled, RawEntry const& entry)
+{
+    std::string const header = "[" + std::string(spec.path) + "]";
+    std::string const found = entry.value.kind == Kind::array ? "a list" : "a value";
+    return {spelled,
+            entry.line,
+            entry.value.written,
+            found + " where the table " + header + " belongs",
+            "write the line " + header + " and its keys below it",
+            entry.origin};
+}
+
+}  // namespace
+
+void validate_member(Validation& validation, Place const& place, RawEntry const& entry)
+{
+    std::string const spelled = join(place.spelled, entry.key);
+    if (auto const* const table = find_table(join(place.path, entry.key))) {
+        validate_table(validation, *table, spelled, entry);
+        return;
+    }
+    auto const* const table = find_table(place.path);
+    bool const taken = table != nullptr && (take_own_key(validation, *table, entry, spelled) ||
+                                            take_family_key(validation, *table, entry, spelled));
+    if (!taken)
+        validate_unknown(validation, place, entry);
+}
+
+void validate_table(Validation& validation, TableSpec const& spec, std::string const& spelled, RawEntry const& entry)
+{
+    std::string const path(spec.path);
+    validation.attempted.insert(path);
+    if (entry.value.kind != Kind::table) {
+        validation.reading.faults.push_back(value_for_table(spec, spelled, entry));
+        return;
+    }
+    validation.visits[path] = {entry.line, entry.origin,
+                               possible_families(validation.families.of(spec.families), entry.value)};
+    validation.reading.scene.given[path] = {entry.line, entry.value.written};
+    if (spec.begin != nullptr)
+        spec.begin(validation.reading.scene, entry.line);
+    for (auto const& member : entry.value.entries) {
+        validate_member(validation, {path, spelled, &entry.value}, member);
+    }
+}
+
+ParameterSpec with_family_names(SceneFamilies const& families, TableSpec const& table, ParameterSpec spec)
+{
+    if (spec.key == "family") {
+        for (auto const& family : families.of(table.families))
+            spec.words.push_back(family.name);
+    }
+    return spec;
+}
+
+SceneReading validate_scene(RawValue const& root, SceneFamilies const& families)
+{
+    Validation validation{families, {}};
+    for (auto const& entry : root.entries) {
+        validate_member(validation, {"", "", &root}, entry);
+    }
+    validate_missing(validation);
+    auto& reading = validation.reading;
+    auto crossed = cross_faults(reading);
+    reading.geometry_known =
+        geometry_is_known(validation) && std::none_of(crossed.begin(), crossed.end(), is_of_tooth_or_curve);
+    std::move(crossed.begin(), crossed.end(), std::back_inserter(reading.faults));
+    sort_by_place(reading.faults);
+    return std::move(reading);
+}
+
+void locate(Faults& faults, Scene const& scene)
+{
+    for (auto& fault : faults) {
+        auto const found = scene.given.find(fault.path);
+        if (found == scene.given.end())
+            continue;
+        if (fault.line == 0 && fault.origin.empty()) {
+            fault.line = found->second.line;
+            fault.origin = found->second.line == 0 ? "--set" : "";
+        }
+        if (!found->second.written.empty())
+            fault.value = found->second.written;
+    }
+}
+
+}  // namespace hdconj::scene

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "validate_value.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "base/text.hpp"
+#include "hdconj/base/suggest.hpp"
+#include "hdconj/scene/schema.hpp"
+
+namespace hdconj::scene {
+namespace {
+
+using Kind = RawValue::Kind;
+
+/// Why a value is refused and what to write; nothing when it is right.
+struct Refusal
+{
+    std::string reason;
+    std::string remedy;
+};
+using Verdict = std::optional<Refusal>;
+
+bool is_numeric(Quantity quantity)
+{
+    return quantity != Quantity::word && quantity != Quantity::file && quantity != Quantity::text &&
+           quantity != Quantity::rows;
+}
+
+bool is_length(Quantity quantity)
+{
+    return quantity == Quantity::length || quantity == Quantity::positive_length ||
+           quantity == Quantity::nonnegative_length || quantity == Quantity::length_or_word;
+}
+
+std::string kind_name(Kind kind)
+{
+    switch (kind) {
+        case Kind::boolean:
+            return "true or false";
+        case Kind::integer:
+        case Kind::number:
+            return "a number";
+        case Kind::text:
+            return "text";
+        case Kind::date:
+            return "a date or time";
+        case Kind::array:
+            return "a list";
+        case Kind::table:
+            return "a table";
+    }
+    return "something else";
+}
+
+std::string quantity_name(ParameterSpec const& spec)
+{
+    switch (spec.quantity) {
+        case Quantity::length:
+        case Quantity::positive_length:
+        case Quantity::nonnegative_length:
+            return "a length";
+        case Quantity::angle_deg:
+            return "an angle in degrees";
+        case Quantity::number:
+            return "a number";
+        case Quantity::count:
+            return "a whole number";
+        case Quantity::word:
+            return "a word";
+        case Quantity::length_or_word:
+            return "a length or a word";
+        case Quantity::file:
+            return "a file name";
+        case Quantity::text:
+            return "text";
+        case Quantity::rows:
+            return "a list";
+    }
+    return "another value";
+}
+
+Refusal text_for_number(ParameterSpec const& spec, std::string const& text, std::string const& otherwise)
+{
+    std::string const reason = "text where " + quantity_name(spec) + " belongs";
+    auto const found = leading_number(text);
+    if (!found) {
+        return {reason, otherwise};
+    }
+    if (found->rest.empty()) {
+        return {reason, "write " + number_text(found->value) + ", a number without quotes"};
+    }
+    std::string const unit = is_length(spec.quantity) ? "lengths are in mm" : "numbers have no unit";
+    return {reason, "write " + number_text(found->value) + ", a number without quotes or unit: " + unit};
+}
+
+Verdict validate_bounds(ParameterSpec const& spec, double value, std::string const& remedy)
+{
+    if (value < spec.at_least) {
+        return Refusal{"must be at least " + number_text(spec.at_least), remedy};
+    }
+    if (value > spec.at_most) {
+        return Refusal{"must be at most " + number_text(spec.at_most), remedy};
+    }
+    return std::nullopt;
+}
+
+Verdict validate_length(ParameterSpec const& spec, double value, std::string const& remedy)
+{
+    if (spec.quantity == Quantity::positive_length && value <= 0) {
+        return Refusal{"must be above 0", remedy};
+    }
+    if (spec.quantity == Quantity::nonnegative_length && value < 0) {
+        return Refusal{"must not be negative", remedy};
+    }
+    if (std::abs(value) > bounds::largest_length) {
+        return Refusal{"larger than any drive (" + number_text(bounds::largest_length) + " mm)", remedy};
+    }
+    bool const has_own_bound = std::isfinite(spec.at_least);
+    if (spec.quantity == Quantity::positive_length && !has_own_bound && value < bounds::least_length) {
+        return Refusal{"smaller than any length of a drive (" + number_text(bounds::least_length) + " mm)", remedy};
+    }
+    return std::nullopt;
+}
+
+Verdict validate_whole(double value, Kind kind, std::string const& remedy)
+{
+    if (kind == Kind::integer)
+        return std::nullopt;
+    bool const is_whole = value == std::floor(value) && std::abs(value) <= bounds::most_teeth;
+    if (is_whole) {
+        return Refusal{"a count is written without a decimal point", "write " + number_text(value)};
+    }
+    return Refusal{"must be a whole number", remedy};
+}
+
+Verdict validate_number(ParameterSpec const& spec, RawValue const& value, std::string const& remedy)
+{
+    if (!std::isfinite(value.number)) {
+        return Refusal{"not a finite number", remedy};
+    }
+    Verdict verdict;
+    if (spec.quantity == Quantity::count) {
+        verdict = validate_whole(value.number, value.kind, remedy);
+    } else if (is_length(spec.quantity)) {
+        verdict = validate_length(spec, value.number, remedy);
+    }
+    return verdict ? verdict : validate_bounds(spec, value.number, remedy);
+}
+
+Verdict validate_word(ParameterSpec const& spec, std::string const& text, std::string const& remedy)
+{
+    bool const free = spec.words.empty();
+    if (free || std::find(spec.words.begin(), spec.words.end(), text) != spec.words.end())
+        return std::nullopt;
+    auto const meant = nearest(text, spec.words);
+    return Refusal{"unknown word",
+                   meant ? "write " + in_quotes(*meant) + "; known: " + quoted_list(spec.words) : remedy};
+}
+
+Verdict validate_free_text(std::string const& text, std::string const& remedy)
+{
+    constexpr std::size_t longest = 4096;
+    if (text.size() > longest) {
+        return Refusal{"longer than " + std::to_string(longest) + " bytes", remedy};
+    }
+    bool const has_control =
+        std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
+    return has_control ? Verdict(Refusal{"contains control characters", remedy}) : std::nullopt;
+}
+
+Verdict validate_text(ParameterSpec const& spec, std::string const& text, std::string const& remedy)
+{
+    switch (spec.quantity) {
+        case Quantity::word:
+            return validate_word(spec, text, remedy);
+        case Quantity::length_or_word:
+            return leading_number(text) ? Verdict(text_for_number(spec, text, remedy))
+                                        : validate_word(spec, text, remedy);
+        case Quantity::file:
+            return text.empty() ? Verdict(Refusal{"an empty file name", remedy}) : validate_free_text(text, remedy);
+        case Quantity::text:
+            return validate_free_text(text, remedy);
+        case Quantity::rows:
+            return Refusal{"text where a list belongs", remedy};
+        default:
+            return text_for_number(spec, text, remedy);
+    }
+}
+
+Verdict refusal_of(ParameterSpec const& spec, RawValue const& value, std::string const& remedy)
+{
+    bool const is_number = value.kind == Kind::integer || value.kind == Kind::number;
+    if (value.kind == Kind::text)
+        return validate_text(spec, value.text, remedy);
+    if (is_number && is_numeric(spec.quantity))
+        return validate_number(spec, value, remedy);
+    return Refusal{kind_name(value.kind) + " where " + quantity_name(spec) + " belongs", remedy};
+}
+
+}  // namespace
+
+std::variant<Parameter, Faults> validate_value(ParameterSpec const& spec, std::string_view example,
+                                               RawEntry const& entry, std::string const& path)
+{
+    if (spec.quantity == Quantity::rows && entry.value.kind == Kind::array)
+        return validate_rows(spec, entry, path);
+    auto const refusal = refusal_of(spec, entry.value, write_instead(spec, example));
+    if (refusal) {
+        return Faults{{path, entry.line, entry.value.written, refusal->reason, refusal->remedy, entry.origin}};
+    }
+    if (entry.value.kind == Kind::text) {
+        return Parameter{entry.value.text, entry.line};
+    }
+    return Parameter{entry.value.number, entry.line};
+}
+
+}  // namespace hdconj::scene

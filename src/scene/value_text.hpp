@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Values of a scene as text.
+#pragma once
+
+#include <string>
+
+#include "hdconj/scene/parameters.hpp"
+
+namespace hdconj::scene {
+
+/// A list as it would stand in a scene, cut short after about one line.
+[[nodiscard]] std::string rows_text(NumberRows const& rows);
+
+/// A value as it would stand in a scene: number, quoted word or list.
+[[nodiscard]] std::string value_text(ParameterValue const& value);
+
+}  // namespace hdconj::scene

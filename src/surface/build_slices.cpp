@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "build_slices.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "base/text.hpp"
+#include "conjugate/plane/outline_records.hpp"
+#include "drive/drive.hpp"
+#include "hdconj/base/parallel.hpp"
+#include "moved_outline.hpp"
+#include "slice_places.hpp"
+#include "tooth_surface.hpp"
+
+namespace hdconj::surface {
+namespace {
+
+/// Every slice is the outline at z = 0, moved along its radii where the teeth are tilted.
+void repeat_outline(Solution& out, std::vector<double> const& z, double tilt, drive::StageClock& clock)
+{
+    conjugate::MatchedOutline outline;
+    clock.run(Stage::surface, [&] {
+        outline.points.assign(z.size(), out.circular_spline.outline.front());
+        outline.normals.resize(z.size());
+        outline.chord = out.error.chord;
+    });
+    clock.run(Stage::tilt, [&] { move_radially(outline, z, tilt); });
+    out.circular_spline.z = z;
+    out.circular_spline.outline = std::move(outline.points);
+    out.error.chord = outline.chord;
+}
+
+void take(Solution& out, conjugate::MatchedOutline const& outline, profile::Profile const& tooth,
+          std::vector<double> const& z)
+{
+    conjugate::Outline common;
+    common.stretches = outline.stretches;
+    out.circular_spline.z = z;
+    out.circular_spline.outline = outline.points;
+    out.circular_spline.pieces = conjugate::piece_records(common, tooth);
+    out.circular_spline.landmarks.assign(outline.landmarks.begin(), outline.landmarks.end());
+    take_errors(out, outline, out.scene.slices->surface);
+}
+
+/// Tip circle and land of the slice in the middle.
+void take_tip(Solution& out, conjugate::MatchedOutline const& outline, TipCircle const& widened)
+{
+    double const tip = widened.radius;
+    if (tip == out.geometry.circular_spline_inner_radius)
+        return;
+    out.notes.push_back("tip circle widened from " + short_number(out.geometry.circular_spline_inner_radius) + " to " +
+                        short_number(tip) + " mm: " + widened.why);
+    auto const& middle = outline.points[outline.points.size() / 2];
+    out.geometry.space_depth += out.geometry.circular_spline_inner_radius - tip;
+    out.geometry.circular_spline_inner_radius = tip;
+    double const pitch = 2 * std::numbers::pi / out.scene.drive.circular_spline_teeth;
+    out.geometry.land_half_angle =
+        conjugate::land_half_angle(middle[outline.landmarks[0]], middle[outline.landmarks[4]], pitch);
+}
+
+}  // namespace
+
+void take_errors(Solution& out, conjugate::MatchedOutline const& outline, ToothSurface surface)
+{
+    out.error.chord = std::max(out.error.chord, outline.chord);
+    if (surface == ToothSurface::ruled && out.scene.coning && outline.points.size() > 2)
+        out.error.point = std::max(out.error.point, outline.chord);
+}
+
+void build_slices(Solution& out, profile::Profile const& tooth, wavegen::AnyWaveShape const& shape,
+                  drive::StageClock& clock)
+{
+    Scene const& scene = out.scene;
+    std::vector<double> const z = slice_places(scene.slices->count, scene.circular_spline.width.value_or(0));
+    SurfaceSpec spec{scene.slices->surface, TiltKind::radial, 0};
+    if (scene.tilt && scene.tilt->angle != 0) {
+        spec.kind = scene.tilt->kind;
+        spec.tilt = scene.tilt->angle;
+    }
+    bool const follows = scene.coning && spec.surface != ToothSurface::tilted;
+    if (!follows && !spec.is_drafted())
+        return repeat_outline(out, z, spec.tilt, clock);
+    Solution const base = out;
+    ToothSurfaceBuilder builder(base, tooth, shape, z, out.threads);
+    NominalSurface const made = builder.nominal_surface(spec, {scene.solver.tolerance}, clock);
+    // a draft is part of the surface, and a tilt of 0 moves nothing: the stage is planned all the same
+    if (!spec.is_tilted_radially())
+        clock.run(Stage::tilt, [] {});
+    take(out, made.outline, tooth, z);
+    if (!made.note.empty())
+        out.notes.push_back(made.note);
+    take_tip(out, made.outline, made.tip);
+}
+
+}  // namespace hdconj::surface

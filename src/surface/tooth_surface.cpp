@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tooth_surface.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "base/text.hpp"
+#include "coning.hpp"
+#include "conjugate/plane/conjugate_solver.hpp"
+#include "drive/elastic_cup.hpp"
+#include "hdconj/error.hpp"
+#include "moved_outline.hpp"
+#include "section_motion.hpp"
+#include "slice_job.hpp"
+#include "slice_places.hpp"
+
+namespace hdconj::surface {
+
+namespace {
+
+/// A failure in one slice says which.
+template <class Body>
+void in_slice(double z, Body&& body)
+{
+    try {
+        body();
+    } catch (NumericalError const& error) {
+        throw error.inside("slices", "slice at z = " + short_number(z) + " mm");
+    }
+}
+
+}  // namespace
+
+ToothSurfaceBuilder::ToothSurfaceBuilder(Solution const& base, profile::Profile const& tooth,
+                                         wavegen::AnyWaveShape shape, std::vector<double> z, int threads)
+    : base_(&base),
+      tooth_(&tooth),
+      shape_(std::move(shape)),
+      z_(std::move(z)),
+      threads_(threads),
+      tolerance_{base.scene.solver.tolerance, base.geometry.r_m + base.geometry.w0 + tooth.pitch_line + tooth.addendum},
+      motions_(z_.size()),
+      jobs_(z_.size()),
+      pointed_(z_.size())
+{
+}
+
+ToothSurfaceBuilder::~ToothSurfaceBuilder() = default;
+
+double ToothSurfaceBuilder::factor(double z) const
+{
+    return base_->scene.coning ? coning_mode(*base_->scene.coning).factor(z) : 1.0;
+}
+
+bool ToothSurfaceBuilder::follows_sections()
+{
+    if (!sections_asked_) {
+        sections_ = section_displacements(*base_, shape_, z_, threads_);
+        sections_asked_ = true;
+    }
+    return sections_.has_value();
+}
+
+std::vector<SliceMotion> ToothSurfaceBuilder::motions_at(std::vector<double> const& planes)
+{
+    bool const own = planes == z_;
+    auto const sections =
+        own || !follows_sections() ? std::nullopt : section_displacements(*base_, shape_, planes, threads_);
+    std::vector<SliceMotion> motions;
+    for (std::size_t k = 0; k < planes.size(); ++k)
+        in_slice(planes[k], [&] {
+            motions.push_back(own        ? motion(k)
+                              : sections ? slice_motion(base_->scene, *tooth_, (*sections)[k], base_->geometry.r_m)
+                                         : motion_at(planes[k]));
+        });
+    return motions;
+}
+
+std::string ToothSurfaceBuilder::note_on_sections()
+{
+    if (!coned() || !base_->scene.maps_axial_shift() || follows_sections())
+        return "";
+    bool const first_order = base_->scene.solver.kinematics == Kinematics::first_order;
+    return "outlines are made for the wall's slices as if they stayed in their planes, since " +
+           std::string(first_order ? "first-order kinematics knows no others"
+                                   : "the wave generator's shape has breaks, and its sections no series") +
+           "; the axial shift is in the gaps only";
+}
+
+SliceMotion const& ToothSurfaceBuilder::motion(std::size_t k)
+{
+    bool const section = follows_sections();
+    if (!motions_[k])
+        in_slice(z_[k], [&] {
+            motions_[k] =
+                section ? slice_motion(base_->scene, *tooth_, (*sections_)[k], base_->geometry.r_m) : motion_at(z_[k]);
+        });
+    return *motions_[k];
+}
+
+SliceMotion ToothSurfaceBuilder::motion_at(double z) const
+{
+    if (base_->scene.coning && base_->cup)
+        return slice_motion(base_->scene, *tooth_, drive::displacement_at(*base_->cup, z, base_->geometry.r_m),
+                            base_->geometry.r_m);
+    return slice_motion(base_->scene, *tooth_, shape_, factor(z), base_->geometry.r_m);
+}
+
+void ToothSurfaceBuilder::find_motions(std::vector<std::size_t> const& wanted)
+{
+    (void)follows_sections();
+    constexpr std::size_t grain = 2;
+    parallel_for(wanted.size(), threads_, grain, [&](std::size_t i) { (void)motion(wanted[i]); });
+}
+
+void ToothSurfaceBuilder::find_motions(std::size_t count)
+{
+    std::vector<std::size_t> first(count);
+    std::iota(first.begin(), first.end(), std::size_t{0});
+    find_motions(first);
+}
+
+/// The outline's own drive, at z = 0, and its branches.
+void ToothSurfaceBuilder::prepare_middle()
+{
+    if (middle_job_)
+        return;
+    auto made = std::make_unique<SliceJob>(*base_, motion_at(0), threads_);
+    made->solve->find_branches_of_tooth();
+    middle_job_ = std::move(made);
+}
+
+/// Motions, branches and pointed radii of the slices @p wanted.
+/// @param middle_too  what middle() needs, beside them
+void ToothSurfaceBuilder::prepare(std::vector<std::size_t> const& wanted, bool middle_too)
+{
+    find_motions(wanted);
+    parallel_for(wanted.size() + (middle_too ? 1 : 0), threads_, 1, [&](std::size_t i) {
+        if (i == wanted.size())
+            return prepare_middle();
+        std::size_t const k = wanted[i];
+        if (jobs_[k])
+            return;
+        in_slice(z_[k], [&] {
+            auto made = std::make_unique<SliceJob>(*base_, *motions_[k], 1);
+            made->solve->find_branches_of_tooth();
+            pointed_[k] = made->solve->pointed_radius();
+            jobs_[k] = std::move(made);
+        });
+    });
+}
+
+ToothSurfaceBuilder& ToothSurfaceBuilder::refined()
+{
+    if (!refined_)
+        refined_ = std::make_unique<ToothSurfaceBuilder>(
+            *base_, *tooth_, shape_, slice_places(static_cast<int>(2 * z_.size() - 1), 2 * z_.back()), threads_);
+    return *refined_;
+}
+
+std::vector<std::size_t> ToothSurfaceBuilder::own_slices(SurfaceSpec const& spec) const
+{
+    if (spec.surface == ToothSurface::ruled)
+        return {0, z_.size() - 1};
+    std::vector<std::size_t> all(z_.size());
+    for (std::size_t k = 0; k < all.size(); ++k)
+        all[k] = k;
+    return all;
+}
+
+conjugate::ToothSpaceBoundary const& ToothSurfaceBuilder::middle(double tip)
+{
+    if (middle_ && middle_->tip_radius() == tip)
+        return *middle_;
+    prepare_middle();
+    middle_job_->out.geometry.circular_spline_inner_radius = tip;
+    middle_job_->solve->find_boundary();
+    middle_ = std::make_unique<conjugate::ToothSpaceBoundary>(middle_job_->solve->curve(middle_job_->motion.owner));
+    return *middle_;
+}
+
+ToothSurfaceBuilder::Curves ToothSurfaceBuilder::solved(std::vector<std::size_t> const& wanted, double tip)
+{
+    prepare(wanted);
+    Curves curves(wanted.size());
+    parallel_for(wanted.size(), threads_, 1, [&](std::size_t i) {
+        std::size_t const k = wanted[i];
+        in_slice(z_[k], [&] {
+            jobs_[k]->out.geometry.circular_spline_inner_radius = tip;
+            jobs_[k]->solve->find_boundary();
+            curves[i] = std::make_unique<conjugate::ToothSpaceBoundary>(jobs_[k]->solve->curve(jobs_[k]->motion.owner));
+        });
+    });
+    return curves;
+}
+
+conjugate::MatchedOutline ToothSurfaceBuilder::outline(SurfaceSpec const& spec, double tip,
+                                                       SurfaceSampling const& sampling, drive::StageClock* clock)
+{
+    auto const timed = [&](Stage stage, auto const& body) {
+        if (clock != nullptr)
+            clock->run(stage, body);
+        else
+            body();
+    };
+    conjugate::MatchedOutline outline;
+    Curves curves;
+    conjugate::MovedChord moved(sampling.chord);
+    do {
+        timed(Stage::surface, [&] {
+            if (curves.empty()) {
+                check_reach(spec, tip);
+                curves = follows_cone(spec) ? solved(own_slices(spec), tip) : Curves{};
+            }
+            outline = curves.empty() ? one_outline(spec, tip, moved.asked(), sampling.flank_intervals)
+                                     : outline_by_slices(curves, spec, moved.asked(), sampling.flank_intervals);
+            deepen_all(outline, base_->scene.circular_spline.root_clearance);
+        });
+        if (spec.is_tilted_radially())
+            timed(Stage::tilt, [&] { move_radially(outline, z_, spec.tilt); });
+    } while (spec.is_tilted_radially() && sampling.keeps_chord_tilted && moved.is_longer(outline.chord));
+    return outline;
+}
+
+NominalSurface ToothSurfaceBuilder::nominal_surface(SurfaceSpec const& spec, SurfaceSampling const& sampling,
+                                                    drive::StageClock& clock)
+{
+    clock.run(Stage::coning, [&] { find_motions(z_.size()); });
+    TipCircle tip = nominal_tip(spec);
+    conjugate::MatchedOutline made = outline(spec, tip.radius, sampling, &clock);
+    return {std::move(made), std::move(tip), note_on_sections()};
+}
+
+conjugate::MatchedOutline ToothSurfaceBuilder::one_outline(SurfaceSpec const& spec, double tip, double chord,
+                                                           int flank_intervals)
+{
+    conjugate::ToothSpaceBoundary const& base = middle(tip);
+    if (!spec.is_drafted() || z_.size() == 1) {
+        conjugate::MatchedOutline outline = conjugate::matched_outline({&base}, chord, flank_intervals, threads_);
+        outline.points.resize(z_.size(), outline.points.front());
+        outline.normals.resize(z_.size(), outline.normals.front());
+        return outline;
+    }
+    std::vector<conjugate::ToothSpaceBoundary> moved;
+    std::vector<conjugate::ToothSpaceBoundary const*> slices;
+    moved.reserve(z_.size());
+    for (double const z : z_)
+        in_slice(z, [&] { moved.push_back(base.moved_along_normal(z * std::tan(spec.tilt), tolerance_)); });
+    for (conjugate::ToothSpaceBoundary const& curve : moved)
+        slices.push_back(&curve);
+    return conjugate::matched_outline(slices, chord, flank_intervals, threads_);
+}
+
+conjugate::MatchedOutline ToothSurfaceBuilder::outline_by_slices(Curves const& curves, SurfaceSpec const& spec,
+                                                                 double chord, int flank_intervals) const
+{
+    std::vector<conjugate::ToothSpaceBoundary const*> slices;
+    for (auto const& curve : curves)
+        slices.push_back(curve.get());
+    conjugate::MatchedOutline outline =
+        conjugate::matched_outline(slices, chord, flank_intervals, threads_, spec.surface == ToothSurface::ruled);
+    if (spec.surface != ToothSurface::ruled)
+        return outline;
+    conjugate::MatchedOutline const ends = outline;
+    outline.points.assign(z_.size(), ends.points.front());
+    outline.normals.assign(z_.size(), ends.normals.front());
+    outline.points.back() = ends.points.back();
+    outline.normals.back() = ends.normals.back();
+    for (std::size_t k = 1; k + 1 < z_.size(); ++k) {
+        double const share = (z_[k] - z_.front()) / (z_.back() - z_.front());
+        for (std::size_t i = 0; i < ends.points.front().size(); ++i) {
+            outline.points[k][i] = (1 - share) * ends.points.front()[i] + share * ends.points.back()[i];
+            outline.normals[k][i] =
+                ((1 - share) * ends.normals.front()[i] + share * ends.normals.back()[i]).normalized();
+        }
+    }
+    return outline;
+}
+
+}  // namespace hdconj::surface

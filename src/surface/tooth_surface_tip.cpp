@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tip circle that a surface needs, and whether the teeth still reach it.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/text.hpp"
+#include "hdconj/error.hpp"
+#include "moved_outline.hpp"
+#include "tooth_surface.hpp"
+
+namespace hdconj::surface {
+namespace {
+
+constexpr char const* drafted_meet = "leaves a tip land between the drafted flanks";
+
+/// Largest radius that an end of the flanks reaches, moved by @p distance along its normal, where the neutral curve
+/// moves by w = amplitude cos n u about r_m [mm]. An end stands x beside the tooth's middle, which is highest at u = 0;
+/// a little aside of that the tooth leans towards it, by n amplitude sin(n u)/r, and lifts it by amplitude (n x/r)^2/2
+/// more than the neutral curve has come down. Third order in amplitude/r left out.
+double foot_radius(profile::Profile const& tooth, double distance, double r_m, double amplitude, int waves)
+{
+    double highest = 0;
+    for (profile::PieceEnd const& end :
+         {profile::start_of(tooth.pieces.front().shape), profile::end_of(tooth.pieces.back().shape)}) {
+        Vec2 const foot = end.point + distance * end.normal;
+        double const leaning = waves * foot.x() / r_m;
+        highest =
+            std::max(highest, std::hypot(foot.x(), r_m + amplitude + foot.y()) + amplitude * leaning * leaning / 2);
+    }
+    return highest;
+}
+
+/// Widens @p tip to @p radius where that is larger. @param cause  what no smaller one does in the slice at @p z
+void widen(TipCircle& tip, double radius, char const* cause, double z)
+{
+    if (radius > tip.radius)
+        tip = {radius, fmt::format("no smaller one {} in the slice z = {} mm", cause, short_number(z))};
+}
+
+/// The higher end of the flanks above the neutral curve, moved by @p distance along their normals [mm].
+double foot_height(profile::Profile const& tooth, double distance)
+{
+    profile::PieceEnd const left = profile::start_of(tooth.pieces.front().shape),
+                            right = profile::end_of(tooth.pieces.back().shape);
+    return std::max(left.point.y() + distance * left.normal.y(), right.point.y() + distance * right.normal.y());
+}
+
+}  // namespace
+
+TipCircle ToothSurfaceBuilder::needed_tip(SurfaceSpec const& spec)
+{
+    TipCircle tip{base_->geometry.circular_spline_inner_radius, ""};
+    if (!coned() && spec.tilt == 0)
+        return tip;
+    std::vector<SliceNeed> const needs = slice_needs(spec);
+    for (std::size_t k = 0; k < needs.size(); ++k) {
+        widen(tip, needs[k].land, "leaves the circular spline a tip land", z_[k]);
+        widen(tip, needs[k].rim, "clears the flexspline's rim", z_[k]);
+        widen(tip, needs[k].draft, drafted_meet, z_[k]);
+    }
+    double const solved = solvable_tip(spec, base_->scene.circular_spline.backlash_offset);
+    return solved > tip.radius ? TipCircle{solved, "no smaller one is met by all flanks with their side clearance"}
+                               : tip;
+}
+
+std::vector<double> ToothSurfaceBuilder::needed_by_slices(SurfaceSpec const& spec)
+{
+    double const own = base_->geometry.circular_spline_inner_radius;
+    if (!coned() && spec.tilt == 0)
+        return std::vector<double>(z_.size(), own);
+    std::vector<double> tips;
+    for (SliceNeed const& each : slice_needs(spec))
+        tips.push_back(std::max({own, each.land, each.rim, each.draft}));
+    return tips;
+}
+
+/// What each slice asks of the tip circle of z = 0; every slice is entered by its own teeth, whatever the surface was
+/// made from.
+std::vector<ToothSurfaceBuilder::SliceNeed> ToothSurfaceBuilder::slice_needs(SurfaceSpec const& spec)
+{
+    PairGeometry const& g = base_->geometry;
+    double const least = least_land * base_->scene.drive.module;
+    std::vector<std::size_t> const all = own_slices({ToothSurface::per_slice, spec.kind, 0});
+    if (coned())
+        prepare(all, spec.surface == ToothSurface::tilted);
+    else
+        prepare({0});
+    std::vector<SliceNeed> needs;
+    for (std::size_t const k : all) {
+        double const shift = z_[k] * std::tan(spec.tilt);
+        std::size_t const own = coned() ? k : 0;
+        // an outline of this slice's own is solved before it is moved, and needs its land there too, clear of the rim
+        bool const moved_outward = shift > 0 && follows_cone(spec);
+        double const gained = moved_outward ? 0 : shift;
+        needs.push_back({*pointed_[own] + least - gained,
+                         g.r_m + motions_[own]->amplitude + g.pitch_line - g.dedendum + least - gained,
+                         spec.kind == TiltKind::draft ? meeting_tip(z_[k], spec.tilt) : 0});
+    }
+    return needs;
+}
+
+double ToothSurfaceBuilder::solvable_tip(SurfaceSpec const& spec, double distance)
+{
+    if (!follows_cone(spec))
+        return 0;
+    double amplitude = 0;
+    for (std::size_t const k : own_slices(spec))
+        amplitude = std::max(amplitude, motion(k).amplitude);
+    PairGeometry const& g = base_->geometry;
+    double const least = least_land * base_->scene.drive.module;
+    constexpr double above = 0.25;  // of the least land: flanks have to cross the tip circle
+    return std::max(
+        g.r_m + amplitude + foot_height(*tooth_, distance) + least,
+        foot_radius(*tooth_, distance, g.r_m, amplitude, base_->scene.wave_generator.waves) + above * least);
+}
+
+TipCircle ToothSurfaceBuilder::nominal_tip(SurfaceSpec const& spec)
+{
+    if (follows_cone(spec))
+        return needed_tip(spec);
+    TipCircle tip{base_->geometry.circular_spline_inner_radius, ""};
+    for (std::size_t k = 0; spec.is_drafted() && k < z_.size(); ++k)
+        widen(tip, meeting_tip(z_[k], spec.tilt), drafted_meet, z_[k]);
+    return tip;
+}
+
+/// The tip circle of z = 0 that leaves a land at @p z where a draft makes the flanks meet; 0 where they do not.
+double ToothSurfaceBuilder::meeting_tip(double z, double tilt)
+{
+    if (!base_flank_)
+        base_flank_ = conjugate::matched_outline({&middle(base_->geometry.circular_spline_inner_radius)},
+                                                 tolerance_.length, 0, threads_);
+    double const shift = z * std::tan(tilt);
+    double const meeting =
+        meeting_radius(*base_flank_, 0, shift, 2 * std::numbers::pi / base_->scene.drive.circular_spline_teeth);
+    return meeting > 0 ? meeting + least_land * base_->scene.drive.module - shift : 0;
+}
+
+/// A tip circle that was widened until no tooth reaches it leaves no flank.
+void ToothSurfaceBuilder::check_reach(SurfaceSpec const& spec, double tip)
+{
+    bool const follows = follows_cone(spec);
+    PairGeometry const& g = base_->geometry;
+    double const crest = g.r_m + g.pitch_line + g.addendum;
+    std::vector<std::size_t> const slices = follows ? own_slices(spec) : std::vector<std::size_t>{z_.size() / 2};
+    for (std::size_t k : slices) {
+        double const reach = crest + (follows ? motion(k).amplitude : g.w0);
+        if (tip < reach)
+            continue;
+        std::string const why = needed_tip(spec).why;
+        throw NumericalError(
+            ErrorCode::no_outline, "slices", follows ? "slice at z = " + short_number(z_[k]) + " mm" : "tip circle",
+            "a tip circle of " + short_number(tip) + " mm would be needed" + (why.empty() ? "" : " (" + why + ")") +
+                ", but the flexspline's tips reach " + short_number(reach) + " mm only",
+            "write a smaller tilt, side clearance or circular_spline.width");
+    }
+}
+
+}  // namespace hdconj::surface

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// From the path along one pitch to the moves of a whole pass, and back.
+#pragma once
+
+#include "faces.hpp"
+#include "hdconj/wedm.hpp"
+
+namespace hdconj::wedm {
+
+/// How a pass begins, ends and goes round. Lengths in mm along the lower face.
+struct WireRun
+{
+    int start = 0;             ///< first space with the void on the left; the path begins on the tip land before it
+    Vec2 hole = Vec2::Zero();  ///< centre of the start hole
+    double overlap = 0;        ///< on beyond the closing point
+    double stop_before = 0;    ///< tag a point this far before the closing point; 0: none
+    bool reversed = false;     ///< the other way round, void on the right
+    int spaces = 0;            ///< that are cut, from `start`; 0: all of them, and the path closes
+    Vec2 end = Vec2::Zero();   ///< where a path that does not close ends, or begins if reversed
+};
+
+/// The whole contour: turned copies of the fine pitch thinned to @p indices, as marks for CAM those of @p faces.marks.
+[[nodiscard]] PairedContour whole_contour(WireFaces const& faces, std::vector<std::size_t> const& indices);
+
+/// Centre of the start hole: @p lead_in [mm] off the tip land where tooth space @p start begins, in the void. Both
+/// faces are asked, and the one that reaches further into the void counts.
+[[nodiscard]] Vec2 start_hole(WireFaces const& faces, int start, double lead_in);
+
+/// The same beside the tip land where space @p last ends: where a path that does not close leaves the part.
+[[nodiscard]] Vec2 end_hole(WireFaces const& faces, int last, double lead_in);
+
+/// Moves from the start hole, straight to the tip land, along all spaces of @p run, on for the overlap, and straight
+/// back, or out where the path does not close. At both ends the wire is vertical.
+/// @param pitch  path of the wire's centre along space 0 of @p faces, from mid-land to mid-land
+/// @throws std::invalid_argument when stop or overlap are longer than the path, or the overlap than the spaces left
+/// over
+[[nodiscard]] WirePass wire_pass(PairedPath const& pitch, WireFaces const& faces, WireRun const& run);
+
+/// Lead-in point, contour and stop: the path along the part; where it closes, its closing point is repeated.
+[[nodiscard]] std::vector<WireMove> contour_path(WirePass const& pass);
+
+/// The same without the point that only the stop put there, and turned round where the pass is reversed.
+/// @throws std::invalid_argument when the moves are not those of @p spaces equal tooth spaces
+[[nodiscard]] std::vector<WireMove> even_path(WirePass const& pass, int spaces);
+
+/// The wire at a height: @p share of the workpiece's thickness above the lower face.
+[[nodiscard]] std::vector<Vec2> section(PairedPath const& path, WireMachine const& machine, double share);
+
+/// Path of the wire's centre along tooth space 0, from mid-land to mid-land, turned back from the first space of @p
+/// pass.
+/// @throws std::invalid_argument when the moves are not those of as many equal spaces as the program cuts
+[[nodiscard]] PairedPath pitch_of(WirePass const& pass, WireProgram const& program);
+
+}  // namespace hdconj::wedm

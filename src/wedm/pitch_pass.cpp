@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "pitch_pass.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "checks.hpp"
+#include "offset_path.hpp"
+
+namespace hdconj::wedm {
+
+namespace {
+
+/// Wires on sale: multiples of this, none thinner than that [mm].
+constexpr double wire_step = 0.01;
+constexpr double thinnest_wire = 0.02;
+
+/// Of lengths in advice [1/mm].
+constexpr double told_per_mm = 1e4;
+
+/// The thickest wire on sale, thinner than the one of @p job, that leaves no more than the limit.
+std::optional<double> fitting_wire(WireJob const& job)
+{
+    double const given = job.wire.wire_diameter;
+    for (int k = static_cast<int>(std::ceil(given / wire_step)) - 1; k * wire_step >= thinnest_wire; --k) {
+        double const diameter = std::min(k * wire_step, given);
+        if (job.wire.spark_gap > diameter)
+            break;
+        Uncut const uncut = pitch_pass(job, diameter, 0).uncut;
+        if (uncut.highest() == nullptr || uncut.highest()->height <= job.wire.residual_limit)
+            return diameter;
+    }
+    return {};
+}
+
+/// Least distance of what @p pass leaves from where the teeth come, if it is above the tolerance.
+std::optional<double> way_of_teeth(WireJob const& job, PitchPass const& pass, WireFaces const& reached)
+{
+    double const way = way_to_uncut(job.faces, pass.path, pass.offset, job.wire.tolerance, reached);
+    double const told = std::floor(way * told_per_mm) / told_per_mm;
+    return told > job.wire.tolerance ? std::optional(told) : std::nullopt;
+}
+
+}  // namespace
+
+PitchPass pitch_pass(WireJob const& job, double wire_diameter, double stock)
+{
+    WireFaces const& faces = job.faces;
+    double const tolerance = job.wire.tolerance;
+    PitchPass pass;
+    pass.stock = stock;
+    pass.offset = wire_diameter / 2 + job.wire.spark_gap + stock;
+    PairedPath const contour{with_neighbours(faces.pitch.lower, faces, 1),
+                             with_neighbours(faces.pitch.upper, faces, 1)};
+    PairedPath const fine = offset_path(contour, pass.offset, share_of_arcs * tolerance);
+    std::vector<std::size_t> const kept = thinned(fine, share_of_moves * tolerance);
+    pass.path = taken(fine, kept);
+    pass.guide_chord = guide_chord_error(fine, kept, job.machine);
+    pass.uncut = uncut_of(faces, pass.path, pass.offset, tolerance);
+    return pass;
+}
+
+std::vector<PitchPass> pitch_passes(WireJob const& job)
+{
+    std::vector<PitchPass> passes;
+    for (double const stock : job.wire.stock)
+        passes.push_back(pitch_pass(job, job.wire.wire_diameter, stock));
+    return passes;
+}
+
+bool leaves_too_much(WireJob const& job, std::vector<PitchPass> const& passes)
+{
+    Residual const* const worst = passes.back().uncut.highest();
+    return worst != nullptr && worst->height > job.wire.residual_limit;
+}
+
+Fault residual_fault(WireJob const& job, std::vector<PitchPass> const& passes, std::optional<WireFaces> const& reached)
+{
+    Residual const* const worst = passes.back().uncut.highest();
+    auto const wire = fitting_wire(job);
+    auto const way = reached ? way_of_teeth(job, passes.back(), *reached) : std::nullopt;
+    Fault fault = job.wire_key;
+    fault.reason = fmt::format(
+        "wire and gap are too wide to follow the contour: they leave {:.6g} mm at ({:f}, {:f}) mm of the {} face, {} "
+        "of every tooth space, and residual_limit is {:.6g} mm",
+        worst->height, worst->where.x(), worst->where.y(), worst->upper ? "upper" : "lower",
+        worst->meshing ? "on a flank" : "in the root", job.wire.residual_limit);
+    fault.remedy = fmt::format(
+        "{} residual_limit = {:.6g}{}",
+        wire ? fmt::format("write wire_diameter = {:.6g}, a thinner wire that leaves no more than that, or", *wire)
+             : "no thinner wire that is sold leaves so little; write",
+        std::ceil(worst->height * told_per_mm) / told_per_mm,
+        way ? fmt::format(": the teeth of the unloaded flexspline stay {:.6g} mm clear of what is left", *way) : "");
+    return fault;
+}
+
+}  // namespace hdconj::wedm

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// A pass of the wire along one tooth space.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "residual.hpp"
+#include "wire_job.hpp"
+
+namespace hdconj::wedm {
+
+/// Parts of the tolerance: chords of the moves, chords of arcs before thinning. The rest is for the contour, of which
+/// the tolerance is at least ten times the error (check_wedm).
+inline constexpr double share_of_moves = 0.8;
+inline constexpr double share_of_arcs = 1.0 / 16;
+
+/// A pass along tooth space 0.
+struct PitchPass
+{
+    double offset = 0, stock = 0;
+    PairedPath path;         ///< centre of the wire from mid-land to mid-land
+    double guide_chord = 0;  ///< error of straight moves at the guides
+    Uncut uncut;
+};
+
+/// The pass of @p job by a wire of @p wire_diameter that leaves @p stock [mm].
+[[nodiscard]] PitchPass pitch_pass(WireJob const& job, double wire_diameter, double stock);
+
+/// All passes of @p job.
+[[nodiscard]] std::vector<PitchPass> pitch_passes(WireJob const& job);
+
+/// Whether the last of @p passes leaves more than wedm.residual_limit.
+[[nodiscard]] bool leaves_too_much(WireJob const& job, std::vector<PitchPass> const& passes);
+
+/// What is wrong then. Names the thickest wire on sale that leaves no more than the limit, the limit that would do, and
+/// how far the teeth stay clear of what is left.
+/// @param reached  the faces that the teeth of the unloaded flexspline reach, if they are known
+[[nodiscard]] Fault residual_fault(WireJob const& job, std::vector<PitchPass> const& passes,
+                                   std::optional<WireFaces> const& reached);
+
+}  // namespace hdconj::wedm

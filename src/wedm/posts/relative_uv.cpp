@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Fanuc type: X, Y absolute in the lower face, U, V the upper face against the lower one in the same block, both from
+// rounded faces, so that X + U is the rounded upper face. No comments: what they look like differs between controls.
+#include <fmt/format.h>
+
+#include "grid.hpp"
+#include "post.hpp"
+#include "reading.hpp"
+
+namespace hdconj::wedm::relative_uv {
+namespace {
+
+std::string text_of(WireProgram const& program, WirePass const& pass)
+{
+    WireGrid const grid(program.decimals);
+    auto const blocks = blocks_of(program, pass, WirePlanes::faces, grid);
+    std::string text = fmt::format("%\nO{:04}\nG90 G21\nG92", pass.number);
+    grid.put(text, " X", blocks.front().lower.x);
+    grid.put(text, " Y", blocks.front().lower.y);
+    text += '\n';
+    for (std::size_t i = 1; i < blocks.size(); ++i) {
+        auto const& block = blocks[i];
+        UnitPoint const lean = block.upper - block.lower;
+        grid.put(text, "G01 X", block.lower.x);
+        grid.put(text, " Y", block.lower.y);
+        grid.put(text, " U", lean.x);
+        grid.put(text, " V", lean.y);
+        text += block.tag == WireTag::stop ? "\nM01\n" : "\n";
+    }
+    return text + "M02\n%\n";
+}
+
+FacePath read_one(WireText const& file)
+{
+    FacePath path{file.name, {}, {}};
+    for (auto const& line : lines_of(file)) {
+        if (line.text() == "%")
+            continue;
+        auto const words = words_of(line, line.text());
+        if (!has_word(words, 'X'))
+            continue;
+        bool const start = path.lower.empty();
+        if (!start && !is_straight_move(words))
+            line.refuse("coordinates without G01");
+        Vec2 const lower(value_of(line, words, 'X'), value_of(line, words, 'Y'));
+        Vec2 const lean = start ? Vec2(0, 0) : Vec2(value_of(line, words, 'U'), value_of(line, words, 'V'));
+        path.lower.push_back(lower);
+        path.upper.emplace_back(lower + lean);
+    }
+    return path;
+}
+
+}  // namespace
+
+WirePost post()
+{
+    WirePost post;
+    post.dialect = {"relative-uv", "ISO of the Fanuc type: X, Y of the lower face, U, V from there to the upper face",
+                    ""};
+    post.alphabet = "%OGXYUVM0123456789.- ";
+    post.unit = program_unit;
+    post.write = [](WireProgram const& program, std::string const& stem) {
+        return write_each(program, stem, "rel", "iso", text_of);
+    };
+    post.exact = exact_passes;
+    post.read = read_each<read_one>;
+    return post;
+}
+
+}  // namespace hdconj::wedm::relative_uv

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Faces of the circular spline, from the outlines of its slices.
+#include <algorithm>
+#include <utility>
+
+#include "hdconj/error.hpp"
+#include "offset_path.hpp"
+#include "wire_faces.hpp"
+
+namespace hdconj::wedm {
+namespace {
+
+/// A draft deeper than the radius of a corner folds the outline back there: that loop is no part of the face.
+void trim(WireFaces& faces)
+{
+    TrimmedPath const trimmed = without_loops(faces.pitch);
+    if (trimmed.path.size() == faces.pitch.size())
+        return;
+    std::vector<char> meshing;
+    for (double const at : trimmed.at)
+        meshing.push_back(
+            at < 0 ? 0 : faces.meshing[static_cast<std::size_t>(at)]);  // where it was folded there is no flank
+    for (SectionBetween& between : faces.between) {
+        std::vector<Vec2> points;
+        for (std::size_t i = 0; i < trimmed.at.size(); ++i) {
+            // loops between the faces are no longer than those of the faces, and their corner lies on the ruling that
+            // joins those
+            Vec2 const ruling = trimmed.path.lower[i] + between.share * (trimmed.path.upper[i] - trimmed.path.lower[i]);
+            points.push_back(trimmed.at[i] < 0 ? ruling : between.points[static_cast<std::size_t>(trimmed.at[i])]);
+        }
+        between.points = std::move(points);
+    }
+    for (std::size_t& mark : faces.marks) {
+        // a mark in the loop becomes its corner
+        std::size_t i = 0;
+        while (i + 1 < trimmed.at.size() && !(trimmed.at[i] >= static_cast<double>(mark)))
+            ++i;
+        while (i > 0 && trimmed.at[i] > static_cast<double>(mark) && trimmed.at[i - 1] < 0)
+            --i;
+        mark = i;
+    }
+    faces.marks.erase(std::unique(faces.marks.begin(), faces.marks.end()), faces.marks.end());
+    faces.meshing = std::move(meshing);
+    faces.pitch = trimmed.path;
+}
+
+}  // namespace
+
+WireFaces wire_faces(CircularSplineOutline const& outline, int teeth)
+{
+    WireFaces faces;
+    faces.teeth = teeth;
+    auto const reversed = [](std::vector<Vec2> const& points) {
+        return std::vector<Vec2>(points.rbegin(), points.rend());
+    };
+    faces.pitch = {reversed(outline.outline.front()), reversed(outline.outline.back())};
+    std::size_t const last = faces.pitch.size() - 1;
+    for (auto mark = outline.landmarks.rbegin(); mark != outline.landmarks.rend(); ++mark)
+        faces.marks.push_back(last - static_cast<std::size_t>(*mark));
+    // marks: land corner, flank end, middle, flank end, land corner
+    if (faces.marks.size() != 5)
+        throw NumericalError(ErrorCode::no_outline, "wedm", "outline", "has no land corners and flank ends");
+    faces.meshing.assign(last + 1, 0);
+    mark_flank(faces, faces.marks[0], faces.marks[1]);
+    mark_flank(faces, faces.marks[3], faces.marks[4]);
+    for (std::size_t k = 1; k + 1 < outline.outline.size(); ++k)
+        faces.between.push_back({(outline.z[k] - outline.z.front()) / (outline.z.back() - outline.z.front()),
+                                 reversed(outline.outline[k])});
+    trim(faces);
+    return faces;
+}
+
+}  // namespace hdconj::wedm

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "wire_job.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "hdconj/error.hpp"
+#include "hdconj/scene/reading.hpp"
+#include "hdconj/units.hpp"
+
+namespace hdconj::wedm {
+namespace {
+
+/// Fewest slices that have one between the faces.
+constexpr int with_middle = 3;
+
+/// A fault of a key without its line and value, which scene::locate() finds.
+Fault fault_at(std::string path, std::string reason, std::string remedy)
+{
+    return {std::move(path), 0, "", std::move(reason), std::move(remedy)};
+}
+
+void add_fault(Faults& faults, std::string path, std::string reason, std::string remedy)
+{
+    faults.push_back(fault_at(std::move(path), std::move(reason), std::move(remedy)));
+}
+
+/// Teeth of the part.
+int wire_teeth(Scene const& scene)
+{
+    return cuts_flexspline(scene) ? scene.drive.flexspline_teeth : scene.drive.circular_spline_teeth;
+}
+
+/// Of the workpiece [mm]; 0: not stated.
+double thickness_of(Scene const& scene)
+{
+    return scene.wedm->thickness.value_or(scene.circular_spline.width.value_or(0));
+}
+
+/// Tilt of the part's teeth [rad].
+double tilt_of(Scene const& scene)
+{
+    return scene.tilt ? scene.tilt->angle : 0;
+}
+
+/// Whether the slices of the circular spline have outlines of their own.
+bool follows_cone(Scene const& scene)
+{
+    return scene.coning && scene.slices && scene.slices->count > 1 && scene.slices->surface != ToothSurface::tilted;
+}
+
+/// Whether the two faces of the part differ.
+bool faces_differ(Scene const& scene)
+{
+    return tilt_of(scene) != 0 || follows_cone(scene);
+}
+
+void check_wire(Scene const& scene, Faults& faults)
+{
+    WireRequest const& wire = *scene.wedm;
+    double const module = scene.drive.module, known = scene.solver.tolerance;
+    double const width = wire.wire_diameter + 2 * wire.spark_gap;
+    double const pitch = std::numbers::pi * module;
+    if (width >= pitch)
+        faults.push_back(
+            fault_at("wedm.wire_diameter",
+                     fmt::format("wire and gap cut a slot of {:.6g} mm, and a whole pitch of the teeth is {:.6g} mm",
+                                 width, pitch),
+                     "write a wire that fits into a tooth space, far thinner than half a pitch"));
+    if (!wire.stock.empty() && wire.stock.front() > module)
+        add_fault(
+            faults, "wedm.passes",
+            fmt::format("a stock of {:.6g} mm is more than one module and leaves no tooth space", wire.stock.front()),
+            fmt::format("write a small part of the module {:.6g}", module));
+    if (wire.tolerance < 10 * known)
+        add_fault(faults, "wedm.tolerance",
+                  fmt::format("the outline itself is known to {:.6g} mm only (solver.tolerance)", known),
+                  fmt::format("write at least {:.6g}, or a smaller solver.tolerance", 10 * known));
+    if (wire.tolerance > module / 10)
+        add_fault(faults, "wedm.tolerance", "above a tenth of the module says nothing about a tooth",
+                  fmt::format("write at most {:.6g}, such as 0.0005", module / 10));
+}
+
+void check_workpiece(Scene const& scene, Faults& faults)
+{
+    WireRequest const& wire = *scene.wedm;
+    double const width = scene.circular_spline.width.value_or(0);
+    if (thickness_of(scene) <= 0)
+        faults.push_back({"wedm.thickness", wire.line, "",
+                          "this key is missing, and circular_spline.width does not tell it either",
+                          "write thickness = 7.0, a length in mm"});
+    if (cuts_flexspline(scene))
+        return;
+    if (wire.thickness && *wire.thickness < width)
+        add_fault(faults, "wedm.thickness",
+                  fmt::format("the toothing is wider: circular_spline.width = {:.6g} mm", width),
+                  "write at least that width, or remove the key");
+    if (follows_cone(scene) &&
+        thickness_of(scene) / 2 >= scene.coning->bottom_to_middle.value_or(0) - scene.coning->apex_height)
+        add_fault(faults, wire.thickness ? "wedm.thickness" : "circular_spline.width",
+                  "the workpiece would reach behind the apex of the cone", "write a smaller thickness");
+    if (scene.is_reverse())
+        add_fault(faults, "circular_spline.profile",
+                  "the wire cuts the circular spline that is solved for, but its tooth is given",
+                  "write --part flexspline, or give [flexspline.profile] in place of [circular_spline.profile]");
+}
+
+/// The path around the part.
+void check_path(Scene const& scene, Faults& faults)
+{
+    WireRequest const& wire = *scene.wedm;
+    int const teeth = wire_teeth(scene);
+    double const radius = scene.drive.module * teeth / 2;
+    bool const outside = cuts_flexspline(scene);
+    double const around = std::numbers::pi * radius * (outside ? 0.5 : 1);
+    if (!outside && wire.lead_in > radius)
+        add_fault(faults, "wedm.lead_in", "the lead-in would begin beyond the middle of the bore",
+                  fmt::format("write at most {:.6g}, such as 3.0", radius));
+    if (wire.start >= teeth)
+        add_fault(faults, "wedm.start", fmt::format("there are {} tooth spaces, counted from 0", teeth),
+                  fmt::format("write a whole number from 0 to {}", teeth - 1));
+    for (auto const& [path, length] :
+         {std::pair("wedm.overlap", wire.overlap), std::pair("wedm.stop_before", wire.stop_before)})
+        if (length > around)
+            add_fault(faults, path,
+                      outside ? "is more than half of what a set-up cuts" : "is more than half the way around the part",
+                      "write a few mm at most");
+}
+
+/// The circular spline may be tilted as far as the machine tilts its wire; the flexspline is cut upright and unloaded.
+void check_tilt(Scene const& scene, Faults& faults)
+{
+    double const tilt = tilt_of(scene), largest = scene.wedm->largest_tilt;
+    if (cuts_flexspline(scene)) {
+        if (tilt != 0)
+            faults.push_back(
+                fault_at("tilt.angle_deg",
+                         "the flexspline's teeth are parallel to its axis; only the circular spline's are tilted",
+                         "write --tilt 0"));
+    } else if (std::abs(tilt) > largest)
+        add_fault(
+            faults, "tilt.angle_deg",
+            fmt::format("the machine tilts its wire by {:.6g} degrees at most (wedm.largest_tilt_deg)", largest / deg),
+            "write a smaller angle, or the limit of a machine that can");
+}
+
+std::string in_ascii(std::string name)
+{
+    std::replace_if(
+        name.begin(), name.end(), [](char c) { return c < ' ' || c > '~'; }, '_');
+    return name;
+}
+
+}  // namespace
+
+WireJob::WireJob(Scene const& scene, WireFaces part_faces) : faces(std::move(part_faces)), wire(*scene.wedm)
+{
+    name = in_ascii(scene.drive.name) + (faces.external ? "-flexspline" : "");
+    if (wire.stock.empty())
+        wire.stock = {0};
+    machine = {thickness_of(scene), wire.lower_guide, wire.upper_guide};
+    contour_error = scene.solver.tolerance;
+    if (faces.pitch.lower != faces.pitch.upper) {
+        surface = scene.slices ? scene.slices->surface : ToothSurface::tilted;
+        if (tilt_of(scene) != 0)
+            tilt_kind = scene.tilt->kind;
+    }
+    Faults keys{fault_at("wedm.wire_diameter", "", "")};
+    scene::locate(keys, scene);
+    wire_key = keys.front();
+}
+
+void refuse_wire_faults(Scene const& scene)
+{
+    if (Faults faults = check_wedm(scene); !faults.empty())
+        throw InputError(faults);
+}
+
+bool cuts_flexspline(Scene const& scene)
+{
+    return scene.wedm->part == WirePart::flexspline;
+}
+
+void check_slices(Scene const& scene, CircularSplineOutline const& outline)
+{
+    double const half = thickness_of(scene) / 2, tolerance = scene.solver.tolerance;
+    bool const single = outline.outline.size() == 1 && !faces_differ(scene);
+    bool const ends = outline.z.size() > 1 && outline.z.size() == outline.outline.size() &&
+                      std::abs(outline.z.front() + half) <= tolerance && std::abs(outline.z.back() - half) <= tolerance;
+    if (!single && !ends)
+        throw InputError(
+            fault_at("wedm.thickness",
+                     fmt::format("the outline that was solved has no slices at z = -{0:.6g} and +{0:.6g} mm", half),
+                     "solve it with [slices] over that width, or let wedm solve it"));
+}
+
+}  // namespace hdconj::wedm
+
+namespace hdconj {
+
+Faults check_wedm(Scene const& scene)
+{
+    Faults faults;
+    if (!scene.wedm)
+        return {{"wedm", 0, "", "this table is missing: it states wire and gap, which are never assumed",
+                 "write the line [wedm] and below it wire_diameter = 0.10 and spark_gap = 0.006"}};
+    wedm::check_wire(scene, faults);
+    wedm::check_workpiece(scene, faults);
+    wedm::check_path(scene, faults);
+    wedm::check_tilt(scene, faults);
+    scene::locate(faults, scene);
+    return faults;
+}
+
+Scene wire_scene(Scene const& scene)
+{
+    Scene wanted = scene;
+    wanted.contact.reset();
+    wanted.circular_spline.width = wedm::thickness_of(scene);
+    bool const automatic = scene.circular_spline.automatic_backlash;
+    if (!wedm::faces_differ(scene)) {
+        // An automatic side clearance looks at the slices.
+        if (!automatic)
+            wanted.slices.reset();
+        return wanted;
+    }
+    if (!wanted.slices)
+        wanted.slices = Slices{wedm::with_middle, ToothSurface::tilted, 0};
+    bool const keeps = wanted.slices->surface == ToothSurface::per_slice || automatic;
+    wanted.slices->count = keeps ? std::max(wedm::with_middle, wanted.slices->count) : wedm::with_middle;
+    return wanted;
+}
+
+}  // namespace hdconj

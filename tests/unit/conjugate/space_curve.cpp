@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "conjugate/space_curve.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "conjugate/plane/conjugate_solver.hpp"
+#include "hdconj/error.hpp"
+#include "support/catch.hpp"
+#include "support/coned_drive.hpp"
+#include "support/polyline.hpp"
+
+namespace hdconj::test::space_curve_cases {
+
+namespace {
+
+/// The boundary of the built-in drive's tooth space, with what it is made of.
+struct Boundary
+{
+    explicit Boundary(std::vector<std::string> const& keys = {})
+        : drive(builtin_scene(keys), 1), clock(out.plan, observer)
+    {
+        out.scene = drive.scene;
+        out.plan = make_plan(out.scene);
+        out.geometry = drive.middle.geometry;
+        out.threads = 1;
+        auto const& slice = drive.maker->motion(0);
+        job.emplace(out, *slice.tooth, slice.motion, clock);
+        job->find_branches_of_tooth();
+        job->find_boundary();
+        curve.emplace(job->curve(slice.owner));
+    }
+    ConedDrive drive;
+    Solution out;
+    StageObserver observer;
+    drive::StageClock clock;
+    std::optional<conjugate::ConjugateSolver<motion::ErasedMotion>> job;
+    std::optional<conjugate::ToothSpaceBoundary> curve;
+};
+
+std::vector<Vec2> points_of(conjugate::ToothSpaceBoundary const& curve, double chord)
+{
+    std::vector<Vec2> points;
+    for (conjugate::BoundaryPiece const& piece : curve.pieces()) {
+        envelope::SampledArc const sampled = curve.sampled(piece, chord);
+        for (std::size_t i = points.empty() ? 0 : 1; i < sampled.points.size(); ++i)
+            points.push_back(sampled.points[i].p);
+    }
+    return points;
+}
+
+/// Checks that @p points run to the right and lie @p distance from @p base, no nearer, and no further but for mitres.
+/// @return the furthest
+double check_parallel(std::vector<Vec2> const& base, std::vector<Vec2> const& points, double distance, double chord)
+{
+    double nearest = std::numeric_limits<double>::infinity(), furthest = 0;
+    std::size_t off = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        if (i > 0)
+            CHECK(points[i].x() > points[i - 1].x() - 1e-12);
+        // over the land the middle one lies on the tip circle's end, half a pitch away
+        double const d = distance_to_polyline(base, points[i]);
+        nearest = std::min(nearest, d);
+        furthest = std::max(furthest, d);
+        off += d > distance + 1.1 * chord;
+    }
+    CHECK(nearest > distance - 1.1 * chord);
+    CHECK(off < points.size() / 5);
+    return furthest;
+}
+
+}  // namespace
+
+TEST_CASE("boundary moved along its normal is everywhere that far from where it was", "[space_curve]")
+{
+    Boundary const b;
+    constexpr double chord = 1e-8;
+    std::vector<Vec2> const base = points_of(*b.curve, chord);
+    // into the material, and out of it by less and by more than the sharpest turn of the tip corner's path, which is
+    // then swallowed
+    for (double const distance : {1e-6, 1e-3, 0.01, 0.03, -1e-6, -1e-4, -5e-4, -1e-3, -1.3e-3, -1.5e-3, -1.7e-3,
+                                  -1.8e-3, -1.9e-3, -2e-3, -3e-3, -0.0122, -0.03}) {
+        INFO("distance " << distance);
+        conjugate::ToothSpaceBoundary const moved = b.curve->moved_along_normal(distance, b.drive.context->tolerance);
+        CHECK(moved.tip_radius() == b.curve->tip_radius() + distance);
+        CHECK(moved.offset() == Approx(distance).epsilon(1e-14));
+        auto const& pieces = moved.pieces();
+        for (std::size_t i = 0; i + 1 < pieces.size(); ++i) {
+            // corners are where both pieces end
+            CHECK((moved.at(pieces[i], pieces[i].end).p - moved.at(pieces[i + 1], pieces[i + 1].begin).p).norm() <
+                  1e-10);
+        }
+        std::vector<Vec2> const points = points_of(moved, chord);
+        double const furthest = check_parallel(base, points, std::abs(distance), chord);
+        // a mitre of two stretches that turn by less than 90 degrees
+        CHECK(furthest < 1.42 * std::abs(distance) + 1.1 * chord);
+        for (conjugate::BoundaryPiece const& piece : pieces)
+            CHECK(moved.made_by(piece).segment >= -1);
+    }
+}
+
+TEST_CASE("boundary moved by nothing has the same bits", "[space_curve]")
+{
+    Boundary const b;
+    Tolerance const& tolerance = b.drive.context->tolerance;
+    CHECK(points_of(b.curve->moved_along_normal(0, tolerance), 1e-6) == points_of(*b.curve, 1e-6));
+}
+
+TEST_CASE("a stretch beside the tip circle that vanishes is left out and nothing else changes", "[space_curve]")
+{
+    constexpr double chord = 1e-7;
+    for (std::vector<std::string> const& keys : {std::vector<std::string>{},
+                                                 {"circular_spline.inner_radius=25.0215"},
+                                                 {"circular_spline.inner_radius=25.03"}}) {
+        Boundary const b(keys);
+        std::vector<Vec2> const base = points_of(*b.curve, chord);
+        auto const moved = [&](double distance) {
+            return b.curve->moved_along_normal(distance, b.drive.context->tolerance);
+        };
+        std::size_t const pieces = b.curve->pieces().size();
+        double here = 0.01, gone = 0.1;  // with all pieces, and with fewer
+        INFO("tip circle " << b.curve->tip_radius());
+        REQUIRE(moved(here).pieces().size() == pieces);
+        REQUIRE(moved(gone).pieces().size() < pieces);
+        for (int i = 0; i < 40; ++i) {
+            double const middle = 0.5 * (here + gone);
+            (moved(middle).pieces().size() == pieces ? here : gone) = middle;
+        }
+        // it has become a point, and the outline goes on without a jump
+        std::vector<Vec2> const before = points_of(moved(here), chord), after = points_of(moved(gone), chord);
+        for (Vec2 const& p : after)
+            CHECK(distance_to_polyline(before, p) < 1.1 * chord);
+        for (Vec2 const& p : before)
+            CHECK(distance_to_polyline(after, p) < 1.1 * chord);
+        // beyond, no point is nearer to where the boundary was, the new corner included, and all but the mitres are as
+        // near
+        for (double distance = gone; distance < 0.1; distance += 0.004) {
+            INFO("distance " << distance);
+            conjugate::ToothSpaceBoundary const curve = moved(distance);
+            CHECK(curve.pieces().size() < pieces);
+            check_parallel(base, points_of(curve, chord), distance, chord);
+        }
+    }
+}
+
+TEST_CASE("boundary moved so far that a stretch is gone says so", "[space_curve]")
+{
+    Boundary const b;
+    for (double const distance : {0.15, 0.5, -0.4}) {
+        INFO("distance " << distance);
+        CHECK_THROWS_AS(b.curve->moved_along_normal(distance, b.drive.context->tolerance), NumericalError);
+        CHECK_THROWS_WITH(b.curve->moved_along_normal(distance, b.drive.context->tolerance),
+                          ContainsSubstring("draft: near (") && ContainsSubstring("tilt.angle_deg"));
+    }
+}
+
+}  // namespace hdconj::test::space_curve_cases

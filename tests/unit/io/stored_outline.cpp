@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fstream>
+
+#include "hdconj/contact_files.hpp"
+#include "hdconj/error.hpp"
+#include "hdconj/file/atomic_file.hpp"
+#include "hdconj/result_files.hpp"
+#include "support/catch.hpp"
+#include "support/sample_contact_study.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace hdconj::test::stored_outline_cases {
+
+namespace {
+
+void check_same(CircularSplineOutline const& read, CircularSplineOutline const& written)
+{
+    CHECK(read.z == written.z);
+    REQUIRE(read.outline.size() == written.outline.size());
+    for (std::size_t k = 0; k < read.outline.size(); ++k)
+        CHECK(read.outline[k] == written.outline[k]);
+    CHECK(read.landmarks == written.landmarks);
+    REQUIRE(read.pieces.size() == written.pieces.size());
+    for (std::size_t i = 0; i < read.pieces.size(); ++i) {
+        CHECK(read.pieces[i].kind == written.pieces[i].kind);
+        CHECK(read.pieces[i].segment_name == written.pieces[i].segment_name);
+        CHECK(read.pieces[i].first == written.pieces[i].first);
+        CHECK(read.pieces[i].last == written.pieces[i].last);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("a stored outline is read back bit for bit, with its scene", "[wire]")
+{
+    test::TemporaryFolder const folder;
+    auto solution = sample::solution();
+    solution.scene.text = "[drive]\nname = \"\xc3\xa4\"\n";
+    write_hdf5(solution, folder / "a.h5");
+    auto const one = read_outline(folder / "a.h5");
+    CHECK(one.scene == solution.scene.text);
+    check_same(one.outline, solution.circular_spline);
+    auto const study = sample::contact_study(5);
+    write_hdf5(study, folder / "b.h5");
+    check_same(read_outline(folder / "b.h5").outline, study.solution.circular_spline);
+}
+
+TEST_CASE("what is no result file is refused with its name", "[wire]")
+{
+    test::TemporaryFolder const folder;
+    CHECK_THROWS_WITH(read_outline(folder / "none.h5"), ContainsSubstring("none.h5: is no result file of hdconj"));
+    std::ofstream(folder / "text.h5") << "no HDF5";
+    CHECK_THROWS_AS(read_outline(folder / "text.h5"), InputError);
+    write_hdf5(sample::solution(), folder / "a.h5");
+    auto const whole = test::content(folder / "a.h5");
+    // Cut anywhere, the file is refused or read, and never ends the program.
+    int refused = 0;
+    for (std::size_t size = 0; size < whole.size(); size += whole.size() / 23) {
+        std::ofstream(folder / "cut.h5", std::ios::binary) << whole.substr(0, size);
+        try {
+            (void)read_outline(folder / "cut.h5");
+        } catch (InputError const&) {
+            ++refused;
+        }
+    }
+    CHECK(refused >= 20);
+}
+
+}  // namespace hdconj::test::stored_outline_cases

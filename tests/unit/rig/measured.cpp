@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <fstream>
+
+#include "hdconj/error.hpp"
+#include "hdconj/measured.hpp"
+#include "support/catch.hpp"
+#include "support/rig_loop.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace hdconj::test::measured_cases {
+
+using sample::minute;
+using sample::nm;
+using sample::nm_per_degree;
+using sample::Rig;
+using sample::rig_loop;
+using test::TemporaryFolder;
+
+namespace {
+
+MeasuredReading read(std::string const& text, RigOptions const& rig = {}, double ratio = 100)
+{
+    TemporaryFolder const folder;
+    std::ofstream(folder / "curve.csv") << text;
+    return examine_measured(folder / "curve.csv", rig, ratio);
+}
+
+/// What a user reads, without the folder of the test.
+std::string refusal(std::string const& text, RigOptions const& rig = {})
+{
+    auto const reading = read(text, rig);
+    REQUIRE_FALSE(reading.faults.empty());
+    for (auto const& fault : reading.faults) {
+        CHECK_FALSE(fault.reason.empty());
+        CHECK_FALSE(fault.remedy.empty());
+    }
+    auto told = describe(reading.faults);
+    auto const name = told.find("curve.csv");
+    return name == std::string::npos ? told : told.substr(name);
+}
+
+void check_near(Estimate const& found, double wanted, double within)
+{
+    CHECK(std::abs(found.value - wanted) <= within);
+}
+
+}  // namespace
+
+TEST_CASE("an exact loop gives play and stages back", "[load][measured]")
+{
+    for (double const offset : {0.0, 0.02}) {
+        Rig rig;
+        rig.offset = offset;
+        auto const found = measured_stiffness(rig_loop(rig));
+        CHECK(found.cycles == 4);
+        CHECK(found.largest_torque == rig.torque);
+        check_near(found.backlash, rig.drive.backlash, 1e-9 * rig.drive.backlash);
+        check_near(found.first, rig.drive.first, 1e-6 * rig.drive.first);
+        check_near(found.second, rig.drive.second, 1e-6 * rig.drive.second);
+        check_near(found.knee, rig.drive.knee, 1e-5 * rig.drive.knee);
+        CHECK(found.middle == Approx(offset).margin(1e-12));
+        CHECK(found.backlash.count == 4);
+        CHECK(found.first.count == 8);
+        CHECK(found.straight == 0);
+        CHECK(found.first.error < 1e-6 * rig.drive.first);
+    }
+}
+
+TEST_CASE("friction widens the loop by what it holds and leaves the stages", "[load][measured]")
+{
+    Rig rig;
+    rig.friction = 0.7 * minute;
+    auto const found = measured_stiffness(rig_loop(rig));
+    check_near(found.backlash, rig.drive.backlash + 2 * rig.friction, 1e-9);
+    check_near(found.first, rig.drive.first, 1e-6 * rig.drive.first);
+}
+
+TEST_CASE("with noise and an encoder's steps what is found lies within its own uncertainty", "[load][measured]")
+{
+    int outside_three = 0;
+    constexpr int tries = 30;
+    for (unsigned seed = 1; seed <= tries; ++seed) {
+        Rig rig;
+        rig.angle_noise = 0.08 * minute;
+        rig.angle_step = 0.108 * minute;  // 2000 counts per turn behind 1:100
+        rig.seed = seed;
+        rig.cycles = 1 + static_cast<int>(seed % 4);
+        auto const found = measured_stiffness(rig_loop(rig));
+        INFO(seed);
+        CHECK(found.angle_step == Approx(rig.angle_step).epsilon(1e-6));
+        CHECK(found.cycles == rig.cycles);
+        CHECK(found.backlash.error > 0);
+        check_near(found.backlash, rig.drive.backlash, 0.12 * minute);
+        check_near(found.first, rig.drive.first, 0.02 * rig.drive.first);
+        check_near(found.second, rig.drive.second, 0.02 * rig.drive.second);
+        for (auto const& [estimate, wanted] :
+             {std::pair(found.backlash, rig.drive.backlash), std::pair(found.first, rig.drive.first),
+              std::pair(found.second, rig.drive.second)}) {
+            outside_three += std::abs(estimate.value - wanted) > 3 * estimate.error ? 1 : 0;
+        }
+    }
+    CHECK(outside_three <= 3 * tries / 20);
+}
+
+TEST_CASE("a curve written by hand has play and stiffness too", "[load][measured]")
+{
+    Rig rig;
+    rig.cycles = 1;
+    rig.per_branch = 7;  // every 4 N m
+    rig.last_stretch = false;
+    auto const found = measured_stiffness(rig_loop(rig));
+    CHECK(found.cycles == 1);
+    check_near(found.backlash, rig.drive.backlash, 1e-9);
+    CHECK(found.whole.count == 2);
+    CHECK(found.whole.value > rig.drive.first);
+    CHECK(found.whole.value < rig.drive.second);
+    CHECK(found.backlash.error > 0);
+}
+
+TEST_CASE("one straight stage is not made two", "[load][measured]")
+{
+    Rig rig;
+    rig.drive.second = rig.drive.first;
+    rig.angle_noise = 0.05 * minute;
+    auto const found = measured_stiffness(rig_loop(rig));
+    CHECK(found.first.count == 0);
+    CHECK(found.straight == 8);
+    CHECK(found.whole.value == Approx(rig.drive.first).epsilon(0.01));
+}
+
+TEST_CASE("what is no loop is refused", "[load][measured]")
+{
+    auto const curve = rig_loop({});
+    auto const cut = [&](std::size_t from, std::size_t to) {
+        auto part = curve;
+        part.twist.assign(curve.twist.begin() + static_cast<std::ptrdiff_t>(from),
+                          curve.twist.begin() + static_cast<std::ptrdiff_t>(to));
+        part.torque.assign(curve.torque.begin() + static_cast<std::ptrdiff_t>(from),
+                           curve.torque.begin() + static_cast<std::ptrdiff_t>(to));
+        return part;
+    };
+    CHECK_THROWS_WITH(measured_stiffness(cut(0, 5)), ContainsSubstring("5 samples"));
+    CHECK_THROWS_WITH(measured_stiffness(cut(0, 400)), ContainsSubstring("one sign only"));
+    CHECK_THROWS_WITH(measured_stiffness(cut(0, 590)), ContainsSubstring("never taken off from the negative side"));
+    CHECK_THROWS_WITH(measured_stiffness(cut(600, 1000)), ContainsSubstring("never taken off from the positive side"));
+    auto turned = curve;
+    for (auto& each : turned.twist)
+        each = -each;
+    CHECK_THROWS_WITH(measured_stiffness(turned), ContainsSubstring("torque falls while the angle grows") &&
+                                                      ContainsSubstring("turn the sign of one column"));
+    turned.rig.counts_per_turn = 2000;
+    CHECK_THROWS_WITH(measured_stiffness(turned), ContainsSubstring("--counts-per-turn"));
+    for (auto& each : turned.twist)
+        each = 1;
+    CHECK_THROWS_WITH(measured_stiffness(turned), ContainsSubstring("do not depend on each other"));
+    auto halved = curve;
+    halved.twist.pop_back();
+    CHECK_THROWS_AS(measured_stiffness(halved), std::logic_error);
+    CHECK_NOTHROW(measured_stiffness(cut(0, 800)));
+}
+
+TEST_CASE("angles and torques are read in every unit", "[load][measured]")
+{
+    constexpr double degree = sample::degree;
+    struct Row
+    {
+        char const* text;
+        double twist, torque;
+    };
+    for (auto const& [text, twist, torque] :
+         {Row{"angle [deg], torque [N m]\n2,3\n", 2 * degree, 3 * nm},
+          Row{"torque [Nm];angle [arcmin]\n3;2\n", 2 * degree / 60, 3 * nm},
+          Row{"torque (N mm)\ttwist (rad)\n3\t2\n", 2, 3},
+          Row{"\xef\xbb\xbfTorque [mN\xc2\xb7m],Angle [mrad]\r\n3,2\r\n", 2e-3, 3},
+          Row{"# log of a rig\n\ntime [s], load [N*m], angle [°], note\n0.1, +3e0, 2, \"good\"\n", 2 * degree, 3 * nm},
+          Row{"angle ['],torque [N m]\n 2 , 3 \n# end\n", 2 * degree / 60, 3 * nm},
+          Row{"angle [arcsec],torque [N m]\n2,-3", 2 * degree / 3600, -3 * nm}}) {
+        auto const reading = read(text);
+        INFO(text << describe(reading.faults));
+        REQUIRE(reading.faults.empty());
+        REQUIRE(reading.curve.twist.size() == 1);
+        CHECK(reading.curve.twist[0] == Approx(twist).epsilon(1e-14));
+        CHECK(reading.curve.torque[0] == Approx(torque).epsilon(1e-14));
+    }
+}
+
+TEST_CASE("motor current and encoder counts become torque and angle at the output", "[load][measured]")
+{
+    RigOptions rig;
+    rig.torque_constant = 0.119;
+    rig.counts_per_turn = 2000;
+    // 2.3529 A of the thesis' motor are 28 N m behind 1:100; one count is 0.108 arcmin
+    auto reading = read("current [A], position [counts]\n2.35294117647, 0\n0, 1\n", rig, -100);
+    REQUIRE(reading.faults.empty());
+    CHECK(reading.curve.torque[0] == Approx(28 * nm).epsilon(1e-9));
+    CHECK(reading.curve.twist[1] == Approx(0.108 * minute).epsilon(1e-12));
+    CHECK(reading.curve.rig.ratio == 100);
+    rig.ratio = 50;
+    rig.efficiency = 0.5;
+    rig.counts_per_turn = -2000;
+    reading = read("current [mA], counts\n1000, 2000\n", rig, -100);
+    REQUIRE(reading.faults.empty());
+    CHECK(reading.curve.torque[0] == Approx(0.119 * 50 * 0.5 * nm).epsilon(1e-12));
+    CHECK(reading.curve.twist[0] == Approx(-2 * std::numbers::pi / 50).epsilon(1e-12));
+    CHECK(reading.curve.line == std::vector<int>{2});
+}
+
+TEST_CASE("a file with faults says which where and what to write", "[load][measured]")
+{
+    RigOptions rig;
+    rig.torque_constant = 0.119;
+    rig.counts_per_turn = 2000;
+    CHECK_THAT(refusal(""),
+               ContainsSubstring("no header and no samples") && ContainsSubstring("angle [arcmin], torque [N m]"));
+    CHECK_THAT(refusal("1,2\n3,4\n"),
+               ContainsSubstring("curve.csv line 1: header") && ContainsSubstring("begins with numbers"));
+    CHECK_THAT(refusal("angle [deg], torqe [N m]\n"), ContainsSubstring("no column \"torque\" or \"current\"") &&
+                                                          ContainsSubstring("write torque in place of torqe"));
+    CHECK_THAT(refusal("angle, torque [N m]\n"), ContainsSubstring("line 1: column 1 = angle: the unit is missing") &&
+                                                     ContainsSubstring("[deg], [arcmin]"));
+    CHECK_THAT(
+        refusal("angle [deg], torque [lbf]\n"),
+        ContainsSubstring("column 2 = torque [lbf]: the unit is not known") && ContainsSubstring("[N m], [N mm]"));
+    CHECK_THAT(refusal("angle [deg], torque [N m], twist [rad]\n"),
+               ContainsSubstring("column 3") && ContainsSubstring("has a column already"));
+    CHECK_THAT(refusal("angle [deg], torque [N m], current [A]\n"), ContainsSubstring("they may disagree"));
+    CHECK_THAT(
+        refusal("angle [deg], torque [N m]\n1,2\n1,abc\n1\nnan,2\n1,\n"),
+        ContainsSubstring(
+            "curve.csv line 3: column 2, torque [N m] = abc: is no finite number (write a number such as 12.5)") &&
+            ContainsSubstring("line 4: column 2, torque [N m]: is missing: the line has 1 field") &&
+            ContainsSubstring("line 5: column 1, angle [deg] = nan: is no finite number") &&
+            ContainsSubstring("line 6: column 2, torque [N m]: is empty"));
+    CHECK_THAT(refusal("angle [deg]; torque [N m]\n1,5;2\n"),
+               ContainsSubstring("= 1,5") && ContainsSubstring("point in place of the decimal comma"));
+    CHECK_THAT(describe(read("current [A], position [counts]\n1,2\n").faults),
+               ContainsSubstring("--torque-constant: is missing") &&
+                   ContainsSubstring("--counts-per-turn: is missing") && ContainsSubstring("0.119") &&
+                   ContainsSubstring("2000"));
+    CHECK_THAT(describe(read("angle [deg], torque [N m]\n1,2\n", rig).faults),
+               ContainsSubstring("--torque-constant = 0.119") && ContainsSubstring("no motor current") &&
+                   ContainsSubstring("--counts-per-turn = 2000") && ContainsSubstring("leave it out"));
+    rig.torque_constant = 0;
+    rig.counts_per_turn = std::numeric_limits<double>::infinity();
+    rig.efficiency = 1.5;
+    rig.ratio = 0;
+    CHECK(read("current [A], position [counts]\n1,2\n", rig).faults.size() == 4);
+    std::string many = "angle [deg], torque [N m]\n";
+    for (int i = 0; i < 1000; ++i)
+        many += "x,y\n";
+    CHECK(read(many).faults.size() <= 21);
+    TemporaryFolder const folder;
+    CHECK_THAT(describe(examine_measured(folder.path(), {}, 100).faults), ContainsSubstring("is a folder"));
+    CHECK_THAT(describe(examine_measured(folder / "none.csv", {}, 100).faults), ContainsSubstring("cannot be read"));
+    CHECK_THAT(describe(examine_measured("/dev/zero", {}, 100).faults), ContainsSubstring("no file that ends"));
+}
+
+}  // namespace hdconj::test::measured_cases

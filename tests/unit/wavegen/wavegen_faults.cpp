@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Bad parameters of the wave generators: each is refused with its key, the reason and a remedy.
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "hdconj/check.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/solve.hpp"
+#include "support/catch.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace hdconj::test::wavegen_faults_cases {
+
+namespace {
+
+struct Bad
+{
+    std::vector<std::string> overrides;
+    std::string key;
+    std::string reason;
+};
+
+Faults faults_of(std::vector<std::string> const& overrides)
+{
+    try {
+        return check_scene(builtin_scene(overrides));
+    } catch (InputError const& error) {
+        return error.faults();
+    }
+}
+
+std::string const family = "wave_generator.family=";
+
+std::vector<Bad> const table{
+    {{family + "elipse"}, "wave_generator.family", "ellipse"},
+    {{family + "ellipse", "!wave_generator.radial_deformation"}, "wave_generator.radial_deformation", "missing"},
+    {{family + "ellipse", "wave_generator.waves=3", "drive.circular_spline_teeth=203"},
+     "wave_generator.waves",
+     "two waves"},
+    {{family + "ellipse", "wave_generator.radial_deformation=0"}, "wave_generator.radial_deformation", ""},
+    {{family + "ellipse", "wave_generator.radial_deformation=-0.25"}, "wave_generator.radial_deformation", ""},
+    {{family + "ellipse", "wave_generator.radial_deformation=nan"}, "wave_generator.radial_deformation", ""},
+    {{family + "ellipse", "wave_generator.roller_angle_deg=30"}, "wave_generator.roller_angle_deg", "unknown"},
+    {{family + "four-roller"}, "wave_generator.roller_angle_deg", "missing"},
+    {{family + "four-roller", "wave_generator.roller_angle_deg=-1"}, "wave_generator.roller_angle_deg", ""},
+    {{family + "four-roller", "wave_generator.roller_angle_deg=45"},
+     "wave_generator.roller_angle_deg",
+     "press the ring flat"},
+    {{family + "four-roller", "wave_generator.roller_angle_deg=30", "wave_generator.waves=1"},
+     "wave_generator.waves",
+     "as a whole"},
+    {{family + "four-roller", "wave_generator.roller_angle_deg=\"30\""}, "wave_generator.roller_angle_deg", ""},
+    {{family + "two-disc"}, "wave_generator.wrap_angle_deg", "missing"},
+    {{family + "two-disc", "wave_generator.wrap_angle_deg=0"}, "wave_generator.wrap_angle_deg", ""},
+    {{family + "two-disc", "wave_generator.wrap_angle_deg=45"}, "wave_generator.wrap_angle_deg", "beyond the middle"},
+    {{family + "two-disc", "wave_generator.wrap_angle_deg=20", "wave_generator.waves=1"},
+     "wave_generator.waves",
+     "single disc"},
+    {{family + "ring-on-cosine-cam"}, "wave_generator.ring_thickness", "missing"},
+    {{family + "ring-on-cosine-cam", "wave_generator.ring_thickness=0"}, "wave_generator.ring_thickness", ""},
+    {{family + "ring-on-cosine-cam", "wave_generator.ring_thickness=24.2"},
+     "wave_generator.ring_thickness",
+     "leaves no cam"},
+    {{family + "table", "!wave_generator.radial_deformation"}, "wave_generator.file", "missing"},
+    {{family + "table", "!wave_generator.radial_deformation", "wave_generator.file=nowhere.csv"},
+     "wave_generator.file",
+     "cannot be read"},
+    {{family + "table", "wave_generator.file=nowhere.csv"}, "wave_generator.radial_deformation", "unknown"},
+};
+
+struct BadTable
+{
+    std::string content;
+    std::string reason;
+};
+
+std::vector<BadTable> const tables{
+    {"", "holds 0 rows"},
+    {"angle,w\n0,1\n45,0\n90,-1\n", "holds 3 rows"},
+    {"0,1\n45,x\n90,-1\n135,0\n", "line 2"},
+    {"0,1\n45,0\n90,nan\n135,0\n", "line 3"},
+    {"0,1\n45,0\n45,-1\n135,0\n", "does not increase"},
+    {"0,1\n90,-1\n45,0\n135,0\n", "does not increase"},
+    {"0,1\n45,0\n90,-1\n135,0\n190,1\n", "longer than one wave of 180"},
+    {"0,1\n45,0\n90,-1\n135,0\n180,0.9\n", "closing row differs"},
+    {"0,1\n45,1\n90,1\n135,1\n", "all values are equal"},
+    {"0,-0.25\n45,0\n90,0.25\n135,0\n", "not at the major axis"},
+    {"0,1e308\n45,0\n90,-1e308\n135,0\n", "more than a number can hold"},
+    {"0,0.25\n45,0\n90,-0.25\n91,0.25\n135,0\n", "hollow"},
+};
+
+}  // namespace
+
+TEST_CASE("bad wave generators are refused by key and reason", "[wavegen][scene]")
+{
+    for (Bad const& bad : table) {
+        INFO(bad.overrides.back() << " of " << bad.overrides.front());
+        Faults const faults = faults_of(bad.overrides);
+        bool found = false;
+        std::string all;
+        for (Fault const& fault : faults) {
+            std::string const text = fault.reason + " " + fault.remedy;
+            all += fault.path + ": " + text + "\n";
+            found = found || (fault.path == bad.key && !fault.reason.empty() && !fault.remedy.empty() &&
+                              text.find(bad.reason) != std::string::npos);
+        }
+        INFO(all);
+        CHECK(found);
+    }
+}
+
+TEST_CASE("bad cam tables are refused with the line", "[wavegen][scene]")
+{
+    test::TemporaryFolder const folder;
+    for (BadTable const& bad : tables) {
+        INFO(bad.content);
+        std::ofstream(folder / "cam.csv") << bad.content;
+        Faults const faults = faults_of({family + "table", "!wave_generator.radial_deformation",
+                                         "wave_generator.file=" + (folder / "cam.csv").string()});
+        REQUIRE(faults.size() == 1);
+        CHECK_THAT(faults[0].reason, ContainsSubstring(bad.reason));
+        CHECK_FALSE(faults[0].remedy.empty());
+    }
+}
+
+TEST_CASE("a table may start anywhere and hold denormal or repeated closing values", "[wavegen][scene]")
+{
+    test::TemporaryFolder const folder;
+    std::ofstream(folder / "cam.csv")
+        << "# measured\nangle;w\n-90;-0.25\n-60;-0.125\n-30;0.125\n0;0.25\n30;0.125\n60;-0.125\n90;-0.25\n";
+    std::vector<std::string> const cam{family + "table", "!wave_generator.radial_deformation",
+                                       "wave_generator.file=" + (folder / "cam.csv").string()};
+    CHECK(faults_of(cam).empty());
+    Solution const solution = solve(builtin_scene(cam));
+    CHECK(solution.check->smallest_clearance > -1e-10);
+    CHECK(solution.geometry.w0 == Approx(0.25).epsilon(0.02));
+    // the rows of the table leave no trace in the outline: the flank is in as many pieces as under a cosine cam
+    CHECK(solution.circular_spline.pieces.size() == solve(builtin_scene()).circular_spline.pieces.size());
+    // a radius in place of a displacement, and a value that is next to nothing
+    std::ofstream(folder / "cam.csv")
+        << "0,20.25\n30,20.125\n45,20\n60,19.875\n90,19.75\n120,19.875\n135,20\n150,20.125\n180,20.25\n";
+    CHECK(faults_of(cam).empty());
+    std::ofstream(folder / "cam.csv")
+        << "0,0.25\n30,0.125\n45,5e-324\n60,-0.125\n90,-0.25\n120,-0.125\n135,-5e-324\n150,0.125\n";
+    CHECK(solve(builtin_scene(cam)).check->smallest_clearance > -1e-10);
+}
+
+}  // namespace hdconj::test::wavegen_faults_cases

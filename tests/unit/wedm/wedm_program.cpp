@@ -1,0 +1,349 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the scene to the wire's moves.
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "hdconj/error.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/solve.hpp"
+#include "hdconj/wedm.hpp"
+#include "support/catch.hpp"
+#include "support/polyline.hpp"
+#include "wedm/planes.hpp"
+#include "wedm/wire_faces.hpp"
+
+namespace hdconj::test::wedm_program_cases {
+
+namespace {
+
+using std::numbers::pi;
+
+bool names(Faults const& faults, std::string const& path)
+{
+    return std::any_of(faults.begin(), faults.end(), [&](Fault const& fault) { return fault.path == path; });
+}
+
+Faults faults_of(std::vector<std::string> const& sets)
+{
+    try {
+        return check_wedm(builtin_scene(sets));
+    } catch (InputError const& error) {
+        return error.faults();
+    }
+}
+
+}  // namespace
+
+TEST_CASE("the table wedm changes nothing of the solved drive", "[wedm]")
+{
+    Solution const with = solve(builtin_scene());
+    Solution const without = solve(builtin_scene({"!wedm"}));
+    CHECK(with.circular_spline.outline == without.circular_spline.outline);
+    CHECK(with.plan.stages.size() == without.plan.stages.size());
+    // nor does a wire that does not go with the drive keep it from being solved
+    CHECK(solve(builtin_scene({"wedm.wire_diameter=5", "wedm.start_hole_radius=4", "wedm.lead_in=20"}))
+              .circular_spline.outline == without.circular_spline.outline);
+}
+
+TEST_CASE("type-50 tilted by 0.2 degrees is cut to the tolerance and its numbers are those of the notes", "[wedm]")
+{
+    WireProgram const program = wire_program(builtin_scene({"tilt.angle_deg=0.2"}));
+    WireFigures const& figures = program.figures;
+    double const shift = 7 * std::tan(0.2 * pi / 180);
+    CHECK(figures.face_shift == Approx(shift).epsilon(1e-9));            // 0.0244 mm
+    CHECK(figures.guide_shift == Approx(shift * 57 / 7).epsilon(1e-4));  // 0.199 mm
+    CHECK(figures.tilt == Approx(0.2 * pi / 180).epsilon(1e-4));
+    CHECK(figures.upper.inner - figures.lower.inner == Approx(shift).epsilon(1e-9));
+    CHECK(figures.larger_face() == LargerFace::upper);
+    CHECK(figures.face_error <= program.tolerance);
+    CHECK(figures.middle_error <= program.tolerance);
+    CHECK(figures.ruling_error < 1e-12);
+    // a constant taper moves the steepest flank point, 11.9 degrees from the radius, by shift (1 - sin 11.9 deg) too
+    // far
+    CHECK(figures.constant_taper_error == Approx(shift * (1 - std::sin(11.9 * pi / 180))).epsilon(0.02));
+    // the contour turns by near 45 degrees in the corner of the root
+    double const d = 0.056;
+    double const corner = d * (1 / std::cos(pi / 8) - 1);
+    CHECK(figures.residual == Approx(corner).epsilon(0.05));
+    CHECK(program.residuals.size() % 202 == 0);
+    CHECK(program.nominal.sync.size() == 5 * 202);
+    CHECK(program.passes.front().offset == Approx(d).epsilon(1e-15));
+    CHECK(std::count_if(program.passes.front().moves.begin(), program.passes.front().moves.end(),
+                        [](WireMove const& m) { return m.tag == WireTag::stop; }) == 1);
+}
+
+TEST_CASE("radii of the faces are those of the solved outline however coarse the moves", "[wedm]")
+{
+    for (std::string const tolerance : {"5e-3", "5e-4"})
+        for (std::string const clearance : {"0", "0.03"}) {
+            Scene const scene = builtin_scene({"wedm.tolerance=" + tolerance, "wedm.residual_limit=0.1",
+                                               "circular_spline.root_clearance=" + clearance});
+            WireProgram const program = wire_program(scene);
+            double inner = std::numeric_limits<double>::infinity(), outer = 0;
+            Solution const solution = solve(scene);
+            for (Vec2 const& p : solution.circular_spline.outline.front()) {
+                inner = std::min(inner, p.norm());
+                outer = std::max(outer, p.norm());
+            }
+            INFO("tolerance " << tolerance << ", root clearance " << clearance);
+            CHECK(std::abs(program.figures.lower.inner - inner) <= program.contour_error);
+            CHECK(std::abs(program.figures.lower.outer - outer) <= program.contour_error);
+        }
+}
+
+TEST_CASE(
+    "contours with a side clearance that was found, and what constant taper would do, are known as well as they say",
+    "[wedm]")
+{
+    std::vector<std::string> const coned{
+        "coning.model=linear", "coning.bottom_to_middle=9.0", "slices.count=5",          "slices.surface=tilted",
+        "tilt.kind=radial",    "tilt.angle_deg=0.2",          "wedm.residual_limit=0.05"};
+    for (std::string const& side_clearance :
+         {std::string("circular_spline.backlash_offset=auto"), std::string("circular_spline.backlash_offset=0.0")}) {
+        INFO(side_clearance);
+        auto const solved_to = [&](std::string const& tolerance) {
+            std::vector<std::string> keys = coned;
+            keys.push_back(side_clearance);
+            keys.push_back("solver.tolerance=" + tolerance);
+            return wire_program(builtin_scene(keys));
+        };
+        WireProgram const coarse = solved_to("4e-5"), fine = solved_to("1e-7");
+        double const known = coarse.contour_error + fine.contour_error;
+        CHECK((coarse.contour_error > 4e-5) == (side_clearance.find("auto") != std::string::npos));
+        for (auto const face : {&PairedContour::lower, &PairedContour::upper}) {
+            std::vector<Vec2> const& line = fine.nominal.*face;
+            double worst = 0;
+            for (std::size_t i = 0; i < 100; ++i) {
+                double nearest = 1;
+                for (std::size_t k = 0; k < line.size(); ++k)
+                    nearest = std::min(nearest, test::distance_to_segment(line[k], line[(k + 1) % line.size()],
+                                                                          (coarse.nominal.*face)[i]));
+                worst = std::max(worst, nearest);
+            }
+            // the finer one is thinned to the tolerance of the cut
+            CHECK(worst < known + fine.tolerance);
+        }
+        auto const taper = [](WireProgram const& program) { return program.figures.constant_taper_error; };
+        CHECK(std::abs(taper(coarse) - taper(fine)) <=
+              coarse.figures.constant_taper_spread + fine.figures.constant_taper_spread + 3 * known);
+        CHECK(coarse.figures.constant_taper_spread > 0);
+        CHECK(coarse.figures.constant_taper_spread < 0.2 * taper(coarse));
+    }
+}
+
+TEST_CASE("without tilt both faces are the same bits and so are the guides", "[wedm]")
+{
+    for (auto const& sets : {std::vector<std::string>{}, {"tilt.angle_deg=0", "slices.count=5"}}) {
+        WireProgram const program = wire_program(builtin_scene(sets));
+        CHECK(program.nominal.lower == program.nominal.upper);
+        CHECK(program.figures.larger_face() == LargerFace::neither);
+        for (WireMove const& move : program.passes.front().moves) {
+            wedm::WirePoints const guides = wedm::guides_of(program.machine, {move.lower, move.upper});
+            REQUIRE(guides.lower == guides.upper);
+            REQUIRE(guides.lower == move.lower);
+        }
+    }
+}
+
+TEST_CASE("a tilt of the other sign exchanges the faces", "[wedm]")
+{
+    WireProgram const up = wire_program(builtin_scene({"tilt.angle_deg=0.2"}));
+    WireProgram const down = wire_program(builtin_scene({"tilt.angle_deg=-0.2"}));
+    CHECK(down.figures.larger_face() == LargerFace::lower);
+    REQUIRE(up.nominal.lower.size() == down.nominal.lower.size());
+    for (std::size_t i = 0; i < up.nominal.lower.size(); ++i) {
+        CHECK((up.nominal.lower[i] - down.nominal.upper[i]).norm() < 1e-12);
+        CHECK((up.nominal.upper[i] - down.nominal.lower[i]).norm() < 1e-12);
+    }
+}
+
+TEST_CASE("passes leave their stock and the last one none", "[wedm]")
+{
+    WireProgram const program =
+        wire_program(builtin_scene({"tilt.angle_deg=0.2", "wedm.passes=[[0.02], [0.005], [0]]",
+                                    "wedm.direction=alternating", "wedm.start=5", "wedm.overlap=0.05"}));
+    REQUIRE(program.passes.size() == 3);
+    CHECK(program.passes[0].offset == Approx(0.076).epsilon(1e-14));
+    CHECK(program.passes[2].stock == 0);
+    CHECK(program.passes[1].reversed);
+    CHECK_FALSE(program.passes[2].reversed);
+    for (WirePass const& pass : program.passes) {
+        // the lead-in ends on the tip land clockwise of space 5
+        Vec2 const at = pass.moves[1].lower;
+        CHECK(std::atan2(at.x(), at.y()) == Approx(5.5 * 2 * pi / 202).epsilon(1e-9));
+        CHECK(std::any_of(pass.moves.begin(), pass.moves.end(),
+                          [](WireMove const& m) { return m.tag == WireTag::overlap; }));
+    }
+    // what a wider pass leaves is more
+    auto const worst = [&](int pass) {
+        double height = 0;
+        for (Residual const& r : program.residuals)
+            height = std::max(height, r.pass == pass ? r.height : 0);
+        return height;
+    };
+    CHECK(worst(1) > worst(2));
+    CHECK(worst(2) > worst(3));
+    CHECK(program.figures.residual == worst(3));
+}
+
+TEST_CASE("a drafted surface is what constant taper makes but for its corners", "[wedm]")
+{
+    WireProgram const program = wire_program(builtin_scene({"tilt.angle_deg=0.2", "tilt.kind=draft"}));
+    CHECK(program.figures.constant_taper_error < program.tolerance);
+    CHECK(program.figures.face_error <= program.tolerance);
+    CHECK(program.tilt_kind == TiltKind::draft);
+}
+
+TEST_CASE("a wire too wide for the root is refused and a wider limit tells the residual", "[wedm]")
+{
+    try {
+        (void)wire_program(builtin_scene({"wedm.wire_diameter=0.3"}));
+        FAIL("a wire of 0.3 mm was accepted");
+    } catch (InputError const& error) {
+        CHECK(names(error.faults(), "wedm.wire_diameter"));
+    }
+    WireProgram const program = wire_program(builtin_scene({"wedm.wire_diameter=0.3", "wedm.residual_limit=1"}));
+    CHECK(program.figures.residual > 0.01);
+    CHECK(program.figures.residual < 0.05);
+}
+
+TEST_CASE("what is advised against a residual keeps the limit", "[wedm]")
+{
+    // without root clearance, with some, and with so much that the teeth stay clear of the corner behind it
+    for (auto const& [sets, clear] : {std::pair<std::vector<std::string>, bool>{{"wedm.residual_limit=0.003"}, false},
+                                      {{"wedm.residual_limit=0.003", "circular_spline.root_clearance=0.002"}, false},
+                                      {{"circular_spline.root_clearance=0.02"}, true},
+                                      {{"circular_spline.root_clearance=0.1"}, true},
+                                      {{"wedm.part=flexspline", "wedm.wire_diameter=0.25"}, false}}) {
+        INFO(sets.front());
+        std::string remedy;
+        try {
+            (void)wire_set_ups(builtin_scene(sets));
+            FAIL("was accepted");
+        } catch (InputError const& error) {
+            REQUIRE(error.faults().size() == 1);
+            remedy = error.faults().front().remedy;
+        }
+        INFO(remedy);
+        CHECK(remedy.find("root_clearance") == std::string::npos);
+        CHECK((remedy.find("flexspline stay 0.0") != std::string::npos) == clear);
+        for (std::string const key : {"wire_diameter", "residual_limit"}) {
+            auto const at = remedy.find(key + " = ");
+            REQUIRE(at != std::string::npos);
+            std::vector<std::string> with = sets;
+            with.push_back("wedm." + key + "=" + std::to_string(std::stod(remedy.substr(at + key.size() + 3))));
+            CHECK_NOTHROW(wire_set_ups(builtin_scene(with)));
+        }
+    }
+}
+
+TEST_CASE("an outline solved before gives the same program", "[wedm]")
+{
+    Scene const scene = builtin_scene({"tilt.angle_deg=0.2"});
+    Solution const solution = solve(wire_scene(scene));
+    WireProgram const again = wire_program(scene, solution.circular_spline);
+    WireProgram const once = wire_program(scene);
+    CHECK(again.nominal.lower == once.nominal.lower);
+    CHECK(again.passes.front().moves.size() == once.passes.front().moves.size());
+    // the outline of one slice is no tilted part
+    CHECK_THROWS_AS(wire_program(scene, solve(builtin_scene()).circular_spline), InputError);
+}
+
+TEST_CASE("a pitch of the flexspline is its profile on the round neutral circle and the root's arc", "[wedm]")
+{
+    Scene const scene = builtin_scene({"wedm.part=flexspline"});
+    wedm::WireFaces const faces = wedm::flexspline_faces(scene);
+    Solution const drive = solve(scene);
+    CHECK(faces.external);
+    CHECK(faces.teeth == 200);
+    CHECK(faces.pitch.lower == faces.pitch.upper);
+    // the lowest points of the profile lie on the rim, half the wall and the pitch line's height beside r_m
+    Vec2 const foot = drive.flexspline_outline.front();
+    double const rim = drive.geometry.r_m + drive.geometry.pitch_line + foot.y();
+    CHECK(rim == Approx(drive.geometry.flexspline_inner_radius + 0.7).epsilon(1e-14));
+    double const root = std::hypot(rim, foot.x());
+    REQUIRE(faces.marks.size() == 5);
+    for (std::size_t i = faces.marks[1]; i <= faces.marks[3]; ++i)
+        CHECK(faces.pitch.lower[i].norm() == Approx(root).epsilon(1e-14));
+    CHECK(std::abs(faces.pitch.lower[faces.marks[2]].x()) < 1e-12);
+    // every point of the profile, turned by half a pitch, is there
+    for (std::size_t i = 0; i < drive.flexspline_outline.size(); i += 37) {
+        Vec2 const p = drive.flexspline_outline[i] + Vec2(0, drive.geometry.r_m + drive.geometry.pitch_line);
+        double const half = pi / 200 * (p.x() <= 0 ? 1 : -1);
+        Vec2 const there(std::cos(half) * p.x() + std::sin(half) * p.y(),
+                         -std::sin(half) * p.x() + std::cos(half) * p.y());
+        CHECK(std::any_of(faces.pitch.lower.begin(), faces.pitch.lower.end(),
+                          [&](Vec2 const& q) { return (q - there).norm() < 1e-12; }));
+    }
+    // pitches join
+    CHECK((wedm::turned_to(faces.pitch.lower.front(), 1, 200) - faces.pitch.lower.back()).norm() < 1e-12);
+}
+
+TEST_CASE("set-ups of the flexspline run from land to land and back where passes alternate", "[wedm]")
+{
+    WireSetUps const set_ups = wire_set_ups(builtin_scene(
+        {"wedm.part=flexspline", "wedm.passes=[[0.02], [0]]", "wedm.direction=alternating", "wedm.overlap=0.05"}));
+    REQUIRE(set_ups.size() == 2);
+    for (WireProgram const& program : set_ups) {
+        CHECK_FALSE(program.closed());
+        CHECK(program.figures.face_error <= program.tolerance);
+        auto const& there = program.passes[0].moves;
+        auto const& back = program.passes[1].moves;
+        CHECK(back.front().lower == there.back().lower);
+        CHECK(back.back().lower == there.front().lower);
+        CHECK(program.passes[1].reversed);
+        // the ends lie lead_in off the middle of a tip land, r_m + pitch line + addendum from the axis, half a turn
+        // apart
+        CHECK(there.front().lower.norm() == Approx(24.347 + 0.653 + 0.225 + 3).epsilon(1e-12));
+        CHECK((there.front().lower + there.back().lower).norm() < 1e-12);
+    }
+    // half a turn is 100 pitches: in the machine both are one program, and no coordinate is a negative zero
+    auto const& one = set_ups[0].passes[0].moves;
+    auto const& two = set_ups[1].passes[0].moves;
+    REQUIRE(one.size() == two.size());
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        CHECK((one[i].lower - two[i].lower).norm() < 1e-12);
+        CHECK_FALSE((two[i].lower.x() == 0 && std::signbit(two[i].lower.x())));
+    }
+    CHECK(wire_set_ups(builtin_scene()).size() == 1);
+}
+
+TEST_CASE("wire data that cannot be right is refused with its key", "[wedm]")
+{
+    std::vector<std::pair<std::vector<std::string>, std::string>> const wrong{
+        {{"!wedm"}, "wedm"},
+        {{"!wedm.wire_diameter"}, "wedm.wire_diameter"},
+        {{"!wedm.spark_gap"}, "wedm.spark_gap"},
+        {{"wedm.wire_diameter=0"}, "wedm.wire_diameter"},
+        {{"wedm.wire_diameter=0.8"}, "wedm.wire_diameter"},
+        {{"wedm.spark_gap=-0.001"}, "wedm.spark_gap"},
+        {{"wedm.spark_gap=0.2"}, "wedm.spark_gap"},
+        {{"wedm.decimals=3"}, "wedm.decimals"},
+        {{"wedm.tolerance=0.00005"}, "wedm.tolerance"},
+        {{"wedm.tolerance=0.03"}, "wedm.tolerance"},
+        {{"wedm.tolerance=0.000005", "wedm.decimals=7"}, "wedm.tolerance"},
+        {{"wedm.passes=[[0.005], [0.02], [0]]"}, "wedm.passes"},
+        {{"wedm.passes=[[0.02], [0.005]]"}, "wedm.passes"},
+        {{"wedm.passes=[[0.3], [0]]"}, "wedm.passes"},
+        {{"wedm.passes=[]"}, "wedm.passes"},
+        {{"wedm.lower_guide=-1"}, "wedm.lower_guide"},
+        {{"wedm.thickness=6"}, "wedm.thickness"},
+        {{"!circular_spline.width"}, "wedm.thickness"},
+        {{"wedm.start_hole_radius=0.05"}, "wedm.start_hole_radius"},
+        {{"wedm.lead_in=0.5"}, "wedm.lead_in"},
+        {{"wedm.lead_in=40"}, "wedm.lead_in"},
+        {{"wedm.start=202"}, "wedm.start"},
+        {{"wedm.overlap=100"}, "wedm.overlap"},
+        {{"tilt.angle_deg=31"}, "tilt.angle_deg"},
+    };
+    for (auto const& [sets, path] : wrong) {
+        INFO(sets.front());
+        CHECK(names(faults_of(sets), path));
+    }
+    CHECK(faults_of({"tilt.angle_deg=0.2"}).empty());
+    CHECK_THROWS_AS(wire_program(builtin_scene({"wedm.largest_travel=20"})), NumericalError);
+}
+
+}  // namespace hdconj::test::wedm_program_cases
