@@ -62,14 +62,16 @@ void cut_coarse_chords(At const& at, std::span<double const> stations, std::span
                                            : chord_bound(at, s0, a, s1, b, first_doubt, result.evaluations);
     };
     std::vector<Open> stack;
-    for (std::size_t i = 0; i + 1 < points.size(); ++i) {
-        double const first = errors[i];
-        if (first <= chord) {
-            result.chord = std::max(result.chord, first);
-            result.points.push_back(points[i + 1]);
-            continue;
-        }
-        stack.push_back({stations[i], stations[i + 1], points[i], points[i + 1], 0, first});
+    std::size_t const chords = points.empty() ? 0 : points.size() - 1;
+    for (std::size_t i = 0; i < chords; ++i) {
+        std::size_t const first = i;
+        for (; i < chords && errors[i] <= chord; ++i)
+            result.chord = std::max(result.chord, errors[i]);
+        auto const fine = points.subspan(first + 1, i - first);
+        result.points.insert(result.points.end(), fine.begin(), fine.end());
+        if (i == chords)
+            return;
+        stack.push_back({stations[i], stations[i + 1], points[i], points[i + 1], 0, errors[i]});
         while (!stack.empty()) {
             Open const now = stack.back();
             stack.pop_back();
