@@ -3,6 +3,7 @@
 #include "arguments.hpp"
 #include "hdconj/elastic_cup.hpp"
 #include "hdconj/error.hpp"
+#include "hdconj/load.hpp"
 #include "hdconj/mesh_files.hpp"
 #include "run_verb.hpp"
 
@@ -38,7 +39,7 @@ int run_export(CommonOptions const& common, ExportArguments const& own)
         throw InputError(Fault{"export", 0, "", "nothing is asked for", "write --calculix DIR or --vtu FILE"});
     if (own.contact && own.calculix.empty())
         throw InputError(Fault{"--contact", 0, "", "is a deck for CalculiX", "write --calculix DIR too"});
-    Scene const scene = load_scene(common);
+    Scene const scene = loaded_scene(load_scene(common));
     if (own.contact && scene.bearing)
         refuse_contact(*scene.bearing);
     using Cup = decltype(elastic_cup(scene));
@@ -79,11 +80,11 @@ void add_export(CLI::App& program, CommonOptions& common)
                     "elements round half a lobe (deck), and twice as many round the whole (vtu) [48]")
         ->check(CLI::Range(4, 720));
     verb.footer(
-        "The scene needs [coning] model = \"elastic\".\n"
+        "A scene without [coning] has an elastic cup whose teeth stand in the middle of the bearing, as in load.\n"
         "Examples:\n"
-        "  hdconj export type-50-elastic.toml --calculix deck && cd deck && ccx linear\n"
-        "  hdconj export type-50-elastic.toml --calculix deck --contact --steps 16 && cd deck && ccx contact\n"
-        "  hdconj export type-50-elastic.toml --vtu cup.vtu\n"
+        "  hdconj export --calculix deck && cd deck && ccx linear\n"
+        "  hdconj export --calculix deck --contact --steps 24 && cd deck && ccx contact\n"
+        "  hdconj export drive.toml --vtu cup.vtu\n"
         "Exit status: 0 done, 1 failed, 2 bad scene or bad command line.");
 }
 

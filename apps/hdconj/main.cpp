@@ -7,6 +7,9 @@
 #include <csignal>
 #include <iostream>
 #include <new>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/base/suggest.hpp"
@@ -152,6 +155,21 @@ void describe_program(CLI::App& program)
     program.get_formatter()->column_width(34);
 }
 
+/// The command line without the program's name; `help VERB` and `version` become the options of that meaning.
+std::vector<std::string> command_line(int argc, char** argv)
+{
+    std::vector<std::string> words(argv + 1, argv + argc);
+    if (words.empty())
+        return words;
+    if (words.front() == "version")
+        words.front() = "--version";
+    if (words.front() == "help") {
+        words.erase(words.begin());
+        words.emplace_back("--help");
+    }
+    return words;
+}
+
 int run(int argc, char** argv)
 {
     CLI::App program{
@@ -167,15 +185,16 @@ int run(int argc, char** argv)
     add_wedm(program, common);
     add_accuracy(program, common);
     add_export(program, common);
-    if (argc < 2) {
+    std::vector<std::string> words = command_line(argc, argv);
+    if (words.empty()) {
         std::cerr << program.help();
         return exit_input;
     }
-    std::string_view const first = argv[1];
-    if (!first.starts_with('-') && !is_known_verb(program, first))
+    if (!words.front().starts_with('-') && !is_known_verb(program, words.front()))
         return exit_input;
     try {
-        program.parse(argc, argv);
+        std::reverse(words.begin(), words.end());  // as CLI11 takes them
+        program.parse(std::move(words));
     } catch (CLI::ParseError const& stop) {
         bool const done = program.exit(stop) == 0;
         if (dynamic_cast<CLI::ExtrasError const*>(&stop) != nullptr)

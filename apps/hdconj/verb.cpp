@@ -36,7 +36,7 @@ void add_scene_options(CLI::App& verb, CommonOptions& common)
         ->check(CLI::Range(0, scene::bounds::most_threads))
         ->type_name("N");
     verb.add_flag("--json", common.json, "one JSON object on standard output");
-    verb.add_flag("--quiet", common.quiet, "no summary and no progress");
+    verb.add_flag("-q,--quiet", common.quiet, "no summary and no progress");
 }
 
 scene::SceneReading examine(CommonOptions const& common)

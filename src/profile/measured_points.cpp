@@ -3,6 +3,7 @@
 
 #include <gsl/gsl_bspline.h>
 #include <gsl/gsl_errno.h>
+#include <gsl/gsl_version.h>
 #include <Eigen/SparseLU>
 #include <algorithm>
 #include <memory>
@@ -83,13 +84,25 @@ class SplineBasis
     template <class Visit>
     void at(double s, std::size_t derivative, Visit&& visit)
     {
-        std::size_t first = 0, last = 0;
-        check(gsl_bspline_deriv_eval_nonzero(s, derivative, values_.get(), &first, &last, work_.get()));
-        for (std::size_t k = first; k <= last; ++k)
+        std::size_t first = 0;
+        check(non_zero(s, derivative, values_.get(), &first, work_.get()));
+        for (std::size_t k = first; k < first + spline_order; ++k)
             visit(k, gsl_matrix_get(values_.get(), k - first, 0), gsl_matrix_get(values_.get(), k - first, 1));
     }
 
   private:
+    /// The spline_order splines that are not zero at @p s; GSL 2.8 gave the function another name.
+    static int non_zero(double s, std::size_t derivative, gsl_matrix* values, std::size_t* first,
+                        gsl_bspline_workspace* work)
+    {
+#if GSL_MAJOR_VERSION > 2 || GSL_MINOR_VERSION >= 8
+        return gsl_bspline_basis_deriv(s, derivative, values, first, work);
+#else
+        std::size_t last = 0;
+        return gsl_bspline_deriv_eval_nonzero(s, derivative, values, first, &last, work);
+#endif
+    }
+
     static void check(int status)
     {
         if (status != GSL_SUCCESS)

@@ -188,13 +188,21 @@ TEST_CASE("the exported cup is read by meshio", "[export]")
     CHECK(read.status == 0);
 }
 
+TEST_CASE("the built-in drive's cup is exported as load bends it", "[export]")
+{
+    TemporaryFolder const folder;
+    CHECK(hdconj_run("export --vtu cup.vtu --steps 4", folder.path()).status == 0);
+    CHECK(folder.names() == std::vector<std::string>{"cup.vtu"});
+}
+
 TEST_CASE("an export of nothing or of no elastic cup is refused", "[export]")
 {
     TemporaryFolder const folder;
     auto const nothing = hdconj_run("export " + scene, folder.path());
     CHECK(nothing.status == 2);
     CHECK(nothing.err.find("--calculix") != std::string::npos);
-    auto const stiff = hdconj_run("export --vtu cup.vtu", folder.path());
+    auto const stiff =
+        hdconj_run("export --vtu cup.vtu --set coning.model=linear --set coning.bottom_to_middle=9", folder.path());
     CHECK(stiff.status == 2);
     CHECK(stiff.err.find("no elastic cup") != std::string::npos);
     CHECK(hdconj_run("export " + scene + "--vtu cup.vtu --contact", folder.path()).err.find("--calculix") !=

@@ -49,6 +49,11 @@ TEST_CASE("help and version go to standard output", "[program]")
     CHECK(contains(hdconj_run("check --help").out, "double-circular-arc"));
     CHECK(contains(hdconj_run("--version").out, "hdconj "));
     CHECK(hdconj_run("--version").status == done);
+    CHECK(hdconj_run("version").out == hdconj_run("--version").out);
+    CHECK(hdconj_run("help").out == hdconj_run("--help").out);
+    CHECK(hdconj_run("help solve").out == hdconj_run("solve --help").out);
+    check_bad_input(hdconj_run("help slove"), "did you mean 'hdconj solve'");
+    CHECK(hdconj_run("check -q").err.empty());
 }
 
 TEST_CASE("a wrong command line is refused", "[program]")
