@@ -133,12 +133,14 @@ Rows<MeasuredPass> pass_figures()
 
 Rows<Residual> residual_figures()
 {
-    using Row = FigureOf<Residual>;
+    using Coordinate = FigureOf<Residual>;
     static constexpr std::array rows = {
         figure<&Residual::pass>("pass", one, "number of the pass", {"pass", whole}),
         figure<&Residual::tooth>("tooth", one, "tooth space", {"tooth space", whole}),
-        Row{"x", mm, "nominal point", [](Residual const& of) { return of.where.x(); }}.printed({"x", decimals<4>}),
-        Row{"y", mm, "nominal point", [](Residual const& of) { return of.where.y(); }}.printed({"y", decimals<4>}),
+        Coordinate{"x", mm, "nominal point", [](Residual const& of) { return of.where.x(); }}.printed(
+            {"x", decimals<4>}),
+        Coordinate{"y", mm, "nominal point", [](Residual const& of) { return of.where.y(); }}.printed(
+            {"y", decimals<4>}),
         figure<&Residual::height>("height", um, "distance of that point from the cut, less the stock",
                                   {"highest", significant<3>}),
         figure<&Residual::meshing>("meshing", one, "whether it is on a flank")};
