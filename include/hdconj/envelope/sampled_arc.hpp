@@ -67,6 +67,7 @@ void cut_coarse_chords(At const& at, std::span<double const> stations, std::span
         std::size_t const first = i;
         for (; i < chords && errors[i] <= chord; ++i)
             result.chord = std::max(result.chord, errors[i]);
+        // A run of chords within the bound keeps its points as they are.
         auto const fine = points.subspan(first + 1, i - first);
         result.points.insert(result.points.end(), fine.begin(), fine.end());
         if (i == chords)
