@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the pictures of the docs, but for those of accuracy.md, which `hdconj accuracy --page docs/accuracy.md` draws
+# Makes the pictures of the docs, but for those of accuracy.md, which `hdconj accuracy --page docs/explanation/accuracy.md` draws
 # from ten minutes of measurements:
 #   docs/pictures.sh BUILD_DIR         all, in two minutes
 #   docs/pictures.sh BUILD_DIR quick   those that take a second each

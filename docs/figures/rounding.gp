@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Pictures of docs/stability.md from data/reference/rounding-*.csv; run by docs/pictures.sh in the project's folder.
+# Pictures of docs/explanation/stability.md from data/reference/rounding-*.csv; run by docs/pictures.sh in the project's folder.
 set datafile separator ","
 set datafile missing ""
 set terminal pngcairo size 1140,630 font "DejaVu Sans,13" fontscale 1.3 pointscale 1.5 linewidth 1.5

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of docs/contact.md, from the program's own JSON: docs/tables/contact.py build/release/bin/hdconj [TABLE ...]
+"""Tables of docs/explanation/contact.md, from the program's own JSON: docs/tables/contact.py build/release/bin/hdconj [TABLE ...]
 
 TABLE is any of: surfaces, slices, tilt, best, thesis, clearances, liu; all of them without one.
 """

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of docs/elastic.md, from what the program prints: docs/tables/elastic.py build/release/bin/hdconj [TABLE ...]
+"""Tables of docs/explanation/elastic-cup.md, from what the program prints: docs/tables/elastic.py build/release/bin/hdconj [TABLE ...]
 
 TABLE is any of: teeth, play, fillets, cost; all of them without one.
 """

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of docs/load.md and docs/thesis.md, from the program's own JSON: docs/tables/load.py build/release/bin/hdconj [TABLE ...]
+"""Tables of docs/explanation/load.md and docs/explanation/thesis.md, from the program's own JSON: docs/tables/load.py build/release/bin/hdconj [TABLE ...]
 
 TABLE is any of: thesis, surfaces, bearing, fixed, balls, worth, cost, settle, curves; all of them without one.
 """

@@ -68,7 +68,7 @@ std::vector<WrittenFile> write_accuracy_page(StoredAccuracy const& study, std::f
 /// The printed summary: a table for each study, and what is advised.
 [[nodiscard]] std::string summary_text(StoredAccuracy const& study, AccuracyAdvice const& advice);
 
-/// The same figures as one JSON object; keys in docs/json.md.
+/// The same figures as one JSON object; keys in docs/reference/json.md.
 [[nodiscard]] std::string summary_json(StoredAccuracy const& study, AccuracyAdvice const& advice,
                                        std::vector<WrittenFile> const& written);
 

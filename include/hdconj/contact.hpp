@@ -70,7 +70,7 @@ struct SliceClearance
 
 /// Contact at one angle of the wave generator. To first contact the circular spline is turned, wave generator and
 /// flexspline held; a cup that is turned in its place, wave generator and circular spline held, takes z_c/z_f times
-/// that angle (docs/theory.md, Take-up).
+/// that angle (docs/explanation/theory.md, Take-up).
 struct ContactState
 {
     double wave_generator =
@@ -130,7 +130,7 @@ struct ContactCase
     ContactState state;  ///< at the scene's angle of the wave generator; of a revolution the one with the least share
     std::vector<ContactState> revolution;  ///< one per angle asked for; empty without --revolution
     double ruled_deviation = 0;            ///< "ruled": largest distance from the slices' own conjugate outlines [mm]
-    /// Estimated errors, of the slices as those of the whole width (docs/theory.md).
+    /// Estimated errors, of the slices as those of the whole width (docs/explanation/theory.md).
     double clearance_error = 0;             ///< of closest_flank() [mm]
     double root_clearance_error = 0;        ///< of the smallest root clearance of all slices [mm]
     double clearing_offset_error = 0;       ///< [mm]

@@ -13,15 +13,15 @@
 namespace hdconj {
 
 /// HDF5 result file: what write_hdf5() writes of the solution, the toothed surface as a mesh, and `/contact`; layout
-/// in docs/hdf5.md. Written to a temporary file and renamed.
+/// in docs/reference/hdf5.md. Written to a temporary file and renamed.
 /// @throws FileError with the cause; std::logic_error where sizes in @p study contradict each other
 void write_hdf5(ContactStudy const& study, std::filesystem::path const& file);
 
 /// The printed summary that a designer reads: the drive, one row per case, where the teeth interfere, the best tilt.
 [[nodiscard]] std::string summary_text(ContactStudy const& study, std::vector<WrittenFile> const& written = {});
 
-/// The figures of summary_json() of the solution and, under "contact", of the study; keys in docs/json.md. Numbers
-/// are finite or null.
+/// The figures of summary_json() of the solution and, under "contact", of the study; keys in docs/reference/json.md.
+/// Numbers are finite or null.
 [[nodiscard]] std::string summary_json(ContactStudy const& study, std::vector<WrittenFile> const& written = {});
 
 /// Names of the pictures of a study: NAME.svg or .png stands for three.

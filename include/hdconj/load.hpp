@@ -19,8 +19,8 @@ namespace hdconj {
 ///
 /// The wave generator and the cup's flange are held; torque and `twist` are those of the circular spline, so that their
 /// product is work. They count positive where the teeth go clockwise in their spaces, the twist from the middle of the
-/// play. With a held circular spline the flange turns z_c/z_f as far, under z_f/z_c of the torque (docs/theory.md,
-/// Take-up). A positive torque loads the right flanks of the tooth spaces (GapMap::right).
+/// play. With a held circular spline the flange turns z_c/z_f as far, under z_f/z_c of the torque
+/// (docs/explanation/theory.md, Take-up). A positive torque loads the right flanks of the tooth spaces (GapMap::right).
 struct LoadedState
 {
     double torque = 0;                 ///< on the circular spline [N mm]

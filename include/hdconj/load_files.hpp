@@ -14,7 +14,7 @@
 namespace hdconj {
 
 /// HDF5 result file: what write_hdf5() writes of the solution, the toothed surface as a mesh, and `/load`; layout in
-/// docs/hdf5.md.
+/// docs/reference/hdf5.md.
 /// @param study     what is written
 /// @param file      of the result
 /// @param measured  written beside the simulation; null: none
@@ -26,8 +26,8 @@ void write_hdf5(LoadStudy const& study, std::filesystem::path const& file, Measu
 [[nodiscard]] std::string summary_text(LoadStudy const& study, std::vector<WrittenFile> const& written = {},
                                        Measurement const* measured = nullptr);
 
-/// The figures of summary_json() of the solution and, under "load", of the study; keys in docs/json.md. Numbers are
-/// finite or null.
+/// The figures of summary_json() of the solution and, under "load", of the study; keys in docs/reference/json.md.
+/// Numbers are finite or null.
 [[nodiscard]] std::string summary_json(LoadStudy const& study, std::vector<WrittenFile> const& written = {},
                                        Measurement const* measured = nullptr);
 

@@ -12,7 +12,7 @@
 
 namespace hdconj {
 
-/// HDF5 result file, layout in docs/hdf5.md. Written to a temporary file and renamed.
+/// HDF5 result file, layout in docs/reference/hdf5.md. Written to a temporary file and renamed.
 /// @throws FileError with the cause (disk full, no permission, a folder)
 void write_hdf5(Solution const& solution, std::filesystem::path const& file);
 
@@ -32,7 +32,7 @@ void check_picture(std::filesystem::path const& file);
 /// The printed summary that a designer reads.
 [[nodiscard]] std::string summary_text(Solution const& solution, std::vector<WrittenFile> const& written = {});
 
-/// The same figures as one JSON object, keys in docs/json.md. Numbers are finite or null.
+/// The same figures as one JSON object, keys in docs/reference/json.md. Numbers are finite or null.
 [[nodiscard]] std::string summary_json(Solution const& solution, std::vector<WrittenFile> const& written = {});
 
 /// What later work needs of a result file.

@@ -20,7 +20,7 @@ struct PairGeometry
 {
     double r_m = 0;         ///< radius of the undeformed neutral curve
     double r_0 = 0;         ///< base radius of the deformed one, rho = r_0 + w(u): what w is counted from, by family in
-                            ///< docs/wave-generators.md; linear models: r_m
+                            ///< docs/reference/wave-generators.md; linear models: r_m
     double w0 = 0;          ///< largest radial deformation
     double pitch_line = 0;  ///< height of the tooth's pitch line above the neutral curve
     double addendum = 0;    ///< h_a

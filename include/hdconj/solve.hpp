@@ -12,10 +12,10 @@ namespace hdconj {
 
 /// Solves for the member that is conjugate to the given tooth.
 ///
-/// The tooth touches its envelope where n . v = 0, with its normal n and the relative velocity v (docs/theory.md;
-/// Litvin & Fuentes, Gear Geometry and Applied Theory, 2004, ch. 6). All branches of this condition are
-/// found; Solution::certificate says whether that is proved. Their outer boundary is the tooth space of the circular
-/// spline; in the reverse problem, with the circular spline's tooth given, it is the flexspline tooth.
+/// The tooth touches its envelope where n . v = 0, with its normal n and the relative velocity v
+/// (docs/explanation/theory.md; Litvin & Fuentes, Gear Geometry and Applied Theory, 2004, ch. 6). All branches of this
+/// condition are found; Solution::certificate says whether that is proved. Their outer boundary is the tooth space of
+/// the circular spline; in the reverse problem, with the circular spline's tooth given, it is the flexspline tooth.
 ///
 /// Runs the stages of make_plan(scene), and no other. The result has the same bits for any number of threads.
 /// Accuracy: no point of an outline is farther than `solver.tolerance` from the true curve, see Solution::error.

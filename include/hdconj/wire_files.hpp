@@ -93,7 +93,7 @@ std::vector<WireFile> write_wire_files(WireSetUps const& programs, std::filesyst
 /// checked.
 [[nodiscard]] std::string summary_text(WireSetUps const& programs, std::vector<WireFile> const& files = {});
 
-/// The same figures as one JSON object, keys in docs/json.md. Numbers are finite or null.
+/// The same figures as one JSON object, keys in docs/reference/json.md. Numbers are finite or null.
 [[nodiscard]] std::string summary_json(WireSetUps const& programs, std::vector<WireFile> const& files = {},
                                        std::filesystem::path const& folder = {},
                                        std::vector<WrittenFile> const& pictures = {});

@@ -21,7 +21,7 @@ namespace hdconj::elastic {
 /// The inner surface of barrel, ring and land is one cylinder of `inner_radius`. A fillet of radius R between the walls
 /// t and T spans sqrt((T - t)(2 R - T + t)); with `rear_fillet` or `front_fillet` it is there as an arc, tangent to the
 /// thinner wall, in place of the ramp. Domain: section_mesh() says what it cannot mesh. Defaults: the case that
-/// docs/elastic.md checks against CalculiX.
+/// docs/explanation/elastic-cup.md checks against CalculiX.
 struct CupSection
 {
     double inner_radius = 24;

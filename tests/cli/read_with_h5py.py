@@ -4,7 +4,8 @@
 
   read_with_h5py.py RESULT.h5 [RESULT.dxf]
 
-Checks the layout of docs/hdf5.md and that the DXF file is sound and says the same. Prints one line, or what is wrong.
+Checks the layout of docs/reference/hdf5.md and that the DXF file is sound and says the same. Prints one line, or
+what is wrong.
 """
 
 import re
@@ -152,7 +153,7 @@ def check_load(file):
 
 
 def check_documented(file):
-    text = (Path(__file__).parents[2] / "docs" / "hdf5.md").read_text()
+    text = (Path(__file__).parents[2] / "docs" / "reference" / "hdf5.md").read_text()
     known = set(re.findall(r"`([^`]+)`", text)) | {n.split("/")[-1] for n in re.findall(r"`(/[^`]+)`", text)}
     found = set(file.attrs)
 
@@ -161,11 +162,11 @@ def check_documented(file):
         if isinstance(item, h5py.Dataset):
             found.add(last)
         elif not last.startswith(("branch_", "case_")):
-            want(f"/{last}" in text or f"/{name}" in text, f"docs/hdf5.md does not name the group {name}")
+            want(f"/{last}" in text or f"/{name}" in text, f"docs/reference/hdf5.md does not name the group {name}")
         found.update(item.attrs)
 
     file.visititems(look)
-    want(found <= known, f"docs/hdf5.md does not name {sorted(found - known)}")
+    want(found <= known, f"docs/reference/hdf5.md does not name {sorted(found - known)}")
 
 
 def polylines(file, layer):

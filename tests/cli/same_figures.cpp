@@ -35,7 +35,7 @@ std::vector<std::pair<std::string, double>> const units = {{"_Nm_per_deg", 1000 
                                                            {"_N", 1},
                                                            {"_s", 1}};
 
-/// Names that differ, as docs/json.md and docs/hdf5.md have them.
+/// Names that differ, as docs/reference/json.md and docs/reference/hdf5.md have them.
 std::map<std::string, std::string> const renamed = {{"time", "seconds"},
                                                     {"clearance_error", "flank_clearance_error"},
                                                     {"closest_z_from", "flank_z_from"},

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Hard cases of a load. Every line is one of the table in docs/stability.md.
+/// Hard cases of a load. Every line is one of the table in docs/explanation/stability.md.
 #include <algorithm>
 #include <cmath>
 

@@ -21,7 +21,7 @@ namespace hdconj::test {
 
 using Overrides = std::vector<std::string>;
 
-/// One line of the table in docs/stability.md.
+/// One line of the table in docs/explanation/stability.md.
 inline void say(std::string const& measured)
 {
     std::cout << "| " << std::string(Catch::getResultCapture().getCurrentTestName()) << " | " << measured << " |\n";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What docs/stability.md says about rounding, on the drives it names.
+/// What docs/explanation/stability.md says about rounding, on the drives it names.
 #include <fstream>
 #include <sstream>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the digits go: writes data/reference/rounding-*.csv (docs/stability.md explains them).
+// Where the digits go: writes data/reference/rounding-*.csv (docs/explanation/stability.md explains them).
 //
 //   rounding_study FOLDER [DESIGNS]
 #include <cstdio>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
 /// Every table and key of a scene: one row per key, from which type check, range, default, "did you mean", the
-/// template of messages and docs/scene.md follow. Keys of the families are not here: families declare their own.
+/// template of messages and docs/reference/scene.md follow. Keys of the families are not here: families declare their
+/// own.
 #pragma once
 
 #include <optional>
@@ -50,7 +51,7 @@ struct TableSpec
     void (*begin)(Scene&, int line);  ///< makes the effect's object; may be null
 };
 
-/// All tables, a table before its sub-tables, in the order of docs/scene.md.
+/// All tables, a table before its sub-tables, in the order of docs/reference/scene.md.
 [[nodiscard]] std::vector<TableSpec> const& scene_schema();
 
 /// Bounds that keep typing errors out; nothing in the mathematics needs them.

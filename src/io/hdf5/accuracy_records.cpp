@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Records as HDF5 and CSV; the layout is described in docs/hdf5.md.
+// Records as HDF5 and CSV; the layout is described in docs/reference/hdf5.md.
 #include <fmt/format.h>
 
 #include "accuracy_records.hpp"

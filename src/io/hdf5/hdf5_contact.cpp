@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The layout of /contact and of the surface's mesh, as docs/hdf5.md describes them.
+// The layout of /contact and of the surface's mesh, as docs/reference/hdf5.md describes them.
 #include <fmt/format.h>
 
 #include <stdexcept>

@@ -12,7 +12,7 @@ namespace hdconj::io::hdf5 {
 /// Now, or SOURCE_DATE_EPOCH where that is set (reproducible files): ISO 8601, UTC.
 [[nodiscard]] std::string date_text();
 
-/// All of docs/hdf5.md up to `/circular_spline`, summary and time.
+/// All of docs/reference/hdf5.md up to `/circular_spline`, summary and time.
 void write_solution(Writer const& root, Solution const& solution);
 
 /// The slices, into the group `/circular_spline`.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The layout of /load, as docs/hdf5.md describes it.
+// The layout of /load, as docs/reference/hdf5.md describes it.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The keys are an interface, described in docs/json.md.
+// The keys are an interface, described in docs/reference/json.md.
 #include "figures/accuracy_figures.hpp"
 #include "hdconj/accuracy.hpp"
 #include "summary_object.hpp"

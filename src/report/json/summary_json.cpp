@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The figures of summary_text as JSON; the keys are an interface, described in docs/json.md.
+// The figures of summary_text as JSON; the keys are an interface, described in docs/reference/json.md.
 #include <algorithm>
 #include <cmath>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The keys are an interface, described in docs/json.md.
+// The keys are an interface, described in docs/reference/json.md.
 #include <algorithm>
 
 #include "figures/wire_figures.hpp"

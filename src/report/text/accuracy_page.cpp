@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// docs/accuracy.md is written by this file from records; what follows from them is in accuracy_conclusions.cpp.
+// docs/explanation/accuracy.md is written by this file from records; what follows from them is in
+// accuracy_conclusions.cpp.
 #include <fmt/format.h>
 
 #include <cmath>

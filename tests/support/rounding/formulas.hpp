@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The contact of one arc or line with its envelope, step by step, as the formulas of docs/theory.md stand there and in
-/// any number type: what is lost where can be seen by comparing types.
+/// The contact of one arc or line with its envelope, step by step, as the formulas of docs/explanation/theory.md stand
+/// there and in any number type: what is lost where can be seen by comparing types.
 #pragma once
 
 #include <array>

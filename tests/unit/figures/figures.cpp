@@ -37,7 +37,7 @@ void collect(figures::Rows<Record> const& rows, std::set<std::string>& keys, std
 
 }  // namespace
 
-TEST_CASE("docs/json.md and docs/hdf5.md name every figure of the tables", "[figures]")
+TEST_CASE("docs/reference/json.md and docs/reference/hdf5.md name every figure of the tables", "[figures]")
 {
     std::set<std::string> keys, columns, of_json, summary;
     collect(figures::contact_study_figures(), keys, columns);
@@ -74,10 +74,10 @@ TEST_CASE("docs/json.md and docs/hdf5.md name every figure of the tables", "[fig
         columns.insert(figure.figure.name);
     CHECK(keys.size() > 200);
     CHECK(columns.size() > 100);
-    auto const json = test::content(HDCONJ_SOURCE_DIR "/docs/json.md");
+    auto const json = test::content(HDCONJ_SOURCE_DIR "/docs/reference/json.md");
     for (auto const& key : keys)
         CHECK_THAT(json, ContainsSubstring("`" + key + "`"));
-    auto const hdf5 = test::content(HDCONJ_SOURCE_DIR "/docs/hdf5.md");
+    auto const hdf5 = test::content(HDCONJ_SOURCE_DIR "/docs/reference/hdf5.md");
     for (auto const& column : columns) {
         INFO(column);
         CHECK(hdf5.find(column) != std::string::npos);

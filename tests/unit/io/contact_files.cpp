@@ -258,9 +258,9 @@ TEST_CASE("JSON of a contact study has null where there is no number")
     CHECK(nlohmann::json::parse(summary_json(ContactStudy{})).at("contact").at("cases").empty());
 }
 
-TEST_CASE("docs/json.md names every key of a contact study")
+TEST_CASE("docs/reference/json.md names every key of a contact study")
 {
-    auto const document = test::content(HDCONJ_SOURCE_DIR "/docs/json.md");
+    auto const document = test::content(HDCONJ_SOURCE_DIR "/docs/reference/json.md");
     std::set<std::string> keys;
     collect_keys(nlohmann::json::parse(summary_json(sample::contact_study(), {{"hdf5", "a", 0}})), keys);
     CHECK(keys.size() > 100);

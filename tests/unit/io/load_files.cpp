@@ -371,7 +371,7 @@ TEST_CASE("JSON of a load study has null where there is no number", "[load]")
 TEST_CASE("docs name every key and every dataset of a load study", "[load]")
 {
     auto const measured = measurement(true);
-    auto const document = content(HDCONJ_SOURCE_DIR "/docs/json.md");
+    auto const document = content(HDCONJ_SOURCE_DIR "/docs/reference/json.md");
     std::set<std::string> keys;
     collect_keys(nlohmann::json::parse(summary_json(sample::load_study(), {{"vtu", "a", 0}}, &measured)), keys);
     CHECK(keys.size() > 120);

@@ -82,9 +82,9 @@ TEST_CASE("a file name that is not UTF-8 does not break the JSON")
     CHECK_NOTHROW(nlohmann::json::parse(summary_json(Solution{}, {{"hdf5", "a\xff.h5", 0}})));
 }
 
-TEST_CASE("docs/json.md names every key")
+TEST_CASE("docs/reference/json.md names every key")
 {
-    auto const document = test::content(HDCONJ_SOURCE_DIR "/docs/json.md");
+    auto const document = test::content(HDCONJ_SOURCE_DIR "/docs/reference/json.md");
     std::set<std::string> keys;
     collect_keys(nlohmann::json::parse(summary_json(sample::solution(), {{"hdf5", "a", 0}, {"dxf", "b", 0}})), keys);
     CHECK(keys.size() > 60);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// docs/scene.md says what the schema and the families say: each key there is a key here, and the other way round.
+// docs/reference/scene.md says what the schema and the families say: each key there is a key here, and the other way
+// round.
 #include <algorithm>
 #include <fstream>
 #include <iostream>
@@ -91,7 +92,7 @@ std::vector<Section> expected_sections()
 
 std::vector<std::string> document_lines()
 {
-    std::ifstream file(HDCONJ_SOURCE_DIR "/docs/scene.md");
+    std::ifstream file(HDCONJ_SOURCE_DIR "/docs/reference/scene.md");
     std::vector<std::string> lines;
     for (std::string line; std::getline(file, line);)
         lines.push_back(line);
@@ -132,18 +133,18 @@ std::vector<std::string> difference(std::multiset<std::string> const& a, std::mu
 
 }  // namespace
 
-TEST_CASE("every key of the schema is in docs/scene.md, word for word", "[scene]")
+TEST_CASE("every key of the schema is in docs/reference/scene.md, word for word", "[scene]")
 {
     CHECK(difference(expected_rows(), documented_rows()) == std::vector<std::string>{});
 }
 
-TEST_CASE("every key of docs/scene.md is in the schema", "[scene]")
+TEST_CASE("every key of docs/reference/scene.md is in the schema", "[scene]")
 {
     CHECK_FALSE(documented_rows().empty());
     CHECK(difference(documented_rows(), expected_rows()) == std::vector<std::string>{});
 }
 
-TEST_CASE("prints the tables for docs/scene.md", "[.][scene-tables]")
+TEST_CASE("prints the tables for docs/reference/scene.md", "[.][scene-tables]")
 {
     for (auto const& section : expected_sections()) {
         std::cout << section.heading << "\n\n" << section.meaning << "\n\n";

@@ -327,9 +327,9 @@ TEST_CASE("the summary of a wire program repeats wire and gap and says which fac
                ContainsSubstring("LARGER than the lower face"));
 }
 
-TEST_CASE("docs/json.md names every key of a wire program", "[wire]")
+TEST_CASE("docs/reference/json.md names every key of a wire program", "[wire]")
 {
-    auto const document = content(HDCONJ_SOURCE_DIR "/docs/json.md");
+    auto const document = content(HDCONJ_SOURCE_DIR "/docs/reference/json.md");
     auto ring = sample::wire_ring();
     ring.residuals = sample::residuals();
     ring.tolerance = 0.0005;
