@@ -23,7 +23,7 @@ struct AccuracyArguments
     bool quick = false;
     std::optional<int> sample;
     std::optional<int> repeats;
-    std::string output;  ///< folder; empty: named after the drive
+    std::string output;  ///< folder; empty: named after the scene file
     std::string from;    ///< records measured before; empty: measure
     std::string page;
     std::optional<std::string> budget;  ///< as written
@@ -120,7 +120,7 @@ Work<StoredAccuracy> measurement(CommonOptions const& common, AccuracyArguments 
     refuse(std::move(faults));
     Work<StoredAccuracy> work;
     work.inputs = inputs_of(common, scene);
-    work.outputs = {folder_output(output_name(own.output, scene, "-accuracy"), scene.drive.name)};
+    work.outputs = {folder_output(output_name(common, own.output, scene, "-accuracy"), scene.drive.name)};
     work.compute = [scene, options](ProgressLine const& progress) {
         return StoredAccuracy{measure_accuracy(scene, options, progress.shares()), this_program()};
     };
@@ -222,7 +222,7 @@ void add_accuracy(CLI::App& program, CommonOptions& common)
     add_scene_options(verb, common);
     add_list(verb, "--study", own.studies, "studies to run, see below [all]", "NAME,...");
     add_name(verb, "-o,--output", own.output,
-             "folder to make [the drive's name and -accuracy, in this folder; with --from none]", "DIR");
+             "folder to make [the scene file's name and -accuracy, in this folder; with --from none]", "DIR");
     add_option(verb, "--sample", own.sample, "designs about the scene whose worst is shown beside it [64]", "N",
                CLI::Range(0, 1000));
     add_option(verb, "--repeats", own.repeats, "runs of each setting; the median counts [5]", "N", CLI::Range(1, 1000));

@@ -20,7 +20,7 @@ struct ContactArguments
     CaseArguments cases;
     bool best = false;
     int revolution = 0;
-    std::string output;  ///< result file; empty: named after the drive
+    std::string output;  ///< result file; empty: named after the scene file
     std::string picture;
     std::string xdmf, stl, vtk;
     bool ring = false;
@@ -45,9 +45,9 @@ void add_surfaces(Work<ContactStudy>& work, ContactArguments const& own, fs::pat
              [surface](ContactStudy const& study, fs::path const& file) { write_vtk(study, file, surface); });
 }
 
-void add_files(Work<ContactStudy>& work, ContactArguments const& own, Scene const& scene)
+void add_files(Work<ContactStudy>& work, CommonOptions const& common, ContactArguments const& own, Scene const& scene)
 {
-    fs::path const result = output_name(own.output, scene, "-contact.h5");
+    fs::path const result = output_name(common, own.output, scene, "-contact.h5");
     add_file(work, "hdf5", "--output", result,
              [](ContactStudy const& study, fs::path const& file) { write_hdf5(study, file); });
     add_surfaces(work, own, result);
@@ -86,7 +86,7 @@ int run_contact(CommonOptions const& common, ContactArguments const& own)
     refuse(check_contact(scene, options));
     Work<ContactStudy> work;
     work.inputs = inputs_of(common, scene);
-    add_files(work, own, scene);
+    add_files(work, common, own, scene);
     work.compute = [&](ProgressLine const& progress) {
         return study_contact(scene, options, progress.stages(), progress.shares());
     };
@@ -123,8 +123,8 @@ void add_contact(CLI::App& program, CommonOptions& common)
     add_option(verb, "--revolution", own.revolution,
                "angles of the wave generator over a revolution; the one with least contact counts", "N",
                CLI::Range(1, 10000));
-    add_name(verb, "-o,--output", own.output, "result file, HDF5 [the drive's name and -contact.h5, in this folder]",
-             "FILE");
+    add_name(verb, "-o,--output", own.output,
+             "result file, HDF5 [the scene file's name and -contact.h5, in this folder]", "FILE");
     add_name(verb, "--picture", own.picture, "drawings NAME-tilt, NAME-map, NAME-flank; needs gnuplot",
              "NAME.svg|NAME.png");
     add_name(verb, "--xdmf", own.xdmf, "toothed surface for ParaView", "FILE");

@@ -25,7 +25,7 @@ struct LoadArguments
     std::optional<int> points;
     CaseArguments cases;
     bool no_curve = false;
-    std::string output;  ///< result file; empty: named after the drive
+    std::string output;  ///< result file; empty: named after the scene file
     std::string picture;
     std::string vtu;
     std::string measured;       ///< CSV file
@@ -33,9 +33,10 @@ struct LoadArguments
     RigOptions rig;
 };
 
-void add_files(Work<LoadStudy>& work, LoadArguments const& own, Scene const& scene, Measurement const* measured)
+void add_files(Work<LoadStudy>& work, CommonOptions const& common, LoadArguments const& own, Scene const& scene,
+               Measurement const* measured)
 {
-    add_file(work, "hdf5", "--output", output_name(own.output, scene, "-load.h5"),
+    add_file(work, "hdf5", "--output", output_name(common, own.output, scene, "-load.h5"),
              [measured](LoadStudy const& study, fs::path const& file) { write_hdf5(study, file, measured); });
     add_file(work, "vtu", "--vtu", own.vtu, write_cup_vtu);
     if (own.picture.empty())
@@ -133,7 +134,7 @@ int run_load(CommonOptions const& common, LoadArguments const& own)
     Work<LoadStudy> work;
     work.inputs = inputs_of(common, scene);
     append(work.inputs, input_of("--measured", own.measured));
-    add_files(work, own, scene, measured);
+    add_files(work, common, own, scene, measured);
     work.compute = [&](ProgressLine const& progress) {
         return study_load(scene, options, progress.stages(), progress.shares(),
                           [&](std::string const& line) { progress.keep(line); });
@@ -193,7 +194,7 @@ void add_load(CLI::App& program, CommonOptions& common)
     add_option(verb, "--points", own.points, "torques on the way up [the scene's]", "N", CLI::Range(1, 1000));
     add_case_options(verb, own.cases, "tilt angles in degrees, such as 0,0.1,0.2 [the scene's]");
     verb.add_flag("--no-curve", own.no_curve, "the largest torque only: no curve, no stages");
-    add_name(verb, "-o,--output", own.output, "result file, HDF5 [the drive's name and -load.h5, in this folder]",
+    add_name(verb, "-o,--output", own.output, "result file, HDF5 [the scene file's name and -load.h5, in this folder]",
              "FILE");
     add_name(verb, "--picture", own.picture,
              "drawings NAME-curve, NAME-pressure, NAME-cup, NAME-stress and, of single balls, NAME-balls; needs "

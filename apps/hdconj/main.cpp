@@ -14,6 +14,7 @@
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/base/suggest.hpp"
 #include "hdconj/error.hpp"
+#include "hdconj/file/atomic_file.hpp"
 #include "hdconj/scene/schema.hpp"
 #include "hdconj/version.hpp"
 #include "heap.hpp"
@@ -213,6 +214,7 @@ int main(int argc, char** argv)
     std::signal(SIGPIPE, SIG_IGN);
     // A limit on the size of files becomes a failed write, which says so.
     std::signal(SIGXFSZ, SIG_IGN);
+    hdconj::file::remove_temporaries_when_interrupted();
     try {
         return hdconj::cli::flush_output(hdconj::cli::run(argc, argv));
     } catch (std::exception const& error) {

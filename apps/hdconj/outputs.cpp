@@ -135,9 +135,12 @@ void check_outputs(std::vector<OutputTarget> const& targets, std::vector<InputFi
         target.check();
 }
 
-fs::path output_name(std::string const& given, Scene const& scene, std::string const& ending)
+fs::path output_name(CommonOptions const& common, std::string const& given, Scene const& scene,
+                     std::string const& ending)
 {
-    return given.empty() ? file_name(scene.drive.name) + ending : given;
+    bool const has_file = !common.scene.empty() && common.scene != "-";
+    std::string const name = has_file ? fs::path(common.scene).stem().string() : scene.drive.name;
+    return given.empty() ? file_name(name) + ending : given;
 }
 
 }  // namespace hdconj::cli

@@ -46,8 +46,9 @@ void check_outputs(std::vector<OutputTarget> const& targets, std::vector<InputFi
 /// A file name made of a drive's name: letters of any script, digits, and "._-" stay.
 [[nodiscard]] std::string file_name(std::string const& drive);
 
-/// @p given, or the name of the drive of @p scene with @p ending where it is empty.
-[[nodiscard]] std::filesystem::path output_name(std::string const& given, Scene const& scene,
-                                                std::string const& ending);
+/// @p given, or where it is empty the name of the scene file without its ending, and @p ending; a scene that is no file
+/// has the name of its drive.
+[[nodiscard]] std::filesystem::path output_name(CommonOptions const& common, std::string const& given,
+                                                Scene const& scene, std::string const& ending);
 
 }  // namespace hdconj::cli

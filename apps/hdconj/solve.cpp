@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 /// What only `solve` is asked. Names are empty where nothing is asked for, here and in the other verbs.
 struct SolveArguments
 {
-    std::string output;  ///< result file; empty: named after the drive
+    std::string output;  ///< result file; empty: named after the scene file
     std::string dxf;
     std::string picture;
 };
@@ -24,7 +24,7 @@ int run_solve(CommonOptions const& common, SolveArguments const& own)
     Scene const scene = load_scene(common);
     Work<Solution> work;
     work.inputs = inputs_of(common, scene);
-    add_file(work, "hdf5", "--output", output_name(own.output, scene, ".h5"),
+    add_file(work, "hdf5", "--output", output_name(common, own.output, scene, ".h5"),
              [](Solution const& solution, fs::path const& file) { write_hdf5(solution, file); });
     add_file(work, "dxf", "--dxf", own.dxf, write_dxf);
     add_file(work, "picture", "--picture", own.picture, write_picture, check_picture);
@@ -40,7 +40,8 @@ void add_solve(CLI::App& program, CommonOptions& common)
 {
     auto [verb, own] = add_verb(program, common, "solve", "the conjugate circular spline, into HDF5", run_solve);
     add_scene_options(verb, common);
-    add_name(verb, "-o,--output", own.output, "result file, HDF5 [the drive's name and .h5, in this folder]", "FILE");
+    add_name(verb, "-o,--output", own.output, "result file, HDF5 [the scene file's name and .h5, in this folder]",
+             "FILE");
     add_name(verb, "--dxf", own.dxf, "outlines for CAD and wire machines, DXF R12", "FILE");
     add_name(verb, "--picture", own.picture, "drawing of the tooth space, needs gnuplot", "FILE.svg|FILE.png");
 }

@@ -25,7 +25,7 @@ struct WireArguments
 {
     std::string part;  ///< empty: as the scene says
     std::optional<double> tilt_deg;
-    std::string output;                 ///< folder; empty: named after the drive
+    std::string output;                 ///< folder; empty: named after the scene file
     std::string from;                   ///< result file; empty: the scene is solved
     std::vector<std::string> dialects;  ///< empty: as the scene says
     std::optional<std::string> decimals;
@@ -184,7 +184,7 @@ int run_wedm(CommonOptions const& common, WireArguments const& own)
     WireInput const input = input_for(common, own);
     auto const dialects = dialects_of(own, input.scene);
     fs::path const folder =
-        output_name(own.output, input.scene, input.cuts_flexspline() ? "-flexspline-wedm" : "-wedm");
+        output_name(common, own.output, input.scene, input.cuts_flexspline() ? "-flexspline-wedm" : "-wedm");
     Work<WireCut> work;
     work.inputs = inputs_of(common, input.scene);
     append(work.inputs, input_of("--from", own.from));
@@ -234,7 +234,8 @@ void add_wedm(CLI::App& program, CommonOptions& common)
     add_option(verb, "--tilt", own.tilt_deg,
                "tilt of the circular spline's teeth, key tilt.angle_deg [the scene's, or 0]", "DEG",
                angle("an angle in degrees such as 0.2"));
-    add_name(verb, "-o,--output", own.output, "folder to make [the drive's name and -wedm, in this folder]", "DIR");
+    add_name(verb, "-o,--output", own.output, "folder to make [the scene file's name and -wedm, in this folder]",
+             "DIR");
     add_name(verb, "--from", own.from, "take scene and outline from a result file in place of solving", "FILE.h5");
     add_list(verb, "--dialect", own.dialects, "files to write, see below [the scene's, or all that fit]", "NAME,...");
     add_option(verb, "--decimals", own.decimals, "of coordinates in mm, key wedm.decimals [the scene's, or 4]", "N",

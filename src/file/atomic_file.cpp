@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/file/atomic_file.hpp"
 
-#include <climits>
-#include <utility>
-
 #include "atomic_file_posix.hpp"
 #include "hdconj/error.hpp"
+#include "temporary_path.hpp"
 
 namespace hdconj::file {
 namespace fs = std::filesystem;
@@ -40,68 +38,28 @@ void write_all(fs::path const& file, std::string_view text, fs::path const& blam
         throw FileError(blamed, posix::cannot_write(error));
 }
 
-/// Removes the temporary file unless it has been renamed.
-class Temporary
+/// Makes the file, empty.
+void create(fs::path const& file, fs::path const& blamed)
 {
-  public:
-    Temporary(fs::path name, fs::path const& target) : name_(std::move(name)), target_(target)
-    {
-        ::unlink(name_.c_str());  // left over by a killed process that had this process id
-        posix::Descriptor const made(name_, O_WRONLY | O_CREAT | O_EXCL);
-        if (!made.is_open())
-            throw FileError(target_, posix::cannot_write(errno));
-    }
-    ~Temporary()
-    {
-        if (!name_.empty())
-            ::unlink(name_.c_str());
-    }
-    Temporary(Temporary const&) = delete;
-    Temporary& operator=(Temporary const&) = delete;
+    posix::Descriptor const made(file, O_WRONLY | O_CREAT | O_EXCL);
+    if (!made.is_open())
+        throw FileError(blamed, posix::cannot_write(errno));
+}
 
-    [[nodiscard]] fs::path const& name() const { return name_; }
-
-    /// Puts the content on the disk before its name does: after a power cut the target must not be empty.
-    void flush(posix::Status const& old) const
-    {
-        posix::Descriptor const written(name_, O_RDONLY);
-        if (!written.is_open())
-            throw FileError(target_, posix::cannot_write(errno));
-        if (::fsync(written.number()) != 0 && errno != EINVAL) {  // EINVAL: a file system without fsync
-            throw FileError(target_, posix::cannot_write(errno));
-        }
-        if (old.is_file()) {
-            ::fchmod(written.number(), old.found->st_mode & ACCESSPERMS);  // a courtesy: may fail on foreign disks
-        }
+/// Puts the content on the disk before its name does: after a power cut the target must not be empty.
+void flush(fs::path const& file, posix::Status const& old, fs::path const& blamed)
+{
+    posix::Descriptor const written(file, O_RDONLY);
+    if (!written.is_open())
+        throw FileError(blamed, posix::cannot_write(errno));
+    if (::fsync(written.number()) != 0 && errno != EINVAL) {  // EINVAL: a file system without fsync
+        throw FileError(blamed, posix::cannot_write(errno));
     }
-
-    void rename_to(fs::path const& real)
-    {
-        if (::rename(name_.c_str(), real.c_str()) != 0)
-            throw FileError(target_, posix::cannot_write(errno));
-        name_.clear();
-    }
-
-  private:
-    fs::path name_;
-    fs::path target_;
-};
+    if (old.is_file())
+        ::fchmod(written.number(), old.found->st_mode & ACCESSPERMS);  // a courtesy: may fail on foreign disks
+}
 
 }  // namespace
-
-fs::path temporary_name(fs::path const& target)
-{
-    std::string name = target.filename().string();
-    std::string const ending = ".hdconj-" + std::to_string(::getpid()) + ".tmp";
-    std::size_t cut = NAME_MAX - ending.size() - 1;
-    if (name.size() > cut) {
-        constexpr unsigned char continues = 0x80, mask = 0xC0;  // do not cut a UTF-8 character in half
-        while (cut > 0 && (static_cast<unsigned char>(name[cut]) & mask) == continues)
-            --cut;
-        name.resize(cut);
-    }
-    return folder_of(target) / ("." + name + ending);
-}
 
 void check_target(fs::path const& target)
 {
@@ -136,10 +94,12 @@ void write_atomically(fs::path const& target, std::function<void(fs::path const&
         write(real);
         return;
     }
-    Temporary temporary(temporary_name(real), target);
+    TemporaryPath const temporary(real);
+    create(temporary.name(), target);
     write(temporary.name());
-    temporary.flush(old);
-    temporary.rename_to(real);
+    flush(temporary.name(), old, target);
+    if (::rename(temporary.name().c_str(), real.c_str()) != 0)
+        throw FileError(target, posix::cannot_write(errno));
 }
 
 void write_text_atomically(fs::path const& target, std::string_view text)

@@ -101,27 +101,17 @@ void AtomicFolder::check(fs::path const& target, char const* first_line)
 }
 
 AtomicFolder::AtomicFolder(fs::path const& target, char const* first_line)
-    : first_line_(first_line), target_(real_folder(target))
+    : first_line_(first_line), target_(real_folder(target)), made_(target_)
 {
     check(target, first_line_);
-    made_ = temporary_name(target_);
     std::error_code error;
-    fs::remove_all(made_, error);  // left over by a killed process that had this process id
-    if (!fs::create_directory(made_, error) || error)
+    if (!fs::create_directory(made_.name(), error) || error)
         throw FileError(target, posix::cannot_write(error.value()));
-}
-
-AtomicFolder::~AtomicFolder()
-{
-    if (!made_.empty()) {
-        std::error_code ignored;
-        fs::remove_all(made_, ignored);
-    }
 }
 
 void AtomicFolder::write(std::string const& name, std::string const& text) const
 {
-    posix::Descriptor out(made_ / name, O_WRONLY | O_CREAT | O_EXCL);
+    posix::Descriptor out(made_.name() / name, O_WRONLY | O_CREAT | O_EXCL);
     if (!out.is_open())
         throw FileError(target_ / name, posix::cannot_write(errno));
     for (std::size_t at = 0; at < text.size();) {
@@ -138,7 +128,7 @@ void AtomicFolder::write(std::string const& name, std::string const& text) const
 
 std::string AtomicFolder::read(std::string const& name) const
 {
-    std::ifstream in(made_ / name, std::ios::binary);
+    std::ifstream in(made_.name() / name, std::ios::binary);
     std::ostringstream all;
     all << in.rdbuf();
     if (!in || !all)
@@ -152,15 +142,15 @@ void AtomicFolder::publish(std::vector<std::pair<std::string, std::string>> cons
     for (auto const& [name, said] : lines)
         list += name + " " + said + "\n";
     write(list_name, list);
-    for (auto const& entry : fs::directory_iterator(made_))
+    for (auto const& entry : fs::directory_iterator(made_.name()))
         flush(entry.path(), target_ / entry.path().filename());
-    flush(made_, target_);
+    flush(made_.name(), target_);
     check(target_, first_line_);  // again: something may have been put there while the work went on
     bool const there = posix::status_of(target_).is_folder();
     unsigned int const how = there ? RENAME_EXCHANGE : RENAME_NOREPLACE;
-    int failed = ::renameat2(AT_FDCWD, made_.c_str(), AT_FDCWD, target_.c_str(), how);
+    int failed = ::renameat2(AT_FDCWD, made_.name().c_str(), AT_FDCWD, target_.c_str(), how);
     if (failed != 0 && !there && errno == EINVAL) {  // a file system that knows no such flags
-        failed = ::rename(made_.c_str(), target_.c_str());
+        failed = ::rename(made_.name().c_str(), target_.c_str());
     }
     if (failed != 0) {
         int const error = errno;
@@ -168,11 +158,6 @@ void AtomicFolder::publish(std::vector<std::pair<std::string, std::string>> cons
                                      ? "this file system cannot exchange folders (remove the old one first)"
                                      : posix::cannot_write(error));
     }
-    if (there) {
-        std::error_code ignored;
-        fs::remove_all(made_, ignored);  // now the old one
-    }
-    made_.clear();
 }
 
 }  // namespace hdconj::file

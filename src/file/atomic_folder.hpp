@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "temporary_path.hpp"
+
 namespace hdconj::file {
 
 /// Files are written into a hidden folder beside the target; publish() renames it. A folder that was published before,
@@ -24,9 +26,6 @@ class AtomicFolder
     static void check(std::filesystem::path const& target, char const* first_line);
 
     explicit AtomicFolder(std::filesystem::path const& target, char const* first_line);
-    ~AtomicFolder();
-    AtomicFolder(AtomicFolder const&) = delete;
-    AtomicFolder& operator=(AtomicFolder const&) = delete;
 
     /// @throws FileError, named after where the file is going to be
     void write(std::string const& name, std::string const& text) const;
@@ -42,7 +41,7 @@ class AtomicFolder
   private:
     char const* first_line_;
     std::filesystem::path target_;
-    std::filesystem::path made_;
+    TemporaryPath made_;  ///< after publish() the folder that was there before, if any
 };
 
 }  // namespace hdconj::file

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/scene/number_pairs.hpp"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -9,9 +10,11 @@
 #include <string_view>
 #include <utility>
 
+#include "base/text.hpp"
 #include "column_units.hpp"
 #include "file/csv.hpp"
 #include "hdconj/scene/parameter_fault.hpp"
+#include "hdconj/scene/schema.hpp"
 
 namespace hdconj::scene {
 
@@ -35,6 +38,30 @@ bool read_pair(std::string_view line, std::array<double, 2>& p)
     }
     skip(" \t\r");
     return at == end;
+}
+
+/// "0,084;0,2" as it should be written; empty where @p line has no decimal commas.
+std::string with_decimal_points(std::string_view line)
+{
+    std::string text(line);
+    auto const separator = text.find_first_of(";\t ");
+    if (separator == std::string::npos || text.find(',') == std::string::npos)
+        return "";
+    std::replace(text.begin(), text.end(), ',', '.');
+    std::array<double, 2> both{};
+    return read_pair(text, both) ? text : "";
+}
+
+/// Why the pair @p row cannot be a point; empty when it can.
+std::string fault_of(NumberPair const& row, std::array<ColumnQuantity, 2> const& columns)
+{
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+        if (!std::isfinite(row.value[k]))
+            return "is not a pair of finite numbers";
+        if (columns[k] == ColumnQuantity::length && std::abs(row.value[k]) > bounds::largest_length)
+            return "has a length larger than any drive (" + number_text(bounds::largest_length) + " mm)";
+    }
+    return "";
 }
 
 }  // namespace
@@ -74,9 +101,12 @@ NumberPairs read_number_pairs(FamilyChoice const& choice, std::string_view key, 
         }
         for (std::size_t k = 0; k < row.value.size(); ++k)
             row.value[k] *= units.factor[k];
-        if (!ok || !std::isfinite(row.value[0]) || !std::isfinite(row.value[1]))
-            return stop("line " + std::to_string(number) + " of " + pairs.file + " is not a pair of finite numbers",
-                        "write two numbers " + std::string(what) + " on each line");
+        std::string const place = "line " + std::to_string(number) + " of " + pairs.file + " ";
+        if (auto const right = ok ? "" : with_decimal_points(line); !right.empty())
+            return stop(place + "has decimal commas", "write decimal points: " + right);
+        auto const fault = ok ? fault_of(row, columns) : "is not a pair of finite numbers";
+        if (!fault.empty())
+            return stop(place + fault, "write two numbers " + std::string(what) + " on each line");
         if (pairs.rows.size() == most_number_pairs)
             return stop(pairs.file + " holds more than " + std::to_string(most_number_pairs) + " points", thin_it);
         pairs.rows.push_back(row);

@@ -62,25 +62,33 @@ std::string column_fault(RawValue const& value, std::string_view column)
                : "";
 }
 
+/// The numbers of a row. One number without brackets is a row of one, where rows have one form.
+std::vector<RawValue> items_of(RawValue const& row)
+{
+    return row.kind == Kind::array ? row.items : std::vector<RawValue>{row};
+}
+
 /// Every fault of one row, as the rest of a sentence about it.
 std::vector<std::string> row_faults(RawValue const& row, std::vector<std::string_view> const& forms)
 {
-    if (row.kind != Kind::array) {
+    if (row.kind != Kind::array && forms.size() > 1)
         return {" is no list"};
-    }
+    auto const items = items_of(row);
     std::vector<std::string> faults;
     for (auto const form : forms) {
         auto const columns = columns_of(form);
-        if (columns.size() != row.items.size())
+        if (columns.size() != items.size())
             continue;
         for (std::size_t i = 0; i < columns.size(); ++i) {
-            auto const fault = column_fault(row.items[i], columns[i]);
+            auto const fault = column_fault(items[i], columns[i]);
             if (!fault.empty())
                 faults.push_back(": " + std::string(columns[i]) + " " + fault);
         }
         return faults;
     }
-    return {" has " + std::to_string(row.items.size()) + (row.items.size() == 1 ? " number" : " numbers")};
+    if (row.kind != Kind::array)
+        return {" is no list"};
+    return {" has " + std::to_string(items.size()) + (items.size() == 1 ? " number" : " numbers")};
 }
 
 }  // namespace
@@ -109,7 +117,7 @@ std::variant<Parameter, Faults> validate_rows(ParameterSpec const& spec, RawEntr
             return faults;
         }
         std::vector<double> row;
-        for (auto const& item : rows[i].items)
+        for (auto const& item : items_of(rows[i]))
             row.push_back(item.number);
         numbers.push_back(std::move(row));
     }

@@ -129,16 +129,29 @@ std::string remedy_for_key(Validation const& validation, Place const& place, Raw
     return "remove it; known in [" + place.path + "]: " + plain_list(key_names(validation, place.path));
 }
 
+/// A misspelt key counts as the one that it means, so that its value is checked as well. Where a scene has both, that
+/// one stands; a --set means to change it.
+void validate_as_key(Validation& validation, Place const& place, std::string_view meant, RawEntry const& entry)
+{
+    std::string const name(meant);
+    bool const both = has_member(*place.table, name);
+    bool const replaces = !both || !entry.origin.empty();
+    add_fault(validation, join(place.spelled, entry.key), entry, "unknown key",
+              replaces ? "write " + name : "write " + name + ", or remove it: " + name + " is there as well");
+    validation.attempted.insert(join(place.path, name));
+    RawEntry right = entry;
+    right.key = name;
+    if (replaces)
+        validate_member(validation, place, right);
+}
+
 void validate_unknown_key(Validation& validation, Place const& place, RawEntry const& entry)
 {
     std::string const spelled = join(place.spelled, entry.key);
     bool const of_other_family = family_with(validation.families, place.path, entry.key).has_value();
     auto const meant = of_other_family ? std::nullopt : nearest(entry.key, key_names(validation, place.path));
     if (meant) {
-        validation.attempted.insert(join(place.path, *meant));
-        std::string const name(*meant);
-        add_fault(validation, spelled, entry, "unknown key",
-                  has_member(*place.table, name) ? "remove it: " + name + " is there as well" : "write " + name);
+        validate_as_key(validation, place, *meant, entry);
         return;
     }
     auto const elsewhere = of_other_family ? std::nullopt : key_elsewhere(entry.key, place.path, validation.families);

@@ -88,6 +88,8 @@ Refusal text_for_number(ParameterSpec const& spec, std::string const& text, std:
     if (!found) {
         return {reason, otherwise};
     }
+    if (found->rest.empty() && text.find(',') != std::string::npos)
+        return {"a decimal comma", "write " + number_text(found->value) + ", with a decimal point"};
     if (found->rest.empty()) {
         return {reason, "write " + number_text(found->value) + ", a number without quotes"};
     }

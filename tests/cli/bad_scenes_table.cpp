@@ -15,7 +15,7 @@ std::vector<BadScene> const& wrong_values()
          "write 0.7, a number without quotes"},
         {"number with unit in quotes", "wall = 0.7", "wall = \"0.7 mm\"", "flexspline.wall", "text where",
          "without quotes or unit"},
-        {"decimal comma in quotes", "wall = 0.7", "wall = \"0,7\"", "flexspline.wall", "text where", "write 0.7"},
+        {"decimal comma in quotes", "wall = 0.7", "wall = \"0,7\"", "flexspline.wall", "a decimal comma", "write 0.7"},
         {"word for number", "wall = 0.7", "wall = \"thick\"", "flexspline.wall", "text where", "wall = 0.7"},
         {"empty text for number", "wall = 0.7", "wall = \"\"", "flexspline.wall", "text where", "wall = 0.7"},
         {"date for number", "wall = 0.7", "wall = 1979-05-27", "flexspline.wall", "a date", "wall = 0.7"},

@@ -67,7 +67,7 @@ std::vector<BadKeys> const& keys()
         {{"wedm.passes=[[0.3], [0]]"}, "wedm.passes", "more than one module", "module 0.25"},
         {{"wedm.passes=[]"}, "wedm.passes", "0 rows", "at least 1 [length]"},
         {{"wedm.passes=[[-0.01], [0]]"}, "wedm.passes", "must not be negative", "at least 1 [length]"},
-        {{"wedm.passes=[0.02, 0]"}, "wedm.passes", "is no list", "at least 1 [length]"},
+        {{"wedm.passes=[0.02, true]"}, "wedm.passes", "row 2: length is no number", "at least 1 [length]"},
         {{"wedm.passes=0.02"}, "wedm.passes", "a number where a list belongs", "[[0.02], [0.005], [0]]"},
         {{"wedm.direction=back"}, "wedm.direction", "unknown word", "\"alternating\""},
         {{"wedm.lower_guide=-1"}, "wedm.lower_guide", "must not be negative", "0 or more"},

@@ -117,6 +117,23 @@ TEST_CASE("a heading whose unit is not known, or is of another quantity, is refu
     }
 }
 
+TEST_CASE("a row that cannot be a point is refused with its line", "[scene]")
+{
+    auto const [row, reason, remedy] = GENERATE(table<std::string, std::string, std::string>({
+        {"-1e300,0.12", "a length larger than any drive", "write two numbers"},
+        {"nan,0.12", "not a pair of finite numbers", "write two numbers"},
+        {"0,1323;0,14", "decimal commas", "write decimal points: 0.1323;0.14"},
+        {"0,1323 0,14", "decimal commas", "write decimal points: 0.1323 0.14"},
+    }));
+    TemporaryFolder const folder;
+    fs::copy_file(scenes + "points.toml", folder / "points.toml");
+    std::ofstream(folder / "points-flank.csv") << "x,y\n0.084,0.2\n" << row << "\n0.157,0.1\n";
+    auto const refused = hdconj_run("check points.toml", folder.path());
+    INFO(row << "\n" << refused.err);
+    CHECK(refused.status == 2);
+    CHECK_THAT(refused.err, ContainsSubstring("line 3 of") && ContainsSubstring(reason) && ContainsSubstring(remedy));
+}
+
 TEST_CASE("a hollow neutral curve names its key, and the limit that it tells is one", "[scene]")
 {
     auto const [family, large] = GENERATE(table<std::string, double>({

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A process that is killed while it writes leaves the old file or the new one.
+// A process that is killed while it writes leaves the old file or the new one, and nothing that stays.
 #include <csignal>
 #include <cstdlib>
 #include <random>
 #include <thread>
 
+#include "hdconj/file/atomic_file.hpp"
 #include "hdconj/result_files.hpp"
 #include "support/catch.hpp"
 #include "support/run_program.hpp"
@@ -30,9 +31,21 @@ using Write = void (*)(Solution const&, std::filesystem::path const&);
     }
 }
 
-/// Kills a writing process @p times times; every time the file must be one of the two.
-/// @return how often a temporary file was left, that is, how often the kill hit a write
-std::size_t kill_writers(Write write, std::string const& name, int times, std::chrono::microseconds longest)
+/// Number of temporary files of @p name in @p folder; nothing may be there but these and the three results.
+std::size_t temporaries(TemporaryFolder const& folder, std::string const& name)
+{
+    std::size_t left = 0;
+    for (auto const& found : folder.names()) {
+        bool const temporary = found.rfind("." + name + ".hdconj-", 0) == 0 && found.ends_with(".tmp");
+        CHECK((temporary || found == name || found == "one" || found == "other"));
+        left += temporary ? 1 : 0;
+    }
+    return left;
+}
+
+/// Ends a writing process @p times times by @p signal; every time the file must be one of the two.
+/// @return how often a temporary file was left, that is, how often the signal hit a write
+std::size_t end_writers(int signal, Write write, std::string const& name, int times, std::chrono::microseconds longest)
 {
     ::setenv("SOURCE_DATE_EPOCH", "1000000000", 1);
     TemporaryFolder const folder;
@@ -47,40 +60,46 @@ std::size_t kill_writers(Write write, std::string const& name, int times, std::c
 
     std::mt19937 random(1);
     std::uniform_int_distribution<long> wait(0, longest.count());
+    std::size_t hit = 0;
     for (int i = 0; i < times; ++i) {
         pid_t const child = ::fork();
-        if (child == 0)
+        if (child == 0) {
+            file::remove_temporaries_when_interrupted();
             write_for_ever(write, one, other, folder / name);
+        }
         std::this_thread::sleep_for(std::chrono::microseconds(wait(random)));
-        ::kill(child, SIGKILL);
+        ::kill(child, signal);
         int waited = 0;
         ::waitpid(child, &waited, 0);
-        REQUIRE(test::status_of_wait(waited) == 128 + SIGKILL);
+        REQUIRE(test::status_of_wait(waited) == 128 + signal);
         auto const found = content(folder / name);
         REQUIRE((found == bytes_of_one || found == bytes_of_other));
+        hit += temporaries(folder, name);
     }
-    std::size_t left = 0;
-    for (auto const& found : folder.names()) {
-        bool const temporary = found.rfind("." + name + ".hdconj-", 0) == 0 && found.ends_with(".tmp");
-        CHECK((temporary || found == name || found == "one" || found == "other"));
-        left += temporary ? 1 : 0;
-    }
+    write(one, folder / name);
+    CHECK(temporaries(folder, name) == 0);
     ::unsetenv("SOURCE_DATE_EPOCH");
-    return left;
+    return hit;
 }
 
 }  // namespace
 
 TEST_CASE("a killed process leaves the old HDF5 file or the new one")
 {
-    auto const hit = kill_writers(write_hdf5, "result.h5", 150, std::chrono::milliseconds(12));
+    auto const hit = end_writers(SIGKILL, write_hdf5, "result.h5", 150, std::chrono::milliseconds(12));
     CHECK(hit > 5);  // else the kills came at the wrong moments and nothing was tried
 }
 
 TEST_CASE("a killed process leaves the old DXF file or the new one")
 {
-    auto const hit = kill_writers(write_dxf, "result.dxf", 100, std::chrono::milliseconds(6));
+    auto const hit = end_writers(SIGKILL, write_dxf, "result.dxf", 100, std::chrono::milliseconds(6));
     CHECK(hit > 5);
+}
+
+TEST_CASE("an interrupted process leaves the old file or the new one, and no temporary file")
+{
+    int const signal = GENERATE(SIGINT, SIGTERM, SIGHUP);
+    CHECK(end_writers(signal, write_hdf5, "result.h5", 60, std::chrono::milliseconds(12)) == 0);
 }
 
 }  // namespace hdconj::test::kill_during_write_cases

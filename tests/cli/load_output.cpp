@@ -167,9 +167,8 @@ TEST_CASE("load: words about the other flanks stand above every bar", "[load][pi
     if (hdconj::test::is_missing("gnuplot"))
         return;
     TemporaryFolder const folder;
-    auto const done = load("'" HDCONJ_SOURCE_DIR
-                           "/data/scenes/type-50-elastic.toml' --torque 28 --no-curve --quiet -o a.h5 --picture a.svg",
-                           folder);
+    auto const done = load(
+        "'" HDCONJ_SOURCE_DIR "/data/scenes/type-50-elastic.toml' --no-curve --quiet -o a.h5 --picture a.svg", folder);
     INFO(done.err);
     REQUIRE(done.status == 0);
     std::string const svg = hdconj::test::content(folder / "a-pressure.svg");

@@ -18,9 +18,14 @@ namespace hdconj::file {
 /// @throws FileError
 void check_target(std::filesystem::path const& target);
 
-/// The temporary name that @ref write_atomically uses: `.NAME.hdconj-PID.tmp` beside @p target, NAME cut where the
-/// whole would be longer than a file name may be. One left over by a killed process can be deleted.
+/// The temporary name that @ref write_atomically uses: `.NAME.hdconj-PID-HOST.tmp` beside @p target, NAME cut where the
+/// whole would be longer than a file name may be. What a killed process has left is removed by the next write into that
+/// folder from the same machine.
 [[nodiscard]] std::filesystem::path temporary_name(std::filesystem::path const& target);
+
+/// From now on SIGHUP, SIGINT and SIGTERM remove all temporary files and folders of this process before they end it.
+/// For programs; a library leaves signals to its host.
+void remove_temporaries_when_interrupted();
 
 /// Calls @p write with the name of a temporary file in the same folder, flushes it to disk and renames it to
 /// @p target. On any failure the temporary file is removed and @p target is left as it was. The permissions of an

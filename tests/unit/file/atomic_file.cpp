@@ -97,7 +97,9 @@ TEST_CASE("the longest possible names can be written")
 
 TEST_CASE("a temporary name is recognisable and beside its target")
 {
-    CHECK(file::temporary_name("some/where.h5") == "some/.where.h5.hdconj-" + std::to_string(::getpid()) + ".tmp");
+    std::string const name = file::temporary_name("some/where.h5").string();
+    CHECK(name.starts_with("some/.where.h5.hdconj-" + std::to_string(::getpid()) + "-"));
+    CHECK(name.ends_with(".tmp"));
     CHECK(file::temporary_name("where.h5").parent_path() == ".");
 }
 

@@ -79,6 +79,27 @@ TEST_CASE("faults of --set say so", "[scene]")
     CHECK(only_fault({"drive=3", "!solver"}).origin == "--set");
 }
 
+TEST_CASE("a misspelt key of --set is judged as the key that it means", "[scene]")
+{
+    auto const wrong_key = only_fault({"wave_generator.radial_deformaton=0.26"});
+    CHECK(wrong_key.remedy == "write radial_deformation");
+    auto const both = examine_scene(builtin_scene_text(), "scene", {}, {"wave_generator.radial_deformaton=-3"}).faults;
+    REQUIRE(both.size() == 2);
+    CHECK(both.back().path == "wave_generator.radial_deformation");
+    CHECK(both.back().reason == "must be above 0");
+}
+
+TEST_CASE("numbers without brackets are rows where rows have one number", "[scene]")
+{
+    std::vector<std::string> const wire = {"wedm.wire_diameter=0.1", "wedm.spark_gap=0.006"};
+    auto with = [&wire](std::string const& passes) {
+        auto all = wire;
+        all.push_back("wedm.passes=" + passes);
+        return builtin_scene(all).wedm->stock;
+    };
+    CHECK(with("[0.02, 0]") == with("[[0.02], [0]]"));
+}
+
 TEST_CASE("what is no override is refused", "[scene]")
 {
     for (std::string const bad : {"flexspline.wall", "=1", "flexspline..wall=1", ".wall=1", "flexspline.wall.=1",

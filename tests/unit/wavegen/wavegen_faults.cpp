@@ -87,7 +87,7 @@ std::vector<BadTable> const tables{
     {"0,1\n45,0\n90,-1\n135,0\n180,0.9\n", "closing row differs"},
     {"0,1\n45,1\n90,1\n135,1\n", "all values are equal"},
     {"0,-0.25\n45,0\n90,0.25\n135,0\n", "not at the major axis"},
-    {"0,1e308\n45,0\n90,-1e308\n135,0\n", "more than a number can hold"},
+    {"0,1e308\n45,0\n90,-1e308\n135,0\n", "larger than any drive"},
     {"0,0.25\n45,0\n90,-0.25\n91,0.25\n135,0\n", "hollow"},
 };
 
