@@ -34,6 +34,9 @@ target_compile_definitions(hdconj_test_setup INTERFACE
 # Catch2's macros take long to optimise, and what has to be fast is compiled with the libraries.
 set(hdconj_test_options $<$<NOT:$<CONFIG:Debug>>:-O1>)
 
+# Said by tests that lack a program (tests/support/not_tried.hpp): ctest reports them as skipped.
+set(hdconj_not_tried SKIP_REGULAR_EXPRESSION "NOT TRIED: ")
+
 # main() and the precompiled Catch2, once for all programs.
 add_library(hdconj_test_main OBJECT ${main})
 target_link_libraries(hdconj_test_main PRIVATE hdconj_test_setup)
@@ -97,8 +100,9 @@ function(hdconj_tests folder)
     set(which "~[.]~[parallel]")
     add_test(NAME ${folder}.parallel COMMAND ${program} "[parallel]" ${strict})
     set_tests_properties(${folder}.parallel PROPERTIES LABELS "${folder};parallel" TIMEOUT ${timeout}
-                                                              ENVIRONMENT "${HDCONJ_TEST_ENVIRONMENT}")
+                                                              ENVIRONMENT "${HDCONJ_TEST_ENVIRONMENT}"
+                                                              ${hdconj_not_tried})
   endif()
   catch_discover_tests(${program} TEST_SPEC "${which}" TEST_PREFIX "${folder}." EXTRA_ARGS ${strict}
-                       PROPERTIES LABELS ${folder} TIMEOUT ${timeout} ENVIRONMENT ${hdconj_test_spin})
+                       PROPERTIES LABELS ${folder} TIMEOUT ${timeout} ENVIRONMENT ${hdconj_test_spin} ${hdconj_not_tried})
 endfunction()

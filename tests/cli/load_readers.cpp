@@ -4,6 +4,7 @@
 
 #include "hdconj/load_files.hpp"
 #include "support/catch.hpp"
+#include "support/not_tried.hpp"
 #include "support/rig_loop.hpp"
 #include "support/run_program.hpp"
 #include "support/temporary_folder.hpp"
@@ -22,7 +23,7 @@ bool is_missing(std::string const& modules)
 {
     if (!std::string(HDCONJ_PYTHON).empty() && run(python + "-c 'import " + modules + "'").status == 0)
         return false;
-    WARN("no python with " << modules << ": not tried");
+    not_tried("python with " + modules);
     return true;
 }
 

@@ -3,6 +3,7 @@
 #include "hdconj/contact_files.hpp"
 #include "hdconj/mesh_files.hpp"
 #include "support/catch.hpp"
+#include "support/not_tried.hpp"
 #include "support/run_program.hpp"
 #include "support/sample_contact_study.hpp"
 #include "support/temporary_folder.hpp"
@@ -18,7 +19,7 @@ bool skipped_without(std::string const& program)
 {
     bool const missing = test::is_missing(program);
     if (missing)
-        WARN(program << " is not installed: not tried");
+        not_tried(program);
     return missing;
 }
 
@@ -29,7 +30,7 @@ std::string const reader = std::string("'" HDCONJ_PYTHON "' '") + HDCONJ_SOURCE_
 TEST_CASE("h5py and ezdxf read the files and find the documented layout")
 {
     if (std::string(HDCONJ_PYTHON).empty()) {
-        WARN("no python with h5py and ezdxf: not tried");
+        not_tried("python with h5py and ezdxf");
         return;
     }
     TemporaryFolder const folder;
@@ -49,7 +50,7 @@ TEST_CASE("h5py and ezdxf read the files and find the documented layout")
 TEST_CASE("h5py reads a contact result and finds the documented layout")
 {
     if (std::string(HDCONJ_PYTHON).empty()) {
-        WARN("no python with h5py and ezdxf: not tried");
+        not_tried("python with h5py and ezdxf");
         return;
     }
     TemporaryFolder const folder;
@@ -62,7 +63,7 @@ TEST_CASE("h5py reads a contact result and finds the documented layout")
 TEST_CASE("surfaces of tooth and ring are read by other programs and are the slices")
 {
     if (std::string(HDCONJ_PYTHON).empty()) {
-        WARN("no python with h5py and ezdxf: not tried");
+        not_tried("python with h5py and ezdxf");
         return;
     }
     TemporaryFolder const folder;
@@ -82,7 +83,7 @@ TEST_CASE("surfaces of tooth and ring are read by other programs and are the sli
     INFO(read.out + read.err);
     CHECK(read.status == 0);
     if (read.out.find("no meshio") != std::string::npos)
-        WARN("meshio is not installed: surfaces were read by other means");
+        not_tried("python with meshio");
     // The reader sees a wrong gap and a wrong point.
     study.map.gap[study.map.index(1, GapMap::right, 1, 20)] += 1e-6;
     write_vtk(study, folder / "ring.vtk", ring);

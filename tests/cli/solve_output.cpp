@@ -10,6 +10,7 @@
 
 #include "hdconj_run.hpp"
 #include "support/catch.hpp"
+#include "support/not_tried.hpp"
 #include "support/read_hdf5.hpp"
 
 namespace hdconj::test::solve_output_cases {
@@ -129,7 +130,7 @@ TEST_CASE("targets that cannot be written end with 1 and the reason")
 TEST_CASE("all files of a real run are read by other programs")
 {
     if (std::string(HDCONJ_PYTHON).empty() || is_missing("gnuplot")) {
-        WARN("no python with h5py and ezdxf, or no gnuplot: not tried");
+        not_tried("python with h5py and ezdxf, or gnuplot");
         return;
     }
     TemporaryFolder const folder;

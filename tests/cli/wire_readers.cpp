@@ -5,6 +5,7 @@
 
 #include "hdconj/wire_files.hpp"
 #include "support/catch.hpp"
+#include "support/not_tried.hpp"
 #include "support/run_program.hpp"
 #include "support/sample_wire_program.hpp"
 #include "support/temporary_folder.hpp"
@@ -21,7 +22,7 @@ std::string const reader = "'" HDCONJ_PYTHON "' '" HDCONJ_SOURCE_DIR "/tests/cli
 bool no_python()
 {
     if (std::string(HDCONJ_PYTHON).empty()) {
-        WARN("no python with numpy: not tried");
+        not_tried("python with numpy");
         return true;
     }
     return false;
@@ -55,7 +56,7 @@ TEST_CASE("every dialect of a toothed ring is read back to both faces and its wi
     CHECK(read.status == 0);
     for (std::string const missing : {"LinuxCNC", "GDAL", "ezdxf", "shapely"}) {
         if (read.out.find(missing + " is not installed") != std::string::npos)
-            WARN(missing + " is not installed: not tried");
+            not_tried(missing);
     }
     for (auto const& [file, from, to] :
          {std::array<std::string, 3>{"ring_xyuv_guide_pass2.ngc", "\nN40 G1 X", "\nN40 G1 X1"},

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <string>
 
-#include "catch.hpp"
+#include "not_tried.hpp"
 #include "report/plots/gnuplot.hpp"
 
 namespace hdconj::test {
@@ -17,7 +17,7 @@ inline constexpr double six_digits = 1e-5;  ///< relative, of what scripts print
 inline bool no_gnuplot()
 {
     if (!report::gnuplot::is_installed()) {
-        WARN("gnuplot is not installed: no picture was drawn");
+        not_tried("gnuplot");
         return true;
     }
     return false;
