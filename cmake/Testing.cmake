@@ -104,5 +104,6 @@ function(hdconj_tests folder)
                                                               ${hdconj_not_tried})
   endif()
   catch_discover_tests(${program} TEST_SPEC "${which}" TEST_PREFIX "${folder}." EXTRA_ARGS ${strict}
-                       PROPERTIES LABELS ${folder} TIMEOUT ${timeout} ENVIRONMENT ${hdconj_test_spin} ${hdconj_not_tried})
+                       PROPERTIES LABELS ${folder} TIMEOUT ${timeout} ENVIRONMENT ${hdconj_test_spin}
+                                  ${hdconj_not_tried})
 endfunction()
