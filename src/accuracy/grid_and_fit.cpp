@@ -56,9 +56,8 @@ double nearest_contact(profile::PieceShape const& shape, motion::MotionRates con
 
 /// Profile parameters of the contacts of @p motion at @p count equal steps from @p from to @p to: of @p piece itself
 /// where that is the drive's motion, else of the contact of that motion nearest to it.
-template <motion::RelativeMotion Motion>
-std::vector<double> contacts_of(StudyDrive const& drive, Motion const& motion, conjugate::BoundaryPiece const& piece,
-                                double from, double to, int count, bool own)
+std::vector<double> contacts_of(StudyDrive const& drive, motion::AnyMotion const& motion,
+                                conjugate::BoundaryPiece const& piece, double from, double to, int count, bool own)
 {
     envelope::ContactArc const& arc = drive.arc(piece);
     profile::PieceShape const& shape = drive.tooth.pieces[static_cast<std::size_t>(arc.piece)].shape;
@@ -75,18 +74,16 @@ std::vector<double> contacts_of(StudyDrive const& drive, Motion const& motion, c
 }
 
 /// A motion, and where it has the stretch that is fitted.
-template <motion::RelativeMotion Motion>
 struct FittedMotion
 {
-    Motion const& motion;
+    motion::AnyMotion motion;
     double from, to;
     char const* model;
     bool own;  ///< that of the drive
 };
 
-template <motion::RelativeMotion Motion>
 void fit_series(StudyBench const& bench, ReferenceCurve const& truth, conjugate::BoundaryPiece const& piece,
-                FittedMotion<Motion> const& fitted)
+                FittedMotion const& fitted)
 {
     StudyRecord record;
     record.study = "polynomial-fit";
@@ -164,30 +161,17 @@ void study_fit(StudyBench const& bench)
     char const* const model = drive.scene.solver.kinematics == Kinematics::exact      ? "exact motion"
                               : drive.scene.solver.kinematics == Kinematics::material ? "material"
                                                                                       : "first order";
-    auto const own = [&](auto const& motion) {
-        fit_series(bench, truth, *piece,
-                   FittedMotion<std::decay_t<decltype(motion)>>{motion, piece->begin, piece->end, model, true});
-    };
-    if (!drive.exact)
-        return own(drive.motion(*piece));
-    if (drive.reverse())
-        own(drive.motion(*piece));
-    else
-        own(*drive.exact);
-    motion::FirstOrderMotion<wavegen::AnyWaveShape> const first(
+    fit_series(bench, truth, *piece, {drive.motion(*piece), piece->begin, piece->end, model, true});
+    if (drive.scene.solver.kinematics != Kinematics::exact)
+        return;
+    auto first = motion::AnyMotion::owning(motion::FirstOrderMotion<wavegen::AnyWaveShape>(
         drive.shape, drive.geometry.r_m,
-        static_cast<double>(drive.scene.drive.flexspline_teeth) / drive.scene.drive.circular_spline_teeth);
-    auto const phi = [&](double u) { return drive.motion().angles(u).phi; };
-    auto const thesis = [&](auto const& motion) {
-        fit_series(bench, truth, *piece,
-                   FittedMotion<std::decay_t<decltype(motion)>>{motion, phi(piece->begin), phi(piece->end),
-                                                                "first order", false});
-    };
+        static_cast<double>(drive.scene.drive.flexspline_teeth) / drive.scene.drive.circular_spline_teeth));
     if (drive.reverse())
-        thesis(StudyMotion(first).seen_from_flexspline(drive.numbers[drive.tooth_of(*piece)], drive.pitch,
-                                                       drive.seat_radius));
-    else
-        thesis(first);
+        first =
+            motion::seen_from_flexspline(first, drive.numbers[drive.tooth_of(*piece)], drive.pitch, drive.seat_radius);
+    auto const phi = [&](double u) { return drive.motion().angles(u).phi; };
+    fit_series(bench, truth, *piece, {first, phi(piece->begin), phi(piece->end), "first order", false});
 }
 
 }  // namespace hdconj::accuracy

@@ -48,10 +48,10 @@ void in_type(StudyBench const& bench, ReferenceCurve const& truth, profile::ArcP
 }
 
 /// Those of the program itself.
-template <class Motion>
-void by_program(StudyBench const& bench, ReferenceCurve const& truth, envelope::Envelope<Motion> const& envelope,
-                conjugate::BoundaryPiece const& piece, std::vector<double> const& u)
+void by_program(StudyBench const& bench, ReferenceCurve const& truth, conjugate::BoundaryPiece const& piece,
+                std::vector<double> const& u)
 {
+    envelope::AnyEnvelope const envelope = bench.drive.envelope(piece);
     envelope::ContactArc const& arc = bench.drive.arc(piece);
     StudyRecord record;
     record.study = "number-type";
@@ -118,11 +118,7 @@ void study_precision(StudyBench const& bench)
     in_type<double>(bench, truth, circle, arc.candidate, tooth, u, "double");
     in_type<long double>(bench, truth, circle, arc.candidate, tooth, u, "long double");
 
-    if (drive.exact && !drive.reverse())
-        by_program(bench, truth, envelope::Envelope<StudyExactMotion>(drive.tooth, *drive.exact, drive.offset),
-                   in_place, u);
-    else
-        by_program(bench, truth, drive.envelope(in_place), in_place, u);
+    by_program(bench, truth, in_place, u);
 }
 
 }  // namespace hdconj::accuracy

@@ -63,7 +63,8 @@ double residual_of(StudyDrive const& drive, Solution const& solution, std::size_
             profile::ProfilePiece const* const piece = piece_at(drive.tooth, branch.segment, branch.t[i]);
             if (piece == nullptr)
                 continue;
-            MovingFrame<Wide> const place = view.at(drive.exact ? branch.u[i] : branch.phi[i]);
+            MovingFrame<Wide> const place =
+                view.at(drive.scene.solver.kinematics == Kinematics::exact ? branch.u[i] : branch.phi[i]);
             Pair<Wide> const p{branch.point[i].x() - place.origin.x, branch.point[i].y() + lifted - place.origin.y};
             Pair<Wide> const x{inner(p, place.along), inner(p, place.outward)};
             Wide const local = (Wide(branch.t[i]) - piece->t_begin) / (Wide(piece->t_end) - piece->t_begin);

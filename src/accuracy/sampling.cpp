@@ -30,26 +30,13 @@ std::vector<Vec2> boundary_points(StudyDrive const& drive, Sampled const& sample
     return all;
 }
 
-/// Calls @p use with what gives the envelope of a piece: compiled for the exact motion where that is the model, since
-/// what is measured is its speed.
-template <class Use>
-auto with_envelopes(StudyDrive const& drive, Use const& use)
-{
-    if (drive.exact && !drive.reverse())
-        return use([&](conjugate::BoundaryPiece const&) {
-            return envelope::Envelope<StudyExactMotion>(drive.tooth, *drive.exact, drive.offset);
-        });
-    return use([&](conjugate::BoundaryPiece const& piece) { return drive.envelope(piece); });
-}
-
 /// Every piece with its own ends and the grid points between them.
-template <class EnvelopeOf>
-std::vector<Vec2> uniform_points(StudyDrive const& drive, EnvelopeOf const& envelope_of, long count)
+std::vector<Vec2> uniform_points(StudyDrive const& drive, long count)
 {
     double const step = 2 * drive.motion().half_lobe() / static_cast<double>(count);
     return boundary_points(drive, [&](conjugate::BoundaryPiece const& piece) {
         envelope::ContactArc const& arc = drive.arc(piece);
-        auto const envelope = envelope_of(piece);
+        envelope::AnyEnvelope const envelope = drive.envelope(piece);
         std::vector<Vec2> points{envelope.point(arc, piece.begin).p};
         bool const up = piece.end > piece.begin;
         double const a = std::min(piece.begin, piece.end) / step, b = std::max(piece.begin, piece.end) / step;
@@ -69,13 +56,12 @@ struct AdaptivePoints
     double estimate = 0;
 };
 
-template <class EnvelopeOf>
-AdaptivePoints adaptive_points(StudyDrive const& drive, EnvelopeOf const& envelope_of, double chord)
+AdaptivePoints adaptive_points(StudyDrive const& drive, double chord)
 {
     AdaptivePoints made;
     made.points = boundary_points(drive, [&](conjugate::BoundaryPiece const& piece) {
         envelope::SampledArc const sampled =
-            envelope::sample_arc(envelope_of(piece), drive.arc(piece), piece.begin, piece.end, chord, 1);
+            envelope::sample_arc(drive.envelope(piece), drive.arc(piece), piece.begin, piece.end, chord, 1);
         made.evaluations += sampled.evaluations;
         made.estimate = std::max({made.estimate, sampled.chord, sampled.error});
         std::vector<Vec2> points;
@@ -108,10 +94,7 @@ void study_sampling(StudyBench const& bench)
                                                       : last);
          power += 2) {
         long const count = 1L << power;
-        auto const make = [&] {
-            return with_envelopes(drive,
-                                  [&](auto const& envelope_of) { return uniform_points(drive, envelope_of, count); });
-        };
+        auto const make = [&] { return uniform_points(drive, count); };
         std::vector<Vec2> const points = make();
         StudyRecord record = sampling_record("equal steps of u", "steps over the lobe", static_cast<double>(count));
         CurveDifference const difference = truth.compare(points, drive.height());
@@ -124,10 +107,7 @@ void study_sampling(StudyBench const& bench)
     for (double const chord : tolerances_of(drive.scene.drive, bench.quick     ? chords_of_quick
                                                                : bench.sampled ? chords_of_sample
                                                                                : chords)) {
-        auto const make = [&] {
-            return with_envelopes(drive,
-                                  [&](auto const& envelope_of) { return adaptive_points(drive, envelope_of, chord); });
-        };
+        auto const make = [&] { return adaptive_points(drive, chord); };
         AdaptivePoints const made = make();
         StudyRecord record = sampling_record("adaptive", "chord", chord);
         CurveDifference const difference = truth.compare(made.points, drive.height());

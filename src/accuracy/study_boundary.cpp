@@ -19,7 +19,7 @@ namespace {
 void add_arcs(StudyDrive& drive, std::size_t which)
 {
     envelope::BranchSet const set =
-        envelope::find_branches(envelope::Envelope<StudyMotion>(drive.tooth, drive.motions[which], drive.offset), 1);
+        envelope::find_branches(envelope::AnyEnvelope(drive.tooth, drive.motions[which], drive.offset), 1);
     drive.branches += set.branches.size();
     for (envelope::Branch const& branch : set.branches)
         drive.arcs.insert(drive.arcs.end(), branch.arcs.begin(), branch.arcs.end());
@@ -62,27 +62,27 @@ void find_tooth_space(StudyDrive& drive)
     add_arcs(drive, 0);
     double const scale = drive.geometry.r_m + drive.geometry.w0 + drive.tooth.pitch_line + drive.tooth.addendum;
     Tolerance const tolerance{scale * 0x1p-44, scale};
-    envelope::Envelope<StudyMotion> const envelope(drive.tooth, drive.motion(), drive.offset);
-    distance::FullTurnClearance<StudyMotion> const clearance(drive.tooth, drive.motion(), drive.pitch,
-                                                             pitches_of_lobe(drive.scene));
+    envelope::AnyEnvelope const envelope(drive.tooth, drive.motion(), drive.offset);
+    distance::FullTurnClearance<motion::AnyMotion> const clearance(drive.tooth, drive.motion(), drive.pitch,
+                                                                   pitches_of_lobe(drive.scene));
     until_clear(drive, clearance, [&](double chord) {
-        drive.pieces =
-            conjugate::ToothSpaceFinder<StudyMotion>(envelope, drive.arcs, drive.geometry.circular_spline_inner_radius,
-                                                     drive.scene.drive.circular_spline_teeth, tolerance, chord)()
-                .pieces;
+        drive.pieces = conjugate::ToothSpaceFinder<motion::AnyMotion>(
+                           envelope, drive.arcs, drive.geometry.circular_spline_inner_radius,
+                           drive.scene.drive.circular_spline_teeth, tolerance, chord)()
+                           .pieces;
     });
 }
 
 /// The flexspline tooth that they leave.
 void find_tooth_body(StudyDrive& drive)
 {
-    std::vector<conjugate::SweptTooth<StudyMotion>> teeth;
+    std::vector<conjugate::SweptTooth<motion::AnyMotion>> teeth;
     std::vector<int> first_arc;
     for (std::size_t j = 0; j < drive.motions.size(); ++j) {
         std::size_t const before = drive.arcs.size();
         first_arc.push_back(static_cast<int>(before));
         add_arcs(drive, j);
-        teeth.push_back({envelope::Envelope<StudyMotion>(drive.tooth, drive.motions[j], drive.offset),
+        teeth.push_back({envelope::AnyEnvelope(drive.tooth, drive.motions[j], drive.offset),
                          std::vector<envelope::ContactArc>(drive.arcs.begin() + static_cast<std::ptrdiff_t>(before),
                                                            drive.arcs.end())});
     }
@@ -91,11 +91,11 @@ void find_tooth_body(StudyDrive& drive)
         piece.arc += first_arc[static_cast<std::size_t>(piece.copy)];
         return piece;
     };
-    distance::ReverseFullTurnClearance<StudyMotion> const clearance(drive.tooth, drive.flexspline.front(), drive.pitch,
-                                                                    drive.seat_radius, pitches_of_lobe(drive.scene));
+    distance::ReverseFullTurnClearance<motion::AnyMotion> const clearance(
+        drive.tooth, drive.flexspline.front(), drive.pitch, drive.seat_radius, pitches_of_lobe(drive.scene));
     until_clear(drive, clearance, [&](double chord) {
         conjugate::ToothBody const body =
-            conjugate::ToothBodyFinder<StudyMotion>(teeth, drive.limits, tolerance, chord)();
+            conjugate::ToothBodyFinder<motion::AnyMotion>(teeth, drive.limits, tolerance, chord)();
         drive.pieces.assign(1, {});
         for (auto piece = body.left.rbegin(); piece != body.left.rend(); ++piece) {
             drive.pieces.push_back(numbered(*piece));

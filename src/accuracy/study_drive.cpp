@@ -16,6 +16,7 @@
 #include "hdconj/envelope/avoid_stationary_centres.hpp"
 #include "hdconj/envelope/find_branches.hpp"
 #include "hdconj/error.hpp"
+#include "hdconj/motion/exact_motion.hpp"
 #include "hdconj/motion/first_order_motion.hpp"
 #include "hdconj/motion/material_motion.hpp"
 #include "hdconj/profile/registry.hpp"
@@ -77,20 +78,22 @@ std::vector<std::array<double, 2>> rows_of(Scene const& scene)
 }
 
 /// The flexspline tooth's motion.
-StudyMotion motion_of(StudyDrive& drive, double ratio)
+motion::AnyMotion motion_of(StudyDrive const& drive, double ratio)
 {
     double const r_m = drive.geometry.r_m;
     switch (drive.scene.solver.kinematics) {
         case Kinematics::first_order:
-            return StudyMotion(motion::FirstOrderMotion<wavegen::AnyWaveShape>(drive.shape, r_m, ratio));
+            return motion::AnyMotion::owning(motion::FirstOrderMotion<wavegen::AnyWaveShape>(drive.shape, r_m, ratio));
         case Kinematics::material:
-            return StudyMotion(motion::MaterialMotion(wavegen::inextensional_mode(drive.shape), r_m, ratio));
+            return motion::AnyMotion::owning(
+                motion::MaterialMotion(wavegen::inextensional_mode(drive.shape), r_m, ratio));
         case Kinematics::exact:
             break;
     }
-    drive.exact =
-        std::make_shared<StudyExactMotion const>(wavegen::NeutralCurve<wavegen::AnyWaveShape>(drive.shape, r_m), ratio);
-    return StudyMotion(*drive.exact);
+    motion::ExactMotion<wavegen::AnyWaveShape> exact(wavegen::NeutralCurve<wavegen::AnyWaveShape>(drive.shape, r_m),
+                                                     ratio);
+    auto const closed_form = motion::cosine_form(exact);
+    return motion::AnyMotion::owning(std::move(exact), closed_form);
 }
 
 /// The circular-spline teeth that pass the flexspline tooth's centre line in a lobe, as it sees them.
@@ -106,7 +109,8 @@ void see_from_flexspline(StudyDrive& drive)
     int const beside = (pitches_of_lobe(drive.scene) - 1) / 2;
     for (int number = -beside; number <= 1 + beside; ++number) {
         drive.numbers.push_back(number);
-        drive.motions.push_back(drive.flexspline.front().seen_from_flexspline(number, drive.pitch, drive.seat_radius));
+        drive.motions.push_back(
+            motion::seen_from_flexspline(drive.flexspline.front(), number, drive.pitch, drive.seat_radius));
     }
 }
 
@@ -192,7 +196,7 @@ StudyDrive study_drive(Scene const& scene)
     return drive;
 }
 
-std::vector<double> fold_angles(StudyMotion const& motion, std::vector<profile::CurvePiece> const& pieces)
+std::vector<double> fold_angles(motion::AnyMotion const& motion, std::vector<profile::CurvePiece> const& pieces)
 {
     profile::Profile flank;
     flank.segment_names = {"flank"};
@@ -200,7 +204,7 @@ std::vector<double> fold_angles(StudyMotion const& motion, std::vector<profile::
         flank.pieces.push_back({piece, 0, 0, 1, false});
     std::vector<double> angles;
     for (envelope::Branch const& branch :
-         envelope::find_branches(envelope::Envelope<StudyMotion>(flank, motion, 0), 1).branches) {
+         envelope::find_branches(envelope::AnyEnvelope(flank, motion, 0), 1).branches) {
         for (envelope::ContactArc const& arc : branch.arcs) {
             if (arc.begins == envelope::BranchEnd::double_root)
                 angles.push_back(arc.u_begin);

@@ -11,11 +11,10 @@
 #include "accuracy/reference/reference_motion.hpp"
 #include "hdconj/conjugate/tooth_body.hpp"
 #include "hdconj/conjugate/tooth_space.hpp"
-#include "hdconj/envelope/envelope.hpp"
+#include "hdconj/envelope/any_envelope.hpp"
 #include "hdconj/profile/profile.hpp"
 #include "hdconj/solution.hpp"
 #include "hdconj/wavegen/registry.hpp"
-#include "study_motion.hpp"
 
 namespace hdconj::accuracy {
 
@@ -30,12 +29,11 @@ struct StudyDrive
     PairGeometry geometry;
     profile::Profile tooth;  ///< the given one
     wavegen::AnyWaveShape shape;
-    std::shared_ptr<StudyExactMotion const> exact;  ///< where that is the model; else null
-    std::vector<StudyMotion>
+    std::vector<motion::AnyMotion>
         motions;  ///< of the given tooth: one; in the reverse problem of each circular-spline tooth that matters
-    std::vector<int> numbers;                ///< of these teeth
-    std::vector<StudyMotion> flexspline;     ///< reverse problem: the motion that these are seen from; else empty
-    std::vector<envelope::ContactArc> arcs;  ///< of all of them
+    std::vector<int> numbers;                   ///< of these teeth
+    std::vector<motion::AnyMotion> flexspline;  ///< reverse problem: the motion that these are seen from; else empty
+    std::vector<envelope::ContactArc> arcs;     ///< of all of them
     std::vector<conjugate::BoundaryPiece> pieces;
     double pitch = 0;
     double offset = 0;
@@ -48,12 +46,12 @@ struct StudyDrive
     {
         return reverse() ? static_cast<std::size_t>(piece.copy) : 0;
     }
-    [[nodiscard]] StudyMotion const& motion() const { return motions.front(); }
-    [[nodiscard]] StudyMotion const& motion(conjugate::BoundaryPiece const& piece) const
+    [[nodiscard]] motion::AnyMotion const& motion() const { return motions.front(); }
+    [[nodiscard]] motion::AnyMotion const& motion(conjugate::BoundaryPiece const& piece) const
     {
         return motions[tooth_of(piece)];
     }
-    [[nodiscard]] envelope::Envelope<StudyMotion> envelope(conjugate::BoundaryPiece const& piece) const
+    [[nodiscard]] envelope::AnyEnvelope envelope(conjugate::BoundaryPiece const& piece) const
     {
         return {tooth, motion(piece), offset};
     }
@@ -101,7 +99,7 @@ void find_boundary(StudyDrive& drive);
 [[nodiscard]] StudyDrive study_drive(Scene const& scene);
 
 /// Where two contacts of a flank made of @p pieces merge.
-[[nodiscard]] std::vector<double> fold_angles(StudyMotion const& motion,
+[[nodiscard]] std::vector<double> fold_angles(motion::AnyMotion const& motion,
                                               std::vector<profile::CurvePiece> const& pieces);
 
 /// The boundary in 50 digits, in the frame of the outline. Which stretch follows which is taken from @p drive, where a

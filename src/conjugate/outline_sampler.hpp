@@ -3,107 +3,36 @@
 /// Points of the circular spline's toothed boundary, from the pieces that bound its tooth space.
 #pragma once
 
-#include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
 
-#include "contact_at_end.hpp"
 #include "hdconj/conjugate/tooth_space.hpp"
-#include "hdconj/envelope/sample.hpp"
+#include "hdconj/envelope/any_envelope.hpp"
 #include "outline.hpp"
 
 namespace hdconj::conjugate {
 
 /// Samples boundary pieces to a chord error, each by itself: in any order, by any thread. Neighbours share their common
 /// point. What it is made of must outlive it.
-template <motion::RelativeMotion Motion>
 class OutlineSampler
 {
   public:
     /// @param pitch  of the circular spline's teeth [rad]
     /// @param chord  [mm]
-    OutlineSampler(envelope::Envelope<Motion> const& envelope, std::vector<envelope::ContactArc> const& arcs,
-                   std::vector<BoundaryPiece> pieces, double pitch, double chord)
-        : envelope_(envelope),
-          arcs_(arcs),
-          pieces_(std::move(pieces)),
-          pitch_(pitch),
-          chord_(chord),
-          sampled_(pieces_.size())
-    {
-    }
+    OutlineSampler(envelope::AnyEnvelope const& envelope, std::vector<envelope::ContactArc> const& arcs,
+                   std::vector<BoundaryPiece> pieces, double pitch, double chord);
 
     [[nodiscard]] std::size_t count() const { return pieces_.size(); }
 
     /// About how many chords a piece takes, for sharing out work; land is none.
-    [[nodiscard]] double expected(std::size_t i) const
-    {
-        BoundaryPiece const& piece = pieces_[i];
-        if (piece.arc < 0)
-            return 0;
-        envelope::ContactArc window = arc(piece);
-        window.u_begin = std::min(piece.begin, piece.end);
-        window.u_end = std::max(piece.begin, piece.end);
-        return envelope::expected_chords(envelope_, window, chord_);
-    }
+    [[nodiscard]] double expected(std::size_t i) const;
 
     /// Samples a piece, before joined(). @param threads  for its points
-    void sample(std::size_t i, int threads)
-    {
-        BoundaryPiece const& piece = pieces_[i];
-        if (piece.arc < 0)
-            return;
-        envelope::SampledArc const found =
-            envelope::sample_arc(envelope_, arc(piece), piece.begin, piece.end, chord_, threads);
-        Sampled& kept = sampled_[i];
-        kept.chord = found.chord;
-        kept.error = found.error;
-        kept.evaluations = found.evaluations;
-        kept.points.reserve(found.points.size());
-        for (envelope::EnvelopePoint const& e : found.points)
-            kept.points.push_back(piece.copy == 0 ? e.p : turned_clockwise(e.p, piece.copy * pitch_));
-    }
+    void sample(std::size_t i, int threads);
 
     /// All pieces, one after the other; they have been sampled. @param tip_radius  of land [mm]
-    [[nodiscard]] Outline joined(double tip_radius) const
-    {
-        Outline outline;
-        std::size_t count = 1;
-        for (std::size_t i = 0; i < pieces_.size(); ++i)
-            count += pieces_[i].arc < 0 ? land_chords(tip_radius, pieces_[i].begin, pieces_[i].end, chord_)
-                                        : sampled_[i].points.size() - 1;
-        outline.points.reserve(count);
-        BoundaryPiece const* before = nullptr;  // the one that ends where this one begins, unless it is land
-        for (std::size_t i = 0; i < pieces_.size(); ++i) {
-            BoundaryPiece const& piece = pieces_[i];
-            if (piece.arc < 0) {
-                append_land(outline, tip_radius, piece.begin, piece.end, chord_);
-                before = nullptr;
-                continue;
-            }
-            Sampled const& sampled = sampled_[i];
-            outline.chord = std::max(outline.chord, sampled.chord);
-            outline.error = std::max(outline.error, sampled.error);
-            outline.evaluations += sampled.evaluations;
-            std::size_t const first = outline.points.empty() ? 0 : outline.points.size() - 1;
-            outline.points.insert(outline.points.end(), sampled.points.begin() + (outline.points.empty() ? 0 : 1),
-                                  sampled.points.end());
-            OutlineKind const kind = kind_of(piece);
-            int const segment = made_by(piece).segment;
-            bool const goes_on = before != nullptr &&
-                                 contact_goes_on({arc(*before).piece, before->copy, before->end},
-                                                 {arc(piece).piece, piece.copy, piece.begin}, made_by(piece).corner) &&
-                                 outline.stretches.back().kind == kind && outline.stretches.back().segment == segment;
-            if (goes_on)
-                outline.stretches.back().last = outline.points.size() - 1;
-            else
-                outline.stretches.push_back({kind, segment, first, outline.points.size() - 1});
-            before = &piece;
-        }
-        return outline;
-    }
+    [[nodiscard]] Outline joined(double tip_radius) const;
 
   private:
     struct Sampled
@@ -114,23 +43,12 @@ class OutlineSampler
         std::size_t evaluations = 0;
     };
 
-    [[nodiscard]] envelope::ContactArc const& arc(BoundaryPiece const& piece) const
-    {
-        return arcs_[static_cast<std::size_t>(piece.arc)];
-    }
-    [[nodiscard]] profile::ProfilePiece const& made_by(BoundaryPiece const& piece) const
-    {
-        return envelope_.profile().pieces[static_cast<std::size_t>(arc(piece).piece)];
-    }
+    [[nodiscard]] envelope::ContactArc const& arc(BoundaryPiece const& piece) const;
+    [[nodiscard]] profile::ProfilePiece const& made_by(BoundaryPiece const& piece) const;
 
-    [[nodiscard]] OutlineKind kind_of(BoundaryPiece const& piece) const
-    {
-        if (made_by(piece).corner)
-            return OutlineKind::corner;
-        return profile::is_tip(envelope_.profile(), arc(piece).piece) ? OutlineKind::bottom : OutlineKind::flank;
-    }
+    [[nodiscard]] OutlineKind kind_of(BoundaryPiece const& piece) const;
 
-    envelope::Envelope<Motion> const& envelope_;
+    envelope::AnyEnvelope const& envelope_;
     std::vector<envelope::ContactArc> const& arcs_;
     std::vector<BoundaryPiece> pieces_;
     double pitch_;
@@ -139,16 +57,9 @@ class OutlineSampler
 };
 
 /// Samples every piece to the chord error.
-template <motion::RelativeMotion Motion>
-[[nodiscard]] Outline sample_outline(envelope::Envelope<Motion> const& envelope,
+[[nodiscard]] Outline sample_outline(envelope::AnyEnvelope const& envelope,
                                      std::vector<envelope::ContactArc> const& arcs,
                                      std::vector<BoundaryPiece> const& pieces, double tip_radius, double pitch,
-                                     double chord, int threads)
-{
-    OutlineSampler<Motion> sampler(envelope, arcs, pieces, pitch, chord);
-    for (std::size_t i = 0; i < sampler.count(); ++i)
-        sampler.sample(i, threads);
-    return sampler.joined(tip_radius);
-}
+                                     double chord, int threads);
 
 }  // namespace hdconj::conjugate

@@ -73,8 +73,7 @@ envelope::SampledArc ToothSpaceBoundary::sampled(BoundaryPiece const& piece, dou
 
 ToothSpaceBoundary ToothSpaceBoundary::moved_along_normal(double distance, Tolerance const& tolerance) const
 {
-    ToothSpaceBoundary moved(owner_, *tooth_, *motion_, offset() + distance, arcs_, pieces_, tip_radius_ + distance,
-                             pitch_);
+    ToothSpaceBoundary moved(tooth_, *motion_, offset() + distance, arcs_, pieces_, tip_radius_ + distance, pitch_);
     if (distance == 0)
         return moved;
     std::vector<BoundaryPiece> before;  // as they are here, those that are left

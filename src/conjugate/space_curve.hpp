@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "hdconj/conjugate/tooth_space.hpp"
-#include "hdconj/motion/erased_motion.hpp"
+#include "hdconj/envelope/any_envelope.hpp"
 #include "outline.hpp"
 
 namespace hdconj::conjugate {
@@ -29,17 +29,15 @@ struct CurvePoint
 class ToothSpaceBoundary
 {
   public:
-    /// @param owner    keeps @p tooth and the object behind @p motion alive
     /// @param offset   side clearance of the arcs [mm]
     /// @param pieces   left mid-land to right mid-land, cut where x = 0
     /// @param pitch    of the circular spline [rad]
-    ToothSpaceBoundary(std::shared_ptr<void const> owner, profile::Profile const& tooth, motion::ErasedMotion motion,
-                       double offset, std::vector<envelope::ContactArc> arcs, std::vector<BoundaryPiece> pieces,
-                       double tip_radius, double pitch)
-        : owner_(std::move(owner)),
-          tooth_(&tooth),
-          motion_(std::make_shared<motion::ErasedMotion>(motion)),
-          envelope_(tooth, *motion_, offset),
+    ToothSpaceBoundary(std::shared_ptr<profile::Profile const> tooth, motion::AnyMotion motion, double offset,
+                       std::vector<envelope::ContactArc> arcs, std::vector<BoundaryPiece> pieces, double tip_radius,
+                       double pitch)
+        : tooth_(std::move(tooth)),
+          motion_(std::make_shared<motion::AnyMotion>(std::move(motion))),
+          envelope_(*tooth_, *motion_, offset),
           arcs_(std::move(arcs)),
           pieces_(std::move(pieces)),
           tip_radius_(tip_radius),
@@ -48,7 +46,7 @@ class ToothSpaceBoundary
     }
 
     [[nodiscard]] profile::Profile const& tooth() const { return *tooth_; }
-    [[nodiscard]] motion::ErasedMotion const& motion() const { return *motion_; }
+    [[nodiscard]] motion::AnyMotion const& motion() const { return *motion_; }
     [[nodiscard]] std::vector<BoundaryPiece> const& pieces() const { return pieces_; }
     [[nodiscard]] envelope::ContactArc const& arc(BoundaryPiece const& piece) const
     {
@@ -109,15 +107,14 @@ class ToothSpaceBoundary
                                 Tolerance const& tolerance) const;
     /// Distance of the nearest corner of a land [mm].
     [[nodiscard]] double nearest_corner_of_land(envelope::SampledArc const& from) const;
-    [[nodiscard]] TurnedArc<motion::ErasedMotion> turned(BoundaryPiece const& piece) const
+    [[nodiscard]] TurnedArc<motion::AnyMotion> turned(BoundaryPiece const& piece) const
     {
         return {envelope_, arc(piece), piece.copy * pitch_};
     }
 
-    std::shared_ptr<void const> owner_;
-    profile::Profile const* tooth_;
-    std::shared_ptr<motion::ErasedMotion const> motion_;  // the envelope keeps a pointer to it
-    envelope::Envelope<motion::ErasedMotion> envelope_;
+    std::shared_ptr<profile::Profile const> tooth_;
+    std::shared_ptr<motion::AnyMotion const> motion_;  // the envelope keeps a pointer to it
+    envelope::AnyEnvelope envelope_;
     std::vector<envelope::ContactArc> arcs_;
     std::vector<BoundaryPiece> pieces_;
     double tip_radius_;

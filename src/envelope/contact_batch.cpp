@@ -31,11 +31,11 @@ struct Wave
 };
 
 /// Clenshaw's sum of the arc length, as FourierSeries::integral().
-inline Wave wave_at(BatchMotion const& m, double u)
+inline Wave wave_at(motion::CosineForm const& m, double u)
 {
     auto const [sine, cosine] = sine_cosine(m.waves * u);
     double b1 = 0, b2 = 0;
-    for (std::size_t k = BatchMotion::harmonics; k >= 1; --k) {
+    for (std::size_t k = motion::CosineForm::harmonics; k >= 1; --k) {
         double const b0 = m.sines[k - 1] + 2 * cosine * b1 - b2;
         b2 = b1;
         b1 = b0;
@@ -51,7 +51,7 @@ struct State
     double omega_size, q_size;
 };
 
-inline State state_at(BatchMotion const& m, double u)
+inline State state_at(motion::CosineForm const& m, double u)
 {
     Wave const wave = wave_at(m, u);
     auto const [sg, cg] = sine_cosine(u - m.ratio * wave.phi);
@@ -150,9 +150,9 @@ void on_line(ContactBatch::Numbers const& given, Columns& out, std::size_t count
 }
 
 HDCONJ_TARGETS
-void angles(BatchMotion const& given, double const* u, double* phi, std::size_t count)
+void angles(motion::CosineForm const& given, double const* u, double* phi, std::size_t count)
 {
-    BatchMotion const m = given;
+    motion::CosineForm const m = given;
 #ifndef __clang__
 #pragma GCC ivdep
 #endif
@@ -162,12 +162,12 @@ void angles(BatchMotion const& given, double const* u, double* phi, std::size_t 
 
 }  // namespace
 
-void undeformed_angles(BatchMotion const& motion, std::span<double const> u, std::span<double> phi)
+void undeformed_angles(motion::CosineForm const& motion, std::span<double const> u, std::span<double> phi)
 {
     angles(motion, u.data(), phi.data(), u.size());
 }
 
-ContactBatch::ContactBatch(BatchMotion const& motion, profile::PieceShape const& shape, int side, double offset)
+ContactBatch::ContactBatch(motion::CosineForm const& motion, profile::PieceShape const& shape, int side, double offset)
     : numbers_{}, line_(std::holds_alternative<profile::LinePiece>(shape))
 {
     numbers_.motion = motion;

@@ -15,7 +15,7 @@ SectionPoses::SectionPoses(double low, double high, double tooth_ratio, MotionOf
     }
 }
 
-SectionPoses::Sample SectionPoses::sample(motion::ErasedMotion const& motion, double phi) const
+SectionPoses::Sample SectionPoses::sample(motion::AnyMotion const& motion, double phi) const
 {
     double const u = motion::parameter_at(motion, phi);
     Pose const pose = motion.pose(u);

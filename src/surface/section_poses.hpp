@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "coning.hpp"
-#include "hdconj/motion/erased_motion.hpp"
+#include "hdconj/motion/any_motion.hpp"
 
 namespace hdconj::surface {
 
@@ -29,7 +29,7 @@ class SectionPoses
 {
   public:
     /// A motion for the slice of any amplitude.
-    using MotionOf = std::function<motion::ErasedMotion(double factor)>;
+    using MotionOf = std::function<motion::AnyMotion(double factor)>;
     static constexpr int nodes = 8;
 
     /// @param low, high  amplitude factors met [1]
@@ -48,11 +48,11 @@ class SectionPoses
         Vec2 origin;
         Vec2 tangent;  ///< dP/dphi in the fixed frame, along the axes of the circular-spline frame
     };
-    [[nodiscard]] Sample sample(motion::ErasedMotion const& motion, double phi) const;
+    [[nodiscard]] Sample sample(motion::AnyMotion const& motion, double phi) const;
 
     double ratio_;
     std::vector<double> factor_;
-    std::vector<motion::ErasedMotion> motion_;
+    std::vector<motion::AnyMotion> motion_;
 };
 
 }  // namespace hdconj::surface

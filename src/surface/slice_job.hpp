@@ -42,7 +42,7 @@ struct SliceJob
     Solution out;
     drive::StageClock clock;
     SliceMotion motion;
-    std::optional<conjugate::ConjugateSolver<motion::ErasedMotion>> solve;
+    std::optional<conjugate::ConjugateSolver> solve;
 };
 
 }  // namespace hdconj::surface

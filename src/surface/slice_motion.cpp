@@ -5,7 +5,7 @@
 #include <numbers>
 #include <utility>
 
-#include "conjugate/plane/solve_motion.hpp"
+#include "conjugate/plane/plane_motion.hpp"
 #include "hdconj/envelope/avoid_stationary_centres.hpp"
 #include "hdconj/motion/exact_motion.hpp"
 #include "hdconj/motion/first_order_motion.hpp"
@@ -15,23 +15,10 @@
 namespace hdconj::surface {
 namespace {
 
-template <motion::RelativeMotion Motion>
-struct Owned
+SliceMotion slice_of(motion::AnyMotion motion, profile::Profile const& tooth, double r_0, double amplitude)
 {
-    Owned(Motion made, profile::Profile const& given)
-        : motion(std::move(made)), tooth(envelope::avoid_stationary_centres(given, motion))
-    {
-    }
-
-    Motion motion;
-    profile::Profile tooth;
-};
-
-template <motion::RelativeMotion Motion>
-SliceMotion owned(Motion motion, profile::Profile const& tooth, double r_0, double amplitude)
-{
-    auto const object = std::make_shared<Owned<Motion> const>(std::move(motion), tooth);
-    return {object, motion::ErasedMotion(object->motion), &object->tooth, r_0, amplitude};
+    auto clear = std::make_shared<profile::Profile const>(envelope::avoid_stationary_centres(tooth, motion));
+    return {std::move(motion), std::move(clear), r_0, amplitude};
 }
 
 }  // namespace
@@ -42,13 +29,15 @@ SliceMotion slice_motion(Scene const& scene, profile::Profile const& tooth, wave
     wavegen::AnyWaveShape const scaled = factor == 1 ? shape : shape.scaled(factor);
     double const ratio = conjugate::tooth_ratio(scene);
     if (scene.solver.kinematics == Kinematics::first_order)
-        return owned(motion::FirstOrderMotion<wavegen::AnyWaveShape>(scaled, r_m, ratio), tooth, r_m,
-                     scaled.amplitude());
+        return slice_of(motion::AnyMotion::owning(motion::FirstOrderMotion<wavegen::AnyWaveShape>(scaled, r_m, ratio)),
+                        tooth, r_m, scaled.amplitude());
     if (scene.solver.kinematics == Kinematics::material)
-        return owned(motion::MaterialMotion(wavegen::inextensional_mode(scaled), r_m, ratio), tooth, r_m,
-                     scaled.amplitude());
+        return slice_of(
+            motion::AnyMotion::owning(motion::MaterialMotion(wavegen::inextensional_mode(scaled), r_m, ratio)), tooth,
+            r_m, scaled.amplitude());
     wavegen::NeutralCurve<wavegen::AnyWaveShape> const curve(scaled, r_m);
-    return owned(motion::ExactMotion<wavegen::AnyWaveShape>(curve, ratio), tooth, curve.r_0(), scaled.amplitude());
+    return slice_of(motion::AnyMotion::owning(motion::ExactMotion<wavegen::AnyWaveShape>(curve, ratio)), tooth,
+                    curve.r_0(), scaled.amplitude());
 }
 
 SliceMotion slice_motion(Scene const& scene, profile::Profile const& tooth,
@@ -59,7 +48,8 @@ SliceMotion slice_motion(Scene const& scene, profile::Profile const& tooth,
     for (int i = 0; i < samples; ++i)
         amplitude =
             std::max(amplitude, wavegen::displacement_at(displacement, 2 * std::numbers::pi * i / samples).w[0]);
-    return owned(motion::MaterialMotion(displacement, r_m, conjugate::tooth_ratio(scene)), tooth, r_m, amplitude);
+    return slice_of(motion::AnyMotion::owning(motion::MaterialMotion(displacement, r_m, conjugate::tooth_ratio(scene))),
+                    tooth, r_m, amplitude);
 }
 
 }  // namespace hdconj::surface

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The motion of one slice, of any model, with what it is made of.
+/// The motion of one slice, of any model.
 #pragma once
 
 #include <memory>
 
-#include "hdconj/motion/erased_motion.hpp"
+#include "hdconj/motion/any_motion.hpp"
 #include "hdconj/profile/profile.hpp"
 #include "hdconj/solution.hpp"
 #include "hdconj/wavegen/material_displacement.hpp"
@@ -13,14 +13,13 @@
 
 namespace hdconj::surface {
 
-/// Owns a motion and the tooth that is solved under it.
+/// A motion and the tooth that is solved under it.
 struct SliceMotion
 {
-    std::shared_ptr<void const> owner;
-    motion::ErasedMotion motion;
-    profile::Profile const* tooth;  ///< the given tooth, clear of rest under this motion
-    double r_0 = 0;                 ///< base radius of the deformed neutral curve, rho = r_0 + w(u) [mm]
-    double amplitude = 0;           ///< w0(z) [mm]
+    motion::AnyMotion motion;
+    std::shared_ptr<profile::Profile const> tooth;  ///< the given one after avoid_stationary_centres()
+    double r_0 = 0;        ///< base radius of the deformed neutral curve, rho = r_0 + w(u) [mm]
+    double amplitude = 0;  ///< w0(z) [mm]
 };
 
 /// The motion of the slice whose displacements are @p factor times those of @p shape, by the scene's kinematics.

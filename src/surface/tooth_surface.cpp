@@ -176,7 +176,7 @@ conjugate::ToothSpaceBoundary const& ToothSurfaceBuilder::middle(double tip)
     prepare_middle();
     middle_job_->out.geometry.circular_spline_inner_radius = tip;
     middle_job_->solve->find_boundary();
-    middle_ = std::make_unique<conjugate::ToothSpaceBoundary>(middle_job_->solve->curve(middle_job_->motion.owner));
+    middle_ = std::make_unique<conjugate::ToothSpaceBoundary>(middle_job_->solve->curve(middle_job_->motion.tooth));
     return *middle_;
 }
 
@@ -189,7 +189,7 @@ ToothSurfaceBuilder::Curves ToothSurfaceBuilder::solved(std::vector<std::size_t>
         in_slice(z_[k], [&] {
             jobs_[k]->out.geometry.circular_spline_inner_radius = tip;
             jobs_[k]->solve->find_boundary();
-            curves[i] = std::make_unique<conjugate::ToothSpaceBoundary>(jobs_[k]->solve->curve(jobs_[k]->motion.owner));
+            curves[i] = std::make_unique<conjugate::ToothSpaceBoundary>(jobs_[k]->solve->curve(jobs_[k]->motion.tooth));
         });
     });
     return curves;

@@ -119,7 +119,7 @@ TEST_CASE("contact law: the clearing offset clears and a micrometre less does no
             double worst = 1;
             for (std::size_t k = 0; k < fine.slices(); ++k) {
                 auto const& motion = drive.maker->motion(k).motion;
-                distance::FullTurnClearance<motion::ErasedMotion> const turns(drive.tooth, motion, drive.pitch(), 1);
+                distance::FullTurnClearance<motion::AnyMotion> const turns(drive.tooth, motion, drive.pitch(), 1);
                 distance::TurnMinimum last = turns(moved.point[1][k].front());
                 for (Vec2 const& p : moved.point[1][k]) {
                     last = turns(p, &last);

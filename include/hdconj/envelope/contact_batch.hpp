@@ -11,49 +11,13 @@
 #include <variant>
 
 #include "hdconj/envelope/envelope.hpp"
+#include "hdconj/motion/cosine_form.hpp"
 
 namespace hdconj::envelope {
 
-/// The exact motion of a cosine cam, as the numbers that its closed form is made of.
-struct BatchMotion
-{
-    /// Harmonics of the arc length that are summed; type-50 has four above rounding.
-    static constexpr std::size_t harmonics = 8;
-
-    double w0, waves, r_0, r_m, ratio;
-    double mean;                          ///< of the line element
-    std::array<double, harmonics> sines;  ///< r_m phi = mean u + sum of sines[k - 1] sin(k n u)
-};
-
-/// Nothing where the motion has no such form: another model or wave generator, or more harmonics.
-template <motion::RelativeMotion Motion>
-[[nodiscard]] std::optional<BatchMotion> batch_motion(Motion const& motion)
-{
-    if constexpr (requires { motion.curve().shape().as_cosine(); }) {
-        auto const cam = motion.curve().shape().as_cosine();
-        auto const* series = motion.curve().length().series();
-        if (!cam || series == nullptr)
-            return std::nullopt;
-        for (std::size_t k = BatchMotion::harmonics + 1; k < series->terms(); ++k)
-            if (std::abs(series->cosine(k)) > series->noise())
-                return std::nullopt;
-        double const waves = cam->n;
-        BatchMotion result{cam->w0,        waves, motion.curve().r_0(), motion.curve().r_m(), motion.tooth_ratio(),
-                           series->mean(), {}};
-        for (std::size_t k = 1; k <= BatchMotion::harmonics; ++k) {
-            if (series->sine(k) != 0)
-                return std::nullopt;
-            result.sines[k - 1] = series->cosine(k) / (static_cast<double>(k) * waves);
-        }
-        return result;
-    } else {
-        return std::nullopt;
-    }
-}
-
 /// phi at every @p u, into @p phi of the same length. Domain: |waves u| <= 64. Accuracy: that of NeutralCurve::phi(),
 /// 2^-51 of the angle.
-void undeformed_angles(BatchMotion const& motion, std::span<double const> u, std::span<double> phi);
+void undeformed_angles(motion::CosineForm const& motion, std::span<double const> u, std::span<double> phi);
 
 /// Envelope::point() of a contact on an arc, corner or line, in loops without branches of which a compiler makes vector
 /// instructions; which ones is chosen when the program is loaded, with the same bits for all. No point depends on its
@@ -69,7 +33,7 @@ class ContactBatch
     /// @param shape   an arc or a line
     /// @param side    sign of the normal, ContactArc::candidate; of a line not used
     /// @param offset  side clearance [mm]
-    ContactBatch(BatchMotion const& motion, profile::PieceShape const& shape, int side, double offset);
+    ContactBatch(motion::CosineForm const& motion, profile::PieceShape const& shape, int side, double offset);
 
     /// Points at every @p u, into @p points of the same length.
     void operator()(std::span<double const> u, std::span<EnvelopePoint> points) const;
@@ -77,7 +41,7 @@ class ContactBatch
     /// The numbers of the loops.
     struct Numbers
     {
-        BatchMotion motion;
+        motion::CosineForm motion;
         double a_x, a_y;  ///< centre, or start of the line
         double n_x, n_y;  ///< middle normal of the arc, normal of the line
         double t_x, t_y;  ///< tangent of the line
@@ -99,10 +63,10 @@ template <motion::RelativeMotion Motion>
     profile::PieceShape const& shape = envelope.profile().pieces[static_cast<std::size_t>(arc.piece)].shape;
     if (arc.resting || std::holds_alternative<profile::CurvePiece>(shape))
         return std::nullopt;
-    std::optional<BatchMotion> const motion = batch_motion(envelope.motion());
-    if (!motion)
+    std::optional<motion::CosineForm> const form = motion::cosine_form(envelope.motion());
+    if (!form)
         return std::nullopt;
-    return ContactBatch(*motion, shape, arc.candidate, envelope.offset());
+    return ContactBatch(*form, shape, arc.candidate, envelope.offset());
 }
 
 /// Points of @p arc at every @p u; at its ends, and where rounding carries a contact over the end of its piece, those

@@ -44,7 +44,7 @@ template <motion::RelativeMotion Motion>
     constexpr double line_or_arc = 20, curve = 200, other_motion = 500;
     double const enough = long_job ? 80 : 640;
     auto const& pieces = envelope.profile().pieces;
-    bool const batch = batch_motion(envelope.motion()).has_value();
+    bool const batch = motion::cosine_form(envelope.motion()).has_value();
     double total = 0;
     for (profile::ProfilePiece const& piece : pieces)
         total += !batch ? other_motion : std::holds_alternative<profile::CurvePiece>(piece.shape) ? curve : line_or_arc;

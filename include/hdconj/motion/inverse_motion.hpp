@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <span>
+#include <utility>
 
 #include "hdconj/motion/relative_motion.hpp"
 
@@ -36,26 +37,26 @@ template <RelativeMotion Motion>
 class InverseMotion
 {
   public:
-    InverseMotion(Motion const& motion, Pose const& seat) : motion_(&motion), seat_(seat) {}
+    InverseMotion(Motion motion, Pose const& seat) : motion_(std::move(motion)), seat_(seat) {}
 
-    [[nodiscard]] double half_lobe() const { return motion_->half_lobe(); }
-    [[nodiscard]] std::span<double const> breaks() const { return motion_->breaks(); }
+    [[nodiscard]] double half_lobe() const { return motion_.half_lobe(); }
+    [[nodiscard]] std::span<double const> breaks() const { return motion_.breaks(); }
     /// One body alone is not its own mirror image; the bodies k and 1 - k are each other's where the motion is
     /// symmetric.
     [[nodiscard]] static bool symmetric() { return false; }
-    [[nodiscard]] ToothAngles angles(double u) const { return motion_->angles(u); }
+    [[nodiscard]] ToothAngles angles(double u) const { return motion_.angles(u); }
     [[nodiscard]] Pose const& seat() const { return seat_; }
 
     [[nodiscard]] Pose pose(double u) const
     {
-        Pose const tooth = motion_->pose(u);
+        Pose const tooth = motion_.pose(u);
         return {seat_.cosine * tooth.cosine + seat_.sine * tooth.sine,
                 seat_.sine * tooth.cosine - seat_.cosine * tooth.sine, tooth.inverse(seat_.origin)};
     }
 
     [[nodiscard]] MotionRates rates(double u) const
     {
-        MotionRates const tooth = motion_->rates(u);
+        MotionRates const tooth = motion_.rates(u);
         Pose const here = pose(u);
         Vec2 const b = here.origin;
         double const omega = std::abs(tooth.twist.omega);
@@ -71,7 +72,7 @@ class InverseMotion
     }
 
   private:
-    Motion const* motion_;
+    Motion motion_;
     Pose seat_;
 };
 

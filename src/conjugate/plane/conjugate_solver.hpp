@@ -1,261 +1,89 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// `solve` for one motion model: the stages after the motion is known.
+/// The stages of `solve` in one plane, after its motion is known.
 #pragma once
 
-#include <numbers>
+#include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
-#include "assemble_until_clear.hpp"
+#include "base/deferred_tasks.hpp"
 #include "centred_outline.hpp"
-#include "certificate.hpp"
-#include "conjugate/chord_moved.hpp"
 #include "conjugate/space_curve.hpp"
-#include "drive/drive.hpp"
 #include "drive/stage_clock.hpp"
-#include "offset_topology.hpp"
-#include "outline_records.hpp"
-#include "records_beside.hpp"
-#include "root_clearance.hpp"
+#include "hdconj/envelope/any_envelope.hpp"
 #include "tooth_outline.hpp"
-#include "tooth_positions.hpp"
 #include "traced_space.hpp"
-#include "turn_check.hpp"
 
 namespace hdconj::conjugate {
 
-template <motion::RelativeMotion Motion>
+/// Solves one plane: its branches, and from them the tooth space, checked over a full turn.
 class ConjugateSolver
 {
   public:
-    ConjugateSolver(Solution& out, profile::Profile const& tooth, Motion const& motion, drive::StageClock& clock)
-        : out_(out),
-          tooth_(tooth),
-          motion_(motion),
-          clock_(clock),
-          base_(tooth, motion, 0),
-          pitch_(2 * std::numbers::pi / out.scene.drive.circular_spline_teeth),
-          tolerance_{out.scene.solver.tolerance, out.geometry.r_m + out.geometry.w0 + tooth.pitch_line + tooth.addendum}
-    {
-    }
+    ConjugateSolver(Solution& out, profile::Profile const& tooth, motion::AnyMotion const& motion,
+                    drive::StageClock& clock);
 
     /// All of it, with branches and teeth as results show them. @param given  the tooth before its arcs were set in
     /// motion (avoid_stationary_centres())
-    void operator()(profile::Profile const& given)
-    {
-        shown_.emplace(given, tolerance_.length, out_.flexspline_outline);
-        find_branches_of_tooth();
-        find_boundary();
-        clock_.run(Stage::outline, [&] { publish(); });
-    }
+    void operator()(profile::Profile const& given);
 
     /// First half of the work: all that does not depend on the tip circle.
-    void find_branches_of_tooth()
-    {
-        clock_.run(Stage::envelope, [&] { trace(); });
-    }
+    void find_branches_of_tooth();
 
     /// Second half: the boundary down to the tip circle of `out`.geometry, checked over a full turn.
-    void find_boundary()
-    {
-        if (is_moved())
-            clock_.run_rest(Stage::backlash, [&] { trace_moved(); });
-        auto const wanted = [&] { return out_.scene.circular_spline.backlash_offset - tolerance_.coincidence(); };
-        assemble_until_clear(
-            out_, first_chord(), [&](double c) { assemble(c); }, wanted, "");
-    }
+    void find_boundary();
 
     /// The radius at which the circular spline's teeth would be pointed, with its side clearance: the teeth sweep all
     /// that lies inside it half-way between two spaces. Accuracy: that of the first polygons.
-    [[nodiscard]] double pointed_radius() const
-    {
-        double const offset = out_.scene.circular_spline.backlash_offset;
-        envelope::Envelope<Motion> const moved(tooth_, motion_, offset);
-        std::vector<envelope::ContactArc> const arcs =
-            all_arcs(offset > 0 ? envelope::find_branches(moved, out_.threads).branches : branches_);
-        return swept_polygons(moved, arcs, out_.geometry.circular_spline_inner_radius, pitch_, first_chord(), false)
-            .radius_between_spaces();
-    }
+    [[nodiscard]] double pointed_radius() const;
 
-    /// The boundary that was found, as a curve. @p owner keeps tooth and motion alive.
-    [[nodiscard]] ToothSpaceBoundary curve(std::shared_ptr<void const> owner) const
-    {
-        Halves const halves =
-            cut_at_centre_line(final_envelope(), final_.arcs, final_.space.pieces, pitch_, tolerance_);
-        std::vector<BoundaryPiece> pieces = halves.left;
-        pieces.insert(pieces.end(), halves.right.begin(), halves.right.end());
-        return {std::move(owner),
-                tooth_,
-                motion::ErasedMotion(motion_),
-                final_envelope().offset(),
-                final_.arcs,
-                std::move(pieces),
-                out_.geometry.circular_spline_inner_radius,
-                pitch_};
-    }
+    /// The boundary that was found, as a curve. @param tooth  the one that was solved, kept alive
+    [[nodiscard]] ToothSpaceBoundary curve(std::shared_ptr<profile::Profile const> tooth) const;
 
   private:
     [[nodiscard]] double first_chord() const { return (tooth_.addendum + tooth_.dedendum) * 0x1p-12; }
     [[nodiscard]] bool is_moved() const { return out_.plan.has(Stage::backlash); }
-    [[nodiscard]] envelope::Envelope<Motion> final_envelope() const
-    {
-        return {tooth_, motion_, out_.scene.circular_spline.backlash_offset};
-    }
+    [[nodiscard]] envelope::AnyEnvelope final_envelope() const;
 
-    void trace()
-    {
-        bool const long_job = tooth_.pieces.size() > branches_worth_a_thread(base_, tolerance_.length);
-        envelope::BranchSet set = envelope::find_branches(base_, out_.threads, long_job);
-        refuse_lost_branches(set.record, tolerance_.length);
-        record_doubts(set.record, tooth_, out_.certificate);
-        branches_ = std::move(set.branches);
-        out_.work.roots_isolated += set.record.roots;
-        out_.work.envelope_points += set.record.evaluations;
-    }
+    void trace();
 
     /// The branches of the tooth with the side clearance on it.
-    void trace_moved()
-    {
-        envelope::BranchSet set = envelope::find_branches(final_envelope(), out_.threads);
-        refuse_lost_branches(set.record, tolerance_.length);
-        moved_branches_ = std::move(set.branches);
-    }
+    void trace_moved();
 
     /// Finds the boundary, and leaves its pieces to be sampled to @p jobs.
-    void find_pieces(double chord, DeferredTasks& jobs)
-    {
-        try {
-            trace_boundary(chord);
-            std::vector<double> chords;
-            for (std::size_t i = 0; i < sampler_->count(); ++i)
-                chords.push_back(sampler_->expected(i));
-            jobs.open(chords.size(),
-                      [this, order = largest_first(chords)](std::size_t k) { sampler_->sample(order[k], 1); });
-        } catch (...) {
-            jobs.close();
-            throw;
-        }
-        jobs.help();
-    }
+    void find_pieces(double chord, DeferredTasks& jobs);
 
     /// Region, side clearance, outline, root clearance and check, with polygons of the given chord error.
-    void assemble(double chord)
-    {
-        clock_.run_rest(Stage::outline, [&] {
-            if (auto const shown = std::exchange(shown_, std::nullopt))
-                // one thread arranges the boundary's polygons, the others take branches meanwhile, and then pieces of
-                // the outline with it
-                out_.branches =
-                    records_beside(base_, branches_, tolerance_.length, out_.threads, out_.work.envelope_points, *shown,
-                                   [&](DeferredTasks& jobs) { find_pieces(chord, jobs); });
-            else {
-                trace_boundary(chord);
-                sample_pieces();
-            }
-            join_pieces();
-            double const shift = conjugate::largest_radial_shift(out_.scene);
-            for (conjugate::MovedChord moved(tolerance_.length);
-                 shift > 0 && moved.is_longer(conjugate::chord_moved_radially(outline_.outline.points,
-                                                                              outline_.outline.chord, shift));) {
-                find_sampler(moved.asked());
-                sample_pieces();
-                join_pieces();
-            }
-        });
-        clock_.run(Stage::root_clearance, [&] {
-            std::size_t const before = outline_.outline.points.size();
-            deepen(outline_.outline, outline_.middle, out_.scene.circular_spline.root_clearance);
-            outline_.middle += (outline_.outline.points.size() - before) / 2;
-        });
-        clock_.run(Stage::interference, [&] { check(); });
-    }
+    void assemble(double chord);
 
     /// The boundary's pieces, ready to be sampled.
-    void trace_boundary(double chord)
-    {
-        clock_.run(Stage::region, [&] { final_ = traced_space(base_, branches_, chord, tolerance_, out_); });
-        clock_.run(Stage::backlash, [&] {
-            TracedSpace shifted = traced_space(final_envelope(), moved_branches_, chord, tolerance_, out_);
-            require_same_topology(base_, final_.arcs, final_.space, shifted.arcs, shifted.space, pitch_,
-                                  out_.scene.circular_spline.backlash_offset, tolerance_.length);
-            final_ = std::move(shifted);
-        });
-        clock_.run(Stage::outline, [&] {
-            if (is_moved())
-                moved_.emplace(final_envelope());
-            find_sampler(tolerance_.length);
-        });
-    }
+    void trace_boundary(double chord);
 
-    void find_sampler(double chord)
-    {
-        sampler_.emplace(moved_ ? *moved_ : base_, final_.arcs, final_.space.pieces,
-                         out_.geometry.circular_spline_inner_radius, pitch_, tolerance_, chord);
-    }
+    void find_sampler(double chord);
 
-    void sample_pieces()
-    {
-        for (std::size_t i = 0; i < sampler_->count(); ++i)
-            sampler_->sample(i, out_.threads);
-    }
+    void sample_pieces();
 
-    void join_pieces()
-    {
-        outline_ = sampler_->joined();
-        out_.work.envelope_points += outline_.outline.evaluations;
-    }
+    void join_pieces();
 
     /// Every outline point against every position of every tooth. A symmetric pair's left half is the image of its
     /// right one.
-    void check()
-    {
-        distance::FullTurnClearance<Motion> const clearance(tooth_, motion_, pitch_,
-                                                            drive::pitches_per_lobe(out_.scene));
-        std::size_t const first = tooth_.mirror_symmetric && motion_.symmetric() ? outline_.middle : 0;
-        out_.check = check_turn(clearance, motion_, outline_.outline.points, points_to_check(outline_.outline, first),
-                                out_.threads);
-    }
+    void check();
 
-    void publish()
-    {
-        Outline const& outline = outline_.outline;
-        CircularSplineOutline& cs = out_.circular_spline;
-        cs.z = {0.0};
-        cs.pieces = piece_records(outline, tooth_);
-        Bottom const bottom = bottom_of(outline, outline_.middle);
-        std::size_t const left_land = outline.stretches.front().last;
-        std::size_t const right_land = outline.stretches.back().first;
-        for (std::size_t index : {left_land, bottom.first, outline_.middle, bottom.last, right_land})
-            cs.landmarks.push_back(static_cast<int>(index));
-        measure_space(outline, left_land, right_land, pitch_, out_.geometry, out_.error);
-        cs.outline.push_back(
-            outline.points);  // a copy: what was grown in the midst of other work keeps pages that a file needs next
-        out_.error.chord = outline.chord;
-        out_.error.point = outline.error;
-        out_.error.clearance = out_.error.point + tolerance_.roundoff();
-        for (std::size_t i = 0; i < branches_.size(); ++i) {
-            std::size_t const before = out_.zones.size();
-            append_zones(base_, branches_[i], i, final_.arcs, final_.space.pieces, out_.zones);
-            for (std::size_t k = before; k < out_.zones.size(); ++k)
-                out_.branches[i].on_boundary = out_.branches[i].on_boundary || out_.zones[k].on_boundary;
-        }
-        add_positions(tooth_, motion_, 0, out_.tooth_family);
-    }
+    void publish();
 
     Solution& out_;
     profile::Profile const& tooth_;
-    Motion const& motion_;
+    motion::AnyMotion const& motion_;
     drive::StageClock& clock_;
-    envelope::Envelope<Motion> base_;
+    envelope::AnyEnvelope base_;
     double pitch_;
     Tolerance tolerance_;
     std::vector<envelope::Branch> branches_;
     std::vector<envelope::Branch> moved_branches_;
-    std::optional<envelope::Envelope<Motion>> moved_;  ///< of the tooth with the side clearance on it
+    std::optional<envelope::AnyEnvelope> moved_;  ///< of the tooth with the side clearance on it
     TracedSpace final_;
-    std::optional<CentredOutlineSampler<Motion>> sampler_;  ///< of the boundary in final_
+    std::optional<CentredOutlineSampler> sampler_;  ///< of the boundary in final_
     CentredOutline outline_;
     std::optional<ToothOutline>
         shown_;  ///< until it is made, with the points of the branches themselves; the boundary does without both

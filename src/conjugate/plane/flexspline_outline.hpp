@@ -7,13 +7,11 @@
 
 #include "conjugate/outline.hpp"
 #include "hdconj/conjugate/tooth_body.hpp"
-#include "hdconj/motion/erased_motion.hpp"
-#include "hdconj/motion/inverse_motion.hpp"
+#include "hdconj/motion/any_motion.hpp"
 
 namespace hdconj::conjugate {
 
-using Seen = motion::InverseMotion<motion::ErasedMotion>;  ///< a circular-spline tooth as the flexspline tooth sees it
-using Swept = SweptTooth<Seen>;
+using Swept = SweptTooth<motion::AnyMotion>;  ///< of a circular-spline tooth as the flexspline tooth sees it
 
 /// Samples the flanks of a tooth to the tolerance and goes on below them to the root, in the frame of the tooth: from
 /// the left root to the right root.

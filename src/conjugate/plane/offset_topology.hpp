@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hdconj/conjugate/tooth_space.hpp"
+#include "hdconj/envelope/any_envelope.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/scene/parameters.hpp"
 
@@ -62,10 +63,9 @@ void require_same_topology(std::vector<BoundaryPiece> const& before, Kept const&
 }
 
 /// The same for a tooth space, whose pieces are arcs of one tooth turned by whole pitches.
-template <motion::RelativeMotion Motion>
-void require_same_topology(envelope::Envelope<Motion> const& base, std::vector<envelope::ContactArc> const& base_arcs,
-                           ToothSpace const& before, std::vector<envelope::ContactArc> const& offset_arcs,
-                           ToothSpace const& after, double pitch, double offset, double tolerance)
+inline void require_same_topology(envelope::AnyEnvelope const& base, std::vector<envelope::ContactArc> const& base_arcs,
+                                  ToothSpace const& before, std::vector<envelope::ContactArc> const& offset_arcs,
+                                  ToothSpace const& after, double pitch, double offset, double tolerance)
 {
     auto const arc_of = [&](BoundaryPiece const& piece) -> envelope::ContactArc const& {
         return base_arcs[static_cast<std::size_t>(piece.arc)];
@@ -74,7 +74,7 @@ void require_same_topology(envelope::Envelope<Motion> const& base, std::vector<e
         return has_contact(after.pieces, offset_arcs, arc_of(piece), piece.copy);
     };
     auto const point = [&](BoundaryPiece const& piece, double u) {
-        return TurnedArc<Motion>{base, arc_of(piece), piece.copy * pitch}.point(u).p;
+        return TurnedArc<motion::AnyMotion>{base, arc_of(piece), piece.copy * pitch}.point(u).p;
     };
     require_same_topology(before.pieces, kept, point, offset, tolerance);
 }

@@ -14,7 +14,7 @@
 #include "base/deferred_tasks.hpp"
 #include "base/largest_first.hpp"
 #include "hdconj/base/parallel.hpp"
-#include "hdconj/envelope/find_branches.hpp"
+#include "hdconj/envelope/any_envelope.hpp"
 #include "records.hpp"
 #include "tooth_outline.hpp"
 
@@ -22,15 +22,14 @@ namespace hdconj::conjugate {
 
 /// Fewest branches of @p envelope whose points are worth a thread, for branches as long as the tooth is high. @param
 /// chord  [mm]
-template <motion::RelativeMotion Motion>
-[[nodiscard]] std::size_t branches_worth_a_thread(envelope::Envelope<Motion> const& envelope, double chord)
+[[nodiscard]] inline std::size_t branches_worth_a_thread(envelope::AnyEnvelope const& envelope, double chord)
 {
     // chords of points that are made in rows; that are made one by one; and of contacts that are roots
     constexpr double in_rows = 8192, one_by_one = in_rows / 8, roots = in_rows / 16;
     profile::Profile const& tooth = envelope.profile();
-    double const enough = profile::has_curves(tooth)                  ? roots
-                          : envelope::batch_motion(envelope.motion()) ? in_rows
-                                                                      : one_by_one;
+    double const enough = profile::has_curves(tooth)               ? roots
+                          : motion::cosine_form(envelope.motion()) ? in_rows
+                                                                   : one_by_one;
     double const chords_of_a_flank = std::sqrt((tooth.addendum + tooth.dedendum) / chord);
     return static_cast<std::size_t>(std::ceil(enough / chords_of_a_flank));
 }
@@ -41,8 +40,8 @@ template <motion::RelativeMotion Motion>
 /// @param shown        the tooth as results show it: made by whoever finds no branch left
 /// @param evaluations  gets what was added
 /// @throws what @p beside or the lowest of its jobs throws
-template <motion::RelativeMotion Motion, class Beside>
-[[nodiscard]] std::vector<BranchRecord> records_beside(envelope::Envelope<Motion> const& envelope,
+template <class Beside>
+[[nodiscard]] std::vector<BranchRecord> records_beside(envelope::AnyEnvelope const& envelope,
                                                        std::vector<envelope::Branch> const& branches, double chord,
                                                        int threads, std::size_t& evaluations, ToothOutline const& shown,
                                                        Beside const& beside)

@@ -45,8 +45,7 @@ struct Traced
 class ReverseJob
 {
   public:
-    ReverseJob(Solution& out, profile::Profile const& given, motion::ErasedMotion const& motion,
-               drive::StageClock& clock)
+    ReverseJob(Solution& out, profile::Profile const& given, motion::AnyMotion const& motion, drive::StageClock& clock)
         : out_(out),
           given_(given),
           motion_(motion),
@@ -63,7 +62,7 @@ class ReverseJob
         // check
         int const beside = (drive::pitches_per_lobe(out.scene) - 1) / 2;
         for (int k = -beside; k <= 1 + beside; ++k) {
-            motions_.emplace_back(motion, motion::circular_spline_seat(k, pitch_, seat_radius_));
+            motions_.push_back(motion::seen_from_flexspline(motion, k, pitch_, seat_radius_));
             traced_.push_back({k, {}});
         }
     }
@@ -81,7 +80,7 @@ class ReverseJob
     }
 
   private:
-    [[nodiscard]] std::vector<envelope::Branch> branches_at(envelope::Envelope<Seen> const& envelope, bool counted)
+    [[nodiscard]] std::vector<envelope::Branch> branches_at(envelope::AnyEnvelope const& envelope, bool counted)
     {
         envelope::BranchSet set = envelope::find_branches(envelope, out_.threads);
         refuse_lost_branches(set.record, tolerance_.length);
@@ -97,7 +96,7 @@ class ReverseJob
     {
         base_.clear();
         for (std::size_t j = 0; j < traced_.size(); ++j) {
-            envelope::Envelope<Seen> const envelope(given_, motions_[j], 0);
+            envelope::AnyEnvelope const envelope(given_, motions_[j], 0);
             traced_[j].branches = branches_at(envelope, true);
             base_.push_back({envelope, all_arcs(traced_[j].branches)});
         }
@@ -140,8 +139,8 @@ class ReverseJob
         });
         clock_.run(Stage::backlash, [&] {
             std::vector<Swept> moved;
-            for (Seen const& motion : motions_) {
-                envelope::Envelope<Seen> const envelope(given_, motion, offset);
+            for (motion::AnyMotion const& motion : motions_) {
+                envelope::AnyEnvelope const envelope(given_, motion, offset);
                 moved.push_back({envelope, all_arcs(branches_at(envelope, false))});
             }
             ToothBody const shifted = body_of(moved, chord);
@@ -154,8 +153,8 @@ class ReverseJob
             out_.work.envelope_points += tooth_.evaluations;
         });
         clock_.run(Stage::interference, [&] {
-            distance::ReverseFullTurnClearance<motion::ErasedMotion> const clearance(
-                given_, motion_, pitch_, seat_radius_, drive::pitches_per_lobe(out_.scene));
+            distance::ReverseFullTurnClearance<motion::AnyMotion> const clearance(given_, motion_, pitch_, seat_radius_,
+                                                                                  drive::pitches_per_lobe(out_.scene));
             std::vector<Vec2> points = tooth_.points;
             std::vector<std::size_t> chosen = points_to_check(tooth_, symmetric() ? tip_land_end() : 0);
             // the walls are long and have no points of their own
@@ -174,7 +173,7 @@ class ReverseJob
 
     [[nodiscard]] ToothBody body_of(std::vector<Swept> const& teeth, double chord)
     {
-        ToothBody body = ToothBodyFinder<Seen>(teeth, limits_, tolerance_, chord)();
+        ToothBody body = ToothBodyFinder<motion::AnyMotion>(teeth, limits_, tolerance_, chord)();
         out_.work.arrangement_edges += body.segments;
         return body;
     }
@@ -231,19 +230,19 @@ class ReverseJob
                 ++index;
             }
         }
-        for (Seen const& motion : motions_)
+        for (motion::AnyMotion const& motion : motions_)
             add_positions(given_, motion, out_.geometry.pitch_line, out_.tooth_family);
     }
 
     Solution& out_;
     profile::Profile const& given_;
-    motion::ErasedMotion motion_;
+    motion::AnyMotion motion_;
     drive::StageClock& clock_;
     double pitch_;
     double seat_radius_;
     Tolerance tolerance_;
     BodyLimits limits_;
-    std::deque<Seen> motions_;  // envelopes keep pointers to them
+    std::deque<motion::AnyMotion> motions_;  // envelopes keep pointers to them
     std::vector<Traced> traced_;
     std::vector<Swept> base_;
     std::vector<Swept> final_;
@@ -253,7 +252,7 @@ class ReverseJob
 
 }  // namespace
 
-void solve_reverse(Solution& out, profile::Profile const& given, motion::ErasedMotion const& motion,
+void solve_reverse(Solution& out, profile::Profile const& given, motion::AnyMotion const& motion,
                    drive::StageClock& clock)
 {
     ReverseJob(out, given, motion, clock)();

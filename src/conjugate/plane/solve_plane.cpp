@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve_plane.hpp"
 
+#include "conjugate_solver.hpp"
 #include "drive/drive.hpp"
 #include "drive/elastic_cup.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/elastic_cup.hpp"
+#include "hdconj/envelope/avoid_stationary_centres.hpp"
 #include "hdconj/error.hpp"
-#include "solve_motion.hpp"
+#include "plane_motion.hpp"
+#include "reverse_solver.hpp"
 
 namespace hdconj::conjugate {
 namespace {
@@ -38,21 +41,12 @@ void solve_plane(SolvedPlane& plane, drive::StageClock& clock, std::optional<dou
         out.segment_names = plane.tooth.segment_names;
         out.geometry = drive::pair_geometry(scene, plane.tooth, plane.shape.amplitude());
     });
-    if (clock.run(Stage::cup, [&] { solve_cup(out, plane.shape, cup_error); })) {
-        solve_elastic(out, plane.tooth, clock);
-        return;
-    }
-    switch (scene.solver.kinematics) {
-        case Kinematics::exact:
-            solve_exact(plane.shape, out, plane.tooth, clock);
-            break;
-        case Kinematics::first_order:
-            solve_first_order(plane.shape, out, plane.tooth, clock);
-            break;
-        case Kinematics::material:
-            solve_material(plane.shape, out, plane.tooth, clock);
-            break;
-    }
+    bool const elastic = clock.run(Stage::cup, [&] { solve_cup(out, plane.shape, cup_error); });
+    motion::AnyMotion const motion = elastic ? elastic_plane_motion(out, clock) : plane_motion(plane.shape, out, clock);
+    if (scene.is_reverse())
+        return solve_reverse(out, plane.tooth, motion, clock);
+    profile::Profile const clear = envelope::avoid_stationary_centres(plane.tooth, motion);
+    ConjugateSolver(out, clear, motion, clock)(plane.tooth);
 }
 
 }  // namespace hdconj::conjugate

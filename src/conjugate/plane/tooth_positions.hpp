@@ -5,16 +5,15 @@
 
 #include <vector>
 
-#include "hdconj/motion/relative_motion.hpp"
+#include "hdconj/motion/any_motion.hpp"
 #include "hdconj/profile/profile.hpp"
 
 namespace hdconj::conjugate {
 
 /// Adds the tooth at 41 instants from one end of the lobe to the other to @p family, as polygons, each moved by -@p
 /// down along y [mm].
-template <motion::RelativeMotion Motion>
-void add_positions(profile::Profile const& tooth, Motion const& motion, double down,
-                   std::vector<std::vector<Vec2>>& family)
+inline void add_positions(profile::Profile const& tooth, motion::AnyMotion const& motion, double down,
+                          std::vector<std::vector<Vec2>>& family)
 {
     constexpr int positions = 40;
     std::vector<Vec2> const polygon = profile::polygon_of(tooth, (tooth.addendum + tooth.dedendum) * 0x1p-10);

@@ -6,19 +6,13 @@
 #include <vector>
 
 #include "hdconj/conjugate/tooth_space.hpp"
-#include "hdconj/envelope/find_branches.hpp"
+#include "hdconj/envelope/any_envelope.hpp"
 #include "hdconj/solution.hpp"
 
 namespace hdconj::conjugate {
 
 /// Contact arcs of all branches in one list, which boundary pieces index.
-[[nodiscard]] inline std::vector<envelope::ContactArc> all_arcs(std::vector<envelope::Branch> const& branches)
-{
-    std::vector<envelope::ContactArc> arcs;
-    for (envelope::Branch const& branch : branches)
-        arcs.insert(arcs.end(), branch.arcs.begin(), branch.arcs.end());
-    return arcs;
-}
+[[nodiscard]] std::vector<envelope::ContactArc> all_arcs(std::vector<envelope::Branch> const& branches);
 
 /// A tooth space and the arcs that its pieces index.
 struct TracedSpace
@@ -29,18 +23,8 @@ struct TracedSpace
 
 /// What the teeth of @p envelope leave of the ring outside its tip circle, from polygons of the chord error @p chord
 /// [mm]. Segments are counted in @p out.
-template <motion::RelativeMotion Motion>
-[[nodiscard]] TracedSpace traced_space(envelope::Envelope<Motion> const& envelope,
+[[nodiscard]] TracedSpace traced_space(envelope::AnyEnvelope const& envelope,
                                        std::vector<envelope::Branch> const& branches, double chord,
-                                       Tolerance const& tolerance, Solution& out)
-{
-    TracedSpace traced;
-    traced.arcs = all_arcs(branches);
-    ToothSpaceFinder<Motion> find(envelope, traced.arcs, out.geometry.circular_spline_inner_radius,
-                                  out.scene.drive.circular_spline_teeth, tolerance, chord);
-    traced.space = find();
-    out.work.arrangement_edges += traced.space.segments;
-    return traced;
-}
+                                       Tolerance const& tolerance, Solution& out);
 
 }  // namespace hdconj::conjugate

@@ -12,7 +12,7 @@
 #include "conjugate/outline.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/distance/full_turn.hpp"
-#include "hdconj/envelope/contact_batch.hpp"
+#include "hdconj/motion/any_motion.hpp"
 #include "hdconj/solution.hpp"
 
 namespace hdconj::conjugate {
@@ -35,15 +35,15 @@ namespace hdconj::conjugate {
 }
 
 /// Smallest clearance of the points @p chosen by the law @p clearance (FullTurnClearance or its reverse).
-template <class Clearance, motion::RelativeMotion Motion>
-[[nodiscard]] PairCheck check_turn(Clearance const& clearance, Motion const& motion, std::vector<Vec2> const& points,
-                                   std::vector<std::size_t> const& chosen, int threads)
+template <class Clearance>
+[[nodiscard]] PairCheck check_turn(Clearance const& clearance, motion::AnyMotion const& motion,
+                                   std::vector<Vec2> const& points, std::vector<std::size_t> const& chosen, int threads)
 {
     std::vector<distance::TurnMinimum> minima(chosen.size());
     // blocks of fixed size, whatever the number of threads: inside one, each point starts from its neighbour's result
     constexpr std::size_t most = 64;
     std::size_t const block = std::min(most, clearance.block());
-    std::size_t const blocks_worth_a_thread = block < most ? 3 : envelope::batch_motion(motion) ? 4 : 2;
+    std::size_t const blocks_worth_a_thread = block < most ? 3 : motion::cosine_form(motion) ? 4 : 2;
     parallel_for((chosen.size() + block - 1) / block, threads, blocks_worth_a_thread, [&](std::size_t b) {
         std::size_t const first = b * block;
         std::size_t const count = std::min(block, chosen.size() - first);

@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "hdconj/base/tolerance.hpp"
-#include "hdconj/envelope/envelope.hpp"
+#include "hdconj/envelope/any_envelope.hpp"
 
 namespace hdconj::conjugate {
 
@@ -41,9 +41,8 @@ enum class ZoneEnd
 /// the others' is taken by differences within the arc. Accuracy: first order in the rounding, sizes of terms as in
 /// Contact; roundings are counted generously.
 /// @returns [parameter of the motion]
-template <motion::RelativeMotion Motion>
-[[nodiscard]] double zone_angle_error(envelope::Envelope<Motion> const& envelope, envelope::ContactArc const& arc,
-                                      double u, ZoneEnd end)
+[[nodiscard]] inline double zone_angle_error(envelope::AnyEnvelope const& envelope, envelope::ContactArc const& arc,
+                                             double u, ZoneEnd end)
 {
     constexpr double roundings = 16;
     double const length = arc.u_end - arc.u_begin;
@@ -80,9 +79,8 @@ template <motion::RelativeMotion Motion>
 
 /// Error of the segment's parameter t of the contact on @p arc at @p u, which is uncertain by @p angle: rounding at a
 /// given u, and how far t runs meanwhile. None where the zone ends with the segment.
-template <motion::RelativeMotion Motion>
-[[nodiscard]] double zone_t_error(envelope::Envelope<Motion> const& envelope, envelope::ContactArc const& arc, double u,
-                                  double angle)
+[[nodiscard]] inline double zone_t_error(envelope::AnyEnvelope const& envelope, envelope::ContactArc const& arc,
+                                         double u, double angle)
 {
     double const known = u == arc.u_begin ? arc.t_begin : u == arc.u_end ? arc.t_end : -1;
     if (known == 0 || known == 1 || arc.resting)

@@ -39,7 +39,7 @@ SliceClearances::SliceClearances(ContactContext const& context, surface::ToothSu
     maker.find_motions(different);
     turns_.resize(different);
     parallel_for(different, context.threads, 4, [&](std::size_t k) {
-        turns_[k] = std::make_unique<distance::FullTurnClearance<motion::ErasedMotion>>(
+        turns_[k] = std::make_unique<distance::FullTurnClearance<motion::AnyMotion>>(
             context_.tooth, maker_.motion(k).motion, pitch_, drive::pitches_per_lobe(context_.scene));
     });
 }
@@ -49,7 +49,7 @@ TurnMinima SliceClearances::operator()(ClearanceSet const& set, double distance,
 {
     std::vector<std::vector<distance::TurnMinimum>> minima(set.point.size());
     parallel_for(set.point.size(), context_.threads, 1, [&](std::size_t k) {
-        distance::FullTurnClearance<motion::ErasedMotion> const& turn = *turns_[of(k)];
+        distance::FullTurnClearance<motion::AnyMotion> const& turn = *turns_[of(k)];
         std::vector<Vec2> const place = moved_slice(set, k, distance).point;
         minima[k].resize(place.size());
         if (wanted == nullptr)
@@ -78,7 +78,7 @@ Deepest SliceClearances::deepest(ClearanceSet const& set, std::size_t k, double 
             best = {minima[i], place[i]};
     if (set.flank == nullptr)
         return best;
-    distance::FullTurnClearance<motion::ErasedMotion> const& turn = *turns_[of(k)];
+    distance::FullTurnClearance<motion::AnyMotion> const& turn = *turns_[of(k)];
     FlankGrid const& grid = moved.flank;
     double const enough = 4 * unit_roundoff * context_.tolerance.scale;
     for (std::size_t i = 0; i < minima.size(); ++i) {

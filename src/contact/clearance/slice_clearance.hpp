@@ -60,7 +60,7 @@ class SliceClearances
     /// In the planes of @p maker, which outlives this.
     SliceClearances(ContactContext const& context, surface::ToothSurfaceBuilder& maker);
 
-    [[nodiscard]] motion::ErasedMotion const& motion(std::size_t k) const { return maker_.motion(of(k)).motion; }
+    [[nodiscard]] motion::AnyMotion const& motion(std::size_t k) const { return maker_.motion(of(k)).motion; }
 
     /// Minimum of every point moved by @p distance; only those that @p wanted names, the others are left out
     /// (infinite).
@@ -85,7 +85,7 @@ class SliceClearances
     ContactContext const& context_;
     surface::ToothSurfaceBuilder& maker_;
     double pitch_;
-    std::vector<std::unique_ptr<distance::FullTurnClearance<motion::ErasedMotion>>> turns_;
+    std::vector<std::unique_ptr<distance::FullTurnClearance<motion::AnyMotion>>> turns_;
 };
 
 /// Least distance by which @p set must be moved so that no tooth enters it, to clearing_accuracy() or what its points

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "conjugate/plane/solve_motion.hpp"
+#include "conjugate/plane/plane_motion.hpp"
 #include "contact/clearance/clearing_search.hpp"
 #include "contact/clearance/minimum_interval.hpp"
 #include "contact/contact_area.hpp"

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-#include "conjugate/plane/solve_motion.hpp"
+#include "conjugate/plane/plane_motion.hpp"
 #include "contact/gap_field.hpp"
 #include "elastic/bent_cup.hpp"
 #include "hdconj/base/parallel.hpp"
@@ -128,7 +128,7 @@ ToothPoses tooth_places(ContactContext const& context, double phase, std::vector
         parallel_for(teeth, context.threads, grain, [&](std::size_t i) {
             for (std::size_t k = 0; k < z.size(); ++k) {
                 bool const repeated = k > 0 && !scene.coning;
-                motion::ErasedMotion const& motion = motions[scene.coning ? k : 0].motion;
+                motion::AnyMotion const& motion = motions[scene.coning ? k : 0].motion;
                 Pose& pose = places.pose[i * z.size() + k];
                 pose = repeated ? places.pose[i * z.size()] : motion.pose(motion::parameter_at(motion, phi_of(i)));
             }

@@ -8,7 +8,7 @@
 #include <optional>
 #include <utility>
 
-#include "conjugate/plane/solve_motion.hpp"
+#include "conjugate/plane/plane_motion.hpp"
 #include "contact/gap_field.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/motion/material_motion.hpp"

@@ -9,10 +9,9 @@
 
 #include "accuracy/reference/fifty.hpp"
 #include "accuracy/reference/reference_motion.hpp"
-#include "accuracy/study_motion.hpp"
+#include "hdconj/motion/any_motion.hpp"
 #include "hdconj/motion/exact_motion.hpp"
 #include "hdconj/motion/first_order_motion.hpp"
-#include "hdconj/motion/inverse_motion.hpp"
 #include "hdconj/motion/material_motion.hpp"
 #include "hdconj/wavegen/inextensional_mode.hpp"
 #include "hdconj/wavegen/registry.hpp"
@@ -208,19 +207,19 @@ TEST_CASE("reference: every motion is the program's, by another path", "[study]"
             wavegen::AnyWaveShape const wave = program_shape(numbers);
             if (model == Kinematics::material && !wave.breaks().empty())
                 continue;
-            accuracy::StudyMotion const motion =
-                model == Kinematics::exact ? accuracy::StudyMotion(motion::ExactMotion<wavegen::AnyWaveShape>(
+            motion::AnyMotion const motion =
+                model == Kinematics::exact ? motion::AnyMotion::owning(motion::ExactMotion<wavegen::AnyWaveShape>(
                                                  wavegen::NeutralCurve<wavegen::AnyWaveShape>(wave, r_m), ratio))
                 : model == Kinematics::first_order
-                    ? accuracy::StudyMotion(motion::FirstOrderMotion<wavegen::AnyWaveShape>(wave, r_m, ratio))
-                    : accuracy::StudyMotion(motion::MaterialMotion(wavegen::inextensional_mode(wave), r_m, ratio));
+                    ? motion::AnyMotion::owning(motion::FirstOrderMotion<wavegen::AnyWaveShape>(wave, r_m, ratio))
+                    : motion::AnyMotion::owning(motion::MaterialMotion(wavegen::inextensional_mode(wave), r_m, ratio));
             accuracy::ReferenceMotion<accuracy::Fifty> const own(numbers);
             auto const forward = difference(motion, accuracy::ReferenceView<accuracy::Fifty>(own));
             CHECK(forward[0] < 1e-13);
             CHECK(forward[1] < 2e-12);
             for (int const number : {-1, 0, 1}) {
                 auto const reverse =
-                    difference(motion.seen_from_flexspline(number, pitch, 25.3),
+                    difference(motion::seen_from_flexspline(motion, number, pitch, 25.3),
                                accuracy::ReferenceView<accuracy::Fifty>(own, number, accuracy::Fifty(25.3)));
                 CHECK(reverse[0] < 1e-13);
                 CHECK(reverse[1] < 2e-12);

@@ -29,13 +29,13 @@ struct Boundary
         job.emplace(out, *slice.tooth, slice.motion, clock);
         job->find_branches_of_tooth();
         job->find_boundary();
-        curve.emplace(job->curve(slice.owner));
+        curve.emplace(job->curve(slice.tooth));
     }
     ConedDrive drive;
     Solution out;
     StageObserver observer;
     drive::StageClock clock;
-    std::optional<conjugate::ConjugateSolver<motion::ErasedMotion>> job;
+    std::optional<conjugate::ConjugateSolver> job;
     std::optional<conjugate::ToothSpaceBoundary> curve;
 };
 

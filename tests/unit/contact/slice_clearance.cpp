@@ -29,7 +29,7 @@ TEST_CASE("full turns: points taken together are each what it is by itself, and 
         contact::TurnMinima const some = turns(set, distance, &wanted);
         double const rounding = drive.context->tolerance.roundoff();
         for (std::size_t k = 0; k < set.point.size(); ++k) {
-            distance::FullTurnClearance<motion::ErasedMotion> const turn(
+            distance::FullTurnClearance<motion::AnyMotion> const turn(
                 drive.tooth, drive.maker->motion(k).motion, drive.pitch(), drive::pitches_per_lobe(drive.scene));
             std::vector<Vec2> const place = contact::moved_slice(set, k, distance).point;
             REQUIRE(together[k].size() == place.size());

@@ -108,7 +108,7 @@ TEST_CASE("contact batch: point for point that of the envelope, on arcs, corners
 TEST_CASE("contact batch: the angle on the undeformed circle, and which motions have a batch", "[envelope]")
 {
     Exact const motion = type50_motion();
-    auto const batch = envelope::batch_motion(motion);
+    auto const batch = motion::cosine_form(motion);
     REQUIRE(batch.has_value());
     std::vector<double> u, phi(count);
     for (int i = 0; i < count; ++i)
@@ -125,13 +125,13 @@ TEST_CASE("contact batch: the angle on the undeformed circle, and which motions 
     };
     // a scaled cam is a smaller cam
     auto const scaled =
-        envelope::batch_motion(exact(wavegen::AnyWaveShape(wavegen::CosineCam{2 * type50_w0, 2}).scaled(0.5)));
+        motion::cosine_form(exact(wavegen::AnyWaveShape(wavegen::CosineCam{2 * type50_w0, 2}).scaled(0.5)));
     REQUIRE(scaled.has_value());
     CHECK(scaled->w0 == type50_w0);
     CHECK(scaled->r_0 == batch->r_0);
     CHECK_FALSE(
-        envelope::batch_motion(exact(wavegen::AnyWaveShape(wavegen::EllipseCam(type50_w0, type50_r_m)))).has_value());
-    CHECK_FALSE(envelope::batch_motion(type50_first_order()).has_value());
+        motion::cosine_form(exact(wavegen::AnyWaveShape(wavegen::EllipseCam(type50_w0, type50_r_m)))).has_value());
+    CHECK_FALSE(motion::cosine_form(type50_first_order()).has_value());
 }
 
 TEST_CASE("chord errors many at once are those one by one, bit for bit", "[envelope]")

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "hdconj/motion/erased_motion.hpp"
+#include "hdconj/motion/any_motion.hpp"
 #include "hdconj/motion/material_motion.hpp"
 #include "hdconj/wavegen/inextensional_mode.hpp"
 #include "support/catch.hpp"
@@ -125,7 +125,7 @@ TEST_CASE("teeth 0 and 1 are each other's mirror image", "[motion][reverse]")
 TEST_CASE("an erased motion is the motion, bit for bit", "[motion][reverse]")
 {
     Exact const motion = type50_motion();
-    motion::ErasedMotion const erased(motion);
+    motion::AnyMotion const erased(motion);
     CHECK(erased.half_lobe() == motion.half_lobe());
     CHECK(erased.symmetric() == motion.symmetric());
     CHECK(erased.breaks().size() == motion.breaks().size());

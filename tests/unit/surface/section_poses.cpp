@@ -27,7 +27,7 @@ struct Sections
 {
     Sections(double low, double high)
         : poses(low, high, type50_ratio,
-                [this](double factor) { return motion::ErasedMotion(kept.emplace_back(slice(factor))); })
+                [this](double factor) { return motion::AnyMotion(kept.emplace_back(slice(factor))); })
     {
     }
     std::deque<SliceExact> kept;

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "centred_outline.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "hdconj/error.hpp"
+#include "hdconj/numeric/bracketed_root.hpp"
+
+namespace hdconj::conjugate {
+
+Halves cut_at_centre_line(envelope::AnyEnvelope const& envelope, std::vector<envelope::ContactArc> const& arcs,
+                          std::vector<BoundaryPiece> const& pieces, double pitch, Tolerance const& tolerance)
+{
+    auto const x_at = [&](BoundaryPiece const& piece, double u) {
+        return TurnedArc<motion::AnyMotion>{envelope, arcs[static_cast<std::size_t>(piece.arc)], piece.copy * pitch}
+            .point(u)
+            .p.x();
+    };
+    Halves halves;
+    bool crossed = true;
+    for (BoundaryPiece const& piece : pieces) {
+        double const x_begin = piece.arc < 0 ? piece.begin : x_at(piece, piece.begin);
+        double const x_end = piece.arc < 0 ? piece.end : x_at(piece, piece.end);
+        if (!halves.right.empty()) {
+            halves.right.push_back(piece);
+        } else if (x_end <= tolerance.roundoff()) {
+            halves.left.push_back(piece);
+        } else if (x_begin < -tolerance.roundoff() && piece.arc >= 0) {
+            auto const x = [&](double u) { return x_at(piece, u); };
+            numeric::BracketedRoot const root =
+                numeric::bracketed_root(x, std::min(piece.begin, piece.end), std::max(piece.begin, piece.end));
+            crossed = crossed && root.found;
+            halves.left.push_back({piece.arc, piece.copy, piece.begin, root.x});
+            halves.right.push_back({piece.arc, piece.copy, root.x, piece.end});
+        } else {
+            halves.right.push_back(piece);
+        }
+    }
+    if (!crossed || halves.left.empty() || halves.right.empty())
+        throw NumericalError(ErrorCode::no_outline, "outline", "middle of the tooth space",
+                             "does not cross the centre line");
+    return halves;
+}
+
+Outline mirrored(Outline const& half, profile::Profile const& tooth)
+{
+    Outline image;
+    image.chord = half.chord;
+    image.error = half.error;
+    std::size_t const last = half.points.size() - 1;
+    image.points.reserve(2 * half.points.size() + 2);  // the other half follows, and root walls may
+    for (auto p = half.points.rbegin(); p != half.points.rend(); ++p)
+        image.points.emplace_back(-p->x(), p->y());
+    int const segments = static_cast<int>(tooth.segment_names.size());
+    for (auto s = half.stretches.rbegin(); s != half.stretches.rend(); ++s) {
+        // a corner carries the segment before it, whose image stands after the image of the corner
+        int segment = s->segment < 0 ? -1 : segments - 1 - s->segment;
+        if (s->kind == OutlineKind::corner)
+            segment -= 1;
+        image.stretches.push_back({s->kind, segment, last - s->last, last - s->first});
+    }
+    return image;
+}
+
+CentredOutlineSampler::CentredOutlineSampler(envelope::AnyEnvelope const& envelope,
+                                             std::vector<envelope::ContactArc> const& arcs,
+                                             std::vector<BoundaryPiece> const& pieces, double tip_radius, double pitch,
+                                             Tolerance const& tolerance, double chord)
+    : profile_(envelope.profile()), tip_radius_(tip_radius)
+{
+    Halves halves = cut_at_centre_line(envelope, arcs, pieces, pitch, tolerance);
+    right_.emplace(envelope, arcs, std::move(halves.right), pitch, chord);
+    if (!(profile_.mirror_symmetric && envelope.motion().symmetric()))
+        left_.emplace(envelope, arcs, std::move(halves.left), pitch, chord);
+}
+
+double CentredOutlineSampler::expected(std::size_t i) const
+{
+    return i < right_->count() ? right_->expected(i) : left_->expected(i - right_->count());
+}
+
+void CentredOutlineSampler::sample(std::size_t i, int threads)
+{
+    i < right_->count() ? right_->sample(i, threads) : left_->sample(i - right_->count(), threads);
+}
+
+CentredOutline CentredOutlineSampler::joined() const
+{
+    Outline right = right_->joined(tip_radius_);
+    right.points.front().x() = 0;
+    CentredOutline result{left_ ? left_->joined(tip_radius_) : mirrored(right, profile_), 0};
+    Outline& whole = result.outline;
+    result.middle = whole.points.size() - 1;
+    whole.points.pop_back();
+    whole.points.insert(whole.points.end(), right.points.begin(), right.points.end());
+    for (OutlineStretch stretch : right.stretches) {
+        stretch.first += result.middle;
+        stretch.last += result.middle;
+        whole.stretches.push_back(stretch);
+    }
+    whole.chord = std::max(whole.chord, right.chord);
+    whole.error = std::max(whole.error, right.error);
+    whole.evaluations += right.evaluations;
+    return result;
+}
+
+}  // namespace hdconj::conjugate

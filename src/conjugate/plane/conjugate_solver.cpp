@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "conjugate_solver.hpp"
+
+#include <cstddef>
+#include <numbers>
+#include <utility>
+
+#include "assemble_until_clear.hpp"
+#include "certificate.hpp"
+#include "conjugate/chord_moved.hpp"
+#include "drive/drive.hpp"
+#include "offset_topology.hpp"
+#include "outline_records.hpp"
+#include "records_beside.hpp"
+#include "root_clearance.hpp"
+#include "tooth_positions.hpp"
+#include "turn_check.hpp"
+
+namespace hdconj::conjugate {
+
+ConjugateSolver::ConjugateSolver(Solution& out, profile::Profile const& tooth, motion::AnyMotion const& motion,
+                                 drive::StageClock& clock)
+    : out_(out),
+      tooth_(tooth),
+      motion_(motion),
+      clock_(clock),
+      base_(tooth, motion, 0),
+      pitch_(2 * std::numbers::pi / out.scene.drive.circular_spline_teeth),
+      tolerance_{out.scene.solver.tolerance, out.geometry.r_m + out.geometry.w0 + tooth.pitch_line + tooth.addendum}
+{
+}
+
+void ConjugateSolver::operator()(profile::Profile const& given)
+{
+    shown_.emplace(given, tolerance_.length, out_.flexspline_outline);
+    find_branches_of_tooth();
+    find_boundary();
+    clock_.run(Stage::outline, [&] { publish(); });
+}
+
+void ConjugateSolver::find_branches_of_tooth()
+{
+    clock_.run(Stage::envelope, [&] { trace(); });
+}
+
+void ConjugateSolver::find_boundary()
+{
+    if (is_moved())
+        clock_.run_rest(Stage::backlash, [&] { trace_moved(); });
+    auto const wanted = [&] { return out_.scene.circular_spline.backlash_offset - tolerance_.coincidence(); };
+    assemble_until_clear(
+        out_, first_chord(), [&](double c) { assemble(c); }, wanted, "");
+}
+
+double ConjugateSolver::pointed_radius() const
+{
+    double const offset = out_.scene.circular_spline.backlash_offset;
+    envelope::AnyEnvelope const moved(tooth_, motion_, offset);
+    std::vector<envelope::ContactArc> const arcs =
+        all_arcs(offset > 0 ? envelope::find_branches(moved, out_.threads).branches : branches_);
+    return swept_polygons(moved, arcs, out_.geometry.circular_spline_inner_radius, pitch_, first_chord(), false)
+        .radius_between_spaces();
+}
+
+ToothSpaceBoundary ConjugateSolver::curve(std::shared_ptr<profile::Profile const> tooth) const
+{
+    Halves const halves = cut_at_centre_line(final_envelope(), final_.arcs, final_.space.pieces, pitch_, tolerance_);
+    std::vector<BoundaryPiece> pieces = halves.left;
+    pieces.insert(pieces.end(), halves.right.begin(), halves.right.end());
+    return {std::move(tooth),
+            motion_,
+            final_envelope().offset(),
+            final_.arcs,
+            std::move(pieces),
+            out_.geometry.circular_spline_inner_radius,
+            pitch_};
+}
+
+envelope::AnyEnvelope ConjugateSolver::final_envelope() const
+{
+    return {tooth_, motion_, out_.scene.circular_spline.backlash_offset};
+}
+
+void ConjugateSolver::trace()
+{
+    bool const long_job = tooth_.pieces.size() > branches_worth_a_thread(base_, tolerance_.length);
+    envelope::BranchSet set = envelope::find_branches(base_, out_.threads, long_job);
+    refuse_lost_branches(set.record, tolerance_.length);
+    record_doubts(set.record, tooth_, out_.certificate);
+    branches_ = std::move(set.branches);
+    out_.work.roots_isolated += set.record.roots;
+    out_.work.envelope_points += set.record.evaluations;
+}
+
+void ConjugateSolver::trace_moved()
+{
+    envelope::BranchSet set = envelope::find_branches(final_envelope(), out_.threads);
+    refuse_lost_branches(set.record, tolerance_.length);
+    moved_branches_ = std::move(set.branches);
+}
+
+void ConjugateSolver::find_pieces(double chord, DeferredTasks& jobs)
+{
+    try {
+        trace_boundary(chord);
+        std::vector<double> chords;
+        for (std::size_t i = 0; i < sampler_->count(); ++i)
+            chords.push_back(sampler_->expected(i));
+        jobs.open(chords.size(),
+                  [this, order = largest_first(chords)](std::size_t k) { sampler_->sample(order[k], 1); });
+    } catch (...) {
+        jobs.close();
+        throw;
+    }
+    jobs.help();
+}
+
+void ConjugateSolver::assemble(double chord)
+{
+    clock_.run_rest(Stage::outline, [&] {
+        if (auto const shown = std::exchange(shown_, std::nullopt))
+            // one thread arranges the boundary's polygons, the others take branches meanwhile, and then pieces of
+            // the outline with it
+            out_.branches = records_beside(base_, branches_, tolerance_.length, out_.threads, out_.work.envelope_points,
+                                           *shown, [&](DeferredTasks& jobs) { find_pieces(chord, jobs); });
+        else {
+            trace_boundary(chord);
+            sample_pieces();
+        }
+        join_pieces();
+        double const shift = conjugate::largest_radial_shift(out_.scene);
+        for (conjugate::MovedChord moved(tolerance_.length);
+             shift > 0 && moved.is_longer(conjugate::chord_moved_radially(outline_.outline.points,
+                                                                          outline_.outline.chord, shift));) {
+            find_sampler(moved.asked());
+            sample_pieces();
+            join_pieces();
+        }
+    });
+    clock_.run(Stage::root_clearance, [&] {
+        std::size_t const before = outline_.outline.points.size();
+        deepen(outline_.outline, outline_.middle, out_.scene.circular_spline.root_clearance);
+        outline_.middle += (outline_.outline.points.size() - before) / 2;
+    });
+    clock_.run(Stage::interference, [&] { check(); });
+}
+
+void ConjugateSolver::trace_boundary(double chord)
+{
+    clock_.run(Stage::region, [&] { final_ = traced_space(base_, branches_, chord, tolerance_, out_); });
+    clock_.run(Stage::backlash, [&] {
+        TracedSpace shifted = traced_space(final_envelope(), moved_branches_, chord, tolerance_, out_);
+        require_same_topology(base_, final_.arcs, final_.space, shifted.arcs, shifted.space, pitch_,
+                              out_.scene.circular_spline.backlash_offset, tolerance_.length);
+        final_ = std::move(shifted);
+    });
+    clock_.run(Stage::outline, [&] {
+        if (is_moved())
+            moved_.emplace(final_envelope());
+        find_sampler(tolerance_.length);
+    });
+}
+
+void ConjugateSolver::find_sampler(double chord)
+{
+    sampler_.emplace(moved_ ? *moved_ : base_, final_.arcs, final_.space.pieces,
+                     out_.geometry.circular_spline_inner_radius, pitch_, tolerance_, chord);
+}
+
+void ConjugateSolver::sample_pieces()
+{
+    for (std::size_t i = 0; i < sampler_->count(); ++i)
+        sampler_->sample(i, out_.threads);
+}
+
+void ConjugateSolver::join_pieces()
+{
+    outline_ = sampler_->joined();
+    out_.work.envelope_points += outline_.outline.evaluations;
+}
+
+void ConjugateSolver::check()
+{
+    distance::FullTurnClearance<motion::AnyMotion> const clearance(tooth_, motion_, pitch_,
+                                                                   drive::pitches_per_lobe(out_.scene));
+    std::size_t const first = tooth_.mirror_symmetric && motion_.symmetric() ? outline_.middle : 0;
+    out_.check =
+        check_turn(clearance, motion_, outline_.outline.points, points_to_check(outline_.outline, first), out_.threads);
+}
+
+void ConjugateSolver::publish()
+{
+    Outline const& outline = outline_.outline;
+    CircularSplineOutline& cs = out_.circular_spline;
+    cs.z = {0.0};
+    cs.pieces = piece_records(outline, tooth_);
+    Bottom const bottom = bottom_of(outline, outline_.middle);
+    std::size_t const left_land = outline.stretches.front().last;
+    std::size_t const right_land = outline.stretches.back().first;
+    for (std::size_t index : {left_land, bottom.first, outline_.middle, bottom.last, right_land})
+        cs.landmarks.push_back(static_cast<int>(index));
+    measure_space(outline, left_land, right_land, pitch_, out_.geometry, out_.error);
+    cs.outline.push_back(
+        outline.points);  // a copy: what was grown in the midst of other work keeps pages that a file needs next
+    out_.error.chord = outline.chord;
+    out_.error.point = outline.error;
+    out_.error.clearance = out_.error.point + tolerance_.roundoff();
+    for (std::size_t i = 0; i < branches_.size(); ++i) {
+        std::size_t const before = out_.zones.size();
+        append_zones(base_, branches_[i], i, final_.arcs, final_.space.pieces, out_.zones);
+        for (std::size_t k = before; k < out_.zones.size(); ++k)
+            out_.branches[i].on_boundary = out_.branches[i].on_boundary || out_.zones[k].on_boundary;
+    }
+    add_positions(tooth_, motion_, 0, out_.tooth_family);
+}
+
+}  // namespace hdconj::conjugate

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "plane_motion.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "drive/elastic_cup.hpp"
+#include "hdconj/base/tolerance.hpp"
+#include "hdconj/motion/exact_motion.hpp"
+#include "hdconj/motion/first_order_motion.hpp"
+#include "hdconj/motion/material_motion.hpp"
+#include "hdconj/wavegen/inextensional_mode.hpp"
+#include "hdconj/wavegen/neutral_curve.hpp"
+
+namespace hdconj::conjugate {
+namespace {
+
+/// One turn of the neutral curve rho = r_0 + w in the fixed frame; every point is on the curve.
+std::vector<Vec2> sampled_neutral_curve(wavegen::AnyWaveShape const& shape, double mean_radius)
+{
+    constexpr int points = 720;
+    std::vector<Vec2> result;
+    result.reserve(points);
+    for (int i = 0; i < points; ++i) {
+        double const u = 2 * std::numbers::pi * i / points;
+        double const rho = mean_radius + shape(u).w;
+        result.emplace_back(rho * std::sin(u), rho * std::cos(u));
+    }
+    return result;
+}
+
+/// One turn of the displaced points in the fixed frame.
+std::vector<Vec2> displaced_points(wavegen::MaterialDisplacement const& displacement, double r_m)
+{
+    constexpr int points = 720;
+    std::vector<Vec2> result;
+    result.reserve(points);
+    for (int i = 0; i < points; ++i) {
+        double const phi = 2 * std::numbers::pi * i / points;
+        auto const [w, v] = wavegen::displacement_at(displacement, phi);
+        double const s = std::sin(phi);
+        double const c = std::cos(phi);
+        result.emplace_back((r_m + w[0]) * s + v[0] * c, (r_m + w[0]) * c - v[0] * s);
+    }
+    return result;
+}
+
+/// The motion that @p make builds, as the stage of that name.
+template <class Make>
+motion::AnyMotion in_stage(drive::StageClock& clock, Make const& make)
+{
+    std::optional<motion::AnyMotion> motion;
+    clock.run(Stage::motion, [&] { motion.emplace(make()); });
+    return std::move(*motion);
+}
+
+motion::AnyMotion exact_motion(wavegen::AnyWaveShape const& shape, Solution& out, drive::StageClock& clock)
+{
+    std::optional<wavegen::NeutralCurve<wavegen::AnyWaveShape>> curve;
+    clock.run(Stage::neutral_curve, [&] {
+        curve.emplace(shape, out.geometry.r_m);
+        out.geometry.r_0 = curve->r_0();
+        out.error.arc_length = curve->relative_error();
+        constexpr double roundings = 8;  // of the search for it
+        out.error.r_0 = (curve->relative_error() + roundings * unit_roundoff) * out.geometry.r_m;
+        out.neutral_curve = sampled_neutral_curve(shape, curve->r_0());
+    });
+    return in_stage(clock, [&] {
+        motion::ExactMotion<wavegen::AnyWaveShape> motion(std::move(*curve), tooth_ratio(out.scene));
+        auto const closed_form = motion::cosine_form(motion);
+        return motion::AnyMotion::owning(std::move(motion), closed_form);
+    });
+}
+
+motion::AnyMotion first_order_motion(wavegen::AnyWaveShape const& shape, Solution& out, drive::StageClock& clock)
+{
+    // the thesis leaves the mean radius at r_m: its curve is longer than the ring by 2 pi w0^2/r_m (n = 2)
+    clock.run(Stage::neutral_curve, [&] {
+        out.geometry.r_0 = out.geometry.r_m;
+        out.neutral_curve = sampled_neutral_curve(shape, out.geometry.r_m);
+    });
+    return in_stage(clock, [&] {
+        return motion::AnyMotion::owning(
+            motion::FirstOrderMotion<wavegen::AnyWaveShape>(shape, out.geometry.r_m, tooth_ratio(out.scene)));
+    });
+}
+
+/// @param given  makes the displacement
+template <class Given>
+motion::AnyMotion material_motion(Given const& given, Solution& out, drive::StageClock& clock)
+{
+    wavegen::MaterialDisplacement displacement;
+    // a linear model measures w from the undeformed circle: its mean radius is r_m, its length right to first order
+    clock.run(Stage::neutral_curve, [&] {
+        displacement = given();
+        out.geometry.r_0 = out.geometry.r_m;
+        out.neutral_curve = displaced_points(displacement, out.geometry.r_m);
+    });
+    return in_stage(clock, [&] {
+        return motion::AnyMotion::owning(
+            motion::MaterialMotion(displacement, out.geometry.r_m, tooth_ratio(out.scene)));
+    });
+}
+
+}  // namespace
+
+motion::AnyMotion plane_motion(wavegen::AnyWaveShape const& shape, Solution& out, drive::StageClock& clock)
+{
+    switch (out.scene.solver.kinematics) {
+        case Kinematics::first_order:
+            return first_order_motion(shape, out, clock);
+        case Kinematics::material:
+            return material_motion([&] { return wavegen::inextensional_mode(shape); }, out, clock);
+        case Kinematics::exact:
+            break;
+    }
+    return exact_motion(shape, out, clock);
+}
+
+motion::AnyMotion elastic_plane_motion(Solution& out, drive::StageClock& clock)
+{
+    return material_motion([&] { return drive::displacement_at(*out.cup, 0, out.geometry.r_m); }, out, clock);
+}
+
+}  // namespace hdconj::conjugate
