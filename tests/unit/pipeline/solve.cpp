@@ -159,17 +159,16 @@ TEST_CASE("root clearance moves the bottom and nothing else", "[pipeline]")
 
 TEST_CASE("an offset that swallows a stretch of flank says where and how much", "[pipeline]")
 {
-    using test::Exact;
     profile::Profile const tooth = test::type50_tooth();
-    Exact const motion = test::type50_motion();
-    envelope::Envelope<Exact> const envelope(tooth, motion, 0);
+    auto const motion = motion::AnyMotion::owning(test::type50_motion());
+    envelope::AnyEnvelope const envelope(tooth, motion, 0);
     std::vector<envelope::ContactArc> arcs;
     for (envelope::Branch const& branch : envelope::find_branches(envelope, 1).branches)
         arcs.insert(arcs.end(), branch.arcs.begin(), branch.arcs.end());
     double const pitch = 2 * std::numbers::pi / test::type50_z_c;
     constexpr double offset = 0.03;
     conjugate::ToothSpace const before =
-        conjugate::ToothSpaceFinder<Exact>(envelope, arcs, 25.025, test::type50_z_c, {1e-6, 26}, 1e-4)();
+        conjugate::ToothSpaceFinder<motion::AnyMotion>(envelope, arcs, 25.025, test::type50_z_c, {1e-6, 26}, 1e-4)();
     auto const judge = [&](conjugate::ToothSpace const& after) {
         conjugate::require_same_topology(envelope, arcs, before, arcs, after, pitch, offset, 1e-6);
     };
