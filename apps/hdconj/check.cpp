@@ -2,8 +2,6 @@
 // The verb `check`: what is wrong with a scene, or what will be computed of it and why.
 #include <fmt/format.h>
 
-#include <optional>
-
 #include "hdconj/load.hpp"
 #include "hdconj/plan.hpp"
 #include "hdconj/profile/registry.hpp"
@@ -39,21 +37,13 @@ Plan plan_of(CheckArguments const& own, Scene const& scene)
 int run_check(CommonOptions const& common, CheckArguments const& own)
 {
     auto const reading = examine(common);
-    using Planned = std::optional<Plan>;
-    Work<Planned> work;
-    work.compute = [&](ProgressLine const&) {
-        return reading.faults.empty() ? Planned(plan_of(own, reading.scene)) : std::nullopt;
+    refuse(reading.faults);
+    Work<Plan> work;
+    work.compute = [&](ProgressLine const&) { return plan_of(own, reading.scene); };
+    work.text = [&](Plan const& plan, Written const&) {
+        return (own.only_plan ? "" : headline(reading.scene)) + describe(plan);
     };
-    work.text = [&](Planned const& plan, Written const&) {
-        return plan ? (own.only_plan ? "" : headline(reading.scene)) + describe(*plan) : "";
-    };
-    work.json = [&](Planned const& plan, Written const&) {
-        return check_json(scene_name(common), reading.faults, plan ? &*plan : nullptr) + '\n';
-    };
-    work.status = [&](Planned const&) {
-        refuse(reading.faults);
-        return exit_done;
-    };
+    work.json = [&](Plan const& plan, Written const&) { return check_json(scene_name(common), {}, &plan) + '\n'; };
     return run_verb(common, work);
 }
 

@@ -15,6 +15,7 @@
 #include "hdconj/base/suggest.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/file/atomic_file.hpp"
+#include "hdconj/read_scene.hpp"
 #include "hdconj/scene/schema.hpp"
 #include "hdconj/version.hpp"
 #include "heap.hpp"
@@ -62,10 +63,14 @@ int run_action(CommonOptions const& common)
         return common.action();
     } catch (InputError const& error) {
         print_faults(common, error.faults());
+        if (common.json)
+            std::cout << check_json(scene_name(common), error.faults(), nullptr) << '\n';
         return exit_input;
     } catch (std::bad_alloc const&) {
         return fail("out of memory");
     } catch (std::exception const& error) {
+        if (common.json)
+            std::cout << failure_json(scene_name(common), error) << '\n';
         return fail(error.what());
     }
 }

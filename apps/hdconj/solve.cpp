@@ -17,6 +17,7 @@ struct SolveArguments
     std::string output;  ///< result file; empty: named after the scene file
     std::string dxf;
     std::string picture;
+    bool verbose = false;
 };
 
 int run_solve(CommonOptions const& common, SolveArguments const& own)
@@ -29,7 +30,9 @@ int run_solve(CommonOptions const& common, SolveArguments const& own)
     add_file(work, "dxf", "--dxf", own.dxf, write_dxf);
     add_file(work, "picture", "--picture", own.picture, write_picture, check_picture);
     work.compute = [&](ProgressLine const& progress) { return solve(scene, progress.stages()); };
-    work.text = [](Solution const& solution, Written const& written) { return summary_text(solution, written); };
+    work.text = [&](Solution const& solution, Written const& written) {
+        return summary_text(solution, written, own.verbose ? SummaryDetail::zones : SummaryDetail::figures);
+    };
     work.json = [](Solution const& solution, Written const& written) { return summary_json(solution, written); };
     return run_verb(common, work);
 }
@@ -44,6 +47,7 @@ void add_solve(CLI::App& program, CommonOptions& common)
              "FILE");
     add_name(verb, "--dxf", own.dxf, "outlines for CAD and wire machines, DXF R12", "FILE");
     add_name(verb, "--picture", own.picture, "drawing of the tooth space, needs gnuplot", "FILE.svg|FILE.png");
+    verb.add_flag("-v,--verbose", own.verbose, "list the conjugate zones in the summary");
 }
 
 }  // namespace hdconj::cli

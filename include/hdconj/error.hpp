@@ -5,6 +5,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -63,6 +64,9 @@ enum class ErrorCode
     no_room,          ///< a dialect of the wire machine cannot hold the program
     failed_check      ///< a result does not pass the program's own check of it
 };
+
+/// The code as JSON writes it: "not-converged", "no-land" ...
+[[nodiscard]] std::string_view to_string(ErrorCode code);
 
 /// A computation could not be finished to its tolerance. The message reads "stage: place: cause; remedy".
 class NumericalError : public std::runtime_error

@@ -29,8 +29,16 @@ void write_picture(Solution const& solution, std::filesystem::path const& file);
 /// What can be known before the long work: ending, gnuplot, target. Throws what write_picture() would.
 void check_picture(std::filesystem::path const& file);
 
+/// What the printed summary holds.
+enum class SummaryDetail
+{
+    figures,  ///< geometry, clearance, errors and times
+    zones     ///< the table of conjugate zones too
+};
+
 /// The printed summary that a designer reads.
-[[nodiscard]] std::string summary_text(Solution const& solution, std::vector<WrittenFile> const& written = {});
+[[nodiscard]] std::string summary_text(Solution const& solution, std::vector<WrittenFile> const& written = {},
+                                       SummaryDetail detail = SummaryDetail::figures);
 
 /// The same figures as one JSON object, keys in docs/reference/json.md. Numbers are finite or null.
 [[nodiscard]] std::string summary_json(Solution const& solution, std::vector<WrittenFile> const& written = {});

@@ -2,6 +2,7 @@
 #include "hdconj/error.hpp"
 
 #include <algorithm>
+#include <array>
 #include <climits>
 #include <cstddef>
 #include <tuple>
@@ -53,6 +54,14 @@ void sort_by_place(Faults& faults)
     };
     std::stable_sort(faults.begin(), faults.end(),
                      [&rank](Fault const& a, Fault const& b) { return rank(a) < rank(b); });
+}
+
+std::string_view to_string(ErrorCode code)
+{
+    static constexpr std::array<std::string_view, 12> words{
+        "not-converged", "not-smooth", "no-solution",     "no-land",      "no-outline", "interference",
+        "no-contact",    "overload",   "unsuitable-body", "no-reference", "no-room",    "failed-check"};
+    return words.at(static_cast<std::size_t>(code));
 }
 
 NumericalError::NumericalError(ErrorCode code, std::string stage, std::string place, std::string cause,

@@ -143,6 +143,24 @@ TEST_CASE("check --json is one JSON object, also for a bad scene", "[program]")
     CHECK_FALSE(bad.contains("stages"));
 }
 
+TEST_CASE("every verb with --json prints one object when it fails too", "[program]")
+{
+    for (char const* verb : {"solve", "contact", "load", "wedm", "accuracy"}) {
+        INFO(verb);
+        auto const outcome = hdconj_run(std::string(verb) + " --json --set flexspline.wall=-1");
+        CHECK(outcome.status == refused);
+        auto const bad = nlohmann::json::parse(outcome.out);
+        CHECK(bad["scene"] == "the built-in scene");
+        CHECK(bad["faults"][0]["path"] == "flexspline.wall");
+    }
+    auto const outcome = hdconj_run("solve --json --set wave_generator.radial_deformation=0.15");
+    CHECK(outcome.status == failed);
+    auto const bad = nlohmann::json::parse(outcome.out);
+    CHECK(bad["error"]["code"] == "no-land");
+    for (char const* key : {"stage", "place", "cause", "remedy"})
+        CHECK_FALSE(bad["error"][key].get<std::string>().empty());
+}
+
 TEST_CASE("files that are no scene are refused", "[program]")
 {
     TemporaryFolder const folder;

@@ -224,7 +224,7 @@ void check_summary(Results const& results)
 
 TEST_CASE("solve: text, JSON and HDF5 have the same figures and errors", "[figures]")
 {
-    Results const results("solve");
+    Results const results("solve --verbose");
     check_summary(results);
     auto const& text = results.text;
     auto const& geometry = results.summary.at("geometry");

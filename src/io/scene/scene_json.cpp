@@ -34,6 +34,13 @@ void add_plan(Json& object, Plan const& plan)
     }
 }
 
+std::string text_of(Json const& object)
+{
+    constexpr int indent = 2;
+    // A value may hold bytes that are no UTF-8; they are replaced, not thrown at.
+    return object.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
 }  // namespace
 
 std::string check_json(std::string const& scene_name, Faults const& faults, Plan const* plan)
@@ -41,9 +48,19 @@ std::string check_json(std::string const& scene_name, Faults const& faults, Plan
     Json object{{"scene", scene_name}, {"faults", json_of(faults)}};
     if (plan != nullptr)
         add_plan(object, *plan);
-    constexpr int indent = 2;
-    // A value may hold bytes that are no UTF-8; they are replaced, not thrown at.
-    return object.dump(indent, ' ', false, Json::error_handler_t::replace);
+    return text_of(object);
+}
+
+std::string failure_json(std::string const& scene_name, std::exception const& error)
+{
+    Json said{{"code", "failed"}, {"stage", ""}, {"place", ""}, {"cause", error.what()}, {"remedy", ""}};
+    if (auto const* known = dynamic_cast<NumericalError const*>(&error))
+        said = {{"code", to_string(known->code())},
+                {"stage", known->stage()},
+                {"place", known->place()},
+                {"cause", known->cause()},
+                {"remedy", known->remedy()}};
+    return text_of({{"scene", scene_name}, {"error", said}});
 }
 
 }  // namespace hdconj

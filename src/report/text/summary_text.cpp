@@ -33,12 +33,13 @@ void write_geometry(Page& page, Solution const& solution)
     page.figure(rows["land_width"], solution, "along the tip circle, " + told.error_with_unit("land_width"));
 }
 
-void write_zones(Page& page, Solution const& solution)
+void write_zones(Page& page, Solution const& solution, SummaryDetail detail)
 {
-    page.line("\nconjugate zones: {} on {} branches ({} regular, {} of corners)", solution.zones.size(),
+    bool const listed = detail == SummaryDetail::zones;
+    page.line("\nconjugate zones: {} on {} branches ({} regular, {} of corners){}", solution.zones.size(),
               solution.branches.size(), figures::branches_of_kind(solution, "regular"),
-              figures::branches_of_kind(solution, "corner"));
-    if (solution.zones.empty())
+              figures::branches_of_kind(solution, "corner"), listed ? "" : "; --verbose lists them");
+    if (!listed || solution.zones.empty())
         return;
     std::size_t widest = std::string("segment").size();
     for (auto const& zone : solution.zones)
@@ -192,13 +193,13 @@ void write_end(Page& page, Solution const& solution, std::vector<WrittenFile> co
 
 namespace hdconj {
 
-std::string summary_text(Solution const& solution, std::vector<WrittenFile> const& written)
+std::string summary_text(Solution const& solution, std::vector<WrittenFile> const& written, SummaryDetail detail)
 {
     report::Page page;
     report::write_geometry(page, solution);
-    report::write_zones(page, solution);
-    report::write_certificate(page, solution);
     report::write_outline(page, solution);
+    report::write_zones(page, solution, detail);
+    report::write_certificate(page, solution);
     report::write_timing(page, solution);
     report::write_files(page, written);
     return page.text();
