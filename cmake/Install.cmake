@@ -12,6 +12,17 @@ foreach(component core region solve accuracy io all)
 endforeach()
 if(TARGET hdconj)
   install(TARGETS hdconj)
+  install(FILES "${PROJECT_SOURCE_DIR}/data/completion/hdconj.bash"
+          DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" RENAME hdconj)
+  # The manual pages are the program's own help, so they are made where the program runs.
+  find_program(HDCONJ_HELP2MAN help2man)
+  mark_as_advanced(HDCONJ_HELP2MAN)
+  if(HDCONJ_HELP2MAN AND NOT CMAKE_CROSSCOMPILING)
+    install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" \"-DPROGRAM=$<TARGET_FILE:hdconj>\"
+      \"-DHELP2MAN=${HDCONJ_HELP2MAN}\" \"-DFOLDER=${PROJECT_BINARY_DIR}/man\"
+      -P \"${PROJECT_SOURCE_DIR}/cmake/ManPages.cmake\" COMMAND_ERROR_IS_FATAL ANY)")
+    install(DIRECTORY "${PROJECT_BINARY_DIR}/man/" DESTINATION "${CMAKE_INSTALL_MANDIR}/man1")
+  endif()
 endif()
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/data/scenes" DESTINATION "${CMAKE_INSTALL_DATADIR}/hdconj"
         FILES_MATCHING PATTERN "*.toml")

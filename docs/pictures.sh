@@ -28,6 +28,7 @@ done
 run wedm "$scenes/type-50.toml" --tilt 0.2 --picture "$scratch/w.svg"
 keep w-tooth.svg wedm-tooth.svg
 (cd .. && gnuplot docs/figures/rounding.gp)
+"$python" figures/drive_section.py figures/drive-section.svg
 if "$python" -c 'import h5py, tomllib' 2>/dev/null; then
   (cd .. && "$python" docs/figures/tooth_families.py "$program" docs/figures \
     && "$python" docs/figures/wave_generators.py "$program" docs/figures/wave-generators.svg)

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Completion of hdconj for bash: verbs, options, their words, scene files.
+# The test docs.completion compares the verbs and the options with those of the program.
+
+_hdconj()
+{
+    local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
+    local common="--help --set --threads --json --quiet"
+    local verbs="init check solve contact load wedm accuracy export help version"
+    COMPREPLY=()
+    if [ "$COMP_CWORD" -eq 1 ]; then
+        case $current in
+            -*) COMPREPLY=($(compgen -W "--help --version" -- "$current")) ;;
+            *) COMPREPLY=($(compgen -W "$verbs" -- "$current")) ;;
+        esac
+        return
+    fi
+
+    case $previous in
+        help) COMPREPLY=($(compgen -W "$verbs" -- "$current")); return ;;
+        --surface) COMPREPLY=($(compgen -W "tilted ruled per-slice" -- "$current")); return ;;
+        --kind) COMPREPLY=($(compgen -W "radial draft" -- "$current")); return ;;
+        --part) COMPREPLY=($(compgen -W "circular-spline flexspline" -- "$current")); return ;;
+        --output-member) COMPREPLY=($(compgen -W "cup circular-spline" -- "$current")); return ;;
+        --dialect)
+            COMPREPLY=($(compgen -W "dxf xyuv-guide xyuv-face csv relative-uv two-plane 3b iso-2d" -- "$current"))
+            return ;;
+        --for) COMPREPLY=($(compgen -W "solve contact load" -- "$current")); return ;;
+    esac
+
+    local options
+    case ${COMP_WORDS[1]} in
+        init) options="--help --force --quiet" ;;
+        check) options="$common --plan --for" ;;
+        solve) options="$common --output --dxf --picture" ;;
+        contact)
+            options="$common --tilt --surface --kind --best --revolution --output --picture --xdmf --stl --vtk --ring" ;;
+        load)
+            options="$common --torque --points --tilt --surface --kind --no-curve --output --picture --vtu"
+            options="$options --measured --torque-constant --counts-per-turn --ratio --efficiency --output-member" ;;
+        wedm) options="$common --part --tilt --output --from --dialect --decimals --picture" ;;
+        accuracy)
+            options="$common --study --output --sample --repeats --quick --from --budget --error --page" ;;
+        export) options="$common --calculix --contact --vtu --steps" ;;
+    esac
+    case $current in
+        -*) COMPREPLY=($(compgen -W "$options" -- "$current")) ;;
+        *) COMPREPLY=($(compgen -f -- "$current")) ;;
+    esac
+}
+
+complete -o filenames -o bashdefault -F _hdconj hdconj
