@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes the pictures of the docs, but for those of accuracy.md, which `hdconj accuracy --page docs/explanation/accuracy.md` draws
-# from ten minutes of measurements:
+# Makes the pictures of the docs, but for those of accuracy.md. `hdconj accuracy --page FOLDER/accuracy.md` draws these
+# into FOLDER/figures, from ten minutes of measurements.
 #   docs/pictures.sh BUILD_DIR         all, in two minutes
 #   docs/pictures.sh BUILD_DIR quick   those that take a second each
 # They go to docs/figures and docs/gallery; git keeps the few that pages show (.gitignore). Needs gnuplot; h5py for the

@@ -90,7 +90,7 @@ def main():
         if abs(moved) > ALLOWED:
             print(
                 f"  more than {100 * ALLOWED:.0f} %: if it is meant, "
-                f"run {pathlib.Path(__file__).name} PROGRAM --update and say why in docs/explanation/performance.md"
+                f"run {pathlib.Path(__file__).name} PROGRAM --update and say why in the commit message"
             )
             status = 1
     return status

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// docs/explanation/accuracy.md is written by this file from records; what follows from them is in
+// The page of `hdconj accuracy --page` is written by this file from records; what follows from them is in
 // accuracy_conclusions.cpp.
 #include <fmt/format.h>
 
