@@ -53,5 +53,8 @@ if [ "$quick" != quick ]; then
     --set circular_spline.backlash_offset=0.065 --picture "$scratch/l.svg"
   keep l-curve.svg load-curve.svg
   keep l-pressure.svg load-pressure.svg
+  run load "$scenes/type-50-elastic.toml" --surface tilted --points 8 --set circular_spline.backlash_offset=0.065 \
+    --measured ../data/measured/torque-twist.csv --torque-constant 0.119 --counts-per-turn 2000 --picture "$scratch/m.svg"
+  keep m-curve.svg measured-curve.svg
 fi
 "$python" figures/compact_svg.py figures/*.svg gallery/*.svg
