@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// What `contact` writes and prints; surfaces for other programs are in surface_files.hpp.
+/// What `contact` writes and prints; surfaces for other programs are in mesh_files.hpp.
 #pragma once
 
 #include <filesystem>

@@ -56,18 +56,15 @@ void write_vtk(ContactStudy const& study, std::filesystem::path const& file, Sur
 void write_vtu(elastic::BentCup const& cup, std::filesystem::path const& file, int steps = 96);
 
 /// A folder with a deck for CalculiX that needs nothing from here to run (`ccx linear`), and what it must come to:
-///
-///   linear.inp    cup of C3D20R, bottom clamped at the flange, forces of the bearing on the inner surface,
-///   geometrically linear expected.csv  node, r, z, phi_deg, u_r, u_t, u_z of some nodes whose displacements the deck
-///   prints files.txt     what is there
+/// - `linear.inp`: cup of C3D20R, bottom clamped at the flange, forces of the bearing on the inner surface,
+///   geometrically linear
+/// - `expected.csv`: node, r, z, phi_deg, u_r, u_t, u_z of some nodes whose displacements the deck prints
+/// - `files.txt`: what is there
 ///
 /// and where contact is asked for
-///
-///   contact.inp           the cup, and the bearing as a second body that touches it or does not, moved by the cam
-///   (rigid, or on the line of balls of an
-///                         elastic ring): another way to the same displacements, to what grids of contacts and a
-///                         penalty leave of it
-///   expected_contact.csv  resultant of the forces between them, on the part of the cup that is there
+/// - `contact.inp`: the cup, and the bearing as a second body that touches it or does not, moved by the cam (rigid, or
+///   on the line of balls of an elastic ring): the same displacements but for grids of contacts and a penalty
+/// - `expected_contact.csv`: resultant of the forces between them, on the part of the cup that is there
 ///
 /// Of a cup that is its own mirror image half a lobe, otherwise the whole turn. Where the ring stands off its balls the
 /// deck leaves it free. Domain of the contact: balls without radial stiffness, a bearing with a width.

@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
+#include <vector>
 
 #include "hdconj/base/vec2.hpp"
 
@@ -32,6 +34,26 @@ namespace hdconj {
     double const length = along.squaredNorm();
     double const at = length > 0 ? std::clamp((point - a).dot(along) / length, 0.0, 1.0) : 0.0;
     return (point - a - at * along).squaredNorm();
+}
+
+/// Adds to @p kept, in their order, the indices between @p first and @p last that the @p lines, of equal numbers of
+/// points, need there: without them a point of some line would be further than @p tolerance from its chord.
+inline void keep_between(std::span<std::vector<Vec2> const> lines, std::size_t first, std::size_t last,
+                         double tolerance, std::vector<std::size_t>& kept)
+{
+    std::size_t furthest = first;
+    double distance = tolerance * tolerance;
+    for (auto const& line : lines)
+        for (std::size_t i = first + 1; i < last; ++i)
+            if (double const here = squared_distance(line[i], line[first], line[last]); here > distance) {
+                distance = here;
+                furthest = i;
+            }
+    if (furthest == first)
+        return;
+    keep_between(lines, first, furthest, tolerance, kept);
+    kept.push_back(furthest);
+    keep_between(lines, furthest, last, tolerance, kept);
 }
 
 }  // namespace hdconj

@@ -10,30 +10,17 @@
 
 #include "hdconj/accuracy.hpp"
 #include "hdconj/version.hpp"
-#include "number_text.hpp"
-
-namespace hdconj::figures {
-namespace {
-
-std::string libraries()
-{
-    unsigned int major = 0, minor = 0, release = 0;
-    H5get_libversion(&major, &minor, &release);
-    return fmt::format("CGAL {}; GSL {}; Eigen {}.{}.{}; Boost {}.{}; HDF5 {}.{}.{}; fmt {}", HDCONJ_CGAL_VERSION,
-                       HDCONJ_GSL_VERSION, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION,
-                       BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, major, minor, release, FMT_VERSION);
-}
-
-}  // namespace
-
-}  // namespace hdconj::figures
 
 namespace hdconj {
 
 AccuracyOrigin this_program()
 {
+    unsigned int major = 0, minor = 0, release = 0;
+    H5get_libversion(&major, &minor, &release);
     return {std::string(program_version()), std::string(git_revision()), std::string(build_description()),
-            figures::libraries()};
+            fmt::format("CGAL {}; GSL {}; Eigen {}.{}.{}; Boost {}.{}; HDF5 {}.{}.{}; fmt {}", HDCONJ_CGAL_VERSION,
+                        HDCONJ_GSL_VERSION, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION,
+                        BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, major, minor, release, FMT_VERSION)};
 }
 
 }  // namespace hdconj
@@ -165,9 +152,8 @@ std::string series_remark(ConvergenceSeries const& series)
                                                                             : std::nullopt) {
         remark = fmt::format("error falls {:.2g} times a degree until degree {:.0f}", fall->factor, fall->until);
     }
-    if (series.floor == series.floor) {
+    if (series.floor == series.floor)
         remark += fmt::format("{}floor {:.2e} {}", remark.empty() ? "" : ", ", series.floor, series.unit);
-    }
     return remark;
 }
 
@@ -177,9 +163,8 @@ std::string advice_text(accuracy::Recommendation const& advice)
     std::string text = fmt::format("{}--set {}={}: error {} mm on this drive",
                                    advice.reaches ? "" : "nothing measured does; nearest is ", level.knob,
                                    knob_text(level.value), scientific(level.error));
-    if (advice.sample_error == advice.sample_error) {
+    if (advice.sample_error == advice.sample_error)
         text += fmt::format(", {} mm on the worst of the sample", scientific(advice.sample_error));
-    }
     return text + fmt::format(", {} (median)", duration(level.median));
 }
 
@@ -194,10 +179,9 @@ bool are_single_runs(std::vector<ConvergenceSeries> const& series_list)
 std::vector<std::string> studies_of(std::vector<ConvergenceSeries> const& series_list)
 {
     std::vector<std::string> names;
-    for (auto const& series : series_list) {
+    for (auto const& series : series_list)
         if (std::find(names.begin(), names.end(), series.study) == names.end())
             names.push_back(series.study);
-    }
     return names;
 }
 

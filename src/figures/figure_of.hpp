@@ -45,17 +45,12 @@ struct Text
 
 namespace path {
 
-template <class Member>
-struct Owner;
 template <class Member, class Class>
-struct Owner<Member Class::*>
-{
-    using type = Class;
-};
+Class owner_of(Member Class::*);  // for decltype()
 
 /// The value at the end of a path of members: read<&LoadCase::stages, &StiffnessStages::first>.
 template <auto first, auto... rest>
-auto read(typename Owner<decltype(first)>::type const& record)
+auto read(decltype(owner_of(first)) const& record)
 {
     if constexpr (sizeof...(rest) == 0)
         return std::invoke(first, record);
@@ -64,7 +59,7 @@ auto read(typename Owner<decltype(first)>::type const& record)
 }
 
 template <auto first, auto... rest>
-double number(typename Owner<decltype(first)>::type const& record)
+double number(decltype(owner_of(first)) const& record)
 {
     return static_cast<double>(read<first, rest...>(record));
 }
@@ -98,46 +93,21 @@ struct FigureOf
     {
         return with_error(path::number<members...>);
     }
-    [[nodiscard]] constexpr FigureOf with_error(Read read) const
-    {
-        FigureOf row = *this;
-        row.error = read;
-        return row;
-    }
+    [[nodiscard]] constexpr FigureOf with_error(Read read) const { return with(&FigureOf::error, read); }
     /// The errors stand apart, read by @p read.
     [[nodiscard]] constexpr FigureOf with_error_apart(Read read) const
     {
-        FigureOf row = with_error(read);
-        row.apart = true;
-        return row;
+        return with_error(read).with(&FigureOf::apart, true);
     }
     /// The errors stand apart: the same member of another record, which holds the errors.
     [[nodiscard]] constexpr FigureOf with_error_apart() const { return with_error_apart(value); }
     [[nodiscard]] constexpr FigureOf keyed(char const* stem, char const* error_stem = nullptr) const
     {
-        FigureOf row = *this;
-        row.key = stem;
-        row.error_name = error_stem;
-        return row;
+        return with(&FigureOf::key, stem).with(&FigureOf::error_name, error_stem);
     }
-    [[nodiscard]] constexpr FigureOf without(unsigned places) const
-    {
-        FigureOf row = *this;
-        row.absent |= places;
-        return row;
-    }
-    [[nodiscard]] constexpr FigureOf and_as_play() const
-    {
-        FigureOf row = *this;
-        row.as_play = true;
-        return row;
-    }
-    [[nodiscard]] constexpr FigureOf printed(Text const& how) const
-    {
-        FigureOf row = *this;
-        row.text = how;
-        return row;
-    }
+    [[nodiscard]] constexpr FigureOf without(unsigned places) const { return with(&FigureOf::absent, absent | places); }
+    [[nodiscard]] constexpr FigureOf and_as_play() const { return with(&FigureOf::as_play, true); }
+    [[nodiscard]] constexpr FigureOf printed(Text const& how) const { return with(&FigureOf::text, how); }
 
     [[nodiscard]] bool is_in(Absent place) const
     {
@@ -154,13 +124,49 @@ struct FigureOf
     {
         return (apart ? key_stem() : error_name != nullptr ? error_name : key_stem() + "_error") + unit.suffix();
     }
+
+    /// Units of value and error in the printed summary.
+    [[nodiscard]] Unit const& text_unit() const { return text.unit != nullptr ? *text.unit : unit; }
+    [[nodiscard]] Unit const& text_unit_of_error() const
+    {
+        return text.error_unit != nullptr ? *text.error_unit : text_unit();
+    }
+    /// Value and error as the printed summary shows them, without a unit.
+    [[nodiscard]] std::string value_text(Record const& record) const
+    {
+        return text.value(text_unit().shown(value(record)));
+    }
+    [[nodiscard]] std::string error_text(Record const& record) const
+    {
+        return text.error(text_unit_of_error().shown(error(record)));
+    }
+    /// "24.347000 mm"
+    [[nodiscard]] std::string value_with_unit(Record const& record) const
+    {
+        return value_text(record) + " " + text_unit().text;
+    }
+    /// "+- 0.0032 um"
+    [[nodiscard]] std::string error_with_unit(Record const& record) const
+    {
+        return "+- " + error_text(record) + " " + text_unit_of_error().text;
+    }
+
+  private:
+    /// A copy whose @p member is @p changed.
+    template <class Member>
+    [[nodiscard]] constexpr FigureOf with(Member FigureOf::*member, Member const& changed) const
+    {
+        FigureOf row = *this;
+        row.*member = changed;
+        return row;
+    }
 };
 
 /// The figure at the end of a path of members; its kind is that of the member's type.
 template <auto first, auto... rest>
 [[nodiscard]] constexpr auto figure(char const* name, Unit const& unit, char const* meaning, Text const& text = {})
 {
-    using Record = typename path::Owner<decltype(first)>::type;
+    using Record = decltype(path::owner_of(first));
     using Value = decltype(path::read<first, rest...>(std::declval<Record const&>()));
     constexpr Kind kind = std::is_same_v<Value, bool> ? Kind::flag
                           : std::is_integral_v<Value> ? Kind::count
@@ -177,56 +183,18 @@ template <auto value, auto error>
 
 /// A table: all figures of a @p Record, in their order in JSON.
 template <class Record>
-class Rows
+struct Rows : std::span<FigureOf<Record> const>
 {
-  public:
-    constexpr explicit Rows(std::span<FigureOf<Record> const> rows) : rows_(rows) {}
-    [[nodiscard]] auto begin() const { return rows_.begin(); }
-    [[nodiscard]] auto end() const { return rows_.end(); }
-    [[nodiscard]] std::size_t size() const { return rows_.size(); }
+    using std::span<FigureOf<Record> const>::span;
 
     /// The first row called @p name. @throws std::logic_error where there is none
     [[nodiscard]] FigureOf<Record> const& operator[](std::string_view name) const
     {
-        for (auto const& row : rows_) {
+        for (auto const& row : *this)
             if (name == row.name)
                 return row;
-        }
         throw std::logic_error("no figure is called " + std::string(name));
     }
-
-  private:
-    std::span<FigureOf<Record> const> rows_;
 };
-
-/// The figure as the printed summary shows it, without its unit.
-template <class Record>
-[[nodiscard]] std::string value_text(FigureOf<Record> const& row, Record const& record)
-{
-    return row.text.value((row.text.unit != nullptr ? *row.text.unit : row.unit).shown(row.value(record)));
-}
-
-/// Its error likewise.
-template <class Record>
-[[nodiscard]] std::string error_text(FigureOf<Record> const& row, Record const& record)
-{
-    Unit const* const unit = row.text.error_unit != nullptr ? row.text.error_unit : row.text.unit;
-    return row.text.error((unit != nullptr ? *unit : row.unit).shown(row.error(record)));
-}
-
-/// Value and unit: "24.347000 mm".
-template <class Record>
-[[nodiscard]] std::string value_with_unit(FigureOf<Record> const& row, Record const& record)
-{
-    return value_text(row, record) + " " + (row.text.unit != nullptr ? *row.text.unit : row.unit).text;
-}
-
-/// Error and unit: "+- 0.0032 um".
-template <class Record>
-[[nodiscard]] std::string error_with_unit(FigureOf<Record> const& row, Record const& record)
-{
-    Unit const* const unit = row.text.error_unit != nullptr ? row.text.error_unit : row.text.unit;
-    return "+- " + error_text(row, record) + " " + (unit != nullptr ? *unit : row.unit).text;
-}
 
 }  // namespace hdconj::figures

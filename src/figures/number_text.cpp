@@ -77,10 +77,9 @@ double degrees_of(double angle)
 std::string Unit::attribute_suffix() const
 {
     std::string suffix;
-    for (char const c : std::string_view(stored)) {
+    for (char const c : std::string_view(stored))
         if (c != ' ' && c != '1')
             suffix += c;
-    }
     return suffix.empty() ? suffix : "_" + suffix;
 }
 

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <string>
-#include <vector>
 
 #include "figure_of.hpp"
 #include "hdconj/solution.hpp"

@@ -18,11 +18,11 @@ using Row = FigureOf<MeasuredProgram>;
 using Of = MeasuredProgram const&;
 
 /// A figure that the program itself has.
-template <auto member>
+template <auto... members>
 constexpr Row given(char const* name, Unit const& unit, char const* meaning, Text const& text = {})
 {
-    return Row{name, unit, meaning, [](Of of) { return path::number<member>(of.program); },
-               figure<member>(name, unit, meaning).kind}
+    return Row{name, unit, meaning, [](Of of) { return path::number<members...>(of.program); },
+               figure<members...>(name, unit, meaning).kind}
         .printed(text);
 }
 
@@ -31,14 +31,6 @@ template <auto member>
 constexpr Row found(char const* name, Unit const& unit, char const* meaning, Text const& text = {})
 {
     return figure<&MeasuredProgram::figures, member>(name, unit, meaning, text);
-}
-
-/// A length of the machine.
-template <auto member>
-constexpr Row machine(char const* name, char const* meaning, Text const& text)
-{
-    return Row{name, mm, meaning, [](Of of) { return path::number<&WireProgram::machine, member>(of.program); }}
-        .printed(text);
 }
 
 }  // namespace
@@ -56,13 +48,14 @@ Rows<MeasuredProgram> wire_figures()
                                        {"error of the contours", significant<3>}),
         given<&Program::cup_error>("cup_error", um, "of the displacement of the sections of an elastic cup",
                                    {"error, bent sections", significant<3>}),
-        machine<&WireMachine::thickness>("thickness", "from the lower to the upper face",
-                                         {"workpiece", significant<6>}),
-        machine<&WireMachine::lower_guide>("lower_guide", "lower guide below the lower face",
-                                           {"lower guide", significant<6>}),
-        machine<&WireMachine::upper_guide>("upper_guide", "upper guide above the upper face",
-                                           {"upper guide", significant<6>}),
-        machine<&WireMachine::guide_distance>("guide_distance", "from guide to guide", {"guides", significant<6>}),
+        given<&Program::machine, &WireMachine::thickness>("thickness", mm, "from the lower to the upper face",
+                                                          {"workpiece", significant<6>}),
+        given<&Program::machine, &WireMachine::lower_guide>("lower_guide", mm, "lower guide below the lower face",
+                                                            {"lower guide", significant<6>}),
+        given<&Program::machine, &WireMachine::upper_guide>("upper_guide", mm, "upper guide above the upper face",
+                                                            {"upper guide", significant<6>}),
+        given<&Program::machine, &WireMachine::guide_distance>("guide_distance", mm, "from guide to guide",
+                                                               {"guides", significant<6>}),
         given<&Program::decimals>("decimals", one, "of every rounded output"),
         found<&Figures::face_shift>("face_shift", mm, "largest distance of matched points",
                                     {"face shift", decimals<6>}),

@@ -7,7 +7,6 @@
 
 namespace hdconj::file {
 namespace fs = std::filesystem;
-using namespace posix;
 
 namespace {
 
@@ -26,35 +25,20 @@ fs::path resolved(fs::path const& target)
     return error ? target : real;
 }
 
-/// Writes all of @p text into the existing @p file; @p blamed is the name in messages.
-void write_all(fs::path const& file, std::string_view text, fs::path const& blamed)
+/// Writes all of @p text into @p file, opened with @p flags besides; @p blamed is the name in messages.
+void write_all(fs::path const& file, int flags, std::string_view text, fs::path const& blamed)
 {
-    posix::Descriptor out(file, O_WRONLY);
-    if (!out.is_open())
-        throw FileError(blamed, posix::cannot_write(errno));
-    int const written = posix::write_on(out.number(), text);
-    int const closed = out.close();
-    if (int const error = written != 0 ? written : closed; error != 0)
+    if (int const error = posix::write_whole(file, flags, text); error != 0)
         throw FileError(blamed, posix::cannot_write(error));
-}
-
-/// Makes the file, empty.
-void create(fs::path const& file, fs::path const& blamed)
-{
-    posix::Descriptor const made(file, O_WRONLY | O_CREAT | O_EXCL);
-    if (!made.is_open())
-        throw FileError(blamed, posix::cannot_write(errno));
 }
 
 /// Puts the content on the disk before its name does: after a power cut the target must not be empty.
 void flush(fs::path const& file, posix::Status const& old, fs::path const& blamed)
 {
     posix::Descriptor const written(file, O_RDONLY);
-    if (!written.is_open())
+    // EINVAL: a file system without fsync
+    if (!written.is_open() || (::fsync(written.number()) != 0 && errno != EINVAL))
         throw FileError(blamed, posix::cannot_write(errno));
-    if (::fsync(written.number()) != 0 && errno != EINVAL) {  // EINVAL: a file system without fsync
-        throw FileError(blamed, posix::cannot_write(errno));
-    }
     if (old.is_file())
         ::fchmod(written.number(), old.found->st_mode & ACCESSPERMS);  // a courtesy: may fail on foreign disks
 }
@@ -95,7 +79,7 @@ void write_atomically(fs::path const& target, std::function<void(fs::path const&
         return;
     }
     TemporaryPath const temporary(real);
-    create(temporary.name(), target);
+    write_all(temporary.name(), O_CREAT | O_EXCL, "", target);
     write(temporary.name());
     flush(temporary.name(), old, target);
     if (::rename(temporary.name().c_str(), real.c_str()) != 0)
@@ -104,7 +88,7 @@ void write_atomically(fs::path const& target, std::function<void(fs::path const&
 
 void write_text_atomically(fs::path const& target, std::string_view text)
 {
-    write_atomically(target, [&](fs::path const& file) { write_all(file, text, target); });
+    write_atomically(target, [&](fs::path const& file) { write_all(file, 0, text, target); });
 }
 
 }  // namespace hdconj::file

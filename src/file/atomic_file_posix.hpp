@@ -29,13 +29,10 @@ inline std::string words(int error)
 /// Cause and remedy of a failed write.
 inline std::string cannot_write(int error)
 {
-    std::string text = "cannot write: " + words(error);
-    if (error == ENOSPC || error == EDQUOT) {
-        text += " (free some space or write to another folder)";
-    } else if (error == EFBIG) {
-        text += " (the limit on file size is reached, see `ulimit -f`)";
-    }
-    return text;
+    std::string const text = "cannot write: " + words(error);
+    if (error == ENOSPC || error == EDQUOT)
+        return text + " (free some space or write to another folder)";
+    return error == EFBIG ? text + " (the limit on file size is reached, see `ulimit -f`)" : text;
 }
 
 /// Hands @p bytes piece by piece to @p take, which returns how many it took, or -1; an interrupted call is made again.
@@ -115,9 +112,8 @@ struct Status
 inline Status status_of(std::filesystem::path const& path)
 {
     struct stat status = {};
-    if (::stat(path.c_str(), &status) == 0) {
+    if (::stat(path.c_str(), &status) == 0)
         return {status, 0};
-    }
     return {std::nullopt, errno == ENOENT || errno == ENOTDIR ? 0 : errno};
 }
 
@@ -151,5 +147,16 @@ class Descriptor
   private:
     int number_;
 };
+
+/// Writes a whole file, opened for writing with @p flags besides. @returns 0, or the system's error number
+inline int write_whole(std::filesystem::path const& file, int flags, std::string_view bytes)
+{
+    Descriptor out(file, O_WRONLY | flags);
+    if (!out.is_open())
+        return errno;
+    int const written = write_on(out.number(), bytes);
+    int const closed = out.close();
+    return written != 0 ? written : closed;
+}
 
 }  // namespace hdconj::file::posix

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "atomic_folder.hpp"
 
-#include <fmt/format.h>
 #include <stdio.h>
 
 #include <algorithm>
@@ -14,7 +13,6 @@
 
 namespace hdconj::file {
 namespace fs = std::filesystem;
-using namespace posix;
 
 namespace {
 
@@ -111,18 +109,7 @@ AtomicFolder::AtomicFolder(fs::path const& target, char const* first_line)
 
 void AtomicFolder::write(std::string const& name, std::string const& text) const
 {
-    posix::Descriptor out(made_.name() / name, O_WRONLY | O_CREAT | O_EXCL);
-    if (!out.is_open())
-        throw FileError(target_ / name, posix::cannot_write(errno));
-    for (std::size_t at = 0; at < text.size();) {
-        ssize_t const written = ::write(out.number(), text.data() + at, text.size() - at);
-        if (written < 0 && errno == EINTR)
-            continue;
-        if (written < 0)
-            throw FileError(target_ / name, posix::cannot_write(errno));
-        at += static_cast<std::size_t>(written);
-    }
-    if (int const error = out.close(); error != 0)
+    if (int const error = posix::write_whole(made_.name() / name, O_CREAT | O_EXCL, text); error != 0)
         throw FileError(target_ / name, posix::cannot_write(error));
 }
 
@@ -149,9 +136,8 @@ void AtomicFolder::publish(std::vector<std::pair<std::string, std::string>> cons
     bool const there = posix::status_of(target_).is_folder();
     unsigned int const how = there ? RENAME_EXCHANGE : RENAME_NOREPLACE;
     int failed = ::renameat2(AT_FDCWD, made_.name().c_str(), AT_FDCWD, target_.c_str(), how);
-    if (failed != 0 && !there && errno == EINVAL) {  // a file system that knows no such flags
+    if (failed != 0 && !there && errno == EINVAL)  // a file system that knows no such flags
         failed = ::rename(made_.name().c_str(), target_.c_str());
-    }
     if (failed != 0) {
         int const error = errno;
         throw FileError(target_, there && error == EINVAL

@@ -70,10 +70,9 @@ void discard(fs::path const& name)
 void remove_left_overs(fs::path const& folder)
 {
     std::error_code error;
-    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error))
         if (is_left_over(at->path().filename().string()))
             discard(at->path());
-    }
 }
 
 /// The temporaries of this process. Lives for ever: a signal may come while the process ends.
@@ -120,10 +119,9 @@ void start_watching(Registry& all)
     all.watched = true;
     ::sem_init(&all.arrived, 0, 0);
     std::thread(watch).detach();
-    for (int const signal : {SIGHUP, SIGINT, SIGTERM}) {
+    for (int const signal : {SIGHUP, SIGINT, SIGTERM})
         if (std::signal(signal, note_signal) == SIG_IGN)
             std::signal(signal, SIG_IGN);
-    }
 }
 
 }  // namespace

@@ -5,8 +5,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <stdexcept>
-#include <string>
 #include <string_view>
 
 #include "hdconj/error.hpp"

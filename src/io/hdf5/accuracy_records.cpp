@@ -2,9 +2,6 @@
 // Records as HDF5 and CSV; the layout is described in docs/reference/hdf5.md.
 #include <fmt/format.h>
 
-#include "accuracy_records.hpp"
-
-#include <algorithm>
 #include "figures/accuracy_figures.hpp"
 #include "hdconj/read_scene.hpp"
 #include "hdf5_columns.hpp"
@@ -18,24 +15,6 @@ constexpr int records_version = 1;
 constexpr char const* format = "hdconj-accuracy";
 constexpr hdf5::StoredKind stored_kind{"no file of records of a study",
                                        "make one: hdconj accuracy -o DIR, then give DIR/records.h5", "records.h5"};
-
-double real_of(hid_t place, char const* name)
-{
-    hdf5::Attribute const attribute(H5Aopen(place, name, H5P_DEFAULT), "open attribute");
-    double value = 0;
-    hdf5::checked(H5Aread(attribute, H5T_NATIVE_DOUBLE, &value), "read attribute");
-    return value;
-}
-
-/// The scene that was given: the page says its wave generator, motion model and given tooth.
-/// @throws InputError where this program does not take it
-Scene scene_of(std::string const& text, std::filesystem::path const& file)
-{
-    scene::SceneReading reading = examine_scene(text, file.string());
-    if (!reading.faults.empty())
-        throw InputError(std::move(reading.faults));
-    return std::move(reading.scene);
-}
 
 AccuracyOrigin origin_of(hid_t file)
 {
@@ -52,10 +31,9 @@ std::vector<StudyRecord> records_of(hid_t file)
         for (std::size_t i = 0; i < values.size(); ++i)
             set(records[i], values[i]);
     };
-    for (auto const& column : figures::record_texts()) {
-        fill(hdf5::texts_of(place, column.name),
-             [&](StudyRecord& record, std::string const& text) { record.*column.text = text; });
-    }
+    for (auto const& [name, member] : figures::record_texts())
+        fill(hdf5::texts_of(place, name),
+             [at = member](StudyRecord& record, std::string const& text) { record.*at = text; });
     for (auto const& [figure, set] : figures::record_figures())
         fill(hdf5::values_of<double>(hdf5::Opened(place, figure.name, 1), H5T_NATIVE_DOUBLE), set);
     return records;
@@ -65,15 +43,15 @@ AccuracyReport report_of(hid_t file, std::filesystem::path const& name)
 {
     AccuracyReport report;
     report.machine = hdf5::text_of(file, "machine");
-    report.scene = scene_of(hdf5::text_of(file, "scene"), name);
+    report.scene = parse_scene(hdf5::text_of(file, "scene"), name.string());
     report.scene.drive.name = hdf5::text_of(file, "drive");
     report.threads = hdf5::number_of(file, "threads");
     report.sample = hdf5::number_of(file, "sample");
     report.sample_refused = hdf5::number_of(file, "sample_refused");
     report.quick = hdf5::number_of(file, "quick") != 0;
-    report.reference_error = real_of(file, "reference_error_mm");
-    report.reference_entry = real_of(file, "reference_entry_mm");
-    report.seconds = real_of(file, "seconds");
+    report.reference_error = hdf5::number_of<double>(file, "reference_error_mm");
+    report.reference_entry = hdf5::number_of<double>(file, "reference_entry_mm");
+    report.seconds = hdf5::number_of<double>(file, "seconds");
     report.notes = hdf5::texts_of(file, "notes");
     report.records = records_of(file);
     return report;
@@ -92,7 +70,7 @@ std::string cell(std::string const& text)
 
 }  // namespace
 
-std::string accuracy_bytes(StoredAccuracy const& study)
+std::string hdf5::accuracy_bytes(StoredAccuracy const& study)
 {
     hdf5::Silence const silence;
     hdf5::Sink sink;
@@ -111,16 +89,20 @@ std::string accuracy_bytes(StoredAccuracy const& study)
     root.attribute("scene", report.scene.text);
     hdf5::write_attributes(root, figures::report_figures(), report);
     root.group("records", [&](hdf5::Writer const& records) {
-        for (auto const& column : figures::record_texts()) {
+        for (auto const& column : figures::record_texts())
             records.texts(column.name, hdf5::column(report.records, column.text));
-        }
-        for (auto const& [figure, set] : figures::record_figures()) {
+        for (auto const& [figure, set] : figures::record_figures())
             records.numbers(figure.name, hdf5::column(report.records, figure.value), figure.unit.stored);
-        }
     });
     root.texts("notes", report.notes);
     made.flush();
     return sink.bytes();
+}
+
+std::string hdf5::stored_drive(std::filesystem::path const& file)
+{
+    return hdf5::read_stored(file, stored_kind,
+                             [](hdf5::File const& opened) { return hdf5::text_of(opened, "drive"); });
 }
 
 }  // namespace hdconj::io
@@ -136,20 +118,6 @@ StoredAccuracy read_accuracy(std::filesystem::path const& file)
         return StoredAccuracy{io::report_of(opened, file), io::origin_of(opened)};
     });
 }
-
-}  // namespace hdconj
-
-namespace hdconj::io {
-
-std::string stored_drive(std::filesystem::path const& file)
-{
-    return hdf5::read_stored(file, stored_kind,
-                             [](hdf5::File const& opened) { return hdf5::text_of(opened, "drive"); });
-}
-
-}  // namespace hdconj::io
-
-namespace hdconj {
 
 std::string accuracy_csv(StoredAccuracy const& study)
 {

@@ -40,10 +40,9 @@ template <class Record>
 void write_error_columns(Writer const& place, figures::Rows<Record> const& rows, std::vector<Record> const& records,
                          std::string const& prefix = "")
 {
-    for (auto const& figure : rows) {
+    for (auto const& figure : rows)
         if (figure.is_in(figures::hdf5_error))
             write_column(place, figure, prefix + figure.column_of_error(), figure.error, records);
-    }
 }
 
 /// Columns of all figures and of their errors, unless these stand apart.

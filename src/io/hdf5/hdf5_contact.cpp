@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The layout of /contact and of the surface's mesh, as docs/reference/hdf5.md describes them.
-#include <fmt/format.h>
-
+#include <algorithm>
 #include <stdexcept>
 
 #include "figures/contact_figures.hpp"
@@ -43,10 +42,8 @@ void write_contact_case(Writer const& place, ContactCase const& each)
 
 void write_contact_cases(Writer const& place, std::vector<ContactCase> const& cases)
 {
-    for (auto const& each : cases) {
-        if (each.slices.empty())
-            throw std::logic_error("a contact case without slices");
-    }
+    if (std::any_of(cases.begin(), cases.end(), [](auto const& each) { return each.slices.empty(); }))
+        throw std::logic_error("a contact case without slices");
     place.texts("surface", column(cases, [](auto const& each) { return std::string(to_string(each.surface)); }));
     place.texts("kind", column(cases, [](auto const& each) { return std::string(to_string(each.kind)); }));
     write_columns(place, figures::case_figures(), cases);
@@ -55,9 +52,7 @@ void write_contact_cases(Writer const& place, std::vector<ContactCase> const& ca
                   }));
     place.numbers("flank_z", column(cases, [](auto const& each) { return each.closest_slice().z; }), "mm");
     write_columns(place, figures::state_figures(), column(cases, &ContactCase::state));
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        place.group(fmt::format("case_{:03}", i), [&](Writer const& group) { write_contact_case(group, cases[i]); });
-    }
+    place.groups("case", cases, write_contact_case);
 }
 
 void write_best(Writer const& place, std::vector<BestTilt> const& best)
@@ -102,9 +97,8 @@ void hdf5::write_surface(hdf5::Writer const& place, Surface const& surface)
 void hdf5::write_spline_and_surface(hdf5::Writer const& place, Solution const& solution)
 {
     write_circular_spline(place, solution.circular_spline);
-    if (has_surface(solution)) {
+    if (has_surface(solution))
         place.group("surface", [&](hdf5::Writer const& mesh) { hdf5::write_surface(mesh, tooth_surface(solution)); });
-    }
 }
 
 }  // namespace hdconj::io

@@ -108,9 +108,8 @@ herr_t write_to(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, size_t size, void c
 {
     Sink* const sink = driven(file).sink;
     try {
-        if (sink != nullptr) {
+        if (sink != nullptr)
             sink->write(at, {static_cast<char const*>(bytes), size});
-        }
     } catch (std::bad_alloc const&) {
         return failed;  // an exception must not pass through C
     }

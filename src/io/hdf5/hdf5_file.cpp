@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The layout of the result file, as docs/reference/hdf5.md describes it.
-#include <fmt/format.h>
-
 #include <array>
 #include <cstdlib>
 #include <ctime>
@@ -76,10 +74,9 @@ void write_envelope(Writer const& root, Solution const& solution)
         bool const reverse = solution.scene.is_reverse();
         envelope.attribute("segments", solution.segment_names);
         envelope.attribute("frame", std::string(reverse ? "flexspline tooth" : "circular spline"));
-        for (std::size_t i = 0; i < solution.branches.size(); ++i) {
-            envelope.group(fmt::format("branch_{:03}", i),
-                           [&](Writer const& branch) { write_branch(branch, solution.branches[i], reverse); });
-        }
+        envelope.groups("branch", solution.branches, [&](Writer const& branch, BranchRecord const& record) {
+            write_branch(branch, record, reverse);
+        });
     });
 }
 
@@ -87,10 +84,8 @@ void write_intervals(Writer const& place, std::string const& name, std::vector<C
                      double ConjugateZone::*begin, double ConjugateZone::*end, char const* units)
 {
     std::vector<double> pairs;
-    for (auto const& zone : zones) {
-        pairs.push_back(zone.*begin);
-        pairs.push_back(zone.*end);
-    }
+    for (auto const& zone : zones)
+        pairs.insert(pairs.end(), {zone.*begin, zone.*end});
     place.array(name, {zones.size(), 2}, pairs.data(), units);
 }
 
@@ -179,12 +174,8 @@ void hdf5::write_circular_spline(hdf5::Writer const& place, CircularSplineOutlin
     for (auto const& slice : outline.outline) {
         if (slice.size() != points || outline.z.size() != slices)
             throw std::logic_error("slices of the circular spline do not match each other or z");
-        if (slices > 1) {
-            for (auto const& point : slice) {
-                flat.push_back(point.x());
-                flat.push_back(point.y());
-            }
-        }
+        if (slices > 1 && points > 0)
+            flat.insert(flat.end(), slice.front().data(), slice.front().data() + 2 * points);
     }
     double const* const first = slices == 1 && points > 0 ? outline.outline.front().front().data() : flat.data();
     place.numbers("z", outline.z, "mm");

@@ -6,7 +6,6 @@
 #include <hdf5.h>
 
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 namespace hdconj::io::hdf5 {

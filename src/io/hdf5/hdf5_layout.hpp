@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The parts of the result file that every verb writes.
+/// The parts of the result file that every verb writes, and the records of a study.
 #pragma once
 
+#include "hdconj/accuracy_files.hpp"
 #include "hdconj/solution.hpp"
 #include "hdf5_writer.hpp"
 #include "io/mesh/spline_surface.hpp"
@@ -24,5 +25,11 @@ void write_spline_and_surface(Writer const& place, Solution const& solution);
 
 /// The datasets of a mesh.
 void write_surface(Writer const& place, Surface const& surface);
+
+/// Records of a study as the bytes of a file. @throws Failure
+[[nodiscard]] std::string accuracy_bytes(StoredAccuracy const& study);
+
+/// The drive whose records @p file holds. @throws InputError as read_accuracy() does
+[[nodiscard]] std::string stored_drive(std::filesystem::path const& file);
 
 }  // namespace hdconj::io::hdf5

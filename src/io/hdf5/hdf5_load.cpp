@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The layout of /load, as docs/reference/hdf5.md describes it.
-#include <fmt/format.h>
-
 #include <algorithm>
+#include <functional>
+#include <numeric>
 #include <stdexcept>
 
 #include "figures/load_figures.hpp"
@@ -23,10 +23,7 @@ using hdf5::Writer;
 void write_checked(Writer const& place, std::string const& name, Shape const& shape, std::vector<double> const& values,
                    char const* units)
 {
-    hsize_t size = 1;
-    for (auto const each : shape)
-        size *= each;
-    if (values.size() != size)
+    if (values.size() != std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>()))
         throw std::logic_error(name + " does not match what it is a function of");
     place.array(name, shape, values.data(), units);
 }
@@ -106,10 +103,8 @@ void write_load_cases(Writer const& place, std::vector<LoadCase> const& cases, i
     write_columns(place, figures::load_case_figures(), cases);
     write_columns(place, figures::loaded_state_figures(balls), rated);
     place.group("error", [&](Writer const& group) { write_errors(group, cases, balls); });
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-        place.group(fmt::format("case_{:03}", i),
-                    [&](Writer const& group) { write_load_case(group, cases[i], balls); });
-    }
+    place.groups("case", cases,
+                 [&](Writer const& group, LoadCase const& each) { write_load_case(group, each, balls); });
 }
 
 void write_cup(Writer const& place, AssembledCup const& cup, int balls)

@@ -49,19 +49,10 @@ CircularSplineOutline outline_of(hid_t file)
         }
     }
     result.landmarks = values_of<int>(Opened(place, "landmarks", list), H5T_NATIVE_INT);
-    for (int const landmark : result.landmarks) {
+    for (int const landmark : result.landmarks)
         require(landmark >= 0 && static_cast<std::size_t>(landmark) < points, "a landmark lies outside the outline");
-    }
     result.pieces = pieces_of(place, points);
     return result;
-}
-
-/// What later work needs of an opened result.
-StoredOutline stored_outline(File const& opened)
-{
-    require(text_of(opened, "format") == "hdconj", "it is of another program");
-    require(number_of(opened, "format_version") <= newest_format, "it was written by a newer version");
-    return {text_of(opened, "scene"), outline_of(opened)};
 }
 
 }  // namespace
@@ -71,8 +62,13 @@ namespace hdconj {
 
 StoredOutline read_outline(std::filesystem::path const& file)
 {
-    return io::hdf5::read_stored(file, {"no result file of hdconj", "make one: hdconj solve -o FILE.h5", nullptr},
-                                 io::hdf5::stored_outline);
+    using namespace io::hdf5;
+    StoredKind const result{"no result file of hdconj", "make one: hdconj solve -o FILE.h5", nullptr};
+    return read_stored(file, result, [](File const& opened) {
+        require(text_of(opened, "format") == "hdconj", "it is of another program");
+        require(number_of(opened, "format_version") <= newest_format, "it was written by a newer version");
+        return StoredOutline{text_of(opened, "scene"), outline_of(opened)};
+    });
 }
 
 }  // namespace hdconj

@@ -6,8 +6,11 @@
 #include <unistd.h>
 
 #include <filesystem>
+#include <functional>
 #include <memory>
+#include <numeric>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "hdconj/error.hpp"
@@ -21,11 +24,7 @@ class Misfit : public Failure
     using Failure::Failure;
 };
 
-struct FreeText
-{
-    void operator()(char* text) const { H5free_memory(text); }
-};
-using OwnedText = std::unique_ptr<char, FreeText>;
+using OwnedText = std::unique_ptr<char, herr_t (*)(void*)>;
 
 inline std::string text_of(hid_t place, char const* name)
 {
@@ -35,15 +34,17 @@ inline std::string text_of(hid_t place, char const* name)
         throw Misfit(std::string(name) + " is no text");
     char* text = nullptr;
     checked(H5Aread(attribute, text_type(), &text), "read attribute");
-    OwnedText const owner(text);
+    OwnedText const owner(text, &H5free_memory);
     return text == nullptr ? std::string() : text;
 }
 
-inline int number_of(hid_t place, char const* name)
+template <class Number = int>
+Number number_of(hid_t place, char const* name)
 {
-    int value = 0;
+    Number value = 0;
     Attribute const attribute(H5Aopen(place, name, H5P_DEFAULT), "open attribute");
-    checked(H5Aread(attribute, H5T_NATIVE_INT, &value), "read attribute");
+    checked(H5Aread(attribute, std::is_same_v<Number, int> ? H5T_NATIVE_INT : H5T_NATIVE_DOUBLE, &value),
+            "read attribute");
     return value;
 }
 
@@ -60,10 +61,7 @@ struct Opened
     }
     [[nodiscard]] std::size_t count() const
     {
-        std::size_t all = 1;
-        for (auto const length : shape)
-            all *= static_cast<std::size_t>(length);
-        return all;
+        return std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>());
     }
 
     Dataset set;
@@ -87,7 +85,7 @@ inline std::vector<std::string> texts_of(hid_t place, char const* name)
         throw Misfit(std::string(name) + " holds no texts");
     std::vector<std::string> texts;
     for (char* const text : values_of<char*>(opened, text_type())) {
-        OwnedText const owner(text);
+        OwnedText const owner(text, &H5free_memory);
         texts.emplace_back(text == nullptr ? "" : text);
     }
     return texts;

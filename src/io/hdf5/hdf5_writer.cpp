@@ -30,16 +30,6 @@ std::vector<char const*> pointers(std::vector<std::string> const& texts)
     return result;
 }
 
-Properties properties(hid_t kind)
-{
-    return {H5Pcreate(kind), "create properties"};
-}
-
-Space one_value()
-{
-    return {H5Screate(H5S_SCALAR), "create dataspace"};
-}
-
 /// Keeps the innermost description: H5Ewalk goes from the outermost call inwards.
 herr_t keep_last(unsigned, H5E_error2_t const* entry, void* text)
 {
@@ -59,9 +49,9 @@ void fail(char const* doing)
 
 Tools::Tools()
     : text(text_type()),
-      scalar(one_value()),
-      timeless(properties(H5P_DATASET_CREATE)),
-      frugal(properties(H5P_DATASET_XFER))
+      scalar(H5Screate(H5S_SCALAR), "create dataspace"),
+      timeless(H5Pcreate(H5P_DATASET_CREATE), "create properties"),
+      frugal(H5Pcreate(H5P_DATASET_XFER), "create properties")
 {
     checked(H5Pset_obj_track_times(timeless, false), "switch timestamps off");
     checked(H5Pset_buffer(frugal, conversion_buffer, nullptr, nullptr), "set conversion buffer");
@@ -84,20 +74,17 @@ void Writer::points(std::string const& name, std::vector<Vec2> const& points, ch
 
 void Writer::array(std::string const& name, Shape const& shape, double const* values, char const* units) const
 {
-    auto const made = dataset(name, shape, H5T_IEEE_F64LE, units);
-    fill(made, H5T_NATIVE_DOUBLE, values, H5P_DEFAULT);
+    fill(dataset(name, shape, H5T_IEEE_F64LE, units), H5T_NATIVE_DOUBLE, values, H5P_DEFAULT);
 }
 
 void Writer::array(std::string const& name, Shape const& shape, int const* values, char const* units) const
 {
-    auto const made = dataset(name, shape, H5T_STD_I32LE, units);
-    fill(made, H5T_NATIVE_INT, values, H5P_DEFAULT);
+    fill(dataset(name, shape, H5T_STD_I32LE, units), H5T_NATIVE_INT, values, H5P_DEFAULT);
 }
 
 void Writer::texts(std::string const& name, std::vector<std::string> const& values, char const* units) const
 {
-    auto const made = dataset(name, {values.size()}, tools_->text, units);
-    fill(made, tools_->text, pointers(values).data(), tools_->frugal);
+    fill(dataset(name, {values.size()}, tools_->text, units), tools_->text, pointers(values).data(), tools_->frugal);
 }
 
 Dataset Writer::dataset(std::string const& name, Shape const& shape, hid_t stored, char const* units) const

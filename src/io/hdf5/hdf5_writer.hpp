@@ -5,6 +5,8 @@
 /// The bytes depend on nothing but the content (no clock, no object timestamps).
 #pragma once
 
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <functional>
 #include <string>
@@ -44,6 +46,14 @@ class Writer
     {
         Group const made(H5Gcreate2(place_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), "create group");
         fill(Writer(made, *tools_));
+    }
+    /// A group for each of @p items, @p name with its number behind it: @p write is called with its writer and the
+    /// item.
+    template <class Items, class Write>
+    void groups(std::string const& name, Items const& items, Write write) const
+    {
+        for (std::size_t i = 0; i < items.size(); ++i)
+            group(fmt::format("{}_{:03}", name, i), [&](Writer const& made) { write(made, items[i]); });
     }
 
     /// @param units  "mm", "mm^2", "rad", "s", "1", "N", "N mm", "N/mm", "N mm/rad" or "MPa"

@@ -2,7 +2,6 @@
 // A deck for CalculiX: https://www.dhondt.de, keywords as in its manual.
 #include <fmt/format.h>
 
-#include <cmath>
 #include <iterator>
 #include <utility>
 
@@ -52,11 +51,9 @@ std::string linear_deck(elastic::BentCup const& cup, io::DeckBody const& body, s
     deck += "*BOUNDARY\nNCLAMP, 1, 3\n";
     deck += body.half ? "NPLANES, 2, 2\n" : "";
     deck += "*STEP\n*STATIC\n*CLOAD\n";
-    for (std::size_t i = 0; i < loads.size(); ++i) {
-        if (loads[i] != 0) {
+    for (std::size_t i = 0; i < loads.size(); ++i)
+        if (loads[i] != 0)
             fmt::format_to(out, "{}, 1, {:.10g}\n", i + 1, loads[i]);
-        }
-    }
     deck += "*NODE PRINT, NSET=NWATCH, GLOBAL=NO\nU\n*NODE FILE\nU\n*EL FILE\nS\n*END STEP\n";
     return deck;
 }

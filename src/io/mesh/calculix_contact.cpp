@@ -31,9 +31,8 @@ void put_surface(std::string& deck, DeckBody const& body, std::string const& nam
         elastic::QuadraticElement const& q = body.section.elements[static_cast<std::size_t>(of_section)];
         double const bottom = body.section.nodes[static_cast<std::size_t>(q[0])].y(),
                      top = body.section.nodes[static_cast<std::size_t>(q[3])].y();
-        if (bottom > low - close && top < high + close) {
+        if (bottom > low - close && top < high + close)
             fmt::format_to(std::back_inserter(deck), "{}, S{}\n", body.elements_before + e + 1, inner ? 6 : 4);
-        }
     }
 }
 
@@ -58,7 +57,6 @@ DeckBody bearing_body(elastic::BentCup const& cup, DeckBody const& cup_body)
 /// Nodes that the cam moves: of a rigid bearing all, of a ring those on the line of balls where the ring lies on them.
 std::vector<int> moved_nodes(elastic::BentCup const& cup, DeckBody const& body)
 {
-    std::vector<int> nodes;
     elastic::WaveGeneratorContact const& contact = cup.contact();
     int const last = static_cast<int>(contact.ball_gap.size()) - 1;
     double const arc = last > 0 ? contact.ball_phi[1] : 0, lobe = 2 * std::numbers::pi / cup.cam().waves;
@@ -72,11 +70,9 @@ std::vector<int> moved_nodes(elastic::BentCup const& cup, DeckBody const& body)
     for (Vec2 const& at : body.section.nodes)
         line.x() = std::min(line.x(), at.x());
     constexpr double close = 1e-9;  // of one and the same place, rounded differently
-    for (std::size_t i = 0; i < body.mesh.nodes.size(); ++i) {
-        if (!cup.bearing().ring || ((body.at(i) - line).norm() < close && !stands_off(body.mesh.nodes[i].phi)))
-            nodes.push_back(static_cast<int>(i));
-    }
-    return nodes;
+    return nodes_where(body, [&](std::size_t i) {
+        return !cup.bearing().ring || ((body.at(i) - line).norm() < close && !stands_off(body.mesh.nodes[i].phi));
+    });
 }
 
 /// Resultant of the bearing's forces on the part of the cup that the deck has, in the plane across the axis [N].

@@ -34,33 +34,24 @@ bool is_held(DeckBody const& body, std::size_t node)
 
 std::vector<int> held_nodes(DeckBody const& body)
 {
-    std::vector<int> nodes;
-    for (std::size_t i = 0; i < body.mesh.nodes.size(); ++i) {
-        if (is_held(body, i))
-            nodes.push_back(static_cast<int>(i));
-    }
-    return nodes;
+    return nodes_where(body, [&](std::size_t i) { return is_held(body, i); });
 }
 
 std::vector<int> plane_nodes(DeckBody const& body)
 {
-    std::vector<int> nodes;
     double const close = body.angle / (4 * body.steps);
-    for (std::size_t i = 0; i < body.mesh.nodes.size() && body.half; ++i) {
+    return nodes_where(body, [&](std::size_t i) {
         double const phi = body.mesh.nodes[i].phi;
-        if ((phi < close || phi > body.angle - close) && !is_held(body, i))
-            nodes.push_back(static_cast<int>(i));
-    }
-    return nodes;
+        return body.half && (phi < close || phi > body.angle - close) && !is_held(body, i);
+    });
 }
 
 std::vector<int> watched_nodes(DeckBody const& body, elastic::BentCup const& cup)
 {
     elastic::CupSection const& section = cup.section();
     double const angle = std::numbers::pi / cup.cam().waves;
-    std::vector<int> nodes;
     constexpr double close = 1e-9;  // of one and the same coordinate, rounded differently
-    for (std::size_t i = 0; i < body.mesh.nodes.size(); ++i) {
+    return nodes_where(body, [&](std::size_t i) {
         double const phi = body.mesh.nodes[i].phi;
         Vec2 const& at = body.at(i);
         bool const inner = std::abs(at.x() - section.inner_radius) < close,
@@ -68,10 +59,8 @@ std::vector<int> watched_nodes(DeckBody const& body, elastic::BentCup const& cup
         bool const in_ring = at.y() > section.ring_begin - close && at.y() < section.ring_end + close;
         bool const in_plane =
             std::abs(phi) < close || std::abs(phi - angle) < close || std::abs(phi - angle / 2) < close;
-        if (in_ring && in_plane && (inner || outer))
-            nodes.push_back(static_cast<int>(i));
-    }
-    return nodes;
+        return in_ring && in_plane && (inner || outer);
+    });
 }
 
 void put_nodes(std::string& deck, DeckBody const& body, std::string const& name)

@@ -30,6 +30,16 @@ struct DeckBody
 
 [[nodiscard]] DeckBody deck_body(elastic::SectionMesh section, elastic::CamSeries const& cam, int steps);
 
+/// Numbers of the nodes of @p body for which @p holds is true.
+template <class Condition>
+[[nodiscard]] std::vector<int> nodes_where(DeckBody const& body, Condition holds)
+{
+    std::vector<int> nodes;
+    for (std::size_t i = 0; i < body.mesh.nodes.size(); ++i)
+        if (holds(i))
+            nodes.push_back(static_cast<int>(i));
+    return nodes;
+}
 /// Nodes of @p body that the section holds, and those of its planes of symmetry that it does not.
 [[nodiscard]] std::vector<int> held_nodes(DeckBody const& body);
 [[nodiscard]] std::vector<int> plane_nodes(DeckBody const& body);

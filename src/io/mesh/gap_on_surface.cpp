@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <optional>
 #include <stdexcept>
 
 namespace hdconj::io {
@@ -35,13 +34,11 @@ struct Between
 Between between(std::vector<double> const& at, double x)
 {
     auto const above = std::upper_bound(at.begin(), at.end(), x);
-    if (above == at.begin()) {
+    if (above == at.begin())
         return {};
-    }
     std::size_t const lower = static_cast<std::size_t>(above - at.begin()) - 1;
-    if (above == at.end()) {
+    if (above == at.end())
         return {lower, lower, 0};
-    }
     return {lower, lower + 1, (x - at[lower]) / (at[lower + 1] - at[lower])};
 }
 
@@ -127,9 +124,8 @@ std::vector<double> FlankStations::lengths(std::vector<Vec2> const& outline) con
 std::optional<double> FlankStations::at(std::size_t index) const
 {
     int const here = static_cast<int>(index);
-    if (here < std::min(land_, end_) || here > std::max(land_, end_)) {
+    if (here < std::min(land_, end_) || here > std::max(land_, end_))
         return {};
-    }
     return station_[static_cast<std::size_t>(std::abs(here - land_))];
 }
 
@@ -157,11 +153,9 @@ std::vector<double> gaps_of(Surface const& surface, ContactStudy const& study, b
     for (std::size_t i = 0; i < surface.points.size(); ++i) {
         auto const& origin = surface.origin[i];
         double gap = nothing;
-        for (int const flank : {GapMap::left, GapMap::right}) {
-            if (auto const station = flanks[static_cast<std::size_t>(flank)].at(origin.index)) {
+        for (int const flank : {GapMap::left, GapMap::right})
+            if (auto const station = flanks[static_cast<std::size_t>(flank)].at(origin.index))
                 gap = gap_at(map, {spaces.at(origin.space), flank, false}, surface.points[i][2], *station);
-            }
-        }
         gaps.push_back(gap);
     }
     return gaps;

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <numbers>
@@ -61,11 +60,9 @@ Sweep sweep_of(std::vector<double> const& phi, int sectors)
     if (phi.size() < 2)
         throw std::logic_error("a cup with fewer than two angles has no volume");
     double const filled = phi.back() - phi.front() + phi[1] - phi[0];
-    for (std::size_t const copies : {std::size_t{1}, static_cast<std::size_t>(std::max(sectors, 1))}) {
-        if (std::abs(filled * static_cast<double>(copies) - turn) < rounding * turn) {
+    for (std::size_t const copies : {std::size_t{1}, static_cast<std::size_t>(std::max(sectors, 1))})
+        if (std::abs(filled * static_cast<double>(copies) - turn) < rounding * turn)
             return {copies, true};
-        }
-    }
     return {};
 }
 
@@ -77,10 +74,9 @@ void check(CupShape const& shape)
     if (!fits || shape.cells.empty())
         throw std::logic_error("the shape of the cup has no cells, or does not match its nodes and angles");
     for (auto const& cell : shape.cells) {
-        for (int const node : cell) {
+        for (int const node : cell)
             if (node < 0 || static_cast<std::size_t>(node) >= nodes)
                 throw std::logic_error("an element of the cup has a node that is not there");
-        }
         if (cell.size() != 3 && cell.size() != 4)
             throw std::logic_error("an element of the cup with neither three corners nor four");
     }

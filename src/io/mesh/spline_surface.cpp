@@ -1,39 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spline_surface.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <stdexcept>
 
 #include "base/segments.hpp"
+#include "hdconj/base/rigid_motion.hpp"
 #include "hdconj/error.hpp"
 
 namespace hdconj::io {
 namespace {
-
-/// Keeps what @p first and @p last need between them; slices together, so that rulings stay rulings.
-void keep_between(CircularSplineOutline const& spline, std::size_t first, std::size_t last, double tolerance,
-                  std::vector<std::size_t>& kept)
-{
-    std::size_t furthest = first;
-    double distance = tolerance * tolerance;
-    for (auto const& slice : spline.outline) {
-        for (std::size_t i = first + 1; i < last; ++i) {
-            double const here = squared_distance(slice[i], slice[first], slice[last]);
-            if (here > distance) {
-                distance = here;
-                furthest = i;
-            }
-        }
-    }
-    if (furthest != first) {
-        keep_between(spline, first, furthest, tolerance, kept);
-        kept.push_back(furthest);
-        keep_between(spline, furthest, last, tolerance, kept);
-    }
-}
 
 Surface::Part part_at(std::vector<int> const& landmarks, std::size_t index)
 {
@@ -60,22 +38,14 @@ CircularSplineOutline with_width(Solution const& solution)
         spline.z = {-half, half};
         spline.outline.push_back(spline.outline.front());
     }
-    for (auto const& slice : spline.outline) {
+    for (auto const& slice : spline.outline)
         if (slice.size() != spline.outline.front().size() || spline.z.size() != spline.outline.size())
             throw std::logic_error("slices of the circular spline do not match each other or z");
-    }
     return spline;
 }
 
-Vec2 turned_clockwise(Vec2 const& point, double angle)
-{
-    double const c = std::cos(angle), s = std::sin(angle);
-    return {point.x() * c + point.y() * s, point.y() * c - point.x() * s};
-}
-
 /// @param spaces  1: open at both ends; more: all of them, the last point of a space and the first of the next joined
-/// half way between
-///                them, which is where both are but for rounding when a slice ends in the middle of the land
+/// half way between them, which is where both are but for rounding when a slice ends in the middle of the land
 Surface mesh(CircularSplineOutline const& spline, std::vector<std::size_t> const& kept, std::size_t spaces)
 {
     bool const ring = spaces > 1;
@@ -122,20 +92,17 @@ bool has_surface(Solution const& solution)
 std::vector<std::size_t> kept_points(CircularSplineOutline const& spline, double tolerance)
 {
     std::size_t const points = spline.outline.front().size();
-    std::vector<std::size_t> kept;
     if (tolerance <= 0) {
-        for (std::size_t i = 0; i < points; ++i)
-            kept.push_back(i);
-        return kept;
+        std::vector<std::size_t> all(points);
+        std::iota(all.begin(), all.end(), std::size_t{0});
+        return all;
     }
-    std::vector<std::size_t> corners = {0};
-    for (int const mark : spline.landmarks)
-        corners.push_back(static_cast<std::size_t>(mark));
+    std::vector<std::size_t> corners = {0}, kept = {0};
+    corners.insert(corners.end(), spline.landmarks.begin(), spline.landmarks.end());
     corners.push_back(points - 1);
-    kept.push_back(0);
     for (std::size_t i = 0; i + 1 < corners.size(); ++i) {
         if (corners[i] < corners[i + 1]) {
-            keep_between(spline, corners[i], corners[i + 1], tolerance, kept);
+            keep_between(spline.outline, corners[i], corners[i + 1], tolerance, kept);
             kept.push_back(corners[i + 1]);
         }
     }
@@ -144,8 +111,7 @@ std::vector<std::size_t> kept_points(CircularSplineOutline const& spline, double
 
 Surface tooth_surface(Solution const& solution)
 {
-    constexpr double nothing_left_out = 0;
-    return spline_surface(solution, {false, nothing_left_out});
+    return spline_surface(solution, {.ring = false, .tolerance = 0});
 }
 
 Surface spline_surface(Solution const& solution, SurfaceOptions const& options)

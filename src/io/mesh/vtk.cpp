@@ -2,10 +2,7 @@
 // Legacy VTK: lines of text with blocks of big-endian numbers between them.
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "gap_on_surface.hpp"
 #include "hdconj/file/atomic_file.hpp"
@@ -31,9 +28,8 @@ void append_mesh(std::string& bytes, io::Surface const& surface)
             io::append_big_endian(bytes, static_cast<std::int32_t>(index));
     }
     bytes += fmt::format("\nCELL_TYPES {}\n", cells);
-    for (std::size_t i = 0; i < cells; ++i) {
+    for (std::size_t i = 0; i < cells; ++i)
         io::append_big_endian(bytes, std::int32_t{quadrilateral});
-    }
     bytes += '\n';
 }
 

@@ -4,6 +4,8 @@
 /// in.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -23,7 +25,15 @@ struct VtuText
     std::string data_arrays;  ///< of the points
 };
 
-[[nodiscard]] std::string vtu_text(VtuText const& grid);
+[[nodiscard]] inline std::string vtu_text(VtuText const& grid)
+{
+    std::string text = fmt::format(
+        "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" {}>\n<UnstructuredGrid>\n", grid.arrays_are);
+    text += fmt::format("<Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\">\n", grid.points, grid.cells);
+    text += "<Points>\n" + grid.point_array + "</Points>\n<Cells>\n" + grid.cell_arrays + "</Cells>\n";
+    text += "<PointData " + grid.shown + ">\n" + grid.data_arrays + "</PointData>\n";
+    return text + "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
+}
 
 /// Axes of a section of the cup. Angles are clockwise from the y axis: outwards is (sin, cos), along growing angles
 /// (cos, -sin).

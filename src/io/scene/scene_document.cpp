@@ -2,11 +2,12 @@
 #include "scene_document.hpp"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "base/text.hpp"
 #include "hdconj/scene/schema.hpp"
-#include "scene_lines.hpp"
-#include "scene_writer.hpp"
+#include "scene_text.hpp"
 
 namespace hdconj::io {
 namespace {
@@ -15,22 +16,14 @@ using Kind = scene::RawValue::Kind;
 
 Kind kind_of(toml::node const& node)
 {
-    switch (node.type()) {
-        case toml::node_type::boolean:
-            return Kind::boolean;
-        case toml::node_type::integer:
-            return Kind::integer;
-        case toml::node_type::floating_point:
-            return Kind::number;
-        case toml::node_type::string:
-            return Kind::text;
-        case toml::node_type::array:
-            return Kind::array;
-        case toml::node_type::table:
-            return Kind::table;
-        default:
-            return Kind::date;
-    }
+    using Type = toml::node_type;
+    constexpr std::array kinds = {
+        std::pair{Type::boolean, Kind::boolean},       std::pair{Type::integer, Kind::integer},
+        std::pair{Type::floating_point, Kind::number}, std::pair{Type::string, Kind::text},
+        std::pair{Type::array, Kind::array},           std::pair{Type::table, Kind::table}};
+    auto const found =
+        std::find_if(kinds.begin(), kinds.end(), [&](auto const& each) { return each.first == node.type(); });
+    return found != kinds.end() ? found->second : Kind::date;
 }
 
 /// Items of all lists of a scene; a list cut here is refused for its length.

@@ -72,23 +72,13 @@ class Guard
         char const c = text_[at_];
         if (c == '"' || c == '\'') {
             at_ = behind_string(text_, at_);
-            return;
-        }
-        if (c == '#') {
+        } else if (c == '#') {
             at_ = std::min(text_.find('\n', at_), text_.size());
-            return;
-        }
-        count(c);
-        ++at_;
-    }
-
-    void count(char c)
-    {
-        keys_ += c == '=' ? 1 : 0;
-        if (c == '.') {
-            ++dots_;
-        } else if (std::string_view("=,{}[]\n").find(c) != std::string_view::npos) {
-            dots_ = 0;
+        } else {
+            keys_ += c == '=' ? 1 : 0;
+            bool const ends_key = std::string_view("=,{}[]\n").find(c) != std::string_view::npos;
+            dots_ = c == '.' ? dots_ + 1 : ends_key ? 0 : dots_;
+            ++at_;
         }
     }
 
@@ -98,24 +88,16 @@ class Guard
     int keys_ = 0;
 };
 
-bool is_utf16(std::string_view text)
-{
-    return text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff");
-}
-
 }  // namespace
 
 Faults unparsable(std::string_view text, std::string const& name)
 {
-    if (text.size() > largest_scene) {
+    if (text.size() > largest_scene)
         return {too_large(name)};
-    }
-    if (is_utf16(text)) {
+    if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
         return {{name, 0, "", "this text is in UTF-16", "save it as UTF-8"}};
-    }
-    if (text.find('\0') != std::string_view::npos) {
+    if (text.find('\0') != std::string_view::npos)
         return {{name, 0, "", "this is a binary file, not a scene", "name a scene file; `hdconj init` writes one"}};
-    }
     if (auto const complaint = Guard(text).complaint()) {
         auto const before = text.substr(0, std::min(complaint->at, text.size()));
         int const line = 1 + static_cast<int>(std::count(before.begin(), before.end(), '\n'));

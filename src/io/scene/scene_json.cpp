@@ -25,13 +25,11 @@ Json json_of(Faults const& faults)
 void add_plan(Json& object, Plan const& plan)
 {
     object["stages"] = Json::array();
-    for (auto const& planned : plan.stages) {
+    for (auto const& planned : plan.stages)
         object["stages"].push_back({{"stage", to_string(planned.stage)}, {"reason", planned.reason}});
-    }
     object["absent"] = Json::array();
-    for (auto const& effect : plan.absent) {
+    for (auto const& effect : plan.absent)
         object["absent"].push_back({{"effect", effect.name}, {"remedy", effect.remedy}});
-    }
 }
 
 std::string text_of(Json const& object)

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene_override.hpp"
 #include "file/csv.hpp"
+#include "scene_document.hpp"
 
 #include <algorithm>
 #include <optional>
 #include <string_view>
 
 #include "base/text.hpp"
-#include "scene_document.hpp"
 #include "scene_text.hpp"
 
 namespace hdconj::io {
@@ -17,12 +16,8 @@ constexpr std::size_t most_parts = 8;  ///< of a key path; a scene needs three
 
 Fault fault_of(std::string const& given, std::string reason, std::string remedy)
 {
-    return {given.empty() ? "\"\"" : printable(given),
-            0,
-            "",
-            std::move(reason),
-            std::move(remedy),
-            std::string(override_origin)};
+    std::string const shown = given.empty() ? "\"\"" : printable(given);
+    return {shown, 0, "", std::move(reason), std::move(remedy), std::string(override_origin)};
 }
 
 /// The parts of "a.b.c"; empty when that is no key path.
@@ -38,8 +33,7 @@ std::vector<std::string> parts_of(std::string_view path)
             return {};
         }
     }
-    bool const has_empty =
-        std::any_of(parts.begin(), parts.end(), [](std::string const& part) { return part.empty(); });
+    bool const has_empty = std::find(parts.begin(), parts.end(), "") != parts.end();
     return has_empty || parts.size() > most_parts ? std::vector<std::string>{} : parts;
 }
 
@@ -55,8 +49,7 @@ bool is_bare_word(std::string_view text)
 std::optional<toml::table> parsed(std::string const& value)
 {
     std::string const line = "value = " + value;
-    bool const is_one_line = line.find('\n') == std::string::npos;
-    if (!is_one_line || !unparsable(line, "").empty())
+    if (line.find('\n') != std::string::npos || !unparsable(line, "").empty())
         return std::nullopt;
     try {
         toml::table table = toml::parse(line, override_origin);
@@ -71,9 +64,8 @@ toml::table* holder_of(toml::table& document, std::vector<std::string> const& pa
 {
     toml::table* table = &document;
     for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
-        if (create && !table->contains(parts[i])) {
-            table->insert(parts[i], toml::table{});
-        }
+        if (create)
+            table->insert(parts[i], toml::table{});  // where there is none
         toml::node* const next = table->get(parts[i]);
         table = next == nullptr ? nullptr : next->as_table();
         if (table == nullptr)
@@ -131,10 +123,9 @@ std::optional<Fault> apply(toml::table& document, std::string const& given)
 Faults apply_overrides(toml::table& document, std::vector<std::string> const& overrides)
 {
     Faults faults;
-    for (auto const& given : overrides) {
+    for (auto const& given : overrides)
         if (auto fault = apply(document, given))
             faults.push_back(std::move(*fault));
-    }
     return faults;
 }
 

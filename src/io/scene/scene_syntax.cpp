@@ -5,7 +5,6 @@
 #include "base/text.hpp"
 #include "file/csv.hpp"
 #include "scene_document.hpp"
-#include "scene_lines.hpp"
 #include "scene_text.hpp"
 
 namespace hdconj::io {
@@ -47,9 +46,8 @@ KeyLine key_line(std::string_view line)
 {
     std::string_view const code = file::trimmed(line.substr(0, line.find('#')), blanks);
     std::size_t const equals = code.find('=');
-    if (equals == std::string_view::npos) {
+    if (equals == std::string_view::npos)
         return {};
-    }
     auto const key = file::trimmed(code.substr(0, equals), blanks);
     bool const is_plain = std::all_of(key.begin(), key.end(), [](char c) { return is_key_character(c) || c == '.'; });
     return is_plain ? KeyLine{key, file::trimmed(code.substr(equals + 1), blanks)} : KeyLine{};

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "hdconj/error.hpp"
 #include "hdconj/read_scene.hpp"
 
+#include <algorithm>
 #include <iterator>
 
 #include "builtin_scene.hpp"
+#include "hdconj/check.hpp"
+#include "hdconj/error.hpp"
 #include "hdconj/profile/registry.hpp"
 #include "hdconj/wavegen/registry.hpp"
 #include "scene_document.hpp"
-#include "scene_override.hpp"
 #include "scene_text.hpp"
-#include "scene_writer.hpp"
 
 namespace hdconj {
 namespace {
-
-constexpr char const* builtin_name = "the built-in scene";
 
 void append(Faults& faults, Faults more)
 {
@@ -38,12 +36,21 @@ Faults parse(std::string_view text, std::string const& name, toml::table& docume
 scene::SceneReading validated(toml::table const& document, std::string_view text, std::string const& name)
 {
     if (document.empty()) {
-        scene::SceneReading empty;
-        empty.faults.push_back({name, 0, "", "the scene is empty", "write a scene; `hdconj init` writes one to edit"});
-        return empty;
+        return {
+            {}, {{name, 0, "", "the scene is empty", "write a scene; `hdconj init` writes one to edit"}}, {}, false};
     }
     return scene::validate_scene(io::raw_of(document, text),
                                  {profile::profile_families(), wavegen::wave_generator_families()});
+}
+
+/// An InputError on the way is a list of faults as well.
+Faults geometry_faults(Scene const& scene)
+{
+    try {
+        return check_scene(scene);
+    } catch (InputError const& error) {
+        return error.faults();
+    }
 }
 
 Scene scene_or_throw(scene::SceneReading reading)
@@ -77,10 +84,22 @@ scene::SceneReading examine_scene_file(std::filesystem::path const& file, std::v
     try {
         return examine_scene(io::read_scene_text(file), file.string(), file.parent_path(), overrides);
     } catch (InputError const& error) {
-        scene::SceneReading reading;
-        reading.faults = error.faults();
-        return reading;
+        return {{}, error.faults(), {}, false};
     }
+}
+
+void examine_geometry(scene::SceneReading& reading)
+{
+    if (!reading.geometry_known)
+        return;
+    auto found = geometry_faults(reading.scene);
+    scene::locate(found, reading.scene);
+    std::erase_if(found, [&reading](Fault const& fault) {
+        return std::any_of(reading.faults.begin(), reading.faults.end(),
+                           [&fault](Fault const& other) { return other.path == fault.path; });
+    });
+    append(reading.faults, std::move(found));
+    sort_by_place(reading.faults);
 }
 
 Scene read_scene(std::filesystem::path const& file, std::vector<std::string> const& overrides)
@@ -101,7 +120,7 @@ std::string_view builtin_scene_text()
 
 Scene builtin_scene(std::vector<std::string> const& overrides)
 {
-    return parse_scene(builtin_scene_text(), builtin_name, {}, overrides);
+    return parse_scene(builtin_scene_text(), "the built-in scene", {}, overrides);
 }
 
 }  // namespace hdconj

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "scene_writer.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <sstream>
 #include <utility>
 #include <vector>
 
 #include "base/text.hpp"
+#include "scene_document.hpp"
 #include "scene_text.hpp"
 
 namespace hdconj::io {
@@ -54,15 +54,14 @@ std::string key_text(std::string_view key)
 /// Members of @p table by line, those without a line last.
 std::vector<Member> in_order(toml::table const& table)
 {
-    std::vector<std::pair<std::size_t, Member>> members;
+    std::multimap<std::size_t, Member> members;  // equal lines in their order in the table
     for (auto const& [key, node] : table) {
         std::size_t const line = key.source().begin.line;
-        members.push_back({line == 0 ? std::numeric_limits<std::size_t>::max() : line, {key_text(key.str()), &node}});
+        members.insert({line == 0 ? std::numeric_limits<std::size_t>::max() : line, {key_text(key.str()), &node}});
     }
-    std::stable_sort(members.begin(), members.end(), [](auto const& a, auto const& b) { return a.first < b.first; });
     std::vector<Member> sorted;
-    for (auto& member : members)
-        sorted.push_back(std::move(member.second));
+    for (auto& [line, member] : members)
+        sorted.push_back(std::move(member));
     return sorted;
 }
 
@@ -73,14 +72,12 @@ void write_table(std::string& text, std::string const& path, toml::table const& 
     bool const only_tables = !members.empty() && std::all_of(members.begin(), members.end(), is_table);
     if (!path.empty() && !only_tables)
         text += (text.empty() ? "[" : "\n[") + path + "]\n";
-    for (auto const& [key, node] : members) {
+    for (auto const& [key, node] : members)
         if (!node->is_table())
             text += key + " = " + value_text(*node) + "\n";
-    }
-    for (auto const& [key, node] : members) {
+    for (auto const& [key, node] : members)
         if (auto const* const inner = node->as_table())
             write_table(text, path.empty() ? key : path + "." + key, *inner);
-    }
 }
 
 }  // namespace

@@ -7,26 +7,20 @@
 namespace hdconj::report {
 namespace {
 
-/// Figures of @p record; angles of which the table says so also as play at the pitch circle.
+/// Adds the figures of @p record; angles of which the table says so also as play at the pitch circle.
 template <class Record>
-void add_with_play(Json& object, figures::Rows<Record> const& rows, Record const& record, ContactStudy const& study)
+Json with_play(Json object, figures::Rows<Record> const& rows, Record const& record, ContactStudy const& study)
 {
+    auto const length = [&](double angle) {
+        return number(figures::unit::um.shown(figures::at_pitch_circle(angle, study)));
+    };
     add_figures(object, rows, record);
     for (auto const& figure : rows) {
-        if (figure.as_play) {
-            auto const length = [&](double angle) {
-                return number(figures::unit::um.shown(figures::at_pitch_circle(angle, study)));
-            };
-            object[figure.key_stem() + figures::unit::um.suffix()] = length(figure.value(record));
-            object[figure.column_of_error() + figures::unit::um.suffix()] = length(figure.error(record));
-        }
+        if (!figure.as_play)
+            continue;
+        object[figure.key_stem() + figures::unit::um.suffix()] = length(figure.value(record));
+        object[figure.column_of_error() + figures::unit::um.suffix()] = length(figure.error(record));
     }
-}
-
-Json contact_state_object(ContactState const& state, ContactStudy const& study)
-{
-    Json object = Json::object();
-    add_with_play(object, figures::state_figures(), state, study);
     return object;
 }
 
@@ -48,9 +42,11 @@ Json closest_flank_object(ContactCase const& each)
 
 Json contact_case_object(ContactCase const& each, ContactStudy const& study)
 {
-    auto const state_object = [&](ContactState const& state) { return contact_state_object(state, study); };
-    Json object = {{"surface", to_string(each.surface)}, {"kind", to_string(each.kind)}};
-    add_with_play(object, figures::case_figures(), each, study);
+    auto const state_object = [&](ContactState const& state) {
+        return with_play(Json::object(), figures::state_figures(), state, study);
+    };
+    Json object = with_play({{"surface", to_string(each.surface)}, {"kind", to_string(each.kind)}},
+                            figures::case_figures(), each, study);
     object["closest_flank"] = each.slices.empty() ? Json(nullptr) : closest_flank_object(each);
     object["state"] = state_object(each.state);
     object["slices"] = list_of(each.slices, slice_object);

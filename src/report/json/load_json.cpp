@@ -7,17 +7,14 @@
 namespace hdconj::report {
 namespace {
 
-Json loaded_state_object(LoadedState const& state, LoadStudy const& study)
+using States = figures::Rows<LoadedState>;
+
+Json error_object(States const& rows, LoadedState const* error)
 {
-    return figures_object(figures::loaded_state_figures(study.balls), state);
+    return error != nullptr ? errors_object(rows, *error) : Json(nullptr);
 }
 
-Json loaded_error_object(LoadedState const* error, LoadStudy const& study)
-{
-    return error != nullptr ? errors_object(figures::loaded_state_figures(study.balls), *error) : Json(nullptr);
-}
-
-Json bearing_object(BearingMap const& bearing, LoadStudy const& study)
+Json bearing_object(BearingMap const& bearing, States const& rows)
 {
     auto const degrees = [](double angle) { return number(figures::unit::degree.shown(angle)); };
     Json object = {{"angle_deg", list_of(bearing.angle, degrees)},
@@ -30,34 +27,33 @@ Json bearing_object(BearingMap const& bearing, LoadStudy const& study)
             sum += bearing.force.at(i * bearing.z.size() + j);
         object["force_N"].push_back(number(sum));
     }
-    auto const& ball = figures::loaded_state_figures(study.balls)["ball_force"];
+    auto const& ball = rows["ball_force"];
     object[ball.json_key()] = list_of(bearing.ball_force, number);
     return object;
 }
 
-Json load_case_object(LoadCase const& each, LoadStudy const& study)
+Json load_case_object(LoadCase const& each, States const& rows)
 {
     Json object = {{"surface", to_string(each.surface)}, {"kind", to_string(each.kind)}};
     add_figures(object, figures::load_case_figures(), each);
     auto const* rated = figures::rated_state(each);
-    object["rated"] = rated != nullptr ? loaded_state_object(*rated, study) : Json(nullptr);
-    object["rated_error"] = loaded_error_object(each.estimated ? &each.error : nullptr, study);
+    object["rated"] = rated != nullptr ? figures_object(rows, *rated) : Json(nullptr);
+    object["rated_error"] = error_object(rows, each.estimated ? &each.error : nullptr);
     auto const& backlash = figures::load_case_figures()["backlash"];
     object[backlash.json_key_of_error()] = each.estimated ? error_of(backlash, each) : Json(nullptr);
     object["pressure_at_edge"] = each.pressure_at_edge;
-    object["bearing"] = bearing_object(each.bearing, study);
+    object["bearing"] = bearing_object(each.bearing, rows);
     object["curve"] = Json::array();
     for (std::size_t i = 0; i < each.curve.size(); ++i) {
-        Json state = loaded_state_object(each.curve[i], study);
-        state["error"] = loaded_error_object(figures::error_of(each, i), study);
+        Json state = figures_object(rows, each.curve[i]);
+        state["error"] = error_object(rows, figures::error_of(each, i));
         object["curve"].push_back(std::move(state));
     }
     return object;
 }
 
-Json cup_object(AssembledCup const& cup, LoadStudy const& study)
+Json cup_object(AssembledCup const& cup, figures::Rows<AssembledCup> const& rows)
 {
-    auto const rows = figures::assembled_cup_figures(study.balls);
     Json object = figures_object(rows, cup);
     object["error"] = cup.estimated ? errors_object(rows, cup) : Json(nullptr);
     object["slices"] = Json::array();
@@ -107,9 +103,10 @@ namespace hdconj {
 std::string summary_json(LoadStudy const& study, std::vector<WrittenFile> const& written, Measurement const* measured)
 {
     auto load = report::figures_object(figures::load_study_figures(), study);
-    load["cup"] = report::cup_object(study.cup, study);
+    load["cup"] = report::cup_object(study.cup, figures::assembled_cup_figures(study.balls));
+    auto const states = figures::loaded_state_figures(study.balls);
     load["cases"] =
-        report::list_of(study.cases, [&](LoadCase const& each) { return report::load_case_object(each, study); });
+        report::list_of(study.cases, [&](auto const& each) { return report::load_case_object(each, states); });
     if (measured != nullptr)
         load["measured"] = report::measured_object(*measured);
     auto summary = report::summary_object(study.solution);

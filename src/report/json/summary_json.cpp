@@ -62,7 +62,7 @@ Json certificate_object(RootCertificate const& certificate)
 Json solution_errors(Solution const& solution)
 {
     Json object = figures_object(figures::error_figures(), solution);
-    add_errors(object, figures::geometry_figures(), solution);
+    object.update(errors_object(figures::geometry_figures(), solution));
     return object;
 }
 

@@ -40,20 +40,9 @@ template <class Record>
 template <class Record>
 void add_values(Json& object, figures::Rows<Record> const& rows, Record const& record)
 {
-    for (auto const& figure : rows) {
+    for (auto const& figure : rows)
         if (figure.is_in(figures::json_value))
             object[figure.json_key()] = value_of(figure, record);
-    }
-}
-
-/// Every error of @p record under its key.
-template <class Record>
-void add_errors(Json& object, figures::Rows<Record> const& rows, Record const& record)
-{
-    for (auto const& figure : rows) {
-        if (figure.is_in(figures::json_error))
-            object[figure.json_key_of_error()] = error_of(figure, record);
-    }
 }
 
 /// Every figure of @p record under its key, with its error beside it unless errors stand apart.
@@ -76,12 +65,14 @@ template <class Record>
     return object;
 }
 
-/// Errors that stand apart, as an object.
+/// Every error of @p record under its key, as an object.
 template <class Record>
 [[nodiscard]] Json errors_object(figures::Rows<Record> const& rows, Record const& record)
 {
     Json object = Json::object();
-    add_errors(object, rows, record);
+    for (auto const& figure : rows)
+        if (figure.is_in(figures::json_error))
+            object[figure.json_key_of_error()] = error_of(figure, record);
     return object;
 }
 

@@ -47,10 +47,9 @@ std::vector<StudyCurve> study_curves(std::vector<ConvergenceSeries> const& serie
         if (series.study != name)
             continue;
         StudyCurve curve{&series, {}, 1, series.drive == accuracy::worst_of_sample};
-        for (auto const& level : series.levels) {
+        for (auto const& level : series.levels)
             if (level.error > 0 && level.median > 0)
                 curve.levels.push_back(&level);
-        }
         if (curve.levels.empty())
             continue;
         auto const known = std::find(methods.begin(), methods.end(), series.method + series.knob);
@@ -92,10 +91,7 @@ PlotData study_data(StoredAccuracy const& study, std::string const& name, std::v
                     std::string (*remark)(StudyCurve const&))
 {
     PlotData data(study.report.scene.drive.name + ": " + name);
-    for (auto const& kind : study_kinds()) {
-        if (kind.name == name)
-            data.set("question", kind.question);
-    }
+    data.set("question", figures::question_of(name));
     PlotColumns axes;
     std::vector<StudyCurve> curves;
     for (auto const& panel : panels) {

@@ -6,9 +6,7 @@
 #include "gnuplot.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/file/atomic_file.hpp"
-#include "io/hdf5/accuracy_records.hpp"
-#include "io/hdf5/hdf5_handle.hpp"
-#include "picture_file.hpp"
+#include "io/hdf5/hdf5_layout.hpp"
 #include "plots.hpp"
 
 namespace hdconj {
@@ -23,13 +21,12 @@ void check_accuracy_folder(fs::path const& folder, std::string const& drive)
         return;
     std::string held;
     try {
-        held = io::stored_drive(records);
+        held = io::hdf5::stored_drive(records);
     } catch (InputError const&) {
         return;  // damaged, and of no use to anybody
     }
-    if (held != drive) {
+    if (held != drive)
         throw FileError(folder, "holds the study of another drive, \"" + held + "\" (write the name of a new folder)");
-    }
 }
 
 std::vector<WrittenFile> write_accuracy_folder(StoredAccuracy const& study, fs::path const& folder)
@@ -45,7 +42,8 @@ std::vector<WrittenFile> write_accuracy_folder(StoredAccuracy const& study, fs::
         lines.emplace_back(name, said);
     };
     try {
-        write("records.h5", "hdf5", io::accuracy_bytes(study), "one record for each case, method, knob and repeat");
+        write("records.h5", "hdf5", io::hdf5::accuracy_bytes(study),
+              "one record for each case, method, knob and repeat");
     } catch (io::hdf5::Failure const& failure) {
         throw FileError(folder / "records.h5", failure.what());
     }
@@ -76,9 +74,8 @@ std::vector<WrittenFile> write_accuracy_page(StoredAccuracy const& study, fs::pa
     auto const series_list = accuracy::convergence_series(study.report);
     std::vector<WrittenFile> files;
     if (report::gnuplot::is_installed()) {
-        std::error_code ignored;
-        fs::create_directories(accuracy_figure(page, "").parent_path(),
-                               ignored);  // where it cannot be made, the first picture says why
+        std::error_code ignored;  // where it cannot be made, the first picture says why
+        fs::create_directories(accuracy_figure(page, "").parent_path(), ignored);
         for (auto const& name : figures::studies_of(series_list)) {
             if (!report::has_picture(series_list, name))
                 continue;

@@ -22,9 +22,8 @@ struct FlankSheet
 std::vector<std::vector<double>> station_places(ContactStudy const& study, int flank)
 {
     auto const& spline = study.solution.circular_spline;
-    if (spline.landmarks.empty() || spline.outline.size() != study.map.z.size()) {
+    if (spline.landmarks.empty() || spline.outline.size() != study.map.z.size())
         return {};
-    }
     io::FlankStations const stations(spline, flank);
     std::vector<std::vector<double>> places;
     for (auto const& slice : spline.outline)

@@ -16,11 +16,7 @@
 namespace hdconj::report::gnuplot {
 namespace {
 
-struct CloseFile
-{
-    void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using NamelessFile = std::unique_ptr<std::FILE, CloseFile>;
+using NamelessFile = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 [[noreturn]] void fail()
 {
@@ -30,7 +26,7 @@ using NamelessFile = std::unique_ptr<std::FILE, CloseFile>;
 /// A temporary file without a name: gone with the process, whatever becomes of it.
 NamelessFile nameless(std::string const& content)
 {
-    NamelessFile file(std::tmpfile());
+    NamelessFile file(std::tmpfile(), &std::fclose);
     if (!file || std::fwrite(content.data(), 1, content.size(), file.get()) != content.size() ||
         std::fflush(file.get()) != 0)
         fail();
@@ -68,10 +64,9 @@ bool is_installed()
     char const* const path = std::getenv("PATH");
     std::istringstream folders(path == nullptr ? "/usr/bin" : path);
     std::string folder;
-    while (std::getline(folders, folder, ':')) {
+    while (std::getline(folders, folder, ':'))
         if (::access(((folder.empty() ? "." : folder) + "/gnuplot").c_str(), X_OK) == 0)
             return true;
-    }
     return false;
 }
 

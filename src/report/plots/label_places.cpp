@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace hdconj::report {
 namespace {
@@ -49,18 +50,15 @@ double LabelPlaces::ink_under(LabelBox const& box) const
 
 LabelBox LabelPlaces::place(std::string const& text, Spot const& at)
 {
-    struct Side
-    {
-        int right, down;
-    };
-    constexpr std::array<Side, 8> sides = {{{1, -1}, {-1, -1}, {1, 1}, {-1, 1}, {0, -1}, {0, 1}, {1, 0}, {-1, 0}}};
+    constexpr std::array<std::pair<int, int>, 8> sides = {
+        {{1, -1}, {-1, -1}, {1, 1}, {-1, 1}, {0, -1}, {0, 1}, {1, 0}, {-1, 0}}};
     constexpr std::array<double, 5> gaps = {5, 10, 17, 26, 38};  // [px]
     double least = std::numeric_limits<double>::infinity();
     LabelBox best;
     for (double const gap : gaps) {
-        for (auto const& side : sides) {
+        for (auto const& [right, down] : sides) {
             LabelBox const box =
-                beside(at, letter_width * static_cast<double>(text.size()), line_height, side.right, side.down, gap);
+                beside(at, letter_width * static_cast<double>(text.size()), line_height, right, down, gap);
             if (double const cost = ink_under(box) + gap / 2; cost < least) {
                 least = cost;
                 best = box;

@@ -62,9 +62,8 @@ PlotColumns rig_points(Measurement const& measured)
     double const per_spline = measured.curve.rig.angle_per_spline;
     constexpr std::size_t most = 4000;  // few enough for a picture that one can still open
     PlotColumns points;
-    for (std::size_t i = 0; i < twist.size(); i += twist.size() / most + 1) {
+    for (std::size_t i = 0; i < twist.size(); i += twist.size() / most + 1)
         add_point(points, (twist[i] - measured.found.middle) / per_spline, torque[i] * per_spline);
-    }
     return points;
 }
 

@@ -2,56 +2,60 @@
 // The picture files of all verbs but accuracy: their names, what can be known before the work, and which of them a
 // result has something to draw for.
 #include <algorithm>
-#include <cctype>
 #include <chrono>
 
+#include "file/csv.hpp"
 #include "gnuplot.hpp"
 #include "hdconj/contact_files.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/file/atomic_file.hpp"
 #include "hdconj/load_files.hpp"
 #include "hdconj/wire_files.hpp"
-#include "picture_file.hpp"
 #include "plots.hpp"
 
 namespace hdconj::report {
 
-PictureFormat format_of(std::filesystem::path const& file)
-{
-    std::string ending = file.extension().string();
-    std::transform(ending.begin(), ending.end(), ending.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    if (ending == ".svg")
-        return PictureFormat::svg;
-    if (ending == ".png")
-        return PictureFormat::png;
-    throw InputError(Fault{"--picture", 0, file.string(),
-                           "the ending says what to draw, and only .svg and .png are known",
-                           "write NAME.svg or NAME.png"});
-}
+namespace {
 
-std::filesystem::path picture_part(std::filesystem::path const& file, std::string const& what)
+/// Whether the file's ending asks for PNG, not SVG. @throws InputError for an ending that is not known
+bool is_png(std::filesystem::path const& file)
 {
-    auto name = file.stem();
-    name += "-" + what;
-    name += file.extension();
-    return file.parent_path() / name;
-}
-
-std::string drawing(std::string const& script, std::filesystem::path const& file)
-{
-    try {
-        return gnuplot::draw((format_of(file) == PictureFormat::png ? "png = 1\n" : "png = 0\n") + script);
-    } catch (gnuplot::GnuplotError const& error) {
-        throw FileError(file, error.what());
+    std::string const ending = file::lower_case(file.extension().string());
+    if (ending != ".svg" && ending != ".png") {
+        throw InputError(Fault{"--picture", 0, file.string(),
+                               "the ending says what to draw, and only .svg and .png are known",
+                               "write NAME.svg or NAME.png"});
     }
+    return ending == ".png";
 }
 
+/// Draws and writes the file, timed for the summaries. @throws FileError as drawing(), or where it cannot be written
 WrittenFile write_drawing(std::string const& kind, std::string const& script, std::filesystem::path const& file)
 {
     auto const begin = std::chrono::steady_clock::now();
     file::write_text_atomically(file, drawing(script, file));
     return {kind, file, std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count()};
+}
+
+void check_pictures(std::vector<std::filesystem::path> const& files)
+{
+    std::for_each(files.begin(), files.end(), check_picture);
+}
+
+}  // namespace
+
+std::filesystem::path picture_part(std::filesystem::path const& file, std::string const& what)
+{
+    return file.parent_path() / (file.stem().string() + "-" + what + file.extension().string());
+}
+
+std::string drawing(std::string const& script, std::filesystem::path const& file)
+{
+    try {
+        return gnuplot::draw((is_png(file) ? "png = 1\n" : "png = 0\n") + script);
+    } catch (gnuplot::GnuplotError const& error) {
+        throw FileError(file, error.what());
+    }
 }
 
 }  // namespace hdconj::report
@@ -62,7 +66,7 @@ using report::picture_part, report::write_drawing;
 
 void check_picture(std::filesystem::path const& file)
 {
-    (void)report::format_of(file);
+    (void)report::is_png(file);
     file::check_target(file);
     if (!report::gnuplot::is_installed())
         throw FileError(file, report::gnuplot::missing);
@@ -82,8 +86,7 @@ ContactPictures contact_picture_names(std::filesystem::path const& file)
 void check_contact_pictures(std::filesystem::path const& file)
 {
     auto const [tilt, map, flank] = contact_picture_names(file);
-    for (auto const& each : {tilt, map, flank})
-        check_picture(each);
+    report::check_pictures({tilt, map, flank});
 }
 
 std::vector<WrittenFile> write_contact_pictures(ContactStudy const& study, std::filesystem::path const& file)
@@ -109,8 +112,7 @@ LoadPictures load_picture_names(std::filesystem::path const& file)
 void check_load_pictures(std::filesystem::path const& file)
 {
     auto const [curve, pressure, cup, stress, balls] = load_picture_names(file);
-    for (auto const& each : {curve, pressure, cup, stress, balls})
-        check_picture(each);
+    report::check_pictures({curve, pressure, cup, stress, balls});
 }
 
 std::vector<WrittenFile> write_load_pictures(LoadStudy const& study, std::filesystem::path const& file,
@@ -144,10 +146,8 @@ WirePictures wire_picture_names(std::filesystem::path const& file, std::size_t s
 void check_wire_pictures(std::filesystem::path const& file, std::size_t set_ups)
 {
     auto const names = wire_picture_names(file, set_ups);
-    check_picture(names.tooth);
-    check_picture(names.residual);
-    for (auto const& ring : names.rings)
-        check_picture(ring);
+    report::check_pictures({names.tooth, names.residual});
+    report::check_pictures(names.rings);
 }
 
 std::vector<WrittenFile> write_wire_pictures(WireSetUps const& programs, std::filesystem::path const& file)

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <stdexcept>
@@ -29,31 +28,11 @@ std::string one_line(std::string_view text, char quote, std::string_view replace
     return line;
 }
 
-void keep_between(std::vector<Vec2> const& line, std::size_t first, std::size_t last, double tolerance,
-                  std::vector<Vec2>& kept)
-{
-    std::size_t furthest = first;
-    double distance = tolerance * tolerance;
-    for (std::size_t i = first + 1; i < last; ++i) {
-        double const here = squared_distance(line[i], line[first], line[last]);
-        if (here > distance) {
-            distance = here;
-            furthest = i;
-        }
-    }
-    if (furthest != first) {
-        keep_between(line, first, furthest, tolerance, kept);
-        kept.push_back(line[furthest]);
-        keep_between(line, furthest, last, tolerance, kept);
-    }
-}
-
 std::string_view template_text(std::string_view name)
 {
-    for (auto const& each : plot_templates) {
+    for (auto const& each : plot_templates)
         if (each.name == name)
             return each.text;
-    }
     throw std::logic_error(fmt::format("there is no plot template {}", name));
 }
 
@@ -111,10 +90,13 @@ std::vector<Vec2> thinned(std::vector<Vec2> const& polyline, double tolerance)
 {
     if (polyline.size() < 3)
         return polyline;
-    std::vector<Vec2> kept = {polyline.front()};
-    keep_between(polyline, 0, polyline.size() - 1, tolerance, kept);
-    kept.push_back(polyline.back());
-    return kept;
+    std::vector<std::size_t> kept = {0};
+    keep_between({&polyline, 1}, 0, polyline.size() - 1, tolerance, kept);
+    kept.push_back(polyline.size() - 1);
+    std::vector<Vec2> points;
+    for (std::size_t const i : kept)
+        points.push_back(polyline[i]);
+    return points;
 }
 
 Polylines thinned(Polylines lines, double tolerance)

@@ -3,6 +3,7 @@
 /// The pictures of all verbs as scripts, see plot_script.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -58,6 +59,13 @@ namespace hdconj::report {
                                           std::vector<ConvergenceSeries> const& series_list, std::string const& name);
 /// Whether a study has two points to draw.
 [[nodiscard]] bool has_picture(std::vector<ConvergenceSeries> const& series_list, std::string const& name);
+
+/// One picture of several: NAME.svg becomes NAME-what.svg.
+[[nodiscard]] std::filesystem::path picture_part(std::filesystem::path const& file, std::string const& what);
+
+/// What gnuplot draws by a script of @ref plot_script. @param file  that an error names
+/// @throws InputError for an ending that is not known; FileError with gnuplot's own words
+[[nodiscard]] std::string drawing(std::string const& script, std::filesystem::path const& file);
 
 /// "type-50:  tilted, radial 0.2 deg,  28 N m": heads the pictures of one case under torque.
 [[nodiscard]] std::string shown_load(LoadStudy const& study);

@@ -13,10 +13,9 @@ namespace {
 std::vector<Vec2> middle_outline(CircularSplineOutline const& spline)
 {
     std::size_t nearest = 0;
-    for (std::size_t k = 1; k < std::min(spline.z.size(), spline.outline.size()); ++k) {
+    for (std::size_t k = 1; k < std::min(spline.z.size(), spline.outline.size()); ++k)
         if (std::abs(spline.z[k]) < std::abs(spline.z[nearest]))
             nearest = k;
-    }
     return spline.outline.empty() ? std::vector<Vec2>{} : spline.outline[nearest];
 }
 
@@ -91,10 +90,9 @@ std::vector<Vec2> material_of(ToothDrawing const& drawing, bool above)
 Polylines branch_lines(Solution const& solution, bool corner, bool on_boundary)
 {
     Polylines found;
-    for (auto const& branch : solution.branches) {
+    for (auto const& branch : solution.branches)
         if ((branch.kind == "corner") == corner && branch.on_boundary == on_boundary)
             found.push_back(branch.point);
-    }
     return found;
 }
 

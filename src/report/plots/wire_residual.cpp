@@ -17,16 +17,13 @@ std::string wire_residual_script(WireSetUps const& programs)
             last_space = std::max(last_space, each.tooth);
         }
     }
-    PlotColumns lower_idle, upper_idle, lower_meshing, upper_meshing;
+    PlotColumns rows[2][2];  // by whether they mesh, and in which face
     double highest = 0;
     for (auto const& program : programs) {
         for (auto const& each : program.residuals) {
             if (each.pass != last_pass)
                 continue;
-            auto& rows = each.meshing ? each.upper ? upper_meshing : lower_meshing
-                         : each.upper ? upper_idle
-                                      : lower_idle;
-            rows.row(each.tooth, each.height * per_um);
+            rows[each.meshing][each.upper].row(each.tooth, each.height * per_um);
             highest = std::max(highest, each.height * per_um);
         }
     }
@@ -36,10 +33,10 @@ std::string wire_residual_script(WireSetUps const& programs)
     data.set("first_space", first_space);
     data.set("last_space", last_space);
     data.set("highest", highest);
-    data.set("lower_idle", lower_idle);
-    data.set("upper_idle", upper_idle);
-    data.set("lower_meshing", lower_meshing);
-    data.set("upper_meshing", upper_meshing);
+    data.set("lower_idle", rows[false][false]);
+    data.set("upper_idle", rows[false][true]);
+    data.set("lower_meshing", rows[true][false]);
+    data.set("upper_meshing", rows[true][true]);
     return plot_script("wire_residual", data);
 }
 

@@ -56,10 +56,9 @@ ToothView tooth_view(WireProgram const& program)
 std::vector<WireMove> shown_moves(WireProgram const& program, ToothView const& view)
 {
     std::vector<WireMove> moves;
-    for (auto const& move : program.passes.back().moves) {
+    for (auto const& move : program.passes.back().moves)
         if (view.shows(move))
             moves.push_back({view.turn * move.lower, view.turn * move.upper, move.tag, move.tooth});
-    }
     return moves;
 }
 
@@ -104,10 +103,9 @@ void set_wires(PlotData& data, std::vector<WireMove> const& moves, bool level)
 std::vector<Vec2> wire_centres(WirePass const& pass, Vec2 WireMove::*face)
 {
     std::vector<Vec2> path;
-    for (auto const& move : pass.moves) {
+    for (auto const& move : pass.moves)
         if (move.tag != WireTag::thread && move.tag != WireTag::lead_out)
             path.push_back(move.*face);
-    }
     return path;
 }
 

@@ -7,23 +7,20 @@
 #include <cmath>
 #include <limits>
 #include <map>
-#include <optional>
 
 #include "accuracy/convergence_series.hpp"
 #include "figures/accuracy_figures.hpp"
 #include "hdconj/units.hpp"
 #include "scene/tolerance_limits.hpp"
-#include "study_conclusions.hpp"
 
 namespace hdconj::report {
 
 ConvergenceSeries const* find(SeriesList const& series_list, std::string const& study, std::string const& method,
                               bool sample)
 {
-    for (auto const& series : series_list) {
+    for (auto const& series : series_list)
         if (series.study == study && series.method == method && (series.drive == accuracy::worst_of_sample) == sample)
             return &series;
-    }
     return nullptr;
 }
 
@@ -37,18 +34,19 @@ ConvergenceLevel const& best_of(ConvergenceSeries const& series)
     });
 }
 
-/// Time of a series at an error, between its levels on log-log lines; nothing outside of it.
-std::optional<double> time_at(ConvergenceSeries const& series, double error)
+/// Another figure of a series where its error is @p error, between its levels on log-log lines, once for each time that
+/// the errors fall past it.
+std::vector<double> at_error(ConvergenceSeries const& series, double error, double ConvergenceLevel::*figure)
 {
+    std::vector<double> found;
     for (std::size_t i = 0; i + 1 < series.levels.size(); ++i) {
-        auto const& a = series.levels[i];
-        auto const& b = series.levels[i + 1];
+        auto const &a = series.levels[i], &b = series.levels[i + 1];
         if (a.error >= error && b.error <= error && a.error > b.error) {
             double const share = std::log(a.error / error) / std::log(a.error / b.error);
-            return a.median * std::pow(b.median / a.median, share);
+            found.push_back(a.*figure * std::pow(b.*figure / a.*figure, share));
         }
     }
-    return {};
+    return found;
 }
 
 void conclude_tolerance(Page& page, SeriesList const& series_list)
@@ -101,15 +99,9 @@ void conclude_sampling(Page& page, SeriesList const& series_list)
         return;
     std::string ratios;
     for (auto const& level : adaptive->levels) {
-        for (std::size_t i = 0; i + 1 < equal->levels.size(); ++i) {
-            auto const& a = equal->levels[i];
-            auto const& b = equal->levels[i + 1];
-            if (a.error >= level.error && b.error <= level.error && a.error > b.error) {
-                double const share = std::log(a.error / level.error) / std::log(a.error / b.error);
-                ratios += fmt::format("{}{:.2g} at {} mm", ratios.empty() ? "" : ", ",
-                                      a.points * std::pow(b.points / a.points, share) / level.points,
-                                      figures::scientific(level.error));
-            }
+        for (double const points : at_error(*equal, level.error, &ConvergenceLevel::points)) {
+            ratios += fmt::format("{}{:.2g} at {} mm", ratios.empty() ? "" : ", ", points / level.points,
+                                  figures::scientific(level.error));
         }
     }
     std::string const of_equal = order_in_points(*equal), of_adaptive = order_in_points(*adaptive);
@@ -221,12 +213,13 @@ void conclude_union(Page& page, SeriesList const& series_list)
         return;
     auto const& last = united->levels.back();
     auto const* solve = find(series_list, "tolerance", "solve");
-    auto const there = solve == nullptr ? std::optional<double>() : time_at(*solve, last.error);
+    auto const there =
+        solve == nullptr ? std::vector<double>() : at_error(*solve, last.error, &ConvergenceLevel::median);
     page.line("{:.0f} positions leave {} of the flank uncut and take {} and {:.0f} MB.{}", last.value,
               figures::um_text(last.error), figures::duration(last.median), last.memory,
-              there && has_median(last, solve->levels.back()) && last.median > *there
-                  ? fmt::format(" `solve` is there after {}, {:.2g} times sooner.", figures::duration(*there),
-                                last.median / *there)
+              !there.empty() && has_median(last, solve->levels.back()) && last.median > there.front()
+                  ? fmt::format(" `solve` is there after {}, {:.2g} times sooner.", figures::duration(there.front()),
+                                last.median / there.front())
                   : "");
 }
 

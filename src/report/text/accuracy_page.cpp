@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page of `hdconj accuracy --page` is written by this file from records; what follows from them is in
 // accuracy_conclusions.cpp.
-#include <fmt/format.h>
 
 #include <cmath>
 
@@ -9,12 +8,9 @@
 #include "figures/accuracy_figures.hpp"
 #include "hdconj/accuracy.hpp"
 #include "report/plots/plots.hpp"
-#include "study_conclusions.hpp"
 
 namespace hdconj {
 namespace {
-
-using SeriesList = std::vector<ConvergenceSeries>;
 
 void write_table(report::Page& page, ConvergenceSeries const& series)
 {
@@ -39,16 +35,14 @@ void write_reference(report::Page& page, AccuracyReport const& report)
 {
     page.line(
         "**Errors** are distances in mm from a reference that is computed in 50 digits by another path (frames from "
-        "tangent vectors in place of angles, arcs as parallels of their centre's "
-        "path, arc length by the trapezoidal rule or, where the wave generator's third derivative jumps, by one series "
-        "from jump to jump, corners by Newton's method). It is of this drive's own "
-        "wave generator (`{}`) and motion model (`{}`){}; the study motion-model is against exact motion. Between its "
-        "nodes the reference is right to {} mm; brute force over all tooth positions "
-        "finds it touched, and not entered, to {} mm, which is the resolution of that check. The error given is the "
-        "larger of L-infinity (vertices off the curve) and Hausdorff distance (chords and missing stretches too). The "
-        "residual "
-        "|n.v| stands apart and says little about either. *Missed* and *extra* count branches, stretches of boundary "
-        "or roots; in the study polynomial-fit, points of the grid that have no "
+        "tangent vectors in place of angles, arcs as parallels of their centre's path, arc length by the trapezoidal "
+        "rule or, where the wave generator's third derivative jumps, by one series from jump to jump, corners by "
+        "Newton's method). It is of this drive's own wave generator (`{}`) and motion model (`{}`){}; the study "
+        "motion-model is against exact motion. Between its nodes the reference is right to {} mm; brute force over all "
+        "tooth positions finds it touched, and not entered, to {} mm, which is the resolution of that check. The error "
+        "given is the larger of L-infinity (vertices off the curve) and Hausdorff distance (chords and missing "
+        "stretches too). The residual |n.v| stands apart and says little about either. *Missed* and *extra* count "
+        "branches, stretches of boundary or roots; in the study polynomial-fit, points of the grid that have no "
         "contact on the flank, and contacts of another branch taken for one; in the study threads, points that differ "
         "from those of one thread.\n",
         report.scene.wave_generator.shape.family, to_string(report.scene.solver.kinematics),
@@ -56,7 +50,7 @@ void write_reference(report::Page& page, AccuracyReport const& report)
         figures::scientific(report.reference_error), figures::scientific(report.reference_entry));
 }
 
-void write_knobs(report::Page& page, SeriesList const& series_list)
+void write_knobs(report::Page& page, report::SeriesList const& series_list)
 {
     page.line("## Which knob for which accuracy\n");
     page.line("| wanted [mm] | write | error on this drive | worst of the sample | time |");
@@ -73,10 +67,9 @@ void write_knobs(report::Page& page, SeriesList const& series_list)
     }
     page.line(
         "\n`solver.tolerance` is the knob for the outline, `kinematics` a choice of model and not of accuracy, "
-        "`slices.count` the knob for the contact area, and `threads` worth "
-        "its while where the table of the study says so. For a wanted error or time: `hdconj accuracy --error 1e-6`, "
-        "`hdconj accuracy --budget 10ms`; with `--from DIR/records.h5` from "
-        "records that were measured before.\n");
+        "`slices.count` the knob for the contact area, and `threads` worth its while where the table of the study says "
+        "so. For a wanted error or time: `hdconj accuracy --error 1e-6`, `hdconj accuracy --budget 10ms`; with `--from "
+        "DIR/records.h5` from records that were measured before.\n");
 }
 
 /// A file as Markdown's links take it.
@@ -95,8 +88,7 @@ std::string accuracy_page(StoredAccuracy const& study, std::filesystem::path con
     page.line("# What accuracy costs in time\n");
     page.line(
         "Written by `hdconj accuracy --page`, from {} records; nothing on this page is typed by hand. Drive: {}. "
-        "Machine: {}, {}, which may have had other work: {}. "
-        "Program: hdconj {} ({}), {}. Libraries: {}.\n",
+        "Machine: {}, {}, which may have had other work: {}. Program: hdconj {} ({}), {}. Libraries: {}.\n",
         report.records.size(), report.scene.drive.name, report.machine, figures::threads_text(report.threads),
         figures::are_single_runs(series_list) ? "times are of single runs, and no ratio is drawn from them"
                                               : "compare medians within a study",
@@ -106,36 +98,29 @@ std::string accuracy_page(StoredAccuracy const& study, std::filesystem::path con
     if (report.sample > 0) {
         page.line(
             "**Sample**: {} designs about the drive (radial deformation 0.85 to 1.1, wall 0.8 to 1.2, lengths of the "
-            "profile 0.94 to 1.06 times; {} more were drawn and make no drive). For each "
-            "setting the worst of them is shown; a slow machine is not a bad design, so their times are of single "
-            "runs.\n",
+            "profile 0.94 to 1.06 times; {} more were drawn and make no drive). For each setting the worst of them is "
+            "shown; a slow machine is not a bad design, so their times are of single runs.\n",
             report.sample, report.sample_refused);
     }
     if (report::find(series_list, "tolerance", "solve") != nullptr)
         write_knobs(page, series_list);
     for (auto const& name : figures::studies_of(series_list)) {
-        std::string question;
-        for (auto const& kind : study_kinds()) {
-            if (kind.name == name)
-                question = kind.question;
-        }
+        std::string const question = figures::question_of(name);
         page.line("## {}: {}\n", name, question);
         report::conclude(page, name, series_list, report.scene);
         if (pictures && report::has_picture(series_list, name)) {
             page.line("\n![{}]({})", question,
                       link_to("figures/" + accuracy_figure(page_file, name).filename().string()));
         }
-        for (auto const& series : series_list) {
+        for (auto const& series : series_list)
             if (series.study == name)
                 write_table(page, series);
-        }
         page.line("");
     }
     if (!report.notes.empty()) {
         page.line("## Notes\n");
-        for (auto const& note : report.notes) {
+        for (auto const& note : report.notes)
             page.line("* {}", note);
-        }
     }
     return page.text();
 }

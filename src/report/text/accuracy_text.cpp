@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "accuracy/convergence_series.hpp"
 #include "figures/accuracy_figures.hpp"
 #include "hdconj/accuracy.hpp"
@@ -71,10 +69,9 @@ std::string summary_text(StoredAccuracy const& study, AccuracyAdvice const& advi
     report::write_head(page, study, series_list);
     for (auto const& name : figures::studies_of(series_list)) {
         page.line("\n{}: {}", name, figures::question_of(name));
-        for (auto const& series : series_list) {
+        for (auto const& series : series_list)
             if (series.study == name)
                 report::write_series(page, series);
-        }
     }
     if (advice.error) {
         report::write_advice(page, fmt::format("error of {:.3g} mm or less, fastest", *advice.error),

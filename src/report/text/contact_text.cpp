@@ -25,11 +25,6 @@ void write_contact_setting(Page& page, ContactStudy const& study)
     }
 }
 
-std::string begin_contact_row(ContactCase const& each)
-{
-    return surface_columns(each.surface, each.kind, ToldCase(figures::case_figures(), each)("tilt"));
-}
-
 std::string with_sign(std::string const& error)
 {
     return "+- " + error;
@@ -50,10 +45,10 @@ void write_contact_row(Page& page, ContactStudy const& study, ContactCase const&
     auto const& state = each.state;
     ToldCase const told(figures::case_figures(), each);
     Told const at(figures::state_figures(), state);
-    page.line("{}{:>11}{:>10}{:>10}{:>10}{}{:>10}{:>10}{:>7}{:>10} +- {}", begin_contact_row(each),
-              each.slices.empty() ? "-" : told("flank_clearance"), told("clearing_offset"),
-              told("backlash_of_clearing"), told("backlash_offset"), each.raised ? '*' : ' ', at("backlash"),
-              play_text(state.backlash(), study), at("teeth"), at("share"), at.error("share"));
+    page.line("{}{:>11}{:>10}{:>10}{:>10}{}{:>10}{:>10}{:>7}{:>10} +- {}",
+              surface_columns(figures::case_figures(), each), each.slices.empty() ? "-" : told("flank_clearance"),
+              told("clearing_offset"), told("backlash_of_clearing"), told("backlash_offset"), each.raised ? '*' : ' ',
+              at("backlash"), play_text(state.backlash(), study), at("teeth"), at("share"), at.error("share"));
     std::string teeth;
     if (state.teeth_least != state.teeth || state.teeth_most != state.teeth)
         teeth = fmt::format("{}-{}", state.teeth_least, state.teeth_most);
@@ -138,12 +133,12 @@ void write_contact_places(Page& page, ContactStudy const& study)
               "deg");
     for (auto const& each : study.cases) {
         if (each.slices.empty()) {
-            page.line("{}   not computed", begin_contact_row(each));
+            page.line("{}   not computed", surface_columns(figures::case_figures(), each));
             continue;
         }
         auto const& root = figures::closest_root(each);
-        write_closest(page, begin_contact_row(each), "flanks", {each.closest_flank(), each.clearance_error},
-                      each.closest_slice(), tolerance);
+        write_closest(page, surface_columns(figures::case_figures(), each), "flanks",
+                      {each.closest_flank(), each.clearance_error}, each.closest_slice(), tolerance);
         write_closest(page, "", "root", {root.root, each.root_clearance_error}, root, tolerance);
     }
     for (auto const& each : study.cases)
@@ -157,8 +152,8 @@ std::string range(std::vector<ContactState> const& states, char const* name)
     auto const& figure = figures::state_figures()[name];
     auto const [low, high] = std::minmax_element(
         states.begin(), states.end(), [&](auto const& a, auto const& b) { return figure.value(a) < figure.value(b); });
-    auto const& unit = figure.text.unit != nullptr ? *figure.text.unit : figure.unit;
-    return fmt::format("{:.4g} ... {:.4g}", unit.shown(figure.value(*low)), unit.shown(figure.value(*high)));
+    auto const shown = [&](auto const& state) { return figure.text_unit().shown(figure.value(state)); };
+    return fmt::format("{:.4g} ... {:.4g}", shown(*low), shown(*high));
 }
 
 /// The largest error of a figure over the states.
@@ -168,8 +163,7 @@ std::string largest_error(std::vector<ContactState> const& states, char const* n
     double high = 0;
     for (auto const& state : states)
         high = std::max(high, figure.error(state));
-    auto const& unit = figure.text.unit != nullptr ? *figure.text.unit : figure.unit;
-    return with_sign(figures::significant<1>(unit.shown(high)));
+    return with_sign(figures::significant<1>(figure.text_unit().shown(high)));
 }
 
 void write_revolutions(Page& page, std::vector<ContactCase> const& cases)
@@ -193,11 +187,10 @@ void write_best(Page& page, std::vector<BestTilt> const& best)
     for (auto const& each : best) {
         Told const told(figures::best_tilt_figures(), each);
         auto const value = figures::best_value_figure(each);
-        page.figure(
-            std::string(to_string(each.kind)) + ", by " + each.what, told.with_unit("tilt"),
-            fmt::format("+- {}, {} {} +- {}; searched {} ... {}{}", told.with_unit("tolerance"), value.text.label,
-                        figures::value_with_unit(value, each), figures::error_text(value, each), told("from"),
-                        told.with_unit("to"), each.on_bound ? ", and on the bound: it may lie beyond" : ""));
+        page.figure(std::string(to_string(each.kind)) + ", by " + each.what, told.with_unit("tilt"),
+                    fmt::format("+- {}, {} {} +- {}; searched {} ... {}{}", told.with_unit("tolerance"),
+                                value.text.label, value.value_with_unit(each), value.error_text(each), told("from"),
+                                told.with_unit("to"), each.on_bound ? ", and on the bound: it may lie beyond" : ""));
         if (each.refused > 0) {
             page.line("    {} of the tilts tried make no surface, those from {} to {} do: {}", each.refused,
                       told("possible_from"), told.with_unit("possible_to"), each.refusal);

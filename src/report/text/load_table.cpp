@@ -10,11 +10,6 @@ namespace {
 
 using ToldLoad = Told<LoadCase>;
 
-std::string begin_load_row(LoadCase const& each)
-{
-    return surface_columns(each.surface, each.kind, ToldLoad(figures::load_case_figures(), each)("tilt"));
-}
-
 bool is_moved(LoadCase const& each)
 {
     return each.raised || each.tip_change > 0;
@@ -25,8 +20,9 @@ void write_values(Page& page, LoadStudy const& study, LoadCase const& each)
     ToldLoad const told(figures::load_case_figures(), each);
     auto const& stages = each.stages;
     bool const any = stages.first != 0;
-    std::string row = fmt::format("{}{:>8}{}{:>9}{:>9}{:>9}{:>8}", begin_load_row(each), told("backlash_offset"),
-                                  is_moved(each) ? '*' : ' ', told("backlash"), any ? told("first_stage") : "-",
+    std::string row = fmt::format("{}{:>8}{}{:>9}{:>9}{:>9}{:>8}", surface_columns(figures::load_case_figures(), each),
+                                  told("backlash_offset"), is_moved(each) ? '*' : ' ', told("backlash"),
+                                  any ? told("first_stage") : "-",
                                   stages.found ? told("second_stage")
                                   : any        ? "="
                                                : "-",
@@ -68,8 +64,9 @@ void write_moved(Page& page, LoadStudy const& study)
     for (auto const& each : study.cases) {
         ToldLoad const told(figures::load_case_figures(), each);
         if (is_moved(each)) {
-            page.line("    {}{:>9} um side clearance, tip circle {}, {} wider than its own", begin_load_row(each),
-                      told("backlash_offset"), told.with_unit("tip_radius"), told.with_unit("tip_change"));
+            page.line("    {}{:>9} um side clearance, tip circle {}, {} wider than its own",
+                      surface_columns(figures::load_case_figures(), each), told("backlash_offset"),
+                      told.with_unit("tip_radius"), told.with_unit("tip_change"));
         }
     }
 }

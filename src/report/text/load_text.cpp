@@ -126,14 +126,12 @@ void write_load_places(Page& page, LoadStudy const& study)
 {
     write_largest(page, study);
     page.line("\nbearing, at {}", rated_torque(study));
-    for (auto const& each : study.cases) {
+    for (auto const& each : study.cases)
         if (auto const* state = figures::rated_state(each))
             write_bearing(page, study, each, *state);
-    }
-    for (auto const& each : study.cases) {
+    for (auto const& each : study.cases)
         if (study.balls > 0)
             write_balls(page, study, each);
-    }
     write_residuals(page, study);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "study_conclusions.hpp"
+#include "accuracy_conclusions.hpp"
 
 #include <fmt/format.h>
 
@@ -83,8 +83,7 @@ void conclude_contact(Page& page, SeriesList const& series_list)
         double const finest = slices->levels.back().error;
         reference = fmt::format(
             " Slices are measured against lengths of contact in {:.0f} exact planes, another path whose own error is "
-            "{} mm^2, {}; "
-            "a table of a reference has its own error in place of a distance from it.",
+            "{} mm^2, {}; a table of a reference has its own error in place of a distance from it.",
             level.value, figures::scientific(level.error),
             finest > level.error
                 ? fmt::format("1/{:.0f} of that of the most slices tested", std::floor(finest / level.error))

@@ -37,7 +37,7 @@ class Page
     template <class Record>
     void figure(figures::FigureOf<Record> const& row, Record const& record, std::string const& note = "")
     {
-        figure(row.text.label, figures::value_with_unit(row, record), note);
+        figure(row.text.label, row.value_with_unit(record), note);
     }
     [[nodiscard]] std::string const& text() const { return text_; }
 
@@ -50,26 +50,20 @@ template <class Record>
 class Told
 {
   public:
-    Told(figures::Rows<Record> const& rows, Record const& record) : rows_(rows), record_(&record) {}
+    Told(figures::Rows<Record> const& rows, Record const& record) : rows_(rows), record_(record) {}
 
-    [[nodiscard]] std::string operator()(std::string_view name) const
-    {
-        return figures::value_text(rows_[name], *record_);
-    }
-    [[nodiscard]] std::string error(std::string_view name) const { return figures::error_text(rows_[name], *record_); }
-    [[nodiscard]] std::string with_unit(std::string_view name) const
-    {
-        return figures::value_with_unit(rows_[name], *record_);
-    }
+    [[nodiscard]] std::string operator()(std::string_view name) const { return rows_[name].value_text(record_); }
+    [[nodiscard]] std::string error(std::string_view name) const { return rows_[name].error_text(record_); }
+    [[nodiscard]] std::string with_unit(std::string_view name) const { return rows_[name].value_with_unit(record_); }
     /// "+- 0.0032 um"
     [[nodiscard]] std::string error_with_unit(std::string_view name) const
     {
-        return figures::error_with_unit(rows_[name], *record_);
+        return rows_[name].error_with_unit(record_);
     }
 
   private:
     figures::Rows<Record> rows_;
-    Record const* record_;
+    Record const& record_;
 };
 
 /// "s" where there are several.
@@ -80,6 +74,11 @@ class Told
 
 /// The first columns of a row of a table: surface, kind and tilt.
 [[nodiscard]] std::string surface_columns(ToothSurface surface, std::optional<TiltKind> kind, std::string const& tilt);
+template <class Case>
+[[nodiscard]] std::string surface_columns(figures::Rows<Case> const& rows, Case const& each)
+{
+    return surface_columns(each.surface, each.kind, rows["tilt"].value_text(each));
+}
 
 /// Name, numbers of teeth, ratio, kinematics.
 void write_drive(Page& page, Solution const& solution);
