@@ -19,25 +19,17 @@ std::vector<Vec2> united(StudyDrive const& drive, std::vector<Vec2> const& tooth
     conjugate::SweptPolygons swept(drive.pitch);
     for (int i = 0; i <= count; ++i) {
         Pose const pose = drive.motion().pose(-half + 2 * half * i / count);
-        std::vector<Vec2> points;
-        std::vector<double> numbers;
-        auto const flush = [&] {
-            if (points.size() > 1)
+        conjugate::for_runs(
+            tooth.size(), [&](std::size_t k) { return pose(tooth[k]).norm() > tip; },
+            [&](std::size_t first, std::size_t end) {
+                std::vector<Vec2> points;
+                std::vector<double> numbers;
+                for (std::size_t k = first; k < end; ++k) {
+                    points.push_back(pose(tooth[k]));
+                    numbers.push_back(static_cast<double>(k));
+                }
                 swept.add(i, points, numbers);
-            points.clear();
-            numbers.clear();
-        };
-        auto const above = [&](std::size_t k) { return pose(tooth[k]).norm() > tip; };
-        for (std::size_t k = 0; k < tooth.size(); ++k) {
-            bool const wanted = above(k) || (k > 0 && above(k - 1)) || (k + 1 < tooth.size() && above(k + 1));
-            if (!wanted) {
-                flush();
-                continue;
-            }
-            points.push_back(pose(tooth[k]));
-            numbers.push_back(static_cast<double>(k));
-        }
-        flush();
+            });
     }
     int const floor = swept.add_floor(tip, drive.height() * 0x1p-20);
     region::OuterBoundary const boundary = region::outer_boundary(swept.polygons(), floor);
@@ -71,16 +63,12 @@ void study_union(StudyBench const& bench)
     StudyDrive const& drive = bench.drive;
     std::vector<Vec2> const tooth = profile::polygon_of(drive.tooth, drive.height() * 0x1p-17);
     constexpr int first = 16, last = 512, last_of_short = 32;
-    for (int count = first; count <= (bench.quick || bench.sampled ? last_of_short : last); count *= 2) {
+    for (int count = first; count <= bench.length(last, last_of_short, last_of_short); count *= 2) {
         std::size_t segments = 0;
         std::vector<Vec2> const outline = united(drive, tooth, count, segments);
         // the ends lie within one step of the floor of the middle of the lands
         CurveDifference const difference = bench.reference.inner().compare(outline, drive.height());
-        StudyRecord record;
-        record.study = "union";
-        record.method = "union of positions";
-        record.knob = "positions";
-        record.value = count;
+        StudyRecord record{"union", {}, "union of positions", "positions", static_cast<double>(count)};
         record.error = bench.reference.largest_distance(outline);
         record.hausdorff = std::max(record.error, bench.reference.inner().largest_gap(outline));
         record.missed = difference.missed;

@@ -55,14 +55,9 @@ struct AreaReference
     double area = 0;
 };
 
-StudyRecord area_record(std::string method, std::string knob, int value, double points)
+StudyRecord area_record(char const* method, char const* knob, int value, double points)
 {
-    StudyRecord record;
-    record.study = "contact-area";
-    record.method = std::move(method);
-    record.knob = std::move(knob);
-    record.value = value;
-    record.unit = "mm^2";
+    StudyRecord record{"contact-area", {}, method, knob, static_cast<double>(value), 0, "mm^2"};
     record.points = points;
     return record;
 }
@@ -132,16 +127,14 @@ void measure(StudyRun const& bench, Scene const& scene, Series const& series)
         }
     }
     bench.keep(reference.record);
-    if (bench.sampled)
-        return;
     std::string const part =
         reference.record.error > 0 ? short_number(std::floor(finest / reference.record.error)) : "infinity";
-    bench.report.notes.push_back("contact-area: no reference in 50 digits; " + std::string(series.method) +
-                                 " are measured against " + short_number(reference.record.value) +
-                                 (series.slices ? " planes with edges of contact as roots, and no cells between them"
-                                                : " of them in the same planes") +
-                                 ", whose own error is " + short_number(reference.record.error) + " mm^2, 1/" + part +
-                                 " of the finest tested");
+    bench.note("contact-area: no reference in 50 digits; " + std::string(series.method) + " are measured against " +
+               short_number(reference.record.value) +
+               (series.slices ? " planes with edges of contact as roots, and no cells between them"
+                              : " of them in the same planes") +
+               ", whose own error is " + short_number(reference.record.error) + " mm^2, 1/" + part +
+               " of the finest tested");
 }
 
 void run_area_series(StudyRun const& bench)
@@ -149,29 +142,21 @@ void run_area_series(StudyRun const& bench)
     Scene scene = coned(bench);
     scene.solver.threads = bench.threads;
     if (scene.circular_spline.backlash_offset != 0) {
-        if (!bench.sampled)
-            bench.report.notes.push_back(
-                "contact-area: backlash_offset left out: measured where conjugate flanks touch");
+        bench.note("contact-area: backlash_offset left out: measured where conjugate flanks touch");
         scene.circular_spline.backlash_offset = 0;
     }
-    if (bench.quick) {
-        constexpr int planes = 257, few = 20, many = 1000;
-        measure(bench, scene, {"slices", "slices.count", {2, 3}, true, 40, by_planes(bench, scene, planes, few)});
-        measure(bench, scene,
-                {"flank points", "contact.flank_points", {10, 20}, false, 3, by_points(bench, scene, 3, many)});
-        return;
-    }
-    if (bench.sampled) {
-        constexpr int planes = 513, few = 50, many = 2500;
-        measure(bench, scene, {"slices", "slices.count", {3, 9}, true, 50, by_planes(bench, scene, planes, few)});
-        measure(bench, scene,
-                {"flank points", "contact.flank_points", {12, 25, 50}, false, 3, by_points(bench, scene, 3, many)});
-        return;
-    }
-    constexpr int planes = 1025, few = 100, many = 5000;
-    measure(bench, scene, {"slices", "slices.count", {2, 3, 5, 9, 17}, true, 50, by_planes(bench, scene, planes, few)});
+    struct Lengths
+    {
+        std::vector<int> slices, points;
+        int planes, few, points_of_slices, many;
+    };
+    Lengths const full{{2, 3, 5, 9, 17}, {12, 25, 50, 100}, 1025, 100, 50, 5000};
+    Lengths const of_sample{{3, 9}, {12, 25, 50}, 513, 50, 50, 2500}, of_quick{{2, 3}, {10, 20}, 257, 20, 40, 1000};
+    Lengths const& n = bench.quick ? of_quick : bench.sampled ? of_sample : full;
     measure(bench, scene,
-            {"flank points", "contact.flank_points", {12, 25, 50, 100}, false, 3, by_points(bench, scene, 3, many)});
+            {"slices", "slices.count", n.slices, true, n.points_of_slices, by_planes(bench, scene, n.planes, n.few)});
+    measure(bench, scene,
+            {"flank points", "contact.flank_points", n.points, false, 3, by_points(bench, scene, 3, n.many)});
 }
 
 }  // namespace

@@ -126,9 +126,27 @@ double worst_error(Recommendation const& setting)
     return worse(setting.sample_error, setting.level.error);
 }
 
-}  // namespace
+double seconds_of(Recommendation const& setting)
+{
+    return setting.level.median;
+}
 
-namespace {
+/// Of the settings whose @p bounded is @p most or less the one with the least @p other; where none is, the one whose
+/// @p bounded is least.
+template <class Figure>
+std::optional<Recommendation> best_within(std::vector<ConvergenceSeries> const& series_list, Figure const& bounded,
+                                          double most, Figure const& other)
+{
+    std::optional<Recommendation> best;
+    for (Recommendation setting : settings(series_list)) {
+        setting.reaches = bounded(setting) <= most;
+        Figure const& figure = setting.reaches ? other : bounded;
+        if (!best || (setting.reaches && !best->reaches) ||
+            (setting.reaches == best->reaches && figure(setting) < figure(*best)))
+            best = setting;
+    }
+    return best;
+}
 
 /// Levels whose order counts.
 std::vector<ConvergenceLevel const*> above(std::vector<ConvergenceLevel> const& levels, double floor)
@@ -146,12 +164,6 @@ bool falls(ConvergenceLevel const& a, ConvergenceLevel const& b)
 {
     constexpr double hair = 0.95;  // why_no_order() says so
     return b.error < hair * a.error;
-}
-
-/// Knobs that an error falls with exponentially have no order.
-bool has_power_law(std::string const& knob)
-{
-    return knob != polynomial_degree;
 }
 
 }  // namespace
@@ -217,7 +229,7 @@ std::vector<ConvergenceSeries> convergence_series(AccuracyReport const& report)
     std::vector<ConvergenceSeries> series_list = collected(report.records, report.scene.drive.name);
     for (ConvergenceSeries& series : series_list) {
         series.floor = floor_of(series.levels);
-        if (!has_power_law(series.knob))
+        if (series.knob == polynomial_degree)  // which has no power law
             continue;
         series.no_order = why_no_order(series.levels, series.floor);
         if (series.no_order.empty())
@@ -232,32 +244,12 @@ constexpr double as_printed = 1.005;
 
 std::optional<Recommendation> fastest_within(std::vector<ConvergenceSeries> const& series_list, double error)
 {
-    std::optional<Recommendation> best;
-    for (Recommendation setting : settings(series_list)) {
-        setting.reaches = worst_error(setting) <= as_printed * error;
-        bool const better =
-            !best || (setting.reaches && !best->reaches) ||
-            (setting.reaches == best->reaches &&
-             (setting.reaches ? setting.level.median < best->level.median : worst_error(setting) < worst_error(*best)));
-        if (better)
-            best = setting;
-    }
-    return best;
+    return best_within(series_list, worst_error, as_printed * error, seconds_of);
 }
 
 std::optional<Recommendation> finest_within(std::vector<ConvergenceSeries> const& series_list, double seconds)
 {
-    std::optional<Recommendation> best;
-    for (Recommendation setting : settings(series_list)) {
-        setting.reaches = setting.level.median <= seconds;
-        bool const better =
-            !best || (setting.reaches && !best->reaches) ||
-            (setting.reaches == best->reaches &&
-             (setting.reaches ? worst_error(setting) < worst_error(*best) : setting.level.median < best->level.median));
-        if (better)
-            best = setting;
-    }
-    return best;
+    return best_within(series_list, seconds_of, seconds, worst_error);
 }
 
 }  // namespace hdconj::accuracy

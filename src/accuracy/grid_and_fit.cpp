@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "conjugate/plane/plane_motion.hpp"
 #include "convergence_series.hpp"
 #include "grid_fit.hpp"
 #include "hdconj/envelope/contact.hpp"
@@ -15,22 +16,6 @@
 
 namespace hdconj::accuracy {
 namespace {
-
-/// The flank stretch of the boundary, on the side of larger x, that is longest.
-conjugate::BoundaryPiece const* longest_flank(StudyBench const& bench)
-{
-    conjugate::BoundaryPiece const* longest = nullptr;
-    double most = 0;
-    for (std::size_t i = bench.drive.pieces.size() / 2; i < bench.drive.pieces.size(); ++i) {
-        conjugate::BoundaryPiece const& piece = bench.drive.pieces[i];
-        double const length = bench.reference.length(static_cast<int>(i));
-        if (bench.drive.is_flank(piece) && length > most) {
-            most = length;
-            longest = &piece;
-        }
-    }
-    return longest;
-}
 
 /// Of the contacts of a piece at an instant, the one nearest to @p wanted; not_measured where none is within its ends.
 double nearest_contact(profile::PieceShape const& shape, motion::MotionRates const& rates, double wanted)
@@ -60,7 +45,7 @@ std::vector<double> contacts_of(StudyDrive const& drive, motion::AnyMotion const
                                 conjugate::BoundaryPiece const& piece, double from, double to, int count, bool own)
 {
     envelope::ContactArc const& arc = drive.arc(piece);
-    profile::PieceShape const& shape = drive.tooth.pieces[static_cast<std::size_t>(arc.piece)].shape;
+    profile::PieceShape const& shape = drive.shape_of(piece);
     std::vector<double> contacts;
     for (int i = 0; i < count; ++i) {
         double const share = static_cast<double>(i) / (count - 1);
@@ -85,8 +70,7 @@ struct FittedMotion
 void fit_series(StudyBench const& bench, ReferenceCurve const& truth, conjugate::BoundaryPiece const& piece,
                 FittedMotion const& fitted)
 {
-    StudyRecord record;
-    record.study = "polynomial-fit";
+    StudyRecord record{"polynomial-fit", {}, std::string("fit, ") + fitted.model, polynomial_degree};
     constexpr int least = 3, most = 9, of_quick = 6, positions = 60;
     auto const contacts = [&](int count) {
         return contacts_of(bench.drive, fitted.motion, piece, fitted.from, fitted.to, count, fitted.own);
@@ -94,8 +78,12 @@ void fit_series(StudyBench const& bench, ReferenceCurve const& truth, conjugate:
     auto const points = [&](GridAndFit& thesis, std::vector<double> const& there) {
         return thesis.points(bench.drive, fitted.motion, piece, fitted.from, fitted.to, there);
     };
-    record.method = std::string("fit, ") + fitted.model;
-    record.knob = polynomial_degree;
+    auto const take = [&](GridPoints const& grid, GridAndFit const& thesis) {
+        record.missed = grid.missed;
+        record.extra = grid.extra;
+        record.evaluations = static_cast<double>(thesis.evaluations);
+        record.points = static_cast<double>(grid.points.size());
+    };
     std::vector<double> const few = contacts(positions);
     for (int degree = least; degree <= (bench.quick ? of_quick : most); ++degree) {
         GridAndFit thesis;
@@ -104,10 +92,7 @@ void fit_series(StudyBench const& bench, ReferenceCurve const& truth, conjugate:
         record.value = degree;
         record.error = record.hausdorff =
             enough ? truth.largest_distance(GridAndFit::fitted(grid.points, degree)) : not_measured;
-        record.missed = grid.missed;
-        record.extra = grid.extra;
-        record.evaluations = static_cast<double>(thesis.evaluations);
-        record.points = static_cast<double>(grid.points.size());
+        take(grid, thesis);
         bench.measure(record, [&] {
             GridPoints const again = points(thesis, few);
             if (enough)
@@ -130,10 +115,7 @@ void fit_series(StudyBench const& bench, ReferenceCurve const& truth, conjugate:
         record.value = count;
         record.error = some ? truth.largest_distance(grid.points) : not_measured;
         record.hausdorff = some ? truth.largest_distance(with_chords) : not_measured;
-        record.missed = grid.missed;
-        record.extra = grid.extra;
-        record.evaluations = static_cast<double>(thesis.evaluations);
-        record.points = static_cast<double>(grid.points.size());
+        take(grid, thesis);
         bench.measure(record, [&] { (void)points(thesis, there); });
     }
 }
@@ -142,17 +124,15 @@ void fit_series(StudyBench const& bench, ReferenceCurve const& truth, conjugate:
 
 void study_fit(StudyBench const& bench)
 {
-    conjugate::BoundaryPiece const* piece = longest_flank(bench);
-    if (piece == nullptr) {
-        bench.leave_out("polynomial-fit", "no flank of the tooth bounds the tooth space, so there is nothing to fit");
-        return;
-    }
+    conjugate::BoundaryPiece const* piece = longest_flank(bench, [](auto const&) { return true; });
+    if (piece == nullptr)
+        return bench.leave_out("polynomial-fit",
+                               "no flank of the tooth bounds the tooth space, so there is nothing to fit");
     StudyDrive const& drive = bench.drive;
     // a little longer than the stretch, since the first-order flank does not end where the exact one does; an arc's
     // contact goes on beyond its end
     conjugate::BoundaryPiece longer = *piece;
-    bool const closed_form = !std::holds_alternative<profile::CurvePiece>(
-        drive.tooth.pieces[static_cast<std::size_t>(drive.arc(*piece).piece)].shape);
+    bool const closed_form = !std::holds_alternative<profile::CurvePiece>(drive.shape_of(*piece));
     double const more = closed_form ? (piece->end - piece->begin) / 16 : 0;
     longer.begin -= more;
     longer.end += more;
@@ -165,8 +145,7 @@ void study_fit(StudyBench const& bench)
     if (drive.scene.solver.kinematics != Kinematics::exact)
         return;
     auto first = motion::AnyMotion::owning(motion::FirstOrderMotion<wavegen::AnyWaveShape>(
-        drive.shape, drive.geometry.r_m,
-        static_cast<double>(drive.scene.drive.flexspline_teeth) / drive.scene.drive.circular_spline_teeth));
+        drive.shape, drive.geometry.r_m, conjugate::tooth_ratio(drive.scene)));
     if (drive.reverse())
         first =
             motion::seen_from_flexspline(first, drive.numbers[drive.tooth_of(*piece)], drive.pitch, drive.seat_radius);

@@ -2,6 +2,7 @@
 #include "grid_fit.hpp"
 
 #include <Eigen/QR>
+#include <cmath>
 #include <variant>
 
 #include "hdconj/accuracy.hpp"
@@ -18,6 +19,37 @@ OnPiece on_piece(profile::PieceShape const& shape, double t)
         return {line->a + t * (line->b - line->a), line->normal()};
     auto const& curve = std::get<profile::CurvePiece>(shape);
     return {curve.point(t), left_of(curve.first(t)).normalized()};
+}
+
+GridPoints GridAndFit::points(StudyDrive const& drive, motion::AnyMotion const& motion,
+                              conjugate::BoundaryPiece const& piece, double from, double to,
+                              std::vector<double> const& contacts)
+{
+    auto const count = static_cast<int>(contacts.size());
+    envelope::ContactArc const& arc = drive.arc(piece);
+    profile::PieceShape const& shape = drive.shape_of(piece);
+    double t = piece.begin == arc.u_begin ? arc.t_begin
+               : piece.begin == arc.u_end ? arc.t_end
+                                          : drive.envelope(piece).point(arc, piece.begin).t;
+    GridPoints result;
+    for (int i = 0; i < count; ++i) {
+        double const s = from + (to - from) * i / (count - 1);
+        double const found = secant_root(shape, motion.rates(s).twist, t),
+                     right = contacts[static_cast<std::size_t>(i)];
+        // The method sees by itself that it has left the flank; the next step begins with the last kept value.
+        bool const kept = found >= -rounding_of_t && found <= 1 + rounding_of_t;
+        if (kept)
+            t = found;
+        if (!kept || !(std::abs(found - right) <= same_contact)) {
+            ++result.missed;
+            result.extra += kept;
+            continue;
+        }
+        OnPiece const on = on_piece(shape, t);
+        result.points.push_back(drive.placed(piece, motion.pose(s)(on.x + drive.offset * on.n)));
+        result.steps.push_back(i);
+    }
+    return result;
 }
 
 std::vector<Vec2> GridAndFit::fitted(std::vector<Vec2> const& points, int degree)

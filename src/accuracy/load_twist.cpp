@@ -34,10 +34,10 @@ std::optional<LoadCase> at_rated_torque(StudyRun const& bench, Scene const& load
     try {
         return study_load(scene, options).cases.front();
     } catch (NumericalError const& error) {
-        bench.report.notes.push_back("load: " + (bench.sampled ? bench.name + " has " : std::string()) +
-                                     "no answer with " + std::to_string(counts.harmonics) + " harmonics, " +
-                                     std::to_string(counts.slices) + " slices, " + std::to_string(counts.points) +
-                                     " points and " + std::to_string(counts.circles) + " circles: " + error.what());
+        bench.report.notes.push_back(
+            fmt::format("load: {}no answer with {} harmonics, {} slices, {} points and {} circles: {}",
+                        bench.sampled ? bench.name + " has " : "", counts.harmonics, counts.slices, counts.points,
+                        counts.circles, error.what()));
         return {};
     }
 }
@@ -51,11 +51,6 @@ struct CountSeries
     std::vector<int> values;
     int finest;
 };
-
-std::string number_text(double value)
-{
-    return fmt::format("{:.3g}", value);
-}
 
 std::vector<CountSeries> load_series(StudyRun const& bench, Counts const& standard)
 {
@@ -125,16 +120,16 @@ void keep_load(StudyRun const& bench, CountSeries const& series, SolvedLoad& sol
 void note_reference(StudyRun const& bench, CountSeries const& series, SolvedLoad const& reference)
 {
     LoadedState const& finest = reference.rated();
-    auto const share = [&](double LoadedState::*figure) { return number_text(reference.estimate(figure, finest)); };
-    bench.report.notes.push_back(fmt::format(
-        "load: no reference in 50 digits; {} are measured against {} of them, twist {} rad and largest force {} N, "
-        "which by their own estimate are off by {}; gaps of the loaded shape are met to {} mm, the floor of all of "
-        "them",
-        series.method, series.finest, number_text(finest.twist), number_text(finest.largest_force),
+    auto const share = [&](double LoadedState::*figure) { return reference.estimate(figure, finest); };
+    bench.note(fmt::format(
+        "load: no reference in 50 digits; {} are measured against {} of them, twist {:.3g} rad and largest force "
+        "{:.3g} N, which by their own estimate are off by {}; gaps of the loaded shape are met to {:.3g} mm, the floor "
+        "of all of them",
+        series.method, series.finest, finest.twist, finest.largest_force,
         reference.load.estimated
-            ? share(&LoadedState::twist) + " and " + share(&LoadedState::largest_force) + " of them"
+            ? fmt::format("{:.3g} and {:.3g} of them", share(&LoadedState::twist), share(&LoadedState::largest_force))
             : "an amount that is not known",
-        number_text(finest.residual)));
+        finest.residual));
 }
 
 void run_load_series(StudyRun const& bench, Scene const& scene)
@@ -156,8 +151,7 @@ void run_load_series(StudyRun const& bench, Scene const& scene)
             continue;
         if (reference->rated().twist == 0 || reference->rated().largest_force == 0)
             return bench.leave_out("load", "at this torque nothing turns or no tooth carries");
-        if (!bench.sampled)
-            note_reference(bench, series, *reference);
+        note_reference(bench, series, *reference);
         for (int const value : series.values) {
             if (std::optional<SolvedLoad> found = solve_load(bench, scene, counts(value)))
                 keep_load(bench, series, *found, *reference, value);

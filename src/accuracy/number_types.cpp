@@ -23,11 +23,7 @@ void in_type(StudyBench const& bench, ReferenceCurve const& truth, profile::ArcP
 {
     ReferenceView<T> const motion = bench.drive.view<T>(tooth);
     T const lifted = static_cast<T>(bench.drive.reverse() ? bench.drive.geometry.pitch_line : 0);
-    StudyRecord record;
-    record.study = "number-type";
-    record.method = method;
-    record.knob = "bits of the significand";
-    record.value = std::numeric_limits<T>::digits;
+    StudyRecord record{"number-type", {}, method, "bits of the significand", double{std::numeric_limits<T>::digits}};
     double worst = 0, rest = 0;
     for (double const at : u) {
         ReferenceContact<T> const contact = contact_at(arc, side, motion.at(T(at)), T(bench.drive.offset));
@@ -53,11 +49,8 @@ void by_program(StudyBench const& bench, ReferenceCurve const& truth, conjugate:
 {
     envelope::AnyEnvelope const envelope = bench.drive.envelope(piece);
     envelope::ContactArc const& arc = bench.drive.arc(piece);
-    StudyRecord record;
-    record.study = "number-type";
-    record.method = "the program";
-    record.knob = "bits of the significand";
-    record.value = std::numeric_limits<double>::digits;
+    StudyRecord record{
+        "number-type", {}, "the program", "bits of the significand", double{std::numeric_limits<double>::digits}};
     double worst = 0;
     for (double const at : u) {
         envelope::EnvelopePoint const point = envelope.point(arc, at);
@@ -80,32 +73,18 @@ void by_program(StudyBench const& bench, ReferenceCurve const& truth, conjugate:
 void study_precision(StudyBench const& bench)
 {
     StudyDrive const& drive = bench.drive;
-    conjugate::BoundaryPiece const* chosen = nullptr;
-    double most = 0;
-    for (std::size_t i = drive.pieces.size() / 2; i < drive.pieces.size(); ++i) {
-        conjugate::BoundaryPiece const& piece = drive.pieces[i];
-        if (!drive.is_flank(piece) || !std::holds_alternative<profile::ArcPiece>(
-                                          drive.tooth.pieces[static_cast<std::size_t>(drive.arc(piece).piece)].shape))
-            continue;
-        if (double const length = bench.reference.length(static_cast<int>(i)); length > most) {
-            most = length;
-            chosen = &piece;
-        }
-    }
-    if (chosen == nullptr) {
-        if (!bench.sampled)
-            bench.report.notes.push_back(
-                "number-type: no arc of the flank bounds the tooth space; the study is of the closed form on arcs");
-        return;
-    }
+    conjugate::BoundaryPiece const* chosen = longest_flank(
+        bench, [&](auto const& piece) { return std::holds_alternative<profile::ArcPiece>(drive.shape_of(piece)); });
+    if (chosen == nullptr)
+        return bench.note(
+            "number-type: no arc of the flank bounds the tooth space; the study is of the closed form on arcs");
     conjugate::BoundaryPiece in_place = *chosen;
     if (!drive.reverse())
         in_place.copy = 0;
     std::size_t const tooth = drive.tooth_of(in_place);
     ReferenceCurve const truth = reference_of(drive, in_place);
     envelope::ContactArc const& arc = drive.arc(in_place);
-    profile::ArcPiece const& circle =
-        std::get<profile::ArcPiece>(drive.tooth.pieces[static_cast<std::size_t>(arc.piece)].shape);
+    auto const& circle = std::get<profile::ArcPiece>(drive.shape_of(in_place));
     constexpr int points = 512, points_of_quick = 64;
     int const count = bench.quick ? points_of_quick : points;
     std::vector<double> u;

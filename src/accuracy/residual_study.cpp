@@ -40,9 +40,7 @@ profile::ProfilePiece const* piece_at(profile::Profile const& tooth, int segment
 
 double residual_of(StudyDrive const& drive, Solution const& solution, std::size_t samples)
 {
-    std::vector<ReferenceView<Wide>> views;
-    for (std::size_t j = 0; j < drive.motions.size(); ++j)
-        views.push_back(drive.view<Wide>(j));
+    std::vector<ReferenceView<Wide>> const views = drive.views<Wide>();
     std::size_t all = 0;
     for (BranchRecord const& branch : solution.branches)
         all += branch.u.size();
@@ -52,9 +50,7 @@ double residual_of(StudyDrive const& drive, Solution const& solution, std::size_
     for (BranchRecord const& branch : solution.branches) {
         if (branch.kind != "regular")
             continue;
-        auto const which = static_cast<std::size_t>(
-            std::find(drive.numbers.begin(), drive.numbers.end(), branch.tooth) - drive.numbers.begin());
-        ReferenceView<Wide> const& view = views[drive.reverse() ? which : 0];
+        ReferenceView<Wide> const& view = views[drive.index_of(branch.tooth)];
         Wide const lifted =
             drive.reverse() ? Wide(drive.geometry.pitch_line) : Wide(0);  // branches count from the pitch line
         for (std::size_t i = 0; i < branch.u.size(); ++i) {

@@ -155,12 +155,7 @@ int surplus(std::vector<Found> const& of, std::vector<Found> const& over, std::s
 
 StudyRecord roots_record(char const* method, double value)
 {
-    StudyRecord record;
-    record.study = "roots";
-    record.method = method;
-    record.knob = "scan steps of a piece";
-    record.value = value;
-    return record;
+    return {"roots", {}, method, "scan steps of a piece", value};
 }
 
 /// Every arc contact of the tooth at every instant, in closed form.
@@ -217,11 +212,8 @@ void study_roots(StudyBench const& bench)
     std::vector<profile::CurvePiece> const pieces = general_flank(bench.drive.tooth);
     Instants const at = instants_of(bench.drive, pieces, bench.quick ? instants_of_quick : instants);
     closed_form(bench, at);
-    if (pieces.empty()) {
-        if (!bench.sampled)
-            bench.report.notes.push_back("roots: the flank has too few points for a spline");
-        return;
-    }
+    if (pieces.empty())
+        return bench.note("roots: the flank has too few points for a spline");
     std::vector<Found> const proved = certified(pieces, at);
     StudyRecord record = roots_record("certified (spline)", 1);
     record.error = record.hausdorff = worst_root(pieces, at, proved, record.residual);
@@ -230,7 +222,7 @@ void study_roots(StudyBench const& bench)
     record.points = static_cast<double>(proved.size());
     bench.measure(record, [&] { (void)certified(pieces, at); });
     constexpr int most = 64, most_of_sample = 16, most_of_quick = 8;
-    for (int steps = 1; steps <= (bench.quick ? most_of_quick : bench.sampled ? most_of_sample : most); steps *= 2) {
+    for (int steps = 1; steps <= bench.length(most, most_of_sample, most_of_quick); steps *= 2) {
         std::size_t evaluations = 0;
         std::vector<Found> const found = scanned(pieces, at, steps, evaluations);
         record = roots_record("scan and bracket (spline)", steps);

@@ -72,13 +72,15 @@ AdaptivePoints adaptive_points(StudyDrive const& drive, double chord)
     return made;
 }
 
-StudyRecord sampling_record(char const* method, char const* knob, double value)
+/// @param truth  the boundary without its lands
+StudyRecord sampling_record(StudyBench const& bench, ReferenceCurve const& truth, char const* method, char const* knob,
+                            double value, std::vector<Vec2> const& points)
 {
-    StudyRecord record;
-    record.study = "sampling";
-    record.method = method;
-    record.knob = knob;
-    record.value = value;
+    StudyRecord record{"sampling", {}, method, knob, value};
+    CurveDifference const difference = truth.compare(points, bench.drive.height());
+    record.error = difference.points;
+    record.hausdorff = difference.hausdorff;
+    record.evaluations = record.points = static_cast<double>(points.size());
     return record;
 }
 
@@ -89,33 +91,21 @@ void study_sampling(StudyBench const& bench)
     StudyDrive const& drive = bench.drive;
     ReferenceCurve const truth = bench.reference.inner();
     constexpr int first = 8, last = 20, last_of_sample = 16, last_of_quick = 13;
-    for (int power = first; power <= (bench.quick     ? last_of_quick
-                                      : bench.sampled ? last_of_sample
-                                                      : last);
-         power += 2) {
+    for (int power = first; power <= bench.length(last, last_of_sample, last_of_quick); power += 2) {
         long const count = 1L << power;
         auto const make = [&] { return uniform_points(drive, count); };
-        std::vector<Vec2> const points = make();
-        StudyRecord record = sampling_record("equal steps of u", "steps over the lobe", static_cast<double>(count));
-        CurveDifference const difference = truth.compare(points, drive.height());
-        record.error = difference.points;
-        record.hausdorff = difference.hausdorff;
-        record.evaluations = record.points = static_cast<double>(points.size());
-        bench.measure(record, [&] { (void)make(); });
+        bench.measure(sampling_record(bench, truth, "equal steps of u", "steps over the lobe",
+                                      static_cast<double>(count), make()),
+                      [&] { (void)make(); });
     }
     constexpr int chords = 8, chords_of_sample = 6, chords_of_quick = 4;
-    for (double const chord : tolerances_of(drive.scene.drive, bench.quick     ? chords_of_quick
-                                                               : bench.sampled ? chords_of_sample
-                                                                               : chords)) {
+    for (double const chord :
+         tolerances_of(drive.scene.drive, bench.length(chords, chords_of_sample, chords_of_quick))) {
         auto const make = [&] { return adaptive_points(drive, chord); };
         AdaptivePoints const made = make();
-        StudyRecord record = sampling_record("adaptive", "chord", chord);
-        CurveDifference const difference = truth.compare(made.points, drive.height());
-        record.error = difference.points;
-        record.hausdorff = difference.hausdorff;
+        StudyRecord record = sampling_record(bench, truth, "adaptive", "chord", chord, made.points);
         record.estimate = made.estimate;
         record.evaluations = static_cast<double>(made.evaluations);
-        record.points = static_cast<double>(made.points.size());
         bench.measure(record, [&] { (void)make(); });
     }
 }

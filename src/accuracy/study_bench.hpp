@@ -51,6 +51,19 @@ struct StudyRun
         report.notes.push_back(study + ": left out, " + why);
     }
 
+    /// Says @p what, once and not for each design of the sample.
+    void note(std::string const& what) const
+    {
+        if (!sampled)
+            report.notes.push_back(what);
+    }
+
+    /// The length of a series.
+    [[nodiscard]] int length(int full, int of_sample, int of_quick) const
+    {
+        return quick ? of_quick : sampled ? of_sample : full;
+    }
+
     /// Keeps @p record as one of this drive.
     void keep(StudyRecord record) const
     {
@@ -95,6 +108,24 @@ struct StudyBench : StudyRun
     StudyDrive const& drive;
     ReferenceCurve const& reference;
 };
+
+/// The flank stretch of the boundary, on the side of larger x, that is longest of those @p allowed; null: none.
+template <class Allowed>
+[[nodiscard]] conjugate::BoundaryPiece const* longest_flank(StudyBench const& bench, Allowed const& allowed)
+{
+    conjugate::BoundaryPiece const* longest = nullptr;
+    double most = 0;
+    for (std::size_t i = bench.drive.pieces.size() / 2; i < bench.drive.pieces.size(); ++i) {
+        conjugate::BoundaryPiece const& piece = bench.drive.pieces[i];
+        if (!bench.drive.is_flank(piece) || !allowed(piece))
+            continue;
+        if (double const length = bench.reference.length(static_cast<int>(i)); length > most) {
+            most = length;
+            longest = &piece;
+        }
+    }
+    return longest;
+}
 
 void study_tolerance(StudyBench const& bench);
 void study_sampling(StudyBench const& bench);

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "drive/drive.hpp"
 #include "hdconj/distance/full_turn.hpp"
 #include "hdconj/envelope/find_branches.hpp"
 #include "hdconj/envelope/sample.hpp"
@@ -64,7 +65,7 @@ void find_tooth_space(StudyDrive& drive)
     Tolerance const tolerance{scale * 0x1p-44, scale};
     envelope::AnyEnvelope const envelope(drive.tooth, drive.motion(), drive.offset);
     distance::FullTurnClearance<motion::AnyMotion> const clearance(drive.tooth, drive.motion(), drive.pitch,
-                                                                   pitches_of_lobe(drive.scene));
+                                                                   drive::pitches_per_lobe(drive.scene));
     until_clear(drive, clearance, [&](double chord) {
         drive.pieces = conjugate::ToothSpaceFinder<motion::AnyMotion>(
                            envelope, drive.arcs, drive.geometry.circular_spline_inner_radius,
@@ -92,7 +93,7 @@ void find_tooth_body(StudyDrive& drive)
         return piece;
     };
     distance::ReverseFullTurnClearance<motion::AnyMotion> const clearance(
-        drive.tooth, drive.flexspline.front(), drive.pitch, drive.seat_radius, pitches_of_lobe(drive.scene));
+        drive.tooth, drive.flexspline.front(), drive.pitch, drive.seat_radius, drive::pitches_per_lobe(drive.scene));
     until_clear(drive, clearance, [&](double chord) {
         conjugate::ToothBody const body =
             conjugate::ToothBodyFinder<motion::AnyMotion>(teeth, drive.limits, tolerance, chord)();

@@ -12,36 +12,20 @@
 #include <utility>
 
 #include "accuracy/reference/reference_contact.hpp"
-#include "conjugate/outline.hpp"
+#include "conjugate/plane/plane_motion.hpp"
+#include "drive/drive.hpp"
 #include "hdconj/envelope/avoid_stationary_centres.hpp"
 #include "hdconj/envelope/find_branches.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/motion/exact_motion.hpp"
 #include "hdconj/motion/first_order_motion.hpp"
 #include "hdconj/motion/material_motion.hpp"
-#include "hdconj/profile/registry.hpp"
 #include "hdconj/scene/number_pairs.hpp"
 #include "hdconj/solve.hpp"
 #include "hdconj/wavegen/inextensional_mode.hpp"
 
 namespace hdconj::accuracy {
 namespace {
-
-profile::Profile tooth_of(Scene const& scene)
-{
-    int const difference = scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth;
-    bool const reverse = scene.is_reverse();
-    Faults faults;
-    profile::Profile tooth = profile::build_profile(
-        scene.given_profile(),
-        {scene.drive.module, reverse ? scene.drive.circular_spline_teeth : scene.drive.flexspline_teeth,
-         reverse ? 0 : scene.flexspline.wall, reverse ? 0 : scene.flexspline.neutral_offset, scene.folder.string(),
-         reverse, difference, scene.wave_generator.waves},
-        faults);
-    if (!faults.empty())
-        throw InputError(faults);
-    return tooth;
-}
 
 ReferenceShape given_shape(std::string const& family)
 {
@@ -81,15 +65,11 @@ std::vector<std::array<double, 2>> rows_of(Scene const& scene)
 motion::AnyMotion motion_of(StudyDrive const& drive, double ratio)
 {
     double const r_m = drive.geometry.r_m;
-    switch (drive.scene.solver.kinematics) {
-        case Kinematics::first_order:
-            return motion::AnyMotion::owning(motion::FirstOrderMotion<wavegen::AnyWaveShape>(drive.shape, r_m, ratio));
-        case Kinematics::material:
-            return motion::AnyMotion::owning(
-                motion::MaterialMotion(wavegen::inextensional_mode(drive.shape), r_m, ratio));
-        case Kinematics::exact:
-            break;
-    }
+    Kinematics const model = drive.scene.solver.kinematics;
+    if (model == Kinematics::first_order)
+        return motion::AnyMotion::owning(motion::FirstOrderMotion<wavegen::AnyWaveShape>(drive.shape, r_m, ratio));
+    if (model == Kinematics::material)
+        return motion::AnyMotion::owning(motion::MaterialMotion(wavegen::inextensional_mode(drive.shape), r_m, ratio));
     motion::ExactMotion<wavegen::AnyWaveShape> exact(wavegen::NeutralCurve<wavegen::AnyWaveShape>(drive.shape, r_m),
                                                      ratio);
     auto const closed_form = motion::cosine_form(exact);
@@ -100,13 +80,13 @@ motion::AnyMotion motion_of(StudyDrive const& drive, double ratio)
 void see_from_flexspline(StudyDrive& drive)
 {
     PairGeometry const& g = drive.geometry;
-    drive.seat_radius = g.circular_spline_inner_radius + drive.tooth.addendum + drive.tooth.pitch_line;
+    drive.seat_radius = drive::given_tooth_seat(g, drive.tooth);
     drive.limits.tip = g.pitch_line + g.addendum;
     drive.limits.root = g.pitch_line - g.dedendum;
     drive.limits.half_width = std::numbers::pi / drive.scene.drive.flexspline_teeth * (g.r_m + drive.limits.root);
     drive.flexspline = drive.motions;
     drive.motions.clear();
-    int const beside = (pitches_of_lobe(drive.scene) - 1) / 2;
+    int const beside = (drive::pitches_per_lobe(drive.scene) - 1) / 2;
     for (int number = -beside; number <= 1 + beside; ++number) {
         drive.numbers.push_back(number);
         drive.motions.push_back(
@@ -115,11 +95,6 @@ void see_from_flexspline(StudyDrive& drive)
 }
 
 }  // namespace
-
-int pitches_of_lobe(Scene const& scene)
-{
-    return (scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth) / scene.wave_generator.waves;
-}
 
 ReferenceNumbers StudyDrive::given() const
 {
@@ -134,19 +109,12 @@ ReferenceNumbers StudyDrive::given() const
                                    scene.drive.flexspline_teeth,
                                    scene.drive.circular_spline_teeth,
                                    scene.solver.kinematics};
-    switch (numbers_given.shape) {
-        case ReferenceShape::four_roller:
-            numbers_given.angle_deg = choice.number_or("roller_angle_deg", 0);
-            break;
-        case ReferenceShape::two_disc:
-            numbers_given.angle_deg = choice.number_or("wrap_angle_deg", 0);
-            break;
-        case ReferenceShape::table:
-            numbers_given.rows = rows_of(scene);
-            break;
-        default:
-            break;
-    }
+    if (numbers_given.shape == ReferenceShape::four_roller)
+        numbers_given.angle_deg = choice.number_or("roller_angle_deg", 0);
+    else if (numbers_given.shape == ReferenceShape::two_disc)
+        numbers_given.angle_deg = choice.number_or("wrap_angle_deg", 0);
+    else if (numbers_given.shape == ReferenceShape::table)
+        numbers_given.rows = rows_of(scene);
     return numbers_given;
 }
 
@@ -168,20 +136,18 @@ Vec2 StudyDrive::placed(conjugate::BoundaryPiece const& piece, Vec2 const& p) co
 StudyDrive drive_parts(Scene const& scene)
 {
     Scene coarse = scene;
-    coarse.solver.tolerance = (scene.drive.module) * 0x1p-10;
+    coarse.solver.tolerance = scene.drive.module * 0x1p-10;
     StudyDrive drive;
     drive.scene = scene;
     drive.geometry = solve(coarse).geometry;
     drive.pitch = 2 * std::numbers::pi / scene.drive.circular_spline_teeth;
     drive.offset = scene.circular_spline.backlash_offset;
     Faults faults;
-    drive.shape = wavegen::build_wave_shape(
-        scene.wave_generator.shape, {drive.geometry.r_m, scene.wave_generator.waves, scene.folder.string()}, faults);
+    drive.tooth = drive::given_tooth(scene, faults);
+    drive.shape = drive::wave_shape(scene, drive.tooth, faults);
     if (!faults.empty())
         throw InputError(faults);
-    drive.motions.push_back(
-        motion_of(drive, static_cast<double>(scene.drive.flexspline_teeth) / scene.drive.circular_spline_teeth));
-    drive.tooth = tooth_of(scene);
+    drive.motions.push_back(motion_of(drive, conjugate::tooth_ratio(scene)));
     if (drive.reverse())
         see_from_flexspline(drive);
     else

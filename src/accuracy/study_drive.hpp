@@ -3,7 +3,7 @@
 /// A drive taken apart, for methods that are parts of `solve` or stand in for one; private to src/accuracy.
 #pragma once
 
-#include <memory>
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -59,17 +59,35 @@ struct StudyDrive
     {
         return arcs[static_cast<std::size_t>(piece.arc)];
     }
+    /// Of the profile piece that makes @p piece.
+    [[nodiscard]] profile::PieceShape const& shape_of(conjugate::BoundaryPiece const& piece) const
+    {
+        return tooth.pieces[static_cast<std::size_t>(arc(piece).piece)].shape;
+    }
     /// A point of the envelope of the tooth that makes @p piece, where the outline has it.
     [[nodiscard]] Vec2 placed(conjugate::BoundaryPiece const& piece, Vec2 const& p) const;
     [[nodiscard]] ReferenceNumbers given() const;
-    /// The given tooth by the reference's path. @param which  index into `motions`
+    /// Index into `motions` of the tooth @p number of a branch.
+    [[nodiscard]] std::size_t index_of(int number) const
+    {
+        return reverse() ? static_cast<std::size_t>(std::find(numbers.begin(), numbers.end(), number) - numbers.begin())
+                         : 0;
+    }
+    /// The given tooth by the reference's path, for each of `motions`.
+    template <class T>
+    [[nodiscard]] std::vector<ReferenceView<T>> views() const
+    {
+        ReferenceMotion<T> const held(given());
+        std::vector<ReferenceView<T>> all;
+        for (std::size_t j = 0; j < motions.size(); ++j)
+            all.push_back(reverse() ? ReferenceView<T>(held, numbers[j], T(seat_radius)) : ReferenceView<T>(held));
+        return all;
+    }
+    /// One of them.
     template <class T>
     [[nodiscard]] ReferenceView<T> view(std::size_t which = 0) const
     {
-        ReferenceMotion<T> held(given());
-        if (!reverse())
-            return ReferenceView<T>(std::move(held));
-        return ReferenceView<T>(std::move(held), numbers[which], T(seat_radius));
+        return views<T>()[which];
     }
     /// Largest tooth height, a length to measure by [mm].
     [[nodiscard]] double height() const { return tooth.addendum + tooth.dedendum; }
@@ -86,9 +104,6 @@ struct StudyDrive
 /// Tooth and motions, without arcs and pieces.
 /// @throws NumericalError as `solve` does
 [[nodiscard]] StudyDrive drive_parts(Scene const& scene);
-
-/// Pitches of the circular spline that the tooth of the flexspline passes in a lobe of the wave generator.
-[[nodiscard]] int pitches_of_lobe(Scene const& scene);
 
 /// Adds arcs and pieces to @p drive, which has tooth and motions.
 /// @throws NumericalError where a tooth enters the boundary however finely its pieces are searched

@@ -10,7 +10,7 @@ namespace hdconj::accuracy {
 namespace {
 
 /// One solution of @p scene against the reference, and its times.
-Solution level(StudyBench const& bench, Scene const& scene, StudyRecord record)
+void level(StudyBench const& bench, Scene const& scene, StudyRecord record)
 {
     Solution const solution = solve(scene);
     constexpr double clearly = 4;
@@ -29,7 +29,6 @@ Solution level(StudyBench const& bench, Scene const& scene, StudyRecord record)
     record.points = static_cast<double>(outline_of(solution).size());
     record.threads = solution.threads;
     bench.measure(record, [&] { (void)solve(scene); });
-    return solution;
 }
 
 void tolerance_series(StudyBench const& bench, std::string const& study, std::string const& method,
@@ -40,12 +39,7 @@ void tolerance_series(StudyBench const& bench, std::string const& study, std::st
         Scene scene = bench.drive.scene;
         scene.solver.kinematics = kinematics;
         scene.solver.tolerance = tolerance;
-        StudyRecord record;
-        record.study = study;
-        record.method = method;
-        record.knob = "solver.tolerance";
-        record.value = scene.solver.tolerance;
-        (void)level(bench, scene, record);
+        level(bench, scene, {study, {}, method, "solver.tolerance", tolerance});
     }
 }
 
@@ -62,14 +56,10 @@ void study_motion_model(StudyBench const& bench)
     constexpr int levels = 5;
     tolerance_series(bench, "motion-model", "exact", Kinematics::exact, levels);
     tolerance_series(bench, "motion-model", "first order", Kinematics::first_order, levels);
-    if (!bench.drive.shape.breaks().empty()) {
-        std::string const note =
+    if (!bench.drive.shape.breaks().empty())
+        return bench.note(
             "motion-model: material left out, it is a Fourier series, which does not follow the jumps in the third "
-            "derivative of this wave generator's shape";
-        if (!bench.sampled)
-            bench.report.notes.push_back(note);
-        return;
-    }
+            "derivative of this wave generator's shape");
     tolerance_series(bench, "motion-model", "material", Kinematics::material, levels);
 }
 
@@ -78,11 +68,8 @@ namespace {
 /// solve() on so many threads. A point that differs in any bit from that of one thread is an extra one.
 StudyRecord on_threads(StudyBench const& bench, Scene const& scene, std::vector<Vec2>& single)
 {
-    StudyRecord record;
-    record.study = "threads";
-    record.method = "solve";
-    record.knob = "solver.threads";
-    record.value = record.threads = scene.solver.threads;
+    StudyRecord record{"threads", {}, "solve", "solver.threads", static_cast<double>(scene.solver.threads)};
+    record.threads = scene.solver.threads;
     Solution const solution = solve(scene);
     auto const& outline = outline_of(solution);
     if (single.empty())

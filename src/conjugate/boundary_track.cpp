@@ -5,32 +5,17 @@
 #include <cmath>
 #include <cstdint>
 
-#include "contact_at_end.hpp"
 #include "hdconj/numeric/bracketed_root.hpp"
 
 namespace hdconj::conjugate {
-namespace {
-
-/// Whether @p piece goes on where @p before ended, traced by the same segment: the outline's own rule.
-bool goes_on(ToothSpaceBoundary const& curve, BoundaryPiece const& before, BoundaryPiece const& piece)
-{
-    if (before.arc < 0 || piece.arc < 0)
-        return false;
-    OutlineStretch const a = curve.made_by(before);
-    OutlineStretch const b = curve.made_by(piece);
-    if (a.kind != b.kind || a.segment != b.segment)
-        return false;
-    return contact_goes_on({curve.arc(before).piece, before.copy, before.end},
-                           {curve.arc(piece).piece, piece.copy, piece.begin}, a.kind == OutlineKind::corner);
-}
-
-}  // namespace
 
 std::vector<BoundaryStretch> stretches_of(ToothSpaceBoundary const& curve, std::vector<BoundaryPiece> const& pieces)
 {
     std::vector<BoundaryStretch> stretches;
     for (BoundaryPiece const& piece : pieces) {
-        if (!stretches.empty() && goes_on(curve, stretches.back().pieces.back(), piece)) {
+        BoundaryPiece const* before = stretches.empty() ? nullptr : &stretches.back().pieces.back();
+        if (before != nullptr && before->arc >= 0 && piece.arc >= 0 &&
+            outline_goes_on(curve.tooth(), *before, curve.arc(*before), piece, curve.arc(piece))) {
             stretches.back().pieces.push_back(piece);
             continue;
         }

@@ -234,12 +234,7 @@ std::size_t add_image(MatchedOutline& out, profile::Profile const& tooth)
         p.insert(p.begin(), points.begin(), points.end());
         n.insert(n.begin(), normals.begin(), normals.end());
     }
-    std::vector<OutlineStretch> whole;
-    int const segments = static_cast<int>(tooth.segment_names.size());
-    for (auto s = out.stretches.rbegin(); s != out.stretches.rend(); ++s) {
-        int const image = s->segment < 0 ? -1 : segments - 1 - s->segment - (s->kind == OutlineKind::corner ? 1 : 0);
-        whole.push_back({s->kind, image, half - s->last, half - s->first});
-    }
+    std::vector<OutlineStretch> whole = mirrored(out.stretches, tooth, half);
     for (OutlineStretch s : out.stretches)
         whole.push_back({s.kind, s.segment, s.first + half, s.last + half});
     out.stretches = std::move(whole);

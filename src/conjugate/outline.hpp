@@ -8,6 +8,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "hdconj/conjugate/tooth_space.hpp"
+#include "hdconj/envelope/smooth_ranges.hpp"
 #include "hdconj/profile/profile.hpp"
 
 namespace hdconj::conjugate {
@@ -31,6 +33,45 @@ struct OutlineStretch
     std::size_t first = 0;  ///< index of its first point
     std::size_t last = 0;   ///< index of its last point, shared with the next stretch
 };
+
+/// Kind and segment of what @p arc of @p tooth traces.
+[[nodiscard]] inline OutlineStretch made_by(profile::Profile const& tooth, envelope::ContactArc const& arc)
+{
+    profile::ProfilePiece const& origin = tooth.pieces[static_cast<std::size_t>(arc.piece)];
+    return {origin.corner                       ? OutlineKind::corner
+            : profile::is_tip(tooth, arc.piece) ? OutlineKind::bottom
+                                                : OutlineKind::flank,
+            origin.segment};
+}
+
+/// Whether the outline goes on over two neighbouring pieces of a boundary, @p a on the arc @p on_a: of one kind and
+/// segment, through a joint inside it or a break of the motion. Where two branches cross it does not, although
+/// neighbouring profile pieces may have made them.
+[[nodiscard]] inline bool outline_goes_on(profile::Profile const& tooth, BoundaryPiece const& a,
+                                          envelope::ContactArc const& on_a, BoundaryPiece const& b,
+                                          envelope::ContactArc const& on_b)
+{
+    OutlineStretch const from = made_by(tooth, on_a), to = made_by(tooth, on_b);
+    if (from.kind != to.kind || from.segment != to.segment || a.copy != b.copy)
+        return false;
+    int const step = std::abs(on_b.piece - on_a.piece);
+    return (step == 0 && envelope::same_instant(a.end, b.begin)) ||
+           (step == 1 && from.kind != OutlineKind::corner && envelope::same_at_joint(a.end, b.begin));
+}
+
+/// Stretches of the mirror image of an outline, whose last point has the index @p last.
+[[nodiscard]] inline std::vector<OutlineStretch> mirrored(std::vector<OutlineStretch> const& stretches,
+                                                          profile::Profile const& tooth, std::size_t last)
+{
+    std::vector<OutlineStretch> image;
+    int const segments = static_cast<int>(tooth.segment_names.size());
+    for (auto s = stretches.rbegin(); s != stretches.rend(); ++s) {
+        // a corner carries the segment before it, whose image stands after the image of the corner
+        int const segment = s->segment < 0 ? -1 : segments - 1 - s->segment - (s->kind == OutlineKind::corner ? 1 : 0);
+        image.push_back({s->kind, segment, last - s->last, last - s->first});
+    }
+    return image;
+}
 
 /// One pitch of outline, left mid-land to right mid-land.
 struct Outline
@@ -60,6 +101,19 @@ inline void append_land(Outline& outline, double radius, double from, double to,
     double const half = 0.5 * std::abs(to - from) / static_cast<double>(count);
     outline.chord = std::max(outline.chord, radius * (1 - std::cos(half)));
     outline.stretches.push_back({OutlineKind::land, -1, first, outline.points.size() - 1});
+}
+
+/// @p more joined to the end of @p outline, whose last point is its first.
+inline void append_outline(Outline& outline, Outline const& more)
+{
+    std::size_t const joint = outline.points.empty() ? 0 : outline.points.size() - 1;
+    outline.points.insert(outline.points.end(), more.points.begin() + (outline.points.empty() ? 0 : 1),
+                          more.points.end());
+    for (OutlineStretch const& s : more.stretches)
+        outline.stretches.push_back({s.kind, s.segment, s.first + joint, s.last + joint});
+    outline.chord = std::max(outline.chord, more.chord);
+    outline.error = std::max(outline.error, more.error);
+    outline.evaluations += more.evaluations;
 }
 
 }  // namespace hdconj::conjugate

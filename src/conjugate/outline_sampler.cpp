@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "contact_at_end.hpp"
-
 namespace hdconj::conjugate {
 
 OutlineSampler::OutlineSampler(envelope::AnyEnvelope const& envelope, std::vector<envelope::ContactArc> const& arcs,
@@ -45,16 +43,16 @@ void OutlineSampler::sample(std::size_t i, int threads)
         kept.points.push_back(piece.copy == 0 ? e.p : turned_clockwise(e.p, piece.copy * pitch_));
 }
 
-Outline OutlineSampler::joined(double tip_radius) const
+Outline OutlineSampler::joined(double tip_radius, std::size_t from, std::size_t to) const
 {
     Outline outline;
     std::size_t count = 1;
-    for (std::size_t i = 0; i < pieces_.size(); ++i)
+    for (std::size_t i = from; i < to; ++i)
         count += pieces_[i].arc < 0 ? land_chords(tip_radius, pieces_[i].begin, pieces_[i].end, chord_)
                                     : sampled_[i].points.size() - 1;
     outline.points.reserve(count);
     BoundaryPiece const* before = nullptr;  // the one that ends where this one begins, unless it is land
-    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    for (std::size_t i = from; i < to; ++i) {
         BoundaryPiece const& piece = pieces_[i];
         if (piece.arc < 0) {
             append_land(outline, tip_radius, piece.begin, piece.end, chord_);
@@ -68,36 +66,14 @@ Outline OutlineSampler::joined(double tip_radius) const
         std::size_t const first = outline.points.empty() ? 0 : outline.points.size() - 1;
         outline.points.insert(outline.points.end(), sampled.points.begin() + (outline.points.empty() ? 0 : 1),
                               sampled.points.end());
-        OutlineKind const kind = kind_of(piece);
-        int const segment = made_by(piece).segment;
-        bool const goes_on = before != nullptr &&
-                             contact_goes_on({arc(*before).piece, before->copy, before->end},
-                                             {arc(piece).piece, piece.copy, piece.begin}, made_by(piece).corner) &&
-                             outline.stretches.back().kind == kind && outline.stretches.back().segment == segment;
-        if (goes_on)
-            outline.stretches.back().last = outline.points.size() - 1;
-        else
-            outline.stretches.push_back({kind, segment, first, outline.points.size() - 1});
+        if (before == nullptr || !outline_goes_on(envelope_.profile(), *before, arc(*before), piece, arc(piece))) {
+            outline.stretches.push_back(made_by(envelope_.profile(), arc(piece)));
+            outline.stretches.back().first = first;
+        }
+        outline.stretches.back().last = outline.points.size() - 1;
         before = &piece;
     }
     return outline;
-}
-
-envelope::ContactArc const& OutlineSampler::arc(BoundaryPiece const& piece) const
-{
-    return arcs_[static_cast<std::size_t>(piece.arc)];
-}
-
-profile::ProfilePiece const& OutlineSampler::made_by(BoundaryPiece const& piece) const
-{
-    return envelope_.profile().pieces[static_cast<std::size_t>(arc(piece).piece)];
-}
-
-OutlineKind OutlineSampler::kind_of(BoundaryPiece const& piece) const
-{
-    if (made_by(piece).corner)
-        return OutlineKind::corner;
-    return profile::is_tip(envelope_.profile(), arc(piece).piece) ? OutlineKind::bottom : OutlineKind::flank;
 }
 
 Outline sample_outline(envelope::AnyEnvelope const& envelope, std::vector<envelope::ContactArc> const& arcs,
@@ -107,7 +83,7 @@ Outline sample_outline(envelope::AnyEnvelope const& envelope, std::vector<envelo
     OutlineSampler sampler(envelope, arcs, pieces, pitch, chord);
     for (std::size_t i = 0; i < sampler.count(); ++i)
         sampler.sample(i, threads);
-    return sampler.joined(tip_radius);
+    return sampler.joined(tip_radius, 0, sampler.count());
 }
 
 }  // namespace hdconj::conjugate

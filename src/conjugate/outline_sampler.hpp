@@ -31,8 +31,8 @@ class OutlineSampler
     /// Samples a piece, before joined(). @param threads  for its points
     void sample(std::size_t i, int threads);
 
-    /// All pieces, one after the other; they have been sampled. @param tip_radius  of land [mm]
-    [[nodiscard]] Outline joined(double tip_radius) const;
+    /// Pieces @p from ... @p to - 1, one after the other; they have been sampled. @param tip_radius  of land [mm]
+    [[nodiscard]] Outline joined(double tip_radius, std::size_t from, std::size_t to) const;
 
   private:
     struct Sampled
@@ -43,10 +43,10 @@ class OutlineSampler
         std::size_t evaluations = 0;
     };
 
-    [[nodiscard]] envelope::ContactArc const& arc(BoundaryPiece const& piece) const;
-    [[nodiscard]] profile::ProfilePiece const& made_by(BoundaryPiece const& piece) const;
-
-    [[nodiscard]] OutlineKind kind_of(BoundaryPiece const& piece) const;
+    [[nodiscard]] envelope::ContactArc const& arc(BoundaryPiece const& piece) const
+    {
+        return arcs_[static_cast<std::size_t>(piece.arc)];
+    }
 
     envelope::AnyEnvelope const& envelope_;
     std::vector<envelope::ContactArc> const& arcs_;

@@ -10,26 +10,6 @@
 #include "hdconj/error.hpp"
 
 namespace hdconj::conjugate {
-namespace {
-
-std::string near_text(Vec2 const& p)
-{
-    return "near (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ") mm";
-}
-
-}  // namespace
-
-OutlineStretch ToothSpaceBoundary::made_by(BoundaryPiece const& piece) const
-{
-    if (piece.arc < 0)
-        return {};
-    envelope::ContactArc const& contacts = arc(piece);
-    profile::ProfilePiece const& origin = tooth_->pieces[static_cast<std::size_t>(contacts.piece)];
-    OutlineKind const kind = origin.corner                     ? OutlineKind::corner
-                             : is_tip(*tooth_, contacts.piece) ? OutlineKind::bottom
-                                                               : OutlineKind::flank;
-    return {kind, origin.segment};
-}
 
 CurvePoint ToothSpaceBoundary::at(BoundaryPiece const& piece, double u) const
 {
@@ -60,8 +40,7 @@ envelope::SampledArc ToothSpaceBoundary::sampled(BoundaryPiece const& piece, dou
         }
         return result;
     }
-    double const step = 2 * std::acos(1 - std::min(0.5, chord / tip_radius_));
-    auto const count = static_cast<int>(std::max(1.0, std::ceil(std::abs(piece.end - piece.begin) / step)));
+    auto const count = static_cast<int>(land_chords(tip_radius_, piece.begin, piece.end, chord));
     for (int k = 0; k <= count; ++k) {
         double const angle = k == count ? piece.end : piece.begin + (piece.end - piece.begin) * k / count;
         CurvePoint const c = at(piece, angle);
@@ -76,6 +55,11 @@ ToothSpaceBoundary ToothSpaceBoundary::moved_along_normal(double distance, Toler
     ToothSpaceBoundary moved(tooth_, *motion_, offset() + distance, arcs_, pieces_, tip_radius_ + distance, pitch_);
     if (distance == 0)
         return moved;
+    auto const refuse = [&](BoundaryPiece const& piece, std::string const& why,
+                            char const* remedy = "write a smaller tilt.angle_deg") {
+        throw NumericalError(ErrorCode::no_outline, "draft", near_text(at(piece, piece.begin).p),
+                             "moved by " + std::to_string(distance) + " mm along its normal, " + why, remedy);
+    };
     std::vector<BoundaryPiece> before;  // as they are here, those that are left
     std::vector<BoundaryPiece> rests;   // what does not run backwards of them, not joined yet
     std::vector<std::uint8_t> cut;      // whether the end that faces the next piece was cut, or what lay there left out
@@ -92,9 +76,7 @@ ToothSpaceBoundary ToothSpaceBoundary::moved_along_normal(double distance, Toler
                 vanished = Vanished::whole;
         }
         if (vanished != Vanished::nothing && made_by(piece).kind == OutlineKind::flank)
-            throw NumericalError(ErrorCode::no_outline, "draft", near_text(at(piece, piece.begin).p),
-                                 "moved by " + std::to_string(distance) + " mm along its normal, the flank folds there",
-                                 "write a smaller tilt.angle_deg");
+            refuse(piece, "the flank folds there");
         if (!cut.empty() && (vanished == Vanished::whole || vanished == Vanished::begin))
             cut.back() = 1;
         if (vanished == Vanished::whole)
@@ -110,9 +92,7 @@ ToothSpaceBoundary ToothSpaceBoundary::moved_along_normal(double distance, Toler
         bool const between = i > 0 && i + 1 < rests.size() && rests[i].arc >= 0;
         bool const beside_tip = between && (rests[i - 1].arc < 0) != (rests[i + 1].arc < 0);
         if (!beside_tip || made_by(rests[i]).kind == OutlineKind::bottom)
-            throw NumericalError(ErrorCode::no_outline, "draft", near_text(at(before[i], before[i].begin).p),
-                                 "moved by " + std::to_string(distance) + " mm along its normal, " + none->why,
-                                 "write a smaller tilt.angle_deg");
+            refuse(before[i], none->why);
         auto const at_piece = static_cast<std::ptrdiff_t>(i);
         gone.push_back(before[i]);
         before.erase(before.begin() + at_piece);
@@ -122,11 +102,8 @@ ToothSpaceBoundary ToothSpaceBoundary::moved_along_normal(double distance, Toler
     }
     for (BoundaryPiece const& piece : gone)
         if (moved.nearest_corner_of_land(sampled(piece, tolerance.length)) < std::abs(distance) - 2 * tolerance.length)
-            throw NumericalError(ErrorCode::no_outline, "draft", near_text(at(piece, piece.begin).p),
-                                 "moved by " + std::to_string(distance) +
-                                     " mm along its normal, the stretch of outline beside the tip circle has no place",
-                                 "write another "
-                                 "circular_spline.inner_radius or tilt.angle_deg");
+            refuse(piece, "the stretch of outline beside the tip circle has no place",
+                   "write another circular_spline.inner_radius or tilt.angle_deg");
     return moved;
 }
 
@@ -200,8 +177,7 @@ ToothSpaceBoundary::Vanished ToothSpaceBoundary::vanished_part(ToothSpaceBoundar
         double const middle = 0.5 * (kept + lost);
         (forward(middle) < 0 ? lost : kept) = middle;
     }
-    double const fold = place(kept);
-    (begin ? piece.begin : piece.end) = fold;
+    (begin ? piece.begin : piece.end) = place(kept);
     return begin ? Vanished::begin : Vanished::end;
 }
 

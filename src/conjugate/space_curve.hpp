@@ -59,7 +59,10 @@ class ToothSpaceBoundary
     [[nodiscard]] bool symmetric() const { return tooth_->mirror_symmetric && motion_->symmetric(); }
 
     /// Kind and segment of what made a piece, as in an outline.
-    [[nodiscard]] OutlineStretch made_by(BoundaryPiece const& piece) const;
+    [[nodiscard]] OutlineStretch made_by(BoundaryPiece const& piece) const
+    {
+        return piece.arc < 0 ? OutlineStretch{} : conjugate::made_by(*tooth_, arc(piece));
+    }
 
     /// Point of @p piece at its parameter @p u, between its begin and its end.
     [[nodiscard]] CurvePoint at(BoundaryPiece const& piece, double u) const;

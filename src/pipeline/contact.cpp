@@ -12,7 +12,6 @@
 #include <functional>
 #include <optional>
 
-#include "conjugate/plane/outline_records.hpp"
 #include "contact/clearance/clearing_search.hpp"
 #include "contact/study/best_tilt.hpp"
 #include "contact/study/contact_case.hpp"
@@ -47,20 +46,6 @@ Scene with_options(Scene scene, ContactOptions const& options)
     return scene;
 }
 
-/// The outlines of all slices with a side clearance, as `solve` makes them.
-void write_outlines(Solution& out, conjugate::MatchedOutline const& outline, contact::ContactStudyData const& data,
-                    ToothSurface surface)
-{
-    CircularSplineOutline& spline = out.circular_spline;
-    spline.z = data.maker->z();
-    spline.outline = outline.points;
-    spline.landmarks.assign(outline.landmarks.begin(), outline.landmarks.end());
-    conjugate::Outline common;
-    common.stretches = outline.stretches;
-    spline.pieces = conjugate::piece_records(common, data.tooth);
-    surface::take_errors(out, outline, surface);
-}
-
 /// The part that a case describes: its surface in all slices with this side clearance.
 void write_part(Solution& out, contact::ContactStudyData& data, SurfaceSpec const& spec, double tip,
                 double side_clearance)
@@ -69,7 +54,7 @@ void write_part(Solution& out, contact::ContactStudyData& data, SurfaceSpec cons
     surface::SurfaceSampling const sampling{data.scene.solver.tolerance, 0, true};
     if (side_clearance == 0) {
         if (z.size() > 1)
-            write_outlines(out, data.maker->outline(spec, tip, sampling), data, spec.surface);
+            surface::write_outlines(out, data.maker->outline(spec, tip, sampling), data.tooth, z, spec.surface);
         return;
     }
     Scene scene = contact::middle_scene(data.scene);
@@ -84,7 +69,7 @@ void write_part(Solution& out, contact::ContactStudyData& data, SurfaceSpec cons
     }
     base.scene.coning = data.scene.coning;
     ToothSurfaceBuilder builder(base, data.tooth, data.shape, z, data.threads);
-    write_outlines(out, builder.outline(spec, tip, sampling), data, spec.surface);
+    surface::write_outlines(out, builder.outline(spec, tip, sampling), data.tooth, z, spec.surface);
 }
 
 /// The part that the shown case describes; without its side clearance, and a note, where it cannot be made with that.

@@ -30,18 +30,6 @@ void repeat_outline(Solution& out, std::vector<double> const& z, double tilt, dr
     out.error.chord = outline.chord;
 }
 
-void take(Solution& out, conjugate::MatchedOutline const& outline, profile::Profile const& tooth,
-          std::vector<double> const& z)
-{
-    conjugate::Outline common;
-    common.stretches = outline.stretches;
-    out.circular_spline.z = z;
-    out.circular_spline.outline = outline.points;
-    out.circular_spline.pieces = conjugate::piece_records(common, tooth);
-    out.circular_spline.landmarks.assign(outline.landmarks.begin(), outline.landmarks.end());
-    take_errors(out, outline, out.scene.slices->surface);
-}
-
 /// Tip circle and land of the slice in the middle.
 void take_tip(Solution& out, conjugate::MatchedOutline const& outline, TipCircle const& widened)
 {
@@ -60,8 +48,15 @@ void take_tip(Solution& out, conjugate::MatchedOutline const& outline, TipCircle
 
 }  // namespace
 
-void take_errors(Solution& out, conjugate::MatchedOutline const& outline, ToothSurface surface)
+void write_outlines(Solution& out, conjugate::MatchedOutline const& outline, profile::Profile const& tooth,
+                    std::vector<double> const& z, ToothSurface surface)
 {
+    conjugate::Outline common;
+    common.stretches = outline.stretches;
+    out.circular_spline.z = z;
+    out.circular_spline.outline = outline.points;
+    out.circular_spline.pieces = conjugate::piece_records(common, tooth);
+    out.circular_spline.landmarks.assign(outline.landmarks.begin(), outline.landmarks.end());
     out.error.chord = std::max(out.error.chord, outline.chord);
     if (surface == ToothSurface::ruled && out.scene.coning && outline.points.size() > 2)
         out.error.point = std::max(out.error.point, outline.chord);
@@ -86,7 +81,7 @@ void build_slices(Solution& out, profile::Profile const& tooth, wavegen::AnyWave
     // a draft is part of the surface, and a tilt of 0 moves nothing: the stage is planned all the same
     if (!spec.is_tilted_radially())
         clock.run(Stage::tilt, [] {});
-    take(out, made.outline, tooth, z);
+    write_outlines(out, made.outline, tooth, z, spec.surface);
     if (!made.note.empty())
         out.notes.push_back(made.note);
     take_tip(out, made.outline, made.tip);

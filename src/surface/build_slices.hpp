@@ -3,6 +3,8 @@
 /// The solved outline spread over the face width, and the side clearance that it needs there.
 #pragma once
 
+#include <vector>
+
 #include "conjugate/matched_outline.hpp"
 #include "drive/stage_clock.hpp"
 #include "hdconj/profile/profile.hpp"
@@ -16,8 +18,9 @@ namespace hdconj::surface {
 void build_slices(Solution& out, profile::Profile const& tooth, wavegen::AnyWaveShape const& shape,
                   drive::StageClock& clock);
 
-/// Takes over what is known of the errors of @p outline, made as @p surface: of a coned ruled one, points between its
-/// end planes are where they are as well as chords are.
-void take_errors(Solution& out, conjugate::MatchedOutline const& outline, ToothSurface surface);
+/// Writes @p outline at the places @p z, made as @p surface, with what is known of its errors: of a coned ruled one,
+/// points between its end planes are where they are as well as chords are.
+void write_outlines(Solution& out, conjugate::MatchedOutline const& outline, profile::Profile const& tooth,
+                    std::vector<double> const& z, ToothSurface surface);
 
 }  // namespace hdconj::surface

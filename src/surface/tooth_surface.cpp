@@ -19,6 +19,13 @@ namespace hdconj::surface {
 
 namespace {
 
+std::vector<std::size_t> first_indices(std::size_t count)
+{
+    std::vector<std::size_t> all(count);
+    std::iota(all.begin(), all.end(), std::size_t{0});
+    return all;
+}
+
 /// A failure in one slice says which.
 template <class Body>
 void in_slice(double z, Body&& body)
@@ -116,9 +123,7 @@ void ToothSurfaceBuilder::find_motions(std::vector<std::size_t> const& wanted)
 
 void ToothSurfaceBuilder::find_motions(std::size_t count)
 {
-    std::vector<std::size_t> first(count);
-    std::iota(first.begin(), first.end(), std::size_t{0});
-    find_motions(first);
+    find_motions(first_indices(count));
 }
 
 /// The outline's own drive, at z = 0, and its branches.
@@ -163,10 +168,7 @@ std::vector<std::size_t> ToothSurfaceBuilder::own_slices(SurfaceSpec const& spec
 {
     if (spec.surface == ToothSurface::ruled)
         return {0, z_.size() - 1};
-    std::vector<std::size_t> all(z_.size());
-    for (std::size_t k = 0; k < all.size(); ++k)
-        all[k] = k;
-    return all;
+    return first_indices(z_.size());
 }
 
 conjugate::ToothSpaceBoundary const& ToothSurfaceBuilder::middle(double tip)

@@ -11,7 +11,6 @@
 #include <variant>
 #include <vector>
 
-#include "envelope/arc_batch.hpp"
 #include "hdconj/contact.hpp"
 #include "hdconj/contact_files.hpp"
 #include "hdconj/envelope/contact_batch.hpp"
@@ -19,6 +18,7 @@
 #include "hdconj/result_files.hpp"
 #include "hdconj/solve.hpp"
 #include "profile/measured_points.hpp"
+#include "support/arc_batch.hpp"
 #include "support/temporary_folder.hpp"
 #include "support/type50.hpp"
 

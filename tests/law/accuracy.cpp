@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "accuracy/convergence_series.hpp"
-#include "accuracy/reference/reference_outline.hpp"
 #include "hdconj/accuracy.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/read_scene.hpp"
 #include "support/catch.hpp"
 #include "support/oracle/estimate_law.hpp"
+#include "support/oracle/reference_outline.hpp"
 #include "support/oracle/run.hpp"
 #include "support/oracle/touch.hpp"
 #include "support/oracle/touch_law.hpp"

@@ -7,12 +7,12 @@
 #include <string>
 #include <vector>
 
-#include "accuracy/reference/reference_outline.hpp"
 #include "hdconj/accuracy.hpp"
 #include "hdconj/read_scene.hpp"
 #include "support/catch.hpp"
 #include "support/family_designs.hpp"
 #include "support/oracle/estimate_law.hpp"
+#include "support/oracle/reference_outline.hpp"
 #include "support/oracle/run.hpp"
 #include "support/oracle/touch_law.hpp"
 #include "support/random_reverse_designs.hpp"

@@ -32,8 +32,33 @@ void crowd_ends(envelope::Envelope<Motion> const& envelope, envelope::ContactArc
     points.insert(points.end() - 1, end.begin(), end.end());
 }
 
-/// Polygons of all bounding arcs, chord error <= @p chord, as far as they rise above the tip circle.
-/// @param graded  with vertices crowded towards the arcs' ends
+/// Calls @p add(points, u) for each stretch of a polygon of @p arc, chord error <= @p chord, that is @p wanted; of an
+/// arc that bounds nothing there is none.
+/// @param graded  with vertices crowded towards the arc's ends
+template <motion::RelativeMotion Motion, class Wanted, class Add>
+void add_polygons(envelope::Envelope<Motion> const& envelope, envelope::ContactArc const& arc, double chord,
+                  bool graded, Wanted const& wanted, Add const& add)
+{
+    if (!arc.bounding)
+        return;
+    auto along =
+        envelope::sample_arc(envelope, arc, arc.u_begin, arc.u_end, chord, 1, envelope::ChordTest::estimate).points;
+    if (graded)
+        crowd_ends(envelope, arc, along);
+    for_runs(
+        along.size(), [&](std::size_t k) { return wanted(along[k].p); },
+        [&](std::size_t first, std::size_t end) {
+            std::vector<Vec2> points;
+            std::vector<double> u;
+            for (std::size_t k = first; k < end; ++k) {
+                points.push_back(along[k].p);
+                u.push_back(along[k].u);
+            }
+            add(points, u);
+        });
+}
+
+/// Polygons of all bounding arcs as far as they rise above the tip circle; @p chord and @p graded as above.
 template <motion::RelativeMotion Motion>
 [[nodiscard]] SweptPolygons swept_polygons(envelope::Envelope<Motion> const& envelope,
                                            std::vector<envelope::ContactArc> const& arcs, double tip_radius,
@@ -41,35 +66,10 @@ template <motion::RelativeMotion Motion>
 {
     SweptPolygons swept(pitch);
     double const floor_margin = 64 * chord;
-    auto const high = [&](envelope::EnvelopePoint const& e) { return e.p.norm() > tip_radius - floor_margin; };
-    for (std::size_t i = 0; i < arcs.size(); ++i) {
-        if (!arcs[i].bounding)
-            continue;
-        envelope::SampledArc sampled = envelope::sample_arc(envelope, arcs[i], arcs[i].u_begin, arcs[i].u_end, chord, 1,
-                                                            envelope::ChordTest::estimate);
-        if (graded)
-            crowd_ends(envelope, arcs[i], sampled.points);
-        auto const& along = sampled.points;
-        std::vector<Vec2> points;
-        std::vector<double> u;
-        auto const flush = [&] {
-            if (points.size() > 1)
-                swept.add(static_cast<int>(i), points, u);
-            points.clear();
-            u.clear();
-        };
-        for (std::size_t k = 0; k < along.size(); ++k) {
-            bool const needed =
-                high(along[k]) || (k > 0 && high(along[k - 1])) || (k + 1 < along.size() && high(along[k + 1]));
-            if (!needed) {
-                flush();
-                continue;
-            }
-            points.push_back(along[k].p);
-            u.push_back(along[k].u);
-        }
-        flush();
-    }
+    for (std::size_t i = 0; i < arcs.size(); ++i)
+        add_polygons(
+            envelope, arcs[i], chord, graded, [&](Vec2 const& p) { return p.norm() > tip_radius - floor_margin; },
+            [&](auto const& points, auto const& u) { swept.add(static_cast<int>(i), points, u); });
     return swept;
 }
 

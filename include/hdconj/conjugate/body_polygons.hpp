@@ -27,35 +27,13 @@ template <motion::RelativeMotion Motion>
 {
     SweptPolygons swept(0);
     double const ceiling = tip + 64 * chord;
-    auto const low = [&](envelope::EnvelopePoint const& e) { return e.p.y() < ceiling; };
-    for (std::size_t j = 0; j < teeth.size(); ++j) {
-        envelope::Envelope<Motion> const& envelope = teeth[j].envelope;
-        for (std::size_t i = 0; i < teeth[j].arcs.size(); ++i) {
-            envelope::ContactArc const& arc = teeth[j].arcs[i];
-            if (!arc.bounding)
-                continue;
-            envelope::SampledArc sampled =
-                envelope::sample_arc(envelope, arc, arc.u_begin, arc.u_end, chord, 1, envelope::ChordTest::estimate);
-            if (graded)
-                crowd_ends(envelope, arc, sampled.points);
-            auto const& along = sampled.points;
-            std::vector<Vec2> points;
-            std::vector<double> u;
-            for (std::size_t k = 0; k <= along.size(); ++k) {
-                bool const needed = k < along.size() && (low(along[k]) || (k > 0 && low(along[k - 1])) ||
-                                                         (k + 1 < along.size() && low(along[k + 1])));
-                if (needed) {
-                    points.push_back(along[k].p);
-                    u.push_back(along[k].u);
-                    continue;
-                }
-                if (points.size() > 1)
+    for (std::size_t j = 0; j < teeth.size(); ++j)
+        for (std::size_t i = 0; i < teeth[j].arcs.size(); ++i)
+            add_polygons(
+                teeth[j].envelope, teeth[j].arcs[i], chord, graded, [&](Vec2 const& p) { return p.y() < ceiling; },
+                [&](auto const& points, auto const& u) {
                     swept.add_one(static_cast<int>(i), static_cast<int>(j), points, u);
-                points.clear();
-                u.clear();
-            }
-        }
-    }
+                });
     return swept;
 }
 

@@ -4,15 +4,23 @@
 #pragma once
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <optional>
+#include <string>
 
 #include "hdconj/base/tolerance.hpp"
 #include "hdconj/envelope/envelope.hpp"
 #include "hdconj/numeric/bracketed_root.hpp"
 
 namespace hdconj::conjugate {
+
+/// A place as messages name it.
+[[nodiscard]] inline std::string near_text(Vec2 const& p)
+{
+    return "near (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ") mm";
+}
 
 /// An envelope arc of the tooth some pitches away.
 template <motion::RelativeMotion Motion>
@@ -101,9 +109,7 @@ template <motion::RelativeMotion Motion, class Height>
             double const h_other = height(other);
             if (std::signbit(h_other) == std::signbit(h) && h_other != 0)
                 continue;
-            double const low = std::min(u, other);
-            double const high = std::max(u, other);
-            numeric::BracketedRoot const root = numeric::bracketed_root(height, low, high);
+            numeric::BracketedRoot const root = numeric::bracketed_root(height, std::min(u, other), std::max(u, other));
             if (root.found)
                 return root.x;
         }
@@ -119,6 +125,28 @@ template <motion::RelativeMotion Motion>
 {
     return crossing_at_height(
         a, [radius](Vec2 const& p) { return p.norm() - radius; }, u, chord);
+}
+
+/// A point of an arc and its distance from the point it was sought for [mm].
+struct NearestOnArc
+{
+    double u;
+    double gap;
+};
+
+/// Nearest point of @p arc to @p p, from the guess @p u: some steps of Newton's method along the arc, kept inside it.
+template <motion::RelativeMotion Motion>
+[[nodiscard]] NearestOnArc nearest_on(TurnedArc<Motion> const& arc, Vec2 const& p, double u)
+{
+    constexpr int steps = 4;
+    for (int i = 0; i < steps; ++i) {
+        Vec2 const v = arc.velocity(u);
+        double const step = (p - arc.point(u).p).dot(v) / v.squaredNorm();
+        if (!std::isfinite(step))
+            break;
+        u = std::clamp(u + step, arc.arc.u_begin, arc.arc.u_end);
+    }
+    return {u, (arc.point(u).p - p).norm()};
 }
 
 }  // namespace hdconj::conjugate

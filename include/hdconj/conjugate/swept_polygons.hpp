@@ -11,6 +11,20 @@
 
 namespace hdconj::conjugate {
 
+/// Calls @p take(first, end) for each run of two or more indices below @p count that are wanted, or beside one that is.
+template <class Wanted, class Take>
+void for_runs(std::size_t count, Wanted const& wanted, Take const& take)
+{
+    std::size_t first = 0;
+    for (std::size_t k = 0; k <= count; ++k) {
+        if (k < count && (wanted(k) || (k > 0 && wanted(k - 1)) || (k + 1 < count && wanted(k + 1))))
+            continue;
+        if (k > first + 1)
+            take(first, k);
+        first = k + 1;
+    }
+}
+
 /// Polygons with the arc, the tooth and the parameter that each vertex came from.
 class SweptPolygons
 {

@@ -14,9 +14,7 @@
 #include "hdconj/base/tolerance.hpp"
 #include "hdconj/conjugate/body_polygons.hpp"
 #include "hdconj/conjugate/crossing.hpp"
-#include "hdconj/conjugate/nearest_on_arc.hpp"
-#include "hdconj/conjugate/side_by_side.hpp"
-#include "hdconj/conjugate/tooth_foot.hpp"
+#include "hdconj/conjugate/tooth_flank.hpp"
 #include "hdconj/conjugate/tooth_space.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/region/outer_boundary.hpp"
@@ -37,7 +35,6 @@ struct ToothBody
     std::vector<BoundaryPiece> left;
     std::vector<BoundaryPiece> right;
     std::size_t segments = 0;  ///< given to the arrangement, all attempts
-    double polygon_chord = 0;  ///< of the attempt that was accepted
     double gap = 0;            ///< largest distance between branches that were taken for one [mm]
 };
 
@@ -68,8 +65,7 @@ class ToothBodyFinder
         for (int attempt = 0; attempt < attempts; ++attempt, chord /= 16) {
             constexpr int strict = 2;
             across_gaps_ = attempt >= strict;
-            auto const body = find(std::max(chord, tolerance_.coincidence()), attempt > 0);
-            if (body)
+            if (auto const body = find(std::max(chord, tolerance_.coincidence()), attempt > 0))
                 return *body;
         }
         throw NumericalError(ErrorCode::no_outline, "region", place_,
@@ -92,10 +88,9 @@ class ToothBodyFinder
         region::OuterBoundary const boundary = region::outer_boundary(swept_.polygons(), floor_);
         segments_ += boundary.segments;
         // farther out curves hang loose because more teeth were left out
-        for (Vec2 const& p : boundary.loose) {
+        for (Vec2 const& p : boundary.loose)
             if (std::abs(p.x()) <= limits_.half_width)
                 return fail(p, "branches that should cross there miss each other as polygons");
-        }
         Runs const& runs = boundary.runs;
         auto const land = std::find_if(runs.begin(), runs.end(), [&](region::BoundaryRun const& run) {
             return run.curve == floor_ && swept_.u_at(floor_, run.begin) >= 0 && swept_.u_at(floor_, run.end) <= 0;
@@ -108,7 +103,6 @@ class ToothBodyFinder
         Runs const right(std::make_reverse_iterator(land), runs.rend());
         Runs const left(land + 1, runs.end());
         body.segments = segments_;
-        body.polygon_chord = chord;
         if (!follow(right, 1, chord, body.right) || !follow(left, -1, chord, body.left))
             return std::nullopt;
         if (gap_ > 0) {
@@ -121,8 +115,7 @@ class ToothBodyFinder
 
     std::nullopt_t fail(Vec2 const& where, std::string cause)
     {
-        place_ = "near (" + std::to_string(where.x()) + ", " + std::to_string(where.y()) +
-                 ") mm of the flexspline tooth's frame";
+        place_ = near_text(where) + " of the flexspline tooth's frame";
         cause_ = std::move(cause);
         return std::nullopt;
     }

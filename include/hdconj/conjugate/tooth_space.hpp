@@ -36,7 +36,6 @@ struct ToothSpace
 {
     std::vector<BoundaryPiece> pieces;
     std::size_t segments = 0;  ///< given to the arrangement, all attempts
-    double polygon_chord = 0;  ///< of the attempt that was accepted
 };
 
 /// Whether two runs share an end point that both their polygons have; positions count vertices.
@@ -79,8 +78,7 @@ class ToothSpaceFinder
         double chord = chord_;
         constexpr int attempts = 5;
         for (int attempt = 0; attempt < attempts; ++attempt, chord /= 16) {
-            auto const space = find(std::max(chord, tolerance_.coincidence()), attempt > 0);
-            if (space)
+            if (auto const space = find(std::max(chord, tolerance_.coincidence()), attempt > 0))
                 return *space;
         }
         throw NumericalError(code_, "region", place_,
@@ -101,21 +99,24 @@ class ToothSpaceFinder
         for (Vec2 const& p : boundary.loose) {
             if (std::abs(std::atan2(p.x(), p.y())) > pitch_ / 2)
                 continue;
-            code_ = ErrorCode::no_outline;
-            place_ = "near (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ") mm";
-            cause_ = "branches that should cross there miss each other as polygons";
-            return std::nullopt;
+            return fail(ErrorCode::no_outline, near_text(p),
+                        "branches that should cross there miss each other as polygons");
         }
         std::vector<region::BoundaryRun> const runs = middle_pitch(boundary.runs, floor);
-        if (runs.empty()) {
-            code_ = ErrorCode::no_land;
-            place_ = "tip circle";
-            cause_ =
+        if (runs.empty())
+            return fail(
+                ErrorCode::no_land, "tip circle",
                 "the boundary does not come down to a land on both sides; write a larger circular_spline.inner_radius, "
-                "or a smaller wave_generator.radial_deformation";
-            return std::nullopt;
-        }
+                "or a smaller wave_generator.radial_deformation");
         return refine(runs, floor, chord);
+    }
+
+    std::nullopt_t fail(ErrorCode code, std::string place, std::string cause)
+    {
+        code_ = code;
+        place_ = std::move(place);
+        cause_ = std::move(cause);
+        return std::nullopt;
     }
 
     /// The middle of the land is solid from the tip circle outward; where a tooth sweeps any of it, there is no land.
@@ -180,7 +181,6 @@ class ToothSpaceFinder
     {
         ToothSpace space;
         space.segments = segments_;
-        space.polygon_chord = chord;
         for (region::BoundaryRun const& run : runs) {
             SweptPolygons::Source const& source = swept_.source(run.curve);
             space.pieces.push_back(
@@ -249,12 +249,10 @@ class ToothSpaceFinder
     {
         TurnedArc<Motion> const arc = turned(piece);
         auto const exact = crossing_with_circle(arc, tip_radius_, u, chord);
-        if (!exact) {
-            code_ = ErrorCode::no_land;
-            place_ = "tip circle";
-            cause_ = "a flank does not cross the tip circle where its polygon does";
-            return false;
-        }
+        if (!exact)
+            return fail(ErrorCode::no_land, "tip circle",
+                        "a flank does not cross the tip circle where its polygon does"),
+                   false;
         u = *exact;
         Vec2 const p = arc.point(u).p;
         angle = std::atan2(p.x(), p.y());
@@ -266,13 +264,10 @@ class ToothSpaceFinder
         TurnedArc<Motion> const arc_a = turned(a);
         TurnedArc<Motion> const arc_b = turned(b);
         auto const exact = crossing_of_arcs(arc_a, a.end, arc_b, b.begin, chord, tolerance_);
-        if (!exact) {
-            Vec2 const p = arc_a.point(a.end).p;
-            code_ = ErrorCode::no_outline;
-            place_ = "near (" + std::to_string(p.x()) + ", " + std::to_string(p.y()) + ") mm";
-            cause_ = "two branches cross there as polygons but not as curves";
-            return false;
-        }
+        if (!exact)
+            return fail(ErrorCode::no_outline, near_text(arc_a.point(a.end).p),
+                        "two branches cross there as polygons but not as curves"),
+                   false;
         a.end = (*exact)[0];
         b.begin = (*exact)[1];
         return true;

@@ -3,6 +3,7 @@
 /// Branches: maximal continuous pieces of {f = 0} on which the motion's parameter grows.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -21,19 +22,8 @@ enum class BranchEnd
 
 [[nodiscard]] inline std::string to_string(BranchEnd end)
 {
-    switch (end) {
-        case BranchEnd::segment_end:
-            return "segment end";
-        case BranchEnd::double_root:
-            return "double root";
-        case BranchEnd::cusp:
-            return "cusp";
-        case BranchEnd::range_end:
-            return "range end";
-        case BranchEnd::continues:
-            return "continues";
-    }
-    return {};
+    constexpr std::array<char const*, 5> words{"segment end", "double root", "cusp", "range end", "continues"};
+    return words[static_cast<std::size_t>(end)];
 }
 
 /// One contact followed over an interval of the motion's parameter, on one piece of the profile.

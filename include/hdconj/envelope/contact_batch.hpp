@@ -60,13 +60,12 @@ class ContactBatch
 template <motion::RelativeMotion Motion>
 [[nodiscard]] std::optional<ContactBatch> contact_batch(Envelope<Motion> const& envelope, ContactArc const& arc)
 {
-    profile::PieceShape const& shape = envelope.profile().pieces[static_cast<std::size_t>(arc.piece)].shape;
-    if (arc.resting || std::holds_alternative<profile::CurvePiece>(shape))
+    if (arc.resting || std::holds_alternative<profile::CurvePiece>(envelope.shape(arc)))
         return std::nullopt;
     std::optional<motion::CosineForm> const form = motion::cosine_form(envelope.motion());
     if (!form)
         return std::nullopt;
-    return ContactBatch(*form, shape, arc.candidate, envelope.offset());
+    return ContactBatch(*form, envelope.shape(arc), arc.candidate, envelope.offset());
 }
 
 /// Points of @p arc at every @p u; at its ends, and where rounding carries a contact over the end of its piece, those

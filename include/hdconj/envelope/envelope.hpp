@@ -39,24 +39,27 @@ class Envelope
     [[nodiscard]] Motion const& motion() const { return *motion_; }
     [[nodiscard]] double offset() const { return offset_; }
 
+    /// Shape of the profile piece that @p arc is on.
+    [[nodiscard]] profile::PieceShape const& shape(ContactArc const& arc) const
+    {
+        return profile_->pieces[static_cast<std::size_t>(arc.piece)].shape;
+    }
+
     /// Contact followed by @p arc at @p u.
     [[nodiscard]] Contact contact(ContactArc const& arc, double u) const
     {
-        profile::PieceShape const& shape = profile_->pieces[static_cast<std::size_t>(arc.piece)].shape;
-        if (arc.resting)
-            return resting_contact(std::get<profile::ArcPiece>(shape), arc, u, offset_);
-        return contact(arc, u, motion_->rates(u));
+        return arc.resting ? resting_contact(std::get<profile::ArcPiece>(shape(arc)), arc, u, offset_)
+                           : contact(arc, u, motion_->rates(u));
     }
 
     /// The same where the rates at @p u are known.
     [[nodiscard]] Contact contact(ContactArc const& arc, double u, motion::MotionRates const& rates) const
     {
-        profile::PieceShape const& shape = profile_->pieces[static_cast<std::size_t>(arc.piece)].shape;
-        if (auto const* circle = std::get_if<profile::ArcPiece>(&shape))
+        if (auto const* circle = std::get_if<profile::ArcPiece>(&shape(arc)))
             return arc_contact(*circle, rates, arc.candidate, offset_);
-        if (auto const* line = std::get_if<profile::LinePiece>(&shape))
+        if (auto const* line = std::get_if<profile::LinePiece>(&shape(arc)))
             return line_contact(*line, rates, offset_);
-        auto const& curve = std::get<profile::CurvePiece>(shape);
+        auto const& curve = std::get<profile::CurvePiece>(shape(arc));
         return curve_contact(curve, rates, followed_root(curve, rates.twist, arc, u), offset_);
     }
 
@@ -64,8 +67,6 @@ class Envelope
     /// end's path, so that neighbouring pieces meet however fast their contacts run.
     [[nodiscard]] EnvelopePoint point(ContactArc const& arc, double u) const
     {
-        // some roundings in the pose, some in the meshing condition
-        constexpr double roundings = 8;
         if (u == arc.u_begin && is_end(arc.t_begin))
             return end_point(arc, u, arc.t_begin);
         if (u == arc.u_end && is_end(arc.t_end))
@@ -86,11 +87,9 @@ class Envelope
     /// off the envelope by doubt^2 times half of what their curvatures differ by, of which twice the sum is taken.
     [[nodiscard]] double off_curve(ContactArc const& arc, EnvelopePoint const& e) const
     {
-        constexpr double roundings = 8;
         double const fixed = roundings * unit_roundoff * e.p.norm();
         double const doubt = e.error - fixed;
-        auto const* curve =
-            std::get_if<profile::CurvePiece>(&profile_->pieces[static_cast<std::size_t>(arc.piece)].shape);
+        auto const* curve = std::get_if<profile::CurvePiece>(&shape(arc));
         if (curve == nullptr || !(doubt > fixed))
             return e.error;
         motion::MotionRates const rates = motion_->rates(e.u);
@@ -104,12 +103,13 @@ class Envelope
     }
 
   private:
+    static constexpr double roundings = 8;  ///< some in the pose, some in the meshing condition
+
     [[nodiscard]] static bool is_end(double t) { return t == 0 || t == 1; }
 
     [[nodiscard]] profile::PieceEnd end_of_piece(ContactArc const& arc, double t) const
     {
-        profile::PieceShape const& shape = profile_->pieces[static_cast<std::size_t>(arc.piece)].shape;
-        return t == 0 ? profile::start_of(shape) : profile::end_of(shape);
+        return t == 0 ? profile::start_of(shape(arc)) : profile::end_of(shape(arc));
     }
 
     [[nodiscard]] bool near_end(ContactArc const& arc, Contact const& c, double doubt) const
@@ -123,7 +123,6 @@ class Envelope
         profile::PieceEnd const end = end_of_piece(arc, t);
         Pose const pose = motion_->pose(u);
         Vec2 const p = pose(end.point + offset_ * end.normal);
-        constexpr double roundings = 8;
         return {u, t, p, pose.rotate(end.normal), roundings * unit_roundoff * p.norm()};
     }
 

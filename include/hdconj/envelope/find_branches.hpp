@@ -100,8 +100,7 @@ template <motion::RelativeMotion Motion>
     for (SmoothRange const& range : smooth_ranges(envelope.motion()))
         rates.push_back(motion::rates_model(envelope.motion(), range.a, range.b));
     parallel_for(pieces.size(), threads, pieces_worth_a_thread(envelope, long_job), [&](std::size_t i) {
-        std::vector<ContactArc> const whole = PieceTracer<Motion>(envelope, rates, static_cast<int>(i))(records[i]);
-        for (ContactArc const& arc : whole)
+        for (ContactArc const& arc : trace_piece(envelope, rates, static_cast<int>(i), records[i]))
             for (ContactArc& part : cut_at_cusps(envelope, arc, records[i]))
                 arcs[i].push_back(std::move(part));
     });

@@ -6,7 +6,7 @@
 #include <variant>
 #include <vector>
 
-#include "hdconj/envelope/cut_range.hpp"
+#include "hdconj/envelope/critical_angles.hpp"
 #include "hdconj/envelope/envelope.hpp"
 
 namespace hdconj::envelope {

@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "hdconj/envelope/cut_range.hpp"
+#include "hdconj/envelope/critical_angles.hpp"
 #include "hdconj/envelope/envelope.hpp"
 #include "hdconj/error.hpp"
 

@@ -45,7 +45,6 @@ class InverseMotion
     /// symmetric.
     [[nodiscard]] static bool symmetric() { return false; }
     [[nodiscard]] ToothAngles angles(double u) const { return motion_.angles(u); }
-    [[nodiscard]] Pose const& seat() const { return seat_; }
 
     [[nodiscard]] Pose pose(double u) const
     {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Contacts of a given piece by a path of their own, in any number type; private to src/study.
+/// Contacts of a given piece by a path of their own, in any number type; private to src/accuracy.
 #pragma once
 
 #include <cmath>
@@ -45,7 +45,6 @@ T casteljau(std::vector<double> const& coefficients, T const& t)
 template <class T>
 ReferenceContact<T> contact_at(profile::ArcPiece const& arc, int side, MovingFrame<T> const& place, T const& offset)
 {
-    using std::atan2;
     Pair<T> const centre = pair_of<T>(arc.centre);
     Pair<T> const path = place.velocity(centre);
     Pair<T> const n = (T(side) / length(path)) * to_left(path);
@@ -54,8 +53,6 @@ ReferenceContact<T> contact_at(profile::ArcPiece const& arc, int side, MovingFra
     contact.point = place.point(centre) + (T(arc.radius) + offset) * n;
     Pair<T> const in_tooth{inner(n, place.along), inner(n, place.outward)};
     contact.velocity = place.velocity(centre + (T(arc.radius) + offset) * in_tooth);
-    using std::cos;
-    using std::sin;
     Pair<T> const start{cos(T(arc.from)), sin(T(arc.from))};
     contact.t = atan2(start.x * in_tooth.y - start.y * in_tooth.x, inner(start, in_tooth)) / (T(arc.to) - T(arc.from));
     return contact;
@@ -83,7 +80,6 @@ template <class T>
 ReferenceContact<T> contact_at(profile::CurvePiece const& curve, double guess, MovingFrame<T> const& place,
                                T const& offset)
 {
-    using std::abs;
     struct Seen
     {
         Pair<T> x, n;

@@ -4,26 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 #include <utility>
 
-#include "hdconj/error.hpp"
+#include "reference_integral.hpp"
 
 namespace hdconj::accuracy {
 namespace {
 
 constexpr std::size_t patch_steps = 48;  // dense points of a patch
-
-long double clenshaw(std::vector<long double> const& c, long double s)
-{
-    long double b1 = 0, b2 = 0;
-    for (std::size_t k = c.size(); k-- > 1;) {
-        long double const b = 2 * s * b1 - b2 + c[k];
-        b2 = b1;
-        b1 = b;
-    }
-    return s * b1 - b2 + c[0];
-}
 
 /// Coefficients of the derivative of a Chebyshev series.
 std::vector<long double> derivative(std::vector<long double> const& c)
@@ -44,7 +32,7 @@ struct SeriesPoint
 
 SeriesPoint at(ReferencePatch const& patch, long double s)
 {
-    return {clenshaw(patch.x, s), clenshaw(patch.y, s)};
+    return {chebyshev_sum(patch.x, s), chebyshev_sum(patch.y, s)};
 }
 
 long double distance_to_chord(SeriesPoint const& p, Vec2 const& a, Vec2 const& b)
@@ -69,17 +57,23 @@ std::vector<Vec2> dense(std::vector<ReferencePatch> const& patches)
     return points;
 }
 
-/// The first patch of a stretch and the one after its last.
-std::pair<std::size_t, std::size_t> patches_of(std::vector<ReferencePatch> const& patches, int stretch)
+/// Distance of each of @p points, which follow each other, from @p polygon.
+std::vector<double> gaps(std::vector<Vec2> const& points, std::vector<Vec2> const& polygon)
 {
-    auto const first = std::find_if(patches.begin(), patches.end(),
-                                    [&](ReferencePatch const& patch) { return patch.stretch == stretch; });
-    if (first == patches.end())
-        throw NumericalError(ErrorCode::no_outline, "reference", "stretch " + std::to_string(stretch),
-                             "there is no such stretch of boundary");
-    auto const after =
-        std::find_if(first, patches.end(), [&](ReferencePatch const& patch) { return patch.stretch != stretch; });
-    return {static_cast<std::size_t>(first - patches.begin()), static_cast<std::size_t>(after - patches.begin())};
+    PolylineTree const tree(polygon);
+    std::size_t near = 0;
+    std::vector<double> distances;
+    for (Vec2 const& p : points) {
+        PolylineTree::Nearest const found = tree.nearest(p, near);
+        near = found.segment;
+        distances.push_back(found.distance);
+    }
+    return distances;
+}
+
+double largest_of(std::vector<double> const& distances)
+{
+    return *std::max_element(distances.begin(), distances.end());
 }
 
 }  // namespace
@@ -160,44 +154,6 @@ double ReferenceCurve::length(int stretch) const
     return sum;
 }
 
-double ReferenceCurve::largest_radius() const
-{
-    long double largest = 0;
-    for (std::size_t patch = 0; patch < patches_.size(); ++patch) {
-        auto const radius = [&](long double s) {
-            SeriesPoint const p = at(patches_[patch], s);
-            return std::hypot(p.x, p.y);
-        };
-        std::size_t best = 0;
-        long double const step = 2.0L / patch_steps;
-        for (std::size_t k = 1; k <= patch_steps; ++k)
-            if (radius(-1 + step * static_cast<long double>(k)) > radius(-1 + step * static_cast<long double>(best)))
-                best = k;
-        long double const middle = -1 + step * static_cast<long double>(best);
-        long double a = std::max(-1.0L, middle - step), b = std::min(1.0L, middle + step);
-        constexpr int thirds = 100;
-        for (int i = 0; i < thirds; ++i) {
-            long double const c = a + (b - a) / 3, d = b - (b - a) / 3;
-            if (radius(c) > radius(d))
-                b = d;
-            else
-                a = c;
-        }
-        largest = std::max({largest, radius(a), radius(middle)});
-    }
-    return static_cast<double>(largest);
-}
-
-Vec2 ReferenceCurve::start_of(int stretch) const
-{
-    return points_[patches_of(patches_, stretch).first * patch_steps];
-}
-
-Vec2 ReferenceCurve::end_of(int stretch) const
-{
-    return points_[patches_of(patches_, stretch).second * patch_steps];
-}
-
 double ReferenceCurve::largest_distance(std::vector<Vec2> const& points) const
 {
     long double worst = 0;
@@ -209,15 +165,7 @@ double ReferenceCurve::largest_distance(std::vector<Vec2> const& points) const
 
 double ReferenceCurve::largest_gap(std::vector<Vec2> const& polygon) const
 {
-    PolylineTree const tree(polygon);
-    double gap = 0;
-    std::size_t last = 0;
-    for (Vec2 const& p : points_) {
-        PolylineTree::Nearest const found = tree.nearest(p, last);
-        last = found.segment;
-        gap = std::max(gap, found.distance);
-    }
-    return gap;
+    return largest_of(gaps(points_, polygon));
 }
 
 CurveDifference ReferenceCurve::compare(std::vector<Vec2> const& polygon, double far) const
@@ -246,28 +194,15 @@ CurveDifference ReferenceCurve::compare(std::vector<Vec2> const& polygon, double
         before = now;
     }
     // and all of the curve against all of the polygon: what no vertex is near to
-    PolylineTree const tree(polygon);
-    std::size_t last = 0;
-    double gap = 0;
-    std::size_t const samples = points_.size();
-    std::vector<double> distances(samples);
-    for (std::size_t k = 0; k < samples; ++k) {
-        PolylineTree::Nearest const found = tree.nearest(points_[k], last);
-        last = found.segment;
-        distances[k] = found.distance;
-        gap = std::max(gap, found.distance);
-    }
-    std::size_t first = 0;
-    while (first < patches_.size()) {
-        std::size_t end = first;
+    std::vector<double> const distances = gaps(points_, polygon);
+    for (std::size_t first = 0, end = 0; first < patches_.size(); first = end) {
         while (end < patches_.size() && patches_[end].stretch == patches_[first].stretch)
             ++end;
         if (distances[(first + end) * patch_steps / 2] > far)
             ++result.missed;
-        first = end;
     }
     result.points = static_cast<double>(points);
-    result.hausdorff = std::max({static_cast<double>(points), static_cast<double>(chords), gap});
+    result.hausdorff = std::max({static_cast<double>(points), static_cast<double>(chords), largest_of(distances)});
     return result;
 }
 

@@ -50,11 +50,6 @@ class ReferenceCurve
     /// Length of one stretch [mm].
     [[nodiscard]] double length(int stretch) const;
 
-    /// Largest distance from the origin, and where a stretch (counted from 0) begins and ends [mm].
-    [[nodiscard]] double largest_radius() const;
-    [[nodiscard]] Vec2 start_of(int stretch) const;
-    [[nodiscard]] Vec2 end_of(int stretch) const;
-
     /// Distances of a polygon whose vertices follow the curve. @param far  what counts as missed [mm]
     [[nodiscard]] CurveDifference compare(std::vector<Vec2> const& polygon, double far) const;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Neutral curve on eccentric discs by a path of its own, in any number type; private to src/study.
+/// Neutral curve on eccentric discs by a path of its own, in any number type; private to src/accuracy.
 #pragma once
 
 #include <array>
@@ -27,7 +27,6 @@ class ReferenceDiscs
     ReferenceDiscs(T const& w0, T const& beta, int waves, T const& r_m)
         : half_(half_turn<T>() / T(waves)), beta_(beta), top_(r_m + w0)
     {
-        using std::abs;
         T const eps = std::numeric_limits<T>::epsilon();
         T a = r_m, fa = too_long(a, r_m), b = r_m - w0;
         constexpr int budget = 60;
@@ -48,9 +47,6 @@ class ReferenceDiscs
 
     [[nodiscard]] ReferenceJet<T> at(T const& u) const
     {
-        using std::abs;
-        using std::cos;
-        using std::sin;
         T const v = within_period(u, half_), rest = u - v;
         ReferenceJet<T> c = abs(v) < beta_ ? on_disc(v) : polar(between_.at(v > T(0) ? T(v - half_) : T(v + half_)), v);
         if (!(rest == T(0))) {
@@ -62,17 +58,10 @@ class ReferenceDiscs
 
   private:
     /// Angle about the disc's centre: the sines of a triangle.
-    [[nodiscard]] T about_centre(T const& u) const
-    {
-        using std::asin;
-        using std::sin;
-        return u + asin((top_ - disc_) * sin(u) / disc_);
-    }
+    [[nodiscard]] T about_centre(T const& u) const { return u + asin((top_ - disc_) * sin(u) / disc_); }
 
     [[nodiscard]] ReferenceJet<T> on_disc(T const& u) const
     {
-        using std::cos;
-        using std::sin;
         T const a = about_centre(u), s = disc_ * sin(a), k = disc_ * cos(a);
         return by_polar_angle(ReferenceJet<T>{{s, top_ - disc_ + k}, {k, -s}, {-s, -k}});
     }
@@ -90,7 +79,6 @@ class ReferenceDiscs
             [&](T const& x) {
                 T const at = (x - half_turn<T>()) * y / half_turn<T>();
                 WaveJet<T> const rho = between_.at(at);
-                using std::sqrt;
                 return sqrt(rho.w * rho.w + rho.w1 * rho.w1);
             },
             1, {T(0)});

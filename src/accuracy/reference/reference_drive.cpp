@@ -35,16 +35,10 @@ AlongCurve along_curve(profile::CurvePiece const& curve, MovingFrame<Fifty> cons
 
 }  // namespace
 
-ReferenceDrive::ReferenceDrive(StudyDrive const& drive) : drive_(drive)
+ReferenceDrive::ReferenceDrive(StudyDrive const& drive) : drive_(drive), views_(drive.views<Fifty>())
 {
-    ReferenceMotion<Fifty> const held(drive.given());
-    if (drive.reverse())
-        for (int const number : drive.numbers)
-            views_.emplace_back(held, number, Fifty(drive.seat_radius));
-    else
-        views_.emplace_back(held);
     if (drive.scene.solver.kinematics != Kinematics::material)
-        breaks_ = held.curve().breaks();
+        breaks_ = views_.front().motion().curve().breaks();
 }
 
 ReferenceContact<Fifty> ReferenceDrive::on_tooth(conjugate::BoundaryPiece const& piece, MovingFrame<Fifty> const& place,
@@ -62,7 +56,7 @@ ReferenceContact<Fifty> ReferenceDrive::on_tooth(conjugate::BoundaryPiece const&
             else
                 return contact_at(shape, arc.candidate, place, offset);
         },
-        drive_.tooth.pieces[static_cast<std::size_t>(arc.piece)].shape);
+        drive_.shape_of(piece));
 }
 
 ReferenceContact<Fifty> ReferenceDrive::contact(conjugate::BoundaryPiece const& piece, Fifty const& u) const
@@ -90,8 +84,7 @@ Fifty ReferenceDrive::merged(conjugate::BoundaryPiece const& piece, double u) co
     envelope::ContactArc const& arc = drive_.arc(piece);
     bool const begins = u == arc.u_begin && arc.begins == envelope::BranchEnd::double_root,
                ends = u == arc.u_end && arc.ends == envelope::BranchEnd::double_root;
-    auto const* curve =
-        std::get_if<profile::CurvePiece>(&drive_.tooth.pieces[static_cast<std::size_t>(arc.piece)].shape);
+    auto const* curve = std::get_if<profile::CurvePiece>(&drive_.shape_of(piece));
     if (curve == nullptr || !(begins || ends))
         return Fifty(u);
     ReferenceView<Fifty> const& view = views_[drive_.tooth_of(piece)];

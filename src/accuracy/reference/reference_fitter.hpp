@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Chebyshev series in long double of curves in 50 digits; private to src/study.
+/// Chebyshev series in long double of curves in 50 digits; private to src/accuracy.
 #pragma once
 
 #include <algorithm>
@@ -58,7 +58,8 @@ class Fitter
         double missed = 0;
         for (double const s : {-0.93, -0.41, 0.37, 0.88}) {
             Pair<Fifty> const truth = curve(middle + half * Fifty(s));
-            Fifty const dx = truth.x - Fifty(value_of(patch.x, s)), dy = truth.y - Fifty(value_of(patch.y, s));
+            Fifty const dx = truth.x - Fifty(chebyshev_sum<long double>(patch.x, s)),
+                        dy = truth.y - Fifty(chebyshev_sum<long double>(patch.y, s));
             missed = std::max(missed, static_cast<double>(sqrt(dx * dx + dy * dy)));
         }
         constexpr int deepest = 16;
@@ -69,17 +70,6 @@ class Fitter
         }
         error = std::max(error, missed);
         patches.push_back(std::move(patch));
-    }
-
-    static long double value_of(std::vector<long double> const& c, double s)
-    {
-        long double b1 = 0, b2 = 0;
-        for (std::size_t k = c.size(); k-- > 1;) {
-            long double const b = 2 * static_cast<long double>(s) * b1 - b2 + c[k];
-            b2 = b1;
-            b1 = b;
-        }
-        return static_cast<long double>(s) * b1 - b2 + c[0];
     }
 
     /// cos(m pi / (2 nodes))

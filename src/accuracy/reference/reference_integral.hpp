@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Integrals of periodic functions by paths of their own, in any number type; private to src/study.
+/// Integrals of periodic functions by paths of their own, in any number type; private to src/accuracy.
 #pragma once
 
 #include <algorithm>
@@ -10,13 +10,13 @@
 #include <vector>
 
 #include "hdconj/error.hpp"
+#include "reference_pair.hpp"
 
 namespace hdconj::accuracy {
 
 template <class T>
 [[nodiscard]] T half_turn()
 {
-    using std::acos;
     static T const value = acos(T(-1));
     return value;
 }
@@ -65,8 +65,6 @@ class ReferenceIntegral
     {
         if (!panels_.empty())
             return from_first_break(u) - at_zero_;
-        using std::cos;
-        using std::sin;
         T const x = T(waves_) * u;
         T const twice = T(2) * cos(x);
         T b1(0), b2(0);
@@ -88,8 +86,6 @@ class ReferenceIntegral
     template <class F>
     void expand(F const& f)
     {
-        using std::abs;
-        using std::cos;
         T const eps = std::numeric_limits<T>::epsilon();
         constexpr std::size_t most = std::size_t{1} << 12;
         std::vector<T> values;
@@ -128,7 +124,6 @@ class ReferenceIntegral
     /// cos(m pi/(2 n)), m = 0 ... 4 n - 1.
     [[nodiscard]] static std::vector<T> cosines_of(int n)
     {
-        using std::cos;
         std::vector<T> cosine(4 * static_cast<std::size_t>(n));
         for (std::size_t m = 0; m < cosine.size(); ++m)
             cosine[m] = cos(half_turn<T>() * T(static_cast<int>(m)) / T(2 * n));
@@ -156,7 +151,6 @@ class ReferenceIntegral
     [[nodiscard]] Panel panel(F const& f, T const& begin, T const& end, T const& before, int& n,
                               std::vector<T>& cosine) const
     {
-        using std::abs;
         T const eps = std::numeric_limits<T>::epsilon();
         T const half = (end - begin) / T(2), middle = (begin + end) / T(2);
         constexpr int most = 512;
@@ -201,7 +195,6 @@ class ReferenceIntegral
 
     [[nodiscard]] T from_first_break(T const& u) const
     {
-        using std::floor;
         T const turns = floor((u - panels_.front().begin) / period_);
         T const at = u - turns * period_;
         auto const after = std::upper_bound(panels_.begin(), panels_.end(), at,

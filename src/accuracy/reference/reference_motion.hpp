@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The motion models by a path of their own, in any number type: vectors in place of angles; private to src/study.
+/// The motion models by a path of their own, in any number type: vectors in place of angles; private to src/accuracy.
 #pragma once
 
 #include <cmath>
@@ -96,8 +96,6 @@ class ReferenceMotion
 
     [[nodiscard]] MovingFrame<T> first_order(T const& phi) const
     {
-        using std::cos;
-        using std::sin;
         WaveJet<T> const w = curve_.displacement(phi), v = tangential(w, phi);
         T const stands = phi + v.w / r_m_, stands_rate = T(1) + v.w1 / r_m_;
         T const leans = phi + (v.w - w.w1) / r_m_, leans_rate = T(1) + (v.w1 - w.w2) / r_m_;
@@ -113,8 +111,6 @@ class ReferenceMotion
     /// From the wave generator's frame into the circular spline's, which has turned clockwise by ratio @p phi.
     [[nodiscard]] MovingFrame<T> against_spline(MovingFrame<T> const& held, T const& phi, T const& phi_rate) const
     {
-        using std::cos;
-        using std::sin;
         T const angle = -ratio_ * phi, rate = -ratio_ * phi_rate;
         T const ca = cos(angle), sa = sin(angle);
         auto const turning = [&](Pair<T> const& a) -> Pair<T> { return {rate * a.y, -rate * a.x}; };
@@ -148,8 +144,6 @@ class ReferenceView
     /// @p radius and its y axis inward, in the flexspline tooth's frame.
     ReferenceView(ReferenceMotion<T> motion, int number, T const& radius) : motion_(std::move(motion)), reverse_(true)
     {
-        using std::cos;
-        using std::sin;
         T const angle = (T(2 * number - 1) / T(2)) * motion_.pitch();
         Pair<T> const out{sin(angle), cos(angle)};
         seat_ = radius * out;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Neutral curves by a path of their own, in any number type; private to src/study.
+/// Neutral curves by a path of their own, in any number type; private to src/accuracy.
 #pragma once
 
 #include <array>
@@ -103,37 +103,22 @@ class ReferenceNeutralCurve
     /// What the program calls r_0: the radius that the displacement w is counted from.
     [[nodiscard]] T mean_radius() const
     {
-        switch (shape_) {
-            case ReferenceShape::ellipse:
-            case ReferenceShape::two_disc:
-                return r_m_;
-            case ReferenceShape::ring_on_cosine_cam:
-                return closed_ + thickness_;
-            default:
-                return closed_;
-        }
+        if (shape_ == ReferenceShape::ellipse || shape_ == ReferenceShape::two_disc)
+            return r_m_;
+        return shape_ == ReferenceShape::ring_on_cosine_cam ? T(closed_ + thickness_) : closed_;
     }
 
     /// Angles within a wave at which the third derivative jumps, increasing.
     [[nodiscard]] std::vector<T> breaks() const
     {
-        switch (shape_) {
-            case ReferenceShape::four_roller:
-                return rollers_.breaks();
-            case ReferenceShape::two_disc:
-                return discs_.breaks();
-            case ReferenceShape::table:
-                return table_.breaks();
-            default:
-                return {};
-        }
+        return shape_ == ReferenceShape::four_roller ? rollers_.breaks()
+               : shape_ == ReferenceShape::two_disc  ? discs_.breaks()
+               : shape_ == ReferenceShape::table     ? table_.breaks()
+                                                     : std::vector<T>{};
     }
 
     [[nodiscard]] ReferenceJet<T> at(T const& u) const
     {
-        using std::atan2;
-        using std::cos;
-        using std::sin;
         switch (shape_) {
             case ReferenceShape::cosine:
                 break;
@@ -168,8 +153,6 @@ class ReferenceNeutralCurve
     /// rho = r + w0 cos(n a), by a.
     [[nodiscard]] ReferenceJet<T> cam(T const& r, T const& a) const
     {
-        using std::cos;
-        using std::sin;
         T const cn = cos(waves_ * a), sn = sin(waves_ * a);
         return polar(WaveJet<T>{r + w0_ * cn, -waves_ * w0_ * sn, -waves_ * waves_ * w0_ * cn}, a);
     }
@@ -177,8 +160,6 @@ class ReferenceNeutralCurve
     /// Third derivative of cam() by a.
     [[nodiscard]] Pair<T> cam_third(T const& r, T const& a) const
     {
-        using std::cos;
-        using std::sin;
         T const cn = cos(waves_ * a), sn = sin(waves_ * a), n2 = waves_ * waves_;
         T const rho = r + w0_ * cn, rho1 = -waves_ * w0_ * sn, rho2 = -n2 * w0_ * cn, rho3 = n2 * waves_ * w0_ * sn;
         Pair<T> const out{sin(a), cos(a)}, on{cos(a), -sin(a)};
@@ -188,8 +169,6 @@ class ReferenceNeutralCurve
     /// Ellipse with semi-axes r_m + w0 along u = 0 and @p b across, by its eccentric angle.
     [[nodiscard]] ReferenceJet<T> eccentric(T const& b, T const& e) const
     {
-        using std::cos;
-        using std::sin;
         T const a = r_m_ + w0_;
         return {{b * sin(e), a * cos(e)}, {b * cos(e), -a * sin(e)}, {-b * sin(e), -a * cos(e)}};
     }
@@ -212,10 +191,6 @@ class ReferenceNeutralCurve
     /// Angle of the cam over which the ring's point stands at u.
     [[nodiscard]] T angle_on_cam(T const& u) const
     {
-        using std::abs;
-        using std::atan2;
-        using std::cos;
-        using std::sin;
         constexpr int budget = 60;
         T a = u, before(1);
         for (int i = 0; i < budget; ++i) {
@@ -237,7 +212,6 @@ class ReferenceNeutralCurve
     template <class Speed>
     [[nodiscard]] T mean_of(Speed const& speed) const
     {
-        using std::abs;
         T const eps = std::numeric_limits<T>::epsilon();
         constexpr int fewest = 16, most = 1 << 12;
         T before(0);
@@ -257,7 +231,6 @@ class ReferenceNeutralCurve
     template <class MeanSpeed>
     [[nodiscard]] static T closed(T const& mean, T const& guess, MeanSpeed const& mean_speed)
     {
-        using std::abs;
         T const eps = std::numeric_limits<T>::epsilon();
         T a = guess, fa = mean_speed(a) - mean, found = a - fa;
         constexpr int budget = 60;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Vectors and curves with derivatives in any number type; private to src/study.
+/// Vectors and curves with derivatives in any number type; private to src/accuracy.
 #pragma once
 
 #include <cmath>
 
 namespace hdconj::accuracy {
+
+// those of the standard types; of others they are found beside the type
+using std::abs, std::acos, std::asin, std::atan2, std::cos, std::floor, std::sin, std::sqrt;
 
 /// A point or a vector in a number type of any width.
 template <class T>
@@ -28,7 +31,6 @@ T inner(Pair<T> const& a, Pair<T> const& b)
 template <class T>
 T length(Pair<T> const& a)
 {
-    using std::sqrt;
     return sqrt(a.x * a.x + a.y * a.y);
 }
 
@@ -64,8 +66,6 @@ struct ReferenceJet
 template <class T>
 [[nodiscard]] ReferenceJet<T> polar(WaveJet<T> const& radius, T const& u)
 {
-    using std::cos;
-    using std::sin;
     Pair<T> const out{sin(u), cos(u)}, on{cos(u), -sin(u)};
     return {radius.w * out, radius.w1 * out + radius.w * on, (radius.w2 - radius.w) * out + (T(2) * radius.w1) * on};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
 /// Radial displacements that are analytic only between breaks, by paths of their own, in any number type; private to
-/// src/study.
+/// src/accuracy.
 #pragma once
 
 #include <algorithm>
@@ -20,7 +20,6 @@ namespace hdconj::accuracy {
 template <class T, std::size_t n>
 [[nodiscard]] std::array<T, n> solution_of(std::array<std::array<T, n>, n> a, std::array<T, n> b)
 {
-    using std::abs;
     for (std::size_t k = 0; k < n; ++k) {
         std::size_t pivot = k;
         for (std::size_t i = k + 1; i < n; ++i)
@@ -57,25 +56,17 @@ struct FreeRing
     /// What C, a and d count in value, slope and second derivative.
     [[nodiscard]] static std::array<std::array<T, 3>, 3> terms(T const& y)
     {
-        using std::cos;
-        using std::sin;
         T const s = sin(y), k = cos(y);
         return {{{T(1), k, y * s}, {T(0), -s, s + y * k}, {T(0), -k, T(2) * k - y * s}}};
     }
     /// In the integral from 0 to y.
-    [[nodiscard]] static std::array<T, 3> integral(T const& y)
-    {
-        using std::cos;
-        using std::sin;
-        return {y, sin(y), sin(y) - y * cos(y)};
-    }
+    [[nodiscard]] static std::array<T, 3> integral(T const& y) { return {y, sin(y), sin(y) - y * cos(y)}; }
 };
 
 /// Angle within half a period of 0.
 template <class T>
 [[nodiscard]] T within_period(T const& u, T const& half)
 {
-    using std::floor;
     return u - T(2) * half * floor((u + half) / (T(2) * half));
 }
 
@@ -119,7 +110,6 @@ class ReferenceRollers
 
     [[nodiscard]] WaveJet<T> at(T const& u) const
     {
-        using std::abs;
         T const v = within_period(u, half_);
         if (abs(v) < beta_)
             return inside_.at(v);
@@ -167,7 +157,6 @@ class ReferenceTable
 
     [[nodiscard]] WaveJet<T> at(T const& u) const
     {
-        using std::floor;
         T const v = u - period_ * floor((u - x_.front()) / period_);
         auto const after = std::upper_bound(x_.begin(), x_.end(), v);
         std::size_t const i = after == x_.begin() ? 0 : static_cast<std::size_t>(after - x_.begin()) - 1,

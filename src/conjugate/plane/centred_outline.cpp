@@ -52,14 +52,7 @@ Outline mirrored(Outline const& half, profile::Profile const& tooth)
     image.points.reserve(2 * half.points.size() + 2);  // the other half follows, and root walls may
     for (auto p = half.points.rbegin(); p != half.points.rend(); ++p)
         image.points.emplace_back(-p->x(), p->y());
-    int const segments = static_cast<int>(tooth.segment_names.size());
-    for (auto s = half.stretches.rbegin(); s != half.stretches.rend(); ++s) {
-        // a corner carries the segment before it, whose image stands after the image of the corner
-        int segment = s->segment < 0 ? -1 : segments - 1 - s->segment;
-        if (s->kind == OutlineKind::corner)
-            segment -= 1;
-        image.stretches.push_back({s->kind, segment, last - s->last, last - s->first});
-    }
+    image.stretches = mirrored(half.stretches, tooth, last);
     return image;
 }
 
@@ -70,38 +63,22 @@ CentredOutlineSampler::CentredOutlineSampler(envelope::AnyEnvelope const& envelo
     : profile_(envelope.profile()), tip_radius_(tip_radius)
 {
     Halves halves = cut_at_centre_line(envelope, arcs, pieces, pitch, tolerance);
-    right_.emplace(envelope, arcs, std::move(halves.right), pitch, chord);
+    right_ = halves.right.size();
     if (!(profile_.mirror_symmetric && envelope.motion().symmetric()))
-        left_.emplace(envelope, arcs, std::move(halves.left), pitch, chord);
-}
-
-double CentredOutlineSampler::expected(std::size_t i) const
-{
-    return i < right_->count() ? right_->expected(i) : left_->expected(i - right_->count());
-}
-
-void CentredOutlineSampler::sample(std::size_t i, int threads)
-{
-    i < right_->count() ? right_->sample(i, threads) : left_->sample(i - right_->count(), threads);
+        halves.right.insert(halves.right.end(), halves.left.begin(), halves.left.end());
+    pieces_.emplace(envelope, arcs, std::move(halves.right), pitch, chord);
 }
 
 CentredOutline CentredOutlineSampler::joined() const
 {
-    Outline right = right_->joined(tip_radius_);
+    std::size_t const all = pieces_->count();
+    Outline right = pieces_->joined(tip_radius_, 0, right_);
     right.points.front().x() = 0;
-    CentredOutline result{left_ ? left_->joined(tip_radius_) : mirrored(right, profile_), 0};
+    CentredOutline result{right_ < all ? pieces_->joined(tip_radius_, right_, all) : mirrored(right, profile_), 0};
     Outline& whole = result.outline;
     result.middle = whole.points.size() - 1;
-    whole.points.pop_back();
-    whole.points.insert(whole.points.end(), right.points.begin(), right.points.end());
-    for (OutlineStretch stretch : right.stretches) {
-        stretch.first += result.middle;
-        stretch.last += result.middle;
-        whole.stretches.push_back(stretch);
-    }
-    whole.chord = std::max(whole.chord, right.chord);
-    whole.error = std::max(whole.error, right.error);
-    whole.evaluations += right.evaluations;
+    whole.points.back() = right.points.front();
+    append_outline(whole, right);
     return result;
 }
 

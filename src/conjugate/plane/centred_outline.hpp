@@ -45,17 +45,16 @@ class CentredOutlineSampler
                           std::vector<BoundaryPiece> const& pieces, double tip_radius, double pitch,
                           Tolerance const& tolerance, double chord);
 
-    [[nodiscard]] std::size_t count() const { return right_->count() + (left_ ? left_->count() : 0); }
-    [[nodiscard]] double expected(std::size_t i) const;
-    void sample(std::size_t i, int threads);
-
+    /// Of all pieces, for sharing out work.
+    [[nodiscard]] OutlineSampler& pieces() { return *pieces_; }
+    /// Of all pieces, which have been sampled.
     [[nodiscard]] CentredOutline joined() const;
 
   private:
     profile::Profile const& profile_;
     double tip_radius_;
-    std::optional<OutlineSampler> right_;
-    std::optional<OutlineSampler> left_;  ///< absent: the mirror image of the right one
+    std::size_t right_ = 0;  ///< pieces of the right half, which are the first
+    std::optional<OutlineSampler> pieces_;
 };
 
 }  // namespace hdconj::conjugate

@@ -5,16 +5,12 @@
 #include <numbers>
 #include <utility>
 
-#include "assemble_until_clear.hpp"
-#include "certificate.hpp"
+#include "boundary_checks.hpp"
 #include "conjugate/chord_moved.hpp"
 #include "drive/drive.hpp"
-#include "offset_topology.hpp"
 #include "outline_records.hpp"
 #include "records_beside.hpp"
 #include "root_clearance.hpp"
-#include "tooth_positions.hpp"
-#include "turn_check.hpp"
 
 namespace hdconj::conjugate {
 
@@ -36,11 +32,6 @@ void ConjugateSolver::operator()(profile::Profile const& given)
     find_branches_of_tooth();
     find_boundary();
     clock_.run(Stage::outline, [&] { publish(); });
-}
-
-void ConjugateSolver::find_branches_of_tooth()
-{
-    clock_.run(Stage::envelope, [&] { trace(); });
 }
 
 void ConjugateSolver::find_boundary()
@@ -81,15 +72,17 @@ envelope::AnyEnvelope ConjugateSolver::final_envelope() const
     return {tooth_, motion_, out_.scene.circular_spline.backlash_offset};
 }
 
-void ConjugateSolver::trace()
+void ConjugateSolver::find_branches_of_tooth()
 {
-    bool const long_job = tooth_.pieces.size() > branches_worth_a_thread(base_, tolerance_.length);
-    envelope::BranchSet set = envelope::find_branches(base_, out_.threads, long_job);
-    refuse_lost_branches(set.record, tolerance_.length);
-    record_doubts(set.record, tooth_, out_.certificate);
-    branches_ = std::move(set.branches);
-    out_.work.roots_isolated += set.record.roots;
-    out_.work.envelope_points += set.record.evaluations;
+    clock_.run(Stage::envelope, [&] {
+        bool const long_job = tooth_.pieces.size() > branches_worth_a_thread(base_, tolerance_.length);
+        envelope::BranchSet set = envelope::find_branches(base_, out_.threads, long_job);
+        refuse_lost_branches(set.record, tolerance_.length);
+        record_doubts(set.record, tooth_, out_.certificate);
+        branches_ = std::move(set.branches);
+        out_.work.roots_isolated += set.record.roots;
+        out_.work.envelope_points += set.record.evaluations;
+    });
 }
 
 void ConjugateSolver::trace_moved()
@@ -104,10 +97,10 @@ void ConjugateSolver::find_pieces(double chord, DeferredTasks& jobs)
     try {
         trace_boundary(chord);
         std::vector<double> chords;
-        for (std::size_t i = 0; i < sampler_->count(); ++i)
-            chords.push_back(sampler_->expected(i));
+        for (std::size_t i = 0; i < sampler_->pieces().count(); ++i)
+            chords.push_back(sampler_->pieces().expected(i));
         jobs.open(chords.size(),
-                  [this, order = largest_first(chords)](std::size_t k) { sampler_->sample(order[k], 1); });
+                  [this, order = largest_first(chords)](std::size_t k) { sampler_->pieces().sample(order[k], 1); });
     } catch (...) {
         jobs.close();
         throw;
@@ -169,8 +162,8 @@ void ConjugateSolver::find_sampler(double chord)
 
 void ConjugateSolver::sample_pieces()
 {
-    for (std::size_t i = 0; i < sampler_->count(); ++i)
-        sampler_->sample(i, out_.threads);
+    for (std::size_t i = 0; i < sampler_->pieces().count(); ++i)
+        sampler_->pieces().sample(i, out_.threads);
 }
 
 void ConjugateSolver::join_pieces()

@@ -46,8 +46,6 @@ class ConjugateSolver
     [[nodiscard]] bool is_moved() const { return out_.plan.has(Stage::backlash); }
     [[nodiscard]] envelope::AnyEnvelope final_envelope() const;
 
-    void trace();
-
     /// The branches of the tooth with the side clearance on it.
     void trace_moved();
 
@@ -88,5 +86,12 @@ class ConjugateSolver
     std::optional<ToothOutline>
         shown_;  ///< until it is made, with the points of the branches themselves; the boundary does without both
 };
+
+/// `solve` for the reverse problem, after the motion is known: the circular spline's tooth given, the flexspline's
+/// solved for.
+/// @param given   the circular-spline tooth in its own frame
+/// @param motion  of the flexspline tooth, any model
+void solve_reverse(Solution& out, profile::Profile const& given, motion::AnyMotion const& motion,
+                   drive::StageClock& clock);
 
 }  // namespace hdconj::conjugate

@@ -13,22 +13,9 @@
 namespace hdconj::conjugate {
 namespace {
 
-/// @p more joined to the end of @p outline, whose last point is its first.
-void append(Outline& outline, Outline const& more)
-{
-    std::size_t const joint = outline.points.empty() ? 0 : outline.points.size() - 1;
-    outline.points.insert(outline.points.end(), more.points.begin() + (outline.points.empty() ? 0 : 1),
-                          more.points.end());
-    for (OutlineStretch const& s : more.stretches)
-        outline.stretches.push_back({s.kind, s.segment, s.first + joint, s.last + joint});
-    outline.chord = std::max(outline.chord, more.chord);
-    outline.error = std::max(outline.error, more.error);
-    outline.evaluations += more.evaluations;
-}
-
 void append_line(Outline& outline, OutlineKind kind, Vec2 const& from, Vec2 const& to)
 {
-    append(outline, {{from, to}, {{kind, -1, 0, 1}}});
+    append_outline(outline, {{from, to}, {{kind, -1, 0, 1}}});
 }
 
 }  // namespace
@@ -43,7 +30,7 @@ Outline FlexsplineOutline::flank(std::vector<BoundaryPiece> const& pieces) const
         std::vector<BoundaryPiece> own(from, to);
         for (BoundaryPiece& piece : own)
             piece.copy = 0;
-        append(flank, sample_outline(tooth.envelope, tooth.arcs, own, 0, 0, tolerance_.length, threads_));
+        append_outline(flank, sample_outline(tooth.envelope, tooth.arcs, own, 0, 0, tolerance_.length, threads_));
         from = to;
     }
     return flank;
@@ -69,9 +56,9 @@ Outline FlexsplineOutline::operator()(ToothBody const& body) const
     }
     Outline tooth;
     append_line(tooth, OutlineKind::root_wall, root_below(left_foot), left_foot);
-    append(tooth, left);
+    append_outline(tooth, left);
     append_line(tooth, OutlineKind::land, tooth.points.back(), right.points.front());
-    append(tooth, right);
+    append_outline(tooth, right);
     append_line(tooth, OutlineKind::root_wall, right_foot, root_below(right_foot));
     // the points are small differences of lengths of this size
     tooth.error += 8 * unit_roundoff * tolerance_.scale;

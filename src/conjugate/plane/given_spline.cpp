@@ -99,8 +99,7 @@ Outline half_of(profile::Profile const& tooth, Apex const& apex, int k, double r
     Vec2 const root = seat(flank.points.front());
     double const to = std::atan2(root.x(), root.y());
     double const to_radius = root.norm();
-    double const step = 2 * std::acos(1 - std::min(0.5, chord / to_radius));
-    int const count = std::max(1, static_cast<int>(std::ceil(std::abs(to) / step)));
+    auto const count = static_cast<int>(land_chords(to_radius, 0, to, chord));
     Outline half;
     for (int i = 0; i < count; ++i) {
         double const share = static_cast<double>(i) / count;

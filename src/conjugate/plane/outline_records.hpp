@@ -4,6 +4,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -14,31 +15,13 @@
 
 namespace hdconj::conjugate {
 
-[[nodiscard]] inline std::string name_of(OutlineKind kind)
-{
-    switch (kind) {
-        case OutlineKind::land:
-            return "land";
-        case OutlineKind::flank:
-            return "flank";
-        case OutlineKind::corner:
-            return "corner";
-        case OutlineKind::bottom:
-            return "bottom";
-        case OutlineKind::root_wall:
-            return "root wall";
-        case OutlineKind::root:
-            return "root";
-    }
-    return {};
-}
-
 /// Stretches of an outline with the names of the profile segments that made them.
 [[nodiscard]] inline std::vector<OutlinePiece> piece_records(Outline const& outline, profile::Profile const& profile)
 {
+    constexpr std::array<char const*, 6> kinds{"land", "flank", "corner", "bottom", "root wall", "root"};
     std::vector<OutlinePiece> records;
     for (OutlineStretch const& s : outline.stretches)
-        records.push_back({name_of(s.kind),
+        records.push_back({kinds[static_cast<std::size_t>(s.kind)],
                            s.segment < 0 ? "" : profile.segment_names[static_cast<std::size_t>(s.segment)], s.first,
                            s.last});
     return records;

@@ -18,34 +18,35 @@
 namespace hdconj::conjugate {
 namespace {
 
-/// One turn of the neutral curve rho = r_0 + w in the fixed frame; every point is on the curve.
-std::vector<Vec2> sampled_neutral_curve(wavegen::AnyWaveShape const& shape, double mean_radius)
+/// One turn in the fixed frame, at equal steps. @param at  the point at an angle
+template <class At>
+std::vector<Vec2> one_turn(At const& at)
 {
     constexpr int points = 720;
     std::vector<Vec2> result;
     result.reserve(points);
-    for (int i = 0; i < points; ++i) {
-        double const u = 2 * std::numbers::pi * i / points;
-        double const rho = mean_radius + shape(u).w;
-        result.emplace_back(rho * std::sin(u), rho * std::cos(u));
-    }
+    for (int i = 0; i < points; ++i)
+        result.push_back(at(2 * std::numbers::pi * i / points));
     return result;
 }
 
-/// One turn of the displaced points in the fixed frame.
+/// The neutral curve rho = r_0 + w; every point is on the curve.
+std::vector<Vec2> sampled_neutral_curve(wavegen::AnyWaveShape const& shape, double mean_radius)
+{
+    return one_turn([&](double u) -> Vec2 {
+        double const rho = mean_radius + shape(u).w;
+        return {rho * std::sin(u), rho * std::cos(u)};
+    });
+}
+
+/// The displaced points.
 std::vector<Vec2> displaced_points(wavegen::MaterialDisplacement const& displacement, double r_m)
 {
-    constexpr int points = 720;
-    std::vector<Vec2> result;
-    result.reserve(points);
-    for (int i = 0; i < points; ++i) {
-        double const phi = 2 * std::numbers::pi * i / points;
+    return one_turn([&](double phi) -> Vec2 {
         auto const [w, v] = wavegen::displacement_at(displacement, phi);
-        double const s = std::sin(phi);
-        double const c = std::cos(phi);
-        result.emplace_back((r_m + w[0]) * s + v[0] * c, (r_m + w[0]) * c - v[0] * s);
-    }
-    return result;
+        double const s = std::sin(phi), c = std::cos(phi);
+        return {(r_m + w[0]) * s + v[0] * c, (r_m + w[0]) * c - v[0] * s};
+    });
 }
 
 /// The motion that @p make builds, as the stage of that name.
@@ -109,15 +110,11 @@ motion::AnyMotion material_motion(Given const& given, Solution& out, drive::Stag
 
 motion::AnyMotion plane_motion(wavegen::AnyWaveShape const& shape, Solution& out, drive::StageClock& clock)
 {
-    switch (out.scene.solver.kinematics) {
-        case Kinematics::first_order:
-            return first_order_motion(shape, out, clock);
-        case Kinematics::material:
-            return material_motion([&] { return wavegen::inextensional_mode(shape); }, out, clock);
-        case Kinematics::exact:
-            break;
-    }
-    return exact_motion(shape, out, clock);
+    Kinematics const model = out.scene.solver.kinematics;
+    return model == Kinematics::first_order ? first_order_motion(shape, out, clock)
+           : model == Kinematics::material
+               ? material_motion([&] { return wavegen::inextensional_mode(shape); }, out, clock)
+               : exact_motion(shape, out, clock);
 }
 
 motion::AnyMotion elastic_plane_motion(Solution& out, drive::StageClock& clock)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// Branches and zones as they are written into results.
+/// Branches, zones and positions of the tooth as they are written into results.
 #pragma once
 
 #include <cstddef>
@@ -20,5 +20,10 @@ namespace hdconj::conjugate {
 void append_zones(envelope::AnyEnvelope const& envelope, envelope::Branch const& branch, std::size_t index,
                   std::vector<envelope::ContactArc> const& boundary_arcs, std::vector<BoundaryPiece> const& pieces,
                   std::vector<ConjugateZone>& zones);
+
+/// Adds the tooth at 41 instants from one end of the lobe to the other to @p family, as polygons, each moved by -@p
+/// down along y [mm].
+void add_positions(profile::Profile const& tooth, motion::AnyMotion const& motion, double down,
+                   std::vector<std::vector<Vec2>>& family);
 
 }  // namespace hdconj::conjugate

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "reverse_solver.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <deque>
@@ -9,18 +7,14 @@
 #include <numeric>
 #include <utility>
 
-#include "assemble_until_clear.hpp"
-#include "certificate.hpp"
+#include "boundary_checks.hpp"
+#include "conjugate_solver.hpp"
 #include "drive/drive.hpp"
 #include "flexspline_outline.hpp"
 #include "given_spline.hpp"
 #include "hdconj/base/parallel.hpp"
-#include "offset_topology.hpp"
 #include "outline_records.hpp"
 #include "records_beside.hpp"
-#include "tooth_positions.hpp"
-#include "traced_space.hpp"
-#include "turn_check.hpp"
 
 namespace hdconj::conjugate {
 namespace {

@@ -37,10 +37,8 @@ void deepen(Outline& outline, std::size_t middle, double clearance)
             right = i;
     for (std::size_t i = left; i < right; ++i)
         if (!(points[i + 1].x() > points[i].x()))
-            throw NumericalError(
-                ErrorCode::no_outline, "root clearance",
-                "near (" + std::to_string(points[i].x()) + ", " + std::to_string(points[i].y()) + ") mm",
-                "the bottom of the tooth space folds over itself there and cannot be moved outward");
+            throw NumericalError(ErrorCode::no_outline, "root clearance", near_text(points[i]),
+                                 "the bottom of the tooth space folds over itself there and cannot be moved outward");
     if (right <= left)
         throw NumericalError(ErrorCode::no_outline, "root clearance", "tooth space",
                              "has no bottom that could be moved outward");

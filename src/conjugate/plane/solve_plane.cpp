@@ -9,7 +9,6 @@
 #include "hdconj/envelope/avoid_stationary_centres.hpp"
 #include "hdconj/error.hpp"
 #include "plane_motion.hpp"
-#include "reverse_solver.hpp"
 
 namespace hdconj::conjugate {
 namespace {

@@ -12,7 +12,13 @@
 namespace hdconj::conjugate {
 
 /// Contact arcs of all branches in one list, which boundary pieces index.
-[[nodiscard]] std::vector<envelope::ContactArc> all_arcs(std::vector<envelope::Branch> const& branches);
+[[nodiscard]] inline std::vector<envelope::ContactArc> all_arcs(std::vector<envelope::Branch> const& branches)
+{
+    std::vector<envelope::ContactArc> arcs;
+    for (envelope::Branch const& branch : branches)
+        arcs.insert(arcs.end(), branch.arcs.begin(), branch.arcs.end());
+    return arcs;
+}
 
 /// A tooth space and the arcs that its pieces index.
 struct TracedSpace
@@ -23,8 +29,16 @@ struct TracedSpace
 
 /// What the teeth of @p envelope leave of the ring outside its tip circle, from polygons of the chord error @p chord
 /// [mm]. Segments are counted in @p out.
-[[nodiscard]] TracedSpace traced_space(envelope::AnyEnvelope const& envelope,
-                                       std::vector<envelope::Branch> const& branches, double chord,
-                                       Tolerance const& tolerance, Solution& out);
+[[nodiscard]] inline TracedSpace traced_space(envelope::AnyEnvelope const& envelope,
+                                              std::vector<envelope::Branch> const& branches, double chord,
+                                              Tolerance const& tolerance, Solution& out)
+{
+    TracedSpace traced;
+    traced.arcs = all_arcs(branches);
+    traced.space = ToothSpaceFinder<motion::AnyMotion>(envelope, traced.arcs, out.geometry.circular_spline_inner_radius,
+                                                       out.scene.drive.circular_spline_teeth, tolerance, chord)();
+    out.work.arrangement_edges += traced.space.segments;
+    return traced;
+}
 
 }  // namespace hdconj::conjugate

@@ -12,10 +12,10 @@
 #include <string>
 #include <vector>
 
-#include "accuracy/reference/reference_outline.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/solve.hpp"
 #include "support/catch.hpp"
+#include "support/oracle/reference_outline.hpp"
 #include "support/random_designs.hpp"
 
 namespace oracle {

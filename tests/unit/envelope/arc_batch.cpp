@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "envelope/arc_batch.hpp"
+#include "support/arc_batch.hpp"
 
 #include <variant>
 #include <vector>

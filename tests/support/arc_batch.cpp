@@ -7,8 +7,8 @@
 #include <numbers>
 #include <vector>
 
+#include "envelope/sine_cosine.hpp"
 #include "hdconj/error.hpp"
-#include "sine_cosine.hpp"
 
 namespace hdconj::envelope {
 namespace {
