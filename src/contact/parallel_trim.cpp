@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "base/segments.hpp"
-#include "hermite_between.hpp"
+#include "flank_grid.hpp"
 
 namespace hdconj::contact {
 namespace {

@@ -3,7 +3,7 @@
 /// How far the circular spline turns against the teeth, wave generator and flexspline held, until they touch.
 #pragma once
 
-#include "smallest_gap.hpp"
+#include "gap_field.hpp"
 
 namespace hdconj::contact {
 

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <vector>
 
 #include "numeric/complementarity.hpp"
@@ -64,5 +65,12 @@ struct BallContact
 [[nodiscard]] BallContact solve_on_balls(numeric::Complementarity& problem, Eigen::Index first, BallLine const& line,
                                          numeric::ComplementarityOptions options = {},
                                          std::vector<bool> const& start = {});
+
+/// Mean of cos(n phi) over @p spread [rad] about phi = 0.
+inline double mean_of_cosine(double n, double spread)
+{
+    double const half = n * spread / 2;
+    return half == 0 ? 1 : std::sin(half) / half;
+}
 
 }  // namespace hdconj::elastic

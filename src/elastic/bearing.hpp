@@ -7,6 +7,7 @@
 
 #include <numbers>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "hdconj/wavegen/radial_displacement.hpp"
@@ -79,6 +80,9 @@ struct BearingSurface
     Eigen::VectorXd reaction_to_lift;  ///< for 1 mm of the cam [N/rad]
     Eigen::MatrixXd reaction_to_load;  ///< for 1 N/rad on each z: rows harmonics, columns z
 };
+
+/// @throws NumericalError about the bearing, always
+[[noreturn]] void refuse_bearing(std::string const& place, std::string const& cause);
 
 /// Circles across the bearing's width: @p count of them, edges included; one in the middle for a width of 0.
 [[nodiscard]] std::vector<double> bearing_circles(Bearing const& bearing, int count);

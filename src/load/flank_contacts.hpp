@@ -24,15 +24,12 @@ struct FlankContact
     double arc_fraction = 0;  ///< place along the flank, 0 at the land corner ... 1 at the flank end
     double arc_length = 0;    ///< the same [mm], on the line of circles' centres where edges are round
     double gap = 0;           ///< [mm]
-    double c_r = 0,
-           c_t = 0;     ///< normal in the undeformed ring's directions at the tooth, circular-spline material ahead
-    double c_turn = 0;  ///< [mm]
-    double lever =
-        0;  ///< [mm] torque about the axis of a unit force on the circular spline, clockwise: positive on right flanks
-    double curvature = 0;             ///< of the gap along the flank: relative curvature of the line contact [1/mm]
-    double tooth_x = 0, tooth_y = 0;  ///< nearest point of the tooth, tooth frame [mm]
-    double inclination =
-        0;  ///< sine of the angle between normal and tooth's x axis: share of the force along the tooth
+    double c_r = 0, c_t = 0;  ///< normal in the undeformed ring's directions at the tooth, into the circular spline
+    double c_turn = 0;        ///< [mm]
+    double lever = 0;        ///< clockwise torque of a unit force on the circular spline: positive on right flanks [mm]
+    double curvature = 0;    ///< of the gap along the flank: relative curvature of the line contact [1/mm]
+    double tooth_y = 0;      ///< height of the nearest point of the tooth, tooth frame [mm]
+    double inclination = 0;  ///< sine of the angle between normal and tooth's x axis: share of the force along it
 };
 
 /// Limits of a search for contacts.
@@ -44,9 +41,7 @@ struct FlankSearch
     std::size_t spaces = 0;
     double phase = 0;  ///< undeformed angle of tooth 0 [rad]
     int flexspline_teeth = 0;
-    int circular_spline_teeth = 0;
-    double strip_depth =
-        0;  ///< how much more gap belongs to one contact: that of the edges of a typical strip under pressure [mm]
+    double strip_depth = 0;  ///< how much more gap belongs to one contact: that at the edges of a typical strip [mm]
 };
 
 /// Finds the local minima of the gap along every (space, flank, slice), each with the strip of the flank that belongs

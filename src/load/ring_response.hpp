@@ -20,8 +20,7 @@ struct RingStation
         sine
     };
     Parity parity = Parity::cosine;
-    double spread =
-        0;  ///< a point force is spread evenly over this angle [rad], and a displacement is the mean over it
+    double spread = 0;  ///< a point force acts evenly over this angle, a displacement is the mean over it [rad]
 };
 
 /// Response of all stations to all stations at one circumferential harmonic: amplitude [mm] per amplitude of a load
@@ -61,7 +60,6 @@ class PointResponse
 
     [[nodiscard]] int grid() const { return grid_; }
     [[nodiscard]] int sectors() const { return sectors_; }
-    [[nodiscard]] std::size_t stations() const { return stations_.size(); }
     [[nodiscard]] std::vector<HarmonicResponse> const& harmonics() const { return harmonics_; }
     [[nodiscard]] double step() const;  ///< of the grid [rad]
 

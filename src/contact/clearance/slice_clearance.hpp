@@ -76,8 +76,9 @@ class SliceClearances
     /// The smallest distance of all slices, between the points too.
     [[nodiscard]] double worst(ClearanceSet const& set, double distance, TurnMinima const& minima) const;
 
-    /// The smallest distance of each slice, between the points too.
-    [[nodiscard]] std::vector<double> lowest(ClearanceSet const& set, double distance, TurnMinima const& minima) const;
+    /// The smallest distance of each slice, between the points too where it may fall below @p below.
+    [[nodiscard]] std::vector<double> lowest(ClearanceSet const& set, double distance, TurnMinima const& minima,
+                                             double below = std::numeric_limits<double>::infinity()) const;
 
   private:
     [[nodiscard]] std::size_t of(std::size_t k) const { return std::min(k, turns_.size() - 1); }

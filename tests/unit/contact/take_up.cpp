@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "contact/smallest_gap.hpp"
+#include "contact/gap_field.hpp"
 #include "hdconj/base/tolerance.hpp"
 #include "hdconj/error.hpp"
 #include "support/catch.hpp"
