@@ -32,8 +32,7 @@ struct ToothPoses
 /// Gap of any flank point, in the plane of its slice.
 ///
 /// The nearest tooth of a space is one of the three that are nearest in angle; its distance is exact (ToothDistance).
-/// Turning the circular spline counter-clockwise by `turn` is looked at from it: all teeth turn clockwise about the
-/// axis of the drive, the wave with them.
+/// Turning the circular spline counter-clockwise by `turn` turns all teeth clockwise, the wave with them.
 class GapField
 {
   public:
@@ -61,9 +60,8 @@ class GapField
     /// Gap of the flank between its points, at @p s as FlankGrid::between() counts.
     [[nodiscard]] double gap_between(std::size_t space, int flank, std::size_t slice, double s, double turn) const;
 
-    /// The smallest gap between a point and its two neighbours on the flank, from @p gap at the point; no smaller one
-    /// beside it: @p gap. Looked for at all points of the outline between them, and followed from there
-    /// (minimum_of_steps()), to @p enough.
+    /// The smallest gap between a point and its two neighbours on the flank, @p gap at the point: looked for at all
+    /// points of the outline between them, and followed from there (minimum_of_steps()), to @p enough.
     [[nodiscard]] double lowest_about(Index const& i, double gap, double turn, double enough) const;
 
     /// Gaps of all points of one flank and slice at @p turn, into @p out, which holds as many.
@@ -141,10 +139,9 @@ struct SmallestGap
 
 /// The smallest gap of @p map, which holds the gaps of @p field at @p turn, with the minima between its points.
 ///
-/// A gap falls no faster than the flank goes on, which drops the points beside which there can be no smaller one; about
-/// the others that are smaller than their neighbours the exact gap is followed to its minimum
-/// (GapField::lowest_about()). A dip between two points that neither of them falls towards is not seen: its depth is
-/// less than what the gap changes over half their distance.
+/// A gap falls no faster than the flank goes on, which drops most points; about the others that are smaller than their
+/// neighbours the exact gap is followed to its minimum (GapField::lowest_about()). A dip between two points that
+/// neither falls towards is not seen: its depth is less than what the gap changes over half their distance.
 /// @param flank  GapMap::left or GapMap::right; below 0: both
 [[nodiscard]] SmallestGap smallest_gap(GapField const& field, GapMap const& map, double turn, int flank, int threads);
 

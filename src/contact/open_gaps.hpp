@@ -25,11 +25,11 @@ struct OpenGap
 
 /// The flank @p flank of the spaces @p spaces at @p turn, in this order.
 ///
-/// Between planes the smallest gap follows parabolas whose curvature the planes show (between_places()). Where such a
-/// parabola falls below @p limit between two planes that are above it, a patch of contact may lie there that no plane
-/// meets: as wide across as the parabola is below the limit, as long as the flank in the nearer plane is within the
-/// same depth of its own smallest gap. The lever is that of the normal in the place of the smallest gap, no less than a
-/// twentieth of the radius. Same bits for any number of threads.
+/// Between planes the smallest gap follows parabolas whose curvature the planes show (between_places()). Where one
+/// falls below @p limit between two planes that are above it, a patch of contact may lie there: as wide as the parabola
+/// is below the limit, as long as the flank in the nearer plane is within the same depth of its own smallest gap. The
+/// lever is that of the normal at the smallest gap, no less than a twentieth of the radius. Same bits for any number of
+/// threads.
 [[nodiscard]] std::vector<OpenGap> open_gaps(GapField const& field, std::vector<std::size_t> const& spaces, int flank,
                                              double turn, double limit, int threads);
 

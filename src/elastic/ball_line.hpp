@@ -54,9 +54,8 @@ struct BallContact
     int rounds = 0;         ///< complementarity problems solved: 1 where no ball would have to pull
 };
 
-/// Solves @p problem, that of a ring held on the cam, with balls that push only. Where none has to pull, that is all
-/// that is done. Otherwise points are released and caught again until those that touch push and those that do not stand
-/// off.
+/// Solves @p problem, that of a ring held on the cam, with balls that push only: points are released and caught again
+/// until those that touch push and those that do not stand off.
 /// @param first    contact of @p problem that is the first of @p line; they follow each other
 /// @param start    points to begin with as released, of a neighbouring problem; empty: none
 /// @param problem  on return: compliance and approach with the ring free at the points where h > 0

@@ -30,9 +30,8 @@ struct BentCupGrid
 
 /// Cup, bearing and cam, solved: design 3.6 without load. Heights from the outer face of the cup's bottom.
 ///
-/// The slice of the wall at a height and a radius moves by a Fourier series each for w, v and u_z: material motion
-/// takes the first two. First order in the displacements, like the contact; length_kept() adds the second order to
-/// place teeth.
+/// The wall at a height and a radius moves by a Fourier series each for w, v and u_z, of first order in the
+/// displacements, like the contact; length_kept() adds the second order to place teeth.
 class BentCup
 {
   public:

@@ -25,9 +25,8 @@ namespace hdconj::elastic {
 ///     z = 0   =======      bottom, clamped at `clamp_radius`
 ///
 /// The inner surface of barrel, ring and land is one cylinder of `inner_radius`. A fillet of radius R between the walls
-/// t and T spans sqrt((T - t)(2 R - T + t)); with `rear_fillet` or `front_fillet` it is there as an arc, tangent to the
-/// thinner wall, in place of the ramp. Domain: section_mesh() says what it cannot mesh. Defaults: the case that
-/// docs/explanation/elastic-cup.md checks against CalculiX.
+/// t and T is an arc, tangent to the thinner wall, in place of the ramp; it spans sqrt((T - t)(2 R - T + t)). Defaults:
+/// the case that docs/explanation/elastic-cup.md checks against CalculiX.
 struct CupSection
 {
     double inner_radius = 24;

@@ -48,13 +48,12 @@ struct FlankSearch
 /// to it, in order of space, flank, slice and arc length. A few points exclude flanks beyond the limit, since no gap
 /// changes faster than the arc length.
 ///
-/// Flanks are smooth curves through the grid's points, third order in their spacing between them. Least gaps are at
-/// roots of the gap's derivative, ends and edges. The strip of one is where the gap is no more than strip_depth larger,
-/// 2 b wide: the contact is in its middle, its curvature is 2 strip_depth/b^2, round edges included, and lesser minima
-/// within it belong to it. A Hertz strip under the line load q has the depth a^2 kappa/2 = 2 q/(pi E*): so the
-/// curvature is that which the pressure sees, and places and curvatures change little by little with the shape where
-/// flanks fit each other so well that the least gap jumps along them. Accuracy: a strip ends at a tenth of the flank on
-/// either side. Domain: gaps above -radius (with_round_edges()).
+/// Flanks are smooth curves through the grid's points, third order in their spacing. Least gaps are at roots of the
+/// gap's derivative, ends and edges. The strip of one is where the gap is no more than strip_depth larger, 2 b wide:
+/// the contact is in its middle, its curvature is 2 strip_depth/b^2, and lesser minima within it belong to it. As a
+/// Hertz strip under the line load q has the depth a^2 kappa/2 = 2 q/(pi E*), that is the curvature that the pressure
+/// sees, and it changes little by little where the least gap jumps along flanks that fit each other well. Accuracy: a
+/// strip ends at a tenth of the flank on either side. Domain: gaps above -radius (with_round_edges()).
 [[nodiscard]] std::vector<FlankContact> flank_contacts(contact::GapField const& field, FlankSearch const& search,
                                                        int threads);
 

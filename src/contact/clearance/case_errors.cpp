@@ -124,9 +124,8 @@ double further_lifted(FlankGrid const& slices, FlankGrid const& between, double 
 
 /// Estimated error of the tip circle of @p cleared as that of the whole width [mm], at least the tolerance.
 ///
-/// The tip circle is what the slices ask for before they are moved (land, rim, draft), lifted with the corners of the
-/// moved flanks, and no smaller than where these meet. Each is the largest of one value per plane: how much larger it
-/// may be between planes says least_between().
+/// It is what the slices ask for before they are moved (land, rim, draft), lifted with the corners of the moved flanks,
+/// and no smaller than where these meet; how much larger each may be between planes says least_between().
 /// @param finer    the surface in all slices of the scene or in more planes
 /// @param between  flanks of the cleared surface there, with its tip circle
 /// @param error    estimated error of the side clearance, cleared.offset [mm]

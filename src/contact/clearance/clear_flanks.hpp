@@ -13,11 +13,9 @@ namespace hdconj::contact {
 
 /// Side clearance and tip circle of @p spec, whose land is left with a side clearance of @p at_least too [mm].
 ///
-/// Side clearance moves the flanks of neighbouring spaces towards each other, so the tip circle may have to follow
-/// until a land is left; what then is no flank any more needs no clearing. A larger tip circle never asks for more
-/// clearance: the loop ends. It also lifts the land corners: the tip circle follows to where the moved flanks begin,
-/// since what the surface has beyond them would be entered and ask for far more clearance, and that for more of it
-/// again.
+/// Side clearance moves the flanks of neighbouring spaces towards each other: the tip circle may have to follow until a
+/// land is left, which never asks for more clearance, so that the loop ends. It also lifts the land corners: the tip
+/// circle follows to where the moved flanks begin, since what the surface has beyond them would be entered.
 /// @throws NumericalError where they do not settle
 [[nodiscard]] Cleared clear_flanks(CaseSurface const& surface, SliceClearances const& clearances, double at_least);
 

@@ -50,9 +50,8 @@ constexpr double flattest_clearing = 0.05;
 
 /// The distance at which @p clearance(distance) is zero to @p enough, from the guess @p distance.
 ///
-/// Moving a flank along its normal opens a gap about as fast as it moves, and much more slowly where a tooth meets the
-/// flank's end nearly along it: secant steps, the first of slope 1, none flatter than flattest_clearing. Nothing where
-/// 60 steps do not settle.
+/// Secant steps, the first of slope 1, none flatter than flattest_clearing, since a tooth may meet the flank's end
+/// nearly along it. Nothing where 60 steps do not settle.
 template <class Clearance>
 [[nodiscard]] std::optional<double> clearing_search(Clearance&& clearance, double distance, double enough)
 {

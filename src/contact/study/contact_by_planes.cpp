@@ -179,9 +179,8 @@ void check(Scene const& scene)
 AreaByPlanes contact_by_planes(Scene const& scene, int planes)
 {
     check(scene);
-    constexpr int at_once =
-        64;  // intervals that are solved together: outlines of many planes have the points of all of them
-    constexpr int coarse = 17;  // planes that the tip circle is looked for in; it is decided at an end of the width
+    constexpr int at_once = 64;  // intervals solved together: outlines of many planes have the points of all
+    constexpr int coarse = 17;   // planes that the tip circle is looked for in; it is decided at an end of the width
     int const intervals = planes - 1;
     StageObserver const nobody;  // the clock keeps a copy
     ContactStudyData data(scene, Verb::contact, nobody, std::min(planes, coarse));

@@ -27,9 +27,8 @@ struct Attempt
     int most_iterations;
 };
 
-/// Where two strips of a flank are about to merge, the iteration alternates between one strip and two; with another
-/// depth it does not. Where an equilibrium is unstable, such as a tip about to snap over an edge, mixing leads back to
-/// it for ever; without mixing the iteration leaves it for the next stable one.
+/// Where two strips of a flank are about to merge, the iteration alternates between one and two; with another depth it
+/// does not. Mixing leads back to an unstable equilibrium for ever; without it the next stable one is reached.
 constexpr Attempt attempts[] = {{1, 3, 25}, {0.5, 3, 25}, {1, 40, 60}, {2, 3, 25}, {0.25, 3, 25}};
 
 std::string place_of(double torque)
