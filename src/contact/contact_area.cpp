@@ -3,8 +3,6 @@
 
 #include <algorithm>
 
-#include "area_cell.hpp"
-
 namespace hdconj::contact {
 namespace {
 

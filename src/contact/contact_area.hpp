@@ -3,9 +3,55 @@
 /// How much flank is in contact: the part of its area where the gap is no larger than a limit.
 #pragma once
 
+#include <Eigen/Geometry>
+#include <array>
+#include <utility>
+
 #include "gap_field.hpp"
 
 namespace hdconj::contact {
+
+/// A corner of a cell: place and gap less the limit.
+struct AreaCorner
+{
+    Eigen::Vector3d place;
+    double excess;
+};
+
+/// Part of a triangle with linear @p a, @p b, @p c on which the value is <= 0.
+[[nodiscard]] inline double share_below(double a, double b, double c)
+{
+    if (a > b)
+        std::swap(a, b);
+    if (b > c)
+        std::swap(b, c);
+    if (a > b)
+        std::swap(a, b);
+    if (a > 0)
+        return 0;
+    if (c <= 0)
+        return 1;
+    if (b <= 0)
+        return 1 - c / (c - a) * (c / (c - b));
+    return a == 0 ? 0 : a / (a - b) * (a / (a - c));
+}
+
+/// Adds the cell's area and its part in contact: four triangles about its middle.
+inline void add_cell(std::array<AreaCorner, 4> const& corner, double& contact, double& whole)
+{
+    AreaCorner middle{Eigen::Vector3d::Zero(), 0};
+    for (AreaCorner const& c : corner) {
+        middle.place += c.place / 4;
+        middle.excess += c.excess / 4;
+    }
+    for (std::size_t i = 0; i < corner.size(); ++i) {
+        AreaCorner const& a = corner[i];
+        AreaCorner const& b = corner[(i + 1) % corner.size()];
+        double const area = 0.5 * (a.place - middle.place).cross(b.place - middle.place).norm();
+        whole += area;
+        contact += area * share_below(a.excess, b.excess, middle.excess);
+    }
+}
 
 /// Areas of the flanks on one side of all tooth spaces.
 struct ContactArea
@@ -20,9 +66,7 @@ struct ContactArea
 ///
 /// Every cell between two points and two slices is cut into four triangles at its middle, and the gap is taken linear
 /// in each, so that the edge of the contact runs through cells. One slice stands for the whole @p width.
-/// @param stride  uses every stride-th point and slice (and the last ones): the difference to stride 1 is about three
-/// times the error of
-///                stride 1, since the error falls with the square of the spacing
+/// @param stride  uses every stride-th point and slice (and the last ones)
 /// Accuracy: second order in the spacing; exact for a gap that is linear in each triangle.
 [[nodiscard]] ContactArea contact_area(GapMap const& map, FlankGrid const& grid, int flank, double limit, double width,
                                        std::size_t stride = 1);

@@ -2,12 +2,12 @@
 #include "flank_grid.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
 #include "hdconj/contact.hpp"
 #include "hdconj/numeric/bracketed_root.hpp"
-#include "hermite_between.hpp"
 #include "parallel_trim.hpp"
 #include "surface/cone.hpp"
 
@@ -99,12 +99,19 @@ FlankGrid flank_grid(conjugate::MatchedOutline const& outline, std::vector<doubl
     grid.z = z;
     std::size_t const middle = z.size() / 2;
     auto const& line = outline.points[middle];
-    std::size_t const left_land = outline.landmarks[0], left_end = outline.landmarks[1];
-    std::size_t const right_end = outline.landmarks[3], right_land = outline.landmarks[4];
+    struct Ends
+    {
+        std::size_t land, last;
+    };
+    std::array<Ends, 2> ends;
+    ends[GapMap::left] = {outline.landmarks[0], outline.landmarks[1]};
+    ends[GapMap::right] = {outline.landmarks[4], outline.landmarks[3]};
     // lengths along the right flank, from the land corner down; the left one has the mirror image's indices where the
     // outline is symmetric
-    std::vector<std::size_t> right_index, left_index;
-    auto const choose = [&](std::size_t from, std::size_t to, std::vector<std::size_t>& chosen) {
+    std::array<std::vector<std::size_t>, 2> index;
+    auto const choose = [&](int flank) {
+        auto const [from, to] = ends[static_cast<std::size_t>(flank)];
+        std::vector<std::size_t>& chosen = index[static_cast<std::size_t>(flank)];
         std::ptrdiff_t const step = to > from ? 1 : -1;
         std::vector<double> length{0};
         for (auto i = static_cast<std::ptrdiff_t>(from); i != static_cast<std::ptrdiff_t>(to); i += step)
@@ -127,38 +134,29 @@ FlankGrid flank_grid(conjugate::MatchedOutline const& outline, std::vector<doubl
         }
         return stations;
     };
-    grid.station = choose(right_land, right_end, right_index);
-    (void)choose(left_land, left_end, left_index);
+    grid.station = choose(GapMap::right);
+    (void)choose(GapMap::left);
     // an asymmetric pair's flanks may differ in their number of points: the shorter list decides
-    std::size_t const points = std::min(right_index.size(), left_index.size());
+    std::size_t const points = std::min(index[0].size(), index[1].size());
     grid.station.resize(points);
-    for (int const flank : {GapMap::left, GapMap::right}) {
-        auto const& index = flank == GapMap::right ? right_index : left_index;
-        auto& point = grid.point[static_cast<std::size_t>(flank)];
-        auto& normal = grid.normal[static_cast<std::size_t>(flank)];
-        point.resize(z.size());
-        normal.resize(z.size());
-        auto& line_point = grid.line[static_cast<std::size_t>(flank)];
-        auto& line_normal = grid.line_normal[static_cast<std::size_t>(flank)];
-        line_point.resize(z.size());
-        line_normal.resize(z.size());
-        std::size_t const land = flank == GapMap::right ? right_land : left_land;
-        std::size_t const last = flank == GapMap::right ? right_end : left_end;
+    for (std::size_t f = 0; f < 2; ++f) {
+        auto const [land, last] = ends[f];
         for (std::size_t j = 0; j < points; ++j) {
-            std::size_t const i = j + 1 == points ? index.back() : index[j];
-            grid.index[static_cast<std::size_t>(flank)].push_back(i > land ? i - land : land - i);
+            std::size_t const i = j + 1 == points ? index[f].back() : index[f][j];
+            grid.index[f].push_back(i > land ? i - land : land - i);
         }
         for (std::size_t k = 0; k < z.size(); ++k) {
+            auto &line_point = grid.line[f].emplace_back(), &line_normal = grid.line_normal[f].emplace_back();
             for (std::size_t i = land;; last > land ? ++i : --i) {
-                line_point[k].push_back(outline.points[k][i]);
-                line_normal[k].push_back(outline.normals[k][i]);
+                line_point.push_back(outline.points[k][i]);
+                line_normal.push_back(outline.normals[k][i]);
                 if (i == last)
                     break;
             }
-            for (std::size_t j = 0; j < points; ++j) {
-                std::size_t const i = j + 1 == points ? index.back() : index[j];
-                point[k].push_back(outline.points[k][i]);
-                normal[k].push_back(outline.normals[k][i]);
+            auto &point = grid.point[f].emplace_back(), &normal = grid.normal[f].emplace_back();
+            for (std::size_t const j : grid.index[f]) {
+                point.push_back(line_point[j]);
+                normal.push_back(line_normal[j]);
             }
         }
     }

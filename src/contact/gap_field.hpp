@@ -8,17 +8,31 @@
 #include <vector>
 
 #include "flank_grid.hpp"
+#include "hdconj/base/rigid_motion.hpp"
 #include "hdconj/contact.hpp"
 #include "hdconj/distance/tooth_distance.hpp"
-#include "tooth_poses.hpp"
 
 namespace hdconj::contact {
+
+/// Teeth `first` ... of a drive: tooth i has the undeformed angle phi_i = 2 pi i / z_f + phase, and its pose is given
+/// in the frame of tooth space i, whose centre line is at (z_f/z_c) phi_i from the major axis. Going on over the ends
+/// of a turn, tooth i + z_f is tooth i.
+struct ToothPoses
+{
+    int first = 0;
+    std::size_t slices = 0;
+    std::vector<Pose> pose;  ///< (teeth, slices)
+
+    [[nodiscard]] Pose const& at(int tooth, std::size_t slice) const
+    {
+        return pose[static_cast<std::size_t>(tooth - first) * slices + slice];
+    }
+};
 
 /// Gap of any flank point, in the plane of its slice.
 ///
 /// The nearest tooth of a space is one of the three that are nearest in angle; its distance is exact (ToothDistance).
-/// Turning the circular spline counter-clockwise by `turn` is looked at from it: all teeth turn clockwise about the
-/// axis of the drive, the wave with them.
+/// Turning the circular spline counter-clockwise by `turn` turns all teeth clockwise, the wave with them.
 class GapField
 {
   public:
@@ -46,13 +60,12 @@ class GapField
     /// Gap of the flank between its points, at @p s as FlankGrid::between() counts.
     [[nodiscard]] double gap_between(std::size_t space, int flank, std::size_t slice, double s, double turn) const;
 
-    /// The smallest gap between a point and its two neighbours on the flank, from @p gap at the point; no smaller one
-    /// beside it: @p gap. Looked for at all points of the outline between them, and followed from there
-    /// (minimum_of_steps()), to @p enough.
+    /// The smallest gap between a point and its two neighbours on the flank, @p gap at the point: looked for at all
+    /// points of the outline between them, and followed from there (minimum_of_steps()), to @p enough.
     [[nodiscard]] double lowest_about(Index const& i, double gap, double turn, double enough) const;
 
-    /// Gaps of all points of one flank and slice at @p turn, into @p out, which is resized.
-    void along(std::size_t space, int flank, std::size_t slice, double turn, std::vector<double>& out) const;
+    /// Gaps of all points of one flank and slice at @p turn, into @p out, which holds as many.
+    void along(std::size_t space, int flank, std::size_t slice, double turn, double* out) const;
 
     /// The tooth that is nearest to a flank point, and its nearest point in its own frame.
     struct Touch
@@ -68,6 +81,9 @@ class GapField
 
     /// All gaps at @p turn. Same bits for any number of threads.
     [[nodiscard]] GapMap map(double turn, int threads) const;
+
+    /// FlankGrid::radius; 0 where it is empty.
+    [[nodiscard]] double radius(int flank, std::size_t slice) const;
 
     /// Largest distance of a flank point from the axis: no gap changes faster than this with the turn [mm/rad].
     [[nodiscard]] double reach() const { return reach_; }
@@ -95,7 +111,6 @@ class GapField
     using Candidates = std::array<Placement, candidates>;
     [[nodiscard]] Candidates candidates_of(std::size_t space, std::size_t slice, double turn) const;
     [[nodiscard]] double nearest(Candidates const& teeth, Vec2 const& q) const;
-    [[nodiscard]] double radius(int flank, std::size_t slice) const;
     [[nodiscard]] int candidate(std::size_t space, int c) const;
 
     distance::ToothDistance distance_;
@@ -111,5 +126,28 @@ class GapField
 
 /// Range of teeth that a GapField needs: first and last number.
 [[nodiscard]] std::array<int, 2> teeth_needed(int flexspline_teeth, int circular_spline_teeth, double phase);
+
+/// A gap and the point of the map it is at or beside.
+struct SmallestGap
+{
+    double gap = 0;  ///< [mm]
+    GapField::Index where{};
+};
+
+/// How far a smallest gap may be from the true one beside the rounding of coordinates: golden section ends there [mm].
+[[nodiscard]] double smallest_gap_accuracy(GapField const& field);
+
+/// The smallest gap of @p map, which holds the gaps of @p field at @p turn, with the minima between its points.
+///
+/// A gap falls no faster than the flank goes on, which drops most points; about the others that are smaller than their
+/// neighbours the exact gap is followed to its minimum (GapField::lowest_about()). A dip between two points that
+/// neither falls towards is not seen: its depth is less than what the gap changes over half their distance.
+/// @param flank  GapMap::left or GapMap::right; below 0: both
+[[nodiscard]] SmallestGap smallest_gap(GapField const& field, GapMap const& map, double turn, int flank, int threads);
+
+/// The same on one flank in one slice, whose points have the gaps @p gap; minima between points where they may lie
+/// below @p below. Of @p line the point does not count.
+[[nodiscard]] SmallestGap smallest_on_line(GapField const& field, GapField::Index const& line, double const* gap,
+                                           double turn, double below);
 
 }  // namespace hdconj::contact

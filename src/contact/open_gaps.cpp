@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
+#include "gap_field.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "numeric/least_between.hpp"
-#include "smallest_gap.hpp"
 
 namespace hdconj::contact {
 namespace {
@@ -34,12 +34,12 @@ std::vector<OpenGap> open_gaps(GapField const& field, std::vector<std::size_t> c
     std::vector<OpenGap> result(spaces.size());
     constexpr std::size_t grain = 1;
     parallel_for(spaces.size(), threads, grain, [&](std::size_t s) {
-        std::vector<std::vector<double>> gap(grid.slices());
+        std::vector<std::vector<double>> gap(grid.slices(), std::vector<double>(grid.points()));
         std::vector<SmallestGap> smallest;
         std::vector<double> low;
         std::size_t lowest = 0;
         for (std::size_t k = 0; k < grid.slices(); ++k) {
-            field.along(spaces[s], flank, k, turn, gap[k]);
+            field.along(spaces[s], flank, k, turn, gap[k].data());
             smallest.push_back(smallest_on_line(field, {spaces[s], flank, k, 0}, gap[k].data(), turn,
                                                 std::numeric_limits<double>::infinity()));
             low.push_back(smallest.back().gap);

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "base/segments.hpp"
-#include "hermite_between.hpp"
+#include "flank_grid.hpp"
 
 namespace hdconj::contact {
 namespace {
@@ -42,9 +42,8 @@ Vec2 tangent(Vec2 const& normal, bool normals_left)
 std::vector<Overlap> overlaps(std::vector<Vec2> const& bare, std::vector<Vec2> const& moved,
                               std::vector<Vec2> const& normal, bool normals_left)
 {
-    constexpr double corner = 4;  // times as much as beside it a step turns there
-    constexpr double beside =
-        0.1;  // steps by which the bare tangents may meet beside it: a branch that bends the other way
+    constexpr double corner = 4;    // times as much as beside it a step turns there
+    constexpr double beside = 0.1;  // steps by which bare tangents may meet beside it, where a branch bends back
     auto const turn_of = [&](std::size_t i) {
         return i + 1 < normal.size() ? std::abs(cross(normal[i], normal[i + 1])) : 0.0;
     };

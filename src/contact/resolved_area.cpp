@@ -8,9 +8,9 @@
 #include <limits>
 #include <utility>
 
-#include "area_cell.hpp"
+#include "contact_area.hpp"
+#include "gap_field.hpp"
 #include "hdconj/base/parallel.hpp"
-#include "smallest_gap.hpp"
 
 namespace hdconj::contact {
 namespace {
@@ -18,18 +18,7 @@ namespace {
 constexpr std::size_t edge_steps = 16;  // between two points of the map, where the edge of the contact may be
 
 /// Contact of one space, or of all, by all edge_steps, by every second one and by every fourth.
-struct Sums
-{
-    double fine = 0, half = 0, quarter = 0;
-
-    Sums& operator+=(Sums const& other)
-    {
-        fine += other.fine;
-        half += other.half;
-        quarter += other.quarter;
-        return *this;
-    }
-};
+using Sums = Eigen::Array3d;
 
 /// The flank of one space.
 class SpaceArea
@@ -44,9 +33,9 @@ class SpaceArea
           points_(field.grid().points()),
           looked_(field.grid().slices() * points_)
     {
-        gaps_.resize(field.grid().slices());
+        gaps_.assign(field.grid().slices(), std::vector<double>(points_));
         for (std::size_t k = 0; k < gaps_.size(); ++k)
-            field.along(space, flank, k, turn, gaps_[k]);
+            field.along(space, flank, k, turn, gaps_[k].data());
     }
 
     /// The smallest gap, between the points too where it is below @p below.
@@ -62,7 +51,7 @@ class SpaceArea
     /// The strip between the slices @p low and @p high, laid at the heights @p z_low and @p z_high.
     [[nodiscard]] Sums strip(std::size_t low, std::size_t high, double z_low, double z_high)
     {
-        Sums sums;
+        Sums sums = Sums::Zero();
         FlankGrid const& grid = field_->grid();
         auto const& line = grid.point[static_cast<std::size_t>(flank_)];
         for (std::size_t j = 0; j + 1 < points_; ++j) {
@@ -73,20 +62,19 @@ class SpaceArea
                 double contact = 0, whole = 0;
                 if (inside(low, j))
                     add_cell(corner, contact, whole);
-                sums.fine += contact;
-                sums.half += contact;
-                sums.quarter += contact;
+                sums += contact;
                 continue;
             }
             Steps const& a = between(low, j);
             Steps const& b = between(high, j);
-            for (std::size_t const stride : {std::size_t{1}, std::size_t{2}, std::size_t{4}}) {
+            for (int part = 0; part < 3; ++part) {
+                std::size_t const stride = std::size_t{1} << part;
                 double contact = 0, whole = 0;
                 for (std::size_t i = 0; i < edge_steps; i += stride)
                     add_cell({at(a.point[i], z_low, a.gap[i]), at(a.point[i + stride], z_low, a.gap[i + stride]),
                               at(b.point[i + stride], z_high, b.gap[i + stride]), at(b.point[i], z_high, b.gap[i])},
                              contact, whole);
-                (stride == 1 ? sums.fine : stride == 2 ? sums.half : sums.quarter) += contact;
+                sums[part] += contact;
             }
         }
         return sums;
@@ -214,7 +202,7 @@ ResolvedArea resolved_area(GapField const& field, std::vector<std::size_t> const
     std::size_t const last = grid.slices() - 1;
     struct Space
     {
-        Sums all, second, fourth;
+        Sums all = Sums::Zero(), second = all, fourth = all;  ///< of all slices, every second and every fourth
         double lowest = std::numeric_limits<double>::infinity();
     };
     std::vector<Space> found(spaces.size());
@@ -237,7 +225,7 @@ ResolvedArea resolved_area(GapField const& field, std::vector<std::size_t> const
                 *sums += area.strip(k, std::min(k + stride, last), grid.z[k], grid.z[std::min(k + stride, last)]);
     });
     ResolvedArea result;
-    Sums all, second, fourth;
+    Sums all = Sums::Zero(), second = all, fourth = all;
     result.lowest = std::numeric_limits<double>::infinity();
     for (Space const& space : found) {
         all += space.all;
@@ -245,19 +233,19 @@ ResolvedArea resolved_area(GapField const& field, std::vector<std::size_t> const
         fourth += space.fourth;
         result.lowest = std::min(result.lowest, space.lowest);
         // a touch may be narrower than what the area is summed over
-        result.area.spaces += space.all.fine > 0 || space.lowest <= limit ? 1 : 0;
+        result.area.spaces += space.all[0] > 0 || space.lowest <= limit ? 1 : 0;
     }
     // all spaces have the same flanks
-    result.area.contact = all.fine;
+    result.area.contact = all[0];
     auto const every = [&](std::size_t stride) { return flank_area(grid, flank, width, stride); };
     double const one = every(1),
                  open = (last == 0 ? 0 : left_open(one, every(2), every(4))) + arcs_over_chords(grid, flank, width);
-    result.area.whole = std::max(one * static_cast<double>(field.spaces()), all.fine);
+    result.area.whole = std::max(one * static_cast<double>(field.spaces()), all[0]);
     result.whole = open * static_cast<double>(field.spaces());
     if (!(result.area.whole > 0))
         return result;
-    result.along = left_open(all.fine, all.half, all.quarter) / result.area.whole;
-    result.across = left_open(all.fine, second.fine, fourth.fine) / result.area.whole;
+    result.along = left_open(all[0], all[1], all[2]) / result.area.whole;
+    result.across = left_open(all[0], second[0], fourth[0]) / result.area.whole;
     return result;
 }
 

@@ -16,8 +16,7 @@ struct ResolvedArea
     ContactArea area;
     double along = 0;   ///< estimated error of so many points along the flank, as a share
     double across = 0;  ///< estimated error of so many slices, as a share
-    double whole = 0;   ///< estimated error of the area of all flanks [mm^2]: of so many slices as `across`, and of
-                        ///< chords in place of arcs
+    double whole = 0;   ///< estimated error of the area of all flanks, of slices and chords [mm^2]
     double lowest = 0;  ///< smallest gap that was met, between the points too [mm]
 };
 
@@ -26,13 +25,11 @@ struct ResolvedArea
 ///
 /// Wherever the gap may cross @p limit between two neighbouring points it is looked at in 16 steps between them (8 for
 /// the half), on the exact flank and to the exact teeth; cells between slices as in contact_area(). So the error along
-/// the flank is that of 16 times as many points, at the cost of the edge of the contact alone. How far a gap may dip
-/// between two points is told by what it changes beside them. `across`: D is what every second slice in place of all
-/// changes and D' what every fourth in place of every second does. Where the differences go on falling by q = D/D', all
-/// that are left add up to D q/(1 - q); q is taken no better than 1/2 and no worse than 2/3, and twice the sum is
-/// given, no less than D'/2, which is the same where D is a quarter of D' (second order): one difference may be small
-/// by chance. `along`: the same of the steps between points, 16, 8 and 4. Slices are odd in number. Same bits for any
-/// number of threads.
+/// the flank is that of 16 times as many points, at the cost of the edge of the contact alone. `across`: D is what
+/// every second slice in place of all changes and D' what every fourth in place of every second does. With q = D/D' all
+/// that is left adds up to D q/(1 - q); q is taken from 1/2 to 2/3, and twice the sum is given, no less than D'/2,
+/// since one difference may be small by chance. `along`: the same of the steps between points, 16, 8 and 4. Slices are
+/// odd in number. Same bits for any number of threads.
 [[nodiscard]] ResolvedArea resolved_area(GapField const& field, std::vector<std::size_t> const& spaces, double turn,
                                          int flank, double limit, double width, int threads);
 

@@ -3,15 +3,14 @@
 /// How far the circular spline turns against the teeth, wave generator and flexspline held, until they touch.
 #pragma once
 
-#include "smallest_gap.hpp"
+#include "gap_field.hpp"
 
 namespace hdconj::contact {
 
 /// First contact of the flanks on one side.
 struct TakeUp
 {
-    double turn = 0;  ///< [rad] of the teeth against the spaces: clockwise for GapMap::right, counter-clockwise for
-                      ///< left; negative: turned back out of interference
+    double turn = 0;  ///< of the teeth against the spaces, clockwise for GapMap::right; negative: out of interference
     GapField::Index where{};  ///< the point that touches, or beside which the flank does
     double gap = 0;           ///< smallest gap there: zero to roundoff [mm]
     SmallestGap at_rest{};    ///< smallest gap of these flanks at turn 0
@@ -19,12 +18,11 @@ struct TakeUp
 
 /// The turn at which the smallest gap of the flanks @p flank is zero.
 ///
-/// Gaps count between the points of the map too (smallest_gap()), so that no part of a flank is turned into a tooth. No
-/// gap changes faster than the reach of the flanks times the turn, so points that cannot become zero between the
-/// bracket's ends are dropped, and the smallest gap of the rest is bracketed and closed in on (false position,
-/// Illinois): the sign change is never lost. The bracket decides which points are evaluated, so that the function
-/// itself changes from step to step; a solver that owns the bracket, as boost::math::tools::toms748_solve(), cannot do
-/// this.
+/// Gaps count between the points of the map too (smallest_gap()). No gap changes faster than the reach of the flanks
+/// times the turn, so points that cannot become zero between the bracket's ends are dropped, and the smallest gap of
+/// the rest is closed in on (false position, Illinois). The bracket decides which points are evaluated, so that the
+/// function changes from step to step: a solver that owns the bracket, as boost::math::tools::toms748_solve(), cannot
+/// do this.
 /// @param at_rest  gaps at turn 0
 /// @param limit    largest turn looked at, either way [rad]
 /// @param touches  smallest gaps at rest of no more than this, either way, are contact: no turn [mm]

@@ -7,6 +7,8 @@
 #include <numbers>
 
 #include "base/text.hpp"
+#include "elastic_cup.hpp"
+#include "hdconj/check.hpp"
 #include "hdconj/profile/registry.hpp"
 #include "hdconj/units.hpp"
 
@@ -14,20 +16,18 @@ namespace hdconj::drive {
 
 profile::Profile given_tooth(Scene const& scene, Faults& faults)
 {
-    bool const reverse = scene.is_reverse();
-    int const difference = scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth;
-    profile::ToothPlace const inside{scene.drive.module,
-                                     scene.drive.flexspline_teeth,
-                                     scene.flexspline.wall,
-                                     scene.flexspline.neutral_offset,
-                                     scene.folder.string(),
-                                     false,
-                                     difference,
-                                     scene.wave_generator.waves};
-    profile::ToothPlace const outside{
-        scene.drive.module, scene.drive.circular_spline_teeth, 0, 0, scene.folder.string(), true,
-        difference,         scene.wave_generator.waves};
-    return profile::build_profile(scene.given_profile(), reverse ? outside : inside, faults);
+    Drive const& drive = scene.drive;
+    bool const outside = scene.is_reverse();
+    int const difference = drive.circular_spline_teeth - drive.flexspline_teeth;
+    profile::ToothPlace const place{drive.module,
+                                    outside ? drive.circular_spline_teeth : drive.flexspline_teeth,
+                                    outside ? 0 : scene.flexspline.wall,
+                                    outside ? 0 : scene.flexspline.neutral_offset,
+                                    scene.folder.string(),
+                                    outside,
+                                    difference,
+                                    scene.wave_generator.waves};
+    return profile::build_profile(scene.given_profile(), place, faults);
 }
 
 PairGeometry ring_geometry(Scene const& scene, profile::Profile const& tooth)
@@ -68,38 +68,20 @@ int pitches_per_lobe(Scene const& scene)
 
 namespace {
 
-/// The tooth must fit into its share of the flexspline at every height.
+/// The tooth must fit into its share of the flexspline at every height; a circular-spline tooth into its share of the
+/// circle, which gets wider towards its root.
 void validate_width(Scene const& scene, profile::Profile const& tooth, PairGeometry const& g, Faults& faults)
 {
+    bool const reverse = scene.is_reverse();
     double worst = 0;
     Vec2 where = Vec2::Zero();
     double const chord = (tooth.addendum + tooth.dedendum) * 0x1p-10;
-    double const half_share = std::numbers::pi / scene.drive.flexspline_teeth;
+    double const half_pitch =
+        std::numbers::pi / (reverse ? scene.drive.circular_spline_teeth : scene.drive.flexspline_teeth);
+    auto const radius = [&](Vec2 const& p) { return reverse ? given_tooth_seat(g, tooth) - p.y() : g.r_m + p.y(); };
     for (Vec2 const& p : profile::polygon_of(tooth, chord)) {
-        double const excess = std::abs(p.x()) - half_share * (g.r_m + p.y());
-        if (excess > worst) {
-            worst = excess;
-            where = p;
-        }
-    }
-    if (worst > 0)
-        faults.push_back({scene.flexspline.profile.path, scene.flexspline.profile.line, "",
-                          "the tooth is wider than its pitch: " + short_number(2 * std::abs(where.x())) +
-                              " mm thick at height " + short_number(where.y() - tooth.pitch_line) +
-                              " mm, where the pitch is " + short_number(2 * half_share * (g.r_m + where.y())) + " mm",
-                          "make the tooth thinner, or use fewer teeth or a larger module"});
-}
-
-/// The same for a circular-spline tooth, whose share of the circle gets wider towards its root.
-void validate_outer_width(Scene const& scene, profile::Profile const& tooth, PairGeometry const& g, Faults& faults)
-{
-    double worst = 0;
-    Vec2 where = Vec2::Zero();
-    double const chord = (tooth.addendum + tooth.dedendum) * 0x1p-10;
-    double const half_pitch = std::numbers::pi / scene.drive.circular_spline_teeth;
-    double const seat = given_tooth_seat(g, tooth);
-    for (Vec2 const& p : profile::polygon_of(tooth, chord)) {
-        double const excess = std::atan2(std::abs(p.x()), seat - p.y()) - half_pitch;
+        double const half = std::abs(p.x());
+        double const excess = reverse ? std::atan2(half, radius(p)) - half_pitch : half - half_pitch * radius(p);
         if (excess > worst) {
             worst = excess;
             where = p;
@@ -109,7 +91,7 @@ void validate_outer_width(Scene const& scene, profile::Profile const& tooth, Pai
         faults.push_back({scene.given_profile().path, scene.given_profile().line, "",
                           "the tooth is wider than its pitch: " + short_number(2 * std::abs(where.x())) +
                               " mm thick at height " + short_number(where.y() - tooth.pitch_line) +
-                              " mm, where the pitch is " + short_number(2 * half_pitch * (seat - where.y())) + " mm",
+                              " mm, where the pitch is " + short_number(2 * half_pitch * radius(where)) + " mm",
                           "make the tooth thinner, or use fewer teeth or a larger module"});
 }
 
@@ -157,8 +139,7 @@ void validate_tip_circle(Scene const& scene, PairGeometry const& g, Faults& faul
                           "write a radius between " + short_number(rim) + " and " + short_number(tip)});
 }
 
-}  // namespace
-
+/// What only the assembled dimensions show: tooth against pitch, tips of either member against roots of the other.
 void validate_geometry(Scene const& scene, profile::Profile const& tooth, PairGeometry const& g, Faults& faults)
 {
     if (!(g.flexspline_inner_radius > 0))
@@ -172,12 +153,9 @@ void validate_geometry(Scene const& scene, profile::Profile const& tooth, PairGe
                           "write about one module (" + short_number(scene.drive.module) + ")"});
     else {
         validate_tip_circle(scene, g, faults);
-        if (scene.is_reverse()) {
-            validate_outer_width(scene, tooth, g, faults);
+        validate_width(scene, tooth, g, faults);
+        if (scene.is_reverse())
             validate_space_depth(tooth, g, faults);
-        } else {
-            validate_width(scene, tooth, g, faults);
-        }
     }
     bool has_tip = false;
     for (std::size_t i = 0; i < tooth.pieces.size(); ++i)
@@ -188,14 +166,12 @@ void validate_geometry(Scene const& scene, profile::Profile const& tooth, PairGe
                           "leave root_clearance out, or give the tooth a tip land"});
 }
 
-namespace {
-
 /// Where the neutral curve bends least.
 struct Flattest
 {
-    double bend =
-        std::numeric_limits<double>::infinity();  ///< curvature times a positive length squared; not above 0: hollow
-    double where = 0;                             ///< [rad]
+    /// Curvature times a positive length squared; not above 0: hollow.
+    double bend = std::numeric_limits<double>::infinity();
+    double where = 0;  ///< [rad]
 };
 
 Flattest flattest_place(wavegen::AnyWaveShape const& shape, double r_m)
@@ -235,8 +211,7 @@ double largest_deformation(Scene scene, profile::Profile const& tooth, double r_
     return std::floor(low / step) * step;
 }
 
-}  // namespace
-
+/// The deformed neutral curve must be convex: a ring on a wave generator never bends inwards.
 void validate_curvature(Scene const& scene, profile::Profile const& tooth, wavegen::AnyWaveShape const& shape,
                         double r_m, Faults& faults)
 {
@@ -258,6 +233,7 @@ void validate_curvature(Scene const& scene, profile::Profile const& tooth, waveg
                                   : "write a smaller one, usually about one module"});
 }
 
+/// Motion model against wave generator: "material" needs a shape that a Fourier series follows.
 void validate_kinematics(Scene const& scene, wavegen::AnyWaveShape const& shape, Faults& faults)
 {
     if (scene.solver.kinematics != Kinematics::material || shape.breaks().empty())
@@ -268,4 +244,28 @@ void validate_kinematics(Scene const& scene, wavegen::AnyWaveShape const& shape,
                       "write \"exact\" or \"first-order\", or take a smooth wave generator such as \"cosine\""});
 }
 
+}  // namespace
 }  // namespace hdconj::drive
+
+namespace hdconj {
+
+Faults check_scene(Scene const& scene)
+{
+    Faults faults;
+    profile::Profile const tooth = drive::given_tooth(scene, faults);
+    wavegen::AnyWaveShape const shape = drive::wave_shape(scene, tooth, faults);
+    if (tooth.pieces.empty() || !faults.empty())
+        return faults;
+    // without it there is no place to check the bearing at, and that it is missing is said elsewhere
+    bool const placed = scene.coning && scene.coning->bottom_to_middle;
+    if (scene.is_elastic() && placed)
+        drive::validate_cup(scene, drive::ring_geometry(scene, tooth).flexspline_inner_radius, faults);
+    else if (!scene.is_elastic())
+        drive::validate_kinematics(scene, shape, faults);
+    drive::validate_curvature(scene, tooth, shape, drive::ring_geometry(scene, tooth).r_m, faults);
+    if (faults.empty())
+        drive::validate_geometry(scene, tooth, drive::pair_geometry(scene, tooth, shape.amplitude()), faults);
+    return faults;
+}
+
+}  // namespace hdconj

@@ -31,16 +31,6 @@ namespace hdconj::drive {
     return g.circular_spline_inner_radius + tooth.addendum + tooth.pitch_line;
 }
 
-/// What only the assembled dimensions show: tooth against pitch, tips of either member against roots of the other.
-void validate_geometry(Scene const& scene, profile::Profile const& tooth, PairGeometry const& g, Faults& faults);
-
-/// The deformed neutral curve must be convex: a ring on a wave generator never bends inwards.
-void validate_curvature(Scene const& scene, profile::Profile const& tooth, wavegen::AnyWaveShape const& shape,
-                        double r_m, Faults& faults);
-
-/// Motion model against wave generator: "material" needs a shape that a Fourier series follows.
-void validate_kinematics(Scene const& scene, wavegen::AnyWaveShape const& shape, Faults& faults);
-
 /// Number of pitches by which the tooth moves along the circular spline in one lobe: (z_c - z_f)/n.
 [[nodiscard]] int pitches_per_lobe(Scene const& scene);
 

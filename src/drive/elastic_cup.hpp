@@ -5,16 +5,12 @@
 
 #include <memory>
 
-#include "elastic/bent_cup_error.hpp"
-#include "elastic/cup_section.hpp"
+#include "elastic/bent_cup.hpp"
+#include "elastic/section_mesh.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/solution.hpp"
 #include "hdconj/wavegen/material_displacement.hpp"
 #include "hdconj/wavegen/registry.hpp"
-
-namespace hdconj::drive {
-struct Bearing;
-}
 
 namespace hdconj::drive {
 

@@ -12,7 +12,6 @@
 #include "bearing.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/error.hpp"
-#include "mean_of_cosine.hpp"
 
 namespace hdconj::elastic {
 namespace {
@@ -20,11 +19,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-[[noreturn]] void refuse_ball_line(std::string const& cause)
-{
-    throw NumericalError(ErrorCode::unsuitable_body, "bearing", "line of balls", cause);
-}
 
 constexpr double ball_rounding = 1e-12;  // of forces and gaps, against the largest
 
@@ -39,7 +33,8 @@ std::vector<int> released(std::vector<bool> const& off)
 
 [[noreturn]] void refuse_free_ring()
 {
-    refuse_ball_line(
+    refuse_bearing(
+        "line of balls",
         "no ball holds the ring, which may move as a whole, or all that do face one way and leave it to the cup alone, "
         "which is not solved; the bearing is too loose, or has too few balls where the cam pushes");
 }
@@ -100,10 +95,10 @@ BallLine ball_line(BearingSurface const& surface, int waves, BearingContacts con
                    int threads)
 {
     if (!surface.compliance)
-        refuse_ball_line("a rigid bearing has no balls");
+        refuse_bearing("line of balls", "a rigid bearing has no balls");
     if (points < 2 || points % 2 != 0 || points / 2 >= static_cast<int>(surface.cosine.cols()))
-        refuse_ball_line(
-            "its points must be an even number, and no more than the harmonics of the ring can tell apart");
+        refuse_bearing("line of balls",
+                       "its points must be an even number, and no more than the harmonics of the ring can tell apart");
     int const terms = points / 2 + 1;
     auto const count = static_cast<Index>(mirrored ? terms : points), rows = static_cast<Index>(contacts.phi.size());
     double const arc = 2 * std::numbers::pi / (waves * points);

@@ -5,6 +5,7 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <vector>
 
 #include "numeric/complementarity.hpp"
@@ -53,9 +54,8 @@ struct BallContact
     int rounds = 0;         ///< complementarity problems solved: 1 where no ball would have to pull
 };
 
-/// Solves @p problem, that of a ring held on the cam, with balls that push only. Where none has to pull, that is all
-/// that is done. Otherwise points are released and caught again until those that touch push and those that do not stand
-/// off.
+/// Solves @p problem, that of a ring held on the cam, with balls that push only: points are released and caught again
+/// until those that touch push and those that do not stand off.
 /// @param first    contact of @p problem that is the first of @p line; they follow each other
 /// @param start    points to begin with as released, of a neighbouring problem; empty: none
 /// @param problem  on return: compliance and approach with the ring free at the points where h > 0
@@ -64,5 +64,12 @@ struct BallContact
 [[nodiscard]] BallContact solve_on_balls(numeric::Complementarity& problem, Eigen::Index first, BallLine const& line,
                                          numeric::ComplementarityOptions options = {},
                                          std::vector<bool> const& start = {});
+
+/// Mean of cos(n phi) over @p spread [rad] about phi = 0.
+inline double mean_of_cosine(double n, double spread)
+{
+    double const half = n * spread / 2;
+    return half == 0 ? 1 : std::sin(half) / half;
+}
 
 }  // namespace hdconj::elastic

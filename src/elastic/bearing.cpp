@@ -14,11 +14,6 @@
 namespace hdconj::elastic {
 namespace {
 
-[[noreturn]] void refuse_bearing(std::string const& place, std::string const& cause)
-{
-    throw NumericalError(ErrorCode::unsuitable_body, "bearing", place, cause);
-}
-
 int nearest_node(SectionMesh const& mesh, Vec2 const& to)
 {
     auto const nearest = std::min_element(mesh.nodes.begin(), mesh.nodes.end(), [&](Vec2 const& a, Vec2 const& b) {
@@ -43,19 +38,11 @@ void require_sound(Bearing const& bearing)
         refuse_bearing("radial stiffness of the line of balls", "must be above 0");
 }
 
-/// One harmonic of the ring on its balls.
-struct RingHarmonic
+/// Puts the outer ring between the cam, the series @p cosine and @p sine with @p waves, and the surface.
+void add_ring(BearingSurface& surface, Bearing const& bearing, double inner_radius, int waves,
+              Eigen::VectorXd const& cosine, Eigen::VectorXd const& sine, int threads)
 {
-    Eigen::MatrixXd compliance;
-    Eigen::VectorXd lifted;      ///< surface for 1 mm of the cam
-    double reaction = 0;         ///< to 1 mm of the cam [N/rad]
-    Eigen::RowVectorXd to_load;  ///< reaction to loads on the surface
-};
-
-/// Response of the outer ring in every harmonic of @p cam.
-std::vector<RingHarmonic> ring_harmonics(Bearing const& bearing, double inner_radius, CamSeries const& cam,
-                                         std::vector<double> const& z, int threads)
-{
+    std::vector<double> const& z = surface.z;
     BearingRing const& ring = *bearing.ring;
     if (ring.thickness >= inner_radius)
         refuse_bearing("outer ring", "is thicker than the cup's inner radius");
@@ -76,48 +63,39 @@ std::vector<RingHarmonic> ring_harmonics(Bearing const& bearing, double inner_ra
         stations.push_back(wall_station(solid.mesh(), at, 1, Direction::radial));
     Eigen::MatrixXd const shares = station_shares(solid, stations);
     Eigen::Index const ball = unknown_of(balls, Direction::radial);
-    std::vector<RingHarmonic> found(cam.cosine.size());
-    parallel_for(found.size(), threads, 1, [&](std::size_t k) {
-        HarmonicSolver const solver(solid, supports, static_cast<int>(k) * cam.waves);
+    Eigen::Index const terms = cosine.size();
+    surface.reaction_cosine = surface.reaction_sine = surface.reaction_to_lift = Eigen::VectorXd::Zero(terms);
+    surface.reaction_to_load = Eigen::MatrixXd::Zero(terms, static_cast<Eigen::Index>(z.size()));
+    std::vector<int> harmonics = harmonics_of(waves, waves * static_cast<int>(terms - 1));
+    std::vector<Eigen::MatrixXd> compliance(harmonics.size());
+    parallel_for(harmonics.size(), threads, 1, [&](std::size_t i) {
+        auto const k = static_cast<Eigen::Index>(i);
+        HarmonicSolver const solver(solid, supports, harmonics[i]);
         Eigen::MatrixXd const loaded = solver(shares);
         Eigen::MatrixXd const c = shares.transpose() * loaded;
         Eigen::VectorXd lift = Eigen::VectorXd::Zero(solid.unknowns());
         lift[ball] = spring < 0 ? 1 : spring;
         Eigen::VectorXd const lifted = spring < 0 ? solver.moved(lift) : solver(lift);
-        RingHarmonic& h = found[k];
-        h.compliance = (c + c.transpose()) / 2;
-        h.lifted = shares.transpose() * lifted;
-        h.reaction = solver.forces(lifted)(ball, 0);
-        h.to_load = solver.forces(loaded).row(ball);
+        Eigen::VectorXd const rise = shares.transpose() * lifted;  // of the surface for 1 mm of the cam
+        double const reaction = solver.forces(lifted)(ball, 0);
+        compliance[i] = (c + c.transpose()) / 2;
+        surface.cosine.col(k) = rise * cosine[k];
+        surface.sine.col(k) = rise * sine[k];
+        surface.reaction_cosine[k] = reaction * cosine[k];
+        surface.reaction_sine[k] = reaction * sine[k];
+        surface.reaction_to_lift[k] = reaction;
+        surface.reaction_to_load.row(k) = solver.forces(loaded).row(ball);
     });
-    return found;
-}
-
-/// Puts the ring between the cam, the series @p cosine and @p sine, and the surface.
-void add_ring(BearingSurface& surface, std::vector<RingHarmonic> ring, int waves, Eigen::VectorXd const& cosine,
-              Eigen::VectorXd const& sine)
-{
-    auto const terms = static_cast<Eigen::Index>(ring.size());
-    std::vector<Eigen::MatrixXd> compliance;
-    std::vector<int> harmonics;
-    surface.reaction_cosine = surface.reaction_sine = surface.reaction_to_lift = Eigen::VectorXd::Zero(terms);
-    surface.reaction_to_load = Eigen::MatrixXd::Zero(terms, static_cast<Eigen::Index>(surface.z.size()));
-    for (Eigen::Index k = 0; k < terms; ++k) {
-        RingHarmonic& h = ring[static_cast<std::size_t>(k)];
-        harmonics.push_back(static_cast<int>(k) * waves);
-        compliance.push_back(std::move(h.compliance));
-        surface.cosine.col(k) = h.lifted * cosine[k];
-        surface.sine.col(k) = h.lifted * sine[k];
-        surface.reaction_cosine[k] = h.reaction * cosine[k];
-        surface.reaction_sine[k] = h.reaction * sine[k];
-        surface.reaction_to_lift[k] = h.reaction;
-        surface.reaction_to_load.row(k) = h.to_load;
-    }
-    surface.compliance.emplace(std::vector<Direction>(surface.z.size(), Direction::radial), std::move(harmonics),
+    surface.compliance.emplace(std::vector<Direction>(z.size(), Direction::radial), std::move(harmonics),
                                std::move(compliance));
 }
 
 }  // namespace
+
+void refuse_bearing(std::string const& place, std::string const& cause)
+{
+    throw NumericalError(ErrorCode::unsuitable_body, "bearing", place, cause);
+}
 
 double CamSeries::at(double phi) const
 {
@@ -177,7 +155,7 @@ BearingSurface bearing_surface(Bearing const& bearing, double inner_radius, CamS
                            {},
                            {}};
     if (bearing.ring)
-        add_ring(surface, ring_harmonics(bearing, inner_radius, cam, z, threads), cam.waves, cosine, sine);
+        add_ring(surface, bearing, inner_radius, cam.waves, cosine, sine, threads);
     surface.cosine.col(0).array() += bearing.fit;
     return surface;
 }

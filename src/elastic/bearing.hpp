@@ -7,6 +7,7 @@
 
 #include <numbers>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "hdconj/wavegen/radial_displacement.hpp"
@@ -30,11 +31,10 @@ struct BearingRing
 /// Bearing on its cam. z from the outer face of the cup's bottom.
 struct Bearing
 {
-    double middle = 9;  ///< z of the line of balls [mm]
-    double width = 6;   ///< of the surface that the cup may touch [mm]; 0: one line
-    double fit = 0;     ///< interference: its outer radius less the inner radius of the cup [mm]
-    double cam_oversize =
-        0;  ///< of the cam under the line of balls, all round: preload that takes up the play of the balls [mm]
+    double middle = 9;                ///< z of the line of balls [mm]
+    double width = 6;                 ///< of the surface that the cup may touch [mm]; 0: one line
+    double fit = 0;                   ///< interference: its outer radius less the inner radius of the cup [mm]
+    double cam_oversize = 0;          ///< all round under the line of balls: preload that takes up their play [mm]
     std::optional<BearingRing> ring;  ///< absent: the surface is rigid and straight along the axis
 };
 
@@ -70,8 +70,7 @@ struct BearingSurface
 {
     std::vector<double> z;                ///< [mm]
     std::optional<Influence> compliance;  ///< radial, between the circles z, the line of balls on the cam; none: rigid
-    Eigen::MatrixXd
-        cosine;  ///< radial displacement of the unloaded surface against the cup's inner radius, fit included [mm]
+    Eigen::MatrixXd cosine;  ///< unloaded surface against the cup's inner radius, fit included, outward [mm]
     Eigen::MatrixXd sine;
     /// Reaction of the line of balls [N/rad] that gives the unloaded ring the shape of the cam.
     Eigen::VectorXd reaction_cosine;
@@ -79,6 +78,9 @@ struct BearingSurface
     Eigen::VectorXd reaction_to_lift;  ///< for 1 mm of the cam [N/rad]
     Eigen::MatrixXd reaction_to_load;  ///< for 1 N/rad on each z: rows harmonics, columns z
 };
+
+/// @throws NumericalError about the bearing, always
+[[noreturn]] void refuse_bearing(std::string const& place, std::string const& cause);
 
 /// Circles across the bearing's width: @p count of them, edges included; one in the middle for a width of 0.
 [[nodiscard]] std::vector<double> bearing_circles(Bearing const& bearing, int count);

@@ -8,8 +8,7 @@
 #include <numbers>
 #include <string>
 
-#include "hdconj/error.hpp"
-#include "mean_of_cosine.hpp"
+#include "ball_line.hpp"
 
 namespace hdconj::elastic {
 namespace {
@@ -17,11 +16,6 @@ namespace {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-[[noreturn]] void refuse_balls(std::string const& cause)
-{
-    throw NumericalError(ErrorCode::unsuitable_body, "bearing", "balls", cause);
-}
 
 /// cos and sin of all harmonics at an angle, in the order cos 0, cos n, sin n, cos 2n, ...
 VectorXd functions(Index terms, int sectors, double phi)
@@ -119,7 +113,7 @@ MatrixXd inverse_system(VectorXd const& ring, int sectors, std::vector<double> c
     Eigen::PartialPivLU<MatrixXd> const factors(system);
     constexpr double rounding = 1e-13;  // condition at which no digit of a force would be left
     if (!(factors.rcond() > rounding))
-        refuse_balls("they stand too close to each other for the harmonics of the ring");
+        refuse_bearing("balls", "they stand too close to each other for the harmonics of the ring");
     VectorXd all(size + count);
     all << scale, force_scale;
     MatrixXd const inverse = all.asDiagonal() * factors.inverse() * all.asDiagonal();
@@ -140,16 +134,18 @@ DiscreteBalls discrete_balls(BearingSurface const& surface, int sectors, Bearing
                              std::vector<double> const& phi, std::optional<double> stiffness)
 {
     if (!surface.compliance)
-        refuse_balls("a rigid bearing has none");
+        refuse_bearing("balls", "a rigid bearing has none");
     Index const terms = surface.cosine.cols(), size = 2 * terms - 1;
     auto const count = static_cast<Index>(phi.size());
     if (count == 0)
-        refuse_balls("none touches the ring");
+        refuse_bearing("balls", "none touches the ring");
     if (!stiffness && count > size)
-        refuse_balls(std::to_string(count * sectors) + " are more than the harmonics of the ring tell apart, " +
-                     std::to_string(size * sectors) + ": leave the number out for a line of balls");
+        refuse_bearing("balls", std::to_string(count * sectors) +
+                                    " are more than the harmonics of the ring tell apart, " +
+                                    std::to_string(size * sectors) + ": leave the number out for a line of balls");
     if (sectors == 1 && !holds_a_shift(phi))
-        refuse_balls(
+        refuse_bearing(
+            "balls",
             "the ring may move as a whole: one ball does not hold it, nor do two that face each other; write three or "
             "more");
     RingTerms const ring = ring_terms(surface, sectors, contacts);

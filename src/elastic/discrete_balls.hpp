@@ -24,13 +24,10 @@ namespace hdconj::elastic {
 /// surface
 ///
 ///   g = (G + between) f - (d - sag) - lift e.
-///
-/// Everything follows from the harmonics that the held ring was solved for: nothing more is factorised.
 struct DiscreteBalls
 {
     BallLine balls;           ///< of one sector: angles, forces and gaps are those of single balls
-    Eigen::MatrixXd between;  ///< (contacts, contacts) compliance of the ring between its balls, positive semidefinite
-                              ///< [mm/N]
+    Eigen::MatrixXd between;  ///< (contacts, contacts) compliance of the ring between its balls, not negative [mm/N]
     Eigen::VectorXd sag;      ///< (contacts) by how much the unloaded ring lies below one on the cam all around [mm]
 };
 

@@ -2,6 +2,7 @@
 #include "harmonic_field.hpp"
 
 #include <cmath>
+#include <numbers>
 
 #include "hdconj/base/parallel.hpp"
 
@@ -24,6 +25,21 @@ HarmonicField harmonic_field(FourierSolid const& solid, Supports const& supports
         Eigen::MatrixXd const moved = HarmonicSolver(solid, supports, harmonics[i])(loads);
         field.even.col(k) = moved.col(0);
         field.odd.col(k) = moved.col(1);
+    });
+    return field;
+}
+
+HarmonicField harmonic_field(UnitFields const& unit, Eigen::MatrixXd const& even, Eigen::MatrixXd const& odd,
+                             int threads)
+{
+    auto const terms = static_cast<Index>(unit.harmonics.size());
+    Index const unknowns = unit.moved.empty() ? 0 : unit.moved.front().rows();
+    HarmonicField field{unit.harmonics, Eigen::MatrixXd(unknowns, terms), Eigen::MatrixXd(unknowns, terms)};
+    constexpr std::size_t grain = 8;
+    parallel_for(unit.harmonics.size(), threads, grain, [&](std::size_t i) {
+        auto const k = static_cast<Index>(i);
+        field.even.col(k) = unit.moved[i] * even.col(k);
+        field.odd.col(k) = unit.moved[i] * odd.col(k);
     });
     return field;
 }
@@ -57,16 +73,12 @@ Eigen::Vector3d displaced(PointAmplitudes const& at, HarmonicField const& field,
 
 }  // namespace
 
-HarmonicWaves::HarmonicWaves(HarmonicField const& field, std::vector<double> const& phi)
-    : cosine(static_cast<Index>(field.harmonics.size()), static_cast<Index>(phi.size())),
-      sine(cosine.rows(), cosine.cols())
+std::vector<double> even_angles(int count, int sectors)
 {
-    for (Index j = 0; j < cosine.cols(); ++j)
-        for (Index k = 0; k < cosine.rows(); ++k) {
-            double const angle = field.harmonics[static_cast<std::size_t>(k)] * phi[static_cast<std::size_t>(j)];
-            cosine(k, j) = std::cos(angle);
-            sine(k, j) = std::sin(angle);
-        }
+    std::vector<double> phi;
+    for (int i = 0; i < count; ++i)
+        phi.push_back(2 * std::numbers::pi * i / (sectors * count));
+    return phi;
 }
 
 Eigen::Matrix3Xd displacements_at(SectionMesh const& mesh, HarmonicField const& field, SectionPoint const& place,
@@ -164,7 +176,7 @@ Eigen::MatrixXd gauss_stress(SectionMesh const& mesh, HarmonicField const& field
 {
     std::vector<SectionPoint> const points = gauss_points(mesh);
     Eigen::MatrixXd result(static_cast<Index>(phi.size()), static_cast<Index>(points.size()));
-    HarmonicWaves const waves(field, phi);
+    HarmonicWaves const waves(field.harmonics, phi, threads);
     constexpr std::size_t worth_a_thread = 64;
     parallel_for(points.size(), threads, worth_a_thread, [&](std::size_t i) {
         StressAmplitudes const at = stress_amplitudes(mesh, field, points[i]);

@@ -32,6 +32,10 @@ using Stress = Eigen::Matrix<double, 6, 1>;
                                            std::vector<Station> const& stations, std::vector<int> const& harmonics,
                                            Eigen::MatrixXd const& even, Eigen::MatrixXd const& odd, int threads = 1);
 
+/// The same by products from fields of the stations under unit loads; equal to it but for rounding.
+[[nodiscard]] HarmonicField harmonic_field(UnitFields const& unit, Eigen::MatrixXd const& even,
+                                           Eigen::MatrixXd const& odd, int threads = 1);
+
 /// Amplitudes U, W, V (rows) of each harmonic (columns) at a place: first those of `even`, then those of `odd`.
 struct PointAmplitudes
 {
@@ -42,14 +46,8 @@ struct PointAmplitudes
 [[nodiscard]] PointAmplitudes amplitudes_at(SectionMesh const& mesh, HarmonicField const& field,
                                             SectionPoint const& place);
 
-/// cos and sin of all harmonics of a field (rows) at some angles [rad] (columns).
-struct HarmonicWaves
-{
-    HarmonicWaves(HarmonicField const& field, std::vector<double> const& phi);
-
-    Eigen::MatrixXd cosine;
-    Eigen::MatrixXd sine;
-};
+/// @p count even angles of one of @p sectors sectors [rad].
+[[nodiscard]] std::vector<double> even_angles(int count, int sectors);
 
 /// (u_r, u_z, u_t) [mm] at the angles of @p waves (columns).
 [[nodiscard]] Eigen::Matrix3Xd displacements_at(SectionMesh const& mesh, HarmonicField const& field,

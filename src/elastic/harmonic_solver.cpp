@@ -46,8 +46,7 @@ void require_held(SectionMesh const& mesh, Supports const& supports, int harmoni
 
 struct HarmonicSolver::Factors
 {
-    std::vector<Eigen::Index>
-        place;  ///< of each unknown among the free ones, in the order of their elimination; -1: fixed
+    std::vector<Eigen::Index> place;  ///< of each unknown among the free ones as they are eliminated; -1: fixed
     Eigen::Index free = 0;
     Eigen::SparseMatrix<double> stiffness;  ///< of all unknowns, without springs
     Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>> ldlt;

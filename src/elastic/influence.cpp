@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <numbers>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -28,28 +27,29 @@ double weight(int n, Repetition const& repetition)
     return (n == 0 ? 1 / (2 * std::numbers::pi) : 1 / std::numbers::pi) * repetition.waves;
 }
 
-/// cos n phi and sin n phi of each harmonic (rows), each point (columns).
-struct Waves
+HarmonicWaves waves_at(std::vector<InfluencePoint> const& points, std::vector<int> const& harmonics, int threads)
 {
-    Waves(std::vector<InfluencePoint> const& points, std::vector<int> const& harmonics, int threads)
-        : cosine(static_cast<Eigen::Index>(harmonics.size()), static_cast<Eigen::Index>(points.size())),
-          sine(cosine.rows(), cosine.cols())
-    {
-        constexpr std::size_t worth_a_thread = 32;
-        parallel_for(points.size(), threads, worth_a_thread, [&](std::size_t i) {
-            for (Eigen::Index k = 0; k < cosine.rows(); ++k) {
-                double const angle = harmonics[static_cast<std::size_t>(k)] * points[i].phi;
-                cosine(k, static_cast<Eigen::Index>(i)) = std::cos(angle);
-                sine(k, static_cast<Eigen::Index>(i)) = std::sin(angle);
-            }
-        });
-    }
-
-    Eigen::MatrixXd cosine;
-    Eigen::MatrixXd sine;
-};
+    std::vector<double> phi;
+    for (InfluencePoint const& point : points)
+        phi.push_back(point.phi);
+    return {harmonics, phi, threads};
+}
 
 }  // namespace
+
+HarmonicWaves::HarmonicWaves(std::vector<int> const& harmonics, std::vector<double> const& phi, int threads)
+    : cosine(static_cast<Eigen::Index>(harmonics.size()), static_cast<Eigen::Index>(phi.size())),
+      sine(cosine.rows(), cosine.cols())
+{
+    constexpr std::size_t worth_a_thread = 32;
+    parallel_for(phi.size(), threads, worth_a_thread, [&](std::size_t i) {
+        for (Eigen::Index k = 0; k < cosine.rows(); ++k) {
+            double const angle = harmonics[static_cast<std::size_t>(k)] * phi[i];
+            cosine(k, static_cast<Eigen::Index>(i)) = std::cos(angle);
+            sine(k, static_cast<Eigen::Index>(i)) = std::sin(angle);
+        }
+    });
+}
 
 std::vector<int> harmonics_of(int waves, int highest)
 {
@@ -86,9 +86,8 @@ Eigen::MatrixXd Influence::matrix(std::vector<InfluencePoint> const& at, std::ve
 {
     auto const rows = static_cast<Eigen::Index>(at.size()), columns = static_cast<Eigen::Index>(loads.size());
     auto const terms = static_cast<Eigen::Index>(harmonics_.size());
-    Waves const to(at, harmonics_, threads);
-    std::optional<Waves> elsewhere;
-    Waves const& from = &loads == &at ? to : elsewhere.emplace(loads, harmonics_, threads);
+    HarmonicWaves const to = waves_at(at, harmonics_, threads),
+                        from = &loads == &at ? to : waves_at(loads, harmonics_, threads);
     // column of each pair of stations: the weighted compliances, harmonic by harmonic
     auto const count = static_cast<Eigen::Index>(stations());
     Eigen::MatrixXd pairs(terms, count * count);
@@ -140,21 +139,37 @@ Eigen::MatrixXd station_shares(FourierSolid const& solid, std::vector<Station> c
     return shares;
 }
 
-Influence influence(FourierSolid const& solid, Supports const& supports, std::vector<Station> const& stations,
-                    std::vector<int> const& harmonics, int threads)
+UnitFields unit_fields(FourierSolid const& solid, Supports const& supports, std::vector<Station> const& stations,
+                       std::vector<int> const& harmonics, int threads)
+{
+    Eigen::MatrixXd const shares = station_shares(solid, stations);
+    UnitFields result{harmonics, std::vector<Eigen::MatrixXd>(harmonics.size())};
+    parallel_for(harmonics.size(), threads, 1,
+                 [&](std::size_t i) { result.moved[i] = HarmonicSolver(solid, supports, harmonics[i])(shares); });
+    return result;
+}
+
+Influence influence(FourierSolid const& solid, UnitFields const& unit, std::vector<Station> const& stations,
+                    int threads)
 {
     std::vector<Direction> directions;
     for (Station const& station : stations)
         directions.push_back(station.direction);
-    Eigen::MatrixXd const shares = station_shares(solid, stations);
     // a station is felt at the nodes of one element
-    Eigen::SparseMatrix<double, Eigen::RowMajor> const felt = shares.transpose().sparseView();
-    std::vector<Eigen::MatrixXd> compliance(harmonics.size());
-    parallel_for(harmonics.size(), threads, 1, [&](std::size_t i) {
-        Eigen::MatrixXd const s = felt * HarmonicSolver(solid, supports, harmonics[i])(shares);
+    Eigen::SparseMatrix<double, Eigen::RowMajor> const felt = station_shares(solid, stations).transpose().sparseView();
+    std::vector<Eigen::MatrixXd> compliance(unit.harmonics.size());
+    constexpr std::size_t worth_a_thread = 16;
+    parallel_for(compliance.size(), threads, worth_a_thread, [&](std::size_t i) {
+        Eigen::MatrixXd const s = felt * unit.moved[i];
         compliance[i] = (s + s.transpose()) / 2;
     });
-    return {std::move(directions), harmonics, std::move(compliance)};
+    return {std::move(directions), unit.harmonics, std::move(compliance)};
+}
+
+Influence influence(FourierSolid const& solid, Supports const& supports, std::vector<Station> const& stations,
+                    std::vector<int> const& harmonics, int threads)
+{
+    return influence(solid, unit_fields(solid, supports, stations, harmonics, threads), stations, threads);
 }
 
 }  // namespace hdconj::elastic

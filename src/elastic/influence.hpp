@@ -31,6 +31,14 @@ struct Station
 /// The harmonics 0, @p waves, 2 @p waves, ... up to @p highest. Domain: waves >= 1.
 [[nodiscard]] std::vector<int> harmonics_of(int waves, int highest);
 
+/// cos and sin of all harmonics (rows) at some angles [rad] (columns).
+struct HarmonicWaves
+{
+    HarmonicWaves(std::vector<int> const& harmonics, std::vector<double> const& phi, int threads = 1);
+
+    Eigen::MatrixXd cosine, sine;
+};
+
 /// The loads that one force stands for.
 struct Repetition
 {
@@ -89,8 +97,25 @@ class Influence
     std::vector<Eigen::MatrixXd> compliance_;
 };
 
-/// Compliance of @p solid between @p stations, one factorisation for each of @p harmonics, spread over @p threads.
+/// Amplitudes of all unknowns [mm] under a unit load [N/rad] on each station, harmonic by harmonic: influence and
+/// fields of the same stations follow by products. Memory: unknowns x stations x harmonics doubles (type-50 under load:
+/// 10 MB).
+struct UnitFields
+{
+    std::vector<int> harmonics;
+    std::vector<Eigen::MatrixXd> moved;  ///< one for each harmonic, unknowns x stations
+};
+
+/// One factorisation for each of @p harmonics, spread over @p threads. Same bits for any number of them.
 /// @throws NumericalError as HarmonicSolver does
+[[nodiscard]] UnitFields unit_fields(FourierSolid const& solid, Supports const& supports,
+                                     std::vector<Station> const& stations, std::vector<int> const& harmonics,
+                                     int threads = 1);
+
+/// Compliance between @p stations, those that @p unit was made for.
+[[nodiscard]] Influence influence(FourierSolid const& solid, UnitFields const& unit,
+                                  std::vector<Station> const& stations, int threads = 1);
+/// The same with unit_fields() of its own.
 [[nodiscard]] Influence influence(FourierSolid const& solid, Supports const& supports,
                                   std::vector<Station> const& stations, std::vector<int> const& harmonics,
                                   int threads = 1);

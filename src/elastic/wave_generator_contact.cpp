@@ -152,8 +152,7 @@ WaveGeneratorContact solve_wave_generator(FourierSolid const& cup, double inner_
     if (surface.compliance)
         contact.compliance += surface.compliance->matrix(points, repetition, threads);
     contact.approach = approach_of(surface, waves, out.phi);
-    numeric::ComplementarityOptions options;
-    options.threads = threads;
+    numeric::ComplementarityOptions const options{.threads = threads};
     numeric::ComplementaritySolution solved =
         surface.compliance ? solve_on_ring(contact, surface, points, repetition, half, options, out)
                            : numeric::solve_complementarity(contact, options);

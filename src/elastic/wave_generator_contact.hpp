@@ -26,11 +26,10 @@ struct DisplacementSeries
 /// Unilateral contact over the bearing's width, without friction, of first order in the displacements.
 struct WaveGeneratorContact
 {
-    std::vector<double>
-        phi;  ///< of the points [rad]: half a lobe with both ends for an even shape, otherwise a whole one
-    std::vector<double> z;  ///< of the points [mm]
-    Eigen::MatrixXd force;  ///< [N] at (phi, z) of the wall, outward
-    Eigen::MatrixXd gap;    ///< [mm]
+    std::vector<double> phi;  ///< of the points: half a lobe with both ends for an even shape, or a whole one [rad]
+    std::vector<double> z;    ///< of the points [mm]
+    Eigen::MatrixXd force;    ///< [N] at (phi, z) of the wall, outward
+    Eigen::MatrixXd gap;      ///< [mm]
     /// Loads of the cup [N/rad] as series in phi: rows z, columns harmonics.
     Eigen::MatrixXd load_cosine;
     Eigen::MatrixXd load_sine;

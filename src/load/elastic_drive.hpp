@@ -36,13 +36,13 @@ struct ElasticDrive
     DriveStations stations;
     PointResponse response;  ///< of the cup
     /// Of the outer ring of the bearing: `bearing` radial stations, outward. Absent: a rigid cam.
-    std::optional<PointResponse> outer_ring;
+    std::optional<PointResponse> outer_ring = std::nullopt;
     /// Between cam and outer ring, for the contacts heights within `bearing_steps`. Present with `outer_ring`.
-    std::optional<elastic::BallLine> balls;
+    std::optional<elastic::BallLine> balls = std::nullopt;
     int steps_per_tooth = 1;
-    std::vector<int> bearing_steps;  ///< grid angles at which the wave generator may press
-    Eigen::MatrixXd needed;          ///< (bearing, bearing_steps) how far the unloaded wave generator stands out [mm]
-    double phase = 0;                ///< angle of the first grid point [rad]
+    std::vector<int> bearing_steps = {};  ///< grid angles at which the wave generator may press
+    Eigen::MatrixXd needed = {};  ///< (bearing, bearing_steps) how far the unloaded wave generator stands out [mm]
+    double phase = 0;             ///< angle of the first grid point [rad]
     int flexspline_teeth = 0;
     std::vector<double> slice_width;  ///< (slices) face width that a slice stands for [mm]
     elastic::Elasticity flexspline, circular_spline;
@@ -57,11 +57,59 @@ struct ElasticDrive
     /// Value of bearing_compliance(), which no torque changes [mm/N].
     Eigen::MatrixXd bearing_compliance = {};
 
-    [[nodiscard]] LineContact line_contact(FlankContact const& c) const;
+    [[nodiscard]] LineContact line_contact(FlankContact const& c) const
+    {
+        return {flexspline, circular_spline, c.curvature, contact_depth};
+    }
 };
 
 /// Compliance between the contacts of the bearing, heights within angles, of cup, outer ring and the ring between its
 /// balls: displacement at one contact under 1 N at another [mm/N]. Symmetric.
 [[nodiscard]] Eigen::MatrixXd bearing_compliance(ElasticDrive const& drive, int threads);
+
+/// A flank contact as components at the stations of the cup.
+struct Footing
+{
+    int at;                  ///< grid angle of the tooth
+    std::size_t station[3];  ///< radial, tangential and turn of the slice
+    double share[3];         ///< component of a unit force along the normal at each
+};
+[[nodiscard]] Footing footing(ElasticDrive const& drive, FlankContact const& c);
+
+/// A place at which the wave generator may press.
+struct BearingNode
+{
+    std::size_t height;  ///< index into ElasticDrive::bearing_z
+    std::size_t angle;   ///< index into ElasticDrive::bearing_steps
+    int at;              ///< grid angle
+};
+/// All of them, heights within angles.
+[[nodiscard]] std::vector<BearingNode> bearing_nodes(ElasticDrive const& drive);
+
+/// Displacement series of all stations under these forces, as PointResponse::series gives it.
+[[nodiscard]] std::vector<std::vector<double>> displacements(ElasticDrive const& drive, Eigen::MatrixXd const& forces,
+                                                             int threads = 1);
+
+/// Value and derivative of a series of an elastic drive at an angle.
+struct SeriesValue
+{
+    double value = 0, slope = 0;
+};
+[[nodiscard]] SeriesValue series_at(ElasticDrive const& drive, std::vector<double> const& series, double phi);
+
+/// Cosine and sine of all harmonics of an elastic drive at an angle, to evaluate several series there.
+struct SeriesPlace
+{
+    SeriesPlace(ElasticDrive const& drive, double phi);
+
+    [[nodiscard]] SeriesValue operator()(std::vector<double> const& series) const;
+
+  private:
+    struct Wave
+    {
+        double n, cosine, sine;
+    };
+    std::vector<Wave> waves_;
+};
 
 }  // namespace hdconj::load

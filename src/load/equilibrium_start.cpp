@@ -6,7 +6,7 @@
 #include <set>
 #include <utility>
 
-#include "contact_places.hpp"
+#include "elastic_drive.hpp"
 #include "hdconj/error.hpp"
 #include "numeric/dense.hpp"
 
@@ -111,10 +111,8 @@ Start coarse_start(numeric::Complementarity const& problem, std::optional<elasti
     if (line)
         balls = elastic::BallLine{line->phi, line->held, line->stiffness, line->lift(thin.of_bearing, Eigen::all)};
     Start result = coarse_start(part, balls, thin.layout, turn, threads);
-    numeric::ComplementarityOptions options;
-    options.scalar = turn;
-    options.threads = threads;
-    options.start = std::move(result.contacts);
+    numeric::ComplementarityOptions const options{
+        .start = std::move(result.contacts), .scalar = turn, .threads = threads};
     std::vector<int> closed;
     try {
         if (balls) {

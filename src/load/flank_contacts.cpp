@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact_strip.hpp"
 #include "flank_curve.hpp"
 #include "gap_minima.hpp"
 #include "hdconj/base/parallel.hpp"
@@ -35,25 +34,9 @@ FlankContact contact_at(FlankView const& view, FlankCurve::Place const& place, c
     c.c_r = n.y();
     // arm in the tooth's frame: turns against the ring by less than a degree do not change it
     c.c_turn = cross(touch.nearest.normal, touch.nearest.point);
-    c.tooth_x = touch.nearest.point.x();
     c.tooth_y = touch.nearest.point.y();
     c.inclination = touch.nearest.normal.y();
     return c;
-}
-
-std::vector<FlankCurve> curves_of(contact::FlankGrid const& grid, int threads)
-{
-    std::size_t const slices = grid.slices();
-    std::vector<FlankCurve> curves(2 * slices);
-    constexpr std::size_t grain = 8;
-    parallel_for(curves.size(), threads, grain,
-                 [&](std::size_t i) { curves[i] = FlankCurve(grid.point[i / slices][i % slices]); });
-    return curves;
-}
-
-double radius_of(contact::FlankGrid const& grid, std::size_t flank, std::size_t slice)
-{
-    return grid.radius[flank].empty() ? 0 : grid.radius[flank][slice];
 }
 
 /// A contact and the interval of arc length that its strip covers [mm].
@@ -107,19 +90,23 @@ void add_contacts(FlankView const& view, std::vector<double> const& gap, std::ve
 std::vector<FlankContact> flank_contacts(contact::GapField const& field, FlankSearch const& search, int threads)
 {
     contact::FlankGrid const& grid = field.grid();
-    std::vector<FlankCurve> const curves = curves_of(grid, threads);
+    std::size_t const slices = grid.slices();
+    std::vector<FlankCurve> curves(2 * slices);
+    constexpr std::size_t curves_worth_a_thread = 8;
+    parallel_for(curves.size(), threads, curves_worth_a_thread,
+                 [&](std::size_t i) { curves[i] = FlankCurve(grid.point[i / slices][i % slices]); });
     std::vector<std::vector<FlankContact>> found(search.spaces);
     constexpr std::size_t grain = 4;
     parallel_for(search.spaces, threads, grain, [&](std::size_t s) {
-        std::vector<double> gap;
+        std::vector<double> gap(grid.points());
         std::size_t const space = search.first_space + s;
         for (std::size_t f = 0; f < 2; ++f)
-            for (std::size_t k = 0; k < grid.slices(); ++k) {
-                FlankView const view{
-                    field, search, curves[f * grid.slices() + k], space, static_cast<int>(f), k, radius_of(grid, f, k)};
+            for (std::size_t k = 0; k < slices; ++k) {
+                int const flank = static_cast<int>(f);
+                FlankView const view{field, search, curves[f * slices + k], space, flank, k, field.radius(flank, k)};
                 if (is_far(view))
                     continue;
-                field.along(space, view.flank, k, search.turn, gap);
+                field.along(space, view.flank, k, search.turn, gap.data());
                 add_contacts(view, gap, found[s]);
             }
     });

@@ -24,15 +24,12 @@ struct FlankContact
     double arc_fraction = 0;  ///< place along the flank, 0 at the land corner ... 1 at the flank end
     double arc_length = 0;    ///< the same [mm], on the line of circles' centres where edges are round
     double gap = 0;           ///< [mm]
-    double c_r = 0,
-           c_t = 0;     ///< normal in the undeformed ring's directions at the tooth, circular-spline material ahead
-    double c_turn = 0;  ///< [mm]
-    double lever =
-        0;  ///< [mm] torque about the axis of a unit force on the circular spline, clockwise: positive on right flanks
-    double curvature = 0;             ///< of the gap along the flank: relative curvature of the line contact [1/mm]
-    double tooth_x = 0, tooth_y = 0;  ///< nearest point of the tooth, tooth frame [mm]
-    double inclination =
-        0;  ///< sine of the angle between normal and tooth's x axis: share of the force along the tooth
+    double c_r = 0, c_t = 0;  ///< normal in the undeformed ring's directions at the tooth, into the circular spline
+    double c_turn = 0;        ///< [mm]
+    double lever = 0;        ///< clockwise torque of a unit force on the circular spline: positive on right flanks [mm]
+    double curvature = 0;    ///< of the gap along the flank: relative curvature of the line contact [1/mm]
+    double tooth_y = 0;      ///< height of the nearest point of the tooth, tooth frame [mm]
+    double inclination = 0;  ///< sine of the angle between normal and tooth's x axis: share of the force along it
 };
 
 /// Limits of a search for contacts.
@@ -44,22 +41,19 @@ struct FlankSearch
     std::size_t spaces = 0;
     double phase = 0;  ///< undeformed angle of tooth 0 [rad]
     int flexspline_teeth = 0;
-    int circular_spline_teeth = 0;
-    double strip_depth =
-        0;  ///< how much more gap belongs to one contact: that of the edges of a typical strip under pressure [mm]
+    double strip_depth = 0;  ///< how much more gap belongs to one contact: that at the edges of a typical strip [mm]
 };
 
 /// Finds the local minima of the gap along every (space, flank, slice), each with the strip of the flank that belongs
 /// to it, in order of space, flank, slice and arc length. A few points exclude flanks beyond the limit, since no gap
 /// changes faster than the arc length.
 ///
-/// Flanks are smooth curves through the grid's points, third order in their spacing between them. Least gaps are at
-/// roots of the gap's derivative, ends and edges. The strip of one is where the gap is no more than strip_depth larger,
-/// 2 b wide: the contact is in its middle, its curvature is 2 strip_depth/b^2, round edges included, and lesser minima
-/// within it belong to it. A Hertz strip under the line load q has the depth a^2 kappa/2 = 2 q/(pi E*): so the
-/// curvature is that which the pressure sees, and places and curvatures change little by little with the shape where
-/// flanks fit each other so well that the least gap jumps along them. Accuracy: a strip ends at a tenth of the flank on
-/// either side. Domain: gaps above -radius (with_round_edges()).
+/// Flanks are smooth curves through the grid's points, third order in their spacing. Least gaps are at roots of the
+/// gap's derivative, ends and edges. The strip of one is where the gap is no more than strip_depth larger, 2 b wide:
+/// the contact is in its middle, its curvature is 2 strip_depth/b^2, and lesser minima within it belong to it. As a
+/// Hertz strip under the line load q has the depth a^2 kappa/2 = 2 q/(pi E*), that is the curvature that the pressure
+/// sees, and it changes little by little where the least gap jumps along flanks that fit each other well. Accuracy: a
+/// strip ends at a tenth of the flank on either side. Domain: gaps above -radius (with_round_edges()).
 [[nodiscard]] std::vector<FlankContact> flank_contacts(contact::GapField const& field, FlankSearch const& search,
                                                        int threads);
 

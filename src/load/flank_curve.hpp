@@ -12,9 +12,8 @@
 namespace hdconj::load {
 
 /// Cubic Hermite stretches between neighbouring points; the tangent at a point is that of the parabola through it and
-/// its neighbours. (Normals of a grid do not serve: on ruled and tilted surfaces they belong to the surface that was
-/// tilted.) Where chords turn by more than a flank does between two points there is an edge, and stretches end along
-/// their chords. Points that coincide make a stretch of no length. The parameter is the way along the chords.
+/// its neighbours (normals of a ruled or tilted grid belong to the surface before the tilt). Where chords turn more
+/// than a flank does there is an edge, and stretches end along their chords. The parameter is the way along the chords.
 class FlankCurve
 {
   public:

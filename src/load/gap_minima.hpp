@@ -48,4 +48,13 @@ struct GapMinimum
 /// @param gap  at the points of the curve [mm]
 [[nodiscard]] std::vector<GapMinimum> gap_minima(FlankView const& view, std::vector<double> const& gap);
 
+/// Part of the flank around a minimum in which the gap exceeds that of the minimum by no more than the depth of the
+/// strip: distances along the flank from the minimum to both ends [mm], at most a tenth of the flank each.
+struct ContactStrip
+{
+    double behind, ahead;
+};
+[[nodiscard]] ContactStrip contact_strip(FlankView const& view, GapMinimum const& at,
+                                         contact::GapField::Touch const& touch);
+
 }  // namespace hdconj::load

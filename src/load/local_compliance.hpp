@@ -10,8 +10,7 @@
 
 namespace hdconj::load {
 
-/// Compliance of flank contacts beside that of the cup: Hertz approach and bending of the tooth, as secants at given
-/// forces.
+/// Compliance of flank contacts beside that of the cup: Hertz approach and bending of the tooth, as secants.
 struct LocalCompliance
 {
     std::vector<double> own;  ///< of each contact [mm/N]

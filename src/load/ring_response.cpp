@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "elastic/ball_line.hpp"
 #include "hdconj/base/parallel.hpp"
 
 namespace hdconj::load {
@@ -78,8 +79,7 @@ double PointResponse::step() const
 
 double PointResponse::share(int n, std::size_t station) const
 {
-    double const half = 0.5 * n * stations_[station].spread;
-    return half == 0 ? 1 : std::sin(half) / half;
+    return elastic::mean_of_cosine(n, stations_[station].spread);
 }
 
 double PointResponse::weight(int n) const

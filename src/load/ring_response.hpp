@@ -12,16 +12,14 @@ namespace hdconj::load {
 /// A circle around the axis with the direction of the forces and displacements on it.
 struct RingStation
 {
-    /// Radial and axial quantities go with cos(n phi), tangential ones and turns with sin(n phi) (mechanics of a body
-    /// of revolution).
+    /// Radial and axial quantities go with cos(n phi), tangential ones and turns with sin(n phi).
     enum class Parity
     {
         cosine,
         sine
     };
     Parity parity = Parity::cosine;
-    double spread =
-        0;  ///< a point force is spread evenly over this angle [rad], and a displacement is the mean over it
+    double spread = 0;  ///< a point force acts evenly over this angle, a displacement is the mean over it [rad]
 };
 
 /// Response of all stations to all stations at one circumferential harmonic: amplitude [mm] per amplitude of a load
@@ -50,8 +48,7 @@ void add_turns(std::vector<HarmonicResponse>& harmonics, std::vector<std::size_t
 ///   sum_n c_n s_n(a) s_n(b) response_n[a][b] T(n (phi - phi_b)),  c_0 = sectors/(2 pi), c_n = sectors/pi,
 ///
 /// T = cos where both parities agree, sin where a is sine and b is cosine, -sin the other way round; s_n = sin(n
-/// spread/2)/(n spread/2). Harmonics must be multiples of `sectors`. Accuracy: roundings of the sum; the sum itself is
-/// cut at the last harmonic.
+/// spread/2)/(n spread/2). Harmonics must be multiples of `sectors`. Accuracy: roundings of the sum.
 class PointResponse
 {
   public:
@@ -61,7 +58,6 @@ class PointResponse
 
     [[nodiscard]] int grid() const { return grid_; }
     [[nodiscard]] int sectors() const { return sectors_; }
-    [[nodiscard]] std::size_t stations() const { return stations_.size(); }
     [[nodiscard]] std::vector<HarmonicResponse> const& harmonics() const { return harmonics_; }
     [[nodiscard]] double step() const;  ///< of the grid [rad]
 
@@ -73,8 +69,8 @@ class PointResponse
                       static_cast<std::size_t>(at < 0 ? at + grid_ : at)];
     }
 
-    /// Amplitudes of the loads that point forces are, stations x harmonics [N/rad], in the two families of mechanics of
-    /// revolution: `even` goes with cos at cosine stations and sin at sine stations, `odd` with sin and -cos.
+    /// Amplitudes of the loads that point forces are, stations x harmonics [N/rad]: `even` goes with cos at cosine
+    /// stations and sin at sine stations, `odd` with sin and -cos.
     struct Loads
     {
         Eigen::MatrixXd even, odd;

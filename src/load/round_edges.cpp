@@ -18,8 +18,7 @@ namespace {
 struct Edge
 {
     Vec2 centre;
-    std::size_t
-        next;  ///< first point whose own circle touches neither the land nor the middle of the circular spline's tooth
+    std::size_t next;  ///< first point whose own circle touches neither the land nor the middle of the tooth
 };
 
 /// Where a circle of this radius leaves the flank: onto the land, or onto the neighbouring flank.

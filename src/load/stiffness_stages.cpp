@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two lines that meet: least squares over the two slopes, the bend's place and its height (Hudson, J. Am. Stat. Assoc.
-// 61, 1966).
-//
-// Between two neighbouring points a bend leaves both sides their own best lines, as long as those meet there; where
-// they meet elsewhere the best bend of that interval lies at one of its ends. So the least sum of squares is found by
-// looking at each interval and at each point, once.
+// 61, 1966). Between two neighbouring points a bend leaves both sides their own best lines, as long as those meet
+// there; else the best bend of that interval lies at one of its ends: each interval and each point is looked at once.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -21,8 +18,8 @@ namespace {
 /// Points that a line of its own needs: two lie on a line whatever they are.
 constexpr std::size_t least_points = 3;
 
-/// Sums over points from which any line through them follows. PlanarVelocity and torque are taken from their means, so
-/// that little cancels.
+/// Sums over points from which any line through them follows: of twist and torque from their means, so that little
+/// cancels.
 struct Sums
 {
     double n = 0, x = 0, y = 0, xx = 0, xy = 0, yy = 0;

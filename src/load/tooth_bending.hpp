@@ -33,8 +33,8 @@ class ToothBending
     double foot_ = 0;
     double step_ = 0;
     std::vector<double> bend_, shear_;  ///< 12/(E' s^3) and 2.4 (1 + nu)/(E s) of each part
-    std::vector<double> moment0_, moment1_, moment2_,
-        shears_;  ///< integrals of bend, bend y, bend y^2 and shear from the foot to each part, y from the foot
+    /// Integrals of bend, bend y, bend y^2 and shear from the foot to each part, y from the foot.
+    std::vector<double> moment0_, moment1_, moment2_, shears_;
 };
 
 }  // namespace hdconj::load

@@ -39,8 +39,8 @@ struct ComplementarityOptions
 {
     ContactMethod first = ContactMethod::active_set;  ///< `projected`: at once
     double tolerance = contact_tolerance;             ///< largest residual
-    std::vector<int> start;  ///< contacts to begin with, of a neighbouring problem; empty: those of f = 0
-    double scalar = 0;       ///< s to begin with
+    std::vector<int> start = {};  ///< contacts to begin with, of a neighbouring problem; empty: those of f = 0
+    double scalar = 0;            ///< s to begin with
     int threads = 1;
 };
 

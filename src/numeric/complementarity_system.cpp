@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "complementarity_system.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <utility>
 
@@ -14,13 +14,6 @@ namespace hdconj::numeric {
 
 using Eigen::Index;
 using Eigen::VectorXd;
-
-std::string three_digits(double value)
-{
-    char text[32];
-    std::snprintf(text, sizeof text, "%.3g", value);
-    return text;
-}
 
 void fail_complementarity(std::string const& cause)
 {
@@ -52,7 +45,7 @@ ComplementaritySystem::ComplementaritySystem(Complementarity const& problem, dou
         fail_complementarity("a compliance, an approach or the load is not a number");
     double const load = problem.total;
     if (has_border() && load != 0 && (problem.border * load).maxCoeff() <= 0)
-        fail_complementarity("no contact can carry the load of " + three_digits(load) + ": none acts in its direction");
+        fail_complementarity(fmt::format("no contact can carry the load of {:.3g}: none acts in its direction", load));
     if (!has_border() && load != 0)
         fail_complementarity("a load without a border that carries it");
 }

@@ -69,7 +69,4 @@ class ComplementaritySystem
 
 [[noreturn]] void fail_complementarity(std::string const& cause);
 
-/// "1.23e-05"
-[[nodiscard]] std::string three_digits(double value);
-
 }  // namespace hdconj::numeric

@@ -16,8 +16,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double worth_a_thread =
-    1 << 15;  // elements touched, some 20 us: in these loops the other threads are still awake from the last one
+// Elements touched, some 20 us: in these loops the other threads are still awake from the last one.
+constexpr double worth_a_thread = 1 << 15;
 
 /// Fewest of a loop's iterations that are worth a thread, where each touches so many elements.
 std::size_t grain_of(double elements)

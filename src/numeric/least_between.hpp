@@ -27,10 +27,9 @@ inline constexpr double smooth_function = 2, pointed_function = 4;
 ///
 /// With h the distance, D the difference of the ends and c the second difference: f(t) = f_0 + D t - c t (1 - t)/2,
 /// least at t = 1/2 - D/c where |D| < c/2, by (c/2 - |D|)^2/(2 c) below the lower end; elsewhere at an end. Second
-/// differences count without their sign, since the function may bend the other way beside, and twice, since it bends
-/// more between the places than they show where its fourth difference counts. An estimate, and no bound for a function
-/// that does more between places than at them. Fewer than three places show no second difference: the lower end stands
-/// for what is between. @returns one entry less than there are values
+/// differences count without their sign, since the function may bend the other way beside. An estimate, and no bound
+/// for a function that does more between places than at them. Fewer than three places show no second difference: the
+/// lower end stands for what is between. @returns one entry less than there are values
 [[nodiscard]] inline std::vector<BetweenPlaces> between_places(std::vector<double> const& value,
                                                                double safety = smooth_function)
 {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Projected Newton steps (Bertsekas 1982) at one s, within Newton's method for s.
+#include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -111,8 +112,8 @@ ComplementaritySolution projected(ComplementaritySystem& system, double toleranc
         if (system.s == s)
             break;
     }
-    fail_complementarity("no forces and gaps were found that fit together: residual " + three_digits(residual) +
-                         " instead of " + three_digits(tolerance));
+    fail_complementarity(fmt::format(
+        "no forces and gaps were found that fit together: residual {:.3g} instead of {:.3g}", residual, tolerance));
 }
 
 }  // namespace hdconj::numeric

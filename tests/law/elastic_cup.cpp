@@ -140,7 +140,7 @@ TEST_CASE("teeth in planes across the elastic cup stand where the displaced wall
         auto const at = wavegen::displacement_at(wavegen::length_kept(cup.displacement(9 + low, r_m), r_m), phi);
         return Vec2(r_m + at.w[0], at.v[0]);
     };
-    contact::ToothPoses const places = contact::tooth_places(*drive.context, 0);
+    contact::ToothPoses const places = contact::tooth_places(*drive.context, 0, drive.context->maker.z());
     constexpr double step = 1e-5;
     for (int const tooth : {0, 7, 23, 41})
         for (std::size_t slice = 0; slice < 3; ++slice) {

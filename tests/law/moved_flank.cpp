@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/clearance/minimum_interval.hpp"
+#include "contact/clearance/clearing_search.hpp"
 #include "hdconj/contact.hpp"
 #include "support/catch.hpp"
 #include "support/coned_drive.hpp"

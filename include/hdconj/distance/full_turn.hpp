@@ -139,7 +139,6 @@ class ReverseFullTurnClearance
     ReverseFullTurnClearance& operator=(ReverseFullTurnClearance const&) = delete;
 
     [[nodiscard]] std::size_t positions() const { return marches_.front().positions(); }
-    [[nodiscard]] std::size_t teeth() const { return marches_.size(); }
     /// As of FullTurnClearance.
     [[nodiscard]] static std::size_t block() { return 16; }
 

@@ -44,9 +44,9 @@ struct BracketEnd
 /// sides is no more than @p rounding [mm].
 ///
 /// A smooth dip is met by the cubic through both sides, a pointed one (the foot changes to another piece) by their
-/// tangents: both take a few looks. Which it is shows in the slope at the last look. Where the cubic comes from one
-/// side only it goes twice as far; where tangents meet at one side, or beyond it, or gain little, the next look is at
-/// the geometric mean of its distance and the width. What is left after forty looks is halved.
+/// tangents; which it is shows in the slope at the last look. Where the cubic comes from one side only it goes twice as
+/// far; where tangents meet at one side, or beyond it, or gain little, the next look is at the geometric mean of its
+/// distance and the width. What is left after forty looks is halved.
 template <class Look>
 void minimise_bracketed(Look&& look, BracketEnd low, BracketEnd high, double rounding)
 {

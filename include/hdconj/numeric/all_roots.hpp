@@ -29,8 +29,7 @@ struct IsolatedRoot
 struct RootSet
 {
     std::vector<IsolatedRoot> roots;
-    bool certified =
-        true;  ///< every piece shown empty, monotone with one root, or near-double; see all_roots for the premise
+    bool certified = true;  ///< every piece shown empty, monotone with one root, or near-double: see all_roots()
     bool vanishes = false;  ///< f is zero to roundoff on a whole piece
     std::size_t evaluations = 0;
 };
@@ -143,12 +142,11 @@ class RootIsolation
 /// root, decided by the signs at its ends and refined by bracketing on f itself, or (3) shorter than 2^-44 of the
 /// interval with |f| below roundoff: reported as a near-double root with its width.
 ///
-/// What is proved and what is not: given that the interpolant is within 4 times its last three coefficients (plus
-/// roundoff) of f, and its derivative within 16^2 times that, (1) and (2) are proofs. That premise is tested, at three
-/// further points of each piece, and it is true when the coefficients go on falling, as those of an analytic function
-/// do once they are small; but f is known by its values only, so a feature much narrower than a piece that leaves no
-/// trace at its 20 points is not seen. Use it for functions that are known to be analytic on [a, b] and near it. Where
-/// a bound is at hand (polynomials with stated errors) use bernstein_isolate, which proves.
+/// Given that the interpolant is within 4 times its last three coefficients (plus roundoff) of f, and its derivative
+/// within 16^2 times that, (1) and (2) are proofs. That premise is tested at three further points of each piece, and
+/// true when the coefficients go on falling, as those of an analytic function do once they are small; a feature much
+/// narrower than a piece that leaves no trace at its 20 points is not seen. Use it for functions that are analytic on
+/// [a, b] and near it; for polynomials with stated errors use bernstein_isolate, which proves.
 /// @param scale  size of the terms that f is summed from; sets what counts as roundoff of f
 /// Domain: f smooth on [a, b] (kinks end as (3)). Degenerate: f = 0 on a piece is reported as `vanishes`.
 /// Not smooth, or noisier than `scale` says: the work is bounded and `certified` is false.

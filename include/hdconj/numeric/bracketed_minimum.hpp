@@ -25,8 +25,7 @@ struct BracketedMinimum
 /// of the place. For a function that is convex there, this bounds the error of the value by 3 @p enough. A function
 /// with several minima gives one of them.
 ///
-/// boost::math::tools::brent_find_minima() does not serve here: it ends by the width of the bracket and does not return
-/// the values at its ends, so that it bounds the place of the minimum and not its value.
+/// (boost::math::tools::brent_find_minima() bounds the place of the minimum and not its value.)
 template <class F>
 [[nodiscard]] BracketedMinimum minimum_beside(F&& f, double a, double b, double fa, double enough)
 {

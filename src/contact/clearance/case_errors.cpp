@@ -3,17 +3,152 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <numbers>
 #include <vector>
 
+#include "clearing_search.hpp"
 #include "contact/parallel_trim.hpp"
-#include "contact_error.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "numeric/least_between.hpp"
-#include "tip_error.hpp"
+#include "surface/moved_outline.hpp"
 
 namespace hdconj::contact {
 namespace {
+
+/// The planes in which errors are estimated: those of the scene, or more.
+struct ErrorPlanes
+{
+    CaseSurface const& surface;
+    SliceClearances const& clearances;  ///< of the part as made
+    conjugate::MatchedOutline const& outline;
+    FlankGrid const& grid;
+    PartFlanks const& cleared;          ///< flanks of the cleared surface
+    TurnMinima const* flank = nullptr;  ///< of the flanks as made with the scene's side clearance, where known
+    TurnMinima const* root = nullptr;   ///< around the bottom
+};
+
+/// The least of each plane. @p along: between the points too, which are even but for the last, the middle of the
+/// bottom.
+/// @p known: what the points of the set have there, or null
+std::vector<double> lowest_of(SliceClearances const& clearances, ClearanceSet const& set, double distance, bool along,
+                              TurnMinima const* known = nullptr)
+{
+    TurnMinima const found = known != nullptr ? TurnMinima{} : clearances(set, distance);
+    TurnMinima const& minima = known != nullptr ? *known : found;
+    std::vector<double> low = clearances.lowest(set, distance, minima);
+    for (std::size_t k = 0; along && k < low.size(); ++k) {
+        std::vector<double> points;
+        for (std::size_t i = 0; i + 1 < minima[k].size(); ++i)
+            points.push_back(minima[k][i].distance);
+        low[k] = std::min(low[k], numeric::least_between(points));
+    }
+    return low;
+}
+
+double least_of(SliceClearances const& clearances, ClearanceSet const& set, double distance, bool along)
+{
+    return numeric::least_between(lowest_of(clearances, set, distance, along));
+}
+
+/// Smallest distances of the scene's slices, which @p result holds, and how far those of the planes, and of what lies
+/// between them (between_places()), fall below; around the bottom between its points too. With the accuracy to which a
+/// place between two points is known.
+/// @param unseen  further error of the flanks [mm]
+void write_clearance_errors(ErrorPlanes const& planes, double given, double unseen, ContactCase& result)
+{
+    ContactContext const& context = planes.surface.context();
+    double const enough = clearing_accuracy(context.tolerance), chord = context.tolerance.length;
+    bool const both = !(context.tooth.mirror_symmetric && planes.clearances.motion(0).symmetric());
+    ClearanceSet const bottom = root_set(planes.outline, context.tolerance);
+    std::vector<double> const flank =
+        lowest_of(planes.clearances, flank_set(planes.grid, both), given, false, planes.flank);
+    std::vector<double> const root = lowest_of(planes.clearances, bottom, 0, true, planes.root);
+    auto const over = [](double told, double low) { return std::max(0.0, told - low); };
+    std::vector<SliceClearance>& slices = result.slices;
+    double least_root = std::numeric_limits<double>::infinity();
+    std::size_t const stride = slices.size() > 1 ? (flank.size() - 1) / (slices.size() - 1) : 1;
+    for (std::size_t k = 0; k < slices.size(); ++k) {
+        // a ruled surface is exact in its end planes; between them its lines join places that are known to the chords
+        bool const joined = planes.surface.is_ruled_on_cone() && k > 0 && k + 1 < slices.size();
+        std::size_t const plane = std::min(k * stride, flank.size() - 1);
+        SliceClearance& slice = slices[k];
+        slice.flank_error = over(slice.flank.clearance, flank[plane]) + enough + unseen + (joined ? chord : 0);
+        slice.root_error = over(slice.root.clearance, root[plane]) + (enough + bottom.known) + (joined ? chord : 0);
+        least_root = std::min(least_root, slice.root.clearance);
+    }
+    result.clearance_error = over(result.closest_flank().clearance, numeric::least_between(flank)) + enough + unseen;
+    result.root_clearance_error = over(least_root, numeric::least_between(root)) + enough + bottom.known;
+}
+
+/// Error of the least distance @p found by which the set must be moved to clear: what still enters between the planes,
+/// by the slope with which moving clears it.
+/// @param along  between points of the set too
+double clearing_error(ContactContext const& context, SliceClearances const& clearances, ClearanceSet const& set,
+                      double found, bool along)
+{
+    double const enough = clearing_accuracy(context.tolerance) + set.known;
+    double const least = least_of(clearances, set, found, along);
+    double const enters = std::max(0.0, -least);
+    // nothing was moved and nothing touches: the least is none
+    if (found == 0 && least > enough)
+        return enough;
+    // what clears to `enough` is known to as much over the slope, wherever the search has ended
+    double const step = std::max({enters, enough, context.tolerance.length});
+    double const slope = (least_of(clearances, set, found + step, along) - least) / step;
+    return (enters + enough) / std::clamp(slope, flattest_clearing, 1.0);
+}
+
+double largest_between(std::vector<double> value, double safety = numeric::smooth_function)
+{
+    for (double& each : value)
+        each = -each;
+    return -numeric::least_between(value, safety);
+}
+
+/// How much wider a tip circle the planes of @p finer, and what lies between them, need than the slices of the scene.
+double further_needed(CaseSurface const& surface, CaseSurface const& finer, double distance)
+{
+    std::vector<double> const needed = surface.needed_by_slices();
+    double const found = std::max(*std::max_element(needed.begin(), needed.end()), surface.solvable_tip(distance));
+    double const most = std::max(largest_between(finer.needed_by_slices()), finer.solvable_tip(distance));
+    return std::max(0.0, most - found);
+}
+
+/// The same of how far corners are lifted.
+double further_lifted(FlankGrid const& slices, FlankGrid const& between, double distance)
+{
+    return std::max(0.0, largest_between(lifts_of_corners(between, distance)) - lift_of_corners(slices, distance));
+}
+
+/// Estimated error of the tip circle of @p cleared as that of the whole width [mm], at least the tolerance.
+///
+/// It is what the slices ask for before they are moved (land, rim, draft), lifted with the corners of the moved flanks,
+/// and no smaller than where these meet; how much larger each may be between planes says least_between().
+/// @param finer    the surface in all slices of the scene or in more planes
+/// @param between  flanks of the cleared surface there, with its tip circle
+/// @param error    estimated error of the side clearance, cleared.offset [mm]
+/// @param given    least side clearance that the land was asked for with [mm]
+double clearing_tip_error(CaseSurface const& surface, CaseSurface const& finer, PartFlanks const& between,
+                          Cleared const& cleared, double error, double given)
+{
+    ContactContext const& context = surface.context();
+    Scene const& scene = context.scene;
+    // corners rise by less than they are moved, also those that the slices did not have to move
+    double const follows = context.tolerance.length +
+                           further_needed(surface, finer, scene.circular_spline.backlash_offset) +
+                           further_lifted(cleared.flanks.grid, between.grid, cleared.offset) + error;
+    double const pitch = 2 * std::numbers::pi / scene.drive.circular_spline_teeth;
+    std::vector<double> meets;
+    for (std::size_t k = 0; k < finer.z().size(); ++k) {
+        double const meeting =
+            surface::meeting_radius(between.outline, k, std::max(cleared.offset, given) + error, pitch);
+        double const needed = meeting + surface::least_land * scene.drive.module - finer.tip_shift(k);
+        meets.push_back(meeting > 0 ? std::max(needed, cleared.tip) : cleared.tip);
+    }
+    return std::max(follows, largest_between(meets, numeric::pointed_function) - cleared.tip);
+}
 
 double distance_to(std::vector<Vec2> const& line, Vec2 const& p)
 {
@@ -41,14 +176,6 @@ std::vector<double> deviations(CaseSurface const& surface, FlankGrid const& grid
     return worst;
 }
 
-/// The planes in which errors are estimated: those of the scene, or more.
-struct ErrorPlanes
-{
-    CaseSurface const& surface;
-    TurnWork const& nominal;    ///< full turns of the part as made
-    PartFlanks const& cleared;  ///< flanks of the cleared surface
-};
-
 /// How far a ruled surface deviates, told in the slices of the scene: they are all planes, or every so many.
 void write_deviation(ErrorPlanes const& planes, Surfaces const& made, ContactCase& result)
 {
@@ -71,29 +198,21 @@ void write_errors_in(ErrorPlanes const& planes, CaseSurface const& in_slices, Su
     double const chord = context.tolerance.length;
     FlankGrid const& flanks = made.flanks.grid;
     FlankGrid const& cleared = made.cleared.flanks.grid;
-    ClearanceErrors const errors = clearance_errors(context, planes.nominal, made.given, result.slices);
     // planes between slices that are solved anew have their own chords, were made to clear a tooth by points, and have
     // corners that move along the flank
     bool const anew = planes.surface.is_solved_per_plane() && flanks.slices() > 1;
     double const chords = anew ? 2 * chord : 0;
     // a clearance falls no faster than the flank goes on
     double const unseen = unseen_length(flanks, made.given) + chords + (anew ? overlap_at_ends(flanks, made.given) : 0);
-    result.clearance_error = errors.flank + unseen;
-    result.root_clearance_error = errors.root;
-    // a ruled surface is exact in its end planes; between them its lines join places that are known to the chords
-    for (std::size_t k = 0; k < result.slices.size(); ++k) {
-        bool const joined = planes.surface.is_ruled_on_cone() && k > 0 && k + 1 < result.slices.size();
-        result.slices[k].flank_error = errors.flanks[k] + unseen + (joined ? chord : 0);
-        result.slices[k].root_error = errors.roots[k] + (joined ? chord : 0);
-    }
-    SliceClearances const& clearances = planes.nominal.clearances;
+    write_clearance_errors(planes, made.given, unseen, result);
+    SliceClearances const& clearances = planes.clearances;
     result.clearing_offset_error =
         clearing_error(context, clearances, flank_set(planes.cleared.grid, !has_mirrored_flanks(context)),
                        result.clearing_offset, false) +
         unseen_length(cleared, result.clearing_offset) + chords +
         (anew ? overlap_at_ends(cleared, result.clearing_offset) : 0);
-    result.clearing_root_error = clearing_error(
-        context, clearances, root_set(planes.nominal.outline, context.tolerance), result.clearing_root, true);
+    result.clearing_root_error =
+        clearing_error(context, clearances, root_set(planes.outline, context.tolerance), result.clearing_root, true);
     result.clearing_tip_error = clearing_tip_error(in_slices, planes.surface, planes.cleared, made.cleared,
                                                    result.clearing_offset_error, made.given);
     write_deviation(planes, made, result);
@@ -106,8 +225,9 @@ void write_errors(CaseSurface const& surface, SliceClearances const& clearances,
 {
     std::size_t const fewest = surface.is_ruled() ? fewest_planes : fewest_turn_planes;
     if (surface.is_alike() || surface.z().size() >= fewest) {
-        TurnWork const nominal{clearances, made.outline, made.flanks.grid, &made.flank, &made.root};
-        return write_errors_in({surface, nominal, made.cleared.flanks}, surface, made, result);
+        ErrorPlanes const planes{surface,     clearances, made.outline, made.flanks.grid, made.cleared.flanks,
+                                 &made.flank, &made.root};
+        return write_errors_in(planes, surface, made, result);
     }
     CaseSurface finer = surface;
     while (finer.z().size() < fewest)
@@ -119,8 +239,7 @@ void write_errors(CaseSurface const& surface, SliceClearances const& clearances,
     PartFlanks const cleared = made.cleared.tip == made.tip
                                    ? flanks
                                    : part_flanks(finer, finer.outline(made.cleared.tip), made.cleared.tip, most);
-    TurnWork const nominal{finer_clearances, outline, flanks.grid};
-    write_errors_in({finer, nominal, cleared}, surface, made, result);
+    write_errors_in({finer, finer_clearances, outline, flanks.grid, cleared}, surface, made, result);
 }
 
 }  // namespace hdconj::contact

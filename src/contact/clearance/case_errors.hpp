@@ -5,6 +5,7 @@
 
 #include "clear_flanks.hpp"
 #include "hdconj/contact.hpp"
+#include "slice_clearance.hpp"
 
 namespace hdconj::contact {
 
@@ -24,5 +25,9 @@ struct Surfaces
 /// rest.
 void write_errors(CaseSurface const& surface, SliceClearances const& clearances, Surfaces const& made,
                   ContactCase& result);
+
+/// Fewest planes that say something about what lies between them: gaps, and how far a ruled surface deviates; full
+/// turns, which are smoother, are the least over all angles and take longer.
+inline constexpr std::size_t fewest_planes = 9, fewest_turn_planes = 5;
 
 }  // namespace hdconj::contact

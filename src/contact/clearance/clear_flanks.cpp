@@ -7,13 +7,13 @@
 
 #include "clearing_search.hpp"
 #include "contact/gap_field.hpp"
-#include "contact/smallest_gap.hpp"
 #include "contact/study/contact_case.hpp"
+#include "contact/study/contact_study_data.hpp"
 #include "contact/study/place_teeth.hpp"
+#include "contact/study/surface_choices.hpp"
 #include "hdconj/error.hpp"
 
 namespace hdconj::contact {
-
 namespace {
 
 /// Lifts the tip circle to where the flanks begin when they are moved by the offset with which they clear.
@@ -127,13 +127,78 @@ double clearing_offset_of(ContactContext const& context, surface::SurfaceSpec co
     return cleared.offset;
 }
 
-ContactCase clearing_case(ContactContext const& context, surface::SurfaceSpec const& spec)
+ClearingNeed clearing_need(Scene const& scene)
 {
-    Cleared const cleared = clear_flanks(CaseSurface(context, spec), SliceClearances(context), 0);
-    ContactCase result;
-    result.clearing_offset = cleared.offset;
-    result.clearing_tip = cleared.tip;
-    return result;
+    ContactStudyData data(scene, Verb::contact, {});
+    CaseSurface const surface(*data.context, surface_choices(scene, {}).front());
+    Cleared const cleared = clear_flanks(surface, SliceClearances(*data.context), 0);
+    return {cleared.offset, cleared.tip, data.middle.geometry.circular_spline_inner_radius,
+            cleared.offset > 0 ? clearing_accuracy(data.context->tolerance) / flattest_clearing : 0};
+}
+
+Cleared nominal_part(CaseSurface const& surface, double given, double tip)
+{
+    Cleared result;
+    result.offset = given;
+    result.tip = tip;
+    for (int i = 0;; ++i) {
+        result.outline = surface.outline(result.tip);
+        reach(surface, result, given);
+        double const with_land =
+            given > 0 ? tip_with_land(surface, result.flanks.outline, given, result.tip) : result.tip;
+        if (with_land == result.tip)
+            return result;
+        refuse_to_lift_for_ever(i, result.tip);
+        result.tip = with_land;
+    }
+}
+
+bool is_enough(ContactContext const& context, Cleared const& cleared)
+{
+    return given_clearance(context.scene) >= cleared.offset - clearing_accuracy(context.tolerance);
+}
+
+std::optional<Cleared> try_nominal_part(CaseSurface const& surface, SliceClearances const& clearances,
+                                        Cleared const& cleared, std::vector<double> const& phases, MadePart const* made)
+{
+    ContactContext const& context = surface.context();
+    double const given = given_clearance(context.scene);
+    // with a smaller tip circle there is more to clear, not less
+    if (context.scene.circular_spline.automatic_backlash || !is_enough(context, cleared))
+        return std::nullopt;
+    double const own = surface.nominal_tip_radius(), needed = surface.needed_tip();
+    if (std::max(own, needed) >= cleared.tip)
+        return std::nullopt;
+    try {
+        bool const known = made != nullptr && own >= needed;
+        Cleared part = known ? made->part : nominal_part(surface, given, std::max(own, needed));
+        if (part.tip >= cleared.tip)
+            return std::nullopt;
+        ClearanceSet const set = flank_set(part.flanks.grid, !has_mirrored_flanks(context));
+        TurnMinima minima;
+        if (!known)
+            context.clock.run(Stage::clearance, [&] { minima = clearances(set, given); });
+        bool const clears =
+            clearances.worst(set, given, known ? made->at_given : minima) >= -clearing_accuracy(context.tolerance);
+        return clears && clearance_for_assembly(surface, part, given, phases) == given ? std::optional(std::move(part))
+                                                                                       : std::nullopt;
+    } catch (NumericalError const& error) {
+        if (!error.is_infeasible())
+            throw;
+        return std::nullopt;  // a part that cannot be made is not kept
+    }
+}
+
+FlankSurface flank_surface(ContactContext const& context, surface::SurfaceSpec const& spec, bool clearing)
+{
+    CaseSurface const surface(context, spec);
+    double const given = given_clearance(context.scene);
+    bool const clears = context.scene.circular_spline.automatic_backlash || clearing;
+    Cleared part = clears ? clear_flanks(surface, SliceClearances(context), given)
+                          : nominal_part(surface, given, std::max(surface.nominal_tip_radius(), surface.needed_tip()));
+    double const offset = std::max(given, part.offset);
+    FlankGrid grid = moved_into_material(std::move(part.flanks.grid), offset);
+    return {std::move(part.outline), std::move(grid), offset, part.tip};
 }
 
 }  // namespace hdconj::contact

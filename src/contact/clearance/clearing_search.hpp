@@ -5,11 +5,37 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 #include "hdconj/base/tolerance.hpp"
 
 namespace hdconj::contact {
+
+/// A stretch of the axis [mm].
+struct PlaceRange
+{
+    double from = 0, to = 0;
+};
+
+/// From the plane before the first that is within @p error of the least to the plane after the last; between two planes
+/// no place is told. Ends with the outermost planes.
+/// @param z       increasing [mm]
+/// @param excess  of each plane over the least, which one of them is
+[[nodiscard]] inline PlaceRange place_range(std::vector<double> const& z, std::vector<double> const& excess,
+                                            double error)
+{
+    std::size_t first = z.size(), last = 0;
+    for (std::size_t k = 0; k < z.size(); ++k)
+        if (excess[k] <= error) {
+            first = std::min(first, k);
+            last = k;
+        }
+    if (first == z.size())
+        return {z.front(), z.back()};
+    return {z[first > 0 ? first - 1 : 0], z[std::min(last + 1, z.size() - 1)]};
+}
 
 /// What clears to this clears [mm]: between its points a flank is known to much less than the scene's tolerance, but
 /// not to rounding.
@@ -24,9 +50,8 @@ constexpr double flattest_clearing = 0.05;
 
 /// The distance at which @p clearance(distance) is zero to @p enough, from the guess @p distance.
 ///
-/// Moving a flank along its normal opens a gap about as fast as it moves, and much more slowly where a tooth meets the
-/// flank's end nearly along it: secant steps, the first of slope 1, none flatter than flattest_clearing. Nothing where
-/// 60 steps do not settle.
+/// Secant steps, the first of slope 1, none flatter than flattest_clearing, since a tooth may meet the flank's end
+/// nearly along it. Nothing where 60 steps do not settle.
 template <class Clearance>
 [[nodiscard]] std::optional<double> clearing_search(Clearance&& clearance, double distance, double enough)
 {

@@ -116,18 +116,16 @@ double SliceClearances::worst(ClearanceSet const& set, double distance, TurnMini
     for (auto const& slice : minima)
         for (distance::TurnMinimum const& m : slice)
             on_points = std::min(on_points, m.distance);
-    std::vector<double> deep(minima.size());
-    parallel_for(minima.size(), context_.threads, 1,
-                 [&](std::size_t k) { deep[k] = deepest(set, k, distance, minima[k], on_points).turn.distance; });
+    std::vector<double> const deep = lowest(set, distance, minima, on_points);
     return *std::min_element(deep.begin(), deep.end());
 }
 
-std::vector<double> SliceClearances::lowest(ClearanceSet const& set, double distance, TurnMinima const& minima) const
+std::vector<double> SliceClearances::lowest(ClearanceSet const& set, double distance, TurnMinima const& minima,
+                                            double below) const
 {
     std::vector<double> low(minima.size());
-    parallel_for(minima.size(), context_.threads, 1, [&](std::size_t k) {
-        low[k] = deepest(set, k, distance, minima[k], std::numeric_limits<double>::infinity()).turn.distance;
-    });
+    parallel_for(minima.size(), context_.threads, 1,
+                 [&](std::size_t k) { low[k] = deepest(set, k, distance, minima[k], below).turn.distance; });
     return low;
 }
 
@@ -171,7 +169,6 @@ Closest closest(SliceClearances const& clearances, ClearanceSet const& set, std:
     return {found.turn.distance, found.where, clearances.motion(k).angles(found.turn.u).phi};
 }
 
-/// One or both flanks as one list per slice: of a symmetric pair the right one stands for both.
 ClearanceSet flank_set(FlankGrid const& grid, bool both)
 {
     ClearanceSet set{grid.point[GapMap::right], grid.normal[GapMap::right], 0, &grid};

@@ -22,8 +22,7 @@ struct ClearanceSet
     std::vector<std::vector<Vec2>> point;  ///< (k,p) [mm]
     std::vector<std::vector<Vec2>> way;    ///< (k,p)
     double known = 0;                      ///< how far a point may be from the true outline [mm]
-    FlankGrid const* flank = nullptr;  ///< flanks that these are the points of, right and then left: what lies between
-                                       ///< them counts too; null: the points alone
+    FlankGrid const* flank = nullptr;      ///< whose points these are, right then left: what lies between counts too
 };
 
 /// Slice k of a set, moved.
@@ -67,17 +66,17 @@ class SliceClearances
     [[nodiscard]] TurnMinima operator()(ClearanceSet const& set, double distance,
                                         std::vector<std::vector<std::uint8_t>> const* wanted = nullptr) const;
 
-    /// The deepest place of slice @p k, whose points' own minima are @p minima, between the points too: about those
-    /// that are deeper than their neighbours the distance is followed to its minimum, as smallest_gap() does, where it
-    /// may fall below @p below.
+    /// The deepest place of slice @p k, whose points' own minima are @p minima, between the points too where it may
+    /// fall below @p below: found as smallest_gap() does.
     [[nodiscard]] Deepest deepest(ClearanceSet const& set, std::size_t k, double distance,
                                   std::vector<distance::TurnMinimum> const& minima, double below) const;
 
     /// The smallest distance of all slices, between the points too.
     [[nodiscard]] double worst(ClearanceSet const& set, double distance, TurnMinima const& minima) const;
 
-    /// The smallest distance of each slice, between the points too.
-    [[nodiscard]] std::vector<double> lowest(ClearanceSet const& set, double distance, TurnMinima const& minima) const;
+    /// The smallest distance of each slice, between the points too where it may fall below @p below.
+    [[nodiscard]] std::vector<double> lowest(ClearanceSet const& set, double distance, TurnMinima const& minima,
+                                             double below = std::numeric_limits<double>::infinity()) const;
 
   private:
     [[nodiscard]] std::size_t of(std::size_t k) const { return std::min(k, turns_.size() - 1); }

@@ -34,14 +34,12 @@ struct AreaByPlanes
 ///
 /// L(z) is the length of all flanks in the plane z whose gap is within contact.contact_gap, times what they lean
 /// (area_per_length()). Each plane has the conjugate outline of its own motion, and the edges of contact are roots of
-/// the exact gap along it: nothing is interpolated between planes, and no cells are made. Conjugate flanks touch
-/// without a turn.
+/// the exact gap along it. Conjugate flanks touch without a turn.
 ///
 /// The integral is the trapezoidal rule. In a space contact begins and ends along z like a square root or a straight
-/// line, so that the rule's error falls by 2^1.5 or 4 when planes double, with a sign that depends on where between two
-/// planes that is. With D_0, D_1, D_2 the last three differences of sums, from the finest on, d = max(|D_0|,
-/// |D_1|/2^1.5, |D_2|/8) and all further differences add up to less than d/(2^1.5 - 1); twice that is `across`. That is
-/// so once planes are closer than most stretches of contact are long: from 33 of them on.
+/// line, so that the rule's error falls by 2^1.5 or 4 when planes double. With D_0, D_1, D_2 the last three differences
+/// of sums, from the finest on, d = max(|D_0|, |D_1|/2^1.5, |D_2|/8) and all further differences add up to less than
+/// d/(2^1.5 - 1); twice that is `across`: right from 33 planes on.
 /// @param planes  2^n + 1, n >= 3
 /// Same bits for any number of threads.
 /// @throws InputError for a scene without face width, with a side clearance or with teeth that are solved for;

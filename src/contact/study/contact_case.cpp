@@ -13,8 +13,6 @@
 #include "contact/clearance/case_errors.hpp"
 #include "contact/clearance/clear_flanks.hpp"
 #include "contact/clearance/clearing_search.hpp"
-#include "contact/clearance/minimum_interval.hpp"
-#include "contact/clearance/nominal_part.hpp"
 #include "contact/clearance/slice_clearance.hpp"
 #include "contact/parallel_trim.hpp"
 #include "contact_state.hpp"

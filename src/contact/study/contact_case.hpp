@@ -26,17 +26,13 @@ struct FlankSurface
 [[nodiscard]] FlankSurface flank_surface(ContactContext const& context, surface::SurfaceSpec const& spec,
                                          bool clearing = false);
 
-/// Side clearance and tip circle of one surface, and nothing else.
-[[nodiscard]] ContactCase clearing_case(ContactContext const& context, surface::SurfaceSpec const& spec);
-
 /// What a scene's surface needs so that no slice is entered over a full turn.
 struct ClearingNeed
 {
     double offset = 0;              ///< side clearance [mm]
     double tip = 0;                 ///< tip circle [mm]
     double nominal_tip_radius = 0;  ///< what it is without
-    double error =
-        0;  ///< bound of the side clearance's own error: what clears to clearing_accuracy(), over the least slope [mm]
+    double error = 0;               ///< bound of the offset's: clearing_accuracy() over the least slope [mm]
 };
 [[nodiscard]] ClearingNeed clearing_need(Scene const& scene);
 

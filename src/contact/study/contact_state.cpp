@@ -11,14 +11,12 @@
 
 #include "conjugate/plane/plane_motion.hpp"
 #include "contact/clearance/clearing_search.hpp"
-#include "contact/clearance/minimum_interval.hpp"
 #include "contact/contact_area.hpp"
 #include "contact/gap_field.hpp"
+#include "contact/open_gaps.hpp"
 #include "contact/resolved_area.hpp"
-#include "contact/smallest_gap.hpp"
 #include "contact/take_up.hpp"
 #include "hdconj/base/parallel.hpp"
-#include "open_spaces.hpp"
 #include "place_teeth.hpp"
 
 namespace hdconj::contact {

@@ -105,11 +105,6 @@ double phase_of(Scene const& scene, double wave_generator)
     return phase - pitch * std::round(phase / pitch);
 }
 
-ToothPoses tooth_places(ContactContext const& context, double phase)
-{
-    return tooth_places(context, phase, context.maker.z());
-}
-
 ToothPoses tooth_places(ContactContext const& context, double phase, std::vector<double> const& z)
 {
     Scene const& scene = context.scene;
@@ -140,11 +135,6 @@ ToothPoses tooth_places(ContactContext const& context, double phase, std::vector
     else
         place_on_cone(context, z, phi_of, places);
     return places;
-}
-
-std::shared_ptr<ToothPoses const> ToothPoseCache::operator()(ContactContext const& context, double phase)
-{
-    return (*this)(context, phase, context.maker.z());
 }
 
 std::shared_ptr<ToothPoses const> ToothPoseCache::operator()(ContactContext const& context, double phase,

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/tooth_poses.hpp"
+#include "contact/gap_field.hpp"
 #include "contact_context.hpp"
 
 namespace hdconj::contact {
@@ -21,7 +21,10 @@ class ToothPoseCache
 {
   public:
     /// The same as tooth_places(); kept for the next who asks, up to as many angles as cost little memory.
-    [[nodiscard]] std::shared_ptr<ToothPoses const> operator()(ContactContext const& context, double phase);
+    [[nodiscard]] std::shared_ptr<ToothPoses const> operator()(ContactContext const& context, double phase)
+    {
+        return (*this)(context, phase, context.maker.z());
+    }
     /// In the planes @p z, evenly spaced over the width.
     [[nodiscard]] std::shared_ptr<ToothPoses const> operator()(ContactContext const& context, double phase,
                                                                std::vector<double> const& z);
@@ -30,10 +33,8 @@ class ToothPoseCache
     std::map<std::pair<double, std::size_t>, std::shared_ptr<ToothPoses const>> known_;
 };
 
-/// All teeth of the drive in the planes of the slices; where the wall has moved along the axis, the parts of them that
+/// All teeth of the drive in the planes @p z; where the wall has moved along the axis, the parts of them that
 /// are in the plane.
-[[nodiscard]] ToothPoses tooth_places(ContactContext const& context, double phase);
-/// The same in other planes.
 [[nodiscard]] ToothPoses tooth_places(ContactContext const& context, double phase, std::vector<double> const& z);
 
 }  // namespace hdconj::contact

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "contact/clearance/contact_error.hpp"
+#include "contact/clearance/case_errors.hpp"
 #include "contact/clearance/part_flanks.hpp"
 #include "surface/slice_places.hpp"
 

@@ -11,15 +11,6 @@
 namespace hdconj::load {
 namespace {
 
-/// @p count even angles of one of @p sectors sectors [rad].
-std::vector<double> even_angles(int count, int sectors)
-{
-    std::vector<double> phi;
-    for (int i = 0; i < count; ++i)
-        phi.push_back(2 * std::numbers::pi * i / (sectors * count));
-    return phi;
-}
-
 /// Enters the corners of the elements as nodes. @returns where each of them stands in the mesh
 std::vector<elastic::SectionPoint> enter_section(LoadModel const& model, CupShape& shape)
 {
@@ -90,12 +81,12 @@ CupShape cup_shape(LoadModel const& model, elastic::HarmonicField const& field, 
     constexpr int angles = 180;
     CupShape shape;
     std::vector<elastic::SectionPoint> const places = enter_section(model, shape);
-    shape.phi = even_angles(angles, 1);
+    shape.phi = elastic::even_angles(angles, 1);
     std::size_t const points = places.size();
     for (auto* values : {&shape.u_r, &shape.u_t, &shape.u_z, &shape.stress})
         values->assign(points * shape.phi.size(), 0);
     enter_stress(model, field, threads, shape);
-    elastic::HarmonicWaves const waves(field, shape.phi);
+    elastic::HarmonicWaves const waves(field.harmonics, shape.phi, threads);
     constexpr std::size_t grain = 32;
     parallel_for(points, threads, grain, [&](std::size_t p) {
         Eigen::Matrix3Xd const u = elastic::displacements_at(model.solid.mesh(), field, places[p], waves);
@@ -114,7 +105,8 @@ CupStress cup_stress(LoadModel const& model, elastic::HarmonicField const& field
     constexpr int angles = 90;
     elastic::SectionMesh const& mesh = model.solid.mesh();
     CupStress result;
-    result.peak = elastic::stress_peak(mesh, field, even_angles(angles, model.drive.response.sectors()), threads);
+    result.peak =
+        elastic::stress_peak(mesh, field, elastic::even_angles(angles, model.drive.response.sectors()), threads);
     std::vector<elastic::SectionPoint> const points = elastic::gauss_points(mesh);
     auto const distance = [&](elastic::SectionPoint const& point) {
         return (elastic::position(mesh, point) - result.peak.at).squaredNorm();

@@ -9,7 +9,7 @@
 
 #include "contact/study/place_teeth.hpp"
 #include "drive/elastic_cup.hpp"
-#include "elastic/unit_fields.hpp"
+#include "elastic/harmonic_field.hpp"
 #include "elastic/wave_generator_contact.hpp"
 #include "wave_generator.hpp"
 
@@ -98,7 +98,7 @@ LoadModel load_model(contact::ContactContext const& context, LoadGrid const& res
     Scene const& scene = context.scene;
     RingGrid const around = ring_grid(scene);
     int const sectors = around.sectors, grid = around.angles();
-    int const highest = std::min(resolution.harmonics, grid * sectors / 2) / sectors * sectors;
+    int const highest = std::min(resolution.harmonics, around.highest_harmonic()) / sectors * sectors;
 
     elastic::CupSection const section = drive::cup_section(scene, context.geometry.flexspline_inner_radius);
     PlacedBearing const placed = placed_bearing(context, resolution.circles, around);
@@ -117,27 +117,20 @@ LoadModel load_model(contact::ContactContext const& context, LoadGrid const& res
     std::vector<HarmonicResponse> harmonics =
         cup_responses(solid, unit, stations, layout, context.geometry.r_m, context.threads);
 
-    double const phase = contact::phase_of(scene, context.request.wave_generator);
-    BearingModel bearing = bearing_model(placed, context, around, phase, highest);
     ElasticDrive drive{
         .stations = layout,
         .response = PointResponse(std::move(stations.around), std::move(harmonics), sectors, grid, context.threads),
-        .outer_ring = std::move(bearing.outer_ring),
-        .balls = std::move(bearing.balls),
         .steps_per_tooth = around.steps,
-        .bearing_steps = std::move(bearing.bearing_steps),
-        .needed = std::move(bearing.needed),
-        .phase = phase,
+        .phase = contact::phase_of(scene, context.request.wave_generator),
         .flexspline_teeth = scene.drive.flexspline_teeth,
         .slice_width = slice_widths(z, context.width),
         .flexspline = section.material,
         .circular_spline = {scene.circular_spline.youngs_modulus, scene.circular_spline.poissons_ratio},
         .contact_depth = 0.25 * std::numbers::pi * scene.drive.module,  // half a tooth at the pitch line
         .bending = ToothBending(context.tooth, section.material, context.tolerance.length),
-        .between_balls = std::move(bearing.between_balls),
-        .ball_arc = bearing.ball_arc,
         .bearing_z = above_middle(placed.circles, middle),
         .slice_z = z};
+    add_wave_generator(drive, placed, context, around, highest);
     drive.bearing_compliance = bearing_compliance(drive, context.threads);
     return {std::move(solid), std::move(unit), context.geometry.r_m, middle, std::move(drive)};
 }

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "contact/study/contact_context.hpp"
-#include "elastic/unit_fields.hpp"
+#include "elastic/harmonic_field.hpp"
 #include "load/elastic_drive.hpp"
 
 namespace hdconj::load {

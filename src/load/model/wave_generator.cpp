@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <utility>
 
 #include "drive/elastic_cup.hpp"
@@ -60,9 +61,9 @@ Eigen::MatrixXd unloaded_surface(elastic::BearingSurface const& surface, int sec
     return needed;
 }
 
-/// Adds the outer ring and the balls between it and the cam to @p model.
+/// Adds the outer ring and the balls between it and the cam to @p drive.
 /// @param points  of a line of balls in a sector
-void add_ring(BearingModel& model, PlacedBearing const& placed, elastic::BearingSurface const& surface,
+void add_ring(ElasticDrive& drive, PlacedBearing const& placed, elastic::BearingSurface const& surface,
               contact::ContactContext const& context, RingGrid const& around, int points,
               std::vector<double> const& phi)
 {
@@ -73,17 +74,17 @@ void add_ring(BearingModel& model, PlacedBearing const& placed, elastic::Bearing
         elastic::DiscreteBalls single = elastic::discrete_balls(
             surface, sectors, contacts, elastic::ball_angles(*bearing.balls, sectors, bearing.ball_phase),
             placed.ball_stiffness);
-        model.needed -= Eigen::Map<Eigen::MatrixXd>(single.sag.data(), model.needed.rows(), model.needed.cols());
-        model.balls = std::move(single.balls);
-        model.between_balls = std::move(single.between);
+        drive.needed -= Eigen::Map<Eigen::MatrixXd>(single.sag.data(), drive.needed.rows(), drive.needed.cols());
+        drive.balls = std::move(single.balls);
+        drive.between_balls = std::move(single.between);
     } else {
-        model.balls = elastic::ball_line(surface, sectors, contacts, points, false, threads);
-        model.ball_arc = 2 * std::numbers::pi *
+        drive.balls = elastic::ball_line(surface, sectors, contacts, points, false, threads);
+        drive.ball_arc = 2 * std::numbers::pi *
                          (context.geometry.flexspline_inner_radius - placed.bearing.ring->thickness) /
-                         (sectors * static_cast<double>(model.balls->phi.size()));
+                         (sectors * static_cast<double>(drive.balls->phi.size()));
     }
     std::vector<RingStation> const stations(placed.circles.size(), {RingStation::Parity::cosine, placed.spread});
-    model.outer_ring.emplace(stations, responses(*surface.compliance), sectors, around.angles(), threads);
+    drive.outer_ring.emplace(stations, responses(*surface.compliance), sectors, around.angles(), threads);
 }
 
 }  // namespace
@@ -111,25 +112,33 @@ PlacedBearing placed_bearing(contact::ContactContext const& context, int circles
     return result;
 }
 
-BearingModel bearing_model(PlacedBearing const& placed, contact::ContactContext const& context, RingGrid const& around,
-                           double phase, int highest)
+void add_wave_generator(ElasticDrive& drive, PlacedBearing const& placed, contact::ContactContext const& context,
+                        RingGrid const& around, int highest)
 {
     int const sectors = around.sectors, grid = around.angles();
     int const samples = 2 * (highest / sectors);
     // More angles than the harmonics resolve would leave the compliance singular.
     int const angles = std::min({grid, most_angles * (around.lobes / sectors), samples});
-    BearingModel model;
     for (int i = 0; i < angles; ++i)
-        model.bearing_steps.push_back(static_cast<int>(static_cast<long>(i) * grid / angles));
-    std::vector<double> const phi = contact_angles(model.bearing_steps, phase, placed.spread);
+        drive.bearing_steps.push_back(static_cast<int>(static_cast<long>(i) * grid / angles));
+    std::vector<double> const phi = contact_angles(drive.bearing_steps, drive.phase, placed.spread);
     elastic::CamSeries const cam =
         elastic::cam_series(sampled(context.shape, sectors, samples), sectors, context.shape.even());
     elastic::BearingSurface const surface = elastic::bearing_surface(
         placed.bearing, context.geometry.flexspline_inner_radius, cam, placed.circles, context.threads);
-    model.needed = unloaded_surface(surface, sectors, phi);
+    drive.needed = unloaded_surface(surface, sectors, phi);
     if (surface.compliance)
-        add_ring(model, placed, surface, context, around, std::min(samples, most_angles), phi);
-    return model;
+        add_ring(drive, placed, surface, context, around, std::min(samples, most_angles), phi);
+}
+
+RingGrid ring_grid(Scene const& scene)
+{
+    constexpr int fewest_angles = 96;  // of the wave generator's contact in one sector
+    int const teeth = scene.drive.flexspline_teeth;
+    int const lobes = std::gcd(teeth, scene.wave_generator.waves);
+    int const sectors = scene.bearing && scene.bearing->balls ? std::gcd(lobes, *scene.bearing->balls) : lobes;
+    int const per_sector = teeth / sectors;
+    return {lobes, sectors, per_sector, (fewest_angles + per_sector - 1) / per_sector};
 }
 
 }  // namespace hdconj::load

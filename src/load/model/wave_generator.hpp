@@ -11,10 +11,25 @@
 #include "elastic/ball_line.hpp"
 #include "elastic/bearing.hpp"
 #include "elastic/influence.hpp"
-#include "load/ring_response.hpp"
-#include "ring_grid.hpp"
+#include "hdconj/scene.hpp"
+#include "load/elastic_drive.hpp"
 
 namespace hdconj::load {
+
+/// Even angles around the ring: those of the teeth, and more where they are few.
+struct RingGrid
+{
+    int lobes;       ///< how often teeth and lobes repeat around the ring
+    int sectors;     ///< and single balls with them
+    int per_sector;  ///< teeth
+    int steps;       ///< from tooth to tooth
+
+    [[nodiscard]] int angles() const { return per_sector * steps; }
+    /// The highest harmonic that these angles resolve.
+    [[nodiscard]] int highest_harmonic() const { return angles() * sectors / 2; }
+};
+
+[[nodiscard]] RingGrid ring_grid(Scene const& scene);
 
 /// The scene's bearing with the places where it presses on the cup.
 struct PlacedBearing
@@ -30,20 +45,9 @@ struct PlacedBearing
 /// The compliance matrices of @p influence, harmonic by harmonic.
 [[nodiscard]] std::vector<HarmonicResponse> responses(elastic::Influence const& influence);
 
-/// The wave generator's part of an ElasticDrive; members as there.
-struct BearingModel
-{
-    std::vector<int> bearing_steps;
-    Eigen::MatrixXd needed;
-    std::optional<PointResponse> outer_ring;
-    std::optional<elastic::BallLine> balls;
-    std::optional<Eigen::MatrixXd> between_balls;
-    double ball_arc = 0;
-};
-
-/// @param phase    ElasticDrive::phase
+/// Enters the wave generator into @p drive, which has its phase.
 /// @param highest  harmonic
-[[nodiscard]] BearingModel bearing_model(PlacedBearing const& placed, contact::ContactContext const& context,
-                                         RingGrid const& around, double phase, int highest);
+void add_wave_generator(ElasticDrive& drive, PlacedBearing const& placed, contact::ContactContext const& context,
+                        RingGrid const& around, int highest);
 
 }  // namespace hdconj::load

@@ -7,7 +7,7 @@
 
 #include "bearing_map.hpp"
 #include "hdconj/error.hpp"
-#include "load/drive_series.hpp"
+#include "load/elastic_drive.hpp"
 #include "load/model/cup_shape.hpp"
 #include "numeric/moments.hpp"
 

@@ -6,7 +6,7 @@
 
 #include "bearing_map.hpp"
 #include "hdconj/error.hpp"
-#include "loaded_state.hpp"
+#include "load_problem.hpp"
 
 namespace hdconj::load {
 namespace {

@@ -20,9 +20,8 @@ struct DrivePair
 };
 
 /// Estimated error over the difference to a grid half as fine: two grids, first order, safety 3 of Roache's index (J.
-/// Fluids Eng. 116, 1994), and a third more, since the differences of the grids and those of the meshes may cancel in
-/// part (observed: by a tenth of the estimate). Below nine slices the coarse grid has fewer than five and no longer
-/// converges regularly: three times as much.
+/// Fluids Eng. 116, 1994), and a third more, since grids and meshes may differ in opposite senses. Below nine slices
+/// the coarse grid has fewer than five and no longer converges regularly: three times as much.
 [[nodiscard]] inline double grid_safety(std::size_t slices)
 {
     constexpr double two_grids = 4;

@@ -10,10 +10,9 @@
 #include "base/text.hpp"
 #include "bearing_map.hpp"
 #include "contact/study/contact_case.hpp"
-#include "flank_table.hpp"
 #include "hdconj/error.hpp"
 #include "load/model/cup_shape.hpp"
-#include "loaded_state.hpp"
+#include "load_problem.hpp"
 
 namespace hdconj::load {
 namespace {

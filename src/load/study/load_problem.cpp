@@ -52,7 +52,6 @@ FlankSearch flank_search(LoadProblem const& problem, double turn, double limit, 
             spaces,
             problem.drive.phase,
             drive.flexspline_teeth,
-            drive.circular_spline_teeth,
             depth * standard_depth * drive.module};
 }
 

@@ -9,6 +9,7 @@
 #include "contact/flank_grid.hpp"
 #include "contact/gap_field.hpp"
 #include "contact/study/contact_context.hpp"
+#include "hdconj/load.hpp"
 #include "load/equilibrium.hpp"
 #include "load/flank_contacts.hpp"
 #include "loaded_shape.hpp"
@@ -59,5 +60,11 @@ struct LoadedDrive
     int iterations = 0;   ///< of the shape
     int steps = 0;        ///< of the active set, in all iterations
 };
+
+/// Figures of a drive in equilibrium. @param middle  turn from which the twist counts [rad]
+[[nodiscard]] LoadedState loaded_state(LoadProblem const& problem, LoadedDrive const& loaded, double middle);
+
+/// Its forces on the flanks, by tooth space, flank and slice.
+[[nodiscard]] LoadMap load_map(LoadProblem const& problem, LoadedDrive const& loaded);
 
 }  // namespace hdconj::load

@@ -13,7 +13,7 @@
 #include "hdconj/check.hpp"
 #include "hdconj/contact.hpp"
 #include "hdconj/error.hpp"
-#include "load/model/ring_grid.hpp"
+#include "load/model/wave_generator.hpp"
 
 namespace hdconj {
 namespace {
@@ -58,7 +58,7 @@ Faults check_load(Scene const& scene, LoadOptions const& options)
     require_cup_and_bearing(scene, faults);
     require_torque(scene, options, faults);
     if (scene.load && scene.given.contains("load.harmonics"))
-        validate_harmonics(*scene.load, load::highest_harmonic(load::ring_grid(scene)), faults);
+        validate_harmonics(*scene.load, load::ring_grid(scene).highest_harmonic(), faults);
     if (options.points && *options.points < 1)
         faults.push_back({"--points", 0, fmt::format("{}", *options.points), "a curve has at least one torque",
                           "write a whole number such as 10"});
@@ -109,11 +109,7 @@ double standard_tip(Scene const& scene)
 
 ContactOptions contact_options(LoadOptions const& options)
 {
-    ContactOptions result;
-    result.tilts = options.tilts;
-    result.surfaces = options.surfaces;
-    result.kinds = options.kinds;
-    return result;
+    return {.tilts = options.tilts, .surfaces = options.surfaces, .kinds = options.kinds};
 }
 
 Scene checked_scene(Scene const& asked, LoadOptions const& options)

@@ -12,7 +12,7 @@
 #include "contact/gap_field.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/motion/material_motion.hpp"
-#include "load/drive_series.hpp"
+#include "load/elastic_drive.hpp"
 #include "wavegen/length_kept.hpp"
 
 namespace hdconj::load {

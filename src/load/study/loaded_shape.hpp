@@ -5,8 +5,8 @@
 
 #include <vector>
 
+#include "contact/gap_field.hpp"
 #include "contact/study/contact_context.hpp"
-#include "contact/tooth_poses.hpp"
 #include "load/equilibrium.hpp"
 
 namespace hdconj::load {

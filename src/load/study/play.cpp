@@ -42,13 +42,9 @@ GapMap sector_at_rest(LoadProblem const& problem, contact::GapField const& field
     map.gap.resize(spaces * 2 * slices * map.station.size());
     constexpr std::size_t grain = 4;
     parallel_for(spaces, problem.context.threads, grain, [&](std::size_t s) {
-        std::vector<double> gap;
         for (int const flank : {static_cast<int>(GapMap::left), static_cast<int>(GapMap::right)})
-            for (std::size_t k = 0; k < slices; ++k) {
-                field.along(s, flank, k, 0, gap);
-                std::copy(gap.begin(), gap.end(),
-                          map.gap.begin() + static_cast<std::ptrdiff_t>(map.index(s, flank, k, 0)));
-            }
+            for (std::size_t k = 0; k < slices; ++k)
+                field.along(s, flank, k, 0, map.gap.data() + map.index(s, flank, k, 0));
     });
     return map;
 }

@@ -1,9 +1,242 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "torque_continuation.hpp"
 
-#include "loaded_equilibrium.hpp"
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "hdconj/base/parallel.hpp"
+#include "hdconj/error.hpp"
+#include "hdconj/units.hpp"
+#include "load/elastic_drive.hpp"
 
 namespace hdconj::load {
+namespace {
+
+/// Settings of one attempt to converge.
+struct Attempt
+{
+    double depth;      ///< of the strips, as a multiple of the standard one
+    int first_mixing;  ///< iteration from which on forces are mixed: by then the contacts have been found
+    int most_iterations;
+};
+
+/// Where two strips of a flank are about to merge, the iteration alternates between one and two; with another depth it
+/// does not. Mixing leads back to an unstable equilibrium for ever; without it the next stable one is reached.
+constexpr Attempt attempts[] = {{1, 3, 25}, {0.5, 3, 25}, {1, 40, 60}, {2, 3, 25}, {0.25, 3, 25}};
+
+std::string place_of(double torque)
+{
+    return "torque of " + std::to_string(torque / newton_metre) + " N m";
+}
+
+auto flank_of(FlankContact const& c)
+{
+    return std::tuple(c.space, c.flank, c.slice);
+}
+
+/// Forces of the contacts @p before, each given to the nearest of the contacts @p now on the same flank.
+std::vector<double> carried_over(std::vector<FlankContact> const& before, std::vector<double> const& force,
+                                 std::vector<FlankContact> const& now)
+{
+    std::vector<double> result(now.size(), 0);
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        if (!(force[i] > 0))
+            continue;
+        auto const first = std::lower_bound(now.begin(), now.end(), before[i],
+                                            [](auto const& a, auto const& b) { return flank_of(a) < flank_of(b); });
+        auto const distance = [&](FlankContact const& c) { return std::abs(c.arc_length - before[i].arc_length); };
+        auto best = now.end();
+        for (auto c = first; c != now.end() && flank_of(*c) == flank_of(before[i]); ++c)
+            if (best == now.end() || distance(*c) < distance(*best))
+                best = c;
+        if (best != now.end())
+            result[static_cast<std::size_t>(best - now.begin())] += force[i];
+    }
+    return result;
+}
+
+/// The linear model about a shape, and the forces of the iteration before at its contacts.
+struct Linearisation
+{
+    LinearGaps gaps;  ///< without displacements
+    std::vector<double> force;
+};
+
+Linearisation linearised(LoadProblem const& problem, LoadedDrive const& now, double depth)
+{
+    Linearisation result;
+    LinearGaps& gaps = result.gaps;
+    gaps.turn = now.state.turn;
+    contact::GapField const field = gap_field(problem, now.shape, problem.edges);
+    gaps.contacts =
+        flank_contacts(field, flank_search(problem, gaps.turn, search_limit(problem), depth), problem.context.threads);
+    result.force = carried_over(now.contacts, now.state.flank, gaps.contacts);
+    gaps.compliance = local_compliance(problem.drive, gaps.contacts, result.force);
+    return result;
+}
+
+/// Largest difference between the gaps of the shape and those that the forces were solved for [mm].
+double mismatch_of(Linearisation const& at)
+{
+    std::vector<double> const approach = at.gaps.compliance(at.force);
+    double worst = 0;
+    for (std::size_t i = 0; i < at.force.size(); ++i) {
+        double const gap = at.gaps.contacts[i].gap + approach[i];
+        worst = std::max(worst, at.force[i] > 0 ? std::abs(gap) : -gap);
+    }
+    return worst;
+}
+
+/// Solves the linear model at @p torque; the forces of @p at are its start.
+Equilibrium solved_linear(LoadProblem const& problem, LoadedDrive const& now, double torque, Linearisation& at)
+{
+    Equilibrium guess = now.state;
+    guess.flank = at.force;
+    at.gaps.displacement.resize(at.gaps.contacts.size());
+    constexpr std::size_t grain = 64;
+    parallel_for(at.gaps.contacts.size(), problem.context.threads, grain, [&](std::size_t i) {
+        at.gaps.displacement[i] = normal_displacement(problem.drive, now.shape, at.gaps.contacts[i]);
+    });
+    return equilibrium(problem.drive, at.gaps, torque, &guess, problem.context.threads);
+}
+
+void require_within_pitch(LoadProblem const& problem, double torque, double turn)
+{
+    if (std::abs(turn) > 2 * std::numbers::pi / problem.context.scene.drive.circular_spline_teeth)
+        throw NumericalError(ErrorCode::overload, "load", place_of(torque),
+                             "the flexspline turns by more than a pitch, " + std::to_string(to_deg(turn)) +
+                                 " deg: the teeth pass over each other; it is more than they can carry");
+}
+
+// Anderson mixing (D. G. Anderson, J. ACM 12, 1965).
+
+/// One iteration of the loaded shape.
+struct MixingStep
+{
+    Eigen::MatrixXd forces;  ///< that the shape led to, on the stations of the cup
+    double turn = 0;         ///< that it led to [rad]
+    Eigen::VectorXd change;  ///< of all displacements against those of the shape itself [mm]
+};
+
+/// Displacements under @p forces and @p turn less those of @p shape at @p turn_of_shape: zero where the shape
+/// reproduces itself. Turns of teeth count as what they move the tips by.
+Eigen::VectorXd displacement_change(LoadProblem const& problem, LoadedShape const& shape, double turn_of_shape,
+                                    Eigen::MatrixXd const& forces, double turn)
+{
+    std::vector<std::vector<double>> const series = displacements(problem.drive, forces, problem.context.threads);
+    Eigen::VectorXd change(static_cast<Eigen::Index>(series.size() * series.front().size()) + 1);
+    Eigen::Index i = 0;
+    for (std::size_t station = 0; station < series.size(); ++station) {
+        double const scale = station >= problem.drive.stations.turn(0) ? problem.context.scene.drive.module : 1;
+        for (std::size_t k = 0; k < series[station].size(); ++k)
+            change[i++] = scale * (series[station][k] - shape.series[station][k]);
+    }
+    change[i] = (turn - turn_of_shape) * problem.context.geometry.r_m;
+    return change;
+}
+
+/// Forces and turn of @p now become the affine combination of those of @p history whose changes have the least sum of
+/// squares. Domain: a history whose last step is that of @p now.
+void anderson_mix(std::vector<MixingStep> const& history, LoadedDrive& now)
+{
+    auto const others = static_cast<Eigen::Index>(history.size() - 1);
+    if (others == 0)
+        return;
+    Eigen::VectorXd const& last = history.back().change;
+    Eigen::MatrixXd differences(last.size(), others);
+    for (Eigen::Index i = 0; i < others; ++i) {
+        auto const k = static_cast<std::size_t>(i);
+        differences.col(i) = history[k + 1].change - history[k].change;
+    }
+    Eigen::VectorXd const weight = differences.colPivHouseholderQr().solve(last);
+    for (Eigen::Index i = 0; i < others; ++i) {
+        auto const k = static_cast<std::size_t>(i);
+        now.forces -= weight[i] * (history[k + 1].forces - history[k].forces);
+        now.state.turn -= weight[i] * (history[k + 1].turn - history[k].turn);
+    }
+}
+
+/// The drive after an attempt.
+struct AttemptResult
+{
+    LoadedDrive drive;
+    bool converged;
+    double mismatch;  ///< of the gaps [mm]
+};
+
+AttemptResult attempted(LoadProblem const& problem, double torque, Attempt const& attempt, LoadedDrive now)
+{
+    constexpr std::size_t depth = 5;        // of the history
+    constexpr double near_tolerance = 3;    // multiple of the tolerance
+    constexpr double growth = 3;            // of the mismatch: contacts have changed, and the history misleads
+    constexpr int first_check_of_turn = 6;  // iteration; earlier ones may overshoot, with few contacts
+    double last = std::numeric_limits<double>::infinity();
+    bool mixed = false;
+    std::vector<MixingStep> history;
+    for (int iteration = 0; iteration <= attempt.most_iterations; ++iteration) {
+        Linearisation at = linearised(problem, now, attempt.depth);
+        if (iteration > 0) {
+            double const mismatch = mismatch_of(at);
+            if (!mixed && mismatch <= gap_tolerance(problem)) {
+                now.residual = mismatch;
+                return {std::move(now), true, mismatch};
+            }
+            // Only forces that were not mixed are a result: near the end every other iteration does not mix.
+            mixed =
+                iteration >= attempt.first_mixing && !(mixed && mismatch <= near_tolerance * gap_tolerance(problem));
+            if (mismatch > last * growth)
+                history.clear();
+            last = mismatch;
+        }
+        now.state = solved_linear(problem, now, torque, at);
+        if (iteration >= first_check_of_turn)
+            require_within_pitch(problem, torque, now.state.turn);
+        ++now.iterations;
+        now.steps += now.state.steps;
+        now.contacts = std::move(at.gaps.contacts);
+        now.forces = forces_on_cup(problem.drive, now.contacts, now.state);
+        if (iteration >= attempt.first_mixing - 1)
+            history.push_back({now.forces, now.state.turn,
+                               displacement_change(problem, now.shape, at.gaps.turn, now.forces, now.state.turn)});
+        if (history.size() > depth)
+            history.erase(history.begin());
+        if (mixed)
+            anderson_mix(history, now);
+        now.shape = loaded_shape(problem.context, problem.drive, now.forces);
+    }
+    return {std::move(now), false, last};
+}
+
+}  // namespace
+
+LoadedDrive converged_at(LoadProblem const& problem, double torque, LoadedDrive const& start)
+{
+    AttemptResult result{start, false, 0};
+    result.drive.torque = torque;
+    result.drive.iterations = result.drive.steps = 0;
+    try {
+        for (Attempt const& attempt : attempts) {
+            result = attempted(problem, torque, attempt, std::move(result.drive));
+            if (result.converged)
+                return std::move(result.drive);
+        }
+    } catch (NumericalError const& error) {
+        if (error.stage() == "load")
+            throw;
+        throw error.inside("load", place_of(torque));
+    }
+    throw NumericalError(ErrorCode::not_converged, "load", place_of(torque),
+                         "forces and loaded shape do not converge: after " + std::to_string(result.drive.iterations) +
+                             " iterations gaps still differ by " + std::to_string(result.mismatch * per_um) + " um",
+                         "write a larger load.edge_radius, or another circular_spline.backlash_offset");
+}
 
 TorqueContinuation torque_continuation(LoadProblem const& problem, LoadedDrive const& unloaded, Play const& play)
 {

@@ -29,4 +29,9 @@ struct TorqueContinuation
 /// @throws NumericalError as converged_at() does
 [[nodiscard]] LoadedDrive advance(TorqueContinuation const& path, LoadedDrive const& from, double torque);
 
+/// Equilibrium at @p torque [N mm], iterated from the shape of @p start on until the gaps of the loaded shape are those
+/// of the linear model to gap_tolerance().
+/// @throws NumericalError with the torque where the iteration does not converge, or no flank carries the torque
+[[nodiscard]] LoadedDrive converged_at(LoadProblem const& problem, double torque, LoadedDrive const& start);
+
 }  // namespace hdconj::load

@@ -21,7 +21,7 @@ struct Field
 {
     Field(ConedDrive const& drive, contact::FlankGrid const& grid, double phase_)
         : phase(phase_),
-          places(contact::tooth_places(*drive.context, phase)),
+          places(contact::tooth_places(*drive.context, phase, drive.context->maker.z())),
           field(drive.tooth, grid, places, drive.z_f(), drive.z_c(), phase)
     {
     }

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <vector>
 
-#include "contact/smallest_gap.hpp"
+#include "contact/gap_field.hpp"
 #include "hdconj/base/tolerance.hpp"
 #include "hdconj/error.hpp"
 #include "support/catch.hpp"
@@ -41,7 +41,7 @@ struct Pair
         : drive(builtin_scene(keys), slices),
           grid(contact::moved_into_material(
               drive.flanks(drive.surface(slices > 1 ? ToothSurface::per_slice : ToothSurface::tilted), 60), clearance)),
-          places(turned(contact::tooth_places(*drive.context, phase), turned_by)),
+          places(turned(contact::tooth_places(*drive.context, phase, drive.context->maker.z()), turned_by)),
           field(drive.tooth, grid, places, drive.z_f(), drive.z_c(), phase),
           rest(field.map(0, 1))
     {
@@ -158,7 +158,7 @@ TEST_CASE(
         auto const field_at = [&](contact::ToothPoses const& places, double at) {
             return contact::GapField(drive.tooth, grid, places, drive.z_f(), drive.z_c(), at);
         };
-        contact::ToothPoses const places = contact::tooth_places(*drive.context, phase);
+        contact::ToothPoses const places = contact::tooth_places(*drive.context, phase, drive.context->maker.z());
         contact::GapField const field = field_at(places, phase);
         double const turn = contact::take_up(field, field.map(0, 1), GapMap::right, drive.pitch(), 1).turn;
         // wave generator and flexspline held, the circular spline turned against the teeth
@@ -172,7 +172,8 @@ TEST_CASE(
         constexpr double first_order = 2e-3;
         CHECK(flexspline == Approx(ratio * turn).epsilon(first_order));
         // and exactly from where the wave generator stands as far back as the flexspline is turned
-        contact::ToothPoses const back = contact::tooth_places(*drive.context, phase - ratio * turn);
+        contact::ToothPoses const back =
+            contact::tooth_places(*drive.context, phase - ratio * turn, drive.context->maker.z());
         contact::GapField const before = field_at(back, phase - ratio * turn);
         std::vector<Vec2> const held = right_flanks(before, 0);
         CHECK(first_zero([&](double x) { return teeth.least(held, phase - ratio * turn + x); }, 2 * turn) ==

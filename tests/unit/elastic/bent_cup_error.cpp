@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a bent cup is said to be known to, against finer ones of the same bodies.
-#include "elastic/bent_cup_error.hpp"
+#include "elastic/bent_cup.hpp"
 
 #include <algorithm>
 #include <cmath>

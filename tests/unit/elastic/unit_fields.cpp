@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Fields under unit loads: what is made of them is what is solved for anew.
-#include "elastic/unit_fields.hpp"
+#include "elastic/harmonic_field.hpp"
 
 #include <cmath>
 #include <vector>
@@ -54,8 +54,8 @@ TEST_CASE("influence and field of unit fields are those of the solid", "[unit_fi
     CHECK((solved.odd - combined.odd).cwiseAbs().maxCoeff() <= rounding * size);
     // all angles at once are each angle by itself
     std::vector<double> const phi{0, 0.3, 1.1, 2.9};
-    Eigen::Matrix3Xd const together =
-        displacements_at(cup.solid.mesh(), solved, cup.stations[4].place, elastic::HarmonicWaves(solved, phi));
+    Eigen::Matrix3Xd const together = displacements_at(cup.solid.mesh(), solved, cup.stations[4].place,
+                                                       elastic::HarmonicWaves(solved.harmonics, phi));
     for (std::size_t j = 0; j < phi.size(); ++j)
         CHECK((together.col(static_cast<Eigen::Index>(j)) -
                displacement_at(cup.solid.mesh(), solved, cup.stations[4].place, phi[j]))

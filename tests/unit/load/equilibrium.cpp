@@ -8,7 +8,7 @@
 #include <optional>
 #include <random>
 
-#include "load/drive_series.hpp"
+#include "load/elastic_drive.hpp"
 #include "load/equilibrium.hpp"
 #include "numeric/complementarity.hpp"
 #include "support/catch.hpp"
