@@ -35,13 +35,11 @@ std::optional<double> with_unit(std::string const& text, std::vector<std::pair<s
 {
     char* end = nullptr;
     double const value = std::strtod(text.c_str(), &end);
-    if (end == text.c_str() || !(value > 0) || !(value < 1e9)) {
+    if (end == text.c_str() || !(value > 0) || !(value < 1e9))
         return {};
-    }
-    for (auto const& [name, factor] : units) {
+    for (auto const& [name, factor] : units)
         if (end == name)
             return value * factor;
-    }
     return {};
 }
 
@@ -197,15 +195,15 @@ std::string studies_text()
 }
 
 constexpr char const* footer =
-    "Errors are distances in mm from a reference in 50 digits that is computed by another path: of the "
-    "scene's own wave generator, motion model and tooth,\n"
-    "and of the flexspline where the circular spline is given, which has no union, contact-area and load. "
-    "Outlines are measured in one plane, without coning, tilt and slices.\n"
-    "Motion models are compared with the exact one. "
-    "contact-area is measured against lengths in a thousand exact planes, load against its own finest "
-    "rungs. What of the scene is left out is said in notes. The folder holds records.h5,\n"
-    "records.csv and, where gnuplot is installed, a picture of each study; it appears whole or not at "
-    "all. Times are of this machine, as busy as it is.\n"
+    "Errors are distances in mm from a reference in 50 digits that is computed by another path: of the scene's own "
+    "wave generator, motion model and tooth,\n"
+    "and of the flexspline where the circular spline is given, which has no union, contact-area and load. Outlines are "
+    "measured in one plane, without coning, tilt and slices.\n"
+    "Motion models are compared with the exact one. contact-area is measured against lengths in a thousand exact "
+    "planes, load against its own finest rungs. What of the scene is left out is said in notes. The folder holds "
+    "records.h5,\n"
+    "records.csv and, where gnuplot is installed, a picture of each study; it appears whole or not at all. Times are "
+    "of this machine, as busy as it is.\n"
     "Examples:\n"
     "  hdconj accuracy drive.toml -o study\n"
     "  hdconj accuracy --study tolerance,motion-model --sample 0\n"

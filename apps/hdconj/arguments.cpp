@@ -10,7 +10,6 @@
 
 #include "hdconj/base/suggest.hpp"
 #include "hdconj/scene/schema.hpp"
-#include "hdconj/units.hpp"
 
 namespace hdconj::cli {
 namespace {
@@ -107,24 +106,16 @@ void add_list(CLI::App& verb, std::string const& name, std::vector<std::string>&
         ->type_name(type);
 }
 
-std::vector<double> CaseArguments::tilts() const
-{
-    std::vector<double> tilts;
-    for (auto const& tilt : tilts_deg)
-        tilts.push_back(std::strtod(tilt.c_str(), nullptr) * deg);
-    return tilts;
-}
-
 void add_case_options(CLI::App& verb, CaseArguments& cases, std::string const& meaning_of_tilt)
 {
     add_list(verb, "--tilt", cases.tilts_deg, meaning_of_tilt, "DEG,...", angle("angles in degrees such as 0,0.1,0.2"));
     add_list(verb, "--surface", cases.surfaces,
              "how the teeth of the circular spline are made: tilted, ruled, per-slice [the scene's, or tilted]",
              "WORD,...", one_of<ToothSurface>());
-    add_list(verb, "--kind", cases.kinds,
-             "what tilt means: radial, outline moved along its radii, or draft, along its normal [the scene's, or "
-             "radial]",
-             "WORD,...", one_of<TiltKind>());
+    add_list(
+        verb, "--kind", cases.kinds,
+        "what tilt means: radial, outline moved along its radii, or draft, along its normal [the scene's, or radial]",
+        "WORD,...", one_of<TiltKind>());
 }
 
 }  // namespace hdconj::cli

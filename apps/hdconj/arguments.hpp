@@ -4,12 +4,14 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cstdlib>
 #include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "hdconj/scene_words.hpp"
+#include "hdconj/units.hpp"
 
 namespace hdconj::cli {
 
@@ -68,8 +70,14 @@ struct CaseArguments
     std::vector<std::string> surfaces;
     std::vector<std::string> kinds;
 
-    /// Tilts in rad.
-    [[nodiscard]] std::vector<double> tilts() const;
+    /// Enters them into the options of a study, tilts in rad.
+    void enter(auto& options) const
+    {
+        for (auto const& tilt : tilts_deg)
+            options.tilts.push_back(std::strtod(tilt.c_str(), nullptr) * deg);
+        options.surfaces = values_of<ToothSurface>(surfaces);
+        options.kinds = values_of<TiltKind>(kinds);
+    }
 };
 
 /// Adds --tilt, --surface and --kind.

@@ -63,9 +63,7 @@ void add_files(Work<ContactStudy>& work, CommonOptions const& common, ContactArg
 ContactOptions options_of(ContactArguments const& own)
 {
     ContactOptions options;
-    options.tilts = own.cases.tilts();
-    options.surfaces = values_of<ToothSurface>(own.cases.surfaces);
-    options.kinds = values_of<TiltKind>(own.cases.kinds);
+    own.cases.enter(options);
     options.best = own.best;
     options.revolution = own.revolution;
     if (own.best && !options.tilts.empty()) {

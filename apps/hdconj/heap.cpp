@@ -23,9 +23,8 @@ void advise_large_pages(std::uintptr_t first, std::uintptr_t end)
 {
     first = (first + large_page - 1) / large_page * large_page;
     end = end / large_page * large_page;
-    if (end > first) {
+    if (end > first)
         (void)madvise(reinterpret_cast<void*>(first), end - first, MADV_HUGEPAGE);  // advice: refusal is an answer
-    }
 }
 
 }  // namespace

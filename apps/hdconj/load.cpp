@@ -55,9 +55,7 @@ void add_files(Work<LoadStudy>& work, CommonOptions const& common, LoadArguments
 LoadOptions options_of(LoadArguments const& own)
 {
     LoadOptions options;
-    options.tilts = own.cases.tilts();
-    options.surfaces = values_of<ToothSurface>(own.cases.surfaces);
-    options.kinds = values_of<TiltKind>(own.cases.kinds);
+    own.cases.enter(options);
     if (own.torque_nm)
         options.torque = *own.torque_nm * newton_metre;
     options.points = own.points;
@@ -104,10 +102,9 @@ std::optional<Measurement> measurement_of(LoadArguments const& own, Scene const&
         append(faults, reading.faults);
         return std::nullopt;
     }
-    if (cup && scene.drive.flexspline_teeth > 0) {
+    if (cup && scene.drive.flexspline_teeth > 0)
         reading.curve.rig.angle_per_spline =
             static_cast<double>(scene.drive.circular_spline_teeth) / scene.drive.flexspline_teeth;
-    }
     // Faults of the measured loop are reported together with those of the scene.
     try {
         MeasuredStiffness const found = measured_stiffness(reading.curve);
@@ -196,10 +193,10 @@ void add_load(CLI::App& program, CommonOptions& common)
     verb.add_flag("--no-curve", own.no_curve, "the largest torque only: no curve, no stages");
     add_name(verb, "-o,--output", own.output, "result file, HDF5 [the scene file's name and -load.h5, in this folder]",
              "FILE");
-    add_name(verb, "--picture", own.picture,
-             "drawings NAME-curve, NAME-pressure, NAME-cup, NAME-stress and, of single balls, NAME-balls; needs "
-             "gnuplot",
-             "NAME.svg|NAME.png");
+    add_name(
+        verb, "--picture", own.picture,
+        "drawings NAME-curve, NAME-pressure, NAME-cup, NAME-stress and, of single balls, NAME-balls; needs gnuplot",
+        "NAME.svg|NAME.png");
     add_name(verb, "--vtu", own.vtu, "the deformed cup with its stress, for ParaView", "FILE.vtu");
     add_rig(verb, own);
     verb.footer(load_footer);

@@ -117,15 +117,13 @@ void suggest_options(CLI::App const& program, std::string const& scene)
     auto const chosen = program.get_subcommands();
     CLI::App const& verb = chosen.empty() ? program : *chosen.front();
     std::vector<std::string_view> options, keys;
-    for (auto const* const option : verb.get_options()) {
+    for (auto const* const option : verb.get_options())
         for (auto const& name : option->get_lnames())
             options.emplace_back(name);
-    }
     bool const has_scene = std::find(options.begin(), options.end(), "set") != options.end();
-    for (auto const& table : scene::scene_schema()) {
+    for (auto const& table : scene::scene_schema())
         for (auto const& key : table.keys)
             keys.emplace_back(key.spec.key);
-    }
     for (std::string const& given : program.remaining(true)) {
         if (has_scene && !given.starts_with('-')) {
             std::cerr << "One scene is read, and '" << scene
@@ -138,14 +136,11 @@ void suggest_options(CLI::App const& program, std::string const& scene)
         if (auto const meant = nearest(word, options)) {
             std::cerr << "Did you mean --" << *meant << "?\n";
         } else if (auto const key = nearest(word, keys); key && has_scene) {
-            for (auto const& table : scene::scene_schema()) {
-                for (auto const& each : table.keys) {
-                    if (each.spec.key == *key) {
+            for (auto const& table : scene::scene_schema())
+                for (auto const& each : table.keys)
+                    if (each.spec.key == *key)
                         std::cerr << "Did you mean the key " << table.path << '.' << *key
                                   << " of the scene, such as --set " << table.path << '.' << *key << "=VALUE?\n";
-                    }
-                }
-            }
         }
     }
 }
@@ -183,14 +178,8 @@ int run(int argc, char** argv)
         "circular spline that meshes with it without interference."};
     describe_program(program);
     CommonOptions common;
-    add_init(program, common);
-    add_check(program, common);
-    add_solve(program, common);
-    add_contact(program, common);
-    add_load(program, common);
-    add_wedm(program, common);
-    add_accuracy(program, common);
-    add_export(program, common);
+    for (auto const add : {add_init, add_check, add_solve, add_contact, add_load, add_wedm, add_accuracy, add_export})
+        add(program, common);
     std::vector<std::string> words = command_line(argc, argv);
     if (words.empty()) {
         std::cerr << program.help();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outputs.hpp"
 
-#include <algorithm>
 #include <cctype>
 
 #include "hdconj/error.hpp"
@@ -45,10 +44,9 @@ void refuse_to_replace(OutputTarget const& target, InputFile const& input)
     constexpr char const* loss = ", the result would replace it";
     if (same_file(target.file, input.file))
         refuse_target(target, input.what + loss, "another name");
-    for (auto const& member : target.members) {
+    for (auto const& member : target.members)
         if (same_file(member, input.file))
             refuse_target(target, "writes " + member.string() + " too: " + input.what + loss, "another name");
-    }
     if (target.is_folder && holds(target.file, input.file))
         refuse_target(target, "holds " + input.file.string() + ": " + input.what + loss, "the name of a new folder");
 }
@@ -57,10 +55,9 @@ void refuse_to_share(OutputTarget const& target, OutputTarget const& other)
 {
     if (same_file(other.file, target.file))
         refuse_target(target, "is given to " + other.option + " too", "another name");
-    for (auto const& member : other.members) {
+    for (auto const& member : other.members)
         if (same_file(member, target.file))
             refuse_target(target, "is written by " + other.option + " too", "another name");
-    }
 }
 
 /// Files that the keys of one family name.
@@ -71,10 +68,9 @@ void append_files(scene::FamilyChoice const& choice, std::vector<scene::FamilyDe
         if (family.name != choice.family)
             continue;
         for (auto const& parameter : family.parameters) {
-            if (parameter.quantity == scene::Quantity::file && choice.has(parameter.key)) {
+            if (parameter.quantity == scene::Quantity::file && choice.has(parameter.key))
                 files.push_back({scene::number_file(choice, parameter.key, folder),
                                  "this file is read by " + choice.path + "." + std::string(parameter.key)});
-            }
         }
     }
 }
@@ -104,9 +100,8 @@ std::string file_name(std::string const& drive)
 std::vector<InputFile> inputs_of(CommonOptions const& common, Scene const& scene)
 {
     std::vector<InputFile> files;
-    if (!common.scene.empty() && common.scene != "-") {
+    if (!common.scene.empty() && common.scene != "-")
         files.push_back({common.scene, "this is the scene file"});
-    }
     append_files(scene.given_profile(), profile::profile_families(), scene.folder, files);
     append_files(scene.wave_generator.shape, wavegen::wave_generator_families(), scene.folder, files);
     return files;
@@ -120,16 +115,14 @@ std::vector<InputFile> input_of(std::string const& option, std::string const& fi
 void check_outputs(std::vector<OutputTarget> const& targets, std::vector<InputFile> const& read)
 {
     for (auto const& target : targets) {
-        if (target.file == "-") {
+        if (target.file == "-")
             refuse_target(target, "results are files and do not go to standard output",
                           "a file name; --json prints the figures to standard output");
-        }
         for (auto const& input : read)
             refuse_to_replace(target, input);
-        for (auto const& other : targets) {
+        for (auto const& other : targets)
             if (&other != &target)
                 refuse_to_share(target, other);
-        }
     }
     for (auto const& target : targets)
         target.check();

@@ -212,11 +212,10 @@ int run_wedm(CommonOptions const& common, WireArguments const& own)
 std::string dialects_text()
 {
     std::string text = "Dialects:\n";
-    for (auto const& dialect : wire_dialects()) {
+    for (auto const& dialect : wire_dialects())
         text += fmt::format(
             "  {:<12}{}{}\n", dialect.name, dialect.meaning,
             dialect.verified() ? fmt::format(" [read by: {}]", dialect.verified_by) : " [not verified on hardware]");
-    }
     return text;
 }
 

@@ -5,8 +5,8 @@
 
 #include "hdconj/error.hpp"
 #include "hdconj/solve.hpp"
-#include "wedm/set_ups.hpp"
-#include "wedm/wire_faces.hpp"
+#include "wedm/faces.hpp"
+#include "wedm/pitch_pass.hpp"
 #include "wedm/wire_job.hpp"
 
 namespace hdconj {

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "arc_chain.hpp"
-
+// Tooth family "arc-chain": any number of arcs and straight lines, each tangent to the one before.
 #include <cmath>
-#include <optional>
 
 #include "base/text.hpp"
+#include "families.hpp"
 #include "hdconj/profile/polynomial_curve.hpp"
 #include "hdconj/units.hpp"
 #include "sound_flank.hpp"
 
 namespace hdconj::profile {
-
 namespace {
 
 /// A row as a curve by arc length: line (curvature 0) or arc.
@@ -51,12 +49,19 @@ PieceShape shape_of(ChainPiece const& piece, double height)
     return std::move(polynomial_curve(piece, 0, piece.length, curve_accuracy * height).front());
 }
 
-}  // namespace
-
-Profile ArcChain::build(scene::FamilyChoice const& c, ToothPlace const& place, Faults& faults)
+/// Right flank from the tip corner (tip_thickness/2, h_a), whose normal stands tip_angle_deg above the horizontal, down
+/// to y = -h_f. Each row of `pieces` goes on along the tangent:
+///   [length]             a straight line
+///   [radius, sweep_deg]  an arc; radius > 0 convex (the normal falls by the sweep), radius < 0 concave (it rises)
+/// The last piece is cut at the root; the chain must reach it.
+///
+/// Degenerate: tip_thickness 0 is a pointed or, with tip_angle_deg = 90, a round tip. Lines of length 0 and arcs of
+/// sweep 0 are left out. Arcs so short that their ends are one point to 1e-12 of the height are left out as well, their
+/// sweep stays (as a corner); arcs of radius above 1000 heights are written as polynomials of degree 9, since their
+/// centres would lie further away than the digits reach. Accuracy: roundoff of the height.
+Profile arc_chain_tooth(scene::FamilyChoice const& c, ToothPlace const& place, Faults& faults)
 {
-    double const h_a = c.number_or("addendum", 0);
-    double const h_f = c.number_or("dedendum", 0);
+    double const h_a = c.number_or("addendum", 0), h_f = c.number_or("dedendum", 0);
     double const height = h_a + h_f;
     scene::NumberRows const& rows = c.rows("pieces");
     std::size_t const before = faults.size();
@@ -111,6 +116,28 @@ Profile ArcChain::build(scene::FamilyChoice const& c, ToothPlace const& place, F
     }
     validate_flank(flank, c, "pieces", faults);
     return faults.size() > before ? Profile{} : symmetric_tooth(flank, place, h_a, root);
+}
+
+}  // namespace
+
+Family arc_chain()
+{
+    using enum scene::Quantity;
+    return {
+        {"arc-chain",
+         "arcs and straight lines from the tip to the root, each tangent to the one before",
+         {{"addendum", positive_length, "height of the tip above the pitch line, h_a"},
+          {"dedendum", positive_length, "depth of the root below the pitch line, h_f: the last piece is cut there"},
+          {"tip_thickness", nonnegative_length, "thickness of the tooth at the tip"},
+          {"tip_angle_deg", angle_deg,
+           "angle between flank and the tooth's centre line at the tip; 90 with tip_thickness 0: a round tip", true,
+           -60, 90},
+          scene::with_words(
+              {"pieces", rows,
+               "lines [length] and arcs [radius, sweep_deg] from tip to root; radius above 0: convex, below 0: concave",
+               true, 1},
+              {"[length]", "[radius, sweep_deg]"})}},
+        arc_chain_tooth};
 }
 
 }  // namespace hdconj::profile

@@ -9,11 +9,6 @@ namespace hdconj::profile {
 
 namespace {
 
-Vec2 curve_normal(CurvePiece const& curve, double t)
-{
-    return left_of(curve.first(t)).normalized();
-}
-
 /// @p steps rounded up to a whole number from 1 to @p most; any number may come, infinity too.
 int whole_steps(double steps, int most)
 {
@@ -43,26 +38,29 @@ int curve_steps(CurvePiece const& curve, double chord)
     return whole_steps(std::sqrt(bend / (8 * chord)), most);
 }
 
+/// The end of a piece at its local parameter @p t, 0 or 1.
+PieceEnd end_at(PieceShape const& shape, int t)
+{
+    if (auto const* line = std::get_if<LinePiece>(&shape))
+        return {t == 0 ? line->a : line->b, line->normal()};
+    if (auto const* arc = std::get_if<ArcPiece>(&shape)) {
+        Vec2 const normal = direction(t == 0 ? arc->from : arc->to);
+        return {arc->centre + arc->radius * normal, normal};
+    }
+    auto const& curve = std::get<CurvePiece>(shape);
+    return {curve.point(t), left_of(curve.first(t)).normalized()};
+}
+
 }  // namespace
 
 PieceEnd start_of(PieceShape const& shape)
 {
-    if (auto const* line = std::get_if<LinePiece>(&shape))
-        return {line->a, line->normal()};
-    if (auto const* arc = std::get_if<ArcPiece>(&shape))
-        return {arc->centre + arc->radius * direction(arc->from), direction(arc->from)};
-    auto const& curve = std::get<CurvePiece>(shape);
-    return {curve.point(0), curve_normal(curve, 0)};
+    return end_at(shape, 0);
 }
 
 PieceEnd end_of(PieceShape const& shape)
 {
-    if (auto const* line = std::get_if<LinePiece>(&shape))
-        return {line->b, line->normal()};
-    if (auto const* arc = std::get_if<ArcPiece>(&shape))
-        return {arc->centre + arc->radius * direction(arc->to), direction(arc->to)};
-    auto const& curve = std::get<CurvePiece>(shape);
-    return {curve.point(1), curve_normal(curve, 1)};
+    return end_at(shape, 1);
 }
 
 Vec2 point_at(PieceShape const& shape, double t)

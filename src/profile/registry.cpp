@@ -1,41 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/profile/registry.hpp"
 
-#include "arc_chain.hpp"
-#include "b_spline.hpp"
-#include "bezier.hpp"
-#include "cycloid.hpp"
-#include "double_circular_arc.hpp"
-#include "involute.hpp"
-#include "measured_points.hpp"
-#include "s_tooth.hpp"
-#include "straight_sided.hpp"
+#include "families.hpp"
 
 namespace hdconj::profile {
-
 namespace {
 
-struct Registered
+std::vector<Family> const& families()
 {
-    scene::FamilyDescription description;
-    Profile (*build)(scene::FamilyChoice const&, ToothPlace const&, Faults&);
-};
-
-template <class Family>
-Registered registered()
-{
-    return {Family::describe(), &Family::build};
-}
-
-/// A new family is one header and one line here.
-std::vector<Registered> const& table()
-{
-    static std::vector<Registered> const families{
-        registered<DoubleCircularArc>(), registered<StraightSided>(), registered<MeasuredPoints>(),
-        registered<Involute>(),          registered<Cycloid>(),       registered<STooth>(),
-        registered<ArcChain>(),          registered<Bezier>(),        registered<BSpline>(),
-    };
-    return families;
+    static std::vector<Family> const all{
+        double_circular_arc(), straight_sided(), measured_points(), involute(), cycloid(), s_tooth(),
+        arc_chain(),           bezier(),         b_spline()};
+    return all;
 }
 
 }  // namespace
@@ -44,7 +20,7 @@ std::vector<scene::FamilyDescription> const& profile_families()
 {
     static std::vector<scene::FamilyDescription> const descriptions = [] {
         std::vector<scene::FamilyDescription> all;
-        for (Registered const& family : table())
+        for (Family const& family : families())
             all.push_back(family.description);
         return all;
     }();
@@ -53,7 +29,7 @@ std::vector<scene::FamilyDescription> const& profile_families()
 
 Profile build_profile(scene::FamilyChoice const& choice, ToothPlace const& place, Faults& faults)
 {
-    for (Registered const& family : table())
+    for (Family const& family : families())
         if (family.description.name == choice.family)
             return family.build(choice, place, faults);
     faults.push_back({choice.path + ".family", choice.line, choice.family, "no such tooth family",

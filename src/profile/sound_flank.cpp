@@ -81,15 +81,6 @@ std::optional<Vec2> crossing(std::vector<Vec2> const& points)
 
 }  // namespace
 
-std::vector<Vec2> flank_polygon(std::vector<FlankSegment> const& flank, double chord)
-{
-    Profile profile;
-    for (FlankSegment const& segment : flank)
-        for (PieceShape const& piece : segment.pieces)
-            profile.pieces.push_back({piece, 0, 0, 1, false});
-    return polygon_of(profile, chord);
-}
-
 std::string short_point(Vec2 const& p)
 {
     return "(" + short_number(p.x()) + ", " + short_number(p.y()) + ")";
@@ -117,14 +108,15 @@ void validate_flank(std::vector<FlankSegment> const& right_flank, scene::FamilyC
                "give the flank from the tip down to the root");
         return;
     }
-    double const chord = height * 0x1p-10;
-    std::vector<Vec2> const points = flank_polygon(right_flank, chord);
-    auto const highest =
-        *std::max_element(points.begin(), points.end(), [](Vec2 const& a, Vec2 const& b) { return a.y() < b.y(); });
-    auto const lowest =
-        *std::min_element(points.begin(), points.end(), [](Vec2 const& a, Vec2 const& b) { return a.y() < b.y(); });
-    auto const leftmost =
-        *std::min_element(points.begin(), points.end(), [](Vec2 const& a, Vec2 const& b) { return a.x() < b.x(); });
+    Profile flank;
+    for (FlankSegment const& segment : right_flank)
+        for (PieceShape const& piece : segment.pieces)
+            flank.pieces.push_back({piece, 0, 0, 1, false});
+    std::vector<Vec2> const points = polygon_of(flank, height * 0x1p-10);
+    auto const height_of = [](Vec2 const& p) { return p.y(); };
+    Vec2 const highest = *std::ranges::max_element(points, {}, height_of);
+    Vec2 const lowest = *std::ranges::min_element(points, {}, height_of);
+    Vec2 const leftmost = *std::ranges::min_element(points, {}, [](Vec2 const& p) { return p.x(); });
     // numbers are typed with finitely many digits
     constexpr double typed = 1e-9;
     // a spline through measured points may swing this far beyond a round tip

@@ -22,9 +22,6 @@ namespace hdconj::profile {
 void validate_flank(std::vector<FlankSegment> const& right_flank, scene::FamilyChoice const& choice,
                     std::string_view key, Faults& faults);
 
-/// Sample points of a flank, chord error <= @p chord [mm].
-[[nodiscard]] std::vector<Vec2> flank_polygon(std::vector<FlankSegment> const& flank, double chord);
-
 /// "(0.1, -0.2)" of a point for messages.
 [[nodiscard]] std::string short_point(Vec2 const& p);
 

@@ -37,24 +37,21 @@ std::vector<Branch> branches_of(std::vector<double> const& torque, double revers
         high = torque[i] > torque[high] ? i : high;
         low = torque[i] < torque[low] ? i : low;
         if (sense >= 0 && torque[high] - torque[i] > reversal) {
-            if (high > begin) {
+            if (high > begin)
                 branches.push_back({begin, high, true});
-            }
             begin = high;
             low = i;
             sense = -1;
         } else if (sense <= 0 && torque[i] - torque[low] > reversal) {
-            if (low > begin) {
+            if (low > begin)
                 branches.push_back({begin, low, false});
-            }
             begin = low;
             high = i;
             sense = 1;
         }
     }
-    if (begin + 1 < torque.size()) {
+    if (begin + 1 < torque.size())
         branches.push_back({begin, torque.size() - 1, torque.back() > torque[begin]});
-    }
     return branches;
 }
 
@@ -89,11 +86,9 @@ std::optional<Line> line_through(std::vector<double> const& x, std::vector<doubl
 std::vector<Sample> loaded_part(MeasuredCurve const& curve, Branch const& branch, double sign)
 {
     std::vector<Sample> samples;
-    for (std::size_t i = branch.first; i <= branch.last; ++i) {
-        if (sign * curve.torque[i] >= 0) {
+    for (std::size_t i = branch.first; i <= branch.last; ++i)
+        if (sign * curve.torque[i] >= 0)
             samples.push_back({sign * curve.twist[i], sign * curve.torque[i]});
-        }
-    }
     return samples;
 }
 
@@ -113,8 +108,7 @@ std::optional<Found> rest_of(std::vector<Sample> samples, double largest, double
     if (coarse) {
         if (samples.size() < 2)
             return std::nullopt;
-        std::stable_sort(samples.begin(), samples.end(),
-                         [](auto const& a, auto const& b) { return a.torque < b.torque; });
+        std::ranges::stable_sort(samples, {}, &Sample::torque);
         torque = {samples[0].torque, samples[1].torque};
         twist = {samples[0].twist, samples[1].twist};
     }
@@ -165,10 +159,9 @@ void check_sizes(MeasuredCurve const& curve)
     if (curve.twist.size() != curve.torque.size())
         throw std::logic_error("a measured curve with more torques than angles, or fewer");
     constexpr std::size_t least = 8;  // two points on each of the four parts of a cycle
-    if (curve.twist.size() < least) {
+    if (curve.twist.size() < least)
         refuse(curve, "holds " + std::to_string(curve.twist.size()) + " samples, too few for a load cycle",
                "write at least the torques 0, T/2, T, T/2, 0, -T/2, -T, -T/2, 0 with their angles");
-    }
 }
 
 /// Torque and angle must grow together where the drive is loaded.
@@ -177,15 +170,13 @@ void check_sense(MeasuredCurve const& curve)
     numeric::Moments const m = numeric::moments(curve.torque, curve.twist);
     constexpr double related = 0.3;  // correlation; of a loop with as much play as twist it is above 0.8
     auto const [least, most] = std::minmax_element(curve.twist.begin(), curve.twist.end());
-    if (*least == *most || std::abs(m.xy) < related * std::sqrt(m.xx * m.yy)) {
+    if (*least == *most || std::abs(m.xy) < related * std::sqrt(m.xx * m.yy))
         refuse(curve, "angle and torque do not depend on each other",
                "write the columns of a load cycle: torque up, down to 0, to the other side, and back");
-    }
-    if (m.xy < 0) {
+    if (m.xy < 0)
         refuse(curve, "the torque falls while the angle grows: one of them counts the other way round",
                curve.rig.counts_per_turn != 0 ? "turn the sign of --counts-per-turn round"
                                               : "turn the sign of one column round");
-    }
 }
 
 /// Results of all branches.
@@ -253,12 +244,11 @@ MeasuredStiffness measured_stiffness(MeasuredCurve const& curve)
     Collected all;
     for (auto const& branch : branches_of(curve.torque, measured_at::reversal * result.largest_torque))
         add_branch(curve, branch, result, measured_at::loaded * std::min(-*least, *most), all);
-    if (all.positive.empty() || all.negative.empty()) {
+    if (all.positive.empty() || all.negative.empty())
         refuse(curve,
                std::string("the load is never taken off from the ") + (all.positive.empty() ? "positive" : "negative") +
                    " side",
                "write a whole load cycle: 0, T, 0, -T, 0; without unloading there is no width of the loop");
-    }
     std::size_t const cycles = std::min(all.positive.size(), all.negative.size());
     result.cycles = static_cast<int>(cycles);
     std::vector<Found> widths;

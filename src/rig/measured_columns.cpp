@@ -127,8 +127,7 @@ MeasuredColumns measured_columns(std::string_view text, int line, std::string co
     for (std::size_t i = 0; i < headings.size(); ++i)
         if (!read_heading(reading, headings[i], i))
             unknown.push_back(file::heading_of(headings[i]).name);
-    if (std::all_of(headings.begin(), headings.end(),
-                    [](std::string_view each) { return file::number_in(each).has_value(); })) {
+    if (std::ranges::all_of(headings, [](std::string_view each) { return file::number_in(each).has_value(); })) {
         reading.fault("header", std::string(text), "is missing: the file begins with numbers", how_to_begin);
         return columns;
     }

@@ -23,18 +23,16 @@ using rig::MeasuredColumns;
 
 Fault fault_of(file::Unreadable cause, std::string const& name)
 {
-    switch (cause) {
-        case file::Unreadable::is_folder:
-            return rig::fault_of_file(name, "is a folder", "write the name of a CSV file");
-        case file::Unreadable::not_opened:
-            return rig::fault_of_file(name, "cannot be read", "write the name of a CSV file that is there");
-        case file::Unreadable::endless:
-            return rig::fault_of_file(name, "is no file that ends", "write the name of a CSV file");
-        case file::Unreadable::too_large:
-            break;
-    }
-    return rig::fault_of_file(name, fmt::format("is larger than {} MiB", largest_measured_file >> 20),
-                              "keep every tenth sample or so");
+    using enum file::Unreadable;
+    if (cause == too_large)
+        return rig::fault_of_file(name, fmt::format("is larger than {} MiB", largest_measured_file >> 20),
+                                  "keep every tenth sample or so");
+    return rig::fault_of_file(
+        name,
+        cause == is_folder    ? "is a folder"
+        : cause == not_opened ? "cannot be read"
+                              : "is no file that ends",
+        cause == not_opened ? "write the name of a CSV file that is there" : "write the name of a CSV file");
 }
 
 /// An option that says something about the rig, and the column that needs it.

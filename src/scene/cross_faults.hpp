@@ -27,7 +27,7 @@ void add_wedm_faults(SceneReading const& reading, Faults& faults);
 /// Whether the values of all @p paths were read and are right by themselves.
 [[nodiscard]] bool knows(SceneReading const& reading, std::initializer_list<std::string_view> paths);
 
-/// A fault whose place is found later, by its path.
-[[nodiscard]] Fault fault_at(std::string path, std::string value, std::string reason, std::string remedy);
+/// Adds a fault whose place is found later, by its path.
+void add_at(Faults& faults, std::string path, std::string value, std::string reason, std::string remedy);
 
 }  // namespace hdconj::scene

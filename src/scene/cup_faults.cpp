@@ -15,16 +15,13 @@ void check_cup(SceneReading const& reading, Faults& faults)
     auto const& given = reading.scene.given;
     for (std::string const side : {"rear", "front"}) {
         std::string const key = "flexspline.cup." + side;
-        if (given.contains(key + "_ramp") && given.contains(key + "_fillet")) {
-            faults.push_back(fault_at(key + "_fillet", "",
-                                      "an arc takes the place of the ramp, and is as long as its radius says",
-                                      "remove one of " + side + "_ramp and " + side + "_fillet"));
-        }
+        if (given.contains(key + "_ramp") && given.contains(key + "_fillet"))
+            add_at(faults, key + "_fillet", "", "an arc takes the place of the ramp, and is as long as its radius says",
+                   "remove one of " + side + "_ramp and " + side + "_fillet");
     }
-    if (given.contains("flexspline.cup.tooth_share") && !given.contains("flexspline.cup.tooth_layer")) {
-        faults.push_back(fault_at("flexspline.cup.tooth_share", "", "there is no layer of teeth",
-                                  "write tooth_layer = 0.53, the height of the teeth in mm, or remove the key"));
-    }
+    if (given.contains("flexspline.cup.tooth_share") && !given.contains("flexspline.cup.tooth_layer"))
+        add_at(faults, "flexspline.cup.tooth_share", "", "there is no layer of teeth",
+               "write tooth_layer = 0.53, the height of the teeth in mm, or remove the key");
 }
 
 /// What the elastic cup cannot do without, and what is not for it. What the dimensions say to each other:
@@ -33,25 +30,20 @@ void check_elastic(SceneReading const& reading, Faults& faults)
 {
     auto const& scene = reading.scene;
     int const line = scene.coning->line;
-    if (!scene.flexspline.cup && !scene.given.contains("flexspline.cup")) {
+    if (!scene.flexspline.cup && !scene.given.contains("flexspline.cup"))
         faults.push_back({"flexspline.cup", line, "",
                           "this table is missing: model \"elastic\" needs the cup's dimensions",
                           "write the line [flexspline.cup] and below it length = 15.0, barrel_wall = 0.4, bottom = "
-                          "0.5, corner_radius = 2.0, "
-                          "flange_radius = 13.0, tooth_width = 8.0, front_land = 2.0",
+                          "0.5, corner_radius = 2.0, flange_radius = 13.0, tooth_width = 8.0, front_land = 2.0",
                           line > 0 ? "" : "--set"});
-    }
-    if (!scene.bearing && !scene.given.contains("bearing")) {
+    if (!scene.bearing && !scene.given.contains("bearing"))
         faults.push_back({"bearing", line, "",
                           "this table is missing: model \"elastic\" needs what pushes the cup outward",
                           "write the line [bearing] and below it type = \"elastic\", width = 6.0, ring_thickness = 1.2",
                           line > 0 ? "" : "--set"});
-    }
-    if (scene.given.contains("coning.apex_height")) {
-        faults.push_back(fault_at("coning.apex_height", number_text(scene.coning->apex_height),
-                                  "the elastic cup tells where its apex is",
-                                  "remove the key, or write model = \"linear\""));
-    }
+    if (scene.given.contains("coning.apex_height"))
+        add_at(faults, "coning.apex_height", number_text(scene.coning->apex_height),
+               "the elastic cup tells where its apex is", "remove the key, or write model = \"linear\"");
 }
 
 void check_bearing(SceneReading const& reading, Faults& faults)
@@ -61,27 +53,23 @@ void check_bearing(SceneReading const& reading, Faults& faults)
         return;
     BearingChoice const& bearing = *scene.bearing;
     auto const refuse = [&](std::string const& key, std::string const& reason, std::string const& remedy) {
-        faults.push_back(fault_at("bearing." + key, "", reason, remedy));
+        add_at(faults, "bearing." + key, "", reason, remedy);
     };
-    if (bearing.elastic && !scene.given.contains("bearing.ring_thickness")) {
+    if (bearing.elastic && !scene.given.contains("bearing.ring_thickness"))
         faults.push_back({"bearing.ring_thickness", bearing.line, "",
                           "this key is missing: an outer ring that bends has a thickness",
                           "write ring_thickness = 1.2, a length in mm, or type = \"rigid\""});
-    }
     if (bearing.elastic && knows(reading, {"bearing.width"}) && bearing.width <= 0)
         refuse("width", "an outer ring that bends has a width above 0", "write width = 6.0, or type = \"rigid\"");
-    for (std::string const key : {"ring_thickness", "radial_stiffness", "axially", "balls", "ball_phase_deg"}) {
+    for (std::string const key : {"ring_thickness", "radial_stiffness", "axially", "balls", "ball_phase_deg"})
         if (!bearing.elastic && scene.given.contains("bearing." + key))
             refuse(key, "type \"rigid\" has no outer ring and no balls", "remove the key, or write type = \"elastic\"");
-    }
-    if (bearing.balls && *bearing.balls < 2) {
+    if (bearing.balls && *bearing.balls < 2)
         refuse("balls", "one ball leaves the ring free to move across it",
                "write as many as the bearing has, such as 23, or leave the key out for a line of balls");
-    }
-    if (!bearing.balls && scene.given.contains("bearing.ball_phase_deg")) {
+    if (!bearing.balls && scene.given.contains("bearing.ball_phase_deg"))
         refuse("ball_phase_deg", "a line of balls looks the same from every angle",
                "write balls = 23 too, or remove the key");
-    }
     if (knows(reading, {"bearing.angles"}) && bearing.angles % 2 != 0)
         refuse("angles", "is odd", "write an even number such as 48");
     if (knows(reading, {"bearing.angles", "bearing.circles"}) &&
@@ -99,19 +87,18 @@ void check_coning(SceneReading const& reading, Faults& faults)
     auto const& scene = reading.scene;
     if (!scene.coning || !knows(reading, {"coning.model"}))
         return;
-    if (!scene.given.contains("coning.bottom_to_middle")) {
+    if (!scene.given.contains("coning.bottom_to_middle"))
         faults.push_back({"coning.bottom_to_middle", scene.coning->line, "",
                           "this key is missing: model " + in_quotes(to_string(scene.coning->model)) +
                               " needs the distance from the cup's bottom",
                           "write bottom_to_middle = 9.0, a length in mm"});
-    }
     if (scene.is_elastic())
         check_elastic(reading, faults);
     if (knows(reading, {"coning.bottom_to_middle"}) && scene.coning->apex_height >= *scene.coning->bottom_to_middle) {
-        faults.push_back(fault_at("coning.apex_height", number_text(scene.coning->apex_height),
-                                  "the apex must lie behind the middle of the bearing, which is " +
-                                      number_text(*scene.coning->bottom_to_middle) + " mm above the cup's bottom",
-                                  "write a smaller height, such as 0"));
+        add_at(faults, "coning.apex_height", number_text(scene.coning->apex_height),
+               "the apex must lie behind the middle of the bearing, which is " +
+                   number_text(*scene.coning->bottom_to_middle) + " mm above the cup's bottom",
+               "write a smaller height, such as 0");
         return;
     }
     bool const both =
@@ -119,17 +106,16 @@ void check_coning(SceneReading const& reading, Faults& faults)
     double const to_apex = both ? *scene.coning->bottom_to_middle - scene.coning->apex_height : 0;
     if (both && *scene.circular_spline.width / 2 >= to_apex &&
         *scene.circular_spline.width / 2 < *scene.coning->bottom_to_middle) {
-        faults.push_back(fault_at("coning.apex_height", number_text(scene.coning->apex_height),
-                                  "the teeth would reach behind the apex: half the width is " +
-                                      number_text(*scene.circular_spline.width / 2) + " mm",
-                                  "write a smaller height or a smaller circular_spline.width"));
+        add_at(faults, "coning.apex_height", number_text(scene.coning->apex_height),
+               "the teeth would reach behind the apex: half the width is " +
+                   number_text(*scene.circular_spline.width / 2) + " mm",
+               "write a smaller height or a smaller circular_spline.width");
     }
-    if (both && *scene.circular_spline.width / 2 >= *scene.coning->bottom_to_middle) {
-        faults.push_back(fault_at("coning.bottom_to_middle", number_text(*scene.coning->bottom_to_middle),
-                                  "the teeth would reach through the cup's bottom: half the width is " +
-                                      number_text(*scene.circular_spline.width / 2) + " mm",
-                                  "write a longer cup or a smaller circular_spline.width"));
-    }
+    if (both && *scene.circular_spline.width / 2 >= *scene.coning->bottom_to_middle)
+        add_at(faults, "coning.bottom_to_middle", number_text(*scene.coning->bottom_to_middle),
+               "the teeth would reach through the cup's bottom: half the width is " +
+                   number_text(*scene.circular_spline.width / 2) + " mm",
+               "write a longer cup or a smaller circular_spline.width");
 }
 
 }  // namespace

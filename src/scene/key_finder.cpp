@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "key_finder.hpp"
+// Which key or table a user meant with a name that the schema does not have.
+#include "validation.hpp"
 
 #include <algorithm>
 
@@ -8,34 +9,13 @@ namespace hdconj::scene {
 std::vector<FamilyDescription> const& SceneFamilies::of(FamilyKind kind) const
 {
     static std::vector<FamilyDescription> const no_families;
-    switch (kind) {
-        case FamilyKind::profile:
-            return profiles;
-        case FamilyKind::wave_generator:
-            return wave_generators;
-        case FamilyKind::none:
-            break;
-    }
-    return no_families;
+    return kind == FamilyKind::profile ? profiles : kind == FamilyKind::wave_generator ? wave_generators : no_families;
 }
-
-namespace {
-
-std::string_view parent_of(std::string_view path)
-{
-    std::size_t const dot = path.rfind('.');
-    return dot == std::string_view::npos ? std::string_view{} : path.substr(0, dot);
-}
-
-}  // namespace
 
 TableSpec const* find_table(std::string_view path)
 {
-    for (auto const& table : scene_schema()) {
-        if (table.path == path)
-            return &table;
-    }
-    return nullptr;
+    auto const found = std::ranges::find(scene_schema(), path, &TableSpec::path);
+    return found == scene_schema().end() ? nullptr : &*found;
 }
 
 std::string_view last_name(std::string_view path)
@@ -47,10 +27,9 @@ std::string_view last_name(std::string_view path)
 std::vector<std::string_view> tables_in(std::string_view parent)
 {
     std::vector<std::string_view> found;
-    for (auto const& table : scene_schema()) {
-        if (parent_of(table.path) == parent)
-            found.push_back(table.path);
-    }
+    for (auto const& table : scene_schema())
+        if (join(parent, last_name(table.path)) == table.path)
+            found.push_back(last_name(table.path));
     return found;
 }
 
@@ -59,10 +38,9 @@ std::vector<ParameterSpec const*> keys_of(TableSpec const& table, SceneFamilies 
     std::vector<ParameterSpec const*> keys;
     for (auto const& key : table.keys)
         keys.push_back(&key.spec);
-    for (auto const& family : families.of(table.families)) {
+    for (auto const& family : families.of(table.families))
         for (auto const& parameter : family.parameters)
             keys.push_back(&parameter);
-    }
     return keys;
 }
 
@@ -70,7 +48,7 @@ std::optional<std::string> key_elsewhere(std::string_view key, std::string_view 
 {
     for (auto const& table : scene_schema()) {
         auto const keys = table.path == except ? std::vector<ParameterSpec const*>{} : keys_of(table, families);
-        if (std::any_of(keys.begin(), keys.end(), [key](ParameterSpec const* spec) { return spec->key == key; }))
+        if (std::ranges::find(keys, key, &ParameterSpec::key) != keys.end())
             return join(table.path, key);
     }
     return std::nullopt;

@@ -26,22 +26,21 @@ void check_teeth(SceneReading const& reading, Faults& faults)
     int const waves = reading.scene.wave_generator.waves;
     int const more = drive.circular_spline_teeth - drive.flexspline_teeth;
     bool const meets = more > 0 && more % waves == 0;
-    if (meets && more / waves > bounds::most_pitches_per_lobe) {
-        faults.push_back(fault_at("drive.circular_spline_teeth", std::to_string(drive.circular_spline_teeth),
-                                  "each wave would move the flexspline by " + std::to_string(more / waves) +
-                                      " teeth of the circular spline, and more than " +
-                                      std::to_string(bounds::most_pitches_per_lobe) + " are not computed",
-                                  "write " + std::to_string(drive.flexspline_teeth + waves) +
-                                      ", flexspline_teeth plus waves, or another small multiple of waves more"));
-    }
+    if (meets && more / waves > bounds::most_pitches_per_lobe)
+        add_at(faults, "drive.circular_spline_teeth", std::to_string(drive.circular_spline_teeth),
+               "each wave would move the flexspline by " + std::to_string(more / waves) +
+                   " teeth of the circular spline, and more than " + std::to_string(bounds::most_pitches_per_lobe) +
+                   " are not computed",
+               "write " + std::to_string(drive.flexspline_teeth + waves) +
+                   ", flexspline_teeth plus waves, or another small multiple of waves more");
     if (meets)
         return;
     int const right = drive.flexspline_teeth + std::max(1, (more + waves / 2) / waves) * waves;
-    faults.push_back(fault_at("drive.circular_spline_teeth", std::to_string(drive.circular_spline_teeth),
-                              "must be flexspline_teeth = " + std::to_string(drive.flexspline_teeth) +
-                                  " plus a positive multiple of waves = " + std::to_string(waves) +
-                                  ", or the teeth do not meet at every wave",
-                              "write " + std::to_string(right)));
+    add_at(faults, "drive.circular_spline_teeth", std::to_string(drive.circular_spline_teeth),
+           "must be flexspline_teeth = " + std::to_string(drive.flexspline_teeth) +
+               " plus a positive multiple of waves = " + std::to_string(waves) +
+               ", or the teeth do not meet at every wave",
+           "write " + std::to_string(right));
 }
 
 void check_tolerance(SceneReading const& reading, Faults& faults)
@@ -50,20 +49,18 @@ void check_tolerance(SceneReading const& reading, Faults& faults)
         return;
     double const tolerance = reading.scene.solver.tolerance;
     double const largest = largest_tolerance(reading.scene.drive);
-    if (tolerance > largest) {
-        faults.push_back(fault_at("solver.tolerance", number_text(tolerance),
-                                  "above a tenth of the module says nothing about a tooth",
-                                  "write at most " + number_text(largest) + ", such as 1e-6"));
-    }
+    if (tolerance > largest)
+        add_at(faults, "solver.tolerance", number_text(tolerance),
+               "above a tenth of the module says nothing about a tooth",
+               "write at most " + number_text(largest) + ", such as 1e-6");
     if (!knows(reading, {"drive.flexspline_teeth"}))
         return;
     double const least = least_tolerance(reading.scene.drive);
-    if (tolerance < least) {
-        faults.push_back(fault_at(
-            "solver.tolerance", number_text(tolerance),
+    if (tolerance < least)
+        add_at(
+            faults, "solver.tolerance", number_text(tolerance),
             "cannot be reached in double precision on a radius of " + number_text(pitch_radius(reading.scene)) + " mm",
-            "write at least " + number_text(least)));
-    }
+            "write at least " + number_text(least));
 }
 
 void check_wall(SceneReading const& reading, Faults& faults)
@@ -71,20 +68,19 @@ void check_wall(SceneReading const& reading, Faults& faults)
     auto const& scene = reading.scene;
     if (knows(reading, {"flexspline.wall", "flexspline.neutral_offset"}) &&
         std::abs(scene.flexspline.neutral_offset) > scene.flexspline.wall / 2) {
-        faults.push_back(fault_at("flexspline.neutral_offset", number_text(scene.flexspline.neutral_offset),
-                                  "the neutral layer would lie outside the wall",
-                                  "write a length from " + number_text(-scene.flexspline.wall / 2) + " to " +
-                                      number_text(scene.flexspline.wall / 2)));
+        add_at(faults, "flexspline.neutral_offset", number_text(scene.flexspline.neutral_offset),
+               "the neutral layer would lie outside the wall",
+               "write a length from " + number_text(-scene.flexspline.wall / 2) + " to " +
+                   number_text(scene.flexspline.wall / 2));
     }
     auto const dedendum = scene.flexspline_dedendum();
     if (!dedendum || !knows(reading, {"flexspline.wall", "drive.module", "drive.flexspline_teeth"}))
         return;
     double const hole = pitch_radius(scene) - *dedendum - scene.flexspline.wall;
-    if (!knows(reading, {"flexspline.inner_radius"}) && hole <= 0) {
-        faults.push_back(fault_at("flexspline.wall", number_text(scene.flexspline.wall),
-                                  "leaves no hole: the pitch radius is " + number_text(pitch_radius(scene)) + " mm",
-                                  "write a thinner wall, or check module and flexspline_teeth"));
-    }
+    if (!knows(reading, {"flexspline.inner_radius"}) && hole <= 0)
+        add_at(faults, "flexspline.wall", number_text(scene.flexspline.wall),
+               "leaves no hole: the pitch radius is " + number_text(pitch_radius(scene)) + " mm",
+               "write a thinner wall, or check module and flexspline_teeth");
 }
 
 void check_inner_radius(SceneReading const& reading, Faults& faults)
@@ -92,15 +88,13 @@ void check_inner_radius(SceneReading const& reading, Faults& faults)
     auto const& scene = reading.scene;
     auto const dedendum = scene.flexspline_dedendum();
     if (!dedendum ||
-        !knows(reading, {"flexspline.inner_radius", "flexspline.wall", "drive.module", "drive.flexspline_teeth"})) {
+        !knows(reading, {"flexspline.inner_radius", "flexspline.wall", "drive.module", "drive.flexspline_teeth"}))
         return;
-    }
     double const expected = pitch_radius(scene) - *dedendum - scene.flexspline.wall;
-    if (std::abs(*scene.flexspline.inner_radius - expected) > radius_doubt * pitch_radius(scene)) {
-        faults.push_back(fault_at("flexspline.inner_radius", number_text(*scene.flexspline.inner_radius),
-                                  "contradicts module and teeth, which make it about " + number_text(expected) + " mm",
-                                  "write a radius near that, or remove the key"));
-    }
+    if (std::abs(*scene.flexspline.inner_radius - expected) > radius_doubt * pitch_radius(scene))
+        add_at(faults, "flexspline.inner_radius", number_text(*scene.flexspline.inner_radius),
+               "contradicts module and teeth, which make it about " + number_text(expected) + " mm",
+               "write a radius near that, or remove the key");
 }
 
 void check_deformation(SceneReading const& reading, Faults& faults)
@@ -112,21 +106,18 @@ void check_deformation(SceneReading const& reading, Faults& faults)
     // rho = r_0 + w0 cos(n u) has a hollow where w0 (n^2 + 1) > r_0.
     double const waves = scene.wave_generator.waves;
     double const largest = pitch_radius(scene) / (waves * waves + 1);
-    if (*w0 >= largest) {
-        faults.push_back(fault_at("wave_generator.radial_deformation", number_text(*w0),
-                                  "the neutral curve would be hollow between the waves",
-                                  "write less than " + number_text(largest) + ", usually about one module"));
-    }
+    if (*w0 >= largest)
+        add_at(faults, "wave_generator.radial_deformation", number_text(*w0),
+               "the neutral curve would be hollow between the waves",
+               "write less than " + number_text(largest) + ", usually about one module");
 }
 
 void check_clearance(SceneReading const& reading, std::string const& key, double clearance, Faults& faults)
 {
     std::string const path = "circular_spline." + key;
-    if (knows(reading, {path, "drive.module"}) && clearance > reading.scene.drive.module) {
-        faults.push_back(
-            fault_at(path, number_text(clearance), "a clearance above one module leaves no tooth",
-                     "write a length from 0 to a small part of the module " + number_text(reading.scene.drive.module)));
-    }
+    if (knows(reading, {path, "drive.module"}) && clearance > reading.scene.drive.module)
+        add_at(faults, path, number_text(clearance), "a clearance above one module leaves no tooth",
+               "write a length from 0 to a small part of the module " + number_text(reading.scene.drive.module));
 }
 
 /// With the circular spline's tooth given, its space is as deep as that tooth says.
@@ -135,11 +126,10 @@ void check_reverse(SceneReading const& reading, Faults& faults)
     auto const& scene = reading.scene;
     if (scene.is_reverse() && knows(reading, {"circular_spline.root_clearance"}) &&
         scene.circular_spline.root_clearance > 0) {
-        faults.push_back(
-            fault_at("circular_spline.root_clearance", number_text(scene.circular_spline.root_clearance),
-                     "the depth of the circular spline's tooth space is told by its given tooth",
-                     "write a larger circular_spline.profile.dedendum (or flexspline.dedendum for the other "
-                     "member) and remove this key"));
+        add_at(faults, "circular_spline.root_clearance", number_text(scene.circular_spline.root_clearance),
+               "the depth of the circular spline's tooth space is told by its given tooth",
+               "write a larger circular_spline.profile.dedendum (or flexspline.dedendum for the other member) and "
+               "remove this key");
     }
 }
 

@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 
-#include "key_finder.hpp"
 #include "validate_value.hpp"
 #include "validation.hpp"
 
@@ -35,10 +34,9 @@ bool is_wanted(Validation const& validation, TableSpec const& table)
 Fault missing_table(TableSpec const& table)
 {
     std::string keys;
-    for (auto const& key : table.keys) {
+    for (auto const& key : table.keys)
         if (key.spec.required)
             keys += (keys.empty() ? "" : ", ") + with_example(key);
-    }
     std::string const header = "[" + std::string(table.path) + "]";
     return {std::string(table.path), 0, "", "this table is missing: " + std::string(table.meaning),
             "write the line " + header + " and below it " + keys +
@@ -66,14 +64,14 @@ void report_given_tooth(Validation& validation)
         if (outer != visits.end() && !attempted) {
             faults.push_back(
                 {path, outer->second.line, "",
-                 "this key is missing: with [circular_spline.profile] nothing else says how far the "
-                 "flexspline's teeth reach",
+                 "this key is missing: with [circular_spline.profile] nothing else says how far the flexspline's teeth "
+                 "reach",
                  "write " + key + " = " + (key == "addendum" ? "0.225" : "0.303") + ", a length in mm, in [flexspline]",
                  outer->second.origin});
         } else if (inner != visits.end() && attempted) {
-            auto const given = validation.reading.scene.given.find(path);
-            faults.push_back({path, given == validation.reading.scene.given.end() ? 0 : given->second.line,
-                              given == validation.reading.scene.given.end() ? "" : given->second.written,
+            auto const found = validation.reading.scene.given.find(path);
+            GivenKey const given = found == validation.reading.scene.given.end() ? GivenKey{} : found->second;
+            faults.push_back({path, given.line, given.written,
                               "the height of the flexspline tooth is told in [flexspline.profile]",
                               "write it as flexspline.profile." + key + ", or remove it"});
         }
@@ -119,14 +117,12 @@ void store_defaults(Validation& validation, TableSpec const& table)
 bool is_geometry_key(std::string_view path)
 {
     constexpr std::array<std::string_view, 4> tables{"drive.", "flexspline.", "wave_generator.", "circular_spline."};
-    constexpr std::array<std::string_view, 5> others{"drive.name", "drive.circular_spline_teeth",
-                                                     "wave_generator.waves", "circular_spline.width",
-                                                     "circular_spline.backlash_offset"};
-    if (std::find(others.begin(), others.end(), path) != others.end())
-        return false;
-    return find_table(path) == nullptr && std::any_of(tables.begin(), tables.end(), [path](std::string_view table) {
-               return path.starts_with(table);
-           });
+    for (std::string_view const other : {"drive.name", "drive.circular_spline_teeth", "wave_generator.waves",
+                                         "circular_spline.width", "circular_spline.backlash_offset"})
+        if (path == other)
+            return false;
+    return find_table(path) == nullptr &&
+           std::ranges::any_of(tables, [path](std::string_view table) { return path.starts_with(table); });
 }
 
 /// Whether every required key of @p table and of its family was given and is right.
@@ -136,13 +132,11 @@ bool required_keys_known(Validation const& validation, TableSpec const& table)
         std::string const path = join(table.path, spec.key);
         return !spec.required || !is_geometry_key(path) || validation.reading.known.contains(path);
     };
-    bool const own = std::all_of(table.keys.begin(), table.keys.end(),
-                                 [&is_known](KeySpec const& key) { return is_known(key.spec); });
+    bool const own = std::ranges::all_of(table.keys, is_known, &KeySpec::spec);
     if (!own || table.families == FamilyKind::none)
         return own;
     auto const families = validation.families_of(table.path);
-    return families.size() == 1 &&
-           std::all_of(families.front()->parameters.begin(), families.front()->parameters.end(), is_known);
+    return families.size() == 1 && std::ranges::all_of(families.front()->parameters, is_known);
 }
 
 }  // namespace
@@ -152,11 +146,10 @@ void validate_missing(Validation& validation)
     for (auto const& table : scene_schema()) {
         bool const is_there = validation.visits.contains(table.path);
         bool const has_stray = has_stray_key(validation, table);
-        if (is_there || has_stray) {
+        if (is_there || has_stray)
             report_missing_keys(validation, table);
-        } else if (is_wanted(validation, table) && !validation.attempted.contains(table.path)) {
+        else if (is_wanted(validation, table) && !validation.attempted.contains(table.path))
             validation.reading.faults.push_back(missing_table(table));
-        }
         if (is_there || table.presence == Presence::required || table.presence == Presence::optional)
             store_defaults(validation, table);
     }
@@ -173,15 +166,13 @@ bool is_of_tooth_or_curve(Fault const& fault)
 bool geometry_is_known(Validation const& validation)
 {
     auto const& known = validation.reading.known;
-    bool const given_is_right =
-        std::all_of(validation.attempted.begin(), validation.attempted.end(),
-                    [&known](std::string const& path) { return !is_geometry_key(path) || known.contains(path); });
+    bool const given_is_right = std::ranges::all_of(
+        validation.attempted, [&](std::string const& path) { return !is_geometry_key(path) || known.contains(path); });
     bool const inner = validation.visits.contains("flexspline.profile");
     bool const outer = validation.visits.contains("circular_spline.profile");
     bool const heights = known.contains("flexspline.addendum") && known.contains("flexspline.dedendum");
     bool const one_tooth = inner != outer && outer == heights;
-    auto const& schema = scene_schema();
-    return given_is_right && one_tooth && std::all_of(schema.begin(), schema.end(), [&](TableSpec const& table) {
+    return given_is_right && one_tooth && std::ranges::all_of(scene_schema(), [&](TableSpec const& table) {
                bool const needed = table.presence == Presence::required ||
                                    (table.presence == Presence::alternative && validation.visits.contains(table.path));
                return !needed || required_keys_known(validation, table);

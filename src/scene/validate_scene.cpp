@@ -4,8 +4,8 @@
 #include <optional>
 #include <utility>
 
+#include "cross_faults.hpp"
 #include "hdconj/base/suggest.hpp"
-#include "key_finder.hpp"
 #include "validate_value.hpp"
 #include "validation.hpp"
 
@@ -27,9 +27,8 @@ std::vector<FamilyDescription const*> possible_families(std::vector<FamilyDescri
     for (auto const& entry : table.entries) {
         bool const is_name = entry.key == "family" && entry.value.kind == Kind::text;
         auto const meant = is_name ? nearest(entry.value.text, names) : std::nullopt;
-        if (meant) {
+        if (meant)
             std::erase_if(possible, [&meant](FamilyDescription const* family) { return family->name != *meant; });
-        }
     }
     return possible;
 }
@@ -52,16 +51,13 @@ std::optional<Parameter> take_value(Validation& validation, TableSpec const& tab
 
 bool take_own_key(Validation& validation, TableSpec const& table, RawEntry const& entry, std::string const& spelled)
 {
-    for (auto const& key : table.keys) {
-        if (key.spec.key == entry.key) {
-            auto const spec = with_family_names(validation.families, table, key.spec);
-            auto const parameter = take_value(validation, table, spec, key.example, entry, spelled);
-            if (parameter)
-                key.store(validation.reading.scene, *parameter);
-            return true;
-        }
-    }
-    return false;
+    auto const key = std::ranges::find(table.keys, entry.key, [](KeySpec const& each) { return each.spec.key; });
+    if (key == table.keys.end())
+        return false;
+    auto const spec = with_family_names(validation.families, table, key->spec);
+    if (auto const parameter = take_value(validation, table, spec, key->example, entry, spelled))
+        key->store(validation.reading.scene, *parameter);
+    return true;
 }
 
 /// Where the values of the family's keys of @p table go.
@@ -77,14 +73,12 @@ bool take_family_key(Validation& validation, TableSpec const& table, RawEntry co
 {
     auto& choice = choice_of(validation.reading.scene, table);
     for (auto const* const family : validation.families_of(table.path)) {
-        for (auto const& spec : family->parameters) {
-            if (spec.key == entry.key) {
-                auto parameter = take_value(validation, table, spec, "", entry, spelled);
-                if (parameter)
-                    choice.given.insert_or_assign(entry.key, std::move(*parameter));
-                return true;
-            }
-        }
+        auto const spec = std::ranges::find(family->parameters, entry.key, &ParameterSpec::key);
+        if (spec == family->parameters.end())
+            continue;
+        if (auto parameter = take_value(validation, table, *spec, "", entry, spelled))
+            choice.given.insert_or_assign(entry.key, std::move(*parameter));
+        return true;
     }
     return false;
 }
@@ -130,31 +124,51 @@ void validate_table(Validation& validation, TableSpec const& spec, std::string c
     validation.reading.scene.given[path] = {entry.line, entry.value.written};
     if (spec.begin != nullptr)
         spec.begin(validation.reading.scene, entry.line);
-    for (auto const& member : entry.value.entries) {
+    for (auto const& member : entry.value.entries)
         validate_member(validation, {path, spelled, &entry.value}, member);
-    }
 }
 
 ParameterSpec with_family_names(SceneFamilies const& families, TableSpec const& table, ParameterSpec spec)
 {
-    if (spec.key == "family") {
+    if (spec.key == "family")
         for (auto const& family : families.of(table.families))
             spec.words.push_back(family.name);
-    }
     return spec;
+}
+
+// What must hold between values. The geometry of tooth and neutral curve is checked where it is built.
+
+bool knows(SceneReading const& reading, std::initializer_list<std::string_view> paths)
+{
+    return std::ranges::all_of(paths, [&](std::string_view path) { return reading.known.contains(path); });
+}
+
+void add_at(Faults& faults, std::string path, std::string value, std::string reason, std::string remedy)
+{
+    faults.push_back({std::move(path), 0, std::move(value), std::move(reason), std::move(remedy)});
+}
+
+Faults cross_faults(SceneReading const& reading)
+{
+    Faults faults;
+    add_pair_faults(reading, faults);
+    add_cup_faults(reading, faults);
+    add_axial_faults(reading, faults);
+    if (reading.scene.wedm)
+        add_wedm_faults(reading, faults);
+    locate(faults, reading.scene);
+    return faults;
 }
 
 SceneReading validate_scene(RawValue const& root, SceneFamilies const& families)
 {
     Validation validation{families, {}};
-    for (auto const& entry : root.entries) {
+    for (auto const& entry : root.entries)
         validate_member(validation, {"", "", &root}, entry);
-    }
     validate_missing(validation);
     auto& reading = validation.reading;
     auto crossed = cross_faults(reading);
-    reading.geometry_known =
-        geometry_is_known(validation) && std::none_of(crossed.begin(), crossed.end(), is_of_tooth_or_curve);
+    reading.geometry_known = geometry_is_known(validation) && std::ranges::none_of(crossed, is_of_tooth_or_curve);
     std::move(crossed.begin(), crossed.end(), std::back_inserter(reading.faults));
     sort_by_place(reading.faults);
     return std::move(reading);

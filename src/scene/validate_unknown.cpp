@@ -4,7 +4,6 @@
 
 #include "base/text.hpp"
 #include "hdconj/base/suggest.hpp"
-#include "key_finder.hpp"
 #include "validation.hpp"
 
 namespace hdconj::scene {
@@ -21,25 +20,15 @@ void add_fault(Validation& validation, std::string const& spelled, RawEntry cons
 
 bool has_member(RawValue const& table, std::string_view key)
 {
-    return std::any_of(table.entries.begin(), table.entries.end(),
-                       [key](RawEntry const& entry) { return entry.key == key; });
-}
-
-std::vector<std::string_view> names_of_tables_in(std::string_view path)
-{
-    std::vector<std::string_view> names;
-    for (auto const table : tables_in(path))
-        names.push_back(last_name(table));
-    return names;
+    return std::ranges::find(table.entries, key, &RawEntry::key) != table.entries.end();
 }
 
 /// `profile` written as a top table: the path of the table with that last name.
 std::optional<std::string> table_elsewhere(std::string_view name)
 {
-    for (auto const& table : scene_schema()) {
+    for (auto const& table : scene_schema())
         if (last_name(table.path) == name)
             return std::string(table.path);
-    }
     return std::nullopt;
 }
 
@@ -47,7 +36,7 @@ std::string remedy_for_table(Place const& place, RawEntry const& entry)
 {
     if (auto const elsewhere = table_elsewhere(entry.key))
         return "write [" + *elsewhere + "]";
-    auto const names = names_of_tables_in(place.path);
+    auto const names = tables_in(place.path);
     return names.empty() ? "remove it: [" + place.path + "] has no sub-tables"
                          : "remove it; known here: " + plain_list(names);
 }
@@ -65,24 +54,22 @@ void validate_as(Validation& validation, Place const& place, std::string_view me
     std::string const right = join(place.path, meant);
     std::string const spelled = join(place.spelled, entry.key);
     auto const& spec = *find_table(right);
-    auto const there = std::find_if(place.table->entries.begin(), place.table->entries.end(),
-                                    [meant](RawEntry const& other) { return other.key == meant; });
+    auto const there = std::ranges::find(place.table->entries, meant, &RawEntry::key);
     if (there == place.table->entries.end()) {
         validate_table(validation, spec, spelled, entry);
         return;
     }
     for (auto const& member : entry.value.entries) {
         bool const is_table = find_table(join(right, member.key)) != nullptr;
-        if ((is_table || stands_alone(spec)) && !has_member(there->value, member.key)) {
+        if ((is_table || stands_alone(spec)) && !has_member(there->value, member.key))
             validate_member(validation, {right, spelled, &entry.value}, member);
-        }
     }
 }
 
 void validate_unknown_table(Validation& validation, Place const& place, RawEntry const& entry)
 {
     std::string const spelled = join(place.spelled, entry.key);
-    auto const meant = nearest(entry.key, names_of_tables_in(place.path));
+    auto const meant = nearest(entry.key, tables_in(place.path));
     if (!meant) {
         add_fault(validation, spelled, entry, "unknown table", remedy_for_table(place, entry));
         return;
@@ -100,10 +87,9 @@ std::vector<std::string_view> key_names(Validation const& validation, std::strin
         return names;
     for (auto const& key : table->keys)
         names.push_back(key.spec.key);
-    for (auto const* const family : validation.families_of(path)) {
+    for (auto const* const family : validation.families_of(path))
         for (auto const& spec : family->parameters)
             names.push_back(spec.key);
-    }
     return names;
 }
 
@@ -111,12 +97,9 @@ std::vector<std::string_view> key_names(Validation const& validation, std::strin
 std::optional<std::string> family_with(SceneFamilies const& families, std::string const& path, std::string_view key)
 {
     auto const* const table = find_table(path);
-    for (auto const& family : families.of(table == nullptr ? FamilyKind::none : table->families)) {
-        for (auto const& spec : family.parameters) {
-            if (spec.key == key)
-                return std::string(family.name);
-        }
-    }
+    for (auto const& family : families.of(table == nullptr ? FamilyKind::none : table->families))
+        if (std::ranges::find(family.parameters, key, &ParameterSpec::key) != family.parameters.end())
+            return std::string(family.name);
     return std::nullopt;
 }
 
@@ -125,7 +108,7 @@ std::string remedy_for_key(Validation const& validation, Place const& place, Raw
     if (auto const family = family_with(validation.families, place.path, entry.key))
         return "remove it: it is a key of family " + in_quotes(*family);
     if (place.path.empty())
-        return "remove it; tables of a scene: " + plain_list(names_of_tables_in(""));
+        return "remove it; tables of a scene: " + plain_list(tables_in(""));
     return "remove it; known in [" + place.path + "]: " + plain_list(key_names(validation, place.path));
 }
 
@@ -168,11 +151,10 @@ void validate_unknown_key(Validation& validation, Place const& place, RawEntry c
 void validate_unknown(Validation& validation, Place const& place, RawEntry const& entry)
 {
     bool const is_list_of_tables = entry.value.kind == Kind::array && place.path.empty();
-    if (entry.value.kind == Kind::table || is_list_of_tables) {
+    if (entry.value.kind == Kind::table || is_list_of_tables)
         validate_unknown_table(validation, place, entry);
-    } else {
+    else
         validate_unknown_key(validation, place, entry);
-    }
 }
 
 }  // namespace hdconj::scene

@@ -2,6 +2,7 @@
 #include "validate_value.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -36,93 +37,80 @@ bool is_length(Quantity quantity)
 
 std::string kind_name(Kind kind)
 {
-    switch (kind) {
-        case Kind::boolean:
-            return "true or false";
-        case Kind::integer:
-        case Kind::number:
-            return "a number";
-        case Kind::text:
-            return "text";
-        case Kind::date:
-            return "a date or time";
-        case Kind::array:
-            return "a list";
-        case Kind::table:
-            return "a table";
-    }
-    return "something else";
+    constexpr std::array names{"true or false", "a number", "a number", "text", "a date or time", "a list", "a table"};
+    return names.at(static_cast<std::size_t>(kind));
 }
 
 std::string quantity_name(ParameterSpec const& spec)
 {
-    switch (spec.quantity) {
-        case Quantity::length:
-        case Quantity::positive_length:
-        case Quantity::nonnegative_length:
-            return "a length";
-        case Quantity::angle_deg:
-            return "an angle in degrees";
-        case Quantity::number:
-            return "a number";
-        case Quantity::count:
-            return "a whole number";
-        case Quantity::word:
-            return "a word";
-        case Quantity::length_or_word:
-            return "a length or a word";
-        case Quantity::file:
-            return "a file name";
-        case Quantity::text:
-            return "text";
-        case Quantity::rows:
-            return "a list";
-    }
-    return "another value";
+    constexpr std::array names{"a length",    "a length",       "a length", "an angle in degrees",
+                               "a number",    "a whole number", "a word",   "a length or a word",
+                               "a file name", "a list",         "text"};
+    return names.at(static_cast<std::size_t>(spec.quantity));
+}
+
+/// "at least 4 [x, y], in mm"
+std::string rows_expectation(ParameterSpec const& spec)
+{
+    std::string forms;
+    for (auto const form : spec.words)
+        forms += (forms.empty() ? "" : " or ") + std::string(form);
+    bool const has_angles = forms.find("_deg") != std::string::npos;
+    std::string const least = std::isfinite(spec.at_least) ? "at least " + number_text(spec.at_least) + " " : "";
+    return least + forms + (has_angles ? ", in mm and degrees" : ", in mm");
+}
+
+std::string base_expectation(ParameterSpec const& spec)
+{
+    // in the order of Quantity
+    constexpr std::array<std::string_view, 11> plain{
+        "a length in mm", "a length in mm above 0", "a length in mm, 0 or more", "an angle in degrees",   "a number",
+        "a whole number", "a word in quotes",       "a length in mm, or ",       "a file name in quotes", "a list of ",
+        "text in quotes"};
+    if (spec.quantity == Quantity::word && !spec.words.empty())
+        return quoted_list(spec.words);
+    bool const positive = spec.quantity == Quantity::positive_length;
+    Quantity const said = positive && std::isfinite(spec.at_least) ? Quantity::length : spec.quantity;
+    return std::string(plain.at(static_cast<std::size_t>(said))) + (said == Quantity::length_or_word
+                                                                        ? quoted_list(spec.words)
+                                                                    : said == Quantity::rows ? rows_expectation(spec)
+                                                                                             : "");
 }
 
 Refusal text_for_number(ParameterSpec const& spec, std::string const& text, std::string const& otherwise)
 {
     std::string const reason = "text where " + quantity_name(spec) + " belongs";
     auto const found = leading_number(text);
-    if (!found) {
+    if (!found)
         return {reason, otherwise};
-    }
     if (found->rest.empty() && text.find(',') != std::string::npos)
         return {"a decimal comma", "write " + number_text(found->value) + ", with a decimal point"};
-    if (found->rest.empty()) {
+    if (found->rest.empty())
         return {reason, "write " + number_text(found->value) + ", a number without quotes"};
-    }
     std::string const unit = is_length(spec.quantity) ? "lengths are in mm" : "numbers have no unit";
     return {reason, "write " + number_text(found->value) + ", a number without quotes or unit: " + unit};
 }
 
 Verdict validate_bounds(ParameterSpec const& spec, double value, std::string const& remedy)
 {
-    if (value < spec.at_least) {
+    if (value < spec.at_least)
         return Refusal{"must be at least " + number_text(spec.at_least), remedy};
-    }
-    if (value > spec.at_most) {
+    if (value > spec.at_most)
         return Refusal{"must be at most " + number_text(spec.at_most), remedy};
-    }
     return std::nullopt;
 }
 
 Verdict validate_length(ParameterSpec const& spec, double value, std::string const& remedy)
 {
-    if (spec.quantity == Quantity::positive_length && value <= 0) {
+    if (spec.quantity == Quantity::positive_length && value <= 0)
         return Refusal{"must be above 0", remedy};
-    }
-    if (spec.quantity == Quantity::nonnegative_length && value < 0) {
+    if (spec.quantity == Quantity::nonnegative_length && value < 0)
         return Refusal{"must not be negative", remedy};
-    }
-    if (std::abs(value) > bounds::largest_length) {
+    if (std::abs(value) > bounds::largest_length)
         return Refusal{"larger than any drive (" + number_text(bounds::largest_length) + " mm)", remedy};
-    }
     bool const has_own_bound = std::isfinite(spec.at_least);
-    if (spec.quantity == Quantity::positive_length && !has_own_bound && value < bounds::least_length) {
+    if (spec.quantity == Quantity::positive_length && !has_own_bound && value < bounds::least_length)
         return Refusal{"smaller than any length of a drive (" + number_text(bounds::least_length) + " mm)", remedy};
-    }
     return std::nullopt;
 }
 
@@ -131,23 +119,20 @@ Verdict validate_whole(double value, Kind kind, std::string const& remedy)
     if (kind == Kind::integer)
         return std::nullopt;
     bool const is_whole = value == std::floor(value) && std::abs(value) <= bounds::most_teeth;
-    if (is_whole) {
+    if (is_whole)
         return Refusal{"a count is written without a decimal point", "write " + number_text(value)};
-    }
     return Refusal{"must be a whole number", remedy};
 }
 
 Verdict validate_number(ParameterSpec const& spec, RawValue const& value, std::string const& remedy)
 {
-    if (!std::isfinite(value.number)) {
+    if (!std::isfinite(value.number))
         return Refusal{"not a finite number", remedy};
-    }
     Verdict verdict;
-    if (spec.quantity == Quantity::count) {
+    if (spec.quantity == Quantity::count)
         verdict = validate_whole(value.number, value.kind, remedy);
-    } else if (is_length(spec.quantity)) {
+    else if (is_length(spec.quantity))
         verdict = validate_length(spec, value.number, remedy);
-    }
     return verdict ? verdict : validate_bounds(spec, value.number, remedy);
 }
 
@@ -164,9 +149,8 @@ Verdict validate_word(ParameterSpec const& spec, std::string const& text, std::s
 Verdict validate_free_text(std::string const& text, std::string const& remedy)
 {
     constexpr std::size_t longest = 4096;
-    if (text.size() > longest) {
+    if (text.size() > longest)
         return Refusal{"longer than " + std::to_string(longest) + " bytes", remedy};
-    }
     bool const has_control =
         std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
     return has_control ? Verdict(Refusal{"contains control characters", remedy}) : std::nullopt;
@@ -203,18 +187,38 @@ Verdict refusal_of(ParameterSpec const& spec, RawValue const& value, std::string
 
 }  // namespace
 
+std::string expectation(ParameterSpec const& spec)
+{
+    std::string const base = base_expectation(spec);
+    bool const below = std::isfinite(spec.at_least);
+    bool const above = std::isfinite(spec.at_most);
+    if (spec.quantity == Quantity::rows)
+        return base;
+    if (below && above)
+        return base + " from " + number_text(spec.at_least) + " to " + number_text(spec.at_most);
+    if (below)
+        return base + ", at least " + number_text(spec.at_least);
+    return above ? base + ", at most " + number_text(spec.at_most) : base;
+}
+
+std::string write_instead(ParameterSpec const& spec, std::string_view example)
+{
+    std::string const text = "write " + expectation(spec);
+    bool const says_enough = spec.quantity == Quantity::word && !spec.words.empty();
+    return example.empty() || says_enough ? text
+                                          : text + ", such as " + std::string(spec.key) + " = " + std::string(example);
+}
+
 std::variant<Parameter, Faults> validate_value(ParameterSpec const& spec, std::string_view example,
                                                RawEntry const& entry, std::string const& path)
 {
     if (spec.quantity == Quantity::rows && entry.value.kind == Kind::array)
         return validate_rows(spec, entry, path);
     auto const refusal = refusal_of(spec, entry.value, write_instead(spec, example));
-    if (refusal) {
+    if (refusal)
         return Faults{{path, entry.line, entry.value.written, refusal->reason, refusal->remedy, entry.origin}};
-    }
-    if (entry.value.kind == Kind::text) {
+    if (entry.value.kind == Kind::text)
         return Parameter{entry.value.text, entry.line};
-    }
     return Parameter{entry.value.number, entry.line};
 }
 

@@ -9,10 +9,7 @@
 
 namespace hdconj::scene {
 
-/// A list as it would stand in a scene, cut short after about one line.
-[[nodiscard]] std::string rows_text(NumberRows const& rows);
-
-/// A value as it would stand in a scene: number, quoted word or list.
+/// A value as it would stand in a scene: number, quoted word or list, which is cut short after about one line.
 [[nodiscard]] std::string value_text(ParameterValue const& value);
 
 }  // namespace hdconj::scene

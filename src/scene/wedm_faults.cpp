@@ -17,38 +17,35 @@ void check_wire(SceneReading const& reading, Faults& faults)
 {
     WireRequest const& wedm = *reading.scene.wedm;
     bool const whole = knows(reading, {"wedm.wire_diameter", "wedm.spark_gap"});
-    if (whole && wedm.spark_gap > wedm.wire_diameter) {
-        faults.push_back(fault_at("wedm.spark_gap", number_text(wedm.spark_gap),
-                                  "a gap wider than the wire is no spark gap", "write the gap in mm, such as 0.006"));
-    }
+    if (whole && wedm.spark_gap > wedm.wire_diameter)
+        add_at(faults, "wedm.spark_gap", number_text(wedm.spark_gap), "a gap wider than the wire is no spark gap",
+               "write the gap in mm, such as 0.006");
     double const rounding = std::numbers::sqrt2 / 2 * std::pow(10.0, -wedm.decimals);
     if (knows(reading, {"wedm.tolerance", "wedm.decimals"}) && rounding > wedm.tolerance) {
         bool const told = reading.scene.given.contains("wedm.decimals");
-        faults.push_back(fault_at(told ? "wedm.decimals" : "wedm.tolerance",
-                                  told ? std::to_string(wedm.decimals) : number_text(wedm.tolerance),
-                                  "rounding to " + std::to_string(wedm.decimals) + " decimals moves a point by up to " +
-                                      number_text(rounding) + " mm, more than the tolerance of " +
-                                      number_text(wedm.tolerance) + " mm",
-                                  "write more decimals or a larger tolerance"));
+        add_at(faults, told ? "wedm.decimals" : "wedm.tolerance",
+               told ? std::to_string(wedm.decimals) : number_text(wedm.tolerance),
+               "rounding to " + std::to_string(wedm.decimals) + " decimals moves a point by up to " +
+                   number_text(rounding) + " mm, more than the tolerance of " + number_text(wedm.tolerance) + " mm",
+               "write more decimals or a larger tolerance");
     }
     double const reach = wedm.wire_diameter / 2 + wedm.spark_gap;
     if (whole && knows(reading, {"wedm.start_hole_radius"}) && wedm.start_hole_radius <= reach) {
         bool const told = reading.scene.given.contains("wedm.start_hole_radius");
-        faults.push_back(fault_at(
-            told ? "wedm.start_hole_radius" : "wedm.wire_diameter",
-            number_text(told ? wedm.start_hole_radius : wedm.wire_diameter),
-            "wire and gap do not go through a start hole of radius " + number_text(wedm.start_hole_radius) + " mm",
-            "write a start_hole_radius above " + number_text(reach)));
+        add_at(faults, told ? "wedm.start_hole_radius" : "wedm.wire_diameter",
+               number_text(told ? wedm.start_hole_radius : wedm.wire_diameter),
+               "wire and gap do not go through a start hole of radius " + number_text(wedm.start_hole_radius) + " mm",
+               "write a start_hole_radius above " + number_text(reach));
     }
     double const stock = wedm.stock.empty() ? 0 : wedm.stock.front();
     double const least = wedm.start_hole_radius + reach + stock;
     if (whole && knows(reading, {"wedm.start_hole_radius", "wedm.lead_in"}) && wedm.lead_in <= least) {
         bool const told = reading.scene.given.contains("wedm.lead_in");
-        faults.push_back(fault_at(
-            told ? "wedm.lead_in" : "wedm.start_hole_radius", number_text(told ? wedm.lead_in : wedm.start_hole_radius),
-            "the start hole would reach into the cut along the part: its centre is " + number_text(wedm.lead_in) +
-                " mm from the tip land, its radius " + number_text(wedm.start_hole_radius) + " mm",
-            "write a lead_in above " + number_text(least) + ", or a smaller hole"));
+        add_at(faults, told ? "wedm.lead_in" : "wedm.start_hole_radius",
+               number_text(told ? wedm.lead_in : wedm.start_hole_radius),
+               "the start hole would reach into the cut along the part: its centre is " + number_text(wedm.lead_in) +
+                   " mm from the tip land, its radius " + number_text(wedm.start_hole_radius) + " mm",
+               "write a lead_in above " + number_text(least) + ", or a smaller hole");
     }
 }
 
@@ -58,12 +55,11 @@ void check_passes(SceneReading const& reading, Faults& faults)
     if (!knows(reading, {"wedm.passes"}) || stock.empty())
         return;
     bool const falls = std::adjacent_find(stock.begin(), stock.end(), std::less_equal<>()) == stock.end();
-    if (!falls || stock.back() != 0) {
-        faults.push_back(fault_at("wedm.passes", "",
-                                  falls ? "the last pass leaves " + number_text(stock.back()) + " mm on the part"
-                                        : "a pass that leaves no less than the one before cuts nothing",
-                                  "write decreasing lengths that end with 0, such as passes = [[0.02], [0.005], [0]]"));
-    }
+    if (!falls || stock.back() != 0)
+        add_at(faults, "wedm.passes", "",
+               falls ? "the last pass leaves " + number_text(stock.back()) + " mm on the part"
+                     : "a pass that leaves no less than the one before cuts nothing",
+               "write decreasing lengths that end with 0, such as passes = [[0.02], [0.005], [0]]");
 }
 
 }  // namespace

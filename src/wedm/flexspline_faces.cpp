@@ -5,10 +5,10 @@
 #include <numbers>
 
 #include "drive/drive.hpp"
+#include "faces.hpp"
 #include "hdconj/base/rigid_motion.hpp"
 #include "hdconj/check.hpp"
 #include "hdconj/error.hpp"
-#include "wire_faces.hpp"
 
 namespace hdconj::wedm {
 namespace {

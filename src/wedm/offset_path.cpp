@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 namespace hdconj::wedm {
@@ -142,8 +143,7 @@ std::vector<Cut> common_cuts(std::vector<Jump> const& lower, std::vector<Jump> c
         all.emplace_back(0, jump);
     for (Jump const& jump : upper)
         all.emplace_back(1, jump);
-    std::stable_sort(all.begin(), all.end(),
-                     [](auto const& a, auto const& b) { return a.second.from < b.second.from; });
+    std::ranges::stable_sort(all, {}, [](auto const& each) { return each.second.from; });
     std::vector<Cut> cuts;
     for (auto const& [face, jump] : all) {
         if (cuts.empty() || cuts.back().to < jump.from)
@@ -153,12 +153,12 @@ std::vector<Cut> common_cuts(std::vector<Jump> const& lower, std::vector<Jump> c
     return cuts;
 }
 
-/// Vertices of @p c from index @p first to before @p last.
-std::vector<Vec2> stretch(std::vector<Vec2> const& c, std::size_t first, std::size_t last)
+/// Appends the vertices of @p c from index @p first to before @p last.
+void append(std::vector<Vec2>& to, std::vector<Vec2> const& c, std::size_t first, std::size_t last)
 {
-    return first < last ? std::vector<Vec2>(c.begin() + static_cast<std::ptrdiff_t>(first),
-                                            c.begin() + static_cast<std::ptrdiff_t>(last))
-                        : std::vector<Vec2>{};
+    if (first < last)
+        to.insert(to.end(), c.begin() + static_cast<std::ptrdiff_t>(first),
+                  c.begin() + static_cast<std::ptrdiff_t>(last));
 }
 
 /// What a face keeps between two points that both faces have.
@@ -232,14 +232,12 @@ TrimmedPath without_loops(PairedPath const& c)
             std::size_t vertex = before;
             for (std::size_t i = 0; i < jumps.size(); ++i) {
                 std::vector<Vec2>& kept = i <= matched ? lead[f].points : trail[f].points;
-                std::vector<Vec2> const on = stretch(face, vertex, static_cast<std::size_t>(std::ceil(jumps[i].from)));
-                kept.insert(kept.end(), on.begin(), on.end());
+                append(kept, face, vertex, static_cast<std::size_t>(std::ceil(jumps[i].from)));
                 if (i != matched)
                     kept.push_back(jumps[i].at);
                 vertex = static_cast<std::size_t>(jumps[i].to) + 1;
             }
-            std::vector<Vec2> const rest = stretch(face, vertex, behind);
-            trail[f].points.insert(trail[f].points.end(), rest.begin(), rest.end());
+            append(trail[f].points, face, vertex, behind);
             lead[f].first = face[before - 1];
             lead[f].last = trail[f].first = jumps[matched].at;
             trail[f].last = face[behind];
@@ -259,12 +257,7 @@ PairedPath offset_path(PairedPath const& nominal, double offset, double sagitta)
 {
     double const step = 2 * std::acos(1 - std::min(0.5, sagitta / offset));
     PairedPath parallel;
-    struct Repeated
-    {
-        std::vector<Vec2>* face;
-        std::size_t first, last;
-    };
-    std::vector<Repeated> repeated;
+    std::vector<std::tuple<std::vector<Vec2>*, std::size_t, std::size_t>> repeated;  // face, first, last
     for (std::size_t i = 1; i + 1 < nominal.size(); ++i) {
         Vertex const low = vertex(nominal.lower, i);
         Vertex const up = vertex(nominal.upper, i);
@@ -273,12 +266,12 @@ PairedPath offset_path(PairedPath const& nominal, double offset, double sagitta)
         add_fan(parallel.lower, nominal.lower[i], low, offset, chords, of_low > 1);
         add_fan(parallel.upper, nominal.upper[i], up, offset, chords, of_up > 1);
         if (of_low == 1 && chords > 1)
-            repeated.push_back({&parallel.lower, first, parallel.size() - 1});
+            repeated.emplace_back(&parallel.lower, first, parallel.size() - 1);
         if (of_up == 1 && chords > 1)
-            repeated.push_back({&parallel.upper, first, parallel.size() - 1});
+            repeated.emplace_back(&parallel.upper, first, parallel.size() - 1);
     }
-    for (Repeated const& each : repeated)
-        spread(*each.face, each.first, each.last);
+    for (auto const& [face, first, last] : repeated)
+        spread(*face, first, last);
     return without_loops(parallel).path;
 }
 

@@ -45,8 +45,7 @@ WireFailures check_sweep(WireFaces const& faces, WireProgram& program)
         if (!(worst <= program.tolerance))
             failures.push_back(
                 fmt::format("sweep: pass {} is {:.6g} mm from its distance {:.6g} mm to the part at {} of space 0, and "
-                            "the tolerance "
-                            "is {:.6g} mm",
+                            "the tolerance is {:.6g} mm",
                             pass.number, worst, pass.offset, place_text(place), program.tolerance));
     }
     return failures;
@@ -79,8 +78,7 @@ WireFailures check_sections(WireFaces const& faces, std::vector<std::vector<char
             if (!(worst <= limit))
                 failures.push_back(fmt::format(
                     "sections: pass {} is {:.6g} mm from the true section at z = {:.6g} mm, at {}; straight rulings "
-                    "are "
-                    "{:.6g} mm from it, the rest is twist along them; accepted are {:.6g} mm (surface_limit)",
+                    "are {:.6g} mm from it, the rest is twist along them; accepted are {:.6g} mm (surface_limit)",
                     pass.number, worst, between.share * program.machine.thickness, place_text(where), ruling, limit));
         }
     }

@@ -25,13 +25,6 @@ std::vector<WireMove> spaces(PairedPath const& pitch, WireFaces const& faces, in
     return moves;
 }
 
-/// The point where space @p space ends.
-WireMove last_of(PairedPath const& pitch, WireFaces const& faces, int space)
-{
-    return {turned_to(pitch.lower.back(), space, faces.teeth), turned_to(pitch.upper.back(), space, faces.teeth),
-            WireTag::contour, space};
-}
-
 /// The point on the way from @p a to @p b at @p share of it.
 WireMove between(WireMove const& a, WireMove const& b, double share)
 {
@@ -53,13 +46,10 @@ void tag_stop(std::vector<WireMove>& moves, std::size_t first, double before)
             left -= step;
             continue;
         }
-        WireMove stop = between(moves[i - 1], moves[i], 1 - left / step);
-        stop.tag = WireTag::stop;
-        bool const there = left == 0;
-        if (there)
-            moves[i].tag = WireTag::stop;
-        else
-            moves.insert(moves.begin() + static_cast<std::ptrdiff_t>(i), stop);
+        if (left > 0)
+            moves.insert(moves.begin() + static_cast<std::ptrdiff_t>(i),
+                         between(moves[i - 1], moves[i], 1 - left / step));
+        moves[i].tag = WireTag::stop;
         return;
     }
     throw std::invalid_argument("stop_before is longer than the path");
@@ -88,13 +78,6 @@ PairedContour whole_contour(WireFaces const& faces, std::vector<std::size_t> con
 
 namespace {
 
-Vec2 beside(WireFaces const& faces, Vec2 const& low, Vec2 const& up, double lead_in)
-{
-    double const land =
-        faces.external ? std::max(low.norm(), up.norm()) + lead_in : std::min(low.norm(), up.norm()) - lead_in;
-    return low.normalized() * land;
-}
-
 /// The whole way of a pass, and what follows behind its end.
 struct Way
 {
@@ -120,7 +103,9 @@ Way open_way(PairedPath const& pitch, WireFaces const& faces, WireRun const& run
     Way way;
     int const rest = faces.teeth - run.spaces;
     way.path = spaces(pitch, faces, run.start, run.spaces);
-    way.path.push_back(last_of(pitch, faces, faces.space_in_order(run.start, run.spaces - 1)));
+    int const last = faces.space_in_order(run.start, run.spaces - 1);
+    way.path.push_back({turned_to(pitch.lower.back(), last, faces.teeth),
+                        turned_to(pitch.upper.back(), last, faces.teeth), WireTag::contour, last});
     way.beyond = spaces(pitch, faces, faces.space_in_order(run.start, run.spaces), rest);
     if (run.reversed) {
         std::reverse(way.path.begin(), way.path.end());
@@ -132,14 +117,13 @@ Way open_way(PairedPath const& pitch, WireFaces const& faces, WireRun const& run
 
 }  // namespace
 
-Vec2 start_hole(WireFaces const& faces, int start, double lead_in)
+Vec2 hole_beside(WireFaces const& faces, int space, bool at_end, double lead_in)
 {
-    return turned_to(beside(faces, faces.pitch.lower.front(), faces.pitch.upper.front(), lead_in), start, faces.teeth);
-}
-
-Vec2 end_hole(WireFaces const& faces, int last, double lead_in)
-{
-    return turned_to(beside(faces, faces.pitch.lower.back(), faces.pitch.upper.back(), lead_in), last, faces.teeth);
+    auto const& [lower, upper] = faces.pitch;
+    Vec2 const low = at_end ? lower.back() : lower.front(), up = at_end ? upper.back() : upper.front();
+    double const land =
+        faces.external ? std::max(low.norm(), up.norm()) + lead_in : std::min(low.norm(), up.norm()) - lead_in;
+    return turned_to(Vec2(low.normalized() * land), space, faces.teeth);
 }
 
 WirePass wire_pass(PairedPath const& pitch, WireFaces const& faces, WireRun const& run)
@@ -178,6 +162,14 @@ std::vector<WireMove> contour_path(WirePass const& pass)
     for (WireMove const& move : pass.moves)
         if (move.tag == WireTag::lead_in || move.tag == WireTag::contour || move.tag == WireTag::stop)
             path.push_back(move);
+    return path;
+}
+
+PairedPath points_of(std::vector<WireMove> const& moves, std::size_t left_out)
+{
+    PairedPath path;
+    for (std::size_t i = 0; i + left_out < moves.size(); ++i)
+        path.add(moves[i].lower, moves[i].upper);
     return path;
 }
 

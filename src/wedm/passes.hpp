@@ -23,12 +23,10 @@ struct WireRun
 /// The whole contour: turned copies of the fine pitch thinned to @p indices, as marks for CAM those of @p faces.marks.
 [[nodiscard]] PairedContour whole_contour(WireFaces const& faces, std::vector<std::size_t> const& indices);
 
-/// Centre of the start hole: @p lead_in [mm] off the tip land where tooth space @p start begins, in the void. Both
-/// faces are asked, and the one that reaches further into the void counts.
-[[nodiscard]] Vec2 start_hole(WireFaces const& faces, int start, double lead_in);
-
-/// The same beside the tip land where space @p last ends: where a path that does not close leaves the part.
-[[nodiscard]] Vec2 end_hole(WireFaces const& faces, int last, double lead_in);
+/// Centre of the start hole: @p lead_in [mm] off the tip land where tooth space @p space begins, in the void; with
+/// @p at_end off that where it ends, where a path that does not close leaves the part. Both faces are asked, and the
+/// one that reaches further into the void counts.
+[[nodiscard]] Vec2 hole_beside(WireFaces const& faces, int space, bool at_end, double lead_in);
 
 /// Moves from the start hole, straight to the tip land, along all spaces of @p run, on for the overlap, and straight
 /// back, or out where the path does not close. At both ends the wire is vertical.
@@ -43,6 +41,9 @@ struct WireRun
 /// The same without the point that only the stop put there, and turned round where the pass is reversed.
 /// @throws std::invalid_argument when the moves are not those of @p spaces equal tooth spaces
 [[nodiscard]] std::vector<WireMove> even_path(WirePass const& pass, int spaces);
+
+/// The points of @p moves but for the last @p left_out.
+[[nodiscard]] PairedPath points_of(std::vector<WireMove> const& moves, std::size_t left_out);
 
 /// The wire at a height: @p share of the workpiece's thickness above the lower face.
 [[nodiscard]] std::vector<Vec2> section(PairedPath const& path, WireMachine const& machine, double share);

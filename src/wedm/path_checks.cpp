@@ -61,13 +61,7 @@ WireFailures check_crossings(WireProgram const& program)
     check_round({"the nominal contour", {program.nominal.lower, program.nominal.upper}, true, program.external},
                 program.machine, failures);
     for (WirePass const& pass : program.passes) {
-        PairedPath path;
-        for (WireMove const& move : contour_path(pass))
-            path.add(move.lower, move.upper);
-        if (program.closed()) {
-            path.lower.pop_back();
-            path.upper.pop_back();
-        }
+        PairedPath const path = points_of(contour_path(pass), program.closed() ? 1 : 0);
         check_round({fmt::format("pass {}", pass.number), path, program.closed(), program.external != pass.reversed},
                     program.machine, failures);
     }
@@ -124,14 +118,9 @@ WireFailures check_pitches(WireProgram const& program)
                 "pitches: {} is not the same in every tooth space: guides differ by {:.6g} mm", what, worst));
     };
     ask("the nominal contour", {program.nominal.lower, program.nominal.upper}, program.teeth, true);
-    for (WirePass const& pass : program.passes) {
-        PairedPath path;
-        for (WireMove const& move : even_path(pass, program.spaces()))
-            path.add(move.lower, move.upper);
-        path.lower.pop_back();
-        path.upper.pop_back();
-        ask(fmt::format("pass {}", pass.number), path, program.spaces(), program.closed());
-    }
+    for (WirePass const& pass : program.passes)
+        ask(fmt::format("pass {}", pass.number), points_of(even_path(pass, program.spaces()), 1), program.spaces(),
+            program.closed());
     return failures;
 }
 

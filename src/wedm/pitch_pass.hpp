@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// A pass of the wire along one tooth space.
+/// Passes of the wire along one tooth space, and from them the checked programs of all set-ups.
 #pragma once
 
 #include <optional>
@@ -39,5 +39,13 @@ struct PitchPass
 /// @param reached  the faces that the teeth of the unloaded flexspline reach, if they are known
 [[nodiscard]] Fault residual_fault(WireJob const& job, std::vector<PitchPass> const& passes,
                                    std::optional<WireFaces> const& reached);
+
+/// The program of one set-up, checked.
+/// @throws NumericalError  a check failed: all failures in one message
+[[nodiscard]] WireProgram set_up_program(WireJob const& job, std::vector<PitchPass> const& passes,
+                                         WireSetUp const& set_up);
+
+/// The two set-ups, half the spaces each, of a part that a wire around it would cut off. Errors as above.
+[[nodiscard]] WireSetUps half_programs(WireJob const& job, std::vector<PitchPass> const& passes);
 
 }  // namespace hdconj::wedm

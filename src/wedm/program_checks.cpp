@@ -75,10 +75,11 @@ void throw_failures(WireFailures const& failures)
     if (failures.empty())
         return;
     constexpr std::size_t most_told = 20;
-    WireFailures told(failures.begin(),
-                      failures.begin() + static_cast<std::ptrdiff_t>(std::min(failures.size(), most_told)));
-    if (failures.size() > most_told)
+    WireFailures told = failures;
+    if (failures.size() > most_told) {
+        told.resize(most_told);
         told.push_back(fmt::format("and {} more", failures.size() - most_told));
+    }
     throw NumericalError(ErrorCode::failed_check, "wedm",
                          fmt::format("{} check{} failed", failures.size(), failures.size() == 1 ? "" : "s"),
                          fmt::format("{}", fmt::join(told, "; ")));
@@ -104,14 +105,14 @@ WireFailures check_numbers(WireProgram const& program)
         need(pass.stock >= 0, fmt::format("stock of pass {}", pass.number), pass.stock);
         need(std::abs(pass.offset - expected) <= 64 * unit_roundoff * expected,
              fmt::format("offset of pass {}", pass.number), pass.offset);
-        if (!std::all_of(pass.moves.begin(), pass.moves.end(),
-                         [](WireMove const& move) { return is_finite(move.lower) && is_finite(move.upper); }))
+        if (!std::ranges::all_of(pass.moves, is_finite, &WireMove::lower) ||
+            !std::ranges::all_of(pass.moves, is_finite, &WireMove::upper))
             failures.push_back(fmt::format("numbers: a move of pass {} is not finite", pass.number));
     }
     if (program.passes.empty() || program.passes.back().stock != 0)
         failures.emplace_back("numbers: no pass leaves the nominal part");
-    if (!std::all_of(program.nominal.lower.begin(), program.nominal.lower.end(), is_finite) ||
-        !std::all_of(program.nominal.upper.begin(), program.nominal.upper.end(), is_finite))
+    if (!std::ranges::all_of(program.nominal.lower, is_finite) ||
+        !std::ranges::all_of(program.nominal.upper, is_finite))
         failures.emplace_back("numbers: a point of the nominal contour is not finite");
     return failures;
 }
@@ -145,21 +146,19 @@ WireFailures check_machine(MachineLimits const& limits, WireProgram& program)
     program.figures = measured(program);
     WireFigures const& figures = program.figures;
     WireFailures failures;
-    if (figures.tilt > limits.tilt)
-        failures.push_back(
-            fmt::format("machine: the wire would be tilted by {:.6g} rad, and the machine tilts it by {:.6g} rad at "
-                        "most (wedm.largest_tilt_deg)",
-                        figures.tilt, limits.tilt));
-    if (figures.travel > limits.travel)
-        failures.push_back(
-            fmt::format("machine: a guide would travel {:.6g} mm from the start hole, and the machine {:.6g} mm at "
-                        "most (wedm.largest_travel)",
-                        figures.travel, limits.travel));
-    if (figures.uv_travel > limits.uv_travel)
-        failures.push_back(
-            fmt::format("machine: the upper guide would stand {:.6g} mm off the lower one along an axis, and the "
-                        "machine moves it by {:.6g} mm at most (wedm.largest_uv_travel)",
-                        figures.uv_travel, limits.uv_travel));
+    auto const check = [&](double figure, double limit, char const* what) {
+        if (figure > limit)
+            failures.push_back("machine: " + fmt::format(fmt::runtime(what), figure, limit));
+    };
+    check(figures.tilt, limits.tilt,
+          "the wire would be tilted by {:.6g} rad, and the machine tilts it by {:.6g} rad at most "
+          "(wedm.largest_tilt_deg)");
+    check(
+        figures.travel, limits.travel,
+        "a guide would travel {:.6g} mm from the start hole, and the machine {:.6g} mm at most (wedm.largest_travel)");
+    check(figures.uv_travel, limits.uv_travel,
+          "the upper guide would stand {:.6g} mm off the lower one along an axis, and the machine moves it by {:.6g} "
+          "mm at most (wedm.largest_uv_travel)");
     return failures;
 }
 
@@ -215,10 +214,10 @@ std::vector<std::string> skim_warnings(WireProgram const& program)
         for (Residual const& residual : program.residuals)
             highest = std::max(highest, residual.pass == pass.number ? residual.height : 0);
         if (highest > layer)
-            warnings.push_back(fmt::format(
-                "pass {} leaves up to {:.6g} mm on top of its stock where it cannot follow the contour, more than the "
-                "layer of {:.6g} mm that pass {} is to take: there it cuts {:.6g} mm deep",
-                pass.number, highest, layer, next.number, highest + layer));
+            warnings.push_back(
+                fmt::format("pass {} leaves up to {:.6g} mm on top of its stock where it cannot follow the contour, "
+                            "more than the layer of {:.6g} mm that pass {} is to take: there it cuts {:.6g} mm deep",
+                            pass.number, highest, layer, next.number, highest + layer));
     }
     return warnings;
 }

@@ -3,16 +3,17 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 namespace hdconj::wedm {
 
 std::vector<std::string> heading(WireProgram const& program, WirePass const* pass)
 {
     WireFigures const figures = measured(program);
     std::vector<std::string> lines = {"part " + program.name};
-    if (pass != nullptr) {
+    if (pass != nullptr)
         lines.push_back(fmt::format("pass {} of {}, wire centre {:.6f} mm from the part", pass->number,
                                     program.passes.size(), pass->offset));
-    }
     lines.push_back(fmt::format("wire {:g} mm, spark gap {:g} mm, workpiece {:g} mm", program.wire_diameter,
                                 program.spark_gap, program.machine.thickness));
     lines.push_back(fmt::format("lower guide {:g} mm below, upper guide {:g} mm above it", program.machine.lower_guide,
@@ -27,15 +28,10 @@ std::vector<std::string> heading(WireProgram const& program, WirePass const* pas
 
 std::string upper_face_words(WireFigures const& figures)
 {
-    switch (figures.larger_face()) {
-        case LargerFace::lower:
-            return "SMALLER than the lower face";
-        case LargerFace::upper:
-            return "LARGER than the lower face";
-        case LargerFace::neither:
-            break;
-    }
-    return "as the lower face";
+    LargerFace const larger = figures.larger_face();
+    return larger == LargerFace::neither ? "as the lower face"
+           : larger == LargerFace::lower ? "SMALLER than the lower face"
+                                         : "LARGER than the lower face";
 }
 
 std::string set_up_words(WireProgram const& program)
@@ -47,21 +43,8 @@ std::string set_up_words(WireProgram const& program)
 
 std::string_view to_string(WireTag tag)
 {
-    switch (tag) {
-        case WireTag::thread:
-            return "thread";
-        case WireTag::lead_in:
-            return "lead_in";
-        case WireTag::contour:
-            return "contour";
-        case WireTag::stop:
-            return "stop";
-        case WireTag::overlap:
-            return "overlap";
-        case WireTag::lead_out:
-            return "lead_out";
-    }
-    return "unknown";
+    constexpr std::array<std::string_view, 6> words{"thread", "lead_in", "contour", "stop", "overlap", "lead_out"};
+    return words.at(static_cast<std::size_t>(tag));
 }
 
 }  // namespace hdconj::wedm

@@ -77,8 +77,7 @@ double way_to_residual(std::vector<Vec2> const& nominal, std::vector<double> con
 
 Residual const* Uncut::highest() const
 {
-    auto const found = std::max_element(residuals.begin(), residuals.end(),
-                                        [](Residual const& a, Residual const& b) { return a.height < b.height; });
+    auto const found = std::ranges::max_element(residuals, {}, &Residual::height);
     return found == residuals.end() ? nullptr : &*found;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "set_ups.hpp"
+#include "pitch_pass.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -18,8 +18,8 @@ std::vector<std::size_t> with_extremes(WireFaces const& faces)
     std::vector<std::size_t> keep = faces.marks;
     for (bool const upper : {false, true}) {
         std::vector<Vec2> const& face = faces.pitch.face(upper);
-        auto const [inner, outer] = std::minmax_element(
-            face.begin(), face.end(), [](Vec2 const& a, Vec2 const& b) { return a.squaredNorm() < b.squaredNorm(); });
+        auto const [inner, outer] =
+            std::ranges::minmax_element(face, {}, [](Vec2 const& p) { return p.squaredNorm(); });
         keep.push_back(static_cast<std::size_t>(inner - face.begin()));
         keep.push_back(static_cast<std::size_t>(outer - face.begin()));
     }
@@ -61,11 +61,11 @@ WireRun run_of(WireJob const& job, WireSetUp const& set_up)
     int const start = closed ? job.wire.start : set_up.first;
     WireRun run;
     run.start = start;
-    run.hole = start_hole(faces, start, job.wire.lead_in);
+    run.hole = hole_beside(faces, start, false, job.wire.lead_in);
     run.overlap = job.wire.overlap;
     if (!closed) {
         run.spaces = set_up.spaces;
-        run.end = end_hole(faces, faces.space_in_order(start, set_up.spaces - 1), job.wire.lead_in);
+        run.end = hole_beside(faces, faces.space_in_order(start, set_up.spaces - 1), true, job.wire.lead_in);
     }
     return run;
 }

@@ -66,11 +66,10 @@ void check_wire(Scene const& scene, Faults& faults)
     double const width = wire.wire_diameter + 2 * wire.spark_gap;
     double const pitch = std::numbers::pi * module;
     if (width >= pitch)
-        faults.push_back(
-            fault_at("wedm.wire_diameter",
-                     fmt::format("wire and gap cut a slot of {:.6g} mm, and a whole pitch of the teeth is {:.6g} mm",
-                                 width, pitch),
-                     "write a wire that fits into a tooth space, far thinner than half a pitch"));
+        add_fault(faults, "wedm.wire_diameter",
+                  fmt::format("wire and gap cut a slot of {:.6g} mm, and a whole pitch of the teeth is {:.6g} mm",
+                              width, pitch),
+                  "write a wire that fits into a tooth space, far thinner than half a pitch");
     if (!wire.stock.empty() && wire.stock.front() > module)
         add_fault(
             faults, "wedm.passes",
@@ -137,10 +136,9 @@ void check_tilt(Scene const& scene, Faults& faults)
     double const tilt = tilt_of(scene), largest = scene.wedm->largest_tilt;
     if (cuts_flexspline(scene)) {
         if (tilt != 0)
-            faults.push_back(
-                fault_at("tilt.angle_deg",
-                         "the flexspline's teeth are parallel to its axis; only the circular spline's are tilted",
-                         "write --tilt 0"));
+            add_fault(faults, "tilt.angle_deg",
+                      "the flexspline's teeth are parallel to its axis; only the circular spline's are tilted",
+                      "write --tilt 0");
     } else if (std::abs(tilt) > largest)
         add_fault(
             faults, "tilt.angle_deg",

@@ -13,12 +13,10 @@ namespace {
 
 FaceRadii radii_of(std::vector<Vec2> const& contour)
 {
-    FaceRadii radii{std::numeric_limits<double>::infinity(), 0};
-    for (Vec2 const& point : contour) {
-        radii.inner = std::min(radii.inner, point.norm());
-        radii.outer = std::max(radii.outer, point.norm());
-    }
-    return contour.empty() ? FaceRadii{} : radii;
+    if (contour.empty())
+        return {};
+    auto const [inner, outer] = std::ranges::minmax(contour, {}, [](Vec2 const& point) { return point.norm(); });
+    return {inner.norm(), outer.norm()};
 }
 
 PassFigures pass_figures(WirePass const& pass)
@@ -99,24 +97,21 @@ bool is_untilted(WireProgram const& program)
 {
     auto const same = [](WireMove const& move) { return move.lower == move.upper; };
     return program.nominal.lower == program.nominal.upper &&
-           std::all_of(program.passes.begin(), program.passes.end(),
-                       [&](WirePass const& pass) { return std::all_of(pass.moves.begin(), pass.moves.end(), same); });
+           std::ranges::all_of(program.passes,
+                               [&](WirePass const& pass) { return std::ranges::all_of(pass.moves, same); });
 }
 
 WireProgram turned_half(WireProgram program)
 {
     // 0 - x has no negative zero
     auto const turn = [](Vec2& p) { p = Vec2::Zero() - p; };
-    std::for_each(program.nominal.lower.begin(), program.nominal.lower.end(), turn);
-    std::for_each(program.nominal.upper.begin(), program.nominal.upper.end(), turn);
+    std::ranges::for_each(program.nominal.lower, turn);
+    std::ranges::for_each(program.nominal.upper, turn);
     for (WirePass& pass : program.passes) {
-        for (WireMove& move : pass.moves) {
-            turn(move.lower);
-            turn(move.upper);
-        }
+        std::ranges::for_each(pass.moves, turn, &WireMove::lower);
+        std::ranges::for_each(pass.moves, turn, &WireMove::upper);
     }
-    for (Residual& residual : program.residuals)
-        turn(residual.where);
+    std::ranges::for_each(program.residuals, turn, &Residual::where);
     program.set_up.turned = !program.set_up.turned;
     return program;
 }

@@ -8,7 +8,7 @@
 #include "hdconj/read_scene.hpp"
 #include "hdconj/wedm.hpp"
 #include "support/catch.hpp"
-#include "wedm/wire_faces.hpp"
+#include "wedm/faces.hpp"
 
 namespace hdconj::test::bad_wedm_cases {
 

@@ -11,7 +11,7 @@
 #include "hdconj/read_scene.hpp"
 #include "hdconj/wedm.hpp"
 #include "support/catch.hpp"
-#include "wedm/wire_faces.hpp"
+#include "wedm/faces.hpp"
 
 namespace hdconj::test::wire_sweep_cases {
 

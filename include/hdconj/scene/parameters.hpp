@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -38,13 +39,20 @@ struct ParameterSpec
     Quantity quantity;
     std::string_view meaning;  ///< one phrase, for --help and error messages
     bool required = true;
+    double at_least = -std::numeric_limits<double>::infinity();
+    double at_most = std::numeric_limits<double>::infinity();
     /// Allowed words for word, length_or_word. Forms of a row for rows, such as "[radius, sweep_deg]": a column whose
     /// name ends in _deg takes degrees, `radius` any number but 0, `length` a length of 0 or more, others a length.
     /// at_least and at_most then count rows.
     std::vector<std::string_view> words{};
-    double at_least = -std::numeric_limits<double>::infinity();
-    double at_most = std::numeric_limits<double>::infinity();
 };
+
+/// @p spec with its words, or the forms of its rows.
+[[nodiscard]] inline ParameterSpec with_words(ParameterSpec spec, std::vector<std::string_view> words)
+{
+    spec.words = std::move(words);
+    return spec;
+}
 
 /// A family as the scene reader sees it: its name and the keys it understands.
 struct FamilyDescription

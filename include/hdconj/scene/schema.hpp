@@ -18,9 +18,9 @@ namespace hdconj::scene {
 struct KeySpec
 {
     ParameterSpec spec;
-    std::string_view example;                 ///< a good value as it stands in a scene
-    std::optional<ParameterValue> standard;   ///< value when absent; nothing: required, or absence has a meaning
-    void (*store)(Scene&, Parameter const&);  ///< puts a valid value into the scene
+    std::string_view example;                  ///< a good value as it stands in a scene
+    void (*store)(Scene&, Parameter const&);   ///< puts a valid value into the scene
+    std::optional<ParameterValue> standard{};  ///< value when absent; nothing: required, or absence has a meaning
 };
 
 /// Which list of families extends a table.
@@ -47,8 +47,8 @@ struct TableSpec
     std::string_view meaning;
     Presence presence;
     FamilyKind families;
-    std::vector<KeySpec> keys;
     void (*begin)(Scene&, int line);  ///< makes the effect's object; may be null
+    std::vector<KeySpec> keys;
 };
 
 /// All tables, a table before its sub-tables, in the order of docs/reference/scene.md.

@@ -45,13 +45,8 @@ class FourRoller
         return {"four-roller",
                 "ring under four roller forces (n = 2), w from ring theory",
                 {radial_deformation_key(),
-                 {"roller_angle_deg",
-                  scene::Quantity::angle_deg,
-                  "rollers this far on either side of the major axis, beta; 0: two rollers",
-                  true,
-                  {},
-                  0,
-                  90}}};
+                 {"roller_angle_deg", scene::Quantity::angle_deg,
+                  "rollers this far on either side of the major axis, beta; 0: two rollers", true, 0, 90}}};
     }
 
     [[nodiscard]] static FourRoller build(scene::FamilyChoice const& choice, WaveGeneratorPlace const& place,

@@ -53,13 +53,8 @@ class TwoDisc
         return {"two-disc",
                 "ring on two eccentric discs (n = 2), free between them",
                 {radial_deformation_key(),
-                 {"wrap_angle_deg",
-                  scene::Quantity::angle_deg,
-                  "the ring touches a disc this far on either side of the major axis, beta",
-                  true,
-                  {},
-                  0.1,
-                  89}}};
+                 {"wrap_angle_deg", scene::Quantity::angle_deg,
+                  "the ring touches a disc this far on either side of the major axis, beta", true, 0.1, 89}}};
     }
 
     [[nodiscard]] static TwoDisc build(scene::FamilyChoice const& choice, WaveGeneratorPlace const& place,

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <charconv>
+#include <initializer_list>
 
 #include "grid.hpp"
 #include "post.hpp"
@@ -31,10 +32,13 @@ void put(std::string& text, double value)
     text.append(digits.data(), end.ptr);
 }
 
-void put(std::string& text, Vec2 const& point)
+void put(std::string& text, std::initializer_list<Vec2> points)
 {
-    put(text, point.x());
-    put(text, point.y());
+    for (Vec2 const& point : points) {
+        put(text, point.x());
+        put(text, point.y());
+    }
+    text += '\n';
 }
 
 std::string head(WireProgram const& program)
@@ -53,11 +57,7 @@ std::string path_text(WireProgram const& program)
             auto const& move = pass.moves[i];
             auto const guides = guides_of(program.machine, {move.lower, move.upper});
             text += fmt::format("{},{},{},{}", pass.number, i, to_string(move.tag), move.tooth);
-            put(text, move.lower);
-            put(text, move.upper);
-            put(text, guides.lower);
-            put(text, guides.upper);
-            text += '\n';
+            put(text, {move.lower, move.upper, guides.lower, guides.upper});
         }
     }
     return text;
@@ -72,9 +72,7 @@ std::string contour_text(WireProgram const& program)
         bool const sync = next < nominal.sync.size() && nominal.sync[next] == k;
         next += sync ? 1 : 0;
         text += fmt::format("{},{}", k, sync ? 1 : 0);
-        put(text, nominal.lower[k]);
-        put(text, nominal.upper[k]);
-        text += '\n';
+        put(text, {nominal.lower[k], nominal.upper[k]});
     }
     return text;
 }
@@ -98,9 +96,8 @@ void rows_of(WireText const& file, std::string_view columns, Take take)
     for (auto const& line : lines_of(file)) {
         if (inside) {
             auto const cells = parts_of(line.text(), ',');
-            if (cells.size() != width) {
+            if (cells.size() != width)
                 line.refuse(fmt::format("{} columns in place of {}", cells.size(), width));
-            }
             take(line, cells);
         }
         inside = inside || line.text() == columns;
@@ -150,18 +147,16 @@ std::vector<FacePath> exact(WireProgram const& program)
 
 WirePost post()
 {
-    WirePost post;
-    post.dialect = {"csv", "wire in both faces and both guides, and the contour, not rounded", "NumPy"};
     constexpr std::size_t any = 10000;
-    post.longest_line = any;
-    post.unit = [](WireProgram const&) { return 0.0; };
     // Faces come back as they are; through the guides with the rounding of a few operations at a hundred millimetres.
     constexpr double rounding = 1e-12;
-    post.allowed = rounding;
-    post.write = write;
-    post.exact = exact;
-    post.read = read;
-    return post;
+    return {.dialect = {"csv", "wire in both faces and both guides, and the contour, not rounded", "NumPy"},
+            .longest_line = any,
+            .unit = [](WireProgram const&) { return 0.0; },
+            .allowed = rounding,
+            .write = write,
+            .exact = exact,
+            .read = read};
 }
 
 }  // namespace hdconj::wedm::csv

@@ -96,9 +96,8 @@ std::vector<FacePath> read(std::vector<WireText> const& files, WireProgram const
         found["WIRE_LOWER"].size() != found["WIRE_UPPER"].size())
         refuse_to_write(files.at(0).name, "contours or passes are missing");
     std::vector<FacePath> paths = {{"contour", found["PART_LOWER"][0], found["PART_UPPER"][0]}};
-    for (std::size_t i = 0; i < found["WIRE_LOWER"].size(); ++i) {
+    for (std::size_t i = 0; i < found["WIRE_LOWER"].size(); ++i)
         paths.push_back({fmt::format("pass {}", i + 1), found["WIRE_LOWER"][i], found["WIRE_UPPER"][i]});
-    }
     return paths;
 }
 
@@ -114,13 +113,11 @@ std::vector<FacePath> exact(WireProgram const& program)
 
 WirePost post()
 {
-    WirePost post;
-    post.dialect = {"dxf", "DXF R12 for CAM: contours and wire in both faces", "ezdxf, GDAL"};
-    post.unit = [](WireProgram const&) { return std::pow(10.0, -file::dxf::decimals); };
-    post.write = write;
-    post.exact = exact;
-    post.read = read;
-    return post;
+    return {.dialect = {"dxf", "DXF R12 for CAM: contours and wire in both faces", "ezdxf, GDAL"},
+            .unit = [](WireProgram const&) { return std::pow(10.0, -file::dxf::decimals); },
+            .write = write,
+            .exact = exact,
+            .read = read};
 }
 
 }  // namespace hdconj::wedm::dxf

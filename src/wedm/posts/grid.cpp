@@ -33,10 +33,9 @@ void refuse_nothing(WirePass const& pass, std::size_t i, char const* plane, doub
 WireGrid::WireGrid(int decimals) : decimals_(decimals)
 {
     constexpr int most = 9;  // largest coordinate and its differences stay far inside long long
-    if (decimals < 0 || decimals > most) {
+    if (decimals < 0 || decimals > most)
         throw NumericalError(ErrorCode::failed_check, "wire files", fmt::format("{} decimals", decimals),
                              fmt::format("0 to {} can be written", most));
-    }
     constexpr long long base = 10;
     for (int i = 0; i < decimals; ++i)
         scale_ *= base;
@@ -44,10 +43,9 @@ WireGrid::WireGrid(int decimals) : decimals_(decimals)
 
 long long WireGrid::units(double mm) const
 {
-    if (!(std::abs(mm) <= largest_coordinate)) {
+    if (!(std::abs(mm) <= largest_coordinate))
         throw NumericalError(ErrorCode::failed_check, "wire files", fmt::format("coordinate {} mm", mm),
                              "no machine reaches so far");
-    }
     return std::llround(mm * static_cast<double>(scale_));
 }
 

@@ -45,6 +45,12 @@ class WireGrid
     [[nodiscard]] UnitPoint units(Vec2 const& point) const { return {units(point.x()), units(point.y())}; }
     /// Appends @p word and the number in mm, all decimals written.
     void put(std::string& text, std::string_view word, long long units) const;
+    /// The same of a point.
+    void put(std::string& text, std::string_view x, std::string_view y, UnitPoint const& point) const
+    {
+        put(text, x, point.x);
+        put(text, y, point.y);
+    }
 
   private:
     int decimals_;

@@ -106,16 +106,13 @@ std::string text_of(WireProgram const& program, WirePass const& pass)
     UnitPoint before;
     for (std::size_t i = 0; i <= last; ++i) {
         UnitPoint const at = grid.units(path.points[i]);
-        if (i > 0 && at == before) {
+        if (i > 0 && at == before)
             continue;  // rounding of the foot against its neighbours
-        }
-        if (i == 1) {
+        if (i == 1)
             text += fmt::format("{} D{} ", path.wire_left ? "G41" : "G42", pass.number);
-        } else if (i == last) {
+        else if (i == last)
             text += "G40 ";
-        }
-        grid.put(text, i == 0 ? "G00 X" : "G01 X", at.x);
-        grid.put(text, " Y", at.y);
+        grid.put(text, i == 0 ? "G00 X" : "G01 X", " Y", at);
         text += '\n';
         before = at;
     }
@@ -125,10 +122,9 @@ std::string text_of(WireProgram const& program, WirePass const& pass)
 std::vector<WireText> write(WireProgram const& program, std::string const& stem)
 {
     std::vector<WireText> files;
-    for (auto const& pass : program.passes) {
+    for (auto const& pass : program.passes)
         files.push_back({pass_file(stem, "2d", pass, "iso"), text_of(program, pass), pass.number,
                          path_of(program, pass).points.size() - 1});
-    }
     return files;
 }
 
@@ -139,17 +135,16 @@ std::vector<FacePath> exact(WireProgram const& program)
     for (auto const& pass : program.passes) {
         auto const points = path_of(program, pass).points;
         FacePath path{fmt::format("pass {}", pass.number), {}, {}};
-        for (std::size_t i = 0; i < points.size(); ++i) {
+        for (std::size_t i = 0; i < points.size(); ++i)
             if (i == 0 || !(grid.units(points[i]) == grid.units(points[i - 1])))
                 path.lower.push_back(points[i]);
-        }
         path.upper = path.lower;
         paths.push_back(std::move(path));
     }
     return paths;
 }
 
-FacePath read_one(WireText const& file)
+FacePath read_one(WireText const& file, WireProgram const&)
 {
     FacePath path{file.name, {}, {}};
     bool offset = false;
@@ -157,12 +152,11 @@ FacePath read_one(WireText const& file)
         if (line.text() == "%")
             continue;
         auto const words = words_of(line, line.text());
-        for (auto const& word : words) {
+        for (auto const& word : words)
             if (word.letter == 'G' && (word.digits == "41" || word.digits == "42" || word.digits == "40"))
                 offset = word.digits != "40";
-        }
         if (is_straight_move(words))
-            path.lower.emplace_back(value_of(line, words, 'X'), value_of(line, words, 'Y'));
+            path.lower.push_back(point_of(line, words));
     }
     if (offset)
         refuse_to_write(file.name, "the offset is not switched off");
@@ -174,14 +168,12 @@ FacePath read_one(WireText const& file)
 
 WirePost post()
 {
-    WirePost post;
-    post.dialect = {"iso-2d", "the part's contour with the machine's own offset, two axes", "", true};
-    post.alphabet = "%GXYDFM0123456789.- ";
-    post.unit = program_unit;
-    post.write = write;
-    post.exact = exact;
-    post.read = read_each<read_one>;
-    return post;
+    return {.dialect = {"iso-2d", "the part's contour with the machine's own offset, two axes", "", true},
+            .alphabet = "%GXYDFM0123456789.- ",
+            .unit = program_unit,
+            .write = write,
+            .exact = exact,
+            .read = read_each<read_one>};
 }
 
 }  // namespace hdconj::wedm::iso_2d

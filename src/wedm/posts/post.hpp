@@ -41,20 +41,19 @@ std::vector<WireText> write_each(WireProgram const& program, std::string const& 
                                  std::string const& ending, TextOf text_of)
 {
     std::vector<WireText> files;
-    for (auto const& pass : program.passes) {
+    for (auto const& pass : program.passes)
         files.push_back(
             {pass_file(stem, what, pass, ending), text_of(program, pass), pass.number, pass.moves.size() - 1});
-    }
     return files;
 }
 
 /// Reads every file of a dialect whose files hold one pass each.
-template <FacePath (*read_one)(WireText const&)>
-std::vector<FacePath> read_each(std::vector<WireText> const& files, WireProgram const& /*program*/)
+template <FacePath (*read_one)(WireText const&, WireProgram const&)>
+std::vector<FacePath> read_each(std::vector<WireText> const& files, WireProgram const& program)
 {
     std::vector<FacePath> paths;
     for (auto const& file : files)
-        paths.push_back(read_one(file));
+        paths.push_back(read_one(file, program));
     return paths;
 }
 
@@ -62,10 +61,10 @@ struct WirePost
 {
     WireDialect dialect;
     std::size_t longest_line = 80;                 ///< that a file may have
-    std::string_view alphabet;                     ///< characters outside comments; empty: all that can be printed
+    std::string_view alphabet{};                   ///< characters outside comments; empty: all that can be printed
     bool own_limits = false;                       ///< a grid, or longest files, that no key of the scene changes
     double (*unit)(WireProgram const&) = nullptr;  ///< last digit [mm]
-    std::optional<double> allowed;  ///< distance of what is read back from the exact [mm]; default: one unit
+    std::optional<double> allowed{};  ///< distance of what is read back from the exact [mm]; default: one unit
     /// Files of @p program; names begin with @p stem.
     std::vector<WireText> (*write)(WireProgram const& program, std::string const& stem) = nullptr;
     /// What the files say, exactly.

@@ -31,10 +31,9 @@ std::vector<std::string> fitting_dialects(WireProgram const& program)
 {
     bool const untilted = is_untilted(program);
     std::vector<std::string> names;
-    for (auto const& dialect : wire_dialects()) {
+    for (auto const& dialect : wire_dialects())
         if (untilted || !dialect.only_untilted)
             names.emplace_back(dialect.name);
-    }
     return names;
 }
 

@@ -21,9 +21,8 @@ double WireLine::number(std::string_view digits) const
     double value = 0;
     char const* const end = digits.data() + digits.size();
     auto const found = std::from_chars(digits.data(), end, value, std::chars_format::fixed);
-    if (found.ec != std::errc() || found.ptr != end || !std::isfinite(value)) {
+    if (found.ec != std::errc() || found.ptr != end || !std::isfinite(value))
         refuse(fmt::format("'{}' is no number in fixed notation", digits));
-    }
     if (value == 0 && std::signbit(value))
         refuse("negative zero");
     return value;
@@ -34,9 +33,8 @@ long long WireLine::whole(std::string_view digits) const
     long long value = 0;
     char const* const end = digits.data() + digits.size();
     auto const found = std::from_chars(digits.data(), end, value);
-    if (found.ec != std::errc() || found.ptr != end) {
+    if (found.ec != std::errc() || found.ptr != end)
         refuse(fmt::format("'{}' is no whole number", digits));
-    }
     return value;
 }
 
@@ -81,9 +79,8 @@ std::vector<WireWord> words_of(WireLine const& line, std::string_view text)
         } else if (c >= 'A' && c <= 'Z') {
             auto const end = std::min(text.find_first_not_of("-.0123456789", at + 1), text.size());
             bool const seen = c != 'G' && has_word(words, c);
-            if (seen || end == at + 1) {
+            if (seen || end == at + 1)
                 line.refuse(fmt::format("{} {}", c, seen ? "stands twice" : "has no number"));
-            }
             words.push_back({c, text.substr(at + 1, end - at - 1)});
             at = end;
         } else {
@@ -95,16 +92,15 @@ std::vector<WireWord> words_of(WireLine const& line, std::string_view text)
 
 double value_of(WireLine const& line, std::vector<WireWord> const& words, char letter)
 {
-    for (auto const& word : words) {
-        if (word.letter == letter)
-            return line.number(word.digits);
-    }
-    line.refuse(fmt::format("{} is missing", letter));
+    auto const word = std::ranges::find(words, letter, &WireWord::letter);
+    if (word == words.end())
+        line.refuse(fmt::format("{} is missing", letter));
+    return line.number(word->digits);
 }
 
 bool has_word(std::vector<WireWord> const& words, char letter)
 {
-    return std::any_of(words.begin(), words.end(), [&](WireWord const& word) { return word.letter == letter; });
+    return std::ranges::find(words, letter, &WireWord::letter) != words.end();
 }
 
 bool is_straight_move(std::vector<WireWord> const& words)

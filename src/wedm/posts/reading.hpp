@@ -53,6 +53,12 @@ struct WireWord
 /// The number of @p letter; a missing one is refused.
 [[nodiscard]] double value_of(WireLine const& line, std::vector<WireWord> const& words, char letter);
 
+/// The point of two of them.
+[[nodiscard]] inline Vec2 point_of(WireLine const& line, std::vector<WireWord> const& words, char x = 'X', char y = 'Y')
+{
+    return {value_of(line, words, x), value_of(line, words, y)};
+}
+
 [[nodiscard]] bool has_word(std::vector<WireWord> const& words, char letter);
 
 /// Whether G0, G00, G1 or G01 is among the words.

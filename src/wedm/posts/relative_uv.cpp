@@ -15,22 +15,19 @@ std::string text_of(WireProgram const& program, WirePass const& pass)
     WireGrid const grid(program.decimals);
     auto const blocks = blocks_of(program, pass, WirePlanes::faces, grid);
     std::string text = fmt::format("%\nO{:04}\nG90 G21\nG92", pass.number);
-    grid.put(text, " X", blocks.front().lower.x);
-    grid.put(text, " Y", blocks.front().lower.y);
+    grid.put(text, " X", " Y", blocks.front().lower);
     text += '\n';
     for (std::size_t i = 1; i < blocks.size(); ++i) {
         auto const& block = blocks[i];
         UnitPoint const lean = block.upper - block.lower;
-        grid.put(text, "G01 X", block.lower.x);
-        grid.put(text, " Y", block.lower.y);
-        grid.put(text, " U", lean.x);
-        grid.put(text, " V", lean.y);
+        grid.put(text, "G01 X", " Y", block.lower);
+        grid.put(text, " U", " V", lean);
         text += block.tag == WireTag::stop ? "\nM01\n" : "\n";
     }
     return text + "M02\n%\n";
 }
 
-FacePath read_one(WireText const& file)
+FacePath read_one(WireText const& file, WireProgram const&)
 {
     FacePath path{file.name, {}, {}};
     for (auto const& line : lines_of(file)) {
@@ -42,8 +39,8 @@ FacePath read_one(WireText const& file)
         bool const start = path.lower.empty();
         if (!start && !is_straight_move(words))
             line.refuse("coordinates without G01");
-        Vec2 const lower(value_of(line, words, 'X'), value_of(line, words, 'Y'));
-        Vec2 const lean = start ? Vec2(0, 0) : Vec2(value_of(line, words, 'U'), value_of(line, words, 'V'));
+        Vec2 const lower = point_of(line, words);
+        Vec2 const lean = start ? Vec2(0, 0) : point_of(line, words, 'U', 'V');
         path.lower.push_back(lower);
         path.upper.emplace_back(lower + lean);
     }
@@ -54,17 +51,14 @@ FacePath read_one(WireText const& file)
 
 WirePost post()
 {
-    WirePost post;
-    post.dialect = {"relative-uv", "ISO of the Fanuc type: X, Y of the lower face, U, V from there to the upper face",
-                    ""};
-    post.alphabet = "%OGXYUVM0123456789.- ";
-    post.unit = program_unit;
-    post.write = [](WireProgram const& program, std::string const& stem) {
-        return write_each(program, stem, "rel", "iso", text_of);
-    };
-    post.exact = exact_passes;
-    post.read = read_each<read_one>;
-    return post;
+    return {.dialect = {"relative-uv",
+                        "ISO of the Fanuc type: X, Y of the lower face, U, V from there to the upper face", ""},
+            .alphabet = "%OGXYUVM0123456789.- ",
+            .unit = program_unit,
+            .write = [](WireProgram const& program,
+                        std::string const& stem) { return write_each(program, stem, "rel", "iso", text_of); },
+            .exact = exact_passes,
+            .read = read_each<read_one>};
 }
 
 }  // namespace hdconj::wedm::relative_uv

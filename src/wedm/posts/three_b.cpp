@@ -101,15 +101,13 @@ std::vector<FacePath> read(std::vector<WireText> const& files, WireProgram const
 
 WirePost post()
 {
-    WirePost post;
-    post.dialect = {"3b", "3B in whole micrometres, one file for each face", ""};
-    post.alphabet = "BGXYLD0123456789 ";
-    post.own_limits = true;
-    post.unit = [](WireProgram const&) { return WireGrid(decimals_of_um).unit(); };
-    post.write = write;
-    post.exact = exact_passes;
-    post.read = read;
-    return post;
+    return {.dialect = {"3b", "3B in whole micrometres, one file for each face", ""},
+            .alphabet = "BGXYLD0123456789 ",
+            .own_limits = true,
+            .unit = [](WireProgram const&) { return WireGrid(decimals_of_um).unit(); },
+            .write = write,
+            .exact = exact_passes,
+            .read = read};
 }
 
 }  // namespace hdconj::wedm::three_b

@@ -21,16 +21,13 @@ std::string text_of(WireProgram const& program, WirePass const& pass)
     WireGrid const grid(program.decimals);
     auto const blocks = blocks_of(program, pass, WirePlanes::faces, grid);
     std::string text = "G91;\nG92";
-    grid.put(text, " X", blocks.front().lower.x);
-    grid.put(text, " Y", blocks.front().lower.y);
+    grid.put(text, " X", " Y", blocks.front().lower);
     text += ";\n";
     for (std::size_t i = 1; i < blocks.size(); ++i) {
         UnitPoint const lower = blocks[i].lower - blocks[i - 1].lower;
         UnitPoint const upper = blocks[i].upper - blocks[i - 1].upper;
-        grid.put(text, "G01 X", lower.x);
-        grid.put(text, " Y", lower.y);
-        grid.put(text, ":G01 X", upper.x);
-        grid.put(text, " Y", upper.y);
+        grid.put(text, "G01 X", " Y", lower);
+        grid.put(text, ":G01 X", " Y", upper);
         text += ";\n";
     }
     return text + "M02;\n";
@@ -40,26 +37,24 @@ std::vector<WireText> write(WireProgram const& program, std::string const& stem)
 {
     auto files = write_each(program, stem, "twoplane", "nc", text_of);
     for (auto const& file : files) {
-        if (file.blocks > most_blocks || file.text.size() > most_bytes) {
+        if (file.blocks > most_blocks || file.text.size() > most_bytes)
             throw no_room(file.name, fmt::format("{} blocks, {} bytes; controllers of this dialect take {} and {}",
                                                  file.blocks, file.text.size(), most_blocks, most_bytes));
-        }
     }
     return files;
 }
 
 Vec2 step_of(WireLine const& line, std::string_view half)
 {
-    if (half.size() >= longest_half) {
+    if (half.size() >= longest_half)
         line.refuse(fmt::format("more than {} characters", longest_half));
-    }
     auto const words = words_of(line, half);
     if (!is_straight_move(words))
         line.refuse("no G01");
-    return {value_of(line, words, 'X'), value_of(line, words, 'Y')};
+    return point_of(line, words);
 }
 
-FacePath read_one(WireText const& file)
+FacePath read_one(WireText const& file, WireProgram const&)
 {
     FacePath path{file.name, {}, {}};
     for (auto const& line : lines_of(file)) {
@@ -75,7 +70,7 @@ FacePath read_one(WireText const& file)
             path.upper.emplace_back(path.upper.back() + step_of(line, block.substr(colon + 1)));
         } else if (block.starts_with("G92")) {
             auto const words = words_of(line, block);
-            path.lower.emplace_back(value_of(line, words, 'X'), value_of(line, words, 'Y'));
+            path.lower.push_back(point_of(line, words));
             path.upper.push_back(path.lower.back());
         }
     }
@@ -86,16 +81,14 @@ FacePath read_one(WireText const& file)
 
 WirePost post()
 {
-    WirePost post;
-    post.dialect = {"two-plane",
-                    "blocks lower:upper, incremental, as Chinese slow and medium wire controllers take them", ""};
-    post.alphabet = "GXYM0123456789.-:; ";
-    post.own_limits = true;
-    post.unit = program_unit;
-    post.write = write;
-    post.exact = exact_passes;
-    post.read = read_each<read_one>;
-    return post;
+    return {.dialect = {"two-plane",
+                        "blocks lower:upper, incremental, as Chinese slow and medium wire controllers take them", ""},
+            .alphabet = "GXYM0123456789.-:; ",
+            .own_limits = true,
+            .unit = program_unit,
+            .write = write,
+            .exact = exact_passes,
+            .read = read_each<read_one>};
 }
 
 }  // namespace hdconj::wedm::two_plane

@@ -7,16 +7,94 @@
 #include <optional>
 
 #include "file/atomic_folder.hpp"
-#include "file_checks.hpp"
 #include "grid.hpp"
 #include "hdconj/base/suggest.hpp"
 #include "hdconj/error.hpp"
 #include "post.hpp"
+#include "wedm/checks.hpp"
+
+namespace hdconj::wedm {
+namespace {
+
+/// The program itself, so far as its numbers and the pairing of its points tell.
+void check_program(WireProgram const& program)
+{
+    for (WireFailures const& failures : {check_numbers(program), check_pairing(program)})
+        if (!failures.empty())
+            refuse_to_write(program.name, failures.front());
+}
+
+/// A text: characters of its dialect, line lengths, printable ASCII.
+void check_text(WirePost const& post, WireText const& file)
+{
+    std::size_t line = 1, column = 0;
+    bool comment = false;
+    auto const refuse = [&](std::string const& cause) {
+        refuse_to_write(fmt::format("{}, line {}", file.name, line), cause);
+    };
+    for (char const c : file.text) {
+        if (c == '\n') {
+            ++line;
+            column = 0;
+            comment = false;
+            continue;
+        }
+        if (++column > post.longest_line)
+            refuse(fmt::format("more than {} characters", post.longest_line));
+        comment = comment || c == '(';
+        bool const printable = c >= ' ' && c <= '~';
+        if (!printable || (!comment && !post.alphabet.empty() && post.alphabet.find(c) == std::string_view::npos))
+            refuse(fmt::format("character {} does not belong into {}", static_cast<int>(static_cast<unsigned char>(c)),
+                               post.dialect.name));
+        comment = comment && c != ')';
+    }
+    if (column != 0)
+        refuse("the file ends in the middle of a line");
+}
+
+/// What was read back against what should be there: as many points, each as near as the last digit allows; equal faces
+/// must be read as equal.
+/// @return largest distance along the whole path in both faces [mm]
+double check_paths(WirePost const& post, WireProgram const& program, std::vector<FacePath> const& read)
+{
+    auto const exact = post.exact(program);
+    std::string const place(post.dialect.name);
+    auto const require = [](bool holds, std::string const& where, char const* cause) {
+        if (!holds)
+            refuse_to_write(where, cause);
+    };
+    require(read.size() == exact.size(), place, "passes are missing when it is read back");
+    double const allowed = post.allowed.value_or(post.unit(program));
+    bool const untilted = is_untilted(program);
+    double drift = 0;
+    for (std::size_t i = 0; i < exact.size(); ++i) {
+        std::string const which = fmt::format("{}, {}", place, exact[i].what);
+        require(read[i].lower.size() == exact[i].lower.size() && read[i].upper.size() == exact[i].upper.size(), which,
+                "points are missing when it is read back");
+        require(!untilted || read[i].lower == read[i].upper, which, "without a tilt both planes must be the same");
+        for (std::size_t k = 0; k < exact[i].lower.size(); ++k) {
+            Vec2 const lower = read[i].lower[k] - exact[i].lower[k], upper = read[i].upper[k] - exact[i].upper[k];
+            require(lower.cwiseAbs().maxCoeff() <= allowed && upper.cwiseAbs().maxCoeff() <= allowed,
+                    fmt::format("{}, point {}", which, k),
+                    "what is read back is further from the exact point than one unit of the last digit");
+            drift = std::max({drift, lower.norm(), upper.norm()});
+        }
+    }
+    return drift;
+}
+
+}  // namespace
+}  // namespace hdconj::wedm
 
 namespace hdconj {
 namespace {
 
 constexpr char const* operator_name = "_summary.txt";
+
+bool is_in(auto const& names, std::string_view name)
+{
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
 
 void check_names(std::vector<std::string> const& dialects, std::string const& place)
 {
@@ -25,7 +103,7 @@ void check_names(std::vector<std::string> const& dialects, std::string const& pl
         known.push_back(dialect.name);
     Faults faults;
     for (auto const& name : dialects) {
-        if (std::find(known.begin(), known.end(), name) == known.end()) {
+        if (!is_in(known, name)) {
             auto const meant = nearest(name, known);
             faults.push_back(
                 {place, 0, name, "no dialect is called so",
@@ -36,28 +114,21 @@ void check_names(std::vector<std::string> const& dialects, std::string const& pl
         throw InputError(std::move(faults));
 }
 
-bool is_in(std::vector<std::string> const& names, std::string_view name)
-{
-    return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 std::vector<wedm::WirePost> chosen(WireSetUps const& programs, std::vector<std::string> const& dialects)
 {
     check_names(dialects, "--dialect");
     auto fitting = fitting_dialects(programs.front());
-    if (dialects.empty()) {
+    if (dialects.empty())
         for (auto const& unfit : unfit_dialects(programs))
             std::erase(fitting, unfit.name);
-    }
     std::vector<wedm::WirePost> posts;
     for (auto const& post : wedm::wire_posts()) {
         if (!is_in(dialects.empty() ? fitting : dialects, post.dialect.name))
             continue;
-        if (!is_in(fitting, post.dialect.name)) {
+        if (!is_in(fitting, post.dialect.name))
             throw InputError(Fault{"--dialect", 0, std::string(post.dialect.name),
                                    "the faces differ, and this dialect has one contour for both",
                                    "write --tilt 0, or another dialect"});
-        }
         posts.push_back(post);
     }
     return posts;
@@ -128,10 +199,9 @@ std::vector<WireFile> write_one(file::AtomicFolder const& folder, wedm::WirePost
     }
     double const drift = wedm::check_paths(post, program, post.read(on_disk, program));
     std::vector<WireFile> files;
-    for (auto const& each : made) {
+    for (auto const& each : made)
         files.push_back({std::string(post.dialect.name), post.dialect.verified_by, each.name, program.set_up.number,
                          each.pass, each.blocks, each.text.size(), post.unit(program), drift});
-    }
     return files;
 }
 

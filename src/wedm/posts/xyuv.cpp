@@ -38,20 +38,18 @@ std::string text_of(WireProgram const& program, WirePass const& pass, WirePlanes
     text += feed;
     std::size_t const step = number_step(blocks.size());
     for (std::size_t i = 0; i < blocks.size(); ++i) {
-        if (step > 0) {
+        if (step > 0)
             text += fmt::format("N{} ", (i + 1) * step);
-        }
         text += i == 0 ? "G0" : "G1";
-        grid.put(text, " X", blocks[i].lower.x);
-        grid.put(text, " Y", blocks[i].lower.y);
-        grid.put(text, " U", blocks[i].upper.x);
-        grid.put(text, " V", blocks[i].upper.y);
+        grid.put(text, " X", " Y", blocks[i].lower);
+        grid.put(text, " U", " V", blocks[i].upper);
         text += blocks[i].tag == WireTag::stop ? "\nM1\n" : "\n";
     }
     return text + "M2\n%\n";
 }
 
-FacePath read_one(WireText const& file, WireProgram const& program, WirePlanes planes)
+template <WirePlanes planes>
+FacePath read_one(WireText const& file, WireProgram const& program)
 {
     FacePath path{file.name, {}, {}};
     for (auto const& line : lines_of(file)) {
@@ -63,8 +61,7 @@ FacePath read_one(WireText const& file, WireProgram const& program, WirePlanes p
                 line.refuse("coordinates without G0 or G1");
             continue;
         }
-        WirePoints at{{value_of(line, words, 'X'), value_of(line, words, 'Y')},
-                      {value_of(line, words, 'U'), value_of(line, words, 'V')}};
+        WirePoints at{point_of(line, words), point_of(line, words, 'U', 'V')};
         if (planes == WirePlanes::guides)
             at = faces_of(program.machine, at);
         path.lower.push_back(at.lower);
@@ -76,22 +73,17 @@ FacePath read_one(WireText const& file, WireProgram const& program, WirePlanes p
 template <WirePlanes planes>
 WirePost post(WireDialect dialect)
 {
-    WirePost post;
-    post.dialect = dialect;
-    post.alphabet = "%GXYUVNFM0123456789.- ";
-    post.unit = program_unit;
-    post.write = [](WireProgram const& program, std::string const& stem) {
-        return write_each(program, stem, planes == WirePlanes::guides ? "xyuv_guide" : "xyuv_face", "ngc",
-                          [](WireProgram const& whole, WirePass const& pass) { return text_of(whole, pass, planes); });
-    };
-    post.exact = exact_passes;
-    post.read = [](std::vector<WireText> const& files, WireProgram const& program) {
-        std::vector<FacePath> paths;
-        for (auto const& file : files)
-            paths.push_back(read_one(file, program, planes));
-        return paths;
-    };
-    return post;
+    return {.dialect = dialect,
+            .alphabet = "%GXYUVNFM0123456789.- ",
+            .unit = program_unit,
+            .write =
+                [](WireProgram const& program, std::string const& stem) {
+                    return write_each(
+                        program, stem, planes == WirePlanes::guides ? "xyuv_guide" : "xyuv_face", "ngc",
+                        [](WireProgram const& whole, WirePass const& pass) { return text_of(whole, pass, planes); });
+                },
+            .exact = exact_passes,
+            .read = read_each<read_one<planes>>};
 }
 
 }  // namespace

@@ -11,8 +11,8 @@
 #include "hdconj/wedm.hpp"
 #include "support/catch.hpp"
 #include "support/polyline.hpp"
+#include "wedm/faces.hpp"
 #include "wedm/planes.hpp"
-#include "wedm/wire_faces.hpp"
 
 namespace hdconj::test::wedm_program_cases {
 

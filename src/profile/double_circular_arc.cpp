@@ -1,52 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Tooth family "double-circular-arc": convex arc, common tangent, concave arc.
-#pragma once
-
+// Tooth family "double-circular-arc": convex arc, common tangent, concave arc.
 #include <algorithm>
 #include <cmath>
 
 #include "base/text.hpp"
-#include "hdconj/profile/builder.hpp"
+#include "families.hpp"
 
 namespace hdconj::profile {
-
-/// Right flank, y from the pitch line (thesis (2-2), (2-3); Liu et al. 2025 with a convex centre off the pitch line):
-///   convex arc   centre O1 = (-l_a, e_a), radius rho_a
-///   straight     common inner tangent of the two circles, of length sqrt(|O1 O2|^2 - (rho_a + rho_f)^2)
-///   concave arc  centre O2 = (l_f, b_f), radius rho_f, down to y = -h_f
-/// and above y = h_t (if given) a straight line tangent to the convex arc up to y = h_a.
-///
-/// l_f = "tangent" makes the arcs touch: l_f = sqrt((rho_a + rho_f)^2 - (b_f - e_a)^2) - l_a.
-/// Degenerate: arcs that do not meet are refused (the 0.0671 printed for l_f in the thesis is one of these).
-struct DoubleCircularArc
-{
-    [[nodiscard]] static scene::FamilyDescription describe()
-    {
-        using enum scene::Quantity;
-        return {"double-circular-arc",
-                "convex arc above, concave arc below, joined by their common tangent",
-                {{"addendum", positive_length, "height of the tip above the pitch line, h_a"},
-                 {"dedendum", positive_length, "depth of the root below the pitch line, h_f"},
-                 {"convex_radius", positive_length, "radius of the convex arc, rho_a"},
-                 {"convex_offset", length, "its centre this far behind the tooth's centre line, l_a"},
-                 {"convex_rise", length, "its centre this far above the pitch line; default 0", false},
-                 {"concave_radius", positive_length, "radius of the concave arc, rho_f"},
-                 {"concave_offset",
-                  length_or_word,
-                  "its centre this far in front of the tooth's centre line, l_f",
-                  true,
-                  {"tangent"}},
-                 {"concave_rise", length, "its centre this far above the pitch line, b_f"},
-                 {"tip_line_from", length, "straight flank from this height to the tip, h_t; default: arc to the tip",
-                  false}}};
-    }
-
-    [[nodiscard]] static Profile build(scene::FamilyChoice const& c, ToothPlace const& place, Faults& faults);
-};
+namespace {
 
 /// Touching offset of the concave arc, or NaN where the arcs are too far apart in height.
-[[nodiscard]] inline double touching_offset(scene::FamilyChoice const& c)
+double touching_offset(scene::FamilyChoice const& c)
 {
     double const reach = c.number_or("convex_radius", 0) + c.number_or("concave_radius", 0);
     double const rise = c.number_or("concave_rise", 0) - c.number_or("convex_rise", 0);
@@ -84,10 +48,10 @@ struct GivenArcs
 };
 
 /// A number typed with the digits of the touching offset may fall short of it by its own rounding.
-inline constexpr double typed_offset = 1e-6;
+constexpr double typed_offset = 1e-6;
 
 /// Faults of arcs that do not reach each other, the tip or the root.
-inline void validate_arcs(GivenArcs const& given, bool has_tip_line, scene::ParameterFaults const& refuse)
+void validate_arcs(GivenArcs const& given, bool has_tip_line, scene::ParameterFaults const& refuse)
 {
     auto const& [h_a, h_f, h_t, r_a, r_f, touching, tangent, o1, o2, reach, distance] = given;
     if (h_t > h_a)
@@ -115,7 +79,15 @@ inline void validate_arcs(GivenArcs const& given, bool has_tip_line, scene::Para
                "write a smaller dedendum or a larger concave_radius");
 }
 
-inline Profile DoubleCircularArc::build(scene::FamilyChoice const& c, ToothPlace const& place, Faults& faults)
+/// Right flank, y from the pitch line (thesis (2-2), (2-3); Liu et al. 2025 with a convex centre off the pitch line):
+///   convex arc   centre O1 = (-l_a, e_a), radius rho_a
+///   straight     common inner tangent of the two circles, of length sqrt(|O1 O2|^2 - (rho_a + rho_f)^2)
+///   concave arc  centre O2 = (l_f, b_f), radius rho_f, down to y = -h_f
+/// and above y = h_t (if given) a straight line tangent to the convex arc up to y = h_a.
+///
+/// l_f = "tangent" makes the arcs touch: l_f = sqrt((rho_a + rho_f)^2 - (b_f - e_a)^2) - l_a.
+/// Degenerate: arcs that do not meet are refused (the 0.0671 printed for l_f in the thesis is one of these).
+Profile double_circular_arc_tooth(scene::FamilyChoice const& c, ToothPlace const& place, Faults& faults)
 {
     scene::ParameterFaults const refuse(c, faults);
     GivenArcs const given(c);
@@ -156,6 +128,28 @@ inline Profile DoubleCircularArc::build(scene::FamilyChoice const& c, ToothPlace
     Vec2 const centre = touch ? Vec2(o1 + reach * direction(joint)) : o2;
     flank.push_back({"concave arc", {ArcPiece{centre, -r_f, joint, std::asin((centre.y() + h_f) / r_f)}}});
     return symmetric_tooth(flank, place, h_a, h_f);
+}
+
+}  // namespace
+
+Family double_circular_arc()
+{
+    using enum scene::Quantity;
+    return {{"double-circular-arc",
+             "convex arc above, concave arc below, joined by their common tangent",
+             {{"addendum", positive_length, "height of the tip above the pitch line, h_a"},
+              {"dedendum", positive_length, "depth of the root below the pitch line, h_f"},
+              {"convex_radius", positive_length, "radius of the convex arc, rho_a"},
+              {"convex_offset", length, "its centre this far behind the tooth's centre line, l_a"},
+              {"convex_rise", length, "its centre this far above the pitch line; default 0", false},
+              {"concave_radius", positive_length, "radius of the concave arc, rho_f"},
+              scene::with_words(
+                  {"concave_offset", length_or_word, "its centre this far in front of the tooth's centre line, l_f"},
+                  {"tangent"}),
+              {"concave_rise", length, "its centre this far above the pitch line, b_f"},
+              {"tip_line_from", length, "straight flank from this height to the tip, h_t; default: arc to the tip",
+               false}}},
+            double_circular_arc_tooth};
 }
 
 }  // namespace hdconj::profile
