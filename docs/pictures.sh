@@ -27,11 +27,11 @@ for scene in straight involute cycloid s-tooth s-tooth-deviated arc-chain bezier
 done
 run wedm "$scenes/type-50.toml" --tilt 0.2 --picture "$scratch/w.svg"
 keep w-tooth.svg wedm-tooth.svg
-(cd .. && gnuplot docs/figures/rounding.gp && gnuplot docs/figures/tilt_loaded.gp)
+(cd .. && gnuplot docs/figures/rounding.gp && gnuplot docs/figures/tilt/loaded.gp)
 if "$python" -c 'import h5py, tomllib' 2>/dev/null; then
   (cd .. && "$python" docs/figures/tooth_families.py "$program" docs/figures \
     && "$python" docs/figures/wave_generators.py "$program" docs/figures/wave-generators.svg \
-    && "$python" docs/figures/tilt.py "$program" docs/figures/tilt-sketch.svg)
+    && "$python" docs/figures/tilt/sketch.py "$program" docs/figures/tilt-sketch.svg)
 else
   echo "pictures: no h5py, the figures of tooth families, wave generators and tilt are left out" >&2
 fi

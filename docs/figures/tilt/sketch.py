@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws docs/figures/tilt-sketch.svg: what coning is, and what the two kinds of tilt do to an outline.
 
-usage: tilt.py HDCONJ OUTPUT.svg     (needs h5py and gnuplot; run from the project's folder)
+usage: sketch.py HDCONJ OUTPUT.svg     (needs h5py and gnuplot; run from the project's folder)
 """
 import pathlib
 import subprocess
