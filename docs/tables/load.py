@@ -15,7 +15,7 @@ import tempfile
 
 from contact import CSV, ROOT, head, row
 
-ELASTIC = os.path.join(ROOT, "data/scenes/type-50-elastic.toml")  # scene of the tables thesis, surfaces and stages
+ELASTIC = os.path.join(ROOT, "data/scenes/type-50-elastic.toml")  # scene of the tables thesis and surfaces, with 33 slices, and stages
 
 
 def load(program, *arguments, **keys):
@@ -57,7 +57,7 @@ def thesis(program):
     head("tilt [deg]", "kind", *COLUMNS)
     for kind in ("radial", "draft"):
         for tilt in (0, 0.1, 0.2, 0.3):
-            told(load(program, ELASTIC, "--surface", "tilted", "--no-curve", f"--tilt={tilt}", "--kind", kind), tilt, kind)
+            told(load(program, ELASTIC, "--surface", "tilted", "--no-curve", f"--tilt={tilt}", "--kind", kind, slices__count=33), tilt, kind)
 
 
 def stages(program):
@@ -75,7 +75,7 @@ def surfaces(program):
     head("surface", *COLUMNS)
     for clearance in (0, 0.04, 0.065):
         for surface in ("tilted", "ruled", "per-slice"):
-            told(load(program, ELASTIC, "--no-curve", "--surface", surface, circular_spline__backlash_offset=clearance), surface)
+            told(load(program, ELASTIC, "--no-curve", "--surface", surface, slices__count=33, circular_spline__backlash_offset=clearance), surface)
 
 
 def bearing(program):
