@@ -27,13 +27,14 @@ for scene in straight involute cycloid s-tooth s-tooth-deviated arc-chain bezier
 done
 run wedm "$scenes/type-50.toml" --tilt 0.2 --picture "$scratch/w.svg"
 keep w-tooth.svg wedm-tooth.svg
-(cd .. && gnuplot docs/figures/rounding.gp)
+(cd .. && gnuplot docs/figures/rounding.gp && gnuplot docs/figures/tilt/loaded.gp)
 "$python" figures/drive_section.py figures/drive-section.svg
 if "$python" -c 'import h5py, tomllib' 2>/dev/null; then
   (cd .. && "$python" docs/figures/tooth_families.py "$program" docs/figures \
-    && "$python" docs/figures/wave_generators.py "$program" docs/figures/wave-generators.svg)
+    && "$python" docs/figures/wave_generators.py "$program" docs/figures/wave-generators.svg \
+    && "$python" docs/figures/tilt/sketch.py "$program" docs/figures/tilt-sketch.svg)
 else
-  echo "pictures: no h5py, the figures of tooth families and wave generators are left out" >&2
+  echo "pictures: no h5py, the figures of tooth families, wave generators and tilt are left out" >&2
 fi
 
 if [ "$quick" != quick ]; then
@@ -41,15 +42,15 @@ if [ "$quick" != quick ]; then
   keep f-tooth.svg wedm-flexspline-tooth.svg
   keep f-ring2.svg wedm-flexspline.svg
   coned="$scenes/type-50-coned.toml --set coning.axial_shift=none"
-  run contact $coned --surface tilted --kind radial,draft --set contact.contact_gap=0.02 --picture "$scratch/c.svg" \
-    --tilt=-1,-0.8,-0.6,-0.4,-0.2,-0.1,0,0.025,0.05,0.075,0.1,0.15,0.2,0.3,0.4,0.6,0.8,1,1.2,1.4,1.6
+  run contact $scenes/type-50-coned.toml --surface tilted --kind radial,draft --set contact.contact_gap=0.02 \
+    --picture "$scratch/c.svg" --tilt=-1,-0.8,-0.6,-0.4,-0.2,-0.1,0,0.025,0.05,0.075,0.1,0.125,0.15,0.2,0.3,0.4,0.6,0.8,1
   keep c-tilt.svg contact-tilt.svg
   run contact $coned --surface per-slice --set slices.count=33 --picture "$scratch/c.png"
   keep c-map.png contact-map.png
   keep c-flank.png contact-flank.png
   run contact $coned --surface tilted --tilt 0.2 --set slices.count=33 --picture "$scratch/t.png"
   keep t-map.png contact-map-tilted.png
-  run load "$scenes/type-50-elastic.toml" --surface tilted,per-slice --points 8 \
+  run load "$scenes/type-50-elastic.toml" --surface tilted,per-slice --points 20 \
     --set circular_spline.backlash_offset=0.065 --picture "$scratch/l.svg"
   keep l-curve.svg load-curve.svg
   keep l-pressure.svg load-pressure.svg

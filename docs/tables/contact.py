@@ -1,9 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of docs/explanation/contact.md, from the program's own JSON: docs/tables/contact.py build/release/bin/hdconj [TABLE ...]
+"""Tables of docs/explanation/contact.md, from the program's own JSON: docs/tables/contact.py PROGRAM [--csv] [TABLE ...]
 
-TABLE is any of: surfaces, slices, tilt, best, thesis, clearances, liu; all of them without one.
+TABLE is any of: surfaces, slices, tilt, best, thesis, clearances, liu; all of them without one. With --csv a table is
+comma-separated, as data/reference/contact-TABLE.csv has it, in place of Markdown.
 """
+import csv
 import json
 import os
 import re
@@ -41,14 +43,24 @@ def share(state):
     return "%.2g" % (100 * state["share"]) if state["share"] > 0 else "0"
 
 
+CSV = "--csv" in sys.argv
+if CSV:
+    sys.argv.remove("--csv")
+
+
 def row(*cells):
     """Zeros of rounding have no sign."""
-    print("| " + " | ".join(re.sub(r"^-(0\.0+)(?= |$)", r"\1", str(cell)) for cell in cells) + " |")
+    cells = [re.sub(r"^-(0\.0+)(?= |$)", r"\1", str(cell)) for cell in cells]
+    if CSV:
+        csv.writer(sys.stdout, lineterminator="\n").writerow(cells)
+    else:
+        print("| " + " | ".join(cells) + " |")
 
 
 def head(*cells):
     row(*cells)
-    print("|" + "---|" * len(cells))
+    if not CSV:
+        print("|" + "---|" * len(cells))
 
 
 def surfaces(program):
@@ -74,20 +86,18 @@ def slices(program):
 
 
 def tilt(program):
+    head("surface", "kind", "axial shift", "tilt [deg]", "smallest clearance [um]", "clearing offset [um]", "tip circle [mm]",
+         "further root clearance [um]", "backlash of the clearing offset [arcmin]", "contact area [%]", "teeth")
     for surface, kind in (("tilted", "radial"), ("tilted", "draft"), ("ruled", "radial"), ("per-slice", "radial")):
-        print(f"\n**{surface}, {kind}**\n")
-        head("tilt [deg]", "as made [um]", "clearing offset [um]", "tip circle [mm]", "further root [um]", "play it means [arcmin]",
-             "none: share [%]", "none: teeth", "mapped: side clearance [um]", "mapped: share [%]", "mapped: teeth")
-        runs = [cases(program, "type-50-coned", COARSE, "--surface", surface, "--kind", kind, coning__axial_shift=shift)
-                for shift in ("none", "mapped")]
-        for (angle, none), (_, mapped) in zip(*runs):
-            if isinstance(none, str) or isinstance(mapped, str):
-                row(angle, none if isinstance(none, str) else mapped, *[""] * 9)
-                continue
-            row(angle, "%.1f" % none["closest_flank"]["clearance_um"], "%.2f" % none["clearing_offset_um"],
-                "%.4f" % none["clearing_tip_mm"], "%.1f" % none["clearing_root_um"], "%.2f" % none["backlash_of_clearing_arcmin"],
-                share(none["state"]), none["state"]["teeth"], "%.2f" % mapped["backlash_offset_um"], share(mapped["state"]),
-                mapped["state"]["teeth"])
+        for shift in ("none", "mapped"):
+            for angle, case in cases(program, "type-50-coned", COARSE, "--surface", surface, "--kind", kind, coning__axial_shift=shift):
+                if isinstance(case, str):
+                    print(case, file=sys.stderr)
+                    row(surface, kind, shift, angle, "cannot be made", *[""] * 6)
+                    continue
+                row(surface, kind, shift, angle, "%.1f" % case["closest_flank"]["clearance_um"], "%.2f" % case["clearing_offset_um"],
+                    "%.4f" % case["clearing_tip_mm"], "%.1f" % case["clearing_root_um"], "%.2f" % case["backlash_of_clearing_arcmin"],
+                    share(case["state"]), case["state"]["teeth"])
 
 
 def best(program):
@@ -147,7 +157,8 @@ def main():
     if len(sys.argv) < 2 or any(name not in TABLES for name in sys.argv[2:]):
         sys.exit(__doc__)
     for name in sys.argv[2:] or TABLES:
-        print(f"\n<!-- {name} -->\n")
+        if not CSV:
+            print(f"\n<!-- {name} -->\n")
         TABLES[name](sys.argv[1])
         sys.stdout.flush()
 

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of docs/explanation/load.md and docs/explanation/thesis.md, from the program's own JSON: docs/tables/load.py build/release/bin/hdconj [TABLE ...]
+"""Tables of docs/explanation/load.md and docs/explanation/thesis.md, from the program's own JSON: docs/tables/load.py PROGRAM [--csv] [TABLE ...]
 
-TABLE is any of: thesis, surfaces, bearing, fixed, balls, worth, cost, settle, curves; all of them without one.
+TABLE is any of: thesis, surfaces, stages, bearing, fixed, balls, worth, worth_curve, cost, settle, curves; all of them
+without one. With --csv a table is comma-separated, as data/reference/load-TABLE.csv has it, in place of Markdown.
 """
 import json
 import os
@@ -12,11 +13,13 @@ import subprocess
 import sys
 import tempfile
 
-from contact import head, row
+from contact import CSV, ROOT, head, row
+
+ELASTIC = os.path.join(ROOT, "data/scenes/type-50-elastic.toml")  # scene of the tables thesis and surfaces, with 33 slices, and stages
 
 
 def load(program, *arguments, **keys):
-    """The load object of one run on the built-in scene, or what the program says; keys are --set, with __ for the dot."""
+    """The load object of one run, on the built-in scene if no other is given, or what the program says; keys are --set, with __ for the dot."""
     with tempfile.TemporaryDirectory() as folder:
         command = [program, "load", "--json", "--quiet", "-o", os.path.join(folder, "result.h5"), *arguments]
         for key, value in keys.items():
@@ -26,21 +29,25 @@ def load(program, *arguments, **keys):
 
 
 def figures(case):
-    """Cells of one case: clearance, play, stages, and the rated state."""
-    state = case["rated"]
-    second = "%.0f" % case["second_stage_Nm_per_deg"] if case["stages_found"] else "="
-    return ["%.1f%s" % (case["backlash_offset_um"], "*" if case["raised"] else ""), "%.2f" % case["backlash_arcmin"], "%.0f" % case["first_stage_Nm_per_deg"],
-            second, state["teeth"], "%.3f" % (100 * state["contact_share"]), "%.2f" % (100 * state["near_share"]), "%.2f" % (100 * state["node_share"]),
-            "%.0f" % state["largest_pressure_MPa"], "%.0f" % state["largest_stress_MPa"]]
+    """Cells of one case at the largest torque, each with its stated error."""
+    state, error = case["rated"], case["rated_error"]
+
+    def both(key, scale, digits):
+        return ["%.*f" % (digits, scale * state[key]), "%.2g" % (scale * error[key])]
+
+    return ["%.1f%s" % (case["backlash_offset_um"], "*" if case["raised"] else ""), "%.3f" % case["tip_radius_mm"], "%.2f" % case["backlash_arcmin"],
+            *both("twist_arcmin", 1, 2), "%.0f" % state["stiffness_Nm_per_deg"], state["teeth"], *both("contact_share", 100, 4), *both("near_share", 100, 2),
+            *both("largest_force_N", 1, 1), "%.0f" % state["largest_pressure_MPa"], "%.0f" % state["largest_stress_MPa"]]
 
 
-COLUMNS = ["side clearance [um]", "play [arcmin]", "first stage [N m/deg]", "second", "teeth", "contact [%]", "near [%]", "nodes [%]", "pressure [MPa]",
-           "cup [MPa]"]
+COLUMNS = ["side clearance [um]", "tip circle [mm]", "backlash [arcmin]", "twist [arcmin]", "+-", "tangent stiffness [N m/deg]", "teeth", "pressed flank [%]", "+-",
+           "gap to 1 um [%]", "+-", "largest force of a tooth [N]", "+-", "pressure [MPa]", "cup [MPa]"]
 
 
 def told(result, *cells):
     if isinstance(result, str):
-        row(*cells, result)
+        print(result, file=sys.stderr)
+        row(*cells, "no result", *[""] * (len(COLUMNS) - 1))
         return
     for case in result["cases"]:
         row(*cells, *figures(case))
@@ -50,13 +57,25 @@ def thesis(program):
     head("tilt [deg]", "kind", *COLUMNS)
     for kind in ("radial", "draft"):
         for tilt in (0, 0.1, 0.2, 0.3):
-            told(load(program, f"--tilt={tilt}", "--kind", kind), tilt, kind)
+            told(load(program, ELASTIC, "--surface", "tilted", "--no-curve", f"--tilt={tilt}", "--kind", kind, slices__count=33), tilt, kind)
+
+
+def stages(program):
+    """Two lines through one curve, for different numbers of torques: they are no property of the drive."""
+    head("torques", "surface", "first stage [N m/deg]", "second", "two lines found", "torque of the bend [N m]")
+    for points in (5, 8, 10, 13, 20):
+        for surface in ("tilted", "per-slice"):
+            result = load(program, ELASTIC, "--surface", surface, "--points", str(points), circular_spline__backlash_offset=0.065)
+            for case in result["cases"]:
+                row(points, surface, "%.0f" % case["first_stage_Nm_per_deg"], "%.0f" % case["second_stage_Nm_per_deg"],
+                    case["stages_found"], "%.1f" % case["knee_Nm"] if case["stages_found"] else "")
 
 
 def surfaces(program):
     head("surface", *COLUMNS)
-    for surface in ("tilted", "ruled", "per-slice"):
-        told(load(program, "--surface", surface, circular_spline__backlash_offset=0.04), surface)
+    for clearance in (0, 0.04, 0.065):
+        for surface in ("tilted", "ruled", "per-slice"):
+            told(load(program, ELASTIC, "--no-curve", "--surface", surface, slices__count=33, circular_spline__backlash_offset=clearance), surface)
 
 
 def bearing(program):
@@ -68,7 +87,7 @@ def bearing(program):
                 ("side clearance 80 um", {"circular_spline__backlash_offset": 0.08})]
     for name, keys in variants:
         keys = {"circular_spline__backlash_offset": 0.065, **keys}
-        result = load(program, **keys)
+        result = load(program, "--no-curve", **keys)
         told(result, name, "" if isinstance(result, str) else "%.3f" % result["cup"]["coning_major_deg"])
 
 
@@ -80,7 +99,7 @@ def fixed(program):
                        ("balls free along the axis", {"bearing__axially": "free"}), ("fit +5 um", {"bearing__fit": 0.005}), ("fit -5 um", {"bearing__fit": -0.005}),
                        ("cam_oversize -5 um", {"bearing__cam_oversize": -0.005}), ("23 balls", {"bearing__balls": 23})]:
         keys = {"circular_spline__backlash_offset": 0.09, "coning__model": "linear", "coning__bottom_to_middle": 9.0, **keys}
-        result = load(program, "--points", "6", **keys)
+        result = load(program, "--no-curve", **keys)
         told(result, name, "" if isinstance(result, str) else "%.3f" % result["cup"]["coning_major_deg"])
 
 
@@ -210,9 +229,10 @@ def curves(program):
     told_states(program, 30, ["--points", "6"], [(*random_drive(wish), 10 ** wish.uniform(0.3, 2)) for _ in range(30)])
 
 
-TABLES = {"fixed": fixed, "balls": balls, "worth": worth, "worth_curve": worth_curve, "settle": settle, "curves": curves, "thesis": thesis, "surfaces": surfaces, "bearing": bearing, "cost": cost}
+TABLES = {"stages": stages, "fixed": fixed, "balls": balls, "worth": worth, "worth_curve": worth_curve, "settle": settle, "curves": curves, "thesis": thesis, "surfaces": surfaces, "bearing": bearing, "cost": cost}
 
 if __name__ == "__main__":
     for table in sys.argv[2:] or TABLES:
-        print("\n" + table + "\n")
+        if not CSV:
+            print("\n" + table + "\n")
         TABLES[table](sys.argv[1])

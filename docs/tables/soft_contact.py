@@ -38,6 +38,9 @@ class Bed:
             case = json.loads(done.stdout)["contact"]["cases"][0]
             with h5py.File(result) as file:
                 gap, station, z = (file["/contact/map/" + name][...] for name in ("gap", "station", "z"))
+            # points of a flank that an offset has cut away share a place, or have no gap: they touch nothing
+            kept = np.diff(station, prepend=-1) > 0
+            gap, station = np.nan_to_num(gap[..., kept], nan=1), station[kept]
             # the map's stations count along the flank without side clearance, at z = 0 the same for all tilts
             subprocess.run([program, "solve", PLANE, "--quiet", "-o", result, "--set", f"circular_spline.inner_radius={case['clearing_tip_mm']}"], check=True)
             with h5py.File(result) as file:
