@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Options of verbs, and what is checked of their values while the command line is parsed.
+// Options of verbs, and what is checked of their values while the command line is parsed.
 #pragma once
 
 #include <CLI/CLI.hpp>

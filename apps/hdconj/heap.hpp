@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// How the process takes its memory from the system.
+// How the process takes its memory from the system.
 #pragma once
 
 namespace hdconj::cli {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Files that verbs write: their names, and what is checked of them before the long work.
+// Files that verbs write: their names, and what is checked of them before the long work.
 #pragma once
 
 #include <filesystem>

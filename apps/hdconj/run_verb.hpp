@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The run that all verbs share: targets are checked, the result is computed and written, figures are printed.
+// The run that all verbs share: targets are checked, the result is computed and written, figures are printed.
 #pragma once
 
 #include <filesystem>

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// What the verbs of the program share: registration, common options, the scene.
-///
-/// A verb is one file with one function `add_<verb>(CLI::App&, CommonOptions&)`. It registers the verb with the
-/// function that runs it, and adds its options:
-///
-///     auto [verb, own] = add_verb(program, common, "solve", "the conjugate circular spline, into HDF5", run_solve);
-///     add_scene_options(verb, common);
-///     add_name(verb, "--dxf", own.dxf, "outlines for CAD", "FILE");
-///
-/// The function that runs it reads the scene (load_scene), states its files and its computation, and hands them to
-/// run_verb (run_verb.hpp). Nothing runs while the command line is being parsed, so that an exception of a verb never
-/// meets the parser. main.cpp turns exceptions into exit statuses.
+// What the verbs of the program share: registration, common options, the scene.
+//
+// A verb is one file with one function `add_<verb>(CLI::App&, CommonOptions&)`. It registers the verb with the
+// function that runs it, and adds its options:
+//
+//     auto [verb, own] = add_verb(program, common, "solve", "the conjugate circular spline, into HDF5", run_solve);
+//     add_scene_options(verb, common);
+//     add_name(verb, "--dxf", own.dxf, "outlines for CAD", "FILE");
+//
+// The function that runs it reads the scene (load_scene), states its files and its computation, and hands them to
+// run_verb (run_verb.hpp). Nothing runs while the command line is being parsed, so that an exception of a verb never
+// meets the parser. main.cpp turns exceptions into exit statuses.
 #pragma once
 
 #include <CLI/CLI.hpp>

@@ -3,7 +3,6 @@
 /// Work-precision studies: for each method and setting a series from coarse to fine, error against time.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <limits>

@@ -7,7 +7,6 @@
 #include <memory>
 
 #include "hdconj/base/parallel.hpp"
-#include "hdconj/error.hpp"
 #include "study_case.hpp"
 
 namespace hdconj {

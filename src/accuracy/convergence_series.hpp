@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// From records to curves: medians, observed order, floors, and what to set for a wanted error or time.
+// From records to curves: medians, observed order, floors, and what to set for a wanted error or time.
 #pragma once
 
 #include <optional>

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A flank as the thesis makes it: a grid in phi, iteration, a polynomial fit.
-#include <algorithm>
 #include <cmath>
 #include <string>
-#include <type_traits>
 #include <variant>
 #include <vector>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// A flank as the thesis makes it: a grid in the motion's parameter, iteration, a polynomial fit.
+// A flank as the thesis makes it: a grid in the motion's parameter, iteration, a polynomial fit.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Nearest segment of a polyline, by boxes around runs of segments.
+// Nearest segment of a polyline, by boxes around runs of segments.
 #pragma once
 
 #include <cstddef>

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How contacts are found: closed form on arcs and lines, certified roots on curves, and a plain scan.
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <limits>
 #include <variant>
 
 #include "accuracy/reference/reference_contact.hpp"

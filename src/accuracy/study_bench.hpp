@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// What every study is given, and how it keeps its records; private to src/accuracy.
+// What every study is given, and how it keeps its records; private to src/accuracy.
 #pragma once
 
 #include <chrono>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Drives as the studies take them: the scene's own, and designs about it.
+// Drives as the studies take them: the scene's own, and designs about it.
 #pragma once
 
 #include <algorithm>

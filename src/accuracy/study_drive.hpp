@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// A drive taken apart, for methods that are parts of `solve` or stand in for one; private to src/accuracy.
+// A drive taken apart, for methods that are parts of `solve` or stand in for one; private to src/accuracy.
 #pragma once
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 #include "accuracy/reference/reference_curve.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The studies, and which of them a scene has.
+// The studies, and which of them a scene has.
 #pragma once
 
 #include <string>

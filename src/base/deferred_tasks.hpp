@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Jobs that are found while a loop already runs.
+// Jobs that are found while a loop already runs.
 #pragma once
 
 #include <atomic>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// HDCONJ_TARGETS before a function: it is compiled for several generations of processors, and the best one is chosen
-/// when the program is loaded.
+// HDCONJ_TARGETS before a function: it is compiled for several generations of processors, and the best one is chosen
+// when the program is loaded.
 #pragma once
 
 // A choice at load time needs a resolver that runs before a sanitizer is awake.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Straight stretches between two points.
+// Straight stretches between two points.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Threads of one loop, each on a processor of its own.
+// Threads of one loop, each on a processor of its own.
 #pragma once
 
 #include <array>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Small texts for messages: numbers as short as exact, user's text made safe to print.
+// Small texts for messages: numbers as short as exact, user's text made safe to print.
 #pragma once
 
 #include <cstddef>

@@ -2,8 +2,6 @@
 #include "boundary_track.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
 
 #include "hdconj/numeric/bracketed_root.hpp"
 

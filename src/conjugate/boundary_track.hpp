@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// A run of boundary pieces as a curve over a share 0 ... 1 of its length or of its profile parameter.
+// A run of boundary pieces as a curve over a share 0 ... 1 of its length or of its profile parameter.
 #pragma once
 
 #include <cstddef>

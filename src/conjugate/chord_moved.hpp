@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The chord error of an outline that is moved radially.
+// The chord error of an outline that is moved radially.
 #pragma once
 
 #include <vector>

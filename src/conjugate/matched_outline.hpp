@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Outlines of several slices with the same number of points, point for point of the same origin.
+// Outlines of several slices with the same number of points, point for point of the same origin.
 #pragma once
 
 #include <array>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The circular spline's toothed boundary over one pitch, as points.
+// The circular spline's toothed boundary over one pitch, as points.
 #pragma once
 
 #include <algorithm>

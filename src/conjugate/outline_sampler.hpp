@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Points of the circular spline's toothed boundary, from the pieces that bound its tooth space.
+// Points of the circular spline's toothed boundary, from the pieces that bound its tooth space.
 #pragma once
 
 #include <cstddef>
-#include <utility>
 #include <vector>
 
 #include "hdconj/conjugate/tooth_space.hpp"

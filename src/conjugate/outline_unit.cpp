@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "outline_unit.hpp"
 
-#include <cmath>
 #include <cstddef>
-#include <cstdint>
 #include <iterator>
 #include <string>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Stretches of all slices that are sampled at the same shares.
+// Stretches of all slices that are sampled at the same shares.
 #pragma once
 
 #include <algorithm>

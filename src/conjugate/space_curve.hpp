@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The boundary of a tooth space as a curve of exact points, whatever motion it came from.
+// The boundary of a tooth space as a curve of exact points, whatever motion it came from.
 #pragma once
 
 #include <cstdint>

@@ -9,7 +9,6 @@
 #include "hdconj/base/rigid_motion.hpp"
 
 namespace hdconj::conjugate {
-
 namespace {
 
 /// Angle from the y axis, clockwise.

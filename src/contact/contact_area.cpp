@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact_area.hpp"
 
-#include <algorithm>
-
 namespace hdconj::contact {
 namespace {
 

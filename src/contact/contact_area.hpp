@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// How much flank is in contact: the part of its area where the gap is no larger than a limit.
+// How much flank is in contact: the part of its area where the gap is no larger than a limit.
 #pragma once
 
 #include <Eigen/Geometry>

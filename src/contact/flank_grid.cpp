@@ -2,9 +2,6 @@
 #include "flank_grid.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <utility>
 
 #include "hdconj/contact.hpp"
 #include "hdconj/numeric/bracketed_root.hpp"

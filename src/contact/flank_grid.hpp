@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Points of the flanks of a tooth space, slice by slice.
+// Points of the flanks of a tooth space, slice by slice.
 #pragma once
 
 #include <array>

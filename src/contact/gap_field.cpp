@@ -5,11 +5,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <utility>
-#include <vector>
 
 #include "hdconj/base/parallel.hpp"
-#include "hdconj/base/rigid_motion.hpp"
 #include "hdconj/base/tolerance.hpp"
 #include "hdconj/numeric/bracketed_minimum.hpp"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Gaps of all flanks of the circular spline against all teeth, for any turn of the circular spline.
+// Gaps of all flanks of the circular spline against all teeth, for any turn of the circular spline.
 #pragma once
 
 #include <array>

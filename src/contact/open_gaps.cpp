@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "open_gaps.hpp"
 
-#include <algorithm>
 #include <cmath>
-#include <limits>
 
-#include "gap_field.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "numeric/least_between.hpp"
 

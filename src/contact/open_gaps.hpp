@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// What the planes of a gap field leave open about the gaps between them.
+// What the planes of a gap field leave open about the gaps between them.
 #pragma once
 
 #include <algorithm>

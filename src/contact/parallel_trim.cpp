@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "base/segments.hpp"
-#include "flank_grid.hpp"
 
 namespace hdconj::contact {
 namespace {

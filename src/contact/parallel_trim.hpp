@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// A flank moved along its normals, without what such a move makes of corners and tight bends.
+// A flank moved along its normals, without what such a move makes of corners and tight bends.
 #pragma once
 
 #include <vector>

@@ -8,7 +8,6 @@
 #include <limits>
 #include <utility>
 
-#include "contact_area.hpp"
 #include "gap_field.hpp"
 #include "hdconj/base/parallel.hpp"
 

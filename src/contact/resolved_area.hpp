@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The contact area with its edge resolved finer than the map, and what its resolution leaves open.
+// The contact area with its edge resolved finer than the map, and what its resolution leaves open.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// How far the circular spline turns against the teeth, wave generator and flexspline held, until they touch.
+// How far the circular spline turns against the teeth, wave generator and flexspline held, until they touch.
 #pragma once
 
 #include "gap_field.hpp"

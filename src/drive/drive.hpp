@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The parts of a drive that follow from its scene without solving anything.
+// The parts of a drive that follow from its scene without solving anything.
 #pragma once
 
 #include "hdconj/error.hpp"

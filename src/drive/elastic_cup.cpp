@@ -6,11 +6,9 @@
 
 #include "base/text.hpp"
 #include "drive.hpp"
-#include "elastic/bent_cup.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/check.hpp"
 #include "hdconj/elastic_cup.hpp"
-#include "hdconj/error.hpp"
 #include "hdconj/scene/schema.hpp"
 #include "hdconj/units.hpp"
 #include "wavegen/length_kept.hpp"

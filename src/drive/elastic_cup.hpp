@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The elastic cup that a scene describes.
+// The elastic cup that a scene describes.
 #pragma once
 
 #include <memory>

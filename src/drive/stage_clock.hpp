@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Runs the stages that a plan names, and keeps their times.
+// Runs the stages that a plan names, and keeps their times.
 #pragma once
 
 #include <algorithm>
 #include <chrono>
 #include <numeric>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -31,6 +31,15 @@ class StageClock
             observer_(stage);
         add(stage, seconds_of(body));
         return true;
+    }
+
+    /// What @p make builds in a planned @p stage.
+    template <class Make>
+    [[nodiscard]] auto value_of(Stage stage, Make const& make)
+    {
+        std::optional<decltype(make())> result;
+        run(stage, [&] { result.emplace(make()); });
+        return std::move(*result);
     }
 
     /// Runs @p body, which runs stages itself; what of its time is none of theirs is added to @p stage's.

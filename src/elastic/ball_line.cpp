@@ -3,7 +3,6 @@
 
 #include <Eigen/Cholesky>
 
-#include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <set>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Balls between cam and outer ring, which carry compression only.
+// Balls between cam and outer ring, which carry compression only.
 #pragma once
 
 #include <Eigen/Core>

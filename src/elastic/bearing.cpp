@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
-#include <string>
 #include <utility>
 
 #include "hdconj/base/parallel.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The wave generator's bearing: the surface that presses the wall of the cup outward, and its compliance.
+// The wave generator's bearing: the surface that presses the wall of the cup outward, and its compliance.
 #pragma once
 
 #include <Eigen/Core>

@@ -8,7 +8,6 @@
 #include <string>
 
 #include "hdconj/error.hpp"
-#include "hdconj/wavegen/material_displacement.hpp"
 
 namespace hdconj::elastic {
 namespace {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The cup bent by its wave generator, and the displacement of the teeth on it.
+// The cup bent by its wave generator, and the displacement of the teeth on it.
 #pragma once
 
 #include <vector>

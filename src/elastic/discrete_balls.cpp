@@ -8,8 +8,6 @@
 #include <numbers>
 #include <string>
 
-#include "ball_line.hpp"
-
 namespace hdconj::elastic {
 namespace {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Single balls between cam and outer ring, in place of a line of them.
+// Single balls between cam and outer ring, in place of a line of them.
 #pragma once
 
 #include <optional>

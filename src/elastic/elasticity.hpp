@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Linear elastic material.
+// Linear elastic material.
 #pragma once
 
 #include <Eigen/Core>

@@ -2,7 +2,6 @@
 #include "fourier_solid.hpp"
 
 #include <Eigen/OrderingMethods>
-#include <Eigen/SparseCore>
 
 #include <algorithm>
 #include <cmath>

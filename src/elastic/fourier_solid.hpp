@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Elastic solid of revolution under loads that vary round the axis, one Fourier harmonic at a time.
+// Elastic solid of revolution under loads that vary round the axis, one Fourier harmonic at a time.
 #pragma once
 
 #include <Eigen/SparseCore>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Displacements and stresses in a whole body of revolution under loads on its stations.
+// Displacements and stresses in a whole body of revolution under loads on its stations.
 #pragma once
 
 #include <Eigen/Core>

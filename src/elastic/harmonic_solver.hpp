@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Displacements of a supported solid of revolution at one Fourier harmonic.
+// Displacements of a supported solid of revolution at one Fourier harmonic.
 #pragma once
 
 #include <Eigen/Core>

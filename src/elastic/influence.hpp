@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Influence of point forces on the displacements of an elastic body of revolution, as a sum over harmonics.
+// Influence of point forces on the displacements of an elastic body of revolution, as a sum over harmonics.
 #pragma once
 
 #include <Eigen/Core>

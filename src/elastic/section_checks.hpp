@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Checks of the dimensions of a section; private to src/elastic.
+// Checks of the dimensions of a section; private to src/elastic.
 #pragma once
 
 #include <string>

@@ -2,12 +2,10 @@
 #include "section_mesh.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
 #include <utility>
-#include <vector>
 
 #include "section_checks.hpp"
 

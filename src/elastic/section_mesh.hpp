@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// A meridian section as a row of quadratic elements.
+// A meridian section as a row of quadratic elements.
 #pragma once
 
 #include <array>

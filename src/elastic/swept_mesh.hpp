@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The body of revolution as a mesh in space: for other programs to look at and to compute with.
+// The body of revolution as a mesh in space: for other programs to look at and to compute with.
 #pragma once
 
 #include <Eigen/Core>
 
 #include <array>
-#include <cstddef>
 #include <vector>
 
 #include "section_mesh.hpp"

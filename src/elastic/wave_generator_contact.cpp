@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "ball_line.hpp"
-#include "hdconj/error.hpp"
 
 namespace hdconj::elastic {
 namespace {

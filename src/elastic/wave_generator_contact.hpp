@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Contact of the cup with its wave generator.
+// Contact of the cup with its wave generator.
 #pragma once
 
 #include <Eigen/Core>

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
 
 #include "sine_cosine.hpp"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Sine and cosine as plain arithmetic, so that a compiler makes vector instructions of the loop they stand in; private
-/// to src/envelope.
+// Sine and cosine as plain arithmetic, so that a compiler makes vector instructions of the loop they stand in; private
+// to src/envelope.
 #pragma once
 
 #include <bit>

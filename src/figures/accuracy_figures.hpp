@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The figures of a study of accuracy, and words that its text and page share.
+// The figures of a study of accuracy, and words that its text and page share.
 #pragma once
 
 #include <span>

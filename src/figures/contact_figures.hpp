@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The figures of a contact study.
+// The figures of a contact study.
 #pragma once
 
 #include <string>

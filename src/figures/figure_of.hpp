@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// One row of a table of figures: everything that HDF5, JSON and text say of a number of a result.
+// One row of a table of figures: everything that HDF5, JSON and text say of a number of a result.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Units of figures: what a number counts in HDF5, in JSON and in the printed summary.
+// Units of figures: what a number counts in HDF5, in JSON and in the printed summary.
 #pragma once
 
 #include <string>

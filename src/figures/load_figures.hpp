@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The figures of a load study and of a measured curve.
+// The figures of a load study and of a measured curve.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Numbers as the printed summaries show them.
+// Numbers as the printed summaries show them.
 #pragma once
 
 #include <fmt/format.h>

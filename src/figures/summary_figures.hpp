@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The figures of a solution, which every verb's summary shows. In HDF5 the geometry, the clearance and the errors are
-/// attributes of `/summary` that have the names and the units of JSON.
+// The figures of a solution, which every verb's summary shows. In HDF5 the geometry, the clearance and the errors are
+// attributes of `/summary` that have the names and the units of JSON.
 #pragma once
 
 #include <string>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The figures of a wire program, which has no HDF5: names are keys of JSON.
+// The figures of a wire program, which has no HDF5: names are keys of JSON.
 #pragma once
 
 #include "figure_of.hpp"

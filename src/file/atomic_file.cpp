@@ -2,7 +2,6 @@
 #include "hdconj/file/atomic_file.hpp"
 
 #include "atomic_file_posix.hpp"
-#include "hdconj/error.hpp"
 #include "temporary_path.hpp"
 
 namespace hdconj::file {

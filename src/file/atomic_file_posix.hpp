@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// File descriptors and error texts for the atomic writer; private to src/io.
+// File descriptors and error texts for the atomic writer; private to src/io.
 #pragma once
 
 #include <fcntl.h>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// A folder of files that appears whole or not at all, as write_atomically() does for one file; private to src/io.
+// A folder of files that appears whole or not at all, as write_atomically() does for one file; private to src/io.
 #pragma once
 
 #include <filesystem>

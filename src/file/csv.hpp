@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Reads tables of numbers with a header: the lines of a CSV file, its fields, and the units in its headings.
+// Reads tables of numbers with a header: the lines of a CSV file, its fields, and the units in its headings.
 #pragma once
 
-#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>

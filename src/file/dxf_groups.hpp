@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// DXF R12 group by group: the oldest dialect that every CAD and wire-EDM program reads. Polylines only: bulges, arcs
-/// and splines get lost in readers, R12 has no LWPOLYLINE. Private to src/io.
+// DXF R12 group by group: the oldest dialect that every CAD and wire-EDM program reads. Polylines only: bulges, arcs
+// and splines get lost in readers, R12 has no LWPOLYLINE. Private to src/io.
 #pragma once
 
 #include <span>

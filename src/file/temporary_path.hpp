@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The hidden file or folder beside a target that becomes the target by a rename.
+// The hidden file or folder beside a target that becomes the target by a rename.
 #pragma once
 
 #include <filesystem>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The elastic cup on its wave generator with teeth that may touch: everything but the teeth's surfaces.
+// The elastic cup on its wave generator with teeth that may touch: everything but the teeth's surfaces.
 #pragma once
 
 #include <Eigen/Core>

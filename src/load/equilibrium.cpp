@@ -5,7 +5,6 @@
 #include <stdexcept>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "equilibrium_start.hpp"
 #include "hdconj/base/parallel.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Forces of flanks and wave generator in equilibrium.
+// Forces of flanks and wave generator in equilibrium.
 #pragma once
 
 #include <Eigen/Core>

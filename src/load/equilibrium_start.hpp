@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The active set that an equilibrium starts from; private to src/load.
+// The active set that an equilibrium starts from; private to src/load.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "equilibrium.hpp"

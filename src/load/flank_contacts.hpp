@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Contacts of teeth, closed or open.
+// Contacts of teeth, closed or open.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// A curve through the points of a flank.
+// A curve through the points of a flank.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Minima of the gap along one flank; private to src/load.
+// Minima of the gap along one flank; private to src/load.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Line contact of two elastic bodies.
+// Line contact of two elastic bodies.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Local compliance of flank contacts.
+// Local compliance of flank contacts.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Displacement of an elastic ring under forces on its surface, harmonic by harmonic and between points.
+// Displacement of an elastic ring under forces on its surface, harmonic by harmonic and between points.
 #pragma once
 
 #include <Eigen/Core>

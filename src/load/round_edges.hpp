@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Rounds the edges of the circular spline's lands.
+// Rounds the edges of the circular spline's lands.
 #pragma once
 
 #include "contact/flank_grid.hpp"

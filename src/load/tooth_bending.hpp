@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// A tooth as a cantilever on the rim.
+// A tooth as a cantilever on the rim.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "elastic/elasticity.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Unilateral contact: forces that push only, gaps that do not close further than to zero.
+// Unilateral contact: forces that push only, gaps that do not close further than to zero.
 #pragma once
 
 #include <Eigen/Core>

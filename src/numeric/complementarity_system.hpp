@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// A complementarity problem with the scalar s of its border, and what both methods ask of it; private to src/elastic.
+// A complementarity problem with the scalar s of its border, and what both methods ask of it; private to src/elastic.
 #pragma once
 
 #include <optional>

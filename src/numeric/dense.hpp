@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Dense matrices by several threads. Every result has the same bits for every number of them.
+// Dense matrices by several threads. Every result has the same bits for every number of them.
 #pragma once
 
 #include <Eigen/Core>

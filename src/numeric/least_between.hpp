@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// How low a smooth function may fall between evenly spaced places where it is known.
+// How low a smooth function may fall between evenly spaced places where it is known.
 #pragma once
 
 #include <algorithm>

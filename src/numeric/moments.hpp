@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// First and second moments of paired samples.
+// First and second moments of paired samples.
 #pragma once
 
 #include <cstddef>

@@ -3,23 +3,17 @@
 #include "base/text.hpp"
 
 #include "hdconj/check.hpp"
-#include "hdconj/error.hpp"
 #include "hdconj/solve.hpp"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <functional>
-#include <optional>
 
 #include "contact/clearance/clearing_search.hpp"
 #include "contact/study/best_tilt.hpp"
 #include "contact/study/contact_case.hpp"
 #include "contact/study/contact_study_data.hpp"
 #include "contact/study/surface_choices.hpp"
-#include "hdconj/base/parallel.hpp"
 #include "hdconj/scene/schema.hpp"
-#include "hdconj/units.hpp"
 #include "surface/build_slices.hpp"
 
 namespace hdconj {

@@ -1,26 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/load.hpp"
 
-#include <functional>
-#include <optional>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "load/study/load_study.hpp"
 #include "load/study/loaded_scene.hpp"
 
 namespace hdconj {
 namespace {
-
-/// The value of @p make, which runs as @p stage.
-template <class Make>
-auto in_stage(drive::StageClock& clock, Stage stage, Make const& make)
-{
-    std::optional<decltype(make())> result;
-    clock.run(stage, [&] { result.emplace(make()); });
-    return std::move(*result);
-}
 
 /// What a study says of the drive, beside cup and cases.
 void describe_drive(contact::ContactStudyData const& data, load::ElasticDrive const& drive, LoadStudy& study)
@@ -51,9 +38,9 @@ LoadStudy study_load(Scene const& scene, LoadOptions const& options, StageObserv
     contact::ContactContext const& context = *data->context;
     drive::StageClock& clock = data->clock;
     load::LoadGrid const grid = load::load_grid(context);
-    load::LoadModel model = in_stage(clock, Stage::influence, [&] { return load::load_model(context, grid); });
+    load::LoadModel model = clock.value_of(Stage::influence, [&] { return load::load_model(context, grid); });
     LoadStudy study;
-    load::DrivePair drives = in_stage(clock, Stage::assembly, [&] {
+    load::DrivePair drives = clock.value_of(Stage::assembly, [&] {
         load::LoadedDrive unloaded = load::assembly(context, model.drive);
         load::DrivePair assembled{{grid, std::move(model), std::move(unloaded)}, std::nullopt};
         study.cup = load::assembled_cup(context, assembled.fine);

@@ -2,7 +2,6 @@
 #include "hdconj/solve.hpp"
 #include "base/text.hpp"
 
-#include <optional>
 #include <utility>
 
 #include "conjugate/plane/solve_plane.hpp"

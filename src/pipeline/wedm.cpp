@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/wedm.hpp"
 
-#include <optional>
-
-#include "hdconj/error.hpp"
 #include "hdconj/solve.hpp"
 #include "wedm/faces.hpp"
 #include "wedm/pitch_pass.hpp"

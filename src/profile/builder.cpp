@@ -3,14 +3,12 @@
 #include "base/text.hpp"
 
 #include <fmt/format.h>
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "hdconj/base/tolerance.hpp"
 
 namespace hdconj::profile {
-
 namespace {
 
 /// Mirror image about the y axis, traversed the other way, so that the body stays on the same side.

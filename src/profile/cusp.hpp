@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Arcs in place of the last nanometre before a cusp, where involutes and cycloids have no radius of curvature.
+// Arcs in place of the last nanometre before a cusp, where involutes and cycloids have no radius of curvature.
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The tooth families: each stands in the source file of its name, a new one there and in two lists.
+// The tooth families: each stands in the source file of its name, a new one there and in two lists.
 #pragma once
 
 #include "hdconj/profile/builder.hpp"

@@ -16,7 +16,6 @@
 #include "sound_flank.hpp"
 
 namespace hdconj::profile {
-
 namespace {
 
 constexpr std::size_t spline_order = 4;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The cubic spline of the tooth families "points" and "b-spline".
+// The cubic spline of the tooth families "points" and "b-spline".
 #pragma once
 
 #include "hdconj/profile/builder.hpp"

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/profile/profile.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace hdconj::profile {
-
 namespace {
 
 /// @p steps rounded up to a whole number from 1 to @p most; any number may come, infinity too.

@@ -8,7 +8,6 @@
 #include "base/text.hpp"
 
 namespace hdconj::profile {
-
 namespace {
 
 /// Somewhere in [a, b] where the polynomial with Bernstein coefficients @p c on it is not positive: by halving until no

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Whether a flank that a user composed freely is one side of a tooth.
+// Whether a flank that a user composed freely is one side of a tooth.
 #pragma once
 
 #include <string>

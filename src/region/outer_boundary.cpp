@@ -13,7 +13,6 @@
 #include "hdconj/error.hpp"
 
 namespace hdconj::region {
-
 namespace {
 
 using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;

@@ -3,12 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
-#include <string>
-#include <vector>
 
-#include "hdconj/error.hpp"
 #include "hdconj/load.hpp"
 #include "numeric/moments.hpp"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The header of a measured curve: which columns hold torque and angle, and in which units; private to src/rig.
+// The header of a measured curve: which columns hold torque and angle, and in which units; private to src/rig.
 #pragma once
 
 #include <cstddef>

@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "base/text.hpp"
-#include "cross_faults.hpp"
 #include "hdconj/units.hpp"
+#include "validation.hpp"
 
 namespace hdconj::scene {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The cup, its cone and the bearing that pushes it outward.
 #include "base/text.hpp"
-#include "cross_faults.hpp"
+#include "validation.hpp"
 
 namespace hdconj::scene {
 namespace {

@@ -2,16 +2,11 @@
 #include "hdconj/scene/number_pairs.hpp"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <optional>
 #include <span>
-#include <string>
-#include <string_view>
 #include <utility>
-#include <vector>
 
 #include "base/text.hpp"
 #include "file/csv.hpp"
@@ -20,7 +15,6 @@
 #include "hdconj/units.hpp"
 
 namespace hdconj::scene {
-
 namespace {
 
 using file::ColumnUnit;

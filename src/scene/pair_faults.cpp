@@ -4,8 +4,8 @@
 #include <cmath>
 
 #include "base/text.hpp"
-#include "cross_faults.hpp"
 #include "tolerance_limits.hpp"
+#include "validation.hpp"
 
 namespace hdconj::scene {
 namespace {

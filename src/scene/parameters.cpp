@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/scene/parameters.hpp"
 
-#include <utility>
-
 #include "base/text.hpp"
 #include "hdconj/scene/parameter_fault.hpp"
-#include "value_text.hpp"
+#include "validation.hpp"
 
 namespace hdconj::scene {
-
 namespace {
 
 /// The value under @p key; null when absent or of another type.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Between which limits `solver.tolerance` may lie.
+// Between which limits `solver.tolerance` may lie.
 #pragma once
 
 #include <limits>

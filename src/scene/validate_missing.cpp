@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <array>
 
-#include "validate_value.hpp"
 #include "validation.hpp"
 
 namespace hdconj::scene {

@@ -5,7 +5,7 @@
 
 #include "base/text.hpp"
 #include "hdconj/scene/schema.hpp"
-#include "validate_value.hpp"
+#include "validation.hpp"
 
 namespace hdconj::scene {
 namespace {

@@ -4,9 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "cross_faults.hpp"
 #include "hdconj/base/suggest.hpp"
-#include "validate_value.hpp"
 #include "validation.hpp"
 
 namespace hdconj::scene {

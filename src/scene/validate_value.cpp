@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "validate_value.hpp"
+#include "validation.hpp"
 
 #include <algorithm>
 #include <array>

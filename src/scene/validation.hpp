@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// What is known while a scene is validated. Three passes share it: the tables that are there (validate_scene),
-/// names that the schema does not have (validate_unknown), and keys that are not there (validate_missing).
+// Checks of a scene: of one value, of keys, and between values. Three passes share them: the tables that are there
+// (validate_scene), names that the schema does not have (validate_unknown), and keys that are missing.
 #pragma once
 
+#include <initializer_list>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "hdconj/scene/reading.hpp"
@@ -87,5 +88,45 @@ void validate_missing(Validation& validation);
 
 /// `parent.name`, or `name` in the top table.
 [[nodiscard]] std::string join(std::string_view parent, std::string_view name);
+
+/// A value as it would stand in a scene: number, quoted word or list, which is cut short after about one line.
+[[nodiscard]] std::string value_text(ParameterValue const& value);
+
+/// What @p spec takes, as a phrase: "a whole number from 1 to 3".
+[[nodiscard]] std::string expectation(ParameterSpec const& spec);
+
+/// "write " and the expectation, with @p example when there is one.
+[[nodiscard]] std::string write_instead(ParameterSpec const& spec, std::string_view example);
+
+/// The value of @p entry when @p spec takes it, else what is wrong with it: one fault, or one for each bad row of a
+/// list.
+/// @param path     key path for the message
+/// @param example  good value for the remedy; may be empty
+[[nodiscard]] std::variant<Parameter, Faults> validate_value(ParameterSpec const& spec, std::string_view example,
+                                                             RawEntry const& entry, std::string const& path);
+
+/// The same for a list of lists of numbers.
+[[nodiscard]] std::variant<Parameter, Faults> validate_rows(ParameterSpec const& spec, RawEntry const& entry,
+                                                            std::string const& path);
+
+// What must hold between values, table by table. Each adds what it finds to @p faults.
+
+/// Teeth, wall, deformation and clearances of the pair in one plane.
+void add_pair_faults(SceneReading const& reading, Faults& faults);
+
+/// The cup, its cone and the bearing that pushes it outward.
+void add_cup_faults(SceneReading const& reading, Faults& faults);
+
+/// Tilt, slices and contact: what is made of the teeth along the axis.
+void add_axial_faults(SceneReading const& reading, Faults& faults);
+
+/// The wire of [wedm].
+void add_wedm_faults(SceneReading const& reading, Faults& faults);
+
+/// Whether the values of all @p paths were read and are right by themselves.
+[[nodiscard]] bool knows(SceneReading const& reading, std::initializer_list<std::string_view> paths);
+
+/// Adds a fault whose place is found later, by its path.
+void add_at(Faults& faults, std::string path, std::string value, std::string reason, std::string remedy);
 
 }  // namespace hdconj::scene

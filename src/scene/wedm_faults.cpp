@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "base/text.hpp"
-#include "cross_faults.hpp"
+#include "validation.hpp"
 
 namespace hdconj::scene {
 namespace {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "build_slices.hpp"
 
-#include <cmath>
 #include <numbers>
 
 #include "base/text.hpp"
 #include "conjugate/plane/outline_records.hpp"
 #include "drive/drive.hpp"
-#include "hdconj/base/parallel.hpp"
 #include "moved_outline.hpp"
 #include "slice_places.hpp"
 #include "tooth_surface.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The solved outline spread over the face width, and the side clearance that it needs there.
+// The solved outline spread over the face width, and the side clearance that it needs there.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Tilt of kind "radial": the outline moved along its own radii.
+// Tilt of kind "radial": the outline moved along its own radii.
 #pragma once
 
 #include "hdconj/base/vec2.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Coning "linear": the inextensional mode of a cup whose wall stays straight along the axis.
+// Coning "linear": the inextensional mode of a cup whose wall stays straight along the axis.
 #pragma once
 
 #include <cmath>

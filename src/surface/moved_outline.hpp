@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Matched outlines moved: outward by a tilt, at the bottom by root clearance, and where flanks that are moved into the
-/// material meet.
+// Matched outlines moved: outward by a tilt, at the bottom by root clearance, and where flanks that are moved into the
+// material meet.
 #pragma once
 
 #include <vector>

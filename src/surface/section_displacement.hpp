@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Displacement of the curves in which planes across the axis cut the neutral surface of a bent cup.
+// Displacement of the curves in which planes across the axis cut the neutral surface of a bent cup.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// How the sections of the teeth move in the planes of the slices, where the wall moves along the axis.
+// How the sections of the teeth move in the planes of the slices, where the wall moves along the axis.
 #pragma once
 
 #include <optional>

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Tooth poses in planes across a coned cup whose wall has moved along the axis too.
+// Tooth poses in planes across a coned cup whose wall has moved along the axis too.
 #pragma once
 
-#include <cmath>
-#include <cstddef>
 #include <functional>
 #include <vector>
 

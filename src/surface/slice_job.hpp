@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// One slice on its way to a boundary.
+// One slice on its way to a boundary.
 #pragma once
 
 #include <optional>

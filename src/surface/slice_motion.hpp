@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The motion of one slice, of any model.
+// The motion of one slice, of any model.
 #pragma once
 
 #include <memory>

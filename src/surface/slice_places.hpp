@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Where the slices lie along the axis.
+// Where the slices lie along the axis.
 #pragma once
 
 #include <cstddef>

@@ -16,7 +16,6 @@
 #include "slice_places.hpp"
 
 namespace hdconj::surface {
-
 namespace {
 
 std::vector<std::size_t> first_indices(std::size_t count)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The circular spline's tooth surface over the face width, by any of the ways it can be made.
+// The circular spline's tooth surface over the face width, by any of the ways it can be made.
 #pragma once
 
 #include <memory>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The part of second order by which a linear displacement must be completed so that the neutral curve keeps its
-/// stretch.
+// The part of second order by which a linear displacement must be completed so that the neutral curve keeps its
+// stretch.
 #pragma once
 
 #include <cmath>

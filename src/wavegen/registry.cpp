@@ -2,10 +2,8 @@
 #include "hdconj/wavegen/registry.hpp"
 
 #include <cstddef>
-#include <utility>
 
 namespace hdconj::wavegen {
-
 namespace {
 
 using Families = AnyWaveShape::Families;

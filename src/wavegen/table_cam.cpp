@@ -7,14 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <numeric>
 
 #include "hdconj/base/tolerance.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/scene/number_pairs.hpp"
 
 namespace hdconj::wavegen {
-
 namespace {
 
 struct FreeSpline

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Checks of a wire program before anything is written. Each returns all that it finds wrong; nothing found is an empty
-/// list.
+// Checks of a wire program before anything is written. Each returns all that it finds wrong; nothing found is an empty
+// list.
 #pragma once
 
 #include <limits>

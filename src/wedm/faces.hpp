@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The part that the wire is to make: one pitch of both faces, and turned copies of it all around.
+// The part that the wire is to make: one pitch of both faces, and turned copies of it all around.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The path of the wire's centre along a contour, in both faces with one topology.
+// The path of the wire's centre along a contour, in both faces with one topology.
 #pragma once
 
 #include "paired_path.hpp"

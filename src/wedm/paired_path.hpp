@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// A line in both faces at once, point for point, and fewer points on it.
+// A line in both faces at once, point for point, and fewer points on it.
 #pragma once
 
 #include <cstddef>

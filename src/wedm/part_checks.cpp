@@ -12,7 +12,6 @@
 #include "segment_grid.hpp"
 
 namespace hdconj::wedm {
-
 namespace {
 
 SegmentGrid neighbourhood(std::vector<Vec2> const& pitch, WireFaces const& faces)

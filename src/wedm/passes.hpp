@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// From the path along one pitch to the moves of a whole pass, and back.
+// From the path along one pitch to the moves of a whole pass, and back.
 #pragma once
 
 #include "faces.hpp"

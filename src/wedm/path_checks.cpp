@@ -12,7 +12,6 @@
 #include "segment_grid.hpp"
 
 namespace hdconj::wedm {
-
 namespace {
 
 /// Of a path that does not close: with the straight way back from its end to its beginning.

@@ -10,7 +10,6 @@
 #include "offset_path.hpp"
 
 namespace hdconj::wedm {
-
 namespace {
 
 /// Wires on sale: multiples of this, none thinner than that [mm].

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Passes of the wire along one tooth space, and from them the checked programs of all set-ups.
+// Passes of the wire along one tooth space, and from them the checked programs of all set-ups.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Faces of the workpiece and guides of the wire: both lie on one straight line per matched pair of points.
+// Faces of the workpiece and guides of the wire: both lie on one straight line per matched pair of points.
 #pragma once
 
 #include "hdconj/wedm.hpp"

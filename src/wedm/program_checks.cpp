@@ -14,7 +14,6 @@
 #include "segment_grid.hpp"
 
 namespace hdconj::wedm {
-
 namespace {
 
 bool is_finite(Vec2 const& point)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// What people read of a wire program, in files and summaries.
+// What people read of a wire program, in files and summaries.
 #pragma once
 
 #include <string>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Material that a round wire leaves where it cannot follow the contour.
+// Material that a round wire leaves where it cannot follow the contour.
 #pragma once
 
 #include <vector>

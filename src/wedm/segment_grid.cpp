@@ -2,7 +2,6 @@
 #include "segment_grid.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace hdconj::wedm {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Many short segments in the cells of a square grid: distances and crossings without asking every one.
+// Many short segments in the cells of a square grid: distances and crossings without asking every one.
 #pragma once
 
 #include <cstddef>

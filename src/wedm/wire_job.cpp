@@ -8,7 +8,6 @@
 #include <numbers>
 #include <utility>
 
-#include "hdconj/error.hpp"
 #include "hdconj/scene/reading.hpp"
 #include "hdconj/units.hpp"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// What the scene asks of the wire, read once: the steps of `wedm` see this and no scene.
+// What the scene asks of the wire, read once: the steps of `wedm` see this and no scene.
 #pragma once
 
 #include <optional>

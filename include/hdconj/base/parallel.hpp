@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// A loop whose slots do not depend on each other, spread over threads.
+// A loop whose slots do not depend on each other, spread over threads.
 #pragma once
 
 #include <cstddef>

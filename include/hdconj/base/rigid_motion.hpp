@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Position and velocity of a body in the plane, in the gear convention: angles clockwise from +y.
+// Position and velocity of a body in the plane, in the gear convention: angles clockwise from +y.
 #pragma once
 
 #include <cmath>

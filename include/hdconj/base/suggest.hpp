@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// "Did you mean": the nearest of a list of words.
+// "Did you mean": the nearest of a list of words.
 #pragma once
 
 #include <cstddef>

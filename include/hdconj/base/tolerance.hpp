@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Tolerance: a length together with the size of the thing it is a tolerance of.
+// Tolerance: a length together with the size of the thing it is a tolerance of.
 #pragma once
 
 #include <limits>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Plane vectors [mm] and the three products used everywhere.
+// Plane vectors [mm] and the three products used everywhere.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// From contact arcs to the polygons that are arranged.
+// From contact arcs to the polygons that are arranged.
 #pragma once
 
 #include <cmath>

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Polygons of what teeth sweep around a tooth of the other member.
+// Polygons of what teeth sweep around a tooth of the other member.
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "hdconj/conjugate/arc_polygons.hpp"

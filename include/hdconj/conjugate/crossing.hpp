@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Where two envelope arcs cross, and where one crosses a circle: solved on the arcs, not on their polygons.
+// Where two envelope arcs cross, and where one crosses a circle: solved on the arcs, not on their polygons.
 #pragma once
 
 #include <Eigen/LU>

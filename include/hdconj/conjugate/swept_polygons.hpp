@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Polygons of the bounding arcs of all teeth that reach one pitch: what the planar arrangement is given.
+// Polygons of the bounding arcs of all teeth that reach one pitch: what the planar arrangement is given.
 #pragma once
 
 #include <cstddef>

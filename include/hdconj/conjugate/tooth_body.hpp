@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The reverse problem's tooth: what teeth moving around it leave, and which stretch of which contact arc bounds it.
+// The reverse problem's tooth: what teeth moving around it leave, and which stretch of which contact arc bounds it.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// A flank of the reverse problem: which of two branches side by side it stays on, and where it ends.
+// A flank of the reverse problem: which of two branches side by side it stays on, and where it ends.
 #pragma once
 
 #include <algorithm>

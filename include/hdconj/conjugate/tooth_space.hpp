@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The circular spline's tooth space: which stretch of which contact arc bounds it, in order.
+// The circular spline's tooth space: which stretch of which contact arc bounds it, in order.
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstddef>
 #include <numbers>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The smallest distance between a point and one moving tooth over a lobe of the wave generator.
+// The smallest distance between a point and one moving tooth over a lobe of the wave generator.
 #pragma once
 
 #include <algorithm>

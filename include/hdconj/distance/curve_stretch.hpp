@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Short stretches of a curve, on each of which a point not too far away has one foot at most.
+// Short stretches of a curve, on each of which a point not too far away has one foot at most.
 #pragma once
 
 #include <array>

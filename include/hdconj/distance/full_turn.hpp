@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The smallest distance between a point of one member and any tooth of the other over a full turn.
+// The smallest distance between a point of one member and any tooth of the other over a full turn.
 #pragma once
 
 #include <algorithm>

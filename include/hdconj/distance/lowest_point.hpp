@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The lowest point of a dip of a distance, smooth or pointed.
+// The lowest point of a dip of a distance, smooth or pointed.
 #pragma once
 
 #include <algorithm>

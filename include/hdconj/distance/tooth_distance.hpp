@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Signed distance from a point to a flexspline tooth, to its exact pieces and not to a polygon.
+// Signed distance from a point to a flexspline tooth, to its exact pieces and not to a polygon.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Signed distances of several neighbouring points from a tooth of arcs and lines at once.
+// Signed distances of several neighbouring points from a tooth of arcs and lines at once.
 #pragma once
 
 #include <array>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The envelope under a motion of any model: compiled once, in the library.
+// The envelope under a motion of any model: compiled once, in the library.
 #pragma once
 
 #include "hdconj/envelope/find_branches.hpp"

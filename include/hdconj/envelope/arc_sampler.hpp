@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// One arc being sampled.
+// One arc being sampled.
 #pragma once
 
 #include <algorithm>

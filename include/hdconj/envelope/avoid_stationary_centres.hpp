@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Arcs whose centre comes to rest: the one instant at which a whole arc touches its envelope.
+// Arcs whose centre comes to rest: the one instant at which a whole arc touches its envelope.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Branches: maximal continuous pieces of {f = 0} on which the motion's parameter grows.
+// Branches: maximal continuous pieces of {f = 0} on which the motion's parameter grows.
 #pragma once
 
 #include <array>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// How far an envelope arc runs from a chord between two of its points: estimated from the chord's ends, or looked at
-/// between them.
+// How far an envelope arc runs from a chord between two of its points: estimated from the chord's ends, or looked at
+// between them.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Where along an arc its chords must stand so that all have the same error.
+// Where along an arc its chords must stand so that all have the same error.
 #pragma once
 
 #include <algorithm>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Where a piece of the tooth touches its envelope at one instant: the meshing condition n.v = 0, solved in closed form
-/// on arcs and lines.
+// Where a piece of the tooth touches its envelope at one instant: the meshing condition n.v = 0, solved in closed form
+// on arcs and lines.
 #pragma once
 
 #include <algorithm>

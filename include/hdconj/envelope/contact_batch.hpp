@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Envelope points of one arc, corner or line at many positions at once, with all that Envelope::point() gives.
+// Envelope points of one arc, corner or line at many positions at once, with all that Envelope::point() gives.
 #pragma once
 
-#include <array>
-#include <cmath>
 #include <cstddef>
 #include <optional>
 #include <span>

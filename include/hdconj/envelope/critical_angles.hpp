@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The instants at which the set of contacts on a piece changes: a contact crosses an end, or two merge.
+// The instants at which the set of contacts on a piece changes: a contact crosses an end, or two merge.
 #pragma once
 
 #include <algorithm>

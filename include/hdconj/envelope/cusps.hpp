@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Cuts contact arcs where their envelope has a cusp, marks the outer parts, and finds where conjugate zones end.
+// Cuts contact arcs where their envelope has a cusp, marks the outer parts, and finds where conjugate zones end.
 #pragma once
 
 #include <algorithm>

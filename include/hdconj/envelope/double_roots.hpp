@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Double roots of the meshing condition on a curve: f = df/dt = 0, solved in (t, u).
+// Double roots of the meshing condition on a curve: f = df/dt = 0, solved in (t, u).
 #pragma once
 
 #include <Eigen/LU>

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The envelope of one tooth under its motion, at an offset: contacts at any instant, and points of the envelope.
+// The envelope of one tooth under its motion, at an offset: contacts at any instant, and points of the envelope.
 #pragma once
 
-#include <limits>
 #include <variant>
 
 #include "hdconj/envelope/branch.hpp"

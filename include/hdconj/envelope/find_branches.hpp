@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// All branches of a tooth's meshing condition over one lobe of the wave generator.
+// All branches of a tooth's meshing condition over one lobe of the wave generator.
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The meshing condition of a curve over a box of (t, u) as a tensor-product Bernstein polynomial with a stated error.
+// The meshing condition of a curve over a box of (t, u) as a tensor-product Bernstein polynomial with a stated error.
 #pragma once
 
 #include <algorithm>

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Samples an envelope arc so that its polygon stays within a chord error, with no more points than that needs.
+// Samples an envelope arc so that its polygon stays within a chord error, with no more points than that needs.
 #pragma once
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "hdconj/envelope/arc_sampler.hpp"
 

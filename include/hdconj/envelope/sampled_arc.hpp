@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Points along an envelope arc, and what was asked of the chords between them.
+// Points along an envelope arc, and what was asked of the chords between them.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The lobe cut at the breaks of its motion: ranges on which everything is analytic.
+// The lobe cut at the breaks of its motion: ranges on which everything is analytic.
 #pragma once
 
 #include <cmath>

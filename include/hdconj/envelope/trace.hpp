@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Finds every contact arc of a profile: where it begins, where it ends and why.
+// Finds every contact arc of a profile: where it begins, where it ends and why.
 #pragma once
 
 #include <cmath>

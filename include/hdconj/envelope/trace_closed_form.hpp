@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Contact arcs of lines, arcs and corners, whose contacts are closed forms.
+// Contact arcs of lines, arcs and corners, whose contacts are closed forms.
 #pragma once
 
 #include <variant>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Contact arcs of a polynomial curve: its roots in t, counted across critical angles and followed between them.
+// Contact arcs of a polynomial curve: its roots in t, counted across critical angles and followed between them.
 #pragma once
 
 #include <algorithm>

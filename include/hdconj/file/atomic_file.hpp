@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Write-then-rename: a file is either the old one or the new one, never half of one.
+// Write-then-rename: a file is either the old one or the new one, never half of one.
 #pragma once
 
 #include <filesystem>

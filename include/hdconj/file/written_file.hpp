@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// A file that a verb has written.
+// A file that a verb has written.
 #pragma once
 
 #include <filesystem>

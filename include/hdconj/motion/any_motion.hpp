@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Any motion model behind one type. All that stands above the envelope is compiled for this one alone.
+// Any motion model behind one type. All that stands above the envelope is compiled for this one alone.
 #pragma once
 
 #include <concepts>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The closed form of the exact motion of a cosine cam.
+// The closed form of the exact motion of a cosine cam.
 #pragma once
 
 #include <array>

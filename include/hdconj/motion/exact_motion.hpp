@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Exact motion: the neutral curve does not stretch, the tooth stands on its normal.
+// Exact motion: the neutral curve does not stretch, the tooth stands on its normal.
 #pragma once
 
 #include <cmath>

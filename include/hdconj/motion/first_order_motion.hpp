@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The thesis' first-order motion, explicit in the undeformed angle.
+// The thesis' first-order motion, explicit in the undeformed angle.
 #pragma once
 
 #include <cmath>

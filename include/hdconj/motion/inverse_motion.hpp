@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The reverse view: a circular-spline tooth as it moves in the frame of the flexspline tooth.
+// The reverse view: a circular-spline tooth as it moves in the frame of the flexspline tooth.
 #pragma once
 
 #include <cmath>

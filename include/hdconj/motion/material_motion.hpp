@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Material motion: the displacement of each point of the ring is given, the tooth stands on the displaced curve's
-/// normal.
+// Material motion: the displacement of each point of the ring is given, the tooth stands on the displaced curve's
+// normal.
 #pragma once
 
 #include <algorithm>

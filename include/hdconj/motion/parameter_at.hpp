@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The instant at which a tooth of given undeformed angle is where it is.
+// The instant at which a tooth of given undeformed angle is where it is.
 #pragma once
 
 #include <cmath>

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The velocity of the tooth as piecewise polynomials of the motion's parameter, with stated errors.
+// The velocity of the tooth as piecewise polynomials of the motion's parameter, with stated errors.
 #pragma once
 
 #include <Eigen/Core>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The concept behind every motion model: flexspline tooth relative to the circular spline.
+// The concept behind every motion model: flexspline tooth relative to the circular spline.
 #pragma once
 
 #include <concepts>

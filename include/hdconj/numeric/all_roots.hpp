@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Every root of a smooth function on an interval, not only those that a scan happens to bracket.
+// Every root of a smooth function on an interval, not only those that a scan happens to bracket.
 #pragma once
 
 #include <algorithm>

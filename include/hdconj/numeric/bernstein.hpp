@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Polynomials on [0, 1] in Bernstein form: stable evaluation, products and subdivision.
+// Polynomials on [0, 1] in Bernstein form: stable evaluation, products and subdivision.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// All real roots of a Bernstein polynomial whose coefficients are known to a stated error.
+// All real roots of a Bernstein polynomial whose coefficients are known to a stated error.
 #pragma once
 
 #include <algorithm>

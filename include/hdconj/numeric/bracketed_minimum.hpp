@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The smallest value of a function beside a place where it falls.
+// The smallest value of a function beside a place where it falls.
 #pragma once
 
 #include <algorithm>

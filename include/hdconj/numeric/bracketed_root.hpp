@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// One root between two arguments where a function has opposite signs.
+// One root between two arguments where a function has opposite signs.
 #pragma once
 
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <cstddef>
-#include <cstdint>
 
 #include "hdconj/base/tolerance.hpp"
 

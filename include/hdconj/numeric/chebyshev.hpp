@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Chebyshev interpolation of fixed degree on an interval, with bounds read off the coefficients.
+// Chebyshev interpolation of fixed degree on an interval, with bounds read off the coefficients.
 #pragma once
 
 #include <Eigen/Core>

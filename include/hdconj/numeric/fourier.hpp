@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// A smooth periodic function as a Fourier series, and its integral.
+// A smooth periodic function as a Fourier series, and its integral.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The integral of a periodic function that is analytic only between given breaks.
+// The integral of a periodic function that is analytic only between given breaks.
 #pragma once
 
 #include <algorithm>

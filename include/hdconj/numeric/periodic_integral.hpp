@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The integral of a periodic function, by Fourier series where it is smooth and panel by panel where it has breaks.
+// The integral of a periodic function, by Fourier series where it is smooth and panel by panel where it has breaks.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Puts together what was proved about the roots of a function on neighbouring stretches of its axis.
+// Puts together what was proved about the roots of a function on neighbouring stretches of its axis.
 #pragma once
 
 #include <algorithm>

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// What families use to put a profile together.
+// What families use to put a profile together.
 #pragma once
 
 #include <algorithm>
 #include <optional>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "hdconj/error.hpp"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The pieces a tooth profile is made of. A tooth is traversed from its left root over the tip to its right root,
-/// so that the outward normal is the tangent turned by +90 degrees.
+// The pieces a tooth profile is made of. A tooth is traversed from its left root over the tip to its right root,
+// so that the outward normal is the tangent turned by +90 degrees.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// A smooth curve given by a formula, as polynomial pieces that the envelope solver takes.
+// A smooth curve given by a formula, as polynomial pieces that the envelope solver takes.
 #pragma once
 
 #include <Eigen/LU>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// A flexspline tooth profile: ordered pieces, grouped into named segments.
+// A flexspline tooth profile: ordered pieces, grouped into named segments.
 #pragma once
 
 #include <algorithm>

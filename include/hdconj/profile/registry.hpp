@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The tooth families by name.
+// The tooth families by name.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The outer side of a heap of curves, as a planar arrangement sees it.
+// The outer side of a heap of curves, as a planar arrangement sees it.
 #pragma once
 
 #include <cstddef>

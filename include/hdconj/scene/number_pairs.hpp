@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Two-column CSV files that families read: points of a tooth, tables of a cam.
+// Two-column CSV files that families read: points of a tooth, tables of a cam.
 #pragma once
 
 #include <array>

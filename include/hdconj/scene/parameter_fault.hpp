@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The fault of one parameter of a family, with its place in the scene.
+// The fault of one parameter of a family, with its place in the scene.
 #pragma once
 
 #include <cstddef>

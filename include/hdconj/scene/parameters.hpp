@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Parameters of a family (tooth profile, wave generator): what a family declares
-/// about its keys, and the values a scene gives them.
+// Parameters of a family (tooth profile, wave generator): what a family declares
+// about its keys, and the values a scene gives them.
 #pragma once
 
 #include <functional>

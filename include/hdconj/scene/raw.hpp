@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// A scene before it is validated: what stands where in the file, whatever the file's language.
+// A scene before it is validated: what stands where in the file, whatever the file's language.
 #pragma once
 
 #include <string>

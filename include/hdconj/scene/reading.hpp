@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// From raw tables to a scene: every key and value is validated against the schema and the families, then against each
-/// other.
+// From raw tables to a scene: every key and value is validated against the schema and the families, then against each
+// other.
 #pragma once
 
 #include <set>

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Every table and key of a scene: one row per key, from which type check, range, default, "did you mean", the
-/// template of messages and docs/reference/scene.md follow. Keys of the families are not here: families declare their
-/// own.
+// Every table and key of a scene: one row per key, from which type check, range, default, "did you mean", the
+// template of messages and docs/reference/scene.md follow. Keys of the families are not here: families declare their
+// own.
 #pragma once
 
 #include <optional>

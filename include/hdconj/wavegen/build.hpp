@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// What wave generator families are built from.
+// What wave generator families are built from.
 #pragma once
 
 #include <string>

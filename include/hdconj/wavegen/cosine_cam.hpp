@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Wave generator "cosine": w(u) = w0 cos(n u), thesis (2-11).
+// Wave generator "cosine": w(u) = w0 cos(n u), thesis (2-11).
 #pragma once
 
 #include <cmath>

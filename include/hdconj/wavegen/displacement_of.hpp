@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The exact inextensible deformation as a displacement of material points.
+// The exact inextensible deformation as a displacement of material points.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Wave generator "ellipse": the neutral curve is an ellipse.
+// Wave generator "ellipse": the neutral curve is an ellipse.
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Wave generator "four-roller": a ring under point forces from pairs of rollers.
+// Wave generator "four-roller": a ring under point forces from pairs of rollers.
 #pragma once
 
 #include <array>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The linear inextensional mode of a ring under a wave generator.
+// The linear inextensional mode of a ring under a wave generator.
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The displacement of the neutral curve as functions of the undeformed angle.
+// The displacement of the neutral curve as functions of the undeformed angle.
 #pragma once
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The deformed neutral curve: rho(u) = r_0 + w(u), as long as the undeformed circle of radius r_m.
+// The deformed neutral curve: rho(u) = r_0 + w(u), as long as the undeformed circle of radius r_m.
 #pragma once
 
 #include <cmath>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The radial displacement of the neutral curve and its derivatives at one angle.
+// The radial displacement of the neutral curve and its derivatives at one angle.
 #pragma once
 
 #include <concepts>

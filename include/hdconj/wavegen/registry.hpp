@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The wave generator families by name.
+// The wave generator families by name.
 #pragma once
 
 #include <optional>

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Wave generator "ring-on-cosine-cam": a ring of some thickness on a cosine cam.
+// Wave generator "ring-on-cosine-cam": a ring of some thickness on a cosine cam.
 #pragma once
-
-#include <cmath>
 
 #include "hdconj/wavegen/build.hpp"
 #include "hdconj/wavegen/radial_displacement.hpp"

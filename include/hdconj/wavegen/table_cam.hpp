@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Wave generator "table": radial displacement from a file, by a periodic spline.
+// Wave generator "table": radial displacement from a file, by a periodic spline.
 #pragma once
 
 #include <memory>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Wave generator "two-disc": the ring lies on eccentric discs and is free between them.
+// Wave generator "two-disc": the ring lies on eccentric discs and is free between them.
 #pragma once
 
 #include <array>

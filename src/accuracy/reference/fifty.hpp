@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The number type of references; private to src/accuracy.
+// The number type of references; private to src/accuracy.
 #pragma once
 
 #include <boost/multiprecision/cpp_bin_float.hpp>

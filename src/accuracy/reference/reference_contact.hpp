@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Contacts of a given piece by a path of their own, in any number type; private to src/accuracy.
+// Contacts of a given piece by a path of their own, in any number type; private to src/accuracy.
 #pragma once
 
-#include <cmath>
 #include <limits>
-#include <variant>
 #include <vector>
 
 #include "hdconj/profile/profile.hpp"

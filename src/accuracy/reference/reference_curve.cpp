@@ -2,7 +2,6 @@
 #include "reference_curve.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// A true curve to measure others by: patches of Chebyshev series in long double, made from points in 50 digits.
+// A true curve to measure others by: patches of Chebyshev series in long double, made from points in 50 digits.
 #pragma once
 
 #include <cstddef>

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Neutral curve on eccentric discs by a path of its own, in any number type; private to src/accuracy.
+// Neutral curve on eccentric discs by a path of its own, in any number type; private to src/accuracy.
 #pragma once
 
-#include <array>
-#include <cmath>
 #include <limits>
 #include <vector>
 

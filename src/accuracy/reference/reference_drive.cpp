@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "reference_drive.hpp"
 
-#include <cmath>
 #include <string>
 #include <type_traits>
 #include <variant>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Contacts of a drive in 50 digits; private to src/accuracy.
+// Contacts of a drive in 50 digits; private to src/accuracy.
 #pragma once
 
 #include <vector>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Chebyshev series in long double of curves in 50 digits; private to src/accuracy.
+// Chebyshev series in long double of curves in 50 digits; private to src/accuracy.
 #pragma once
 
 #include <algorithm>

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Integrals of periodic functions by paths of their own, in any number type; private to src/accuracy.
+// Integrals of periodic functions by paths of their own, in any number type; private to src/accuracy.
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <vector>

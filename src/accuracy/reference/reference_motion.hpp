@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The motion models by a path of their own, in any number type: vectors in place of angles; private to src/accuracy.
+// The motion models by a path of their own, in any number type: vectors in place of angles; private to src/accuracy.
 #pragma once
 
-#include <cmath>
 #include <utility>
 
 #include "reference_integral.hpp"

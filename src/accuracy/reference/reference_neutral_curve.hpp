@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Neutral curves by a path of their own, in any number type; private to src/accuracy.
+// Neutral curves by a path of their own, in any number type; private to src/accuracy.
 #pragma once
 
 #include <array>
-#include <cmath>
 #include <limits>
 #include <vector>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Vectors and curves with derivatives in any number type; private to src/accuracy.
+// Vectors and curves with derivatives in any number type; private to src/accuracy.
 #pragma once
 
 #include <cmath>

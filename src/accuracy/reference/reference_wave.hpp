@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Radial displacements that are analytic only between breaks, by paths of their own, in any number type; private to
-/// src/accuracy.
+// Radial displacements that are analytic only between breaks, by paths of their own, in any number type; private to
+// src/accuracy.
 #pragma once
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// What a boundary must pass: no branch lost, no stretch lost by an offset, no tooth inside over a full turn.
+// What a boundary must pass: no branch lost, no stretch lost by an offset, no tooth inside over a full turn.
 #pragma once
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <span>
 #include <string>
 #include <vector>

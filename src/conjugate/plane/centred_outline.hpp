@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The outline of one pitch, cut at its centre line; a symmetric pair's left half is the image of its right one.
+// The outline of one pitch, cut at its centre line; a symmetric pair's left half is the image of its right one.
 #pragma once
 
 #include <cstddef>

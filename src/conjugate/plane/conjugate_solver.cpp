@@ -13,6 +13,22 @@
 #include "root_clearance.hpp"
 
 namespace hdconj::conjugate {
+namespace {
+
+/// What the teeth of @p envelope leave of the ring outside its tip circle, from polygons of the chord error @p chord
+/// [mm]. Segments are counted in @p out.
+TracedSpace traced_space(envelope::AnyEnvelope const& envelope, std::vector<envelope::Branch> const& branches,
+                         double chord, Tolerance const& tolerance, Solution& out)
+{
+    TracedSpace traced;
+    traced.arcs = all_arcs(branches);
+    traced.space = ToothSpaceFinder<motion::AnyMotion>(envelope, traced.arcs, out.geometry.circular_spline_inner_radius,
+                                                       out.scene.drive.circular_spline_teeth, tolerance, chord)();
+    out.work.arrangement_edges += traced.space.segments;
+    return traced;
+}
+
+}  // namespace
 
 ConjugateSolver::ConjugateSolver(Solution& out, profile::Profile const& tooth, motion::AnyMotion const& motion,
                                  drive::StageClock& clock)

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The stages of `solve` in one plane, after its motion is known.
+// The stages of `solve` in one plane, after its motion is known.
 #pragma once
 
 #include <memory>
@@ -11,11 +10,27 @@
 #include "centred_outline.hpp"
 #include "conjugate/space_curve.hpp"
 #include "drive/stage_clock.hpp"
+#include "hdconj/conjugate/tooth_space.hpp"
 #include "hdconj/envelope/any_envelope.hpp"
 #include "tooth_outline.hpp"
-#include "traced_space.hpp"
 
 namespace hdconj::conjugate {
+
+/// Contact arcs of all branches in one list, which boundary pieces index.
+[[nodiscard]] inline std::vector<envelope::ContactArc> all_arcs(std::vector<envelope::Branch> const& branches)
+{
+    std::vector<envelope::ContactArc> arcs;
+    for (envelope::Branch const& branch : branches)
+        arcs.insert(arcs.end(), branch.arcs.begin(), branch.arcs.end());
+    return arcs;
+}
+
+/// A tooth space and the arcs that its pieces index.
+struct TracedSpace
+{
+    std::vector<envelope::ContactArc> arcs;
+    ToothSpace space;
+};
 
 /// Solves one plane: its branches, and from them the tooth space, checked over a full turn.
 class ConjugateSolver

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The outline of the flexspline tooth that the circular spline's teeth leave.
+// The outline of the flexspline tooth that the circular spline's teeth leave.
 #pragma once
 
 #include <vector>

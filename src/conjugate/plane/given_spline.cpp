@@ -9,7 +9,6 @@
 #include "outline_records.hpp"
 
 namespace hdconj::conjugate {
-
 namespace {
 
 /// Where the tooth's centre line leaves it at the tip.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The circular spline's outline where its tooth is given and not solved for.
+// The circular spline's outline where its tooth is given and not solved for.
 #pragma once
 
 #include "centred_outline.hpp"

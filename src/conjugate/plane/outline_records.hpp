@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Outlines as they are written into results.
+// Outlines as they are written into results.
 #pragma once
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "conjugate/outline.hpp"

@@ -49,15 +49,6 @@ std::vector<Vec2> displaced_points(wavegen::MaterialDisplacement const& displace
     });
 }
 
-/// The motion that @p make builds, as the stage of that name.
-template <class Make>
-motion::AnyMotion in_stage(drive::StageClock& clock, Make const& make)
-{
-    std::optional<motion::AnyMotion> motion;
-    clock.run(Stage::motion, [&] { motion.emplace(make()); });
-    return std::move(*motion);
-}
-
 motion::AnyMotion exact_motion(wavegen::AnyWaveShape const& shape, Solution& out, drive::StageClock& clock)
 {
     std::optional<wavegen::NeutralCurve<wavegen::AnyWaveShape>> curve;
@@ -69,7 +60,7 @@ motion::AnyMotion exact_motion(wavegen::AnyWaveShape const& shape, Solution& out
         out.error.r_0 = (curve->relative_error() + roundings * unit_roundoff) * out.geometry.r_m;
         out.neutral_curve = sampled_neutral_curve(shape, curve->r_0());
     });
-    return in_stage(clock, [&] {
+    return clock.value_of(Stage::motion, [&] {
         motion::ExactMotion<wavegen::AnyWaveShape> motion(std::move(*curve), tooth_ratio(out.scene));
         auto const closed_form = motion::cosine_form(motion);
         return motion::AnyMotion::owning(std::move(motion), closed_form);
@@ -83,7 +74,7 @@ motion::AnyMotion first_order_motion(wavegen::AnyWaveShape const& shape, Solutio
         out.geometry.r_0 = out.geometry.r_m;
         out.neutral_curve = sampled_neutral_curve(shape, out.geometry.r_m);
     });
-    return in_stage(clock, [&] {
+    return clock.value_of(Stage::motion, [&] {
         return motion::AnyMotion::owning(
             motion::FirstOrderMotion<wavegen::AnyWaveShape>(shape, out.geometry.r_m, tooth_ratio(out.scene)));
     });
@@ -100,7 +91,7 @@ motion::AnyMotion material_motion(Given const& given, Solution& out, drive::Stag
         out.geometry.r_0 = out.geometry.r_m;
         out.neutral_curve = displaced_points(displacement, out.geometry.r_m);
     });
-    return in_stage(clock, [&] {
+    return clock.value_of(Stage::motion, [&] {
         return motion::AnyMotion::owning(
             motion::MaterialMotion(displacement, out.geometry.r_m, tooth_ratio(out.scene)));
     });

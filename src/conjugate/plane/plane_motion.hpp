@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The neutral curve of a plane, and the motion of the tooth on it, by the model that the scene names.
+// The neutral curve of a plane, and the motion of the tooth on it, by the model that the scene names.
 #pragma once
 
 #include "drive/stage_clock.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Branches, zones and positions of the tooth as they are written into results.
+// Branches, zones and positions of the tooth as they are written into results.
 #pragma once
 
 #include <cstddef>

@@ -1,24 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Points of all branches while another job runs beside them.
+// Points of all branches while another job runs beside them.
 #pragma once
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
 #include <cstddef>
-#include <exception>
-#include <utility>
+#include <numeric>
 #include <vector>
 
 #include "base/deferred_tasks.hpp"
-#include "base/largest_first.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/envelope/any_envelope.hpp"
 #include "records.hpp"
 #include "tooth_outline.hpp"
 
 namespace hdconj::conjugate {
+
+/// Indices of @p sizes from the largest on, equal ones in their order.
+[[nodiscard]] inline std::vector<std::size_t> largest_first(std::vector<double> const& sizes)
+{
+    std::vector<std::size_t> order(sizes.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return sizes[a] > sizes[b]; });
+    return order;
+}
 
 /// Fewest branches of @p envelope whose points are worth a thread, for branches as long as the tooth is high. @param
 /// chord  [mm]

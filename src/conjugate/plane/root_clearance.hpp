@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Root clearance: the bottom of the tooth space moved outward along its centre line.
+// Root clearance: the bottom of the tooth space moved outward along its centre line.
 #pragma once
 
 #include "conjugate/outline.hpp"

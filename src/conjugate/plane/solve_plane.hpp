@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The conjugate pair in the plane z = 0.
+// The conjugate pair in the plane z = 0.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The given tooth as results show it.
+// The given tooth as results show it.
 #pragma once
 
 #include <cstddef>

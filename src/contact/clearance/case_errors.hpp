@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Estimated errors of what a case tells of full turns.
+// Estimated errors of what a case tells of full turns.
 #pragma once
 
 #include "clear_flanks.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Side clearance and tip circle with which the flanks of a surface clear.
+// Side clearance and tip circle with which the flanks of a surface clear.
 #pragma once
 
 #include <optional>

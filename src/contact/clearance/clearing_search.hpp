@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// How far something must be moved until nothing enters it.
+// How far something must be moved until nothing enters it.
 #pragma once
 
 #include <algorithm>

@@ -7,13 +7,11 @@
 #include <numbers>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "hdconj/error.hpp"
 #include "surface/moved_outline.hpp"
 
 namespace hdconj::contact {
-
 namespace {
 
 /// What the moved flanks of a slice leave of the way down to its tip circle [mm].

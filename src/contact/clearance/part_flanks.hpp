@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Flanks of a part down to its tip circle, and the tip circle that leaves it a land.
+// Flanks of a part down to its tip circle, and the tip circle that leaves it a land.
 #pragma once
 
 #include <vector>

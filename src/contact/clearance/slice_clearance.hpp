@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Every slice over a full turn under its own motion, and how far its points must be moved to clear.
+// Every slice over a full turn under its own motion, and how far its points must be moved to clear.
 #pragma once
 
 #include <algorithm>

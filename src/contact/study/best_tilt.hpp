@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The search for the tilt of a surface.
+// The search for the tilt of a surface.
 #pragma once
 
 #include <functional>

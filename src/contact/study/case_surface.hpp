@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// One surface of a study: everything that the steps of a case ask of it.
+// One surface of a study: everything that the steps of a case ask of it.
 #pragma once
 
 #include <cmath>

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The contact area of a pair that is conjugate in every plane, by another path than contact(): what that one is
-/// measured against.
+// The contact area of a pair that is conjugate in every plane, by another path than contact(): what that one is
+// measured against.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "hdconj/scene.hpp"

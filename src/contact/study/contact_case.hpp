@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// One surface of the circular spline against all teeth.
+// One surface of the circular spline against all teeth.
 #pragma once
 
 #include "contact/flank_grid.hpp"

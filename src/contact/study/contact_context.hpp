@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// What all surfaces of a study are computed with.
+// What all surfaces of a study are computed with.
 #pragma once
 
 #include "drive/stage_clock.hpp"

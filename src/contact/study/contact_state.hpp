@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Contact and play of one surface at one angle of the wave generator.
+// Contact and play of one surface at one angle of the wave generator.
 #pragma once
 
 #include <cmath>

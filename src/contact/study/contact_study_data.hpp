@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The context of a study with all that it refers to.
+// The context of a study with all that it refers to.
 #pragma once
 
 #include <optional>
-#include <utility>
 
 #include "conjugate/plane/solve_plane.hpp"
 #include "contact_context.hpp"

@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "conjugate/plane/plane_motion.hpp"
-#include "contact/gap_field.hpp"
 #include "elastic/bent_cup.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/motion/parameter_at.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// All teeth of a drive at one angle of the wave generator.
+// All teeth of a drive at one angle of the wave generator.
 #pragma once
 
 #include <map>

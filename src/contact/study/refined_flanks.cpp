@@ -2,7 +2,6 @@
 #include "refined_flanks.hpp"
 
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 #include "contact/clearance/case_errors.hpp"
@@ -10,7 +9,6 @@
 #include "surface/slice_places.hpp"
 
 namespace hdconj::contact {
-
 namespace {
 
 /// A place between two slices.

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// A surface in the slices of a scene, and between them.
+// A surface in the slices of a scene, and between them.
 #pragma once
 
 #include <cstddef>

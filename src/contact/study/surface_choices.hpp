@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Which surfaces scene and options ask for.
+// Which surfaces scene and options ask for.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Records as columns of a table, and figures as attributes.
+// Records as columns of a table, and figures as attributes.
 #pragma once
 
 #include <type_traits>

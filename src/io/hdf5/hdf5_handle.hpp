@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// HDF5 identifiers that close themselves, and HDF5 failures as exceptions.
+// HDF5 identifiers that close themselves, and HDF5 failures as exceptions.
 #pragma once
 
 #include <hdf5.h>

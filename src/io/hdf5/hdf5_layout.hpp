@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The parts of the result file that every verb writes, and the records of a study.
+// The parts of the result file that every verb writes, and the records of a study.
 #pragma once
 
 #include "hdconj/accuracy_files.hpp"

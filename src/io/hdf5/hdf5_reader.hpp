@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Reads attributes and datasets of an open HDF5 file.
+// Reads attributes and datasets of an open HDF5 file.
 #pragma once
 
 #include <unistd.h>

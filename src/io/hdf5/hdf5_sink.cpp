@@ -6,7 +6,6 @@
 #include "file/atomic_file_posix.hpp"
 
 namespace hdconj::io::hdf5 {
-
 namespace {
 
 /// How much of the beginning of a file is held back [bytes].

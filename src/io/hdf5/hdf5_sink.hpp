@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Where the bytes of an HDF5 file go while it is being made.
+// Where the bytes of an HDF5 file go while it is being made.
 #pragma once
 
 #include <cstddef>

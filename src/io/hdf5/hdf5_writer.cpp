@@ -8,7 +8,6 @@
 #include "hdconj/file/atomic_file.hpp"
 
 namespace hdconj::io::hdf5 {
-
 namespace {
 
 /// For texts, which HDF5 converts one by one. Its own choice of 1 MB costs a millisecond to clear for every dataset.

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Builds an HDF5 file: groups, datasets with units, attributes. Private to src/io.
-///
-/// The bytes depend on nothing but the content (no clock, no object timestamps).
+// Builds an HDF5 file: groups, datasets with units, attributes. Private to src/io.
+//
+// The bytes depend on nothing but the content (no clock, no object timestamps).
 #pragma once
 
 #include <fmt/format.h>

@@ -11,7 +11,6 @@
 #include "hdconj/units.hpp"
 
 namespace hdconj {
-
 namespace {
 
 /// Radial forces of the bearing at the nodes of the deck [N].

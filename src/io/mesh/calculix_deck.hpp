@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Parts of a deck for CalculiX: https://www.dhondt.de, keywords as in its manual.
+// Parts of a deck for CalculiX: https://www.dhondt.de, keywords as in its manual.
 #pragma once
 
 #include <string>

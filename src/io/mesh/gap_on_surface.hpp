@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The gap map at the points of a mesh, and what a picture asks of a map.
+// The gap map at the points of a mesh, and what a picture asks of a map.
 #pragma once
 
 #include <optional>

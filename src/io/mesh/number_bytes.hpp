@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Numbers as bytes of a file.
+// Numbers as bytes of a file.
 #pragma once
 
 #include <array>

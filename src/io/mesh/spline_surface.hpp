@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The toothed surface of the circular spline as a mesh.
+// The toothed surface of the circular spline as a mesh.
 #pragma once
 
 #include <array>

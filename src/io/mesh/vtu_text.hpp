@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// What VTK's files of a cup share: the frame of text around their arrays, and the frame of axes that the cup stands
-/// in.
+// What VTK's files of a cup share: the frame of text around their arrays, and the frame of axes that the cup stands
+// in.
 #pragma once
 
 #include <fmt/format.h>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The text of data/scenes/type-50.toml, put into the program when it is built.
+// The text of data/scenes/type-50.toml, put into the program when it is built.
 #pragma once
 
 #include <string_view>

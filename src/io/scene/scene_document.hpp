@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// TOML to raw tables and back to text, and --set, which changes a document before it is validated. What includes this
-/// knows the TOML library, and nothing else does.
+// TOML to raw tables and back to text, and --set, which changes a document before it is validated. What includes this
+// knows the TOML library, and nothing else does.
 #pragma once
 
 #include <toml++/toml.h>

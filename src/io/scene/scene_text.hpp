@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The bytes of a scene: read with a limit and refused when they are no text, before they are parsed; lines of it for
-/// messages.
+// The bytes of a scene: read with a limit and refused when they are no text, before they are parsed; lines of it for
+// messages.
 #pragma once
 
 #include <filesystem>

@@ -2,7 +2,6 @@
 #include "cup_shape.hpp"
 
 #include <algorithm>
-#include <numbers>
 #include <utility>
 #include <vector>
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Displacement and stress of the whole cup under load.
+// Displacement and stress of the whole cup under load.
 #pragma once
 
 #include <Eigen/Core>

@@ -2,14 +2,12 @@
 #include "load_model.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <numeric>
 #include <utility>
 
 #include "contact/study/place_teeth.hpp"
 #include "drive/elastic_cup.hpp"
-#include "elastic/harmonic_field.hpp"
 #include "elastic/wave_generator_contact.hpp"
 #include "wave_generator.hpp"
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The elastic drive of a scene.
+// The elastic drive of a scene.
 #pragma once
 
 #include <vector>

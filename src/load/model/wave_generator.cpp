@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "drive/elastic_cup.hpp"
-#include "elastic/ball_line.hpp"
 #include "elastic/discrete_balls.hpp"
 #include "elastic/wave_generator_contact.hpp"
 

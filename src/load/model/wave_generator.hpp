@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The wave generator of an elastic drive.
+// The wave generator of an elastic drive.
 #pragma once
 
 #include <Eigen/Core>

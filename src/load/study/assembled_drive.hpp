@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// A drive on one grid, assembled: the cup on its wave generator, no tooth in contact.
+// A drive on one grid, assembled: the cup on its wave generator, no tooth in contact.
 #pragma once
 
 #include <optional>

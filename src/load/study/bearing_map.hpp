@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Forces of the bearing at one torque.
+// Forces of the bearing at one torque.
 #pragma once
 
 #include "hdconj/load.hpp"

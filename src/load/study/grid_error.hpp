@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Estimated discretisation errors, from the same drive on a coarser grid.
+// Estimated discretisation errors, from the same drive on a coarser grid.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// One surface of the circular spline under torque.
+// One surface of the circular spline under torque.
 #pragma once
 
 #include <functional>

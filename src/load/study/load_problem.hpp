@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// An elastic drive with one surface of the circular spline, and its state at one torque.
+// An elastic drive with one surface of the circular spline, and its state at one torque.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// All surfaces of a drive under torque.
+// All surfaces of a drive under torque.
 #pragma once
 
 #include <functional>

@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
-#include <string>
-#include <string_view>
 
 #include "base/text.hpp"
 #include "drive/drive.hpp"

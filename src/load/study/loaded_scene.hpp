@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The scene of a load study: checked, completed, and solved without torque.
+// The scene of a load study: checked, completed, and solved without torque.
 #pragma once
 
 #include <memory>

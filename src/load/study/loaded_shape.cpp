@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "conjugate/plane/plane_motion.hpp"
-#include "contact/gap_field.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/motion/material_motion.hpp"
 #include "load/elastic_drive.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Poses of the teeth on a cup that forces deform.
+// Poses of the teeth on a cup that forces deform.
 #pragma once
 
 #include <vector>

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <vector>
 
 #include "contact/take_up.hpp"
 #include "hdconj/base/parallel.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The play of an assembled drive without torque.
+// The play of an assembled drive without torque.
 #pragma once
 
 #include <optional>

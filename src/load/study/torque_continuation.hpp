@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Equilibria from torque to torque.
+// Equilibria from torque to torque.
 #pragma once
 
 #include "load_problem.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The JSON summary as an object that a verb adds to.
+// The JSON summary as an object that a verb adds to.
 #pragma once
 
 #include <cstdint>

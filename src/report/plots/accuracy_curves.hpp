@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// What both pictures of a study share: lines, axes, title and legend.
+// What both pictures of a study share: lines, axes, title and legend.
 #pragma once
 
 #include <string>

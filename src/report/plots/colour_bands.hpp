@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Quantities as colours, in bands whose lightness changes evenly, so that colour-blind eyes and grey print keep the
-/// order. Colours are 0xrrggbb.
+// Quantities as colours, in bands whose lightness changes evenly, so that colour-blind eyes and grey print keep the
+// order. Colours are 0xrrggbb.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Maps as rectangles of one colour.
+// Maps as rectangles of one colour.
 #pragma once
 
 #include <functional>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Runs gnuplot; private to src/report.
+// Runs gnuplot; private to src/report.
 #pragma once
 
 #include <stdexcept>

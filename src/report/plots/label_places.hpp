@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Places short labels beside points of a diagram where they lie on no line, point or other label.
+// Places short labels beside points of a diagram where they lie on no line, point or other label.
 #pragma once
 
 #include <string>

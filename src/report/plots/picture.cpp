@@ -14,7 +14,6 @@
 #include "plots.hpp"
 
 namespace hdconj::report {
-
 namespace {
 
 /// Whether the file's ending asks for PNG, not SVG. @throws InputError for an ending that is not known

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// A picture is a gnuplot template, templates/NAME.gp, that is fed with columns and variables.
+// A picture is a gnuplot template, templates/NAME.gp, that is fed with columns and variables.
 #pragma once
 
 #include <initializer_list>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The files templates/NAME.gp as text, which the build turns into a source.
+// The files templates/NAME.gp as text, which the build turns into a source.
 #pragma once
 
 #include <span>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The range of a drawing whose axes have the same scale.
+// The range of a drawing whose axes have the same scale.
 #pragma once
 
 #include <Eigen/Geometry>

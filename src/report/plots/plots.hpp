@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The pictures of all verbs as scripts, see plot_script.
+// The pictures of all verbs as scripts, see plot_script.
 #pragma once
 
 #include <filesystem>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// What the records of a study bear out, in words.
+// What the records of a study bear out, in words.
 #pragma once
 
 #include <string>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The table of a load study, one row for each surface.
+// The table of a load study, one row for each surface.
 #pragma once
 
 #include "figures/number_text.hpp"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// The printed summary, line by line, and its parts that every verb prints.
+// The printed summary, line by line, and its parts that every verb prints.
 #pragma once
 
 #include <fmt/format.h>

@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 
-#include "hdconj/error.hpp"
 #include "post.hpp"
 #include "wedm/planes.hpp"
 #include "wedm/program_words.hpp"

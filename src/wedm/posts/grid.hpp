@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Coordinates as whole units of the last digit, and the block list that every dialect writes.
-///
-/// Rounding is of absolute coordinates; differences are differences of rounded ones, so that no sum of them drifts.
-/// Whole numbers print without exponent and without negative zero in any locale.
+// Coordinates as whole units of the last digit, and the block list that every dialect writes.
+//
+// Rounding is of absolute coordinates; differences are differences of rounded ones, so that no sum of them drifts.
+// Whole numbers print without exponent and without negative zero in any locale.
 #pragma once
 
 #include <string>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// A post: one dialect, how it is written and how it is read back. A new dialect is one file with one function that
-/// returns a WirePost, and its line in posts.cpp.
+// A post: one dialect, how it is written and how it is read back. A new dialect is one file with one function that
+// returns a WirePost, and its line in posts.cpp.
 #pragma once
 
 #include <optional>

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-/// @file
-/// Reads files of wire programs back, line by line and word by word. Shares nothing with the writers.
+// Reads files of wire programs back, line by line and word by word. Shares nothing with the writers.
 #pragma once
 
 #include <string>

@@ -5,10 +5,8 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cstdlib>
 
 #include "grid.hpp"
-#include "hdconj/error.hpp"
 #include "hdconj/units.hpp"
 #include "post.hpp"
 #include "reading.hpp"

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "grid.hpp"
-#include "hdconj/error.hpp"
 #include "post.hpp"
 #include "reading.hpp"
 

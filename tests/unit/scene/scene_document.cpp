@@ -13,8 +13,7 @@
 #include "hdconj/profile/registry.hpp"
 #include "hdconj/scene/schema.hpp"
 #include "hdconj/wavegen/registry.hpp"
-#include "scene/validate_value.hpp"
-#include "scene/value_text.hpp"
+#include "scene/validation.hpp"
 #include "support/catch.hpp"
 
 namespace hdconj::test::scene_document_cases {
