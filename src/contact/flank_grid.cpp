@@ -123,10 +123,10 @@ FlankGrid flank_grid(conjugate::MatchedOutline const& outline, std::vector<doubl
                                             length[static_cast<std::size_t>(at)] - wanted
                                   ? at - 1
                                   : at;
-            auto const index = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(from) + step * best);
-            if (!chosen.empty() && chosen.back() == index)
+            auto const point = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(from) + step * best);
+            if (!chosen.empty() && chosen.back() == point)
                 continue;
-            chosen.push_back(index);
+            chosen.push_back(point);
             stations.push_back(length[static_cast<std::size_t>(best)] / length.back());
         }
         return stations;
