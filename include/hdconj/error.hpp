@@ -66,7 +66,7 @@ enum class ErrorCode
 };
 
 /// The code as JSON writes it: "not-converged", "no-land" ...
-[[nodiscard]] std::string_view to_string(ErrorCode code);
+[[nodiscard]] std::string_view code_word(ErrorCode code);
 
 /// A computation could not be finished to its tolerance. The message reads "stage: place: cause; remedy".
 class NumericalError : public std::runtime_error

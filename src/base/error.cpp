@@ -56,7 +56,7 @@ void sort_by_place(Faults& faults)
                      [&rank](Fault const& a, Fault const& b) { return rank(a) < rank(b); });
 }
 
-std::string_view to_string(ErrorCode code)
+std::string_view code_word(ErrorCode code)
 {
     static constexpr std::array<std::string_view, 12> words{
         "not-converged", "not-smooth", "no-solution",     "no-land",      "no-outline", "interference",

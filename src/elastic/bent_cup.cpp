@@ -30,7 +30,7 @@ BentCup::BentCup(CupSection const& section, Bearing const& bearing, CamSeries co
     : section_(section),
       bearing_(bearing),
       cam_(cam),
-      solid_(section_mesh(section, in_layers(contact_mesh_size(bearing, circles), section, layers))),
+      solid_(section_mesh(section, in_layers(contact_mesh_size(bearing.width, circles), section, layers))),
       contact_(solve_wave_generator(solid_, section.inner_radius, bearing, cam, circles, {}, threads)),
       field_(field_of(solid_, contact_, cam.waves, threads))
 {

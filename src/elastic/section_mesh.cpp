@@ -277,4 +277,19 @@ SectionPoint wall_point(SectionMesh const& mesh, double z, double depth)
             std::clamp(2 * (z - bottom) / (top - bottom) - 1, -1.0, 1.0)};
 }
 
+MeshSize contact_mesh_size(double bearing_width, int across)
+{
+    MeshSize size;
+    if (bearing_width > 0 && across > 1)
+        size.along = std::min(size.along, 1.5 * bearing_width / (across - 1));
+    return size;
+}
+
+MeshSize in_layers(MeshSize size, CupSection const& section, int layers)
+{
+    if (layers > 1)
+        size.across = std::min(size.across, std::min(section.wall, section.ring_wall) / layers);
+    return size;
+}
+
 }  // namespace hdconj::elastic

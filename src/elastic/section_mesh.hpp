@@ -119,4 +119,12 @@ struct SectionPoint
 /// (r, z) of a place.
 [[nodiscard]] Vec2 position(SectionMesh const& mesh, SectionPoint const& point);
 
+/// Size of elements for @p across circles of contact over a bearing of this width [mm]: two circles never share all of
+/// their nodes.
+[[nodiscard]] MeshSize contact_mesh_size(double bearing_width, int across);
+
+/// The same with at least @p layers elements across the wall. One resolves bending; the local indentation by forces
+/// needs two.
+[[nodiscard]] MeshSize in_layers(MeshSize size, CupSection const& section, int layers);
+
 }  // namespace hdconj::elastic

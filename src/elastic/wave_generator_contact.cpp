@@ -107,21 +107,6 @@ double DisplacementSeries::at(std::size_t station, double phi) const
     return sum;
 }
 
-MeshSize contact_mesh_size(Bearing const& bearing, int across)
-{
-    MeshSize size;
-    if (bearing.width > 0 && across > 1)
-        size.along = std::min(size.along, 1.5 * bearing.width / (across - 1));
-    return size;
-}
-
-MeshSize in_layers(MeshSize size, CupSection const& section, int layers)
-{
-    if (layers > 1)
-        size.across = std::min(size.across, std::min(section.wall, section.ring_wall) / layers);
-    return size;
-}
-
 WaveGeneratorContact solve_wave_generator(FourierSolid const& cup, double inner_radius, Bearing const& bearing,
                                           CamSeries const& cam, int across, std::vector<Station> const& stations,
                                           int threads)

@@ -56,11 +56,4 @@ struct WaveGeneratorContact
                                                         Bearing const& bearing, CamSeries const& cam, int across,
                                                         std::vector<Station> const& stations, int threads = 1);
 
-/// Size of elements for a grid: two circles never share all of their nodes.
-[[nodiscard]] MeshSize contact_mesh_size(Bearing const& bearing, int across);
-
-/// The same with at least @p layers elements across the wall. One resolves bending; the local indentation by forces
-/// needs two.
-[[nodiscard]] MeshSize in_layers(MeshSize size, CupSection const& section, int layers);
-
 }  // namespace hdconj::elastic

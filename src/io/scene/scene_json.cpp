@@ -53,7 +53,7 @@ std::string failure_json(std::string const& scene_name, std::exception const& er
 {
     Json said{{"code", "failed"}, {"stage", ""}, {"place", ""}, {"cause", error.what()}, {"remedy", ""}};
     if (auto const* known = dynamic_cast<NumericalError const*>(&error))
-        said = {{"code", to_string(known->code())},
+        said = {{"code", code_word(known->code())},
                 {"stage", known->stage()},
                 {"place", known->place()},
                 {"cause", known->cause()},

@@ -102,7 +102,7 @@ LoadModel load_model(contact::ContactContext const& context, LoadGrid const& res
     PlacedBearing const placed = placed_bearing(context, resolution.circles, around);
     double const middle = placed.bearing.middle;
     elastic::FourierSolid solid(elastic::section_mesh(
-        section, elastic::in_layers(elastic::contact_mesh_size(placed.bearing, resolution.circles), section,
+        section, elastic::in_layers(elastic::contact_mesh_size(placed.bearing.width, resolution.circles), section,
                                     resolution.layers)));
 
     std::vector<double> z;

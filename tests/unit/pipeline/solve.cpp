@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <map>
 
-#include "conjugate/plane/offset_topology.hpp"
+#include "conjugate/plane/boundary_checks.hpp"
 #include "hdconj/conjugate/tooth_space.hpp"
 #include "hdconj/envelope/find_branches.hpp"
 #include "hdconj/error.hpp"
