@@ -32,7 +32,7 @@ _hdconj()
     case ${COMP_WORDS[1]} in
         init) options="--help --force --quiet" ;;
         check) options="$common --plan --for" ;;
-        solve) options="$common --output --dxf --picture" ;;
+        solve) options="$common --output --dxf --picture --verbose" ;;
         contact)
             options="$common --tilt --surface --kind --best --revolution --output --picture --xdmf --stl --vtk --ring" ;;
         load)

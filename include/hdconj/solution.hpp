@@ -47,8 +47,7 @@ struct BranchRecord
     std::vector<double> phi;   ///< (n) undeformed angle of the tooth
     std::vector<double> t;     ///< (n) profile parameter, 0 ... 1 along the segment
     std::vector<Vec2> point;   ///< (n,2)
-    int tooth =
-        0;  ///< reverse problem: number of the circular-spline tooth, 0 left and 1 right of the flexspline tooth
+    int tooth = 0;  ///< reverse problem: number of the circular-spline tooth, 0 left of the flexspline's, 1 right
 };
 
 /// A conjugate zone: a piece of a branch on which t(u) is monotone and the envelope is outer or inner.
@@ -158,11 +157,10 @@ class BentCup;
 /// Result of solve().
 struct Solution
 {
-    Scene scene;            ///< that was solved
-    Plan plan;              ///< that was run
-    PairGeometry geometry;  ///< derived dimensions
-    std::shared_ptr<elastic::BentCup const>
-        cup;  ///< the cup on its bearing, where the scene asks for the elastic one; else null
+    Scene scene;                                  ///< that was solved
+    Plan plan;                                    ///< that was run
+    PairGeometry geometry;                        ///< derived dimensions
+    std::shared_ptr<elastic::BentCup const> cup;  ///< the cup on its bearing; null without an elastic one
     std::vector<std::string> segment_names;       ///< of the given tooth, in order
     std::vector<Vec2> flexspline_outline;         ///< (n,2) one tooth in its own frame, y from the pitch line
     std::vector<OutlinePiece> flexspline_pieces;  ///< reverse problem: where it comes from; else empty

@@ -149,8 +149,8 @@ UnitFields unit_fields(FourierSolid const& solid, Supports const& supports, std:
     return result;
 }
 
-Influence influence(FourierSolid const& solid, UnitFields const& unit, std::vector<Station> const& stations,
-                    int threads)
+Influence influence_of_fields(FourierSolid const& solid, UnitFields const& unit, std::vector<Station> const& stations,
+                              int threads)
 {
     std::vector<Direction> directions;
     for (Station const& station : stations)
@@ -169,7 +169,7 @@ Influence influence(FourierSolid const& solid, UnitFields const& unit, std::vect
 Influence influence(FourierSolid const& solid, Supports const& supports, std::vector<Station> const& stations,
                     std::vector<int> const& harmonics, int threads)
 {
-    return influence(solid, unit_fields(solid, supports, stations, harmonics, threads), stations, threads);
+    return influence_of_fields(solid, unit_fields(solid, supports, stations, harmonics, threads), stations, threads);
 }
 
 }  // namespace hdconj::elastic

@@ -112,8 +112,8 @@ struct UnitFields
                                      int threads = 1);
 
 /// Compliance between @p stations, those that @p unit was made for.
-[[nodiscard]] Influence influence(FourierSolid const& solid, UnitFields const& unit,
-                                  std::vector<Station> const& stations, int threads = 1);
+[[nodiscard]] Influence influence_of_fields(FourierSolid const& solid, UnitFields const& unit,
+                                            std::vector<Station> const& stations, int threads = 1);
 /// The same with unit_fields() of its own.
 [[nodiscard]] Influence influence(FourierSolid const& solid, Supports const& supports,
                                   std::vector<Station> const& stations, std::vector<int> const& harmonics,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string_view>
 #include <utility>
 
 #include "base/text.hpp"
@@ -55,9 +56,9 @@ bool cones(Scene const& scene, Verb verb)
 std::vector<AbsentEffect> absent_effects(Scene const& scene, Verb verb)
 {
     std::vector<AbsentEffect> absent;
-    auto const add = [&absent](bool is_absent, std::string name, std::string remedy) {
+    auto const add = [&absent](bool is_absent, char const* name, std::string_view remedy) {
         if (is_absent)
-            absent.push_back({std::move(name), std::move(remedy)});
+            absent.push_back({name, std::string(remedy)});
     };
     auto const& spline = scene.circular_spline;
     add(spline.backlash_offset <= 0 && !spline.automatic_backlash, "backlash",
@@ -67,9 +68,10 @@ std::vector<AbsentEffect> absent_effects(Scene const& scene, Verb verb)
     add(!scene.tilt, "tilt", "a table [tilt]");
     add(!scene.slices, "slices", "a table [slices]");
     add(scene.coning && !cones(scene, verb), "coning of the surface",
-        std::string(
-            "[slices] with surface \"ruled\" or \"per-slice\", or the verb contact: one outline is that of z = 0") +
-            (scene.is_elastic() ? "" : ", which the cone leaves as it is"));
+        scene.is_elastic()
+            ? "[slices] with surface \"ruled\" or \"per-slice\", or the verb contact: one outline is that of z = 0"
+            : "[slices] with surface \"ruled\" or \"per-slice\", or the verb contact: one outline is that of z = 0, "
+              "which the cone leaves as it is");
     add(scene.tilt && !has_slices(scene), "tilt of the surface",
         "[slices] with count above 1: at z = 0 the tilt moves nothing");
     add(verb != Verb::contact, "contact", "the verb contact");

@@ -98,8 +98,7 @@ class ConjugateSolver
     TracedSpace final_;
     std::optional<CentredOutlineSampler> sampler_;  ///< of the boundary in final_
     CentredOutline outline_;
-    std::optional<ToothOutline>
-        shown_;  ///< until it is made, with the points of the branches themselves; the boundary does without both
+    std::optional<ToothOutline> shown_;  ///< for results only, until its points are made beside those of branches
 };
 
 /// `solve` for the reverse problem, after the motion is known: the circular spline's tooth given, the flexspline's

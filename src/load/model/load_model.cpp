@@ -71,7 +71,8 @@ std::vector<HarmonicResponse> cup_responses(elastic::FourierSolid const& solid, 
                                             CupStations const& stations, DriveStations const& layout, double radius,
                                             int threads)
 {
-    std::vector<HarmonicResponse> result = responses(elastic::influence(solid, unit, stations.places, threads));
+    std::vector<HarmonicResponse> result =
+        responses(elastic::influence_of_fields(solid, unit, stations.places, threads));
     std::vector<std::size_t> radial, tangential;
     for (std::size_t k = 0; k < layout.slices; ++k) {
         radial.push_back(layout.radial(k));
