@@ -30,12 +30,11 @@ struct GapMap
         right = 1  ///< x > 0: the flank that the flexspline touches when it is turned clockwise
     };
 
-    std::vector<double> z;  ///< (k) slices [mm]
-    std::vector<double>
-        station;  ///< (p) place along the flank: share of its arc length, 0 at the land corner ... 1 at the flank end
-    std::vector<double> angle;  ///< (s) centre line of the tooth space, clockwise from the major axis [rad], within
-                                ///< half a pitch of -pi ... pi, increasing
-    std::vector<double> gap;    ///< (s,2,k,p) [mm]
+    std::vector<double> z;        ///< (k) slices [mm]
+    std::vector<double> station;  ///< (p) share of the flank's arc length, 0 at the land corner
+    std::vector<double> angle;    ///< (s) centre line of the tooth space, clockwise from the major axis [rad], within
+                                  ///< half a pitch of -pi ... pi, increasing
+    std::vector<double> gap;      ///< (s,2,k,p) [mm]
 
     /// Place of a point in `gap`.
     [[nodiscard]] std::size_t index(std::size_t space, int flank, std::size_t slice, std::size_t point) const
@@ -119,8 +118,7 @@ struct ContactCase
     bool raised = false;  ///< it is more than the scene gives, because with that the teeth enter the flanks
     double tip = 0;  ///< and tip circle at z = 0: where nothing enters the flanks then the scene's, as much wider as
                      ///< every slice's land and rim ask for; else clearing_tip [mm]
-    std::vector<SliceClearance> slices;  ///< with the side clearance that the scene gives; "auto": with none. The tip
-                                         ///< circle is the scene's, or as large as leaves a land
+    std::vector<SliceClearance> slices;  ///< with the side clearance of the scene; "auto": with none
     double clearing_offset = 0;  ///< least side clearance that leaves no interference on the flanks over a full turn,
                                  ///< with that tip circle [mm]
     double clearing_tip = 0;     ///< least tip circle at z = 0 that goes with it: every slice has a tip land and clears
@@ -172,15 +170,14 @@ struct ContactStudy
 {
     Solution solution;               ///< of the scene, its circular spline with the surface and slices of cases[shown]
     std::vector<ContactCase> cases;  ///< in the order asked for, without those that are missing
-    std::vector<std::string>
-        missing;  ///< cases asked for that could not be made, each with the reason; solution.notes have them too
-    std::vector<BestTilt> best;  ///< with --best
-    std::size_t shown = 0;       ///< case that map and solution are of
-    double side_clearance = 0;   ///< that its outline includes: that of the case, or 0 where solution.notes say that it
-                                 ///< cannot be made with it [mm]
-    GapMap map;                  ///< of that case at its state, after take-up
-    double contact_gap = 0;      ///< [mm]
-    double pitch_radius = 0;     ///< m z_f/2, at which play is given as a length [mm]
+    std::vector<std::string> missing;  ///< cases that could not be made, each with the reason; also in solution.notes
+    std::vector<BestTilt> best;        ///< with --best
+    std::size_t shown = 0;             ///< case that map and solution are of
+    double side_clearance = 0;  ///< that its outline includes: that of the case, or 0 where solution.notes say that it
+                                ///< cannot be made with it [mm]
+    GapMap map;                 ///< of that case at its state, after take-up
+    double contact_gap = 0;     ///< [mm]
+    double pitch_radius = 0;    ///< m z_f/2, at which play is given as a length [mm]
 };
 
 inline SliceClearance const& ContactCase::closest_slice() const

@@ -39,12 +39,11 @@ struct Cup
     std::optional<double> front_ramp;    ///< the same in front
     std::optional<double> rear_fillet;   ///< radius of an arc in place of the ramp
     std::optional<double> front_fillet;  ///< the same in front
-    std::optional<double>
-        tooth_layer;            ///< effect: height of the teeth as a layer on the ring; absent: teeth do not stiffen it
-    double tooth_share = 0;     ///< of that layer that is steel
-    double youngs_modulus = 0;  ///< [MPa]
-    double poissons_ratio = 0;  ///< Poisson's ratio
-    int line = 0;               ///< of the table in the scene file, 1-based; 0: by --set
+    std::optional<double> tooth_layer;   ///< effect: height of the teeth as a layer that stiffens the ring
+    double tooth_share = 0;              ///< of that layer that is steel
+    double youngs_modulus = 0;           ///< [MPa]
+    double poissons_ratio = 0;           ///< Poisson's ratio
+    int line = 0;                        ///< of the table in the scene file, 1-based; 0: by --set
 };
 
 /// The flexspline: the elastic, externally toothed cup.
@@ -69,16 +68,14 @@ struct WaveGenerator
 /// The circular spline: the internally toothed ring.
 struct CircularSpline
 {
-    std::optional<double> width;      ///< [mm], axial; recorded, used by axial effects
-    double backlash_offset = 0;       ///< [mm], along the normal, >= 0
-    bool automatic_backlash = false;  ///< "auto": the least offset that clears every slice over a full turn
-    double root_clearance = 0;        ///< [mm], along the centre line of the space, >= 0
-    double youngs_modulus = 210e3;    ///< [MPa]
-    double poissons_ratio = 0.3;      ///< Poisson's ratio, for loads
-    std::optional<double>
-        inner_radius;  ///< [mm], tip circle; default r_m + delta/2 + h_f + w0 - addendum of the given tooth
-    std::optional<scene::FamilyChoice>
-        profile;  ///< the reverse problem: this tooth is given, the flexspline's is solved for
+    std::optional<double> width;                 ///< [mm], axial; recorded, used by axial effects
+    double backlash_offset = 0;                  ///< [mm], along the normal, >= 0
+    bool automatic_backlash = false;             ///< "auto": the least offset that clears every slice over a full turn
+    double root_clearance = 0;                   ///< [mm], along the centre line of the space, >= 0
+    double youngs_modulus = 210e3;               ///< [MPa]
+    double poissons_ratio = 0.3;                 ///< Poisson's ratio, for loads
+    std::optional<double> inner_radius;          ///< tip circle [mm]; default r_m + delta/2 + h_f + w0 - h_a
+    std::optional<scene::FamilyChoice> profile;  ///< reverse problem: this tooth is given
 };
 
 /// How the drive is computed.

@@ -31,8 +31,7 @@ struct PairedContour
 {
     std::vector<Vec2> lower;        ///< (n) z = 0 [mm]; first point not repeated
     std::vector<Vec2> upper;        ///< (n) z = T
-    std::vector<std::size_t> sync;  ///< indices of the marks that CAM synchronises on: land corners and flank ends of
-                                    ///< every tooth space, increasing
+    std::vector<std::size_t> sync;  ///< marks for CAM: land corners and flank ends of every tooth space, increasing
 };
 
 /// What a move is for.

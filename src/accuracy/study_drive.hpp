@@ -27,8 +27,7 @@ struct StudyDrive
     PairGeometry geometry;
     profile::Profile tooth;  ///< the given one
     wavegen::AnyWaveShape shape;
-    std::vector<motion::AnyMotion>
-        motions;  ///< of the given tooth: one; in the reverse problem of each circular-spline tooth that matters
+    std::vector<motion::AnyMotion> motions;     ///< of the given tooth; reverse problem: of each circular-spline tooth
     std::vector<int> numbers;                   ///< of these teeth
     std::vector<motion::AnyMotion> flexspline;  ///< reverse problem: the motion that these are seen from; else empty
     std::vector<envelope::ContactArc> arcs;     ///< of all of them

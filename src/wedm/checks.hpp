@@ -54,8 +54,7 @@ struct MachineLimits
     double tilt = std::numeric_limits<double>::infinity();  ///< of the wire [rad]
     double travel =
         std::numeric_limits<double>::infinity();  ///< of each axis of each guide from the start hole, either way [mm]
-    double uv_travel = std::numeric_limits<double>::infinity();  ///< of each axis of the upper guide against the lower
-                                                                 ///< one, either way [mm]
+    double uv_travel = std::numeric_limits<double>::infinity();  ///< of each upper axis against the lower [mm]
 };
 
 /// The figures that can be measured (measured()) against the limits.

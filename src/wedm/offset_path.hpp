@@ -10,8 +10,7 @@ namespace hdconj::wedm {
 struct TrimmedPath
 {
     PairedPath path;
-    std::vector<double>
-        at;  ///< (n) number of the vertex that each point was; negative: a point of crossing, or one matched with it
+    std::vector<double> at;  ///< (n) number of the vertex of each point; negative: a crossing
 };
 
 /// @p path without the loops where it crosses itself, over the same vertices in both faces; the points of crossing

@@ -34,10 +34,9 @@ class SweptPolygons
     /// Where a polygon came from.
     struct Source
     {
-        int arc = -1;  ///< -1: the floor, a wall
-        int copy = 0;  ///< the tooth this many pitches clockwise
-        std::vector<double>
-            u;  ///< parameter of each vertex; on the floor the angle from the y axis, on a line x, on a wall y
+        int arc = -1;           ///< -1: the floor, a wall
+        int copy = 0;           ///< the tooth this many pitches clockwise
+        std::vector<double> u;  ///< parameter of each vertex; on the floor its angle, on a line x, on a wall y
     };
 
     /// Adds a stretch of an arc for every tooth that reaches the middle pitch or the spaces beside it.
