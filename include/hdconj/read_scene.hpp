@@ -54,7 +54,8 @@ void examine_geometry(scene::SceneReading& reading);
 [[nodiscard]] std::string check_json(std::string const& scene_name, Faults const& faults, Plan const* plan);
 
 /// One JSON object for a run that failed: "scene", "error" {"code", "stage", "place", "cause", "remedy"}.
-/// @param error  a NumericalError with all that it knows; of any other only the cause, with the code "failed"
+/// @param scene_name  as messages call the scene
+/// @param error       a NumericalError with all that it knows; of any other only the cause, with the code "failed"
 [[nodiscard]] std::string failure_json(std::string const& scene_name, std::exception const& error);
 
 }  // namespace hdconj
