@@ -40,7 +40,7 @@ def cases(program, scene, tilts, *arguments, **keys):
 
 
 def share(state):
-    return "%.2g" % (100 * state["share"]) if state["share"] > 0 else "0"
+    return "%.2g" % (100 * state["contact_fraction"]) if state["contact_fraction"] > 0 else "0"
 
 
 CSV = "--csv" in sys.argv
@@ -64,17 +64,17 @@ def head(*cells):
 
 
 def surfaces(program):
-    head("surface", "axial shift", "clearance as made [um]", "clearing offset [um]", "tip circle [mm]", "further root [um]",
+    head("surface", "axial shift", "clearance as made [um]", "least side clearance [um]", "tip circle [mm]", "further root [um]",
          "side clearance used [um]", "play [arcmin]", "teeth", "share [%]", "+- [%]")
     for shift in ("none", "mapped"):
         for surface in ("tilted", "ruled", "per-slice"):
             case = contact(program, "type-50-coned", "--surface", surface, coning__axial_shift=shift)["cases"][0]
             state = case["state"]
             row(surface, shift, "%.2f +- %.1g" % (case["closest_flank"]["clearance_um"], case["clearance_error_um"]),
-                "%.2f +- %.1g" % (case["clearing_offset_um"], case["clearing_offset_error_um"]), "%.4f" % case["clearing_tip_mm"],
-                "%.2f +- %.1g" % (case["clearing_root_um"], case["clearing_root_error_um"]), "%.2f" % case["backlash_offset_um"],
+                "%.2f +- %.1g" % (case["least_side_clearance_um"], case["least_side_clearance_error_um"]), "%.4f" % case["least_tip_radius_mm"],
+                "%.2f +- %.1g" % (case["least_root_clearance_um"], case["least_root_clearance_error_um"]), "%.2f" % case["backlash_offset_um"],
                 "%.2f +- %.1g" % (state["backlash_arcmin"], state["backlash_error_arcmin"]), "%d (%d ... %d)" % (state["teeth"], state["teeth_least"], state["teeth_most"]),
-                share(state), "%.1g" % (100 * state["share_error"]))
+                share(state), "%.1g" % (100 * state["contact_fraction_error"]))
 
 
 def slices(program):
@@ -82,12 +82,12 @@ def slices(program):
     for count in (3, 5, 9, 17, 33, 65):
         found = [contact(program, "type-50-coned", "--surface", "per-slice", slices__count=count, coning__axial_shift=shift)["cases"][0]["state"]
                  for shift in ("none", "mapped")]
-        row(count, *["%.3g +- %.1g" % (100 * each["share"], 100 * each["share_error"]) for each in found])
+        row(count, *["%.3g +- %.1g" % (100 * each["contact_fraction"], 100 * each["contact_fraction_error"]) for each in found])
 
 
 def tilt(program):
-    head("surface", "kind", "axial shift", "tilt [deg]", "smallest clearance [um]", "clearing offset [um]", "tip circle [mm]",
-         "further root clearance [um]", "backlash of the clearing offset [arcmin]", "contact area [%]", "teeth")
+    head("surface", "kind", "axial shift", "tilt [deg]", "smallest clearance [um]", "least side clearance [um]", "tip circle [mm]",
+         "further root clearance [um]", "backlash of the least side clearance [arcmin]", "contact area [%]", "teeth")
     for surface, kind in (("tilted", "radial"), ("tilted", "draft"), ("ruled", "radial"), ("per-slice", "radial")):
         for shift in ("none", "mapped"):
             for angle, case in cases(program, "type-50-coned", COARSE, "--surface", surface, "--kind", kind, coning__axial_shift=shift):
@@ -95,13 +95,13 @@ def tilt(program):
                     print(case, file=sys.stderr)
                     row(surface, kind, shift, angle, "cannot be made", *[""] * 6)
                     continue
-                row(surface, kind, shift, angle, "%.1f" % case["closest_flank"]["clearance_um"], "%.2f" % case["clearing_offset_um"],
-                    "%.4f" % case["clearing_tip_mm"], "%.1f" % case["clearing_root_um"], "%.2f" % case["backlash_of_clearing_arcmin"],
+                row(surface, kind, shift, angle, "%.1f" % case["closest_flank"]["clearance_um"], "%.2f" % case["least_side_clearance_um"],
+                    "%.4f" % case["least_tip_radius_mm"], "%.1f" % case["least_root_clearance_um"], "%.2f" % case["backlash_of_least_side_clearance_arcmin"],
                     share(case["state"]), case["state"]["teeth"])
 
 
 def best(program):
-    head("kind", "axial shift", "contact_gap [um]", "largest area: tilt [deg]", "share [%]", "least clearing offset: tilt [deg]", "offset [um]")
+    head("kind", "axial shift", "contact_gap [um]", "largest area: tilt [deg]", "share [%]", "least side clearance: tilt [deg]", "offset [um]")
     for kind in ("radial", "draft"):
         for shift in ("none", "mapped"):
             for gap in (1, 20):
@@ -110,11 +110,11 @@ def best(program):
                 if isinstance(found, str):
                     row(kind, shift, gap, found, "", "", "")
                     continue
-                where = {each["what"]: each for each in found["best"]}
-                area, offset = where["area"], where["clearing offset"]
+                where = {each["goal"]: each for each in found["best"]}
+                area, offset = where["contact area"], where["least side clearance"]
                 bound = {True: " (at the bound)", False: ""}
-                row(kind, shift, gap, "%.3f%s" % (area["tilt_deg"], bound[area["on_bound"]]), "%s +- %.1g" % (share(area), 100 * area["share_error"]),
-                    "%.3f%s" % (offset["tilt_deg"], bound[offset["on_bound"]]), "%.2f +- %.1g" % (offset["clearing_offset_um"], offset["clearing_offset_error_um"]))
+                row(kind, shift, gap, "%.3f%s" % (area["tilt_deg"], bound[area["on_bound"]]), "%s +- %.1g" % (share(area), 100 * area["contact_fraction_error"]),
+                    "%.3f%s" % (offset["tilt_deg"], bound[offset["on_bound"]]), "%.2f +- %.1g" % (offset["least_side_clearance_um"], offset["least_side_clearance_error_um"]))
 
 
 def thesis(program):
@@ -126,7 +126,7 @@ def thesis(program):
             for gap in (1, 5, 10, 20, 25):
                 found = cases(program, "type-50-coned", tilts, "--surface", "tilted", "--kind", kind, coning__axial_shift=shift,
                               contact__contact_gap=gap / 1000, circular_spline__backlash_offset=0.045)
-                values = [case["state"]["share"] for _, case in found]
+                values = [case["state"]["contact_fraction"] for _, case in found]
                 ranked = sorted(zip(tilts, values), key=lambda pair: pair[1])
                 row(kind, shift, gap, *["%.3g" % (100 * v) for v in values], " < ".join(str(t) for t, _ in ranked))
 
@@ -141,12 +141,12 @@ def clearances(program):
 
 
 def liu(program):
-    head("width [mm]", "surface", "clearance of the flanks [um]", "at z [mm]", "of the bottom [um]", "clearing offset [um]", "share [%]")
+    head("width [mm]", "surface", "clearance of the flanks [um]", "at z [mm]", "of the bottom [um]", "least side clearance [um]", "share [%]")
     for width in (6, 10, 15):
         for surface in ("tilted", "per-slice"):
             case = contact(program, "liu-2025-coned", "--surface", surface, circular_spline__width=float(width))["cases"][0]
             row(width, surface, "%.2f" % case["closest_flank"]["clearance_um"], "%g" % case["closest_flank"]["z_mm"],
-                "%.2f" % min(each["root"]["clearance_um"] for each in case["slices"]), "%.2f" % case["clearing_offset_um"],
+                "%.2f" % min(each["root"]["clearance_um"] for each in case["slices"]), "%.2f" % case["least_side_clearance_um"],
                 share(case["state"]))
 
 

@@ -31,17 +31,17 @@ def state(program, scene, surface, slices, points, keys=()):
 
 
 def share(case):
-    return case["state"]["share"], case["state"]["share_error"]
+    return case["state"]["contact_fraction"], case["state"]["contact_fraction_error"]
 
 
 FIGURES = {
     "smallest clearance of the flanks [um]": lambda case: (case["closest_flank"]["clearance_um"], case["clearance_error_um"]),
     "smallest clearance of the root [um]": lambda case: (min(each["root"]["clearance_um"] for each in case["slices"]), case["root_clearance_error_um"]),
-    "clearing offset [um]": lambda case: (case["clearing_offset_um"], case["clearing_offset_error_um"]),
-    "clearing tip circle [mm]": lambda case: (case["clearing_tip_mm"], case["clearing_tip_error_mm"]),
-    "clearing root [um]": lambda case: (case["clearing_root_um"], case["clearing_root_error_um"]),
-    "play of clearing [arcmin]": lambda case: (case["backlash_of_clearing_arcmin"], case["backlash_of_clearing_error_arcmin"]),
-    "take-up [arcmin]": lambda case: (case["state"]["take_up_arcmin"], case["state"]["take_up_error_arcmin"]),
+    "least side clearance [um]": lambda case: (case["least_side_clearance_um"], case["least_side_clearance_error_um"]),
+    "clearing tip circle [mm]": lambda case: (case["least_tip_radius_mm"], case["least_tip_radius_error_mm"]),
+    "clearing root [um]": lambda case: (case["least_root_clearance_um"], case["least_root_clearance_error_um"]),
+    "play of clearing [arcmin]": lambda case: (case["backlash_of_least_side_clearance_arcmin"], case["backlash_of_least_side_clearance_error_arcmin"]),
+    "take-up [arcmin]": lambda case: (case["state"]["turn_to_contact_arcmin"], case["state"]["turn_to_contact_error_arcmin"]),
     "play [arcmin]": lambda case: (case["state"]["backlash_arcmin"], case["state"]["backlash_error_arcmin"]),
     "smallest gap [um]": lambda case: (case["state"]["smallest_gap_um"], case["state"]["smallest_gap_error_um"]),
     "deviation, \"ruled\" [um]": lambda case: (case["ruled_deviation_um"], case["ruled_deviation_error_um"]),

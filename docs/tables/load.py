@@ -35,8 +35,8 @@ def figures(case):
     def both(key, scale, digits):
         return ["%.*f" % (digits, scale * state[key]), "%.2g" % (scale * error[key])]
 
-    return ["%.1f%s" % (case["backlash_offset_um"], "*" if case["raised"] else ""), "%.3f" % case["tip_radius_mm"], "%.2f" % case["backlash_arcmin"],
-            *both("twist_arcmin", 1, 2), "%.0f" % state["stiffness_Nm_per_deg"], state["teeth"], *both("contact_share", 100, 4), *both("near_share", 100, 2),
+    return ["%.1f%s" % (case["backlash_offset_um"], "*" if case["side_clearance_increased"] else ""), "%.3f" % case["tip_radius_mm"], "%.2f" % case["backlash_arcmin"],
+            *both("twist_arcmin", 1, 2), "%.0f" % state["stiffness_Nm_per_deg"], state["teeth"], *both("contact_fraction", 100, 4), *both("fraction_within_gap", 100, 2),
             *both("largest_force_N", 1, 1), "%.0f" % state["largest_pressure_MPa"], "%.0f" % state["largest_stress_MPa"]]
 
 
@@ -113,13 +113,13 @@ def balls(program):
             continue
         unit, state = "ball_force_N" + ("" if count else "_per_mm"), result["cases"][0]["rated"]
         row(count or "line", "%.0f" % result["cup"]["wave_generator_force_N"], "%.4f" % result["cup"]["coning_major_deg"], "%.4g" % result["cup"][unit], "%.4g" % state[unit],
-            state["balls"], "%.2f" % state["twist_arcmin"], "%.4f" % (100 * state["contact_share"]))
+            state["balls"], "%.2f" % state["twist_arcmin"], "%.4f" % (100 * state["contact_fraction"]))
 
 
 def worth(program):
     """True distance to a grid twice as fine over the estimate, of random drives: the largest of each figure."""
     wish = random.Random(41)
-    keys_of = ["twist_arcmin", "stiffness_Nm_per_deg", "contact_share", "near_share", "largest_pressure_MPa", "largest_force_N", "wave_generator_force_N", "lobe_force_N"]
+    keys_of = ["twist_arcmin", "stiffness_Nm_per_deg", "contact_fraction", "fraction_within_gap", "largest_pressure_MPa", "largest_force_N", "wave_generator_force_N", "lobe_force_N"]
     found = {key: [] for key in keys_of}
     for _ in range(8):
         keys, arguments = random_drive(wish)
@@ -143,7 +143,7 @@ def worth(program):
 def worth_curve(program):
     """The same of the torques of whole curves, twist and two others: largest true distance over estimate of each drive."""
     wish = random.Random(77)
-    keys_of = ["twist_arcmin", "contact_share", "wave_generator_force_N", "ball_force_N_per_mm"]
+    keys_of = ["twist_arcmin", "contact_fraction", "wave_generator_force_N", "ball_force_N_per_mm"]
     head("drive", "torques", *("%s: within, largest" % key for key in keys_of))
     for number in range(4):
         keys, arguments = random_drive(wish)
@@ -206,8 +206,8 @@ def told_states(program, runs, options, keys_and_torques):
             continue
         curve = result["cases"][0]["curve"]
         states += len(curve)
-        rounds += sum(state["rounds"] for state in curve)
-        worst = max([worst] + [state["residual_um"] for state in curve])
+        rounds += sum(state["iterations"] for state in curve)
+        worst = max([worst] + [state["gap_mismatch_um"] for state in curve])
         points = len(curve) // 3
         if points > 1:
             # up and down again

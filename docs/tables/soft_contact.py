@@ -37,12 +37,12 @@ class Bed:
                 return
             case = json.loads(done.stdout)["contact"]["cases"][0]
             with h5py.File(result) as file:
-                gap, station, z = (file["/contact/map/" + name][...] for name in ("gap", "station", "z"))
+                gap, station, z = (file["/contact/map/" + name][...] for name in ("gap", "flank_position", "z"))
             # points of a flank that an offset has cut away share a place, or have no gap: they touch nothing
             kept = np.diff(station, prepend=-1) > 0
             gap, station = np.nan_to_num(gap[..., kept], nan=1), station[kept]
             # the map's stations count along the flank without side clearance, at z = 0 the same for all tilts
-            subprocess.run([program, "solve", PLANE, "--quiet", "-o", result, "--set", f"circular_spline.inner_radius={case['clearing_tip_mm']}"], check=True)
+            subprocess.run([program, "solve", PLANE, "--quiet", "-o", result, "--set", f"circular_spline.inner_radius={case['least_tip_radius_mm']}"], check=True)
             with h5py.File(result) as file:
                 outline = file["/circular_spline/outline"][0]
                 first, last = file["/circular_spline/landmarks"][3:5]
@@ -54,7 +54,7 @@ class Bed:
         n_x, n_y = np.sign(n_x.mean()) * n_x, np.sign(n_x.mean()) * n_y
         self.lever = y * n_x - x * n_y
         self.area = np.gradient(z)[:, None] * (np.gradient(station) * length[-1])[None, :]
-        turned = np.radians(case["state"]["take_up_arcmin"] / 60)
+        turned = np.radians(case["state"]["turn_to_contact_arcmin"] / 60)
         entered = case["backlash_offset_um"] / 1000 - clearance
         self.driving = gap[:, 1] - entered + turned * self.lever
         self.other = gap[:, 0] - entered - turned * self.lever

@@ -34,8 +34,8 @@ struct StudyRecord
     double error = not_measured;      ///< L-infinity: largest distance of a computed point from the true curve
     double hausdorff = not_measured;  ///< distance of the computed curve from the true one, both ways, chords included
     double estimate = not_measured;   ///< the method's own estimate of the latter
-    double residual = not_measured;   ///< |n.v| at the computed contacts, the largest [mm/rad]
-    int branches = 0;                 ///< found, where the method looks for branches or roots
+    double normal_speed = not_measured;  ///< |n.v| at the computed contacts, the largest [mm/rad]
+    int branches = 0;                    ///< found, where the method looks for branches or roots
     int missed = 0;      ///< of these; in the study polynomial-fit points of the grid without a contact on their flank
     int extra = 0;       ///< branches or roots found that the reference does not have
     double seconds = 0;  ///< wall time
@@ -51,26 +51,26 @@ struct StudyRecord
 /// The repeats of one setting together; of the sample, its worst design.
 struct ConvergenceLevel
 {
-    std::string study;               ///< as in StudyRecord
-    std::string drive;               ///< as in StudyRecord
-    std::string method;              ///< as in StudyRecord
-    std::string knob;                ///< as in StudyRecord
-    std::string unit;                ///< of the errors
-    double value = 0;                ///< of the knob
-    double error = not_measured;     ///< largest_error() of the records; of a sample the worst
-    double estimate = not_measured;  ///< the method's own estimate of the error, the largest
-    double residual = not_measured;  ///< as in StudyRecord, the largest
-    int missed = 0;                  ///< as in StudyRecord
-    int extra = 0;                   ///< as in StudyRecord
-    double median = 0;               ///< of the wall times [s]
-    double least = 0;                ///< wall time [s]
-    double most = 0;                 ///< wall time [s]
-    double evaluations = 0;          ///< as in StudyRecord
-    double points = 0;               ///< of the result
-    double memory = not_measured;    ///< [MB], as in StudyRecord
-    int threads = 1;                 ///< that the runs used
-    int drives = 1;                  ///< designs that this is the worst of
-    int runs = 1;                    ///< of each drive: times of one alone are compared with no others
+    std::string study;                   ///< as in StudyRecord
+    std::string drive;                   ///< as in StudyRecord
+    std::string method;                  ///< as in StudyRecord
+    std::string knob;                    ///< as in StudyRecord
+    std::string unit;                    ///< of the errors
+    double value = 0;                    ///< of the knob
+    double error = not_measured;         ///< largest_error() of the records; of a sample the worst
+    double estimate = not_measured;      ///< the method's own estimate of the error, the largest
+    double normal_speed = not_measured;  ///< as in StudyRecord, the largest
+    int missed = 0;                      ///< as in StudyRecord
+    int extra = 0;                       ///< as in StudyRecord
+    double median = 0;                   ///< of the wall times [s]
+    double least = 0;                    ///< wall time [s]
+    double most = 0;                     ///< wall time [s]
+    double evaluations = 0;              ///< as in StudyRecord
+    double points = 0;                   ///< of the result
+    double memory = not_measured;        ///< [MB], as in StudyRecord
+    int threads = 1;                     ///< that the runs used
+    int drives = 1;                      ///< designs that this is the worst of
+    int runs = 1;                        ///< of each drive: times of one alone are compared with no others
 };
 
 /// A curve of the diagram: the levels of one method on one drive (or the sample), in the order that they were run.
@@ -94,14 +94,14 @@ struct AccuracyReport
     Scene scene;                       ///< as studied
     std::vector<StudyRecord> records;  ///< one for each run
     double reference_error = 0;  ///< largest distance of any reference from 50 digits, measured between its nodes [mm]
-    double reference_entry = 0;  ///< how deep any tooth enters a reference, by brute force [mm]
-    int sample = 0;              ///< designs of the sample that were measured
-    int sample_refused = 0;      ///< designs drawn that make no drive
-    bool quick = false;          ///< whether the series were shortened for a test
-    int threads = 1;             ///< that the program may use
-    std::string machine;         ///< processor as the system names it
-    std::vector<std::string> notes;  ///< what of the scene was left out, and why
-    double seconds = 0;              ///< wall time of all studies
+    double reference_interference = 0;  ///< how deep any tooth enters a reference, by brute force [mm]
+    int sample = 0;                     ///< designs of the sample that were measured
+    int sample_refused = 0;             ///< designs drawn that make no drive
+    bool quick = false;                 ///< whether the series were shortened for a test
+    int threads = 1;                    ///< that the program may use
+    std::string machine;                ///< processor as the system names it
+    std::vector<std::string> notes;     ///< what of the scene was left out, and why
+    double seconds = 0;                 ///< wall time of all studies
 };
 
 /// A study by its name, and the question it answers.

@@ -31,7 +31,7 @@ struct GapMap
     };
 
     std::vector<double> z;        ///< (k) slices [mm]
-    std::vector<double> station;  ///< (p) share of the flank's arc length, 0 at the land corner
+    std::vector<double> station;  ///< (p) fraction of the flank's arc length, 0 at the land corner
     std::vector<double> angle;    ///< (s) centre line of the tooth space, clockwise from the major axis [rad], within
                                   ///< half a pitch of -pi ... pi, increasing
     std::vector<double> gap;      ///< (s,2,k,p) [mm]
@@ -69,23 +69,23 @@ struct SliceClearance
 
 /// Contact at one angle of the wave generator. To first contact the circular spline is turned, wave generator and
 /// flexspline held; a cup that is turned in its place, wave generator and circular spline held, takes z_c/z_f times
-/// that angle (docs/explanation/theory.md, Take-up).
+/// that angle (docs/explanation/theory.md).
 struct ContactState
 {
     double wave_generator =
-        0;               ///< angle of the wave generator from a tooth space, in the frame of the circular spline [rad]
-    double take_up = 0;  ///< turn of the circular spline to first contact, counter-clockwise: teeth go clockwise in its
-                         ///< spaces [rad]; negative: it had to be turned back
-    double take_up_back = 0;   ///< the same for the other flanks, clockwise [rad]
-    double take_up_error = 0;  ///< estimated: what may enter between slices, and of a side clearance that was looked
-                               ///< for its own error [rad]
-    double take_up_back_error = 0;  ///< the same of take_up_back [rad]
-    double contact_area = 0;        ///< [mm^2] of the flanks on the driving side with gap <= contact_gap
+        0;  ///< angle of the wave generator from a tooth space, in the frame of the circular spline [rad]
+    double turn_to_contact = 0;          ///< turn of the circular spline to first contact, counter-clockwise: teeth go
+                                         ///< clockwise in its spaces [rad]; negative: it had to be turned back
+    double reverse_turn_to_contact = 0;  ///< the same for the other flanks, clockwise [rad]
+    double turn_to_contact_error = 0;    ///< estimated: what may enter between slices, and of a side clearance that was
+                                         ///< looked for its own error [rad]
+    double reverse_turn_to_contact_error = 0;  ///< the same of reverse_turn_to_contact [rad]
+    double contact_area = 0;                   ///< [mm^2] of the flanks on the driving side with gap <= contact_gap
     double contact_area_error = 0;  ///< estimated: what half as many points, fewer planes and the clearance's own error
                                     ///< change, and patches that no plane meets, added up [mm^2]
-    double share = 0;               ///< of the area of all flanks on that side, 0 ... 1
-    double share_error = 0;         ///< estimated: from those of both areas
-    double share_error_along = 0;   ///< the part of it that the number of points along the flanks leaves open
+    double contact_fraction = 0;    ///< of the area of all flanks on that side, 0 ... 1
+    double contact_fraction_error = 0;  ///< estimated: from those of both areas
+    double fraction_error_along = 0;    ///< the part of it that the number of points along the flanks leaves open
     double flank_area =
         0;  ///< [mm^2] of all flanks on the driving side, of the part: from its tip circle on, side clearance included
     double flank_area_error =
@@ -94,7 +94,7 @@ struct ContactState
     int teeth_least = 0;            ///< tooth spaces that are in contact whatever the errors
     int teeth_most = 0;             ///< tooth spaces that may be in contact within the errors
     double smallest_gap = 0;        ///< before turning, either side [mm]
-    double smallest_gap_error = 0;  ///< estimated, as for take_up_error [mm]
+    double smallest_gap_error = 0;  ///< estimated, as for turn_to_contact_error [mm]
     int smallest_space = 0;         ///< tooth space where it is
     double smallest_z = 0;          ///< and slice [mm]
     /// Where it may lie as well: from the first to the last plane with a gap as small within its error, and on to the
@@ -102,10 +102,10 @@ struct ContactState
     double smallest_z_from = 0;
     double smallest_z_to = 0;  ///< upper end of that interval [mm]
     int smallest_spaces = 0;   ///< tooth spaces with such a gap
-    /// Play in which the circular spline can be turned; negative: it is wedged.
-    [[nodiscard]] double backlash() const { return take_up + take_up_back; }
-    /// Estimated error of the play: the sum of both errors.
-    [[nodiscard]] double backlash_error() const { return take_up_error + take_up_back_error; }
+    /// Backlash, the angle in which the circular spline can be turned; negative: teeth press on both flanks.
+    [[nodiscard]] double backlash() const { return turn_to_contact + reverse_turn_to_contact; }
+    /// Estimated error of the backlash: the sum of both errors.
+    [[nodiscard]] double backlash_error() const { return turn_to_contact_error + reverse_turn_to_contact_error; }
 };
 
 /// One surface of the circular spline: a row of the table.
@@ -115,27 +115,29 @@ struct ContactCase
     std::optional<TiltKind> kind;                 ///< nothing where there is no tilt
     double tilt = 0;                              ///< [rad]
     double backlash_offset = 0;                   ///< side clearance that the contact is computed with [mm]
-    bool raised = false;  ///< it is more than the scene gives, because with that the teeth enter the flanks
+    bool side_clearance_increased =
+        false;       ///< it is more than the scene gives, because with that the teeth enter the flanks
     double tip = 0;  ///< and tip circle at z = 0: where nothing enters the flanks then the scene's, as much wider as
-                     ///< every slice's land and rim ask for; else clearing_tip [mm]
+                     ///< every slice's land and rim ask for; else least_tip_radius [mm]
     std::vector<SliceClearance> slices;  ///< with the side clearance of the scene; "auto": with none
-    double clearing_offset = 0;  ///< least side clearance that leaves no interference on the flanks over a full turn,
-                                 ///< with that tip circle [mm]
-    double clearing_tip = 0;     ///< least tip circle at z = 0 that goes with it: every slice has a tip land and clears
-                                 ///< the rim, and the cleared flanks begin on it [mm]
-    double clearing_root = 0;    ///< least further root clearance, the same for the bottom [mm]
-    double backlash_of_clearing = 0;  ///< play that the clearing offset alone would make [rad]
-    ContactState state;  ///< at the scene's angle of the wave generator; of a revolution the one with the least share
+    double least_side_clearance = 0;     ///< least side clearance that leaves no interference on the flanks over a full
+                                         ///< turn, with that tip circle [mm]
+    double least_tip_radius = 0;      ///< least tip circle at z = 0 that goes with it: every slice has a tip land and
+                                      ///< clears the rim, and the cleared flanks begin on it [mm]
+    double least_root_clearance = 0;  ///< least root clearance without interference, the same for the bottom [mm]
+    double backlash_of_least_side_clearance = 0;  ///< backlash of the least side clearance alone [rad]
+    ContactState state;  ///< at the scene's angle of the wave generator; of a revolution the one with the smallest
+                         ///< contact fraction
     std::vector<ContactState> revolution;  ///< one per angle asked for; empty without --revolution
     double ruled_deviation = 0;            ///< "ruled": largest distance from the slices' own conjugate outlines [mm]
     /// Estimated errors, of the slices as those of the whole width (docs/explanation/theory.md).
-    double clearance_error = 0;             ///< of closest_flank() [mm]
-    double root_clearance_error = 0;        ///< of the smallest root clearance of all slices [mm]
-    double clearing_offset_error = 0;       ///< [mm]
-    double clearing_tip_error = 0;          ///< [mm]
-    double clearing_root_error = 0;         ///< [mm]
-    double backlash_of_clearing_error = 0;  ///< [rad]
-    double ruled_deviation_error = 0;       ///< [mm]
+    double clearance_error = 0;                         ///< of closest_flank() [mm]
+    double root_clearance_error = 0;                    ///< of the smallest root clearance of all slices [mm]
+    double least_side_clearance_error = 0;              ///< [mm]
+    double least_tip_radius_error = 0;                  ///< [mm]
+    double least_root_clearance_error = 0;              ///< [mm]
+    double backlash_of_least_side_clearance_error = 0;  ///< [rad]
+    double ruled_deviation_error = 0;                   ///< [mm]
     /// Where closest_flank() may lie as well: as ContactState::smallest_z_from [mm].
     double closest_z_from = 0;
     double closest_z_to = 0;  ///< upper end of that interval [mm]
@@ -147,37 +149,44 @@ struct ContactCase
     [[nodiscard]] SliceClearance const& closest_slice() const;
 };
 
-/// The tilt of largest area, or of least clearing offset.
+/// What a search for the best tilt looks for.
+enum class TiltGoal
+{
+    contact_area,         ///< the largest
+    least_side_clearance  ///< the smallest
+};
+
+/// The tilt of largest contact area, or of smallest least side clearance.
 struct BestTilt
 {
-    std::string what;                  ///< "area" or "clearing offset"
-    TiltKind kind = TiltKind::radial;  ///< of the tilt
-    double tilt = 0;                   ///< [rad]
-    double tolerance = 0;              ///< of the tilt [rad]
-    double value = 0;                  ///< share, or offset [mm]
-    double value_error = 0;            ///< estimated error of the value at that tilt
-    bool on_bound = false;             ///< the best lies at an end of the interval that was searched
-    double from = 0;                   ///< lower end of that interval [rad]
-    double to = 0;                     ///< upper end [rad]
-    double possible_from = 0;          ///< least tilt tried there at which a surface can be made [rad]
-    double possible_to = 0;            ///< largest such tilt [rad]
-    int refused = 0;                   ///< tilts tried there at which no surface can be made
-    std::string refusal{};             ///< why not the last of them; empty where none was refused
+    TiltGoal goal = TiltGoal::contact_area;  ///< what is best
+    TiltKind kind = TiltKind::radial;        ///< of the tilt
+    double tilt = 0;                         ///< [rad]
+    double tolerance = 0;                    ///< of the tilt [rad]
+    double value = 0;                        ///< contact fraction, or side clearance [mm]
+    double value_error = 0;                  ///< estimated error of the value at that tilt
+    bool on_bound = false;                   ///< the best lies at an end of the interval that was searched
+    double from = 0;                         ///< lower end of that interval [rad]
+    double to = 0;                           ///< upper end [rad]
+    double possible_from = 0;                ///< least tilt tried there at which a surface can be made [rad]
+    double possible_to = 0;                  ///< largest such tilt [rad]
+    int refused = 0;                         ///< tilts tried there at which no surface can be made
+    std::string refusal{};                   ///< why not the last of them; empty where none was refused
 };
 
 /// Result of study_contact().
 struct ContactStudy
 {
-    Solution solution;               ///< of the scene, its circular spline with the surface and slices of cases[shown]
-    std::vector<ContactCase> cases;  ///< in the order asked for, without those that are missing
+    Solution solution;  ///< of the scene, its circular spline with the surface and slices of cases[written_case]
+    std::vector<ContactCase> cases;    ///< in the order asked for, without those that are missing
     std::vector<std::string> missing;  ///< cases that could not be made, each with the reason; also in solution.notes
     std::vector<BestTilt> best;        ///< with --best
-    std::size_t shown = 0;             ///< case that map and solution are of
+    std::size_t written_case = 0;      ///< case that map and solution are of
     double side_clearance = 0;  ///< that its outline includes: that of the case, or 0 where solution.notes say that it
                                 ///< cannot be made with it [mm]
-    GapMap map;                 ///< of that case at its state, after take-up
+    GapMap map;                 ///< of that case at its state, after the turn to first contact
     double contact_gap = 0;     ///< [mm]
-    double pitch_radius = 0;    ///< m z_f/2, at which play is given as a length [mm]
+    double pitch_radius = 0;    ///< m z_f/2, at which backlash is given as a length [mm]
 };
 
 inline SliceClearance const& ContactCase::closest_slice() const
@@ -215,7 +224,7 @@ inline constexpr int standard_slices = 17;
 /// Scene and options against each other.
 [[nodiscard]] Faults check_contact(Scene const& scene, ContactOptions const& options);
 
-/// Clearances, clearing offsets, play and contact areas of every combination of surface, kind and tilt
+/// Clearances, least side clearances, backlash and contact areas of every combination of surface, kind and tilt
 /// (design 3.4, 3.5).
 ///
 /// Gaps are distances in the planes of the slices, from exact points of the circular spline to exact teeth. With

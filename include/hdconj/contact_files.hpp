@@ -27,7 +27,7 @@ void write_hdf5(ContactStudy const& study, std::filesystem::path const& file);
 /// Names of the pictures of a study: NAME.svg or .png stands for three.
 struct ContactPictures
 {
-    std::filesystem::path tilt;   ///< NAME-tilt.svg: contact area and clearing offset against tilt
+    std::filesystem::path tilt;   ///< NAME-tilt.svg: contact area and least side clearance against tilt
     std::filesystem::path map;    ///< NAME-map.svg: smallest gap along each flank over tooth space and slice
     std::filesystem::path flank;  ///< NAME-flank.svg: gap over the flank that has most contact
 };

@@ -19,8 +19,8 @@ namespace hdconj {
 ///
 /// The wave generator and the cup's flange are held; torque and `twist` are those of the circular spline, so that their
 /// product is work. They count positive where the teeth go clockwise in their spaces, the twist from the middle of the
-/// play. With a held circular spline the flange turns z_c/z_f as far, under z_f/z_c of the torque
-/// (docs/explanation/theory.md, Take-up). A positive torque loads the right flanks of the tooth spaces (GapMap::right).
+/// backlash. With a held circular spline the flange turns z_c/z_f as far, under z_f/z_c of the torque
+/// (docs/explanation/theory.md). A positive torque loads the right flanks of the tooth spaces (GapMap::right).
 struct LoadedState
 {
     double torque = 0;                 ///< on the circular spline [N mm]
@@ -28,9 +28,9 @@ struct LoadedState
     double stiffness = 0;              ///< dT/d(twist) with the contacts that are closed [N mm/rad]
     int teeth = 0;                     ///< tooth spaces that carry force
     double contact_area = 0;           ///< of Hertz strips, cut where the force becomes zero between slices [mm^2]
-    double contact_share = 0;          ///< the same as a fraction of the area of all flanks on the loaded side
-    double near_share = 0;             ///< fraction of that area with gap <= contact_gap in the loaded shape
-    double node_share = 0;             ///< fraction of the (space, slice) nodes of that side that carry force
+    double contact_fraction = 0;       ///< the same as a fraction of the area of all flanks on the loaded side
+    double fraction_within_gap = 0;    ///< fraction of that area with gap <= contact_gap in the loaded shape
+    double carrying_fraction = 0;      ///< fraction of the (space, slice) nodes of that side that carry force
     double largest_pressure = 0;       ///< Hertz [MPa]
     int pressure_space = 0;            ///< its tooth space, an index into LoadMap::angle
     double pressure_z = 0;             ///< its slice [mm]
@@ -47,9 +47,9 @@ struct LoadedState
     double stress_z = 0;               ///< its height above the middle of the bearing [mm]
     double stress_r = 0;               ///< its radius [mm]
     double stress_phi = 0;             ///< its angle from the major axis [rad]
-    int rounds = 0;                    ///< iterations of the loaded shape
+    int iterations = 0;                ///< iterations of the loaded shape
     int steps = 0;                     ///< of the active set, in all iterations
-    double residual = 0;         ///< largest difference between the gaps of the loaded shape and the linear model [mm]
+    double gap_mismatch = 0;     ///< largest difference between the gaps of the loaded shape and the linear model [mm]
     double complementarity = 0;  ///< relative residual of force and gap
 };
 
@@ -115,12 +115,13 @@ struct LoadCase
     std::optional<TiltKind> kind;                 ///< of the tilt, as in ContactCase; nothing where there is no tilt
     double tilt = 0;                              ///< [rad]
     double backlash_offset = 0;                   ///< side clearance [mm]
-    bool raised = false;  ///< the side clearance exceeds the scene's, with which the teeth press on both flanks
-    double tip = 0;       ///< tip circle at z = 0 [mm]
+    bool side_clearance_increased =
+        false;       ///< the side clearance exceeds the scene's, with which the teeth press on both flanks
+    double tip = 0;  ///< tip circle at z = 0 [mm]
     /// By how much the tip circle was widened beyond the surface's own, so that the teeth are clear or that a land is
     /// left [mm].
-    double tip_change = 0;
-    double backlash = 0;             ///< play without torque [rad]; negative: the assembled teeth press on both flanks
+    double tip_radius_increase = 0;
+    double backlash = 0;             ///< without torque [rad]; negative: the assembled teeth press on both flanks
     std::vector<LoadedState> curve;  ///< in the order of loading: 0 to T, back to 0, to -T
     std::size_t rated = 0;           ///< index of the largest torque in curve
     LoadMap map;                     ///< at that torque
@@ -129,7 +130,7 @@ struct LoadCase
     /// flank points, circles of the bearing and harmonics (numbers of teeth and balls: once). Not a bound where a
     /// figure does not converge: pressure_at_edge, LoadStudy::sharp_steps.
     LoadedState error;
-    double backlash_error = 0;  ///< the same of the play [rad]
+    double backlash_error = 0;  ///< the same of the backlash [rad]
     /// False: fewer than three slices, or no equilibrium on the coarse grid; the errors are 0 and mean nothing.
     bool estimated = false;
     /// The error of each state of the curve; none where the coarse grid has no equilibrium. Empty: fewer than three
@@ -148,7 +149,7 @@ struct CupShape
     std::vector<double> z;                ///< (p) their heights above the middle of the bearing [mm]
     std::vector<std::vector<int>> cells;  ///< corner nodes of each element, counter-clockwise
     std::vector<double> phi;              ///< (a) angles [rad]
-    std::vector<double> u_r;              ///< (a,p) radial displacement at the largest torque of the case shown [mm]
+    std::vector<double> u_r;              ///< (a,p) radial displacement at the largest torque of that case [mm]
     std::vector<double> u_t;              ///< (a,p) tangential displacement [mm]
     std::vector<double> u_z;              ///< (a,p) axial displacement [mm]
     std::vector<double> stress;           ///< (a,p) von Mises [MPa]; empty: not computed
@@ -180,21 +181,21 @@ struct AssembledCup
 /// All cases of a drive under load.
 struct LoadStudy
 {
-    Solution solution;            ///< of the scene; its circular spline with the surface and slices of cases[shown]
-    AssembledCup cup;             ///< on its wave generator, without torque
-    std::vector<LoadCase> cases;  ///< in the order asked for, without those that are missing
+    Solution solution;  ///< of the scene; its circular spline with the surface and slices of cases[written_case]
+    AssembledCup cup;   ///< on its wave generator, without torque
+    std::vector<LoadCase> cases;       ///< in the order asked for, without those that are missing
     std::vector<std::string> missing;  ///< as in ContactStudy
-    std::size_t shown = 0;             ///< case of least largest pressure, which `shape` is of
+    std::size_t written_case = 0;      ///< case of least largest pressure, which `shape` is of
     CupShape shape;                    ///< of the cup at the largest torque
     int harmonics = 0;                 ///< largest circumferential harmonic
     int sectors = 1;                   ///< how often the solved sector repeats around the ring
-    double contact_gap = 0;            ///< of near_share [mm]
+    double contact_gap = 0;            ///< of fraction_within_gap [mm]
     double rated_torque = 0;           ///< [N mm]
     double pitch_radius = 0;           ///< m z_f/2 [mm]
     double edge_radius = 0;            ///< of the edges where teeth touch, given or standard [mm]
-    double tip_widened = 0;    ///< by how much the tip circle exceeds the standard one, which leaves no land [mm]; 0
-                               ///< where the scene gives it
-    int balls = 0;             ///< of the bearing; 0: a line, or a rigid bearing
+    double standard_tip_increase = 0;  ///< by how much the tip circle exceeds the standard one, which leaves no land
+                                       ///< [mm]; 0 where the scene gives it
+    int balls = 0;                     ///< of the bearing; 0: a line, or a rigid bearing
     bool sharp_steps = false;  ///< the wall grows to the tooth ring in ramps, whose corners have no largest stress
 };
 
@@ -224,8 +225,8 @@ struct LoadOptions
 /// @param options   what is asked beside the scene
 /// @param on_stage  is told each stage that begins; null: nobody
 /// @param progress  is told how much of the work is done; null: nobody
-/// @param talk      is told the first figures in words: force and coning of the assembled cup, then the play of each
-/// surface
+/// @param talk      is told the first figures in words: force and coning of the assembled cup, then the backlash of
+/// each surface
 /// @throws InputError for a scene or options that cannot be computed; NumericalError with stage, place and cause where
 /// no case can be (LoadStudy::missing)
 [[nodiscard]] LoadStudy study_load(Scene const& scene, LoadOptions const& options = {},

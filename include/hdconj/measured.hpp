@@ -42,7 +42,7 @@ struct MeasuredCurve
 struct Estimate
 {
     double value = 0;  ///< the mean
-    double error = 0;  ///< the larger of two: scatter of what was averaged / sqrt(count), and what the residuals of
+    double error = 0;  ///< the larger of two: scatter of what was averaged / sqrt(count), and what the deviations from
                        ///< each fit let expect
     int count = 0;     ///< 0: nothing was averaged, value and error mean nothing
 };
@@ -54,7 +54,7 @@ struct MeasuredStiffness
     int cycles = 0;             ///< pairs of a positive and a negative load
     double largest_torque = 0;  ///< [N mm]
     double angle_step = 0;      ///< smallest difference of two angles: the resolution of the reading [rad]
-    double middle = 0;          ///< of the play [rad]; what `twist` of a simulation counts from
+    double middle = 0;          ///< of the backlash [rad]; what `twist` of a simulation counts from
     Estimate backlash;  ///< angle where the load has gone, from the positive side less from the negative side [rad]
     Estimate first;     ///< stiffness of the first stage, over the loading branches that have a bend [N mm/rad]
     Estimate second;    ///< stiffness of the second stage [N mm/rad]
@@ -68,7 +68,7 @@ namespace measured_at {
 inline constexpr double reversal = 0.1;  ///< a branch ends where the torque has turned back by this; smaller is noise
 inline constexpr double loaded =
     0.8;  ///< a branch that reaches less is no load cycle: the thesis ends with 1 N m of 28
-inline constexpr double no_load = 0.02;    ///< below, the drive may lie anywhere in its play
+inline constexpr double no_load = 0.02;    ///< below, the drive may lie anywhere in its backlash
 inline constexpr double near_zero = 0.12;  ///< up to here the unloading branch is a straight line to zero torque
 }  // namespace measured_at
 
@@ -77,7 +77,7 @@ inline constexpr double near_zero = 0.12;  ///< up to here the unloading branch 
 /// Load cycles 0, T, 0, -T, 0 in any number, beginning anywhere. Backlash per cycle: a straight line through the
 /// samples of each unloading branch between no_load and near_zero, taken to zero torque (fewer than three samples
 /// there: through the two nearest to zero, zero included). With friction that is the width of the loop at zero torque;
-/// without, the play, wherever the drive lay within it. Stiffness per loading branch: stiffness_stages() of its
+/// without, the backlash, wherever the drive lay within it. Stiffness per loading branch: stiffness_stages() of its
 /// samples above no_load, negative branches turned round.
 /// @throws InputError where the samples are no such loop: one sign only, no unloading, torque that falls with the angle
 [[nodiscard]] MeasuredStiffness measured_stiffness(MeasuredCurve const& curve);

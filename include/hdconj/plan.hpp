@@ -27,9 +27,9 @@ enum class Stage
     coning,          ///< a motion for each slice
     surface,         ///< outlines of all slices, matched
     tilt,            ///< outlines moved along the axis
-    clearance,       ///< every slice over a full turn: clearing side clearance, tip circle and root
+    clearance,       ///< every slice over a full turn: least side clearance, tip circle and root
     gap_map,         ///< gaps of all teeth at an angle of the wave generator
-    contact,         ///< first contact, contact area, play
+    contact,         ///< first contact, contact area, backlash
     influence,       ///< what the elastic wall gives way by, harmonic by harmonic
     assembly,        ///< the cup on its wave generator, without torque
     load             ///< teeth and wave generator in equilibrium, torque by torque

@@ -71,7 +71,7 @@ class Measuring
         try {
             whole = accuracy::case_of(flat_, chosen_, points, positions);
             report_.reference_error = whole.error();
-            report_.reference_entry = whole.entry();
+            report_.reference_interference = whole.entry();
         } catch (NumericalError const& error) {
             if (std::all_of(chosen_.begin(), chosen_.end(), accuracy::has_outline))
                 throw;
@@ -129,7 +129,7 @@ class Measuring
     void measure_design(accuracy::Case const& one, std::vector<Unfinished>& unfinished)
     {
         report_.reference_error = std::max(report_.reference_error, one.error());
-        report_.reference_entry = std::max(report_.reference_entry, one.entry());
+        report_.reference_interference = std::max(report_.reference_interference, one.entry());
         std::string const name =
             "design-" + std::string(report_.sample < 10 ? "0" : "") + std::to_string(report_.sample);
         say(name, scene_share_ + (1 - scene_share_) * report_.sample / options_.sample);

@@ -122,7 +122,8 @@ void measure(StudyRun const& bench, Scene const& scene, Series const& series)
             ContactState const state = bench.timed(record, [&] { return area(scene, setting); });
             record.error = finest = std::abs(state.contact_area - reference.area);
             // planes are the same in a series of flank points, and so is what they leave open
-            record.estimate = (series.slices ? state.share_error : state.share_error_along) * state.flank_area;
+            record.estimate =
+                (series.slices ? state.contact_fraction_error : state.fraction_error_along) * state.flank_area;
             bench.keep(record);
         }
     }

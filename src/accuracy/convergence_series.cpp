@@ -33,7 +33,7 @@ ConvergenceLevel level_of(std::vector<StudyRecord const*> const& records)
     for (StudyRecord const* record : records) {
         level.error = worse(level.error, record->largest_error());
         level.estimate = worse(level.estimate, record->estimate);
-        level.residual = worse(level.residual, record->residual);
+        level.normal_speed = worse(level.normal_speed, record->normal_speed);
         level.memory = worse(level.memory, record->memory);
         level.missed = std::max(level.missed, record->missed);
         level.extra = std::max(level.extra, record->extra);

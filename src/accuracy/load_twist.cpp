@@ -129,7 +129,7 @@ void note_reference(StudyRun const& bench, CountSeries const& series, SolvedLoad
         reference.load.estimated
             ? fmt::format("{:.3g} and {:.3g} of them", share(&LoadedState::twist), share(&LoadedState::largest_force))
             : "an amount that is not known",
-        finest.residual));
+        finest.gap_mismatch));
 }
 
 void run_load_series(StudyRun const& bench, Scene const& scene)

@@ -32,7 +32,7 @@ void in_type(StudyBench const& bench, ReferenceCurve const& truth, profile::ArcP
         rest = std::max(rest, static_cast<double>(std::abs(inner(contact.normal, contact.velocity))));
     }
     record.error = record.hausdorff = worst;
-    record.residual = rest;
+    record.normal_speed = rest;
     record.evaluations = record.points = static_cast<double>(u.size());
     T sum(0);
     bench.measure(record, [&] {

@@ -190,7 +190,7 @@ void closed_form(StudyBench const& bench, Instants const& at)
     });
     StudyRecord record = roots_record("closed form (arcs)", 1);
     record.error = record.hausdorff = static_cast<double>(worst);
-    record.residual = static_cast<double>(rest);
+    record.normal_speed = static_cast<double>(rest);
     record.branches = roots;
     record.evaluations = static_cast<double>(count);
     record.points = roots;
@@ -214,7 +214,7 @@ void study_roots(StudyBench const& bench)
         return bench.note("roots: the flank has too few points for a spline");
     std::vector<Found> const proved = certified(pieces, at);
     StudyRecord record = roots_record("certified (spline)", 1);
-    record.error = record.hausdorff = worst_root(pieces, at, proved, record.residual);
+    record.error = record.hausdorff = worst_root(pieces, at, proved, record.normal_speed);
     record.branches = static_cast<int>(proved.size());
     record.evaluations = static_cast<double>(pieces.size() * at.u.size());
     record.points = static_cast<double>(proved.size());
@@ -224,7 +224,7 @@ void study_roots(StudyBench const& bench)
         std::size_t evaluations = 0;
         std::vector<Found> const found = scanned(pieces, at, steps, evaluations);
         record = roots_record("scan and bracket (spline)", steps);
-        record.error = record.hausdorff = worst_root(pieces, at, found, record.residual);
+        record.error = record.hausdorff = worst_root(pieces, at, found, record.normal_speed);
         record.branches = static_cast<int>(found.size());
         record.missed = surplus(proved, found, at.u.size(), pieces.size());
         record.extra = surplus(found, proved, at.u.size(), pieces.size());

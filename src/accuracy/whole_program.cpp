@@ -20,7 +20,7 @@ void level(StudyBench const& bench, Scene const& scene, StudyRecord record)
     record.hausdorff = difference.hausdorff;
     record.estimate = solution.error.chord + solution.error.point;
     bool const own_model = scene.solver.kinematics == bench.drive.scene.solver.kinematics;
-    record.residual = own_model ? residual_of(bench.drive, solution, contacts) : not_measured;
+    record.normal_speed = own_model ? residual_of(bench.drive, solution, contacts) : not_measured;
     int const found = static_cast<int>(solution.branches.size()), there = static_cast<int>(bench.drive.branches);
     record.branches = found;
     record.missed = std::max(0, there - found) + (own_model ? difference.missed : 0);

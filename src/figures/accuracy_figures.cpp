@@ -33,9 +33,9 @@ namespace {
 
 /// A number of a record, read and set.
 template <auto member>
-constexpr RecordFigure number(char const* name, Unit const& unit, char const* meaning)
+constexpr RecordFigure number(char const* name, Unit const& unit, char const* meaning, char const* former = nullptr)
 {
-    return {figure<member>(name, unit, meaning), [](StudyRecord& record, double value) {
+    return {figure<member>(name, unit, meaning).formerly(former), [](StudyRecord& record, double value) {
                 record.*member = static_cast<std::decay_t<decltype(record.*member)>>(value);
             }};
 }
@@ -53,7 +53,8 @@ std::span<RecordFigure const> record_figures()
         number<&R::error>("error", unit_of_record, "largest distance of a computed point from the true curve"),
         number<&R::hausdorff>("hausdorff", unit_of_record, "distance of the computed curve from the true one"),
         number<&R::estimate>("estimate", unit_of_record, "the method's own estimate of that distance"),
-        number<&R::residual>("residual", mm_per_rad, "largest residual of the meshing condition"),
+        number<&R::normal_speed>("normal_speed", mm_per_rad, "largest n.v at the computed contacts; 0 at true ones",
+                                 "residual"),
         number<&R::branches>("branches", one, "branches or roots found"),
         number<&R::missed>("missed", one, "of these missed"),
         number<&R::extra>("extra", one, "found where there are none"),
@@ -81,8 +82,9 @@ Rows<AccuracyReport> report_figures()
         figure<&T::threads>("threads", one, "threads of the studies"),
         figure<&T::reference_error>("reference_error", mm, "distance of the reference from 50 digits",
                                     {"itself right to", scientific}),
-        figure<&T::reference_entry>("reference_entry", mm, "how deep a tooth enters the reference",
-                                    {"touched to", scientific}),
+        figure<&T::reference_interference>("reference_interference", mm, "deepest interference with the reference",
+                                           {"touched to", scientific})
+            .formerly("reference_entry"),
         figure<&T::sample>("sample", one, "designs of the sample"),
         figure<&T::sample_refused>("sample_refused", one, "designs drawn that make no drive"),
         figure<&T::quick>("quick", one, "whether series are short").without(json),
@@ -97,8 +99,9 @@ Rows<ConvergenceLevel> level_figures()
         figure<&T::value>("value", one, "of the knob", {"knob", knob_text}),
         figure<&T::error>("error", one, "in the unit of the series", {"error", scientific}),
         figure<&T::estimate>("estimate", one, "the method's own estimate", {"estimate", scientific}),
-        figure<&T::residual>("residual", mm_per_rad, "largest residual of the meshing condition",
-                             {"residual", scientific}),
+        figure<&T::normal_speed>("normal_speed", mm_per_rad, "largest n.v at the computed contacts; 0 at true ones",
+                                 {"normal speed", scientific})
+            .formerly("residual"),
         figure<&T::missed>("missed", one, "branches or roots missed", {"missed", whole}),
         figure<&T::extra>("extra", one, "found where there are none", {"extra", whole}),
         figure<&T::median>("median", second, "median of the times", {"median", duration}),
@@ -117,7 +120,7 @@ Rows<accuracy::Recommendation> advice_figures()
 {
     using T = accuracy::Recommendation;
     static constexpr std::array rows = {
-        figure<&T::reaches>("reaches", one, "whether it keeps what was asked for"),
+        figure<&T::reaches>("target_met", one, "whether it keeps what was asked for").formerly("reaches"),
         figure<&T::level, &ConvergenceLevel::error>("error", mm, "on this drive"),
         figure<&T::sample_error>("sample_error", mm, "on the worst of the sample"),
         figure<&T::level, &ConvergenceLevel::median>("time", second, "median of the runs")};

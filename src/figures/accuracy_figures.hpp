@@ -29,6 +29,9 @@ struct RecordText
 };
 [[nodiscard]] std::span<RecordText const> record_texts();
 
+inline constexpr Name convergence_series{"convergence_series", "ladders"};
+inline constexpr Name levels{"levels", "rungs"};
+
 [[nodiscard]] Rows<AccuracyReport> report_figures();
 [[nodiscard]] Rows<ConvergenceLevel> level_figures();
 [[nodiscard]] Rows<accuracy::Recommendation> advice_figures();

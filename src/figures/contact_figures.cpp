@@ -23,9 +23,11 @@ Rows<ContactStudy> contact_study_figures()
     static constexpr std::array rows = {
         figure<&T::contact_gap>("contact_gap", um, "gap up to which flanks count as in contact",
                                 {"contact gap", significant<6>}),
-        figure<&T::pitch_radius>("pitch_radius", mm, "radius at which play is given as a length",
+        figure<&T::pitch_radius>("pitch_radius", mm, "radius at which backlash is given as a length",
                                  {"pitch circle", decimals<6>}),
-        figure<&T::shown>("shown", one, "number of the case that the circular spline and the map are of")};
+        figure<&T::written_case>("written_case", one,
+                                 "number of the case that the circular spline and the map belong to")
+            .formerly("shown")};
     return Rows<T>(rows);
 }
 
@@ -36,17 +38,23 @@ Rows<ContactState> state_figures()
         figure<&T::wave_generator>("wave_generator", given_degree,
                                    "angle of the wave generator from a tooth space of the circular spline",
                                    {"wave generator", fixed<4>, nullptr, &degree}),
-        pair<&T::take_up, &T::take_up_error>("take_up", arcmin, "turn of the circular spline to first contact"),
-        pair<&T::take_up_back, &T::take_up_back_error>("take_up_back", arcmin, "the same turn for the other flanks"),
-        pair<&T::backlash, &T::backlash_error>("backlash", arcmin, "play in which the circular spline can be turned",
+        pair<&T::turn_to_contact, &T::turn_to_contact_error>("turn_to_contact", arcmin,
+                                                             "turn of the circular spline to first contact")
+            .formerly("take_up"),
+        pair<&T::reverse_turn_to_contact, &T::reverse_turn_to_contact_error>("reverse_turn_to_contact", arcmin,
+                                                                             "the same turn the other way")
+            .formerly("take_up_back"),
+        pair<&T::backlash, &T::backlash_error>("backlash", arcmin, "sum of both turns",
                                                {"backlash", fixed<2>, one_digit})
-            .and_as_play(),
+            .and_as_length(),
         pair<&T::contact_area, &T::contact_area_error>("contact_area", mm2,
                                                        "flank area whose gap is at most the contact gap"),
-        pair<&T::share, &T::share_error>("share", one, "its share of the area of all flanks on the driving side",
-                                         {"contact area", significant<4>, significant<2>, &percent}),
+        pair<&T::contact_fraction, &T::contact_fraction_error>(
+            "contact_fraction", one, "fraction of the area of all flanks on the driving side",
+            {"contact area", significant<4>, significant<2>, &percent})
+            .formerly("share"),
         pair<&T::smallest_gap, &T::smallest_gap_error>("smallest_gap", um,
-                                                       "smallest gap before the take-up, either side"),
+                                                       "smallest gap before the turn, on either side"),
         figure<&T::smallest_z>("smallest_z", mm, "height of the slice with that gap"),
         figure<&T::smallest_z_from>("smallest_z_from", mm, "lower end of where it may lie as well"),
         figure<&T::smallest_z_to>("smallest_z_to", mm, "upper end of where it may lie as well"),
@@ -66,21 +74,25 @@ Rows<ContactCase> case_figures()
                          {"tilt", significant<3>, nullptr, &degree}),
         figure<&T::backlash_offset>("backlash_offset", um, "side clearance that the contact is computed with",
                                     {"offset", fixed<2>}),
-        pair<&T::clearing_offset, &T::clearing_offset_error>(
-            "clearing_offset", um, "least side clearance without interference of the flanks over a full turn",
-            {"offset", fixed<2>, one_digit}),
+        pair<&T::least_side_clearance, &T::least_side_clearance_error>(
+            "least_side_clearance", um, "least side clearance without interference of the flanks over a full turn",
+            {"offset", fixed<2>, one_digit})
+            .formerly("clearing_offset"),
         figure<&T::tip>("tip_radius", mm, "tip circle at z = 0 that the contact is computed with",
                         {"tip circle", decimals<4>}),
-        pair<&T::clearing_tip, &T::clearing_tip_error>("clearing_tip", mm,
-                                                       "least tip circle at z = 0 with the clearing offset",
-                                                       {"tip circle", decimals<4>, one_digit}),
-        pair<&T::clearing_root, &T::clearing_root_error>("clearing_root", um,
-                                                         "least further root clearance over a full turn",
-                                                         {"root clearance", significant<3>, one_digit}),
-        pair<&T::backlash_of_clearing, &T::backlash_of_clearing_error>("backlash_of_clearing", arcmin,
-                                                                       "play that the clearing offset alone would make",
-                                                                       {"backlash", fixed<2>, one_digit})
-            .and_as_play(),
+        pair<&T::least_tip_radius, &T::least_tip_radius_error>("least_tip_radius", mm,
+                                                               "smallest tip circle at z = 0 that goes with it",
+                                                               {"tip circle", decimals<4>, one_digit})
+            .formerly("clearing_tip"),
+        pair<&T::least_root_clearance, &T::least_root_clearance_error>(
+            "least_root_clearance", um, "least root clearance without interference over a full turn",
+            {"root clearance", significant<3>, one_digit})
+            .formerly("clearing_root"),
+        pair<&T::backlash_of_least_side_clearance, &T::backlash_of_least_side_clearance_error>(
+            "backlash_of_least_side_clearance", arcmin, "backlash of the least side clearance alone",
+            {"backlash", fixed<2>, one_digit})
+            .formerly("backlash_of_clearing")
+            .and_as_length(),
         figure<&T::state, &ContactState::flank_area>("flank_area", mm2, "area of all flanks on the driving side")
             .with_error<&T::state, &ContactState::flank_area_error>(),
         pair<&T::ruled_deviation, &T::ruled_deviation_error>(
@@ -101,7 +113,9 @@ Rows<ContactCase> case_figures()
             .keyed("closest_z_from"),
         figure<&T::closest_z_to>("flank_z_to", mm, "upper end of where the closest place may lie", {"to", fixed<3>})
             .keyed("closest_z_to"),
-        figure<&T::raised>("raised", one, "whether the side clearance is more than the scene gives"),
+        figure<&T::side_clearance_increased>("side_clearance_increased", one,
+                                             "whether the side clearance is more than the scene gives")
+            .formerly("raised"),
         figure<&T::seconds>("seconds", second, "time to compute the case").keyed("time")};
     return Rows<T>(rows);
 }
@@ -152,21 +166,33 @@ Rows<BestTilt> best_tilt_figures()
 
 FigureOf<BestTilt> best_value_figure(BestTilt const& best)
 {
-    static constexpr auto share =
-        pair<&BestTilt::value, &BestTilt::value_error>("value", one, "share of the contact area at the best tilt",
+    static constexpr auto fraction =
+        pair<&BestTilt::value, &BestTilt::value_error>("value", one, "contact fraction at the best tilt",
                                                        {"contact area", significant<4>, one_digit, &percent})
-            .keyed("share");
+            .keyed("contact_fraction")
+            .formerly("share");
     static constexpr auto offset =
-        pair<&BestTilt::value, &BestTilt::value_error>("value", um, "least clearing offset at the best tilt",
-                                                       {"clearing offset", significant<3>, one_digit})
-            .keyed("clearing_offset");
-    return best.what == "area" ? share : offset;
+        pair<&BestTilt::value, &BestTilt::value_error>("value", um, "least side clearance at the best tilt",
+                                                       {"least side clearance", significant<3>, one_digit})
+            .keyed("least_side_clearance")
+            .formerly("clearing_offset");
+    return best.goal == TiltGoal::contact_area ? fraction : offset;
 }
 
 std::string surface_name(ToothSurface surface, std::optional<TiltKind> kind, double tilt)
 {
     std::string const name(to_string(surface));
     return kind ? fmt::format("{}, {} {:g} deg", name, to_string(*kind), tilt * per_deg) : name;
+}
+
+std::string goal_name(BestTilt const& best)
+{
+    return best.goal == TiltGoal::contact_area ? "contact area" : "least side clearance";
+}
+
+std::string former_goal_name(BestTilt const& best)
+{
+    return best.goal == TiltGoal::contact_area ? "area" : "clearing offset";
 }
 
 SliceClearance const& closest_root(ContactCase const& each)

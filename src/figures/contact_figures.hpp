@@ -16,6 +16,9 @@ struct ClosestPlace
     double error = 0;
 };
 
+/// Of a map: place along the flank, 0 at the land corner ... 1 at the flank end.
+inline constexpr Name flank_position{"flank_position", "station"};
+
 /// Of the study as a whole.
 [[nodiscard]] Rows<ContactStudy> contact_study_figures();
 /// At one angle of the wave generator.
@@ -28,8 +31,12 @@ struct ClosestPlace
 [[nodiscard]] Rows<SliceClearance> slice_figures();
 /// Of the best tilt, but for the value there.
 [[nodiscard]] Rows<BestTilt> best_tilt_figures();
-/// The value at the best tilt: the share of the contact area, or the clearing offset.
+/// The value at the best tilt: the contact fraction, or the least side clearance.
 [[nodiscard]] FigureOf<BestTilt> best_value_figure(BestTilt const& best);
+/// "contact area" or "least side clearance": what the tilt is best for.
+[[nodiscard]] std::string goal_name(BestTilt const& best);
+/// The same in the words of the format before.
+[[nodiscard]] std::string former_goal_name(BestTilt const& best);
 
 /// "tilted, radial 0.2 deg", or "per-slice": what a row of the table is of.
 [[nodiscard]] std::string surface_name(ToothSurface surface, std::optional<TiltKind> kind, double tilt);
@@ -39,7 +46,7 @@ struct ClosestPlace
     return surface_name(each.surface, each.kind, each.tilt);
 }
 
-/// An angle as play at the pitch circle [mm].
+/// An angle as backlash at the pitch circle [mm].
 [[nodiscard]] inline double at_pitch_circle(double angle, ContactStudy const& study)
 {
     return angle * study.pitch_radius;

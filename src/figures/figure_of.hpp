@@ -13,6 +13,13 @@
 
 namespace hdconj::figures {
 
+/// A name in the files that is no figure's, and what the format before called it.
+struct Name
+{
+    char const* now;
+    char const* former = nullptr;  ///< null: the same
+};
+
 /// How the files hold a figure: as a floating-point number, as an integer, or as true and false (in HDF5 1 and 0).
 enum class Kind
 {
@@ -83,8 +90,9 @@ struct FigureOf
     bool apart = false;                ///< the errors stand in a group or object of their own
     char const* key = nullptr;         ///< in JSON, before the unit; null: the name
     char const* error_name = nullptr;  ///< of the error, before the unit; null: by the rule above
+    char const* former = nullptr;      ///< what the format before called it: its key where it has one, else its name
     unsigned absent = 0;
-    bool as_play = false;  ///< JSON also gives the angle as a length at the pitch circle
+    bool as_length = false;  ///< JSON also gives the angle as a length at the pitch circle
     Text text = {};
 
     template <auto... members>
@@ -104,9 +112,17 @@ struct FigureOf
     {
         return with(&FigureOf::key, stem).with(&FigureOf::error_name, error_stem);
     }
+    /// Under its former name too, until the next format version drops that. Its error follows.
+    [[nodiscard]] constexpr FigureOf formerly(char const* stem) const { return with(&FigureOf::former, stem); }
     [[nodiscard]] constexpr FigureOf without(unsigned places) const { return with(&FigureOf::absent, absent | places); }
-    [[nodiscard]] constexpr FigureOf and_as_play() const { return with(&FigureOf::as_play, true); }
+    [[nodiscard]] constexpr FigureOf and_as_length() const { return with(&FigureOf::as_length, true); }
     [[nodiscard]] constexpr FigureOf printed(Text const& how) const { return with(&FigureOf::text, how); }
+
+    /// The same figure as the format before called it. @pre former != nullptr
+    [[nodiscard]] constexpr FigureOf under_former_name() const
+    {
+        return with(key != nullptr ? &FigureOf::key : &FigureOf::name, former).with(&FigureOf::former, nullptr);
+    }
 
     [[nodiscard]] bool is_in(Absent place) const
     {
@@ -153,7 +169,7 @@ struct FigureOf
   private:
     /// A copy whose @p member is @p changed.
     template <class Member>
-    [[nodiscard]] constexpr FigureOf with(Member FigureOf::*member, Member const& changed) const
+    [[nodiscard]] constexpr FigureOf with(Member FigureOf::*member, std::type_identity_t<Member> const& changed) const
     {
         FigureOf row = *this;
         row.*member = changed;
@@ -185,6 +201,17 @@ template <class Record>
 struct Rows : std::span<FigureOf<Record> const>
 {
     using std::span<FigureOf<Record> const>::span;
+
+    /// Calls @p act with every row and, where a row has one, with the row under its former name.
+    template <class Act>
+    void for_each_name(Act act) const
+    {
+        for (auto const& row : *this) {
+            act(row);
+            if (row.former != nullptr)
+                act(row.under_former_name());
+        }
+    }
 
     /// The first row called @p name. @throws std::logic_error where there is none
     [[nodiscard]] FigureOf<Record> const& operator[](std::string_view name) const

@@ -34,16 +34,21 @@ constexpr auto teeth_figures(Unit const& ball)
     using T = LoadedState;
     return std::array{
         figure<&T::torque>("torque", newton_metre, "on the circular spline"),
-        estimated<&T::twist>("twist", arcmin, "of the circular spline, from the middle of the play",
+        estimated<&T::twist>("twist", arcmin, "of the circular spline, from the middle of the backlash",
                              {"twist", fixed<2>, significant<2>}),
         estimated<&T::stiffness>("stiffness", newton_metre_per_rad, "dT/d(twist) with the contacts closed"),
         json_only(estimated<&T::stiffness>("stiffness", newton_metre_per_degree, "the same")),
         estimated<&T::contact_area>("contact_area", mm2, "flank area under pressure"),
-        estimated<&T::contact_share>("contact_share", one, "its share of all flanks on the loaded side",
-                                     {"contact", significant<3>, significant<2>, &percent}),
-        estimated<&T::near_share>("near_share", one, "share of the flank whose gap is at most the contact gap",
-                                  {"near", significant<3>, significant<2>, &percent}),
-        estimated<&T::node_share>("node_share", one, "share of the nodes of spaces and slices that carry force"),
+        estimated<&T::contact_fraction>("contact_fraction", one, "fraction of all flanks on the loaded side",
+                                        {"contact", significant<3>, significant<2>, &percent})
+            .formerly("contact_share"),
+        estimated<&T::fraction_within_gap>("fraction_within_gap", one,
+                                           "fraction of the flank with a gap up to the contact gap",
+                                           {"near", significant<3>, significant<2>, &percent})
+            .formerly("near_share"),
+        estimated<&T::carrying_fraction>("carrying_fraction", one,
+                                         "fraction of the pairs of tooth space and slice that carry")
+            .formerly("node_share"),
         estimated<&T::largest_pressure>("largest_pressure", megapascal, "largest Hertz pressure",
                                         {"pressure", table_number, table_number}),
         figure<&T::pressure_z>("pressure_z", mm, "slice of the largest pressure", {"z", fixed<3>}),
@@ -68,16 +73,17 @@ constexpr auto teeth_figures(Unit const& ball)
         figure<&T::stress_r>("stress_r", mm, "radius of that stress", {"r", fixed<2>}),
         figure<&T::stress_phi>("stress_phi", given_degree, "angle of that stress from the major axis",
                                {"phi", fixed<1>, nullptr, &degree}),
-        figure<&T::residual>("residual", um, "gap solved for less that of the loaded shape, at contacts",
-                             {"gap", significant<2>}),
-        figure<&T::complementarity>("complementarity", one, "relative residual of force and gap",
+        figure<&T::gap_mismatch>("gap_mismatch", um, "gap solved for less that of the loaded shape, at contacts",
+                                 {"gap", significant<2>})
+            .formerly("residual"),
+        figure<&T::complementarity>("complementarity", one, "largest product of force and gap, relative",
                                     {"force and gap", exponential<1>}),
         estimated<&T::ball_force>("ball_force", ball, "largest force of a ball, or of the line of balls",
                                   general("balls")),
         figure<&T::balls>("balls", one, "single balls that carry", {"carry", whole}),
         estimated<&T::teeth>("teeth", one, "tooth spaces that carry", {"teeth", whole, whole}).without(hdf5_error),
         figure<&T::pressure_space>("pressure_space", one, "tooth space of the largest pressure"),
-        figure<&T::rounds>("rounds", one, "rounds of the geometry"),
+        figure<&T::iterations>("iterations", one, "of the loaded shape").formerly("rounds"),
         figure<&T::steps>("steps", one, "steps of the active set")};
 }
 
@@ -109,7 +115,7 @@ constexpr auto cup_figures(Unit const& ball)
             .without(hdf5),  // an attribute without a unit in its name
         figure<&T::ball_phi>("ball_phi", degree, "angle of that ball", {"at", fixed<1>}).without(hdf5 | json),
         figure<&T::balls>("balls", one, "single balls that carry", {"carry", whole}).without(hdf5),
-        figure<&T::contacts>("contacts", one, "nodes of the bearing that carry force", {"places", whole})};
+        figure<&T::contacts>("contacts", one, "places of the bearing that carry force", {"places", whole})};
 }
 
 }  // namespace
@@ -119,15 +125,16 @@ Rows<LoadStudy> load_study_figures()
     using T = LoadStudy;
     static constexpr std::array rows = {
         figure<&T::rated_torque>("rated_torque", newton_metre, "largest torque", {"at", significant<6>}),
-        figure<&T::contact_gap>("contact_gap", um, "gap of near_share", {"gap", significant<6>}),
+        figure<&T::contact_gap>("contact_gap", um, "gap of fraction_within_gap", {"gap", significant<6>}),
         figure<&T::pitch_radius>("pitch_radius", mm, "half the module times the flexspline's teeth"),
         figure<&T::harmonics>("harmonics", one, "largest circumferential harmonic of the cup", {"harmonics", whole}),
         figure<&T::sectors>("sectors", one, "how often the solved sector repeats around the ring"),
-        figure<&T::shown>("shown", one, "number of the case of least largest pressure"),
+        figure<&T::written_case>("written_case", one, "number of the case with the least pressure").formerly("shown"),
         figure<&T::edge_radius>("edge_radius", um, "radius of the edges where teeth touch",
                                 {"edges of the teeth", significant<4>}),
-        json_only(
-            figure<&T::tip_widened>("tip_widened", um, "by how much the tip circle is wider than the standard one"))
+        json_only(figure<&T::standard_tip_increase>("standard_tip_increase", um,
+                                                    "by how much the tip circle is wider than the standard one"))
+            .formerly("tip_widened")
             .printed({"tip circle", decimals<1>}),
         figure<&T::balls>("balls", one, "balls of the bearing; 0: a line of them, or a rigid bearing"),
         json_only(figure<&T::sharp_steps>("sharp_steps", one,
@@ -156,8 +163,10 @@ Rows<LoadCase> load_case_figures()
                          {"tilt", significant<3>, nullptr, &degree}),
         figure<&T::backlash_offset>("backlash_offset", um, "side clearance", {"offset", fixed<2>}),
         figure<&T::tip>("tip_radius", mm, "tip circle at z = 0", {"tip circle", decimals<6>}),
-        figure<&T::tip_change>("tip_change", um, "how much wider it is than the surface's own", {"wider", decimals<2>}),
-        pair<&T::backlash, &T::backlash_error>("backlash", arcmin, "play of the circular spline without torque")
+        figure<&T::tip_radius_increase>("tip_radius_increase", um, "how much wider it is than the surface's own",
+                                        {"wider", decimals<2>})
+            .formerly("tip_change"),
+        pair<&T::backlash, &T::backlash_error>("backlash", arcmin, "backlash without torque")
             .without(hdf5_error | json_error)  // with the estimates of the case
             .printed({"backlash", fixed<2>, significant<2>}),
         figure<&T::stages, &Stages::first>("first_stage", newton_metre_per_rad,
@@ -179,8 +188,10 @@ Rows<LoadCase> load_case_figures()
             .with_error<&T::stages, &Stages::knee_error>(),
         figure<&T::stages, &Stages::knee_twist>("knee_twist", arcmin, "twist where the lines meet"),
         figure<&T::stages, &Stages::rms>("stages_rms", newton_metre, "root mean square of the fit, in torque"),
-        figure<&T::raised>("raised", one, "whether the side clearance is more than the scene gives"),
-        figure<&T::stages, &Stages::found>("stages_found", one, "whether the branch has a bend"),
+        figure<&T::side_clearance_increased>("side_clearance_increased", one,
+                                             "whether the side clearance is more than the scene gives")
+            .formerly("raised"),
+        figure<&T::stages, &Stages::found>("stages_found", one, "whether the branch has two stages"),
         figure<&T::seconds>("seconds", second, "time to compute the case").keyed("time")};
     return Rows<T>(rows);
 }
@@ -190,12 +201,12 @@ Rows<MeasuredStiffness> measured_curve_figures()
     using T = MeasuredStiffness;
     static constexpr std::array rows = {
         figure<&T::cycles>("cycles", one, "load cycles", {"cycles", whole}),
-        figure<&T::straight>("straight_branches", one, "loading branches without a bend", {"straight", whole}),
+        figure<&T::straight>("straight_branches", one, "loading branches without a second stage", {"straight", whole}),
         json_only(figure<&T::largest_torque>("largest_torque", newton_metre, "largest torque of the curve"))
             .printed({"up to", significant<4>}),
         figure<&T::angle_step>("angle_step", arcmin, "smallest difference of two angles",
                                {"in steps of", significant<3>}),
-        figure<&T::middle>("middle", arcmin, "middle of the play")};
+        figure<&T::middle>("middle", arcmin, "middle of the backlash")};
     return Rows<T>(rows);
 }
 
@@ -205,17 +216,34 @@ std::span<MeasuredFigure const> measured_figures()
     using Case = LoadCase const&;
     using Value = std::optional<double>;
     static constexpr std::array figures = {
-        MeasuredFigure{"backlash", "backlash", arcmin, [](Found f) -> Estimate const& { return f.backlash; }, 1,
+        MeasuredFigure{{"backlash"},
+                       "backlash",
+                       arcmin,
+                       [](Found f) -> Estimate const& { return f.backlash; },
+                       1,
                        [](Case c) { return Value(c.backlash); }},
-        MeasuredFigure{"first_stage", "first stage", newton_metre_per_degree,
-                       [](Found f) -> Estimate const& { return f.first; }, -2,
+        MeasuredFigure{{"first_stage"},
+                       "first stage",
+                       newton_metre_per_degree,
+                       [](Found f) -> Estimate const& { return f.first; },
+                       -2,
                        [](Case c) { return c.stages.found ? Value(c.stages.first) : Value(); }},
-        MeasuredFigure{"second_stage", "second stage", newton_metre_per_degree,
-                       [](Found f) -> Estimate const& { return f.second; }, -2,
+        MeasuredFigure{{"second_stage"},
+                       "second stage",
+                       newton_metre_per_degree,
+                       [](Found f) -> Estimate const& { return f.second; },
+                       -2,
                        [](Case c) { return c.stages.found ? Value(c.stages.second) : Value(); }},
-        MeasuredFigure{"knee", "knee between them", newton_metre, [](Found f) -> Estimate const& { return f.knee; }, -1,
+        MeasuredFigure{{"knee"},
+                       "knee between them",
+                       newton_metre,
+                       [](Found f) -> Estimate const& { return f.knee; },
+                       -1,
                        [](Case c) { return c.stages.found ? Value(c.stages.knee) : Value(); }},
-        MeasuredFigure{"whole", "one line", newton_metre_per_degree, [](Found f) -> Estimate const& { return f.whole; },
+        MeasuredFigure{{"whole_branch", "whole"},
+                       "one line",
+                       newton_metre_per_degree,
+                       [](Found f) -> Estimate const& { return f.whole; },
                        -2,
                        [](Case c) { return c.stages.found || c.stages.first == 0 ? Value() : Value(c.stages.first); }}};
     return figures;

@@ -11,6 +11,9 @@
 
 namespace hdconj::figures {
 
+/// Of the map of forces: where the smallest gap is, as in the map of gaps.
+inline constexpr Name flank_position_of_gap{flank_position.now, "height"};
+
 /// Of the study as a whole.
 [[nodiscard]] Rows<LoadStudy> load_study_figures();
 
@@ -30,7 +33,7 @@ namespace hdconj::figures {
 /// An average over the cycles of a test rig.
 struct MeasuredFigure
 {
-    char const* name;   ///< in HDF5 and JSON, without unit
+    Name name;          ///< in HDF5 and JSON, without unit
     char const* words;  ///< in text
     Unit unit;
     Estimate const& (*value)(MeasuredStiffness const&);
@@ -62,7 +65,7 @@ struct MeasuredFigure
 /// The case that the shape is of; null where there is none.
 [[nodiscard]] inline LoadCase const* shown_case(LoadStudy const& study)
 {
-    return study.shown < study.cases.size() ? &study.cases[study.shown] : nullptr;
+    return study.written_case < study.cases.size() ? &study.cases[study.written_case] : nullptr;
 }
 
 }  // namespace hdconj::figures

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <array>
 
-#include "contact/clearance/clearing_search.hpp"
+#include "contact/clearance/side_clearance_search.hpp"
 #include "contact/study/best_tilt.hpp"
 #include "contact/study/contact_case.hpp"
 #include "contact/study/contact_study_data.hpp"
@@ -69,7 +69,7 @@ void write_part(Solution& out, contact::ContactStudyData& data, SurfaceSpec cons
 /// The part that the shown case describes; without its side clearance, and a note, where it cannot be made with that.
 void write_shown(ContactStudy& study, contact::ContactStudyData& data, SurfaceSpec const& spec)
 {
-    ContactCase const& shown = study.cases[study.shown];
+    ContactCase const& shown = study.cases[study.written_case];
     try {
         write_part(study.solution, data, spec, shown.tip, shown.backlash_offset);
         study.side_clearance = shown.backlash_offset;
@@ -86,7 +86,7 @@ void write_shown(ContactStudy& study, contact::ContactStudyData& data, SurfaceSp
 /// What a search for a tilt is for.
 struct Goal
 {
-    char const* what;
+    TiltGoal what;
     bool largest;
     double (*value)(ContactContext const& context, SurfaceSpec const& spec, bool as_made);
 };
@@ -104,7 +104,7 @@ BestTilt searched(ContactContext const& context, ContactOptions const& options, 
         try {
             ContactCase const found =
                 contact::contact_case(context, {ToothSurface::tilted, kind, best.tilt}, 0, nullptr);
-            best.value_error = goal.largest ? found.state.share_error : found.clearing_offset_error;
+            best.value_error = goal.largest ? found.state.contact_fraction_error : found.least_side_clearance_error;
             return best;
         } catch (NumericalError const& error) {
             if (as_made || !error.is_infeasible())
@@ -147,8 +147,8 @@ void add_case(ContactStudy& study, StudiedSurfaces& surfaces, ContactContext con
 {
     GapMap map;
     ContactCase found = contact::contact_case(context, spec, revolution, &map);
-    if (study.cases.empty() || found.state.share > study.cases[study.shown].state.share) {
-        study.shown = study.cases.size();
+    if (study.cases.empty() || found.state.contact_fraction > study.cases[study.written_case].state.contact_fraction) {
+        study.written_case = study.cases.size();
         study.map = std::move(map);
     }
     study.cases.push_back(std::move(found));
@@ -184,7 +184,7 @@ void write_solution(ContactStudy& study, contact::ContactStudyData& data, Scene 
     if (std::string const note = data.maker->note_on_sections(); !note.empty())
         notes.push_back(note);
     notes.insert(notes.end(), surfaces.missing.begin(), surfaces.missing.end());
-    write_shown(study, data, surfaces.made[study.shown]);
+    write_shown(study, data, surfaces.made[study.written_case]);
     std::vector<StageTime> const times = data.clock.times();
     study.solution.timing.insert(study.solution.timing.end(), times.begin(), times.end());
 }
@@ -205,8 +205,8 @@ ContactStudy study_contact(Scene const& scene, ContactOptions const& options, St
     std::vector<TiltKind> const kinds =
         options.best ? contact::or_else(options.kinds, scene.tilt ? scene.tilt->kind : TiltKind::radial)
                      : std::vector<TiltKind>{};
-    std::array const goals{Goal{"area", true, contact::share_of},
-                           Goal{"clearing offset", false, contact::clearing_offset_of}};
+    std::array const goals{Goal{TiltGoal::contact_area, true, contact::share_of},
+                           Goal{TiltGoal::least_side_clearance, false, contact::least_side_clearance_of}};
     StepProgress steps(progress, wanted.size(), goals.size() * kinds.size());
     ContactStudy study;
     study.contact_gap = context.request.gap;

@@ -34,7 +34,7 @@ LoadStudy study_load(Scene const& scene, LoadOptions const& options, StageObserv
                      Progress const& progress, std::function<void(std::string const&)> const& talk)
 {
     load::LoadObserver const observer{progress, talk};
-    auto const [data, tip_widened] = load::contact_data(load::checked_scene(scene, options), on_stage);
+    auto const [data, standard_tip_increase] = load::contact_data(load::checked_scene(scene, options), on_stage);
     contact::ContactContext const& context = *data->context;
     drive::StageClock& clock = data->clock;
     load::LoadGrid const grid = load::load_grid(context);
@@ -56,7 +56,7 @@ LoadStudy study_load(Scene const& scene, LoadOptions const& options, StageObserv
     describe_drive(*data, drives.fine.model.drive, study);
     study.solution.scene = scene;
     study.rated_torque = load::rated_torque(context.scene, options);
-    study.tip_widened = tip_widened;
+    study.standard_tip_increase = standard_tip_increase;
     return study;
 }
 

@@ -26,7 +26,7 @@ Solution solve_with_automatic_backlash(Scene const& scene, StageObserver const& 
     if (moves) {
         if (on_stage)
             on_stage(Stage::clearance);
-        contact::ClearingNeed const need = contact::clearing_need(scene);
+        contact::SideClearanceNeed const need = contact::side_clearance_need(scene);
         given.circular_spline.backlash_offset = need.offset;
         bool const wider = need.tip > need.nominal_tip_radius;
         if (wider)

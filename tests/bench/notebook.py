@@ -140,9 +140,9 @@ for study, method, name in (("sampling", "adaptive", "hdconj, points"), ("tolera
     ).stdout
     ladders[name] = [
         (rung["value"], rung["error"], rung["median_s"])
-        for ladder in json.loads(measured)["ladders"]
+        for ladder in json.loads(measured)["convergence_series"]
         if ladder["method"] == method
-        for rung in ladder["rungs"]
+        for rung in ladder["levels"]
     ]
 made = os.path.join(folder.name, "notebook.h5")
 for name, make, true_points in (

@@ -39,8 +39,8 @@ TEST_CASE("accuracy writes a folder of records and pictures, and prints tables",
     std::istringstream csv(content(folder.path() / "type-50-accuracy/records.csv"));
     std::string line;
     std::getline(csv, line);
-    CHECK(line.starts_with("study,drive,method,knob,unit,value,repeat,error,hausdorff,estimate,residual,"));
-    CHECK(line.ends_with("version,revision,compiler_and_flags,libraries"));
+    CHECK(line.starts_with("study,drive,method,knob,unit,value,repeat,error,hausdorff,estimate,normal_speed,"));
+    CHECK(line.ends_with("version,revision,compiler_and_flags,libraries,residual"));
     auto const columns = std::count(line.begin(), line.end(), ',');
     int rows = 0;
     while (std::getline(csv, line)) {
@@ -94,11 +94,11 @@ TEST_CASE("accuracy: stored records give the same figures, a page and advice", "
     auto const again = accuracy("--from a/records.h5 --json --page page.md --error 1e-5 --budget 1us", folder);
     REQUIRE(again.status == 0);
     json const second = json::parse(again.out);
-    CHECK(second.at("ladders") == first.at("ladders"));
+    CHECK(second.at("convergence_series") == first.at("convergence_series"));
     // or a finer one, which a busy machine may have measured to be the faster
     CHECK_THAT(second.at("for_error").at("set").get<std::string>(), ContainsSubstring("solver.tolerance=1e-0"));
-    CHECK(second.at("for_error").at("reaches") == true);
-    CHECK(second.at("for_budget").at("reaches") == false);
+    CHECK(second.at("for_error").at("target_met") == true);
+    CHECK(second.at("for_budget").at("target_met") == false);
     std::string const page = content(folder.path() / "page.md");
     CHECK_THAT(page, ContainsSubstring("# What accuracy costs in time") &&
                          ContainsSubstring("| 1e-05 | `solver.tolerance = 1e-0"));
@@ -170,10 +170,10 @@ TEST_CASE("accuracy: drives of every kind are measured, and what a scene has no 
         json const report = json::parse(done.out);
         CHECK(report.at("reference_error_mm").get<double>() < 1e-14);
         CHECK_THAT(report.at("notes").dump(), ContainsSubstring(row.note));
-        CHECK(report.at("ladders").size() == row.series_list);
-        for (auto const& series : report.at("ladders"))
+        CHECK(report.at("convergence_series").size() == row.series_list);
+        for (auto const& series : report.at("convergence_series"))
             if (series.at("study") == "tolerance")
-                for (auto const& level : series.at("rungs")) {
+                for (auto const& level : series.at("levels")) {
                     CHECK(level.at("error").get<double>() <= level.at("estimate").get<double>());
                     CHECK(level.at("missed") == 0);
                 }

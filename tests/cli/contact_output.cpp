@@ -68,8 +68,8 @@ TEST_CASE("contact: JSON text and HDF5 say the same", "[contact]")
     auto const doubles = [&](char const* name) { return hdconj::test::read(file, name).values; };
     constexpr double um = 1e3, arcmin = 60 * 180 / std::numbers::pi;
     auto const tilt = doubles("/contact/tilt"), offset = doubles("/contact/backlash_offset"),
-               clearing = doubles("/contact/clearing_offset");
-    auto const share = doubles("/contact/share"), area = doubles("/contact/contact_area"),
+               clearing = doubles("/contact/least_side_clearance");
+    auto const share = doubles("/contact/contact_fraction"), area = doubles("/contact/contact_area"),
                play = doubles("/contact/backlash");
     auto const clearance = doubles("/contact/flank_clearance");
     REQUIRE(tilt.size() == cases.size());
@@ -78,22 +78,22 @@ TEST_CASE("contact: JSON text and HDF5 say the same", "[contact]")
         json const& state = cases[i].at("state");
         CHECK(cases[i].at("tilt_deg").get<double>() == Approx(tilt[i] * arcmin / 60).margin(1e-12));
         CHECK(cases[i].at("backlash_offset_um").get<double>() == Approx(offset[i] * um).epsilon(1e-12));
-        CHECK(cases[i].at("clearing_offset_um").get<double>() == Approx(clearing[i] * um).epsilon(1e-12));
-        CHECK(state.at("share").get<double>() == Approx(share[i]).epsilon(1e-12));
+        CHECK(cases[i].at("least_side_clearance_um").get<double>() == Approx(clearing[i] * um).epsilon(1e-12));
+        CHECK(state.at("contact_fraction").get<double>() == Approx(share[i]).epsilon(1e-12));
         CHECK(state.at("contact_area_mm2").get<double>() == Approx(area[i]).epsilon(1e-12));
         CHECK(state.at("backlash_arcmin").get<double>() == Approx(play[i] * arcmin).margin(1e-9));
         CHECK(cases[i].at("closest_flank").at("clearance_um").get<double>() ==
               Approx(clearance[i] * um).epsilon(1e-12));
-        CHECK(state.at("share").get<double>() * cases[i].at("flank_area_mm2").get<double>() ==
+        CHECK(state.at("contact_fraction").get<double>() * cases[i].at("flank_area_mm2").get<double>() ==
               Approx(state.at("contact_area_mm2").get<double>()));
-        CHECK_THAT(text.out, ContainsSubstring(two_places(cases[i].at("clearing_offset_um"))));
+        CHECK_THAT(text.out, ContainsSubstring(two_places(cases[i].at("least_side_clearance_um"))));
         CHECK_THAT(text.out, ContainsSubstring(two_places(cases[i].at("closest_flank").at("clearance_um"))));
     }
     // the case with most contact is the one that map and outline are of
-    auto const shown = found.at("shown").get<std::size_t>();
+    auto const shown = found.at("written_case").get<std::size_t>();
     CHECK(std::max_element(share.begin(), share.end()) - share.begin() == static_cast<std::ptrdiff_t>(shown));
     auto const gap = doubles("/contact/map/gap");
-    CHECK(gap.size() == doubles("/contact/map/angle").size() * 2 * 3 * doubles("/contact/map/station").size());
+    CHECK(gap.size() == doubles("/contact/map/angle").size() * 2 * 3 * doubles("/contact/map/flank_position").size());
     CHECK(*std::min_element(gap.begin(), gap.end()) == Approx(0).margin(1e-9));
 }
 
@@ -132,7 +132,7 @@ TEST_CASE("contact of a drive without axial effects is one slice", "[contact]")
     json const& only = found.at("cases")[0];
     CHECK(only.at("slices").size() == 1);
     CHECK(only.at("kind") == "");
-    CHECK(std::abs(only.at("clearing_offset_um").get<double>()) <= 1e-6);
+    CHECK(std::abs(only.at("least_side_clearance_um").get<double>()) <= 1e-6);
     CHECK(std::abs(only.at("closest_flank").at("clearance_um").get<double>()) <= 1e-6);
     CHECK(only.at("state").at("teeth").get<int>() > 0);
 }
@@ -152,16 +152,17 @@ TEST_CASE("contact: --best answers for each kind and says where it looked", "[co
         CHECK(best.at("to_deg").get<double>() == Approx(0.5));
         CHECK(best.at("tilt_deg").get<double>() >= -0.5);
         CHECK(best.at("tilt_deg").get<double>() <= 0.5);
-        bool const area = best.at("what") == "area";
+        bool const area = best.at("goal") == "contact area";
         for (auto const& each : found.at("cases")) {
             if (each.at("kind") != best.at("kind"))
                 continue;
             // nothing that was computed on the way is better
             if (area) {
-                CHECK(best.at("share").get<double>() >= each.at("state").at("share").get<double>() * (1 - 1e-12));
+                CHECK(best.at("contact_fraction").get<double>() >=
+                      each.at("state").at("contact_fraction").get<double>() * (1 - 1e-12));
             } else {
-                CHECK(best.at("clearing_offset_um").get<double>() <=
-                      each.at("clearing_offset_um").get<double>() * (1 + 1e-12));
+                CHECK(best.at("least_side_clearance_um").get<double>() <=
+                      each.at("least_side_clearance_um").get<double>() * (1 + 1e-12));
             }
         }
     }
@@ -190,7 +191,7 @@ TEST_CASE("contact: a case that cannot be made is named and leaves the others as
     auto const without = contact(coned + "--surface tilted --kind radial --tilt 0,4 -o b.h5 --json", folder);
     REQUIRE(without.status == 0);
     json const alone = json::parse(without.out).at("contact").at("cases").back();
-    for (auto const* key : {"tilt_deg", "backlash_offset_um", "clearing_offset_um", "state"})
+    for (auto const* key : {"tilt_deg", "backlash_offset_um", "least_side_clearance_um", "state"})
         CHECK(alone.at(key) == cases[1].at(key));
     // none at all is an error, and leaves nothing behind
     auto const none = contact(coned + "--surface tilted --kind draft --tilt 4,5 -o none.h5", folder);

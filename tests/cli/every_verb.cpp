@@ -63,8 +63,8 @@ std::vector<ThreadedRun> const& threaded_runs()
     static std::vector<ThreadedRun> const table{
         {"contact",
          coned + "--surface tilted,ruled,per-slice --tilt 0,0.1 --revolution 3 ",
-         {"/contact/map/gap", "/contact/share", "/contact/take_up", "/contact/clearing_offset", "/contact/flank_where",
-          "/circular_spline/outline", "/circular_spline/z"}},
+         {"/contact/map/gap", "/contact/contact_fraction", "/contact/turn_to_contact", "/contact/least_side_clearance",
+          "/contact/flank_where", "/circular_spline/outline", "/circular_spline/z"}},
         {"load",
          "--set slices.count=3 --points 2 ",
          {"/load/case_000/curve/twist", "/load/case_000/map/force", "/load/case_000/map/gap", "/load/shape/u_r",

@@ -93,7 +93,7 @@ TEST_CASE("load: the curve is run as asked and JSON and HDF5 say the same", "[lo
     json const& rated = only.at("rated");
     CHECK(rated.at("torque_Nm").get<double>() == Approx(20));
     CHECK(rated.at("teeth").get<int>() > 0);
-    CHECK(rated.at("contact_share").get<double>() > 0);
+    CHECK(rated.at("contact_fraction").get<double>() > 0);
     CHECK(rated.at("largest_pressure_MPa").get<double>() > 0);
     CHECK(doubles("/load/backlash")[0] * arcmin == Approx(only.at("backlash_arcmin").get<double>()).margin(1e-9));
     auto const map = doubles("/load/case_000/map/pressure");

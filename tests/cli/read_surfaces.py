@@ -141,7 +141,7 @@ def gaps(file, points, space):
         for flank, (land, end) in enumerate(((marks[0], marks[1]), (marks[4], marks[3]))):
             if min(land, end) <= j <= max(land, end):
                 station = (length[j] - length[land]) / (length[end] - length[land])
-                found[i] = np.interp(station, contact["station"][()], contact["gap"][space, flank, k])
+                found[i] = np.interp(station, contact["flank_position"][()], contact["gap"][space, flank, k])
     return found
 
 
@@ -149,7 +149,8 @@ def fullest_spaces(file):
     """Those with the largest contact on the driving side but for rounding."""
     contact = file["contact"]
     inside = contact["map/gap"][()] <= contact.attrs["contact_gap_mm"]
-    over = np.trapz(np.trapz(inside.astype(float), contact["map/station"][()], axis=3), contact["map/z"][()], axis=2)
+    along = np.trapz(inside.astype(float), contact["map/flank_position"][()], axis=3)
+    over = np.trapz(along, contact["map/z"][()], axis=2)
     over = over[:, 1] if over[:, 1].any() else over[:, 0]
     return np.flatnonzero(over >= over.max() * (1 - 1e-9))
 
@@ -244,7 +245,7 @@ def check_stl_corners(name, corners, points):
 
 def check_ring_gaps(file, found, columns, teeth):
     """Some spaces of the ring: their gaps are those that the map has where they stand."""
-    wave_generator = file["contact/wave_generator"][file["contact"].attrs["shown"]]
+    wave_generator = file["contact/wave_generator"][file["contact"].attrs["written_case"]]
     angles = file["contact/map/angle"][()]
     count = columns // teeth
     for space in (0, 1, teeth // 3, teeth - 1):

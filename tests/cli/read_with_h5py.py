@@ -113,7 +113,8 @@ def check_contact(file):
             f"columns of {name} differ",
         )
     s, two, k, p = contact["map/gap"].shape
-    want((s, two, k, p) == (len(contact["map/angle"]), 2, len(contact["map/z"]), len(contact["map/station"])), "map")
+    lengths = (len(contact["map/angle"]), 2, len(contact["map/z"]), len(contact["map/flank_position"]))
+    want((s, two, k, p) == lengths, "map")
     mesh = file["circular_spline/surface"]
     want(mesh["points"].shape[1:] == (3,) and mesh["quads"].shape == (len(mesh["part"]), 4), "mesh")
 
@@ -134,7 +135,7 @@ def check_load(file):
             f"errors of {name} differ",
         )
         want(
-            {flanks[column].shape for column in ("force", "line_load", "pressure", "gap", "height")}
+            {flanks[column].shape for column in ("force", "line_load", "pressure", "gap", "flank_position")}
             == {(len(flanks["angle"]), 2, len(flanks["z"]))},
             f"map of {name}",
         )
@@ -149,7 +150,7 @@ def check_load(file):
         and len(shape["z"]) == len(shape["r"]),
         "cells",
     )
-    want(0 <= load.attrs["shown"] < len(cases), "shown")
+    want(0 <= load.attrs["written_case"] < len(cases), "written_case")
 
 
 def check_documented(file):

@@ -68,7 +68,7 @@ TEST_CASE("surfaces of tooth and ring are read by other programs and are the sli
     }
     TemporaryFolder const folder;
     auto study = sample::contact_study(3);
-    study.shown = 1;
+    study.written_case = 1;
     SurfaceOptions ring;
     ring.ring = true;
     write_hdf5(study, folder / "a.h5");

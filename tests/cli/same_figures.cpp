@@ -62,8 +62,9 @@ struct Results
 };
 
 /// Plays as lengths at the pitch circle: HDF5 has them as angles only.
-std::set<std::string> const plays_as_lengths = {"backlash_um", "backlash_error_um", "backlash_of_clearing_um",
-                                                "backlash_of_clearing_error_um"};
+std::set<std::string> const plays_as_lengths = {"backlash_um", "backlash_error_um",
+                                                "backlash_of_least_side_clearance_um",
+                                                "backlash_of_least_side_clearance_error_um"};
 
 /// Compares the numbers of @p object with row @p row of the columns in @p group.
 /// @returns the keys without a column
@@ -265,7 +266,9 @@ TEST_CASE("contact: text, JSON and HDF5 have the same figures and errors", "[con
         auto const& each = cases[i];
         auto const& state = each.at("state");
         std::set<std::string> const lengths = {"backlash_um", "backlash_error_um"},
-                                    of_clearing = {"backlash_of_clearing_um", "backlash_of_clearing_error_um"};
+                                    of_clearing = {"backlash_of_least_side_clearance_um",
+                                                   "backlash_of_least_side_clearance_error_um",
+                                                   "backlash_of_clearing_um", "backlash_of_clearing_error_um"};
         CHECK(compare_columns(file, "/contact", each, i) == of_clearing);
         CHECK(compare_columns(file, "/contact", state, i) == lengths);
         for (std::size_t k = 0; k < each.at("slices").size(); ++k)
@@ -273,15 +276,15 @@ TEST_CASE("contact: text, JSON and HDF5 have the same figures and errors", "[con
         auto const& closest = each.at("closest_flank");
         auto const& values = rows[2 * i];
         check_cells({values.begin() + 1, values.begin() + 9},
-                    {number(closest, "clearance_um"), number(each, "clearing_offset_um"),
-                     number(each, "backlash_of_clearing_arcmin"), number(each, "backlash_offset_um"),
+                    {number(closest, "clearance_um"), number(each, "least_side_clearance_um"),
+                     number(each, "backlash_of_least_side_clearance_arcmin"), number(each, "backlash_offset_um"),
                      number(state, "backlash_arcmin"), number(state, "backlash_um"), number(state, "teeth"),
-                     number(state, "share") * 100});
-        check_cells({values[9]}, {number(state, "share_error") * 100});
+                     number(state, "contact_fraction") * 100});
+        check_cells({values[9]}, {number(state, "contact_fraction_error") * 100});
         auto const& errors = rows[2 * i + 1];
         check_cells({errors.begin() + 1, errors.begin() + 4},
-                    {number(each, "clearance_error_um"), number(each, "clearing_offset_error_um"),
-                     number(each, "backlash_of_clearing_error_arcmin")});
+                    {number(each, "clearance_error_um"), number(each, "least_side_clearance_error_um"),
+                     number(each, "backlash_of_least_side_clearance_error_arcmin")});
         check_cells({errors.begin() + 5, errors.begin() + 7},
                     {number(state, "backlash_error_arcmin"), number(state, "backlash_error_um")});
     }
@@ -318,14 +321,14 @@ TEST_CASE("load: text, JSON and HDF5 have the same figures and errors", "[load][
         {rows[0].begin() + 1, rows[0].end()},
         {number(each, "backlash_offset_um"), number(each, "backlash_arcmin"), number(each, "first_stage_Nm_per_deg"),
          number(each, "second_stage_Nm_per_deg"), number(each, "knee_Nm"), number(rated, "twist_arcmin"),
-         number(rated, "teeth"), number(rated, "contact_share") * 100, number(rated, "near_share") * 100,
+         number(rated, "teeth"), number(rated, "contact_fraction") * 100, number(rated, "fraction_within_gap") * 100,
          number(rated, "largest_pressure_MPa"), number(rated, "largest_force_N"), number(rated, "largest_stress_MPa")});
     // the errors of the stages are the whole ones, those of the grid included
     check_cells(
         {rows[1].begin() + 2, rows[1].end()},
         {number(each, "backlash_error_arcmin"), number(each, "first_stage_error_Nm_per_deg"),
          number(each, "second_stage_error_Nm_per_deg"), number(each, "knee_error_Nm"), number(error, "twist_arcmin"),
-         number(error, "teeth"), number(error, "contact_share") * 100, number(error, "near_share") * 100,
+         number(error, "teeth"), number(error, "contact_fraction") * 100, number(error, "fraction_within_gap") * 100,
          number(error, "largest_pressure_MPa"), number(error, "largest_force_N"), number(error, "largest_stress_MPa")});
     auto const& cup = load.at("cup");
     auto const& cup_error = cup.at("error");
@@ -396,28 +399,28 @@ TEST_CASE("accuracy: text, JSON and HDF5 have the same figures", "[accuracy][fig
     };
     run("--quick --sample 0 --study tolerance --quiet -o a");
     auto const text = run("--from a/records.h5");
-    json const series = json::parse(run("--from a/records.h5 --json")).at("ladders").at(0);
+    json const series = json::parse(run("--from a/records.h5 --json")).at("convergence_series").at(0);
     auto const file = hdconj::test::open_file(folder / "a/records.h5");
-    auto const& rungs = series.at("rungs");
+    auto const& levels = series.at("levels");
     auto table = text.substr(text.find("estimate   residual"));
-    for (std::size_t i = 0; i < rungs.size(); ++i) {
-        auto const& rung = rungs[i];
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        auto const& level = levels[i];
         table = table.substr(table.find('\n') + 1);
         auto const printed = numbers_of(table.substr(0, table.find('\n')));
         REQUIRE(printed.size() >= 6);
-        check_printed(printed[0], number(rung, "value"));
-        check_printed(printed[1], number(rung, "error"));
-        check_printed(printed[2], number(rung, "estimate"));
-        check_printed(printed[3], number(rung, "residual_mm_per_rad"));
-        check_printed(printed[4], number(rung, "missed"));
-        check_printed(printed[5], number(rung, "extra"));
+        check_printed(printed[0], number(level, "value"));
+        check_printed(printed[1], number(level, "error"));
+        check_printed(printed[2], number(level, "estimate"));
+        check_printed(printed[3], number(level, "normal_speed_mm_per_rad"));
+        check_printed(printed[4], number(level, "missed"));
+        check_printed(printed[5], number(level, "extra"));
         auto const stored = [&](char const* name) {
             return hdconj::test::read(file, (std::string("/records/") + name).c_str()).values.at(i);
         };
-        CHECK(stored("value") == number(rung, "value"));
-        CHECK(std::max(stored("error"), stored("hausdorff")) == number(rung, "error"));
-        CHECK(stored("estimate") == number(rung, "estimate"));
-        CHECK(stored("residual") == number(rung, "residual_mm_per_rad"));
-        CHECK(stored("seconds") == number(rung, "median_s"));
+        CHECK(stored("value") == number(level, "value"));
+        CHECK(std::max(stored("error"), stored("hausdorff")) == number(level, "error"));
+        CHECK(stored("estimate") == number(level, "estimate"));
+        CHECK(stored("normal_speed") == number(level, "normal_speed_mm_per_rad"));
+        CHECK(stored("seconds") == number(level, "median_s"));
     }
 }

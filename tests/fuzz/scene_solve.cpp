@@ -102,10 +102,11 @@ void validate_contact(Scene scene)
     ContactStudy const study = study_contact(scene);
     finite(study.map.gap, "gap map");
     for (ContactCase const& each : study.cases) {
-        finite({each.clearing_offset, each.clearing_tip, each.clearing_root, each.state.take_up,
-                each.state.take_up_back, each.state.share, each.state.share_error, each.state.smallest_gap},
+        finite({each.least_side_clearance, each.least_tip_radius, each.least_root_clearance, each.state.turn_to_contact,
+                each.state.reverse_turn_to_contact, each.state.contact_fraction, each.state.contact_fraction_error,
+                each.state.smallest_gap},
                "contact");
-        if (!(each.state.share >= 0 && each.state.share <= 1))
+        if (!(each.state.contact_fraction >= 0 && each.state.contact_fraction <= 1))
             throw Find("a share of contact outside 0 ... 1");
     }
 }

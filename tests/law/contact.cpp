@@ -25,8 +25,8 @@ TEST_CASE("contact law: a conjugate surface clears itself in each of its slices"
             small(with(with({"circular_spline.width=7.0", "solver.tolerance=1e-7"}, coned()), sliced(5, "per-slice"))));
         ContactCase const one = only_case(scene);
         INFO(name);
-        CHECK(one.clearing_offset == 0);
-        CHECK_FALSE(one.raised);
+        CHECK(one.least_side_clearance == 0);
+        CHECK_FALSE(one.side_clearance_increased);
         REQUIRE(one.slices.size() == 5);
         for (SliceClearance const& slice : one.slices) {
             INFO("z " << slice.z << ": " << slice.flank.clearance);
@@ -106,14 +106,15 @@ TEST_CASE("contact law: the clearing offset clears and a micrometre less does no
         Scene const scene = builtin_scene(with(with({"contact.flank_points=200"}, coned()), surface));
         ContactCase const one = only_case(scene);
         INFO(to_string(one.surface) << " " << to_string(one.kind) << " " << one.tilt / degree << ": offset "
-                                    << one.clearing_offset / um);
+                                    << one.least_side_clearance / um);
         // the straight lines between conjugate end planes stay clear of the slices between them on this drive
         bool const needed = one.surface != ToothSurface::ruled;
-        CHECK((one.clearing_offset > 1 * um) == needed);
+        CHECK((one.least_side_clearance > 1 * um) == needed);
         // finer points than the program looked at
         ConedDrive drive(scene, 3);
-        contact::FlankGrid const fine = drive.flanks_to_tip(
-            {one.surface, one.kind.value_or(TiltKind::radial), one.tilt}, one.clearing_tip, one.clearing_offset, 700);
+        contact::FlankGrid const fine =
+            drive.flanks_to_tip({one.surface, one.kind.value_or(TiltKind::radial), one.tilt}, one.least_tip_radius,
+                                one.least_side_clearance, 700);
         auto const least = [&](double offset) {
             contact::FlankGrid const moved = contact::moved_into_material(fine, offset);
             double worst = 1;
@@ -128,9 +129,9 @@ TEST_CASE("contact law: the clearing offset clears and a micrometre less does no
             }
             return worst;
         };
-        CHECK(least(one.clearing_offset) >= -1e-6);
+        CHECK(least(one.least_side_clearance) >= -1e-6);
         if (needed)
-            CHECK(least(one.clearing_offset - 1 * um) < 0);
+            CHECK(least(one.least_side_clearance - 1 * um) < 0);
     }
 }
 
@@ -189,7 +190,7 @@ TEST_CASE("contact law: both flanks are alike at no torque", "[law][contact]")
                                                                       {"circular_spline.backlash_offset=0.05"}))))
                                        .state;
         INFO(shift);
-        CHECK(state.take_up == Approx(state.take_up_back).margin(1e-13));
+        CHECK(state.turn_to_contact == Approx(state.reverse_turn_to_contact).margin(1e-13));
     }
     // and with the wave generator off a tooth space one flank at an angle is the other at the opposite one
     auto const at = [](double angle) {
@@ -198,8 +199,8 @@ TEST_CASE("contact law: both flanks are alike at no torque", "[law][contact]")
             .state;
     };
     ContactState const plus = at(0.37), minus = at(-0.37);
-    CHECK(plus.take_up == Approx(minus.take_up_back).margin(1e-13));
-    CHECK(plus.take_up_back == Approx(minus.take_up).margin(1e-13));
+    CHECK(plus.turn_to_contact == Approx(minus.reverse_turn_to_contact).margin(1e-13));
+    CHECK(plus.reverse_turn_to_contact == Approx(minus.turn_to_contact).margin(1e-13));
     CHECK(plus.smallest_gap == Approx(minus.smallest_gap).margin(1e-12));
 }
 
@@ -214,9 +215,9 @@ TEST_CASE("contact law: nothing changes when the wave generator turns by one pit
     };
     ContactState const one = at(0.4), next = at(0.4 + 360.0 / 202), far = at(0.4 - 7 * 360.0 / 202);
     for (ContactState const& other : {next, far}) {
-        CHECK(other.take_up == Approx(one.take_up).margin(1e-12));
-        CHECK(other.take_up_back == Approx(one.take_up_back).margin(1e-12));
-        CHECK(other.share == Approx(one.share).margin(1e-9));
+        CHECK(other.turn_to_contact == Approx(one.turn_to_contact).margin(1e-12));
+        CHECK(other.reverse_turn_to_contact == Approx(one.reverse_turn_to_contact).margin(1e-12));
+        CHECK(other.contact_fraction == Approx(one.contact_fraction).margin(1e-9));
         CHECK(other.teeth == one.teeth);
         CHECK(other.smallest_gap == Approx(one.smallest_gap).margin(1e-11));
     }
@@ -252,10 +253,10 @@ TEST_CASE("contact law: a drive twice or a quarter as large has lengths twice or
     for (double const s : {2.0, 0.25}) {
         ContactCase const other = scaled(s);
         INFO("scale " << s);
-        CHECK(other.clearing_offset == Approx(s * one.clearing_offset).epsilon(1e-12));
-        CHECK(other.clearing_tip == Approx(s * one.clearing_tip).epsilon(1e-12));
-        CHECK(other.state.take_up == Approx(one.state.take_up).epsilon(1e-10));
-        CHECK(other.state.share == Approx(one.state.share).margin(1e-9));
+        CHECK(other.least_side_clearance == Approx(s * one.least_side_clearance).epsilon(1e-12));
+        CHECK(other.least_tip_radius == Approx(s * one.least_tip_radius).epsilon(1e-12));
+        CHECK(other.state.turn_to_contact == Approx(one.state.turn_to_contact).epsilon(1e-10));
+        CHECK(other.state.contact_fraction == Approx(one.state.contact_fraction).margin(1e-9));
         CHECK(other.state.flank_area == Approx(s * s * one.state.flank_area).epsilon(1e-10));
         for (std::size_t k = 0; k < one.slices.size(); ++k)
             CHECK(other.slices[k].flank.clearance == Approx(s * one.slices[k].flank.clearance).epsilon(1e-11));
@@ -275,15 +276,15 @@ TEST_CASE("contact law: a whole study has the same bits for 1 and 2 threads", "[
     ContactStudy const one = study(1), two = study(2);
     REQUIRE(one.cases.size() == two.cases.size());
     CHECK(one.cases.size() == 4);
-    CHECK(one.shown == two.shown);
+    CHECK(one.written_case == two.written_case);
     CHECK(one.map.gap == two.map.gap);
     CHECK(one.solution.circular_spline.outline == two.solution.circular_spline.outline);
     for (std::size_t i = 0; i < one.cases.size(); ++i) {
-        CHECK(one.cases[i].clearing_offset == two.cases[i].clearing_offset);
-        CHECK(one.cases[i].clearing_root == two.cases[i].clearing_root);
-        CHECK(one.cases[i].state.take_up == two.cases[i].state.take_up);
+        CHECK(one.cases[i].least_side_clearance == two.cases[i].least_side_clearance);
+        CHECK(one.cases[i].least_root_clearance == two.cases[i].least_root_clearance);
+        CHECK(one.cases[i].state.turn_to_contact == two.cases[i].state.turn_to_contact);
         CHECK(one.cases[i].state.contact_area == two.cases[i].state.contact_area);
-        CHECK(one.cases[i].state.share_error == two.cases[i].state.share_error);
+        CHECK(one.cases[i].state.contact_fraction_error == two.cases[i].state.contact_fraction_error);
         for (std::size_t k = 0; k < one.cases[i].slices.size(); ++k) {
             CHECK(one.cases[i].slices[k].flank.clearance == two.cases[i].slices[k].flank.clearance);
             CHECK(one.cases[i].slices[k].root.clearance == two.cases[i].slices[k].root.clearance);

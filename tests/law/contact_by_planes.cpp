@@ -46,7 +46,7 @@ TEST_CASE("area by planes: cells between slices come to the same area within the
         double const error = std::abs(state.contact_area - reference.area());
         INFO(slices << " slices: " << state.contact_area << " against " << reference.area() << " +- "
                     << reference.error());
-        CHECK(error <= state.share_error * state.flank_area);
+        CHECK(error <= state.contact_fraction_error * state.flank_area);
         // what the study calls a reference
         CHECK(reference.error() <= error / 100);
     }
@@ -58,7 +58,8 @@ TEST_CASE("area by planes: planes that are all alike have the area of one of the
     contact::AreaByPlanes const found = contact::contact_by_planes(scene, 9);
     ContactState const state = study_contact(scene).cases.front().state;
     CHECK(found.across == Approx(0).margin(1e-12));
-    CHECK(found.area() == Approx(state.contact_area).margin(state.share_error_along * state.flank_area + found.along));
+    CHECK(found.area() ==
+          Approx(state.contact_area).margin(state.fraction_error_along * state.flank_area + found.along));
     CHECK_THROWS_AS(contact::contact_by_planes(builtin_scene({"circular_spline.backlash_offset=0.005"}), 9),
                     InputError);
 }

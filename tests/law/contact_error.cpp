@@ -40,12 +40,13 @@ TEST_CASE("contact law: clearance and share do not depend on how many points the
     REQUIRE(many.backlash_offset > 3 * um);
     for (int const points : {50, 73, 200}) {
         ContactCase const few = only_case(with(drive, resolution(3, points, "per-slice")));
-        INFO(points << " points: " << few.backlash_offset / um << " um, " << few.state.share << " +- "
-                    << few.state.share_error);
-        // the pointed minimum lies between any of these; clearing_accuracy() of both
+        INFO(points << " points: " << few.backlash_offset / um << " um, " << few.state.contact_fraction << " +- "
+                    << few.state.contact_fraction_error);
+        // the pointed minimum lies between any of these; clearance_accuracy() of both
         CHECK(few.backlash_offset == Approx(many.backlash_offset).margin(2 * 0x1p-6 * 1e-6));
-        CHECK(few.state.share == Approx(many.state.share).margin(few.state.share_error));
-        CHECK(std::abs(few.state.share - many.state.share) < 1e-3 * many.state.share);
+        CHECK(few.state.contact_fraction ==
+              Approx(many.state.contact_fraction).margin(few.state.contact_fraction_error));
+        CHECK(std::abs(few.state.contact_fraction - many.state.contact_fraction) < 1e-3 * many.state.contact_fraction);
     }
 }
 
@@ -60,11 +61,12 @@ TEST_CASE("contact law: the stated error of a share bounds its distance to that 
         ContactState const fine = only_case(with(coned(row.shift), resolution(row.fine, 100, row.surface))).state;
         for (int const slices : {2, 3}) {
             ContactState const coarse = only_case(with(coned(row.shift), resolution(slices, 50, row.surface))).state;
-            INFO(row.surface << ", " << slices << " slices: " << coarse.share << " +- " << coarse.share_error
-                             << ", finer " << fine.share << " +- " << fine.share_error);
-            CHECK(std::abs(coarse.share - fine.share) <= coarse.share_error);
-            CHECK(coarse.share_error > fine.share_error);
-            CHECK(coarse.share_error < 4 * fine.share);
+            INFO(row.surface << ", " << slices << " slices: " << coarse.contact_fraction << " +- "
+                             << coarse.contact_fraction_error << ", finer " << fine.contact_fraction << " +- "
+                             << fine.contact_fraction_error);
+            CHECK(std::abs(coarse.contact_fraction - fine.contact_fraction) <= coarse.contact_fraction_error);
+            CHECK(coarse.contact_fraction_error > fine.contact_fraction_error);
+            CHECK(coarse.contact_fraction_error < 4 * fine.contact_fraction);
         }
     }
     // planes that are all alike leave nothing open across
@@ -72,9 +74,9 @@ TEST_CASE("contact law: the stated error of a share bounds its distance to that 
         only_case(with({"circular_spline.backlash_offset=0.005"}, resolution(1, 100, "tilted"))).state;
     ContactState const five =
         only_case(with({"circular_spline.backlash_offset=0.005"}, resolution(5, 100, "tilted"))).state;
-    CHECK(five.share == Approx(one.share).epsilon(1e-12));
-    CHECK(five.share_error == Approx(one.share_error).epsilon(1e-6));
-    CHECK(one.share_error < 1e-3 * one.share);
+    CHECK(five.contact_fraction == Approx(one.contact_fraction).epsilon(1e-12));
+    CHECK(five.contact_fraction_error == Approx(one.contact_fraction_error).epsilon(1e-6));
+    CHECK(one.contact_fraction_error < 1e-3 * one.contact_fraction);
 }
 
 TEST_CASE("contact law: the stated error of every figure bounds its distance to a run many times finer",
@@ -134,18 +136,19 @@ TEST_CASE("contact law: the stated error of every figure bounds its distance to 
             check("root clearance of a slice", own.root.clearance, own.root_error, same.root.clearance,
                   same.root_error);
         }
-        check("clearing offset", coarse.clearing_offset, coarse.clearing_offset_error, fine.clearing_offset,
-              fine.clearing_offset_error);
-        check("clearing tip", coarse.clearing_tip, coarse.clearing_tip_error, fine.clearing_tip,
-              fine.clearing_tip_error);
-        check("clearing root", coarse.clearing_root, coarse.clearing_root_error, fine.clearing_root,
-              fine.clearing_root_error);
-        check("play of clearing", coarse.backlash_of_clearing, coarse.backlash_of_clearing_error,
-              fine.backlash_of_clearing, fine.backlash_of_clearing_error);
-        check("take-up", coarse.state.take_up, coarse.state.take_up_error, fine.state.take_up,
-              fine.state.take_up_error);
-        check("take-up back", coarse.state.take_up_back, coarse.state.take_up_back_error, fine.state.take_up_back,
-              fine.state.take_up_back_error);
+        check("clearing offset", coarse.least_side_clearance, coarse.least_side_clearance_error,
+              fine.least_side_clearance, fine.least_side_clearance_error);
+        check("clearing tip", coarse.least_tip_radius, coarse.least_tip_radius_error, fine.least_tip_radius,
+              fine.least_tip_radius_error);
+        check("clearing root", coarse.least_root_clearance, coarse.least_root_clearance_error,
+              fine.least_root_clearance, fine.least_root_clearance_error);
+        check("play of clearing", coarse.backlash_of_least_side_clearance,
+              coarse.backlash_of_least_side_clearance_error, fine.backlash_of_least_side_clearance,
+              fine.backlash_of_least_side_clearance_error);
+        check("take-up", coarse.state.turn_to_contact, coarse.state.turn_to_contact_error, fine.state.turn_to_contact,
+              fine.state.turn_to_contact_error);
+        check("take-up back", coarse.state.reverse_turn_to_contact, coarse.state.reverse_turn_to_contact_error,
+              fine.state.reverse_turn_to_contact, fine.state.reverse_turn_to_contact_error);
         check("play", coarse.state.backlash(), coarse.state.backlash_error(), fine.state.backlash(),
               fine.state.backlash_error());
         check("smallest gap", coarse.state.smallest_gap, coarse.state.smallest_gap_error, fine.state.smallest_gap,
@@ -163,9 +166,10 @@ TEST_CASE("contact law: the stated error of every figure bounds its distance to 
         CHECK(coarse.state.teeth <= coarse.state.teeth_most);
         CHECK(coarse.state.teeth_least <= fine.state.teeth);
         CHECK(fine.state.teeth <= coarse.state.teeth_most);
-        INFO(told << ": share " << coarse.state.share << " +- " << coarse.state.share_error << ", finer "
-                  << fine.state.share << " +- " << fine.state.share_error);
-        CHECK(std::abs(coarse.state.share - fine.state.share) <= coarse.state.share_error + fine.state.share_error);
+        INFO(told << ": share " << coarse.state.contact_fraction << " +- " << coarse.state.contact_fraction_error
+                  << ", finer " << fine.state.contact_fraction << " +- " << fine.state.contact_fraction_error);
+        CHECK(std::abs(coarse.state.contact_fraction - fine.state.contact_fraction) <=
+              coarse.state.contact_fraction_error + fine.state.contact_fraction_error);
         INFO(told << ": flanks " << coarse.state.flank_area << " +- " << coarse.state.flank_area_error << ", finer "
                   << fine.state.flank_area << " +- " << fine.state.flank_area_error);
         CHECK(std::abs(coarse.state.flank_area - fine.state.flank_area) <=
@@ -190,10 +194,10 @@ TEST_CASE("contact law: a clearance that opens more slowly than its wall is move
     ContactCase const fine = cleared("1e-8");
     for (std::string const tolerance : {"1e-6", "4e-6", "1e-5", "2e-5", "4e-5"}) {
         ContactCase const coarse = cleared(tolerance);
-        INFO(tolerance << ": " << coarse.clearing_root / um << " +- " << coarse.clearing_root_error / um
-                       << " um, finer " << fine.clearing_root / um);
-        CHECK(std::abs(coarse.clearing_root - fine.clearing_root) <=
-              coarse.clearing_root_error + fine.clearing_root_error);
+        INFO(tolerance << ": " << coarse.least_root_clearance / um << " +- " << coarse.least_root_clearance_error / um
+                       << " um, finer " << fine.least_root_clearance / um);
+        CHECK(std::abs(coarse.least_root_clearance - fine.least_root_clearance) <=
+              coarse.least_root_clearance_error + fine.least_root_clearance_error);
     }
 }
 
@@ -204,10 +208,10 @@ TEST_CASE("contact law: a tooth that touches between two planes is told by the e
     ContactCase const fine = only_case(with(drive, resolution(17, 50, "tilted")));
     for (int const slices : {2, 3, 4}) {
         ContactCase const coarse = only_case(with(drive, resolution(slices, 50, "tilted")));
-        INFO(slices << ": " << coarse.clearing_offset / um << " +- " << coarse.clearing_offset_error / um << ", finer "
-                    << fine.clearing_offset / um);
-        CHECK(std::abs(coarse.clearing_offset - fine.clearing_offset) <=
-              coarse.clearing_offset_error + fine.clearing_offset_error);
+        INFO(slices << ": " << coarse.least_side_clearance / um << " +- " << coarse.least_side_clearance_error / um
+                    << ", finer " << fine.least_side_clearance / um);
+        CHECK(std::abs(coarse.least_side_clearance - fine.least_side_clearance) <=
+              coarse.least_side_clearance_error + fine.least_side_clearance_error);
         CHECK(std::abs(coarse.closest_flank().clearance - fine.closest_flank().clearance) <=
               coarse.clearance_error + fine.clearance_error);
     }
@@ -228,14 +232,15 @@ TEST_CASE("contact law: a tip circle that more planes lift is told by the error 
             .cases.front();
     };
     ContactCase const fine = ruled(17);
-    CHECK(ruled(2).clearing_offset == 0);
+    CHECK(ruled(2).least_side_clearance == 0);
     for (int const slices : {2, 3, 5}) {
         ContactCase const coarse = ruled(slices);
-        INFO(slices << " slices: " << coarse.clearing_tip << " +- " << coarse.clearing_tip_error << ", finer "
-                    << fine.clearing_tip << " +- " << fine.clearing_tip_error);
-        CHECK(fine.clearing_tip - coarse.clearing_tip > 0.3 * um);
-        CHECK(fine.clearing_tip - coarse.clearing_tip <= coarse.clearing_tip_error + fine.clearing_tip_error);
-        CHECK(coarse.clearing_tip_error < 2 * (fine.clearing_tip - coarse.clearing_tip));
+        INFO(slices << " slices: " << coarse.least_tip_radius << " +- " << coarse.least_tip_radius_error << ", finer "
+                    << fine.least_tip_radius << " +- " << fine.least_tip_radius_error);
+        CHECK(fine.least_tip_radius - coarse.least_tip_radius > 0.3 * um);
+        CHECK(fine.least_tip_radius - coarse.least_tip_radius <=
+              coarse.least_tip_radius_error + fine.least_tip_radius_error);
+        CHECK(coarse.least_tip_radius_error < 2 * (fine.least_tip_radius - coarse.least_tip_radius));
     }
 }
 
@@ -311,7 +316,7 @@ TEST_CASE("contact law: the written outline is that of the part whose contact is
         CHECK(study.solution.notes.empty());
         ConedDrive drive(builtin_scene(coned("mapped")), 3);
         conjugate::MatchedOutline const bare =
-            drive.maker->outline({surface, TiltKind::radial, 0}, one.clearing_tip, {1e-6, 200});
+            drive.maker->outline({surface, TiltKind::radial, 0}, one.least_tip_radius, {1e-6, 200});
         for (std::size_t k = 0; k < 3; ++k) {
             auto const first = part.outline[k].begin() + part.landmarks[3],
                        last = part.outline[k].begin() + part.landmarks[4];
@@ -335,9 +340,9 @@ TEST_CASE("contact law: a side clearance that solve looks for by itself is the o
     Keys const drive = with(with(coned(), resolution(3, 60, "tilted")), {"circular_spline.backlash_offset=\"auto\""});
     Solution const solved = solve(builtin_scene(drive));
     ContactCase const told = only_case(drive);
-    CHECK(told.clearing_offset > 60 * um);
-    CHECK(told.backlash_offset == told.clearing_offset);
-    CHECK(solved.geometry.circular_spline_inner_radius == Approx(told.clearing_tip).margin(1e-6));
+    CHECK(told.least_side_clearance > 60 * um);
+    CHECK(told.backlash_offset == told.least_side_clearance);
+    CHECK(solved.geometry.circular_spline_inner_radius == Approx(told.least_tip_radius).margin(1e-6));
 
     // how well it was found is part of what is stated of a drive that has it
     Keys const tilted = with(drive, {"tilt.kind=radial", "tilt.angle_deg=0.2"});

@@ -162,7 +162,7 @@ TEST_CASE("contact law: contact of a coned drive tends to that of the plane one"
         for (double const length : {1e2, 1e4, 1e6}) {
             ContactCase const one = only_case(builtin_scene(small(
                 with(with({"circular_spline.backlash_offset=0.002"}, sliced(3, "tilted")), coned(shift, length)))));
-            double const difference = std::abs(one.state.take_up - plane.take_up);
+            double const difference = std::abs(one.state.turn_to_contact - plane.turn_to_contact);
             INFO(shift << ", length " << length << ": " << difference);
             // no more than the change of shape over the reach: (w0 z + r u_z'...)/length over 25 mm
             CHECK(difference < 1 / (25 * length) + 1e-12);
@@ -180,14 +180,14 @@ TEST_CASE("contact law: area grows with the contact gap and is gone with it", "[
         ContactCase const one = only_case(builtin_scene(with(
             {"contact.flank_points=200", "circular_spline.backlash_offset=0.005", "contact.contact_gap=" + number(gap)},
             {})));
-        INFO("gap " << gap << ": share " << one.state.share);
-        CHECK(one.state.share >= before);
-        CHECK(one.state.share <= 1);
+        INFO("gap " << gap << ": share " << one.state.contact_fraction);
+        CHECK(one.state.contact_fraction >= before);
+        CHECK(one.state.contact_fraction <= 1);
         if (gap <= 1e-7)
-            CHECK(one.state.share < 1e-3);
+            CHECK(one.state.contact_fraction < 1e-3);
         if (gap >= 0.003)
-            CHECK(one.state.share > 0.05);
-        before = one.state.share;
+            CHECK(one.state.contact_fraction > 0.05);
+        before = one.state.contact_fraction;
     }
 }
 

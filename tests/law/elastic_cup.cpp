@@ -87,9 +87,9 @@ TEST_CASE("teeth on the elastic cup touch the outlines of their own slices and e
         CHECK(slice.flank.clearance > -1e-6);
         CHECK(slice.flank.clearance < 1e-5);
     }
-    CHECK(own.clearing_offset < 1e-6);
+    CHECK(own.least_side_clearance < 1e-6);
     // one outline cannot follow a cup that cones by a degree
-    CHECK(tilted.clearing_offset > 0.02);
+    CHECK(tilted.least_side_clearance > 0.02);
     CHECK(own.state.teeth > tilted.state.teeth);
     // amplitudes grow towards the open end, the middle has about the cam's
     CHECK(own.slices[0].amplitude < own.slices[1].amplitude);

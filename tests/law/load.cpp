@@ -88,7 +88,7 @@ TEST_CASE("a torque that goes to zero leaves the play, and grows the twist", "[l
         if (torque < 1e-2)
             CHECK(only(study).twist == Approx(half).epsilon(1e-2));
         last = only(study).twist;
-        CHECK(only(study).residual < 1e-6);
+        CHECK(only(study).gap_mismatch < 1e-6);
         CHECK(only(study).complementarity < 1e-10);
         CHECK(only(study).stiffness > 0);
     }
@@ -225,7 +225,7 @@ TEST_CASE("balls with play stand off the ring under load too", "[load][balls]")
         std::vector<double> const& force = study.cases.front().bearing.ball_force;
         CHECK(*std::min_element(force.begin(), force.end()) == 0);
         CHECK(*std::max_element(force.begin(), force.end()) > 0);
-        CHECK(only(study).residual < 1e-6);
+        CHECK(only(study).gap_mismatch < 1e-6);
         CHECK(only(study).complementarity < 1e-10);
         CHECK(only(study).wave_generator_force <
               only(study_load(quick(more), at_torque(20 * newton_metre))).wave_generator_force);
@@ -256,8 +256,9 @@ TEST_CASE("estimates bound the distance to a fine grid", "[load][errors]")
         CAPTURE(d.w0, d.wall, d.clearance, d.torque);
         REQUIRE(c.estimated);
         for (double LoadedState::*const figure :
-             {&LoadedState::twist, &LoadedState::stiffness, &LoadedState::contact_share, &LoadedState::near_share,
-              &LoadedState::largest_force, &LoadedState::wave_generator_force, &LoadedState::lobe_force}) {
+             {&LoadedState::twist, &LoadedState::stiffness, &LoadedState::contact_fraction,
+              &LoadedState::fraction_within_gap, &LoadedState::largest_force, &LoadedState::wave_generator_force,
+              &LoadedState::lobe_force}) {
             CAPTURE(only(a).*figure, only(b).*figure);
             CHECK(c.error.*figure > 0);
             CHECK(std::abs(only(a).*figure - only(b).*figure) <= c.error.*figure);
@@ -291,7 +292,7 @@ TEST_CASE("every torque of a curve has an estimate that bounds its distance to a
         CAPTURE(c.curve[i].torque, c.curve[i].twist, f.curve[i].twist);
         REQUIRE(c.curve_error[i]);
         for (double LoadedState::*const figure :
-             {&LoadedState::twist, &LoadedState::contact_share, &LoadedState::wave_generator_force})
+             {&LoadedState::twist, &LoadedState::contact_fraction, &LoadedState::wave_generator_force})
             CHECK(std::abs(c.curve[i].*figure - f.curve[i].*figure) <= (*c.curve_error[i]).*figure);
         CHECK((c.curve[i].torque == 0 || c.curve_error[i]->twist > 0));
     }
@@ -330,12 +331,13 @@ TEST_CASE("a tip circle that nobody gave does not make a load fail", "[load]")
     standard.push_back("!circular_spline.inner_radius");
     narrow.push_back("circular_spline.inner_radius=30.01");
     LoadStudy const study = study_load(quick(standard), at_torque(10 * newton_metre));
-    CHECK(study.tip_widened > 0);
-    CHECK(study.solution.geometry.circular_spline_inner_radius == Approx(30.01 + study.tip_widened).epsilon(1e-12));
-    CHECK(only(study).residual < 1e-6);
+    CHECK(study.standard_tip_increase > 0);
+    CHECK(study.solution.geometry.circular_spline_inner_radius ==
+          Approx(30.01 + study.standard_tip_increase).epsilon(1e-12));
+    CHECK(only(study).gap_mismatch < 1e-6);
     CHECK_THROWS_WITH(study_load(quick(narrow), at_torque(10 * newton_metre)),
                       ContainsSubstring("inner_radius above 30.02"));
-    CHECK(study_load(quick(), at_torque(newton_metre)).tip_widened == 0);
+    CHECK(study_load(quick(), at_torque(newton_metre)).standard_tip_increase == 0);
 }
 
 TEST_CASE("contact and load take the same part: the scene's own where nothing enters it", "[load][contact]")
@@ -360,8 +362,8 @@ TEST_CASE("contact and load take the same part: the scene's own where nothing en
         ContactCase const rigid = study_contact(quick(keys)).cases.front();
         CHECK(rigid.tip >= row.least_tip);
         CHECK(rigid.tip <= row.largest_tip);
-        CHECK(rigid.tip < rigid.clearing_tip);
-        CHECK_FALSE(rigid.raised);
+        CHECK(rigid.tip < rigid.least_tip_radius);
+        CHECK_FALSE(rigid.side_clearance_increased);
         CHECK(rigid.closest_flank().clearance > 0);
         CHECK(rigid.clearance_error < 1e-3);
         // edges that are round under load are sharp in contact; three slices know the bent cup to about a twentieth of
@@ -371,7 +373,7 @@ TEST_CASE("contact and load take the same part: the scene's own where nothing en
         LoadCase const loaded = study_load(quick(keys), at_torque(1e-4 * newton_metre)).cases.front();
         CHECK(loaded.tip == Approx(rigid.tip).epsilon(1e-12));
         CHECK(loaded.backlash_offset == rigid.backlash_offset);
-        CHECK_FALSE(loaded.raised);
+        CHECK_FALSE(loaded.side_clearance_increased);
         CHECK(loaded.backlash == Approx(rigid.state.backlash()).margin(alike));
         if (row.least_tip == row.largest_tip)
             CHECK(solve(quick(keys)).geometry.circular_spline_inner_radius == rigid.tip);

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/clearance/clearing_search.hpp"
+#include "contact/clearance/side_clearance_search.hpp"
 #include "hdconj/contact.hpp"
 #include "support/catch.hpp"
 #include "support/coned_drive.hpp"
@@ -66,7 +66,7 @@ TEST_CASE("contact law: of the part as written no tooth enters a flank, from its
         CircularSplineOutline const& spline = made.solution.circular_spline;
         ConedDrive drive(scene, 3);
         INFO(row.keys.front() << ", " << row.keys.back() << ": side clearance " << made.side_clearance
-                              << " mm, tip circle " << made.cases.front().clearing_tip << " mm");
+                              << " mm, tip circle " << made.cases.front().least_tip_radius << " mm");
         CHECK(made.side_clearance > row.at_least);
         double least = 1;
         for (std::size_t k = 0; k < 3; ++k) {

@@ -87,17 +87,17 @@ inline ContactState contact_state(double share, double play)
 {
     ContactState state;
     state.wave_generator = 0.01;
-    state.take_up = 0.6 * play;
-    state.take_up_back = 0.4 * play;
-    state.share = share;
-    state.share_error = 4e-4;
+    state.turn_to_contact = 0.6 * play;
+    state.reverse_turn_to_contact = 0.4 * play;
+    state.contact_fraction = share;
+    state.contact_fraction_error = 4e-4;
     state.contact_area = share * 915.5;
     state.contact_area_error = 0.3;
     state.teeth = static_cast<int>(300 * share);
     state.teeth_least = state.teeth - 1;
     state.teeth_most = state.teeth + 2;
-    state.take_up_error = 1e-7;
-    state.take_up_back_error = 2e-7;
+    state.turn_to_contact_error = 1e-7;
+    state.reverse_turn_to_contact_error = 2e-7;
     state.smallest_gap = 2.5e-4;
     state.smallest_gap_error = 3e-6;
     state.smallest_space = 7;
@@ -116,11 +116,11 @@ inline ContactCase contact_case(ToothSurface surface, std::optional<TiltKind> ki
     double const off = std::abs(tilt - best) / degree;
     double const offset =
         surface == ToothSurface::per_slice ? 0 : 0.009 + (kind == TiltKind::draft ? 0.14 : 0.045) * off;
-    result.clearing_offset = result.backlash_offset = offset;
-    result.raised = off > 1.5;
-    result.clearing_tip = tip_radius + (off > 1 ? 0.02 : 0);
+    result.least_side_clearance = result.backlash_offset = offset;
+    result.side_clearance_increased = off > 1.5;
+    result.least_tip_radius = tip_radius + (off > 1 ? 0.02 : 0);
     result.tip = tip_radius + (off > 1 ? 0.01 : 0);
-    result.backlash_of_clearing = 2.1 * offset / 25.25;
+    result.backlash_of_least_side_clearance = 2.1 * offset / 25.25;
     for (double const height : z) {
         SliceClearance slice;
         slice.z = height;
@@ -134,16 +134,16 @@ inline ContactCase contact_case(ToothSurface surface, std::optional<TiltKind> ki
     double const share = surface == ToothSurface::per_slice
                              ? 0.31
                              : 0.05 + 0.17 / (1 + std::pow(off / (kind == TiltKind::draft ? 0.1 : 0.35), 2));
-    result.state = contact_state(share, result.backlash_of_clearing);
+    result.state = contact_state(share, result.backlash_of_least_side_clearance);
     result.state.flank_area = 915.5;
     result.state.flank_area_error = 0.07;
     result.ruled_deviation = surface == ToothSurface::ruled ? 0.0034 : 0;
     result.clearance_error = 2e-5;
     result.root_clearance_error = 3e-5;
-    result.clearing_offset_error = 1.2e-5;
-    result.clearing_tip_error = 1e-6;
-    result.clearing_root_error = 4e-6;
-    result.backlash_of_clearing_error = 5e-7;
+    result.least_side_clearance_error = 1.2e-5;
+    result.least_tip_radius_error = 1e-6;
+    result.least_root_clearance_error = 4e-6;
+    result.backlash_of_least_side_clearance_error = 5e-7;
     result.ruled_deviation_error = surface == ToothSurface::ruled ? 1e-5 : 0;
     result.seconds = 0.11;
     return result;
@@ -164,13 +164,14 @@ inline ContactStudy contact_study(int slice_count = 9)
         study.cases.push_back(contact_case(ToothSurface::tilted, TiltKind::draft, 0.2 * i * degree, 0.21 * degree, z));
     study.cases.push_back(contact_case(ToothSurface::ruled, std::nullopt, 0, 0.05 * degree, z));
     study.cases.push_back(contact_case(ToothSurface::per_slice, std::nullopt, 0, 0, z));
-    study.shown = 3;
+    study.written_case = 3;
     for (int i = 0; i < 5; ++i)
         study.cases[3].revolution.push_back(contact_state(0.19 + 0.01 * i, 0.002));
     study.best = {
-        {"area", TiltKind::radial, 0.77 * degree, 1e-4 * degree, 0.22, 0.004, false, 0, 2 * degree},
-        {"clearing offset", TiltKind::radial, 0.77 * degree, 1e-4 * degree, 0.009, 1e-5, false, 0, 2 * degree},
-        {"area", TiltKind::draft, 0.21 * degree, 1e-4 * degree, 0.22, 0.004, true, 0, 2 * degree}};
+        {TiltGoal::contact_area, TiltKind::radial, 0.77 * degree, 1e-4 * degree, 0.22, 0.004, false, 0, 2 * degree},
+        {TiltGoal::least_side_clearance, TiltKind::radial, 0.77 * degree, 1e-4 * degree, 0.009, 1e-5, false, 0,
+         2 * degree},
+        {TiltGoal::contact_area, TiltKind::draft, 0.21 * degree, 1e-4 * degree, 0.22, 0.004, true, 0, 2 * degree}};
     study.contact_gap = contact_gap;
     study.pitch_radius = 25;
     study.map = gap_map(z, static_cast<int>(circular_spline_teeth), 41);

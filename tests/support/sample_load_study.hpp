@@ -41,9 +41,9 @@ inline LoadedState loaded_state(TwoStages const& stages, double torque, double s
     state.stiffness = std::abs(torque) <= stages.knee ? stages.first : stages.second;
     state.teeth = static_cast<int>(58 * std::sqrt(share));
     state.contact_area = 21 * share;
-    state.contact_share = 0.023 * share;
-    state.near_share = 0.11 * std::sqrt(share);
-    state.node_share = 0.19 * share;
+    state.contact_fraction = 0.023 * share;
+    state.fraction_within_gap = 0.11 * std::sqrt(share);
+    state.carrying_fraction = 0.19 * share;
     state.largest_pressure = 1210 * std::sqrt(share);
     state.pressure_space = 61;
     state.pressure_z = -half_width;
@@ -54,9 +54,9 @@ inline LoadedState loaded_state(TwoStages const& stages, double torque, double s
     state.stress_z = -4.4;
     state.stress_r = 24.4;
     state.stress_phi = 0.1;
-    state.rounds = 4;
+    state.iterations = 4;
     state.steps = 19;
-    state.residual = 2e-7;
+    state.gap_mismatch = 2e-7;
     state.complementarity = 3e-12;
     return state;
 }
@@ -172,11 +172,11 @@ inline LoadStudy load_study(int slice_count = 9)
                    load_case(ToothSurface::tilted, TiltKind::radial, 0.2 * degree, {}, z),
                    load_case(ToothSurface::tilted, TiltKind::draft, 0.2 * degree,
                              {5.1 * minute, 120 * nm_per_degree, 240 * nm_per_degree, 11 * nm}, z)};
-    study.cases[0].raised = true;
+    study.cases[0].side_clearance_increased = true;
     study.cases[0].tip = 25.107695;
     study.cases[2].tip = 25.03;
-    study.cases[2].tip_change = 0.0827;
-    study.shown = 1;
+    study.cases[2].tip_radius_increase = 0.0827;
+    study.written_case = 1;
     study.shape = cup_shape();
     auto& cup = study.cup;
     cup.coning_major = 1.244 * degree;

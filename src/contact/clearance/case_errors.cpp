@@ -8,10 +8,10 @@
 #include <numbers>
 #include <vector>
 
-#include "clearing_search.hpp"
 #include "contact/parallel_trim.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "numeric/least_between.hpp"
+#include "side_clearance_search.hpp"
 #include "surface/moved_outline.hpp"
 
 namespace hdconj::contact {
@@ -59,7 +59,7 @@ double least_of(SliceClearances const& clearances, ClearanceSet const& set, doub
 void write_clearance_errors(ErrorPlanes const& planes, double given, double unseen, ContactCase& result)
 {
     ContactContext const& context = planes.surface.context();
-    double const enough = clearing_accuracy(context.tolerance), chord = context.tolerance.length;
+    double const enough = clearance_accuracy(context.tolerance), chord = context.tolerance.length;
     bool const both = !(context.tooth.mirror_symmetric && planes.clearances.motion(0).symmetric());
     ClearanceSet const bottom = root_set(planes.outline, context.tolerance);
     std::vector<double> const flank =
@@ -85,10 +85,10 @@ void write_clearance_errors(ErrorPlanes const& planes, double given, double unse
 /// Error of the least distance @p found by which the set must be moved to clear: what still enters between the planes,
 /// by the slope with which moving clears it.
 /// @param along  between points of the set too
-double clearing_error(ContactContext const& context, SliceClearances const& clearances, ClearanceSet const& set,
-                      double found, bool along)
+double least_clearance_error(ContactContext const& context, SliceClearances const& clearances, ClearanceSet const& set,
+                             double found, bool along)
 {
-    double const enough = clearing_accuracy(context.tolerance) + set.known;
+    double const enough = clearance_accuracy(context.tolerance) + set.known;
     double const least = least_of(clearances, set, found, along);
     double const enters = std::max(0.0, -least);
     // nothing was moved and nothing touches: the least is none
@@ -97,7 +97,7 @@ double clearing_error(ContactContext const& context, SliceClearances const& clea
     // what clears to `enough` is known to as much over the slope, wherever the search has ended
     double const step = std::max({enters, enough, context.tolerance.length});
     double const slope = (least_of(clearances, set, found + step, along) - least) / step;
-    return (enters + enough) / std::clamp(slope, flattest_clearing, 1.0);
+    return (enters + enough) / std::clamp(slope, flattest_slope, 1.0);
 }
 
 double largest_between(std::vector<double> value, double safety = numeric::smooth_function)
@@ -130,8 +130,8 @@ double further_lifted(FlankGrid const& slices, FlankGrid const& between, double 
 /// @param between  flanks of the cleared surface there, with its tip circle
 /// @param error    estimated error of the side clearance, cleared.offset [mm]
 /// @param given    least side clearance that the land was asked for with [mm]
-double clearing_tip_error(CaseSurface const& surface, CaseSurface const& finer, PartFlanks const& between,
-                          Cleared const& cleared, double error, double given)
+double least_tip_radius_error(CaseSurface const& surface, CaseSurface const& finer, PartFlanks const& between,
+                              Cleared const& cleared, double error, double given)
 {
     ContactContext const& context = surface.context();
     Scene const& scene = context.scene;
@@ -206,15 +206,15 @@ void write_errors_in(ErrorPlanes const& planes, CaseSurface const& in_slices, Su
     double const unseen = unseen_length(flanks, made.given) + chords + (anew ? overlap_at_ends(flanks, made.given) : 0);
     write_clearance_errors(planes, made.given, unseen, result);
     SliceClearances const& clearances = planes.clearances;
-    result.clearing_offset_error =
-        clearing_error(context, clearances, flank_set(planes.cleared.grid, !has_mirrored_flanks(context)),
-                       result.clearing_offset, false) +
-        unseen_length(cleared, result.clearing_offset) + chords +
-        (anew ? overlap_at_ends(cleared, result.clearing_offset) : 0);
-    result.clearing_root_error =
-        clearing_error(context, clearances, root_set(planes.outline, context.tolerance), result.clearing_root, true);
-    result.clearing_tip_error = clearing_tip_error(in_slices, planes.surface, planes.cleared, made.cleared,
-                                                   result.clearing_offset_error, made.given);
+    result.least_side_clearance_error =
+        least_clearance_error(context, clearances, flank_set(planes.cleared.grid, !has_mirrored_flanks(context)),
+                              result.least_side_clearance, false) +
+        unseen_length(cleared, result.least_side_clearance) + chords +
+        (anew ? overlap_at_ends(cleared, result.least_side_clearance) : 0);
+    result.least_root_clearance_error = least_clearance_error(
+        context, clearances, root_set(planes.outline, context.tolerance), result.least_root_clearance, true);
+    result.least_tip_radius_error = least_tip_radius_error(in_slices, planes.surface, planes.cleared, made.cleared,
+                                                           result.least_side_clearance_error, made.given);
     write_deviation(planes, made, result);
 }
 
@@ -234,7 +234,7 @@ void write_errors(CaseSurface const& surface, SliceClearances const& clearances,
         finer = finer.refined();
     SliceClearances const finer_clearances(surface.context(), finer.builder());
     conjugate::MatchedOutline const outline = finer.outline(made.tip);
-    double const most = std::max(made.given, result.clearing_offset);
+    double const most = std::max(made.given, result.least_side_clearance);
     PartFlanks const flanks = part_flanks(finer, outline, made.tip, most);
     PartFlanks const cleared = made.cleared.tip == made.tip
                                    ? flanks

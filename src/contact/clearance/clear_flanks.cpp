@@ -5,13 +5,13 @@
 #include <limits>
 #include <utility>
 
-#include "clearing_search.hpp"
 #include "contact/gap_field.hpp"
 #include "contact/study/contact_case.hpp"
 #include "contact/study/contact_study_data.hpp"
 #include "contact/study/place_teeth.hpp"
 #include "contact/study/surface_choices.hpp"
 #include "hdconj/error.hpp"
+#include "side_clearance_search.hpp"
 
 namespace hdconj::contact {
 namespace {
@@ -31,8 +31,8 @@ void lift_tip(CaseSurface const& surface, SliceClearances const& clearances, Cle
             ClearanceSet const set = flank_set(cleared.flanks.grid, !has_mirrored_flanks(context));
             // the same flanks as before, a little less of them in slices whose corners rise less
             if (clearances.worst(set, cleared.offset, clearances(set, cleared.offset)) <
-                -clearing_accuracy(context.tolerance))
-                cleared.offset = least_clearing(clearances, set, clearances(set, 0), context.tolerance);
+                -clearance_accuracy(context.tolerance))
+                cleared.offset = least_offset(clearances, set, clearances(set, 0), context.tolerance);
         });
         if (cleared.offset <= cleared.reach)
             return;
@@ -64,10 +64,10 @@ double clearance_for_assembly(CaseSurface const& surface, Cleared& cleared, doub
         }
         return smallest;
     };
-    double const enough = clearing_accuracy(context.tolerance);
+    double const enough = clearance_accuracy(context.tolerance);
     if (smallest_at(offset) >= -enough)
         return offset;
-    auto const raised = clearing_search(smallest_at, offset, enough);
+    auto const raised = side_clearance_search(smallest_at, offset, enough);
     if (!raised)
         throw NumericalError(ErrorCode::not_converged, "contact", "side clearance",
                              "did not converge with the wall's axial shift",
@@ -92,7 +92,7 @@ Cleared clear_flanks(CaseSurface const& surface, SliceClearances const& clearanc
         result.flanks = part_flanks(surface, result.outline, result.tip, 0);
         context.clock.run(Stage::clearance, [&] {
             ClearanceSet const set = flank_set(result.flanks.grid, !has_mirrored_flanks(context));
-            result.offset = least_clearing(clearances, set, clearances(set, 0), context.tolerance);
+            result.offset = least_offset(clearances, set, clearances(set, 0), context.tolerance);
         });
         if (!raise_tip(result.outline, std::max(result.offset, at_least)))
             break;
@@ -118,7 +118,7 @@ void check_as_made(CaseSurface const& surface, Cleared const& cleared)
         (void)surface.outline(nominal_tip_radius);
 }
 
-double clearing_offset_of(ContactContext const& context, surface::SurfaceSpec const& spec, bool as_made)
+double least_side_clearance_of(ContactContext const& context, surface::SurfaceSpec const& spec, bool as_made)
 {
     CaseSurface const surface(context, spec);
     Cleared const cleared = clear_flanks(surface, SliceClearances(context), 0);
@@ -127,13 +127,13 @@ double clearing_offset_of(ContactContext const& context, surface::SurfaceSpec co
     return cleared.offset;
 }
 
-ClearingNeed clearing_need(Scene const& scene)
+SideClearanceNeed side_clearance_need(Scene const& scene)
 {
     ContactStudyData data(scene, Verb::contact, {});
     CaseSurface const surface(*data.context, surface_choices(scene, {}).front());
     Cleared const cleared = clear_flanks(surface, SliceClearances(*data.context), 0);
     return {cleared.offset, cleared.tip, data.middle.geometry.circular_spline_inner_radius,
-            cleared.offset > 0 ? clearing_accuracy(data.context->tolerance) / flattest_clearing : 0};
+            cleared.offset > 0 ? clearance_accuracy(data.context->tolerance) / flattest_slope : 0};
 }
 
 Cleared nominal_part(CaseSurface const& surface, double given, double tip)
@@ -155,7 +155,7 @@ Cleared nominal_part(CaseSurface const& surface, double given, double tip)
 
 bool is_enough(ContactContext const& context, Cleared const& cleared)
 {
-    return given_clearance(context.scene) >= cleared.offset - clearing_accuracy(context.tolerance);
+    return given_clearance(context.scene) >= cleared.offset - clearance_accuracy(context.tolerance);
 }
 
 std::optional<Cleared> try_nominal_part(CaseSurface const& surface, SliceClearances const& clearances,
@@ -179,7 +179,7 @@ std::optional<Cleared> try_nominal_part(CaseSurface const& surface, SliceClearan
         if (!known)
             context.clock.run(Stage::clearance, [&] { minima = clearances(set, given); });
         bool const clears =
-            clearances.worst(set, given, known ? made->at_given : minima) >= -clearing_accuracy(context.tolerance);
+            clearances.worst(set, given, known ? made->at_given : minima) >= -clearance_accuracy(context.tolerance);
         return clears && clearance_for_assembly(surface, part, given, phases) == given ? std::optional(std::move(part))
                                                                                        : std::nullopt;
     } catch (NumericalError const& error) {

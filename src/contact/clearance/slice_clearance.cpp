@@ -4,11 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "clearing_search.hpp"
 #include "drive/drive.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/numeric/bracketed_minimum.hpp"
+#include "side_clearance_search.hpp"
 
 namespace hdconj::contact {
 
@@ -129,11 +129,11 @@ std::vector<double> SliceClearances::lowest(ClearanceSet const& set, double dist
 
 /// The clearance grows with the distance about as fast as it; false position on points that may decide, then all are
 /// asked.
-double least_clearing(SliceClearances const& clearances, ClearanceSet const& set, TurnMinima const& at_zero,
-                      Tolerance const& tolerance)
+double least_offset(SliceClearances const& clearances, ClearanceSet const& set, TurnMinima const& at_zero,
+                    Tolerance const& tolerance)
 {
     double const worst = clearances.worst(set, 0, at_zero);
-    double const enough = std::max(clearing_accuracy(tolerance), set.known);
+    double const enough = std::max(clearance_accuracy(tolerance), set.known);
     if (!(worst < -enough))
         return 0;
     // a place between two points may be less than either by half their distance
@@ -152,8 +152,8 @@ double least_clearing(SliceClearances const& clearances, ClearanceSet const& set
             return clearances.worst(set, distance, clearances(set, distance, only));
         };
     };
-    auto const guess = clearing_search(clearance_of(&wanted), -worst, enough);
-    auto const distance = guess ? clearing_search(clearance_of(nullptr), *guess, enough) : guess;
+    auto const guess = side_clearance_search(clearance_of(&wanted), -worst, enough);
+    auto const distance = guess ? side_clearance_search(clearance_of(nullptr), *guess, enough) : guess;
     if (!distance)
         throw NumericalError(ErrorCode::not_converged, "contact", "clearing offset",
                              "did not converge; the flank may be swallowed by the side clearance that it needs");

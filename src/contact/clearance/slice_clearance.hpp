@@ -86,11 +86,11 @@ class SliceClearances
     std::vector<std::unique_ptr<distance::FullTurnClearance<motion::AnyMotion>>> turns_;
 };
 
-/// Least distance by which @p set must be moved so that no tooth enters it, to clearing_accuracy() or what its points
+/// Least distance by which @p set must be moved so that no tooth enters it, to clearance_accuracy() or what its points
 /// are known to. @p at_zero: minima without.
 /// @throws NumericalError where moving it does not clear
-[[nodiscard]] double least_clearing(SliceClearances const& clearances, ClearanceSet const& set,
-                                    TurnMinima const& at_zero, Tolerance const& tolerance);
+[[nodiscard]] double least_offset(SliceClearances const& clearances, ClearanceSet const& set, TurnMinima const& at_zero,
+                                  Tolerance const& tolerance);
 
 /// The deepest place of slice @p k as a result.
 [[nodiscard]] Closest closest(SliceClearances const& clearances, ClearanceSet const& set, std::size_t k,

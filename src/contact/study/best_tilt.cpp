@@ -95,14 +95,14 @@ Found golden_section(TiltCost& cost, double low, double high, double tolerance)
 
 }  // namespace
 
-BestTilt best_tilt(std::string const& what, TiltKind kind, ContactOptions const& options, bool largest,
+BestTilt best_tilt(TiltGoal goal, TiltKind kind, ContactOptions const& options, bool largest,
                    std::function<double(double)> const& value)
 {
     constexpr int scan = 20;
     constexpr double tolerance_deg = 0.005;
     double const from = options.best_from, to = options.best_to;
     BestTilt result;
-    result.what = what;
+    result.goal = goal;
     result.kind = kind;
     result.tolerance = tolerance_deg * deg;
     result.from = from;

@@ -13,7 +13,7 @@ namespace hdconj::contact {
 /// point. A tilt at which no surface can be made is no candidate, and is counted.
 /// @param largest  whether the largest value is the best, or the least
 /// @throws NumericalError, that of the last one, where none can be made
-[[nodiscard]] BestTilt best_tilt(std::string const& what, TiltKind kind, ContactOptions const& options, bool largest,
+[[nodiscard]] BestTilt best_tilt(TiltGoal goal, TiltKind kind, ContactOptions const& options, bool largest,
                                  std::function<double(double)> const& value);
 
 }  // namespace hdconj::contact

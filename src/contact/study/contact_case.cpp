@@ -12,7 +12,7 @@
 
 #include "contact/clearance/case_errors.hpp"
 #include "contact/clearance/clear_flanks.hpp"
-#include "contact/clearance/clearing_search.hpp"
+#include "contact/clearance/side_clearance_search.hpp"
 #include "contact/clearance/slice_clearance.hpp"
 #include "contact/parallel_trim.hpp"
 #include "contact_state.hpp"
@@ -84,7 +84,7 @@ MadePart write_clearances(CaseSurface const& surface, SliceClearances const& cle
     context.clock.run(Stage::clearance, [&] {
         nominal.at_given = clearances(flanks, given);
         at_root = clearances(root, 0);
-        result.clearing_root = least_clearing(clearances, root, at_root, context.tolerance);
+        result.least_root_clearance = least_offset(clearances, root, at_root, context.tolerance);
     });
     for (std::size_t k = 0; k < grid.slices(); ++k)
         result.slices.push_back({grid.z[k], context.maker.motion(context.scene.coning ? k : 0).amplitude, {}, {}});
@@ -92,8 +92,8 @@ MadePart write_clearances(CaseSurface const& surface, SliceClearances const& cle
         result.slices[k].flank = closest(clearances, flanks, k, given, nominal.at_given[k]);
         result.slices[k].root = closest(clearances, root, k, 0, at_root[k]);
     });
-    result.clearing_offset = cleared.offset;
-    result.clearing_tip = cleared.tip;
+    result.least_side_clearance = cleared.offset;
+    result.least_tip_radius = cleared.tip;
     context.clock.run(Stage::clearance, [&] {
         write_errors(surface, clearances,
                      {cleared, part.outline, part.flanks, part.tip, given, nominal.at_given, at_root}, result);
@@ -123,7 +123,7 @@ void write_states(PhaseWork work, std::vector<double> const& phases, FlankGrid c
         work.phase = phase;
         ContactState const state = contact_state(work, used, map != nullptr ? &gaps : nullptr);
         result.revolution.push_back(state);
-        if (state.share < result.revolution[least].share)
+        if (state.contact_fraction < result.revolution[least].contact_fraction)
             least = result.revolution.size() - 1;
         if (map != nullptr && least == result.revolution.size() - 1)
             *map = std::move(gaps);
@@ -134,17 +134,17 @@ void write_states(PhaseWork work, std::vector<double> const& phases, FlankGrid c
 /// Play that the side clearance @p clearing alone would make.
 /// @param floor  no gap of a full turn is smaller [mm]
 /// @param lever  see PhaseWork
-void write_play_of_clearing(CaseSurface const& surface, Cleared const& cleared, double clearing, double floor,
-                            double lever, ContactCase& result)
+void write_least_backlash(CaseSurface const& surface, Cleared const& cleared, double clearing, double floor,
+                          double lever, ContactCase& result)
 {
     ContactContext const& context = surface.context();
     FlankGrid const flanks = moved_into_material(cleared.flanks.grid, clearing);
     RefinedFlanks finer(surface, cleared.flanks.grid, flanks, cleared.tip, clearing);
     PlayEstimate const found = play({context, finer, phase_of(context.scene, context.request.wave_generator),
-                                     result.clearing_offset_error, floor, lever},
+                                     result.least_side_clearance_error, floor, lever},
                                     flanks);
-    result.backlash_of_clearing = found.turn;
-    result.backlash_of_clearing_error = found.error;
+    result.backlash_of_least_side_clearance = found.turn;
+    result.backlash_of_least_side_clearance_error = found.error;
 }
 
 /// Contact of @p part after take-up, at all phases, and the play that clearing alone would make.
@@ -157,27 +157,27 @@ void write_contact(CaseSurface const& surface, Cleared const& part, Cleared cons
     bool const automatic = scene.circular_spline.automatic_backlash;
     double const given = given_clearance(scene);
     FlankGrid const& grid = part.flanks.grid;
-    result.raised = !automatic && result.backlash_offset > given;
+    result.side_clearance_increased = !automatic && result.backlash_offset > given;
     FlankGrid const used = moved_into_material(grid, result.backlash_offset);
     RefinedFlanks finer(surface, grid, used, part.tip, result.backlash_offset);
     // a side clearance that is given is what it is
     bool const as_given = result.backlash_offset == given && !automatic;
     double const chords = finer.solved_anew() && grid.slices() > 1 ? 2 * context.tolerance.length : 0;
     double const off =
-        as_given ? chords + (chords > 0 ? overlap_at_ends(grid, given) : 0) : result.clearing_offset_error;
+        as_given ? chords + (chords > 0 ? overlap_at_ends(grid, given) : 0) : result.least_side_clearance_error;
     // full turns are those of the sections only where these have a series
     bool const turns_tell = !scene.maps_axial_shift() || grid.slices() == 1 || context.maker.follows_sections();
     constexpr double unknown = -std::numeric_limits<double>::infinity();
-    double const floor_of_clearing = turns_tell ? -result.clearing_offset_error : unknown;
+    double const floor_of_search = turns_tell ? -result.least_side_clearance_error : unknown;
     double const floor =
-        turns_tell && as_given ? result.closest_flank().clearance - result.clearance_error : floor_of_clearing;
+        turns_tell && as_given ? result.closest_flank().clearance - result.clearance_error : floor_of_search;
     double const lever = largest_lever(used);
     write_states({context, finer, phases.front(), off, floor, lever}, phases, used, map, result);
     if (clearing == result.backlash_offset && part.tip == cleared.tip) {
-        result.backlash_of_clearing = result.state.backlash();
-        result.backlash_of_clearing_error = result.state.backlash_error();
+        result.backlash_of_least_side_clearance = result.state.backlash();
+        result.backlash_of_least_side_clearance_error = result.state.backlash_error();
     } else
-        write_play_of_clearing(surface, cleared, clearing, floor_of_clearing, lever, result);
+        write_least_backlash(surface, cleared, clearing, floor_of_search, lever, result);
 }
 
 }  // namespace
@@ -197,7 +197,7 @@ double share_of(ContactContext const& context, surface::SurfaceSpec const& spec,
         clearance_for_assembly(surface, part, is_enough(context, cleared) ? given : cleared.offset, {phase});
     FlankGrid const used = moved_into_material(part.flanks.grid, offset);
     RefinedFlanks finer(surface, part.flanks.grid, used, part.tip, offset);
-    return contact_state({context, finer, phase, 0, 0, 0, false}, used, nullptr).share;
+    return contact_state({context, finer, phase, 0, 0, 0, false}, used, nullptr).contact_fraction;
 }
 
 ContactCase contact_case(ContactContext const& context, surface::SurfaceSpec const& spec, int revolution, GapMap* map)
@@ -215,10 +215,10 @@ ContactCase contact_case(ContactContext const& context, surface::SurfaceSpec con
     std::optional<Cleared> nominal = try_nominal_part(surface, clearances, cleared, phases, &made);
     Cleared& part = nominal ? *nominal : cleared;
     result.tip = part.tip;
-    result.backlash_offset =
-        clearance_for_assembly(surface, part, is_enough(context, cleared) ? given : result.clearing_offset, phases);
+    result.backlash_offset = clearance_for_assembly(
+        surface, part, is_enough(context, cleared) ? given : result.least_side_clearance, phases);
     // what clears the slices but not the sections there has no play: as much is added as there
-    double const clearing = clearance_for_assembly(surface, cleared, result.clearing_offset, {phases.front()});
+    double const clearing = clearance_for_assembly(surface, cleared, result.least_side_clearance, {phases.front()});
     write_contact(surface, part, cleared, clearing, phases, map, result);
     if (revolution == 0)
         result.revolution.clear();

@@ -26,20 +26,21 @@ struct FlankSurface
                                          bool clearing = false);
 
 /// What a scene's surface needs so that no slice is entered over a full turn.
-struct ClearingNeed
+struct SideClearanceNeed
 {
     double offset = 0;              ///< side clearance [mm]
     double tip = 0;                 ///< tip circle [mm]
     double nominal_tip_radius = 0;  ///< what it is without
-    double error = 0;               ///< bound of the offset's: clearing_accuracy() over the least slope [mm]
+    double error = 0;               ///< bound of the offset's: clearance_accuracy() over the least slope [mm]
 };
-[[nodiscard]] ClearingNeed clearing_need(Scene const& scene);
+[[nodiscard]] SideClearanceNeed side_clearance_need(Scene const& scene);
 
 /// The share of this surface alone, without errors, for searches: ContactCase::state's, the same bits.
 /// @param as_made  the surface must also exist with the tip circle that the scene gives, as contact_case() asks
 [[nodiscard]] double share_of(ContactContext const& context, surface::SurfaceSpec const& spec, bool as_made);
 
 /// The least side clearance of this surface alone, for searches.
-[[nodiscard]] double clearing_offset_of(ContactContext const& context, surface::SurfaceSpec const& spec, bool as_made);
+[[nodiscard]] double least_side_clearance_of(ContactContext const& context, surface::SurfaceSpec const& spec,
+                                             bool as_made);
 
 }  // namespace hdconj::contact

@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "conjugate/plane/plane_motion.hpp"
-#include "contact/clearance/clearing_search.hpp"
+#include "contact/clearance/side_clearance_search.hpp"
 #include "contact/contact_area.hpp"
 #include "contact/gap_field.hpp"
 #include "contact/open_gaps.hpp"
 #include "contact/resolved_area.hpp"
-#include "contact/take_up.hpp"
+#include "contact/turn_to_contact.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "place_teeth.hpp"
 
@@ -50,7 +50,7 @@ struct Turned
 {
     GapMap rest;           ///< before
     SmallestGap smallest;  ///< before
-    double take_up = 0, take_up_back = 0;
+    double turn_to_contact = 0, reverse_turn_to_contact = 0;
 };
 
 Turned turned(ContactContext const& context, GapField const& field)
@@ -59,12 +59,12 @@ Turned turned(ContactContext const& context, GapField const& field)
     context.clock.run(Stage::gap_map, [&] { result.rest = field.map(0, context.threads); });
     double const pitch = 2 * std::numbers::pi / context.scene.drive.circular_spline_teeth;
     context.clock.run(Stage::contact, [&] {
-        double const touches = clearing_accuracy(context.tolerance);
-        TakeUp const right = take_up(field, result.rest, GapMap::right, pitch, context.threads, touches);
-        TakeUp const left = take_up(field, result.rest, GapMap::left, pitch, context.threads, touches);
+        double const touches = clearance_accuracy(context.tolerance);
+        TurnToContact const right = turn_to_contact(field, result.rest, GapMap::right, pitch, context.threads, touches);
+        TurnToContact const left = turn_to_contact(field, result.rest, GapMap::left, pitch, context.threads, touches);
         result.smallest = left.at_rest.gap < right.at_rest.gap ? left.at_rest : right.at_rest;
-        result.take_up = right.turn;
-        result.take_up_back = left.turn;
+        result.turn_to_contact = right.turn;
+        result.reverse_turn_to_contact = left.turn;
     });
     return result;
 }
@@ -111,11 +111,11 @@ PlayEstimate play(PhaseWork const& work, FlankGrid const& grid)
     auto const places = context.places(context, work.phase);
     GapField const field(context.tooth, grid, *places, z_f, z_c, work.phase);
     Turned const free = turned(context, field);
-    PlayEstimate result{free.take_up + free.take_up_back, 0};
+    PlayEstimate result{free.turn_to_contact + free.reverse_turn_to_contact, 0};
     context.clock.run(Stage::contact, [&] {
-        double const limit = context.request.gap, off = clearing_accuracy(context.tolerance) + work.off;
+        double const limit = context.request.gap, off = clearance_accuracy(context.tolerance) + work.off;
         for (int const flank : {static_cast<int>(GapMap::right), static_cast<int>(GapMap::left)}) {
-            double const turn = flank == GapMap::right ? free.take_up : -free.take_up_back;
+            double const turn = flank == GapMap::right ? free.turn_to_contact : -free.reverse_turn_to_contact;
             std::vector<std::size_t> const near_by =
                 spaces_near(field.map(turn, context.threads), flank, limit + 0.5 * field.spacing());
             int const parts = work.finer.parts(near_by.size());
@@ -141,13 +141,13 @@ ContactState contact_state(PhaseWork const& work, FlankGrid const& grid, GapMap*
     Turned const free = turned(context, field);
     ContactState state;
     state.wave_generator = phase == 0 ? 0.0 : -phase * conjugate::tooth_ratio(scene);
-    state.take_up = free.take_up;
-    state.take_up_back = free.take_up_back;
+    state.turn_to_contact = free.turn_to_contact;
+    state.reverse_turn_to_contact = free.reverse_turn_to_contact;
     state.smallest_gap = free.smallest.gap;
     state.smallest_z = grid.z[free.smallest.where.slice];
     state.smallest_space = static_cast<int>(free.smallest.where.space) - (z_c - 1) / 2;
     context.clock.run(Stage::contact, [&] {
-        GapMap touching = state.take_up == 0 ? free.rest : field.map(state.take_up, context.threads);
+        GapMap touching = state.turn_to_contact == 0 ? free.rest : field.map(state.turn_to_contact, context.threads);
         double const limit = context.request.gap;
         double const few = limit + 0.5 * field.spacing();
         std::vector<std::size_t> const near_by = spaces_near(touching, GapMap::right, few);
@@ -155,30 +155,32 @@ ContactState contact_state(PhaseWork const& work, FlankGrid const& grid, GapMap*
         FlankGrid const& fine = work.finer(parts);
         auto const fine_places = parts == 1 ? places : context.places(context, phase, fine.z);
         GapField const fine_field(context.tooth, fine, *fine_places, z_f, z_c, phase);
-        ResolvedArea const found =
-            resolved_area(fine_field, near_by, state.take_up, GapMap::right, limit, context.width, context.threads);
+        ResolvedArea const found = resolved_area(fine_field, near_by, state.turn_to_contact, GapMap::right, limit,
+                                                 context.width, context.threads);
         state.contact_area = found.area.contact;
         state.flank_area = found.area.whole;
-        state.share = found.area.share();
+        state.contact_fraction = found.area.share();
         state.teeth = found.area.spaces;
         if (!work.errors)
             return;
 
         // what the planes leave open of all that was found in them
-        double const off = clearing_accuracy(context.tolerance) + work.off;
+        double const off = clearance_accuracy(context.tolerance) + work.off;
         auto const look = [&](int flank, double turn, std::vector<std::size_t> const& spaces, double level) {
             return OpenGaps(open_gaps(fine_field, spaces, flank, turn, limit, context.threads),
                             work.finer.solved_anew(), level + limit, work.floor(turn));
         };
-        GapMap const other = state.take_up_back == 0 ? GapMap{} : field.map(-state.take_up_back, context.threads);
-        OpenGaps const right = look(GapMap::right, state.take_up, near_by, 0);
-        OpenGaps const left = look(GapMap::left, -state.take_up_back,
-                                   spaces_near(state.take_up_back == 0 ? free.rest : other, GapMap::left, few), 0);
-        state.take_up_error = right.turn_error(off);
-        state.take_up_back_error = left.turn_error(off);
+        GapMap const other =
+            state.reverse_turn_to_contact == 0 ? GapMap{} : field.map(-state.reverse_turn_to_contact, context.threads);
+        OpenGaps const right = look(GapMap::right, state.turn_to_contact, near_by, 0);
+        OpenGaps const left =
+            look(GapMap::left, -state.reverse_turn_to_contact,
+                 spaces_near(state.reverse_turn_to_contact == 0 ? free.rest : other, GapMap::left, few), 0);
+        state.turn_to_contact_error = right.turn_error(off);
+        state.reverse_turn_to_contact_error = left.turn_error(off);
         double least = std::numeric_limits<double>::infinity();
         for (int const flank : {static_cast<int>(GapMap::right), static_cast<int>(GapMap::left)}) {
-            bool const known = (flank == GapMap::right ? state.take_up : state.take_up_back) == 0;
+            bool const known = (flank == GapMap::right ? state.turn_to_contact : state.reverse_turn_to_contact) == 0;
             double const level = std::max(0.0, state.smallest_gap);
             least = std::min(least, known ? (flank == GapMap::right ? right : left).least()
                                           : look(flank, 0, spaces_near(free.rest, flank, few + level), level).least());
@@ -201,16 +203,17 @@ ContactState contact_state(PhaseWork const& work, FlankGrid const& grid, GapMap*
         // where gaps bend, a patch may also be between two points and two planes
         double const cell =
             work.finer.solved_anew() && fine.slices() > 1 ? field.spacing() * (fine.z[1] - fine.z[0]) : 0;
-        state.share_error_along = found.along;
+        state.fraction_error_along = found.along;
         state.contact_area_error =
             (found.along + found.across + (lifted[0] - lifted[1])) * state.flank_area + right.missed() + cell;
         // flanks end on a tip circle that is known as the outline is, and as the side clearance by which their ends are
         // moved
         state.flank_area_error = found.whole + 2 * (context.tolerance.length + work.off) * context.width *
                                                    static_cast<double>(fine_field.spaces());
-        state.share_error = state.flank_area > 0
-                                ? (state.contact_area_error + state.share * state.flank_area_error) / state.flank_area
-                                : 0;
+        state.contact_fraction_error =
+            state.flank_area > 0
+                ? (state.contact_area_error + state.contact_fraction * state.flank_area_error) / state.flank_area
+                : 0;
         if (map != nullptr)
             *map = std::move(touching);
     });

@@ -11,7 +11,7 @@
 namespace hdconj::io {
 namespace {
 
-constexpr int records_version = 1;
+constexpr int records_version = 2;
 constexpr char const* format = "hdconj-accuracy";
 constexpr hdf5::StoredKind stored_kind{"no file of records of a study",
                                        "make one: hdconj accuracy -o DIR, then give DIR/records.h5", "records.h5"};
@@ -22,7 +22,7 @@ AccuracyOrigin origin_of(hid_t file)
             hdf5::text_of(file, "libraries")};
 }
 
-std::vector<StudyRecord> records_of(hid_t file)
+std::vector<StudyRecord> records_of(hid_t file, bool format_1)
 {
     hdf5::Group const place(H5Gopen2(file, "records", H5P_DEFAULT), "open the records");
     std::vector<StudyRecord> records(hdf5::texts_of(place, figures::record_texts().front().name).size());
@@ -34,8 +34,10 @@ std::vector<StudyRecord> records_of(hid_t file)
     for (auto const& [name, member] : figures::record_texts())
         fill(hdf5::texts_of(place, name),
              [at = member](StudyRecord& record, std::string const& text) { record.*at = text; });
-    for (auto const& [figure, set] : figures::record_figures())
-        fill(hdf5::values_of<double>(hdf5::Opened(place, figure.name, 1), H5T_NATIVE_DOUBLE), set);
+    for (auto const& [figure, set] : figures::record_figures()) {
+        char const* const name = format_1 && figure.former != nullptr ? figure.former : figure.name;
+        fill(hdf5::values_of<double>(hdf5::Opened(place, name, 1), H5T_NATIVE_DOUBLE), set);
+    }
     return records;
 }
 
@@ -50,10 +52,12 @@ AccuracyReport report_of(hid_t file, std::filesystem::path const& name)
     report.sample_refused = hdf5::number_of(file, "sample_refused");
     report.quick = hdf5::number_of(file, "quick") != 0;
     report.reference_error = hdf5::number_of<double>(file, "reference_error_mm");
-    report.reference_entry = hdf5::number_of<double>(file, "reference_entry_mm");
+    bool const format_1 = hdf5::number_of(file, "format_version") == 1;
+    report.reference_interference =
+        hdf5::number_of<double>(file, format_1 ? "reference_entry_mm" : "reference_interference_mm");
     report.seconds = hdf5::number_of<double>(file, "seconds");
     report.notes = hdf5::texts_of(file, "notes");
-    report.records = records_of(file);
+    report.records = records_of(file, format_1);
     return report;
 }
 
@@ -92,7 +96,9 @@ std::string hdf5::accuracy_bytes(StoredAccuracy const& study)
         for (auto const& column : figures::record_texts())
             records.texts(column.name, hdf5::column(report.records, column.text));
         for (auto const& [figure, set] : figures::record_figures())
-            records.numbers(figure.name, hdf5::column(report.records, figure.value), figure.unit.stored);
+            hdf5::write_named(records, {figure.name, figure.former}, [&](char const* name) {
+                records.numbers(name, hdf5::column(report.records, figure.value), figure.unit.stored);
+            });
     });
     root.texts("notes", report.notes);
     made.flush();
@@ -126,17 +132,24 @@ std::string accuracy_csv(StoredAccuracy const& study)
         text += std::string(column.name) + ",";
     for (auto const& [figure, set] : figures::record_figures())
         text += std::string(figure.name) + ",";
-    text += "version,revision,compiler_and_flags,libraries\n";
+    text += "version,revision,compiler_and_flags,libraries";
+    for (auto const& [figure, set] : figures::record_figures())
+        if (figure.former != nullptr)
+            text += std::string(",") + figure.former;
+    text += "\n";
+    auto const number = [](double value) { return value == value ? fmt::format("{}", value) : std::string(); };
     std::string const origin = io::cell(study.origin.version) + "," + io::cell(study.origin.revision) + "," +
                                io::cell(study.origin.build) + "," + io::cell(study.origin.libraries);
     for (auto const& record : study.report.records) {
         for (auto const& column : figures::record_texts())
             text += io::cell(record.*column.text) + ",";
-        for (auto const& [figure, set] : figures::record_figures()) {
-            double const value = figure.value(record);
-            text += value == value ? fmt::format("{},", value) : ",";
-        }
-        text += origin + "\n";
+        for (auto const& [figure, set] : figures::record_figures())
+            text += number(figure.value(record)) + ",";
+        text += origin;
+        for (auto const& [figure, set] : figures::record_figures())
+            if (figure.former != nullptr)
+                text += "," + number(figure.value(record));
+        text += "\n";
     }
     return text;
 }

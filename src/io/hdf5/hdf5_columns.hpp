@@ -22,16 +22,39 @@ auto column(Records const& records, Take take)
     return values;
 }
 
-/// A column of doubles, or of integers for counts and flags.
+/// A name of a column, or that of its errors: what a figure says it is, behind @p prefix.
+template <class Record>
+using NameOf = std::string (*)(figures::FigureOf<Record> const&);
+
+/// A column of doubles, or of integers for counts and flags; its former name is a link to it.
 template <class Record, class Read>
-void write_column(Writer const& place, figures::FigureOf<Record> const& figure, std::string const& name, Read read,
-                  std::vector<Record> const& records)
+void write_column(Writer const& place, figures::FigureOf<Record> const& figure, std::string const& prefix,
+                  NameOf<Record> name_of, Read read, std::vector<Record> const& records)
 {
+    std::string const name = prefix + name_of(figure);
     if (figure.kind == figures::Kind::number) {
         place.numbers(name, column(records, read), figure.unit.stored);
     } else {
         place.integers(name, column(records, [&](Record const& record) { return static_cast<int>(read(record)); }));
     }
+    if (figure.former != nullptr)
+        place.link(name, prefix + name_of(figure.under_former_name()));
+}
+
+/// A column of the values, or of the errors.
+template <class Record>
+void write_value_column(Writer const& place, figures::FigureOf<Record> const& figure,
+                        std::vector<Record> const& records, std::string const& prefix)
+{
+    write_column<Record>(
+        place, figure, prefix, [](auto const& row) { return std::string(row.name); }, figure.value, records);
+}
+template <class Record>
+void write_error_column(Writer const& place, figures::FigureOf<Record> const& figure,
+                        std::vector<Record> const& records, std::string const& prefix)
+{
+    write_column<Record>(
+        place, figure, prefix, [](auto const& row) { return row.column_of_error(); }, figure.error, records);
 }
 
 /// Columns of the errors of all figures.
@@ -41,7 +64,7 @@ void write_error_columns(Writer const& place, figures::Rows<Record> const& rows,
 {
     for (auto const& figure : rows)
         if (figure.is_in(figures::hdf5_error))
-            write_column(place, figure, prefix + figure.column_of_error(), figure.error, records);
+            write_error_column(place, figure, records, prefix);
 }
 
 /// Columns of all figures and of their errors, unless these stand apart.
@@ -51,9 +74,9 @@ void write_columns(Writer const& place, figures::Rows<Record> const& rows, std::
 {
     for (auto const& figure : rows) {
         if (figure.is_in(figures::hdf5_value))
-            write_column(place, figure, prefix + figure.name, figure.value, records);
+            write_value_column(place, figure, records, prefix);
         if (figure.is_in(figures::hdf5_error) && !figure.apart)
-            write_column(place, figure, prefix + figure.column_of_error(), figure.error, records);
+            write_error_column(place, figure, records, prefix);
     }
 }
 
@@ -61,7 +84,7 @@ void write_columns(Writer const& place, figures::Rows<Record> const& rows, std::
 template <class Record>
 void write_attributes(Writer const& place, figures::Rows<Record> const& rows, Record const& record)
 {
-    for (auto const& figure : rows) {
+    rows.for_each_name([&](auto const& figure) {
         std::string const suffix = figure.unit.attribute_suffix();
         if (figure.is_in(figures::hdf5_value) && figure.kind == figures::Kind::number)
             place.attribute(figure.name + suffix, figure.value(record));
@@ -69,7 +92,16 @@ void write_attributes(Writer const& place, figures::Rows<Record> const& rows, Re
             place.attribute(figure.name, static_cast<int>(figure.value(record)));
         if (figure.is_in(figures::hdf5_error))
             place.attribute(std::string(figure.name) + "_error" + suffix, figure.error(record));
-    }
+    });
+}
+
+/// A dataset made by @p write, which takes its name; its former name is a link to it.
+template <class Write>
+void write_named(Writer const& place, figures::Name const& name, Write write)
+{
+    write(name.now);
+    if (name.former != nullptr)
+        place.link(name.now, name.former);
 }
 
 }  // namespace hdconj::io::hdf5

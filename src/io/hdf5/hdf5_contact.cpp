@@ -57,7 +57,8 @@ void write_contact_cases(Writer const& place, std::vector<ContactCase> const& ca
 
 void write_best(Writer const& place, std::vector<BestTilt> const& best)
 {
-    place.texts("what", column(best, &BestTilt::what));
+    place.texts("goal", column(best, figures::goal_name));
+    place.texts("what", column(best, figures::former_goal_name));
     place.texts("kind", column(best, [](auto const& each) { return std::string(to_string(each.kind)); }));
     write_columns(place, figures::best_tilt_figures(), best);
     // one column for all cases, whose units differ
@@ -79,7 +80,7 @@ void write_gap_map(Writer const& place, GapMap const& map)
         throw std::logic_error("the gaps of a map do not match its spaces, slices and stations");
     place.attribute("flanks", std::vector<std::string>{"left", "right"});
     place.numbers("z", map.z, "mm");
-    place.numbers("station", map.station, "1");
+    hdf5::write_named(place, figures::flank_position, [&](char const* name) { place.numbers(name, map.station, "1"); });
     place.numbers("angle", map.angle, "rad");
     place.array("gap", shape, map.gap.data(), "mm");
 }

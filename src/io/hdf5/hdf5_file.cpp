@@ -30,7 +30,7 @@ using hdf5::column;
 using hdf5::Writer;
 
 /// Number of this layout; goes up when a reader of the old one would misread the new one.
-constexpr int format_version = 1;
+constexpr int format_version = 2;
 
 void write_provenance(Writer const& root, Solution const& solution)
 {

@@ -39,7 +39,8 @@ void write_load_map(Writer const& place, LoadMap const& map)
     write_checked(place, "line_load", shape, map.line_load, "N/mm");
     write_checked(place, "pressure", shape, map.pressure, "MPa");
     write_checked(place, "gap", shape, map.gap, "mm");
-    write_checked(place, "height", shape, map.height, "1");
+    hdf5::write_named(place, figures::flank_position_of_gap,
+                      [&](char const* name) { write_checked(place, name, shape, map.height, "1"); });
 }
 
 void write_bearing(Writer const& place, BearingMap const& bearing, int balls)
@@ -160,10 +161,14 @@ void write_measured(Writer const& place, Measurement const& measured)
     place.numbers("torque", curve.torque, "N mm");
     for (auto const& figure : figures::measured_figures()) {
         Estimate const& estimate = figure.value(found);
-        if (estimate.count > 0) {
-            place.numbers(figure.name, {estimate.value, estimate.error}, figure.unit.stored);
-            place.integers(std::string(figure.name) + "_count", {estimate.count});
-        }
+        if (estimate.count == 0)
+            continue;
+        hdf5::write_named(place, figure.name, [&](char const* name) {
+            place.numbers(name, {estimate.value, estimate.error}, figure.unit.stored);
+        });
+        place.integers(std::string(figure.name.now) + "_count", {estimate.count});
+        if (figure.name.former != nullptr)
+            place.link(figure.name.now + std::string("_count"), figure.name.former + std::string("_count"));
     }
 }
 

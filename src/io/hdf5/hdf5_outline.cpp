@@ -7,7 +7,7 @@
 namespace hdconj::io::hdf5 {
 namespace {
 
-constexpr int newest_format = 1;
+constexpr int newest_format = 2;
 
 std::vector<OutlinePiece> pieces_of(hid_t place, std::size_t points)
 {

@@ -102,6 +102,11 @@ void Writer::fill(hid_t dataset, hid_t given, void const* values, hid_t transfer
         checked(H5Dwrite(dataset, given, H5S_ALL, H5S_ALL, transfer, values), "write dataset");
 }
 
+void Writer::link(std::string const& name, std::string const& other) const
+{
+    checked(H5Lcreate_hard(place_, name.c_str(), place_, other.c_str(), H5P_DEFAULT, H5P_DEFAULT), "link a dataset");
+}
+
 void Writer::attribute(std::string const& name, std::string const& text) const
 {
     char const* const pointer = text.c_str();

@@ -67,6 +67,9 @@ class Writer
     /// Variable-length UTF-8 strings.
     void texts(std::string const& name, std::vector<std::string> const& values, char const* units = "1") const;
 
+    /// A second name of the dataset @p name, at no cost: a hard link.
+    void link(std::string const& name, std::string const& other) const;
+
     void attribute(std::string const& name, std::string const& text) const;
     void attribute(std::string const& name, std::vector<std::string> const& texts) const;
     void attribute(std::string const& name, double value) const;

@@ -146,9 +146,9 @@ std::vector<double> gaps_of(Surface const& surface, ContactStudy const& study, b
     auto const& map = study.map;
     std::array<FlankStations, 2> const flanks = {FlankStations(spline, GapMap::left),
                                                  FlankStations(spline, GapMap::right)};
-    std::vector<std::size_t> const spaces = ring
-                                                ? spaces_of(map, study.cases.at(study.shown).state.wave_generator)
-                                                : std::vector<std::size_t>{fullest_flank(map, study.contact_gap).space};
+    std::vector<std::size_t> const spaces =
+        ring ? spaces_of(map, study.cases.at(study.written_case).state.wave_generator)
+             : std::vector<std::size_t>{fullest_flank(map, study.contact_gap).space};
     std::vector<double> gaps;
     for (std::size_t i = 0; i < surface.points.size(); ++i) {
         auto const& origin = surface.origin[i];

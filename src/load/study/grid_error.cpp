@@ -21,8 +21,8 @@ LoadedState error_between(LoadedState const& a, LoadedState const& b, double saf
 {
     LoadedState d;
     for (double LoadedState::*const figure :
-         {&LoadedState::twist, &LoadedState::stiffness, &LoadedState::contact_area, &LoadedState::contact_share,
-          &LoadedState::near_share, &LoadedState::node_share, &LoadedState::largest_pressure,
+         {&LoadedState::twist, &LoadedState::stiffness, &LoadedState::contact_area, &LoadedState::contact_fraction,
+          &LoadedState::fraction_within_gap, &LoadedState::carrying_fraction, &LoadedState::largest_pressure,
           &LoadedState::largest_force, &LoadedState::wave_generator_force, &LoadedState::wave_generator_torque,
           &LoadedState::lobe_force, &LoadedState::lobe_force_across, &LoadedState::lobe_z, &LoadedState::ball_force})
         d.*figure = safety * std::abs(a.*figure - b.*figure);
@@ -33,8 +33,8 @@ LoadedState error_between(LoadedState const& a, LoadedState const& b, double saf
         for (auto const figure : figures)
             d.*figure = std::max(d.*figure, relative * std::abs(a.*figure));
     };
-    constexpr double LoadedState::*contacts[] = {&LoadedState::stiffness, &LoadedState::contact_share,
-                                                 &LoadedState::near_share, &LoadedState::largest_force,
+    constexpr double LoadedState::*contacts[] = {&LoadedState::stiffness, &LoadedState::contact_fraction,
+                                                 &LoadedState::fraction_within_gap, &LoadedState::largest_force,
                                                  &LoadedState::largest_pressure};
     std::vector<double> relative;
     for (auto const figure : contacts)
@@ -131,7 +131,7 @@ CurveErrors curve_errors(contact::ContactContext const& context, AssembledDrive 
             continue;
         }
         LoadedState error = error_between(state, loaded_state(problem, at, path->middle), safety);
-        error.twist += state.residual / context.geometry.r_m;
+        error.twist += state.gap_mismatch / context.geometry.r_m;
         error.ball_force =
             std::max(error.ball_force,
                      safety * ball_distance(curve.bearing[i], bearing_map(drive, at.state), drive.response.sectors()));

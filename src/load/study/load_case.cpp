@@ -37,7 +37,7 @@ struct SurfaceWithPlay
 {
     contact::FlankSurface surface;
     Play play;
-    bool raised = false;  ///< the side clearance is larger than the scene gives
+    bool side_clearance_increased = false;  ///< the side clearance is larger than the scene gives
 };
 
 /// The surface with the scene's side clearance or, where with that the assembled teeth press on both flanks, with the
@@ -51,16 +51,16 @@ SurfaceWithPlay surface_with_play(contact::ContactContext const& context, Assemb
     };
     contact::FlankSurface surface = contact::flank_surface(context, choice);
     std::optional<Play> play = play_in(surface);
-    bool raised = false;
+    bool side_clearance_increased = false;
     if (!automatic && !(play && width_of(*play) >= 0)) {
         double const given = surface.offset;
         surface = contact::flank_surface(context, choice, true);
-        raised = surface.offset > given;
+        side_clearance_increased = surface.offset > given;
         play = play_in(surface);
     }
     if (!play)
         refuse_assembly(context.scene, choice, surface.offset);
-    return {std::move(surface), *play, raised};
+    return {std::move(surface), *play, side_clearance_increased};
 }
 
 /// What is known of a case before any torque.
@@ -72,11 +72,11 @@ LoadCase assembled_case(contact::ContactContext const& context, surface::Surface
     if (choice.tilt != 0 || context.scene.tilt)
         result.kind = choice.kind;
     result.tilt = choice.tilt;
-    result.raised = assembled.raised;
+    result.side_clearance_increased = assembled.side_clearance_increased;
     result.backlash_offset = assembled.surface.offset;
     result.tip = assembled.surface.tip;
     if (!context.scene.circular_spline.automatic_backlash)
-        result.tip_change = assembled.surface.tip - context.maker.nominal_tip(choice).radius;
+        result.tip_radius_increase = assembled.surface.tip - context.maker.nominal_tip(choice).radius;
     result.backlash = width_of(assembled.play);
     return result;
 }

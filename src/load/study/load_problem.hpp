@@ -55,9 +55,9 @@ struct LoadedDrive
     std::vector<FlankContact> contacts;
     Eigen::MatrixXd forces;  ///< on the stations of the cup
     LoadedShape shape;
-    double residual = 0;  ///< largest difference between the gaps of the shape and those of the linear model [mm]
-    int iterations = 0;   ///< of the shape
-    int steps = 0;        ///< of the active set, in all iterations
+    double gap_mismatch = 0;  ///< largest difference between the gaps of the shape and those of the linear model [mm]
+    int iterations = 0;       ///< of the shape
+    int steps = 0;            ///< of the active set, in all iterations
 };
 
 /// Figures of a drive in equilibrium. @param middle  turn from which the twist counts [rad]

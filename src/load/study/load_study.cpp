@@ -61,8 +61,8 @@ void add_cases(contact::ContactContext const& context, DrivePair const& drives, 
             SolvedCase solved = load_case(context, drives, surfaces[i], torques, told);
             study.cases.push_back(std::move(solved.result));
             std::size_t const last = study.cases.size() - 1;
-            if (last == 0 || rated_pressure(study.cases[last]) < rated_pressure(study.cases[study.shown])) {
-                study.shown = last;
+            if (last == 0 || rated_pressure(study.cases[last]) < rated_pressure(study.cases[study.written_case])) {
+                study.written_case = last;
                 study.shape = cup_shape(drives.fine.model, solved.field, context.threads);
             }
         } catch (NumericalError const& error) {

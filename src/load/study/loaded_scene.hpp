@@ -18,7 +18,7 @@ namespace hdconj::load {
 struct LoadedDriveData
 {
     std::unique_ptr<contact::ContactStudyData> data;  ///< owns the scene
-    double tip_widened = 0;                           ///< LoadStudy::tip_widened [mm]
+    double standard_tip_increase = 0;                 ///< LoadStudy::standard_tip_increase [mm]
 };
 
 /// Where the scene gives no tip circle and the standard one, made for a ring that does not cone, leaves no land, the

@@ -134,7 +134,7 @@ contact::ContactArea near_area(LoadProblem const& problem, contact::GapField con
 }
 
 /// Fraction of the flanks of one side whose gap in the loaded shape is no larger than the contact gap.
-double near_share(LoadProblem const& problem, LoadedDrive const& loaded, int flank)
+double fraction_within_gap(LoadProblem const& problem, LoadedDrive const& loaded, int flank)
 {
     contact::GapField const field = gap_field(problem, loaded.shape, problem.flanks);
     FlankSearch const search = flank_search(problem, loaded.state.turn, 0);
@@ -181,10 +181,10 @@ void enter_flanks(LoadProblem const& problem, LoadedDrive const& loaded, LoadedS
         state.largest_force = std::max({state.largest_force, on_tooth[0], on_tooth[1]});
     }
     state.teeth = static_cast<int>(carrying) * problem.drive.response.sectors();
-    state.node_share = static_cast<double>(nodes) / static_cast<double>(spaces * t.slices);
+    state.carrying_fraction = static_cast<double>(nodes) / static_cast<double>(spaces * t.slices);
     state.contact_area = pressed_area(problem, t, side);
-    state.contact_share = state.contact_area / flank_area(problem, side);
-    state.near_share = near_share(problem, loaded, static_cast<int>(side));
+    state.contact_fraction = state.contact_area / flank_area(problem, side);
+    state.fraction_within_gap = fraction_within_gap(problem, loaded, static_cast<int>(side));
 }
 
 /// Force and torque of the wave generator. A surface that is pressed on rises by its slope per radian that it turns:
@@ -236,9 +236,9 @@ LoadedState loaded_state(LoadProblem const& problem, LoadedDrive const& loaded, 
     state.torque = loaded.torque;
     state.twist = loaded.state.turn - middle;
     state.stiffness = loaded.state.stiffness;
-    state.rounds = loaded.iterations;
+    state.iterations = loaded.iterations;
     state.steps = loaded.steps;
-    state.residual = loaded.residual;
+    state.gap_mismatch = loaded.gap_mismatch;
     state.complementarity = loaded.state.complementarity;
     enter_flanks(problem, loaded, state);
     enter_wave_generator(problem, loaded.state, state);

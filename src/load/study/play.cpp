@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/take_up.hpp"
+#include "contact/turn_to_contact.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/error.hpp"
 
@@ -65,8 +65,8 @@ std::optional<Play> play_of(LoadProblem const& problem, LoadedShape const& shape
     double const pitch = 2 * std::numbers::pi / drive.circular_spline_teeth;
     double const touches = model_accuracy * drive.module;
     try {
-        Play const play{contact::take_up(field, rest, GapMap::right, pitch, threads, touches).turn,
-                        contact::take_up(field, rest, GapMap::left, pitch, threads, touches).turn};
+        Play const play{contact::turn_to_contact(field, rest, GapMap::right, pitch, threads, touches).turn,
+                        contact::turn_to_contact(field, rest, GapMap::left, pitch, threads, touches).turn};
         return width_of(play) < 0 ? play : touches_about(problem, field, middle_of(play));
     } catch (NumericalError const& error) {
         if (error.code() != ErrorCode::no_contact && error.code() != ErrorCode::not_converged)

@@ -185,7 +185,7 @@ AttemptResult attempted(LoadProblem const& problem, double torque, Attempt const
         if (iteration > 0) {
             double const mismatch = mismatch_of(at);
             if (!mixed && mismatch <= gap_tolerance(problem)) {
-                now.residual = mismatch;
+                now.gap_mismatch = mismatch;
                 return {std::move(now), true, mismatch};
             }
             // Only forces that were not mixed are a result: near the end every other iteration does not mix.

@@ -7,21 +7,19 @@
 namespace hdconj::report {
 namespace {
 
-constexpr int accuracy_json_version = 1;
+constexpr int accuracy_json_version = 2;
 
 Json series_object(ConvergenceSeries const& series)
 {
-    return {{"study", series.study},
-            {"drive", series.drive},
-            {"method", series.method},
-            {"knob", series.knob},
-            {"unit", series.unit},
-            {"order", number(series.order)},
-            {"floor", number(series.floor)},
-            {"no_order", series.no_order.empty() ? Json() : Json(series.no_order)},
-            {"rungs", list_of(series.levels, [](ConvergenceLevel const& level) {
-                 return figures_object(figures::level_figures(), level);
-             })}};
+    Json object = {
+        {"study", series.study},         {"drive", series.drive},
+        {"method", series.method},       {"knob", series.knob},
+        {"unit", series.unit},           {"order", number(series.order)},
+        {"floor", number(series.floor)}, {"no_order", series.no_order.empty() ? Json() : Json(series.no_order)}};
+    add(object, figures::levels, list_of(series.levels, [](ConvergenceLevel const& level) {
+            return figures_object(figures::level_figures(), level);
+        }));
+    return object;
 }
 
 Json advice_object(std::optional<accuracy::Recommendation> const& advice)
@@ -55,11 +53,11 @@ std::string summary_json(StoredAccuracy const& study, AccuracyAdvice const& advi
                     {"records", measured.records.size()}};
     report::add_figures(summary, figures::report_figures(), measured);
     if (!(measured.reference_error > 0)) {  // no study needs a reference
-        for (char const* name : {"reference_error", "reference_entry"})
-            summary[figures::report_figures()[name].json_key()] = nullptr;
+        for (char const* key : {"reference_error_mm", "reference_interference_mm", "reference_entry_mm"})
+            summary[key] = nullptr;
     }
     summary["notes"] = measured.notes;
-    summary["ladders"] = report::list_of(series_list, report::series_object);
+    report::add(summary, figures::convergence_series, report::list_of(series_list, report::series_object));
     if (advice.error)
         summary["for_error"] = report::advice_object(accuracy::fastest_within(series_list, *advice.error));
     if (advice.seconds)

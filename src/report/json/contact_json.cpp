@@ -7,20 +7,20 @@
 namespace hdconj::report {
 namespace {
 
-/// Adds the figures of @p record; angles of which the table says so also as play at the pitch circle.
+/// Adds the figures of @p record; angles of which the table says so also as a length at the pitch circle.
 template <class Record>
-Json with_play(Json object, figures::Rows<Record> const& rows, Record const& record, ContactStudy const& study)
+Json with_lengths(Json object, figures::Rows<Record> const& rows, Record const& record, ContactStudy const& study)
 {
     auto const length = [&](double angle) {
         return number(figures::unit::um.shown(figures::at_pitch_circle(angle, study)));
     };
     add_figures(object, rows, record);
-    for (auto const& figure : rows) {
-        if (!figure.as_play)
-            continue;
+    rows.for_each_name([&](auto const& figure) {
+        if (!figure.as_length)
+            return;
         object[figure.key_stem() + figures::unit::um.suffix()] = length(figure.value(record));
         object[figure.column_of_error() + figures::unit::um.suffix()] = length(figure.error(record));
-    }
+    });
     return object;
 }
 
@@ -43,10 +43,10 @@ Json closest_flank_object(ContactCase const& each)
 Json contact_case_object(ContactCase const& each, ContactStudy const& study)
 {
     auto const state_object = [&](ContactState const& state) {
-        return with_play(Json::object(), figures::state_figures(), state, study);
+        return with_lengths(Json::object(), figures::state_figures(), state, study);
     };
-    Json object = with_play({{"surface", to_string(each.surface)}, {"kind", to_string(each.kind)}},
-                            figures::case_figures(), each, study);
+    Json object = with_lengths({{"surface", to_string(each.surface)}, {"kind", to_string(each.kind)}},
+                               figures::case_figures(), each, study);
     object["closest_flank"] = each.slices.empty() ? Json(nullptr) : closest_flank_object(each);
     object["state"] = state_object(each.state);
     object["slices"] = list_of(each.slices, slice_object);
@@ -56,11 +56,11 @@ Json contact_case_object(ContactCase const& each, ContactStudy const& study)
 
 Json best_object(BestTilt const& best)
 {
-    Json object = {{"what", best.what}, {"kind", to_string(best.kind)}};
+    Json object = {
+        {"goal", figures::goal_name(best)}, {"what", figures::former_goal_name(best)}, {"kind", to_string(best.kind)}};
     add_figures(object, figures::best_tilt_figures(), best);
     auto const value = figures::best_value_figure(best);
-    object[value.json_key()] = value_of(value, best);
-    object[value.json_key_of_error()] = error_of(value, best);
+    add_figures(object, figures::Rows<BestTilt>(&value, 1), best);
     return object;
 }
 

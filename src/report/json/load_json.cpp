@@ -91,7 +91,7 @@ Json measured_object(Measurement const& measured)
         object["counts_per_turn"] = number(curve.rig.counts_per_turn);
     add_figures(object, figures::measured_curve_figures(), found);
     for (auto const& figure : figures::measured_figures())
-        object[figure.name] = estimate_object(figure, found);
+        add(object, figure.name, estimate_object(figure, found));
     return object;
 }
 

@@ -11,7 +11,7 @@ namespace hdconj::report {
 namespace {
 
 /// Number of the set of keys; goes up when a key changes its meaning.
-constexpr int json_version = 1;
+constexpr int json_version = 2;
 
 Json drive_object(Solution const& solution)
 {

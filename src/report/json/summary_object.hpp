@@ -39,21 +39,22 @@ template <class Record>
 template <class Record>
 void add_values(Json& object, figures::Rows<Record> const& rows, Record const& record)
 {
-    for (auto const& figure : rows)
+    rows.for_each_name([&](auto const& figure) {
         if (figure.is_in(figures::json_value))
             object[figure.json_key()] = value_of(figure, record);
+    });
 }
 
 /// Every figure of @p record under its key, with its error beside it unless errors stand apart.
 template <class Record>
 void add_figures(Json& object, figures::Rows<Record> const& rows, Record const& record)
 {
-    for (auto const& figure : rows) {
+    rows.for_each_name([&](auto const& figure) {
         if (figure.is_in(figures::json_value))
             object[figure.json_key()] = value_of(figure, record);
         if (figure.is_in(figures::json_error) && !figure.apart)
             object[figure.json_key_of_error()] = error_of(figure, record);
-    }
+    });
 }
 
 template <class Record>
@@ -69,10 +70,19 @@ template <class Record>
 [[nodiscard]] Json errors_object(figures::Rows<Record> const& rows, Record const& record)
 {
     Json object = Json::object();
-    for (auto const& figure : rows)
+    rows.for_each_name([&](auto const& figure) {
         if (figure.is_in(figures::json_error))
             object[figure.json_key_of_error()] = error_of(figure, record);
+    });
     return object;
+}
+
+/// Adds @p value under its name and under its former one.
+inline void add(Json& object, figures::Name const& name, Json const& value)
+{
+    object[name.now] = value;
+    if (name.former != nullptr)
+        object[name.former] = value;
 }
 
 /// @p make of each of @p items.

@@ -67,8 +67,8 @@ PlotColumns merged_cells(std::vector<double> const& x, std::vector<double> const
 PlotData shown_flank_data(ContactStudy const& study, io::FlankOfMap const& flank)
 {
     std::string heading = study.solution.scene.drive.name;
-    if (study.shown < study.cases.size()) {
-        auto const& each = study.cases[study.shown];
+    if (study.written_case < study.cases.size()) {
+        auto const& each = study.cases[study.written_case];
         heading +=
             fmt::format(":  {},  side clearance {:.3g} µm", figures::case_name(each), each.backlash_offset * per_um);
     }
@@ -88,9 +88,9 @@ std::string map_script(ContactStudy const& study)
     auto const z = cell_borders(map.z, map.z.front() - half, map.z.back() + half);
     GapBands const bands(study.contact_gap, study.solution.scene.solver.tolerance);
     PlotData data = shown_flank_data(study, io::fullest_flank(map, study.contact_gap));
-    if (study.shown < study.cases.size()) {
+    if (study.written_case < study.cases.size()) {
         constexpr double steps = 1000;  // of a degree
-        double const angle = std::round(study.cases[study.shown].state.wave_generator * per_deg * steps) / steps;
+        double const angle = std::round(study.cases[study.written_case].state.wave_generator * per_deg * steps) / steps;
         data.set("wave_generator", angle == 0 ? 0.0 : angle);  // never "-0"
     }
     data.set("z_low", z.front());

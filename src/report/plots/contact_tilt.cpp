@@ -83,7 +83,7 @@ std::string tilt_script(ContactStudy const& study)
     PlotColumns points, names, bests;
     for (auto const& curve : curves) {
         auto const add = [&](double tilt, ContactCase const& each) {
-            points.row(tilt, each.state.share * per_percent, each.clearing_offset * per_um);
+            points.row(tilt, each.state.contact_fraction * per_percent, each.least_side_clearance * per_um);
         };
         // One with no tilt of its own goes across the whole picture.
         for (auto const* each : curve.cases)
@@ -97,7 +97,7 @@ std::string tilt_script(ContactStudy const& study)
         auto const curve = std::find_if(curves.begin(), curves.end(), [&](TiltCurve const& each) {
             return each.kind == best.kind && !each.is_level();
         });
-        bool const area = best.what == "area";
+        bool const area = best.goal == TiltGoal::contact_area;
         bests.row(curve == curves.end() ? 0 : curve - curves.begin() + 1, best.tilt * per_deg,
                   best.value * (area ? per_percent : per_um), area, best.on_bound);
     }

@@ -115,7 +115,7 @@ std::string load_curve_script(LoadStudy const& study, Measurement const* measure
     auto const* shown = figures::shown_case(study);
     bool const play = shown != nullptr && shown->curve.size() > 1;
     PlotData data(study.solution.scene.drive.name);
-    data.set("shown", static_cast<double>(study.shown + 1));
+    data.set("shown", static_cast<double>(study.written_case + 1));
     data.set("play", play ? shown->backlash * per_arcmin : 0);
     data.set("measured", measured != nullptr ? rig_points(*measured) : PlotColumns());
     data.set("rig", measured != nullptr ? rig_figures(*measured) : PlotColumns());

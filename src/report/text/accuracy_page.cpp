@@ -24,9 +24,9 @@ void write_table(report::Page& page, ConvergenceSeries const& series)
     for (auto const& level : series.levels) {
         page.line("| {} | {} | {} | {} | {}, {} | {} | {} ... {} | {:.0f} | {:.0f} | {:.0f} |",
                   figures::knob_text(level.value), figures::scientific(level.error),
-                  figures::scientific(level.estimate), figures::scientific(level.residual), level.missed, level.extra,
-                  figures::duration(level.median), figures::duration(level.least), figures::duration(level.most),
-                  level.evaluations, level.points, level.memory);
+                  figures::scientific(level.estimate), figures::scientific(level.normal_speed), level.missed,
+                  level.extra, figures::duration(level.median), figures::duration(level.least),
+                  figures::duration(level.most), level.evaluations, level.points, level.memory);
     }
 }
 
@@ -47,7 +47,7 @@ void write_reference(report::Page& page, AccuracyReport const& report)
         "from those of one thread.\n",
         report.scene.wave_generator.shape.family, to_string(report.scene.solver.kinematics),
         report.scene.is_reverse() ? ", and of the flexspline tooth, which is solved for" : "",
-        figures::scientific(report.reference_error), figures::scientific(report.reference_entry));
+        figures::scientific(report.reference_error), figures::scientific(report.reference_interference));
 }
 
 void write_knobs(report::Page& page, report::SeriesList const& series_list)

@@ -19,7 +19,7 @@ void write_series(Page& page, ConvergenceSeries const& series)
     for (auto const& level : series.levels) {
         Told const told(figures::level_figures(), level);
         page.line("  {:>12}  {:>10} {:>10} {:>10} {:>6} {:>5} {:>11} {:>11} {:>11} {:>9}", told("value"), told("error"),
-                  told("estimate"), told("residual"), told("missed"), told("extra"), told("median"), told("least"),
+                  told("estimate"), told("normal_speed"), told("missed"), told("extra"), told("median"), told("least"),
                   told("most"), told("points"));
     }
 }
@@ -36,7 +36,7 @@ void write_head(Page& page, StoredAccuracy const& study, std::vector<Convergence
     bool const has_reference = report.reference_error > 0;  // studies along the axis need none
     if (has_reference) {
         page.line("  reference: 50 digits by another path, itself right to {}; brute force finds it touched to {}",
-                  told.with_unit("reference_error"), told.with_unit("reference_entry"));
+                  told.with_unit("reference_error"), told.with_unit("reference_interference"));
     }
     if (has_reference && report.scene.solver.kinematics != Kinematics::exact) {
         page.line("  measured against {} motion, as the scene has it; the study motion-model against exact motion",

@@ -47,14 +47,15 @@ void write_contact_row(Page& page, ContactStudy const& study, ContactCase const&
     Told const at(figures::state_figures(), state);
     page.line("{}{:>11}{:>10}{:>10}{:>10}{}{:>10}{:>10}{:>7}{:>10} +- {}",
               surface_columns(figures::case_figures(), each), each.slices.empty() ? "-" : told("flank_clearance"),
-              told("clearing_offset"), told("backlash_of_clearing"), told("backlash_offset"), each.raised ? '*' : ' ',
-              at("backlash"), play_text(state.backlash(), study), at("teeth"), at("share"), at.error("share"));
+              told("least_side_clearance"), told("backlash_of_least_side_clearance"), told("backlash_offset"),
+              each.side_clearance_increased ? '*' : ' ', at("backlash"), play_text(state.backlash(), study),
+              at("teeth"), at("contact_fraction"), at.error("contact_fraction"));
     std::string teeth;
     if (state.teeth_least != state.teeth || state.teeth_most != state.teeth)
         teeth = fmt::format("{}-{}", state.teeth_least, state.teeth_most);
     page.line("{:<25}{:>11}{:>10}{:>10}{:>10} {:>10}{:>10}{:>7}", "", with_sign(told.error("flank_clearance")),
-              with_sign(told.error("clearing_offset")), with_sign(told.error("backlash_of_clearing")), "",
-              with_sign(at.error("backlash")), play_error(state.backlash_error(), study), teeth);
+              with_sign(told.error("least_side_clearance")), with_sign(told.error("backlash_of_least_side_clearance")),
+              "", with_sign(at.error("backlash")), play_error(state.backlash_error(), study), teeth);
 }
 
 void write_contact_table(Page& page, ContactStudy const& study)
@@ -68,7 +69,7 @@ void write_contact_table(Page& page, ContactStudy const& study)
     for (auto const& each : study.cases)
         write_contact_row(page, study, each);
     auto const any = [&](auto condition) { return std::any_of(study.cases.begin(), study.cases.end(), condition); };
-    if (any([](auto const& each) { return each.raised; }))
+    if (any([](auto const& each) { return each.side_clearance_increased; }))
         page.line("  *: more than the scene gives, because with that the teeth enter the flanks");
     double const tolerance = study.solution.scene.solver.tolerance;
     bool const wedged =
@@ -101,13 +102,13 @@ void write_needs(Page& page, ContactStudy const& study, ContactCase const& each)
     if (each.tip > tip + tolerance) {
         // where moved flanks meet is known as well as they are
         std::string const error =
-            each.tip == each.clearing_tip ? told.error("clearing_tip") : figures::significant<1>(tolerance);
+            each.tip == each.least_tip_radius ? told.error("least_tip_radius") : figures::significant<1>(tolerance);
         needs.push_back(fmt::format("needs the tip circle {} +- {} mm instead of {} mm", told("tip_radius"), error,
                                     figures::decimals<4>(tip)));
     }
-    if (each.clearing_root > 0) {
-        needs.push_back(fmt::format("needs {} {} more root clearance", told("clearing_root"),
-                                    told.error_with_unit("clearing_root")));
+    if (each.least_root_clearance > 0) {
+        needs.push_back(fmt::format("needs {} {} more root clearance", told("least_root_clearance"),
+                                    told.error_with_unit("least_root_clearance")));
     }
     if (each.surface == ToothSurface::ruled) {
         needs.push_back(fmt::format("up to {} {} from the slices' own conjugate outlines", told("ruled_deviation"),
@@ -173,8 +174,8 @@ void write_revolutions(Page& page, std::vector<ContactCase> const& cases)
         if (states.empty())
             continue;
         page.line("\nover a revolution, {} angles: {}", states.size(), figures::case_name(each));
-        page.line("  contact area {} % {}, teeth {}, backlash {} arcmin {}", range(states, "share"),
-                  largest_error(states, "share"), range(states, "teeth"), range(states, "backlash"),
+        page.line("  contact area {} % {}, teeth {}, backlash {} arcmin {}", range(states, "contact_fraction"),
+                  largest_error(states, "contact_fraction"), range(states, "teeth"), range(states, "backlash"),
                   largest_error(states, "backlash"));
     }
 }
@@ -187,7 +188,7 @@ void write_best(Page& page, std::vector<BestTilt> const& best)
     for (auto const& each : best) {
         Told const told(figures::best_tilt_figures(), each);
         auto const value = figures::best_value_figure(each);
-        page.figure(std::string(to_string(each.kind)) + ", by " + each.what, told.with_unit("tilt"),
+        page.figure(std::string(to_string(each.kind)) + ", for " + figures::goal_name(each), told.with_unit("tilt"),
                     fmt::format("+- {}, {} {} +- {}; searched {} ... {}{}", told.with_unit("tolerance"),
                                 value.text.label, value.value_with_unit(each), value.error_text(each), told("from"),
                                 told.with_unit("to"), each.on_bound ? ", and on the bound: it may lie beyond" : ""));
@@ -212,8 +213,8 @@ std::string summary_text(ContactStudy const& study, std::vector<WrittenFile> con
     report::write_contact_places(page, study);
     report::write_revolutions(page, study.cases);
     report::write_best(page, study.best);
-    if (study.shown < study.cases.size())
-        page.line("\ncircular spline, as written: {}", figures::case_name(study.cases[study.shown]));
+    if (study.written_case < study.cases.size())
+        page.line("\ncircular spline, as written: {}", figures::case_name(study.cases[study.written_case]));
     report::write_end(page, study.solution, written);
     return page.text();
 }

@@ -12,7 +12,7 @@ using ToldLoad = Told<LoadCase>;
 
 bool is_moved(LoadCase const& each)
 {
-    return each.raised || each.tip_change > 0;
+    return each.side_clearance_increased || each.tip_radius_increase > 0;
 }
 
 void write_values(Page& page, LoadStudy const& study, LoadCase const& each)
@@ -29,8 +29,8 @@ void write_values(Page& page, LoadStudy const& study, LoadCase const& each)
                                   stages.found ? told("knee") : "-");
     if (auto const* state = figures::rated_state(each)) {
         Told const at(figures::loaded_state_figures(study.balls), *state);
-        row += fmt::format("{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", at("twist"), at("teeth"), at("contact_share"),
-                           at("near_share"), at("largest_pressure"), at("largest_force"),
+        row += fmt::format("{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", at("twist"), at("teeth"), at("contact_fraction"),
+                           at("fraction_within_gap"), at("largest_pressure"), at("largest_force"),
                            state->largest_stress > 0 ? at("largest_stress") : "-");
     } else {
         row += "   not computed";
@@ -50,7 +50,7 @@ void write_errors_of(Page& page, LoadStudy const& study, LoadCase const& each)
     page.line("{:<25}{:>8}{:>10}{:>9}{:>9}{:>8}{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", "    +-", "",
               told.error("backlash"), each.stages.first != 0 ? told.error("first_stage") : "-",
               bend ? told.error("second_stage") : "", bend ? told.error("knee") : "", at.error("twist"),
-              at.error("teeth"), at.error("contact_share"), at.error("near_share"),
+              at.error("teeth"), at.error("contact_fraction"), at.error("fraction_within_gap"),
               each.pressure_at_edge ? "edge" : at.error("largest_pressure"), at.error("largest_force"),
               each.error.largest_stress > 0 ? at.error("largest_stress") : "-");
 }
@@ -66,7 +66,7 @@ void write_moved(Page& page, LoadStudy const& study)
         if (is_moved(each)) {
             page.line("    {}{:>9} um side clearance, tip circle {}, {} wider than its own",
                       surface_columns(figures::load_case_figures(), each), told("backlash_offset"),
-                      told.with_unit("tip_radius"), told.with_unit("tip_change"));
+                      told.with_unit("tip_radius"), told.with_unit("tip_radius_increase"));
         }
     }
 }

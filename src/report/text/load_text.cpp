@@ -36,11 +36,11 @@ void write_load_setting(Page& page, LoadStudy const& study)
     auto const of_study = figures::load_study_figures();
     Told const whole(of_study, study);
     page.figure(of_study["edge_radius"], study, "radius under load");
-    if (study.tip_widened > 0) {
+    if (study.standard_tip_increase > 0) {
         auto const tip = figures::geometry_figures()["tip_radius"];
         page.figure("tip circle", fmt::format("{:.4f} mm", tip.value(study.solution)),
                     fmt::format("circular spline; {} wider than the standard one, which leaves no land between spaces",
-                                whole.with_unit("tip_widened")));
+                                whole.with_unit("standard_tip_increase")));
     }
     page.figure("harmonics", "up to " + whole("harmonics"),
                 study.sectors > 1 ? fmt::format("the solved sector repeats {} times", study.sectors) : "");
@@ -111,15 +111,15 @@ void write_residuals(Page& page, LoadStudy const& study)
     LoadedState worst;
     for (auto const& each : study.cases) {
         for (auto const& state : each.curve) {
-            worst.residual = std::max(worst.residual, state.residual);
+            worst.gap_mismatch = std::max(worst.gap_mismatch, state.gap_mismatch);
             worst.complementarity = std::max(worst.complementarity, state.complementarity);
-            worst.rounds = std::max(worst.rounds, state.rounds);
+            worst.iterations = std::max(worst.iterations, state.iterations);
         }
     }
     Told const told(figures::loaded_state_figures(study.balls), worst);
     page.line(
         "  solved to: gap against the loaded shape {}, force and gap {} relative; {} rounds of the geometry at most",
-        told.with_unit("residual"), told("complementarity"), worst.rounds);
+        told.with_unit("gap_mismatch"), told("complementarity"), worst.iterations);
 }
 
 void write_load_places(Page& page, LoadStudy const& study)

@@ -114,7 +114,7 @@ TEST_CASE("reference curve: distances from a circle", "[study]")
     CHECK(truth.compare(spoiled, 0.1).points == Approx(3e-6).epsilon(1e-6));
 }
 
-TEST_CASE("ladders: median, order, floor and the worst of the sample", "[study]")
+TEST_CASE("convergence series: median, order, floor and the worst of the sample", "[study]")
 {
     std::vector<StudyRecord> records;
     for (int digits = 2; digits <= 6; ++digits) {
@@ -149,7 +149,7 @@ TEST_CASE("ladders: median, order, floor and the worst of the sample", "[study]"
     CHECK(accuracy::observed_order(levels, accuracy::floor_of(levels)) == Approx(2).epsilon(1e-12));
 }
 
-TEST_CASE("ladders: an order only where errors fall from rung to rung", "[study]")
+TEST_CASE("convergence series: an order only where errors fall from level to level", "[study]")
 {
     auto const of = [](std::vector<double> const& errors, std::string const& knob = "slices.count") {
         std::vector<StudyRecord> records;

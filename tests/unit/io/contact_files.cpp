@@ -40,12 +40,12 @@ TEST_CASE("contact numbers come back from HDF5 bit for bit, one row per case")
     for (auto const& [name, value] : std::vector<Column>{
              {"tilt", [](auto const& c) { return c.tilt; }},
              {"backlash_offset", [](auto const& c) { return c.backlash_offset; }},
-             {"clearing_offset", [](auto const& c) { return c.clearing_offset; }},
-             {"raised", [](auto const& c) { return c.raised ? 1.0 : 0.0; }},
+             {"least_side_clearance", [](auto const& c) { return c.least_side_clearance; }},
+             {"side_clearance_increased", [](auto const& c) { return c.side_clearance_increased ? 1.0 : 0.0; }},
              {"tip_radius", [](auto const& c) { return c.tip; }},
-             {"clearing_tip", [](auto const& c) { return c.clearing_tip; }},
-             {"clearing_root", [](auto const& c) { return c.clearing_root; }},
-             {"backlash_of_clearing", [](auto const& c) { return c.backlash_of_clearing; }},
+             {"least_tip_radius", [](auto const& c) { return c.least_tip_radius; }},
+             {"least_root_clearance", [](auto const& c) { return c.least_root_clearance; }},
+             {"backlash_of_least_side_clearance", [](auto const& c) { return c.backlash_of_least_side_clearance; }},
              {"flank_area", [](auto const& c) { return c.state.flank_area; }},
              {"ruled_deviation", [](auto const& c) { return c.ruled_deviation; }},
              {"seconds", [](auto const& c) { return c.seconds; }},
@@ -53,28 +53,30 @@ TEST_CASE("contact numbers come back from HDF5 bit for bit, one row per case")
              {"flank_phi", [](auto const& c) { return c.closest_flank().phi; }},
              {"flank_z", [](auto const& c) { return c.closest_slice().z; }},
              {"wave_generator", [](auto const& c) { return c.state.wave_generator; }},
-             {"take_up", [](auto const& c) { return c.state.take_up; }},
-             {"take_up_back", [](auto const& c) { return c.state.take_up_back; }},
-             {"backlash", [](auto const& c) { return c.state.take_up + c.state.take_up_back; }},
+             {"turn_to_contact", [](auto const& c) { return c.state.turn_to_contact; }},
+             {"reverse_turn_to_contact", [](auto const& c) { return c.state.reverse_turn_to_contact; }},
+             {"backlash", [](auto const& c) { return c.state.turn_to_contact + c.state.reverse_turn_to_contact; }},
              {"contact_area", [](auto const& c) { return c.state.contact_area; }},
              {"contact_area_error", [](auto const& c) { return c.state.contact_area_error; }},
              {"flank_area_error", [](auto const& c) { return c.state.flank_area_error; }},
-             {"share", [](auto const& c) { return c.state.share; }},
-             {"share_error", [](auto const& c) { return c.state.share_error; }},
+             {"contact_fraction", [](auto const& c) { return c.state.contact_fraction; }},
+             {"contact_fraction_error", [](auto const& c) { return c.state.contact_fraction_error; }},
              {"smallest_gap", [](auto const& c) { return c.state.smallest_gap; }},
              {"smallest_z", [](auto const& c) { return c.state.smallest_z; }},
              {"smallest_gap_error", [](auto const& c) { return c.state.smallest_gap_error; }},
-             {"take_up_error", [](auto const& c) { return c.state.take_up_error; }},
-             {"take_up_back_error", [](auto const& c) { return c.state.take_up_back_error; }},
-             {"backlash_error", [](auto const& c) { return c.state.take_up_error + c.state.take_up_back_error; }},
+             {"turn_to_contact_error", [](auto const& c) { return c.state.turn_to_contact_error; }},
+             {"reverse_turn_to_contact_error", [](auto const& c) { return c.state.reverse_turn_to_contact_error; }},
+             {"backlash_error",
+              [](auto const& c) { return c.state.turn_to_contact_error + c.state.reverse_turn_to_contact_error; }},
              {"teeth_least", [](auto const& c) { return static_cast<double>(c.state.teeth_least); }},
              {"teeth_most", [](auto const& c) { return static_cast<double>(c.state.teeth_most); }},
              {"flank_clearance_error", [](auto const& c) { return c.clearance_error; }},
              {"root_clearance_error", [](auto const& c) { return c.root_clearance_error; }},
-             {"clearing_offset_error", [](auto const& c) { return c.clearing_offset_error; }},
-             {"clearing_tip_error", [](auto const& c) { return c.clearing_tip_error; }},
-             {"clearing_root_error", [](auto const& c) { return c.clearing_root_error; }},
-             {"backlash_of_clearing_error", [](auto const& c) { return c.backlash_of_clearing_error; }},
+             {"least_side_clearance_error", [](auto const& c) { return c.least_side_clearance_error; }},
+             {"least_tip_radius_error", [](auto const& c) { return c.least_tip_radius_error; }},
+             {"least_root_clearance_error", [](auto const& c) { return c.least_root_clearance_error; }},
+             {"backlash_of_least_side_clearance_error",
+              [](auto const& c) { return c.backlash_of_least_side_clearance_error; }},
              {"ruled_deviation_error", [](auto const& c) { return c.ruled_deviation_error; }},
              {"teeth", [](auto const& c) { return static_cast<double>(c.state.teeth); }},
              {"smallest_space", [](auto const& c) { return static_cast<double>(c.state.smallest_space); }}}) {
@@ -147,7 +149,7 @@ TEST_CASE("a contact study that contradicts itself is not written")
 TEST_CASE("the contact text has a row for each case and the places of interference")
 {
     auto study = sample::contact_study();
-    study.cases[1].state.take_up_back = -1.5 * study.cases[1].state.take_up;
+    study.cases[1].state.reverse_turn_to_contact = -1.5 * study.cases[1].state.turn_to_contact;
     auto const text = summary_text(study, {{"hdf5", "out/contact.h5", 0.0021}});
     for (auto const* part :
          {"type-50", "gap is 1 um or less", "z -3.5 ... 3.5 mm", "tilted    radial", "tilted    draft", "per-slice -",
@@ -176,19 +178,19 @@ TEST_CASE("a row of the contact table is in the units of its heading")
     each.tilt = 0.25 * sample::degree;
     each.slices.resize(1);
     each.slices[0].flank.clearance = -0.07812;
-    each.clearing_offset = 0.08123;
-    each.backlash_of_clearing = 12.34 * arcmin;
+    each.least_side_clearance = 0.08123;
+    each.backlash_of_least_side_clearance = 12.34 * arcmin;
     each.backlash_offset = 0.09;
-    each.state.take_up = 10 * arcmin;
-    each.state.take_up_back = 1 * arcmin;
+    each.state.turn_to_contact = 10 * arcmin;
+    each.state.reverse_turn_to_contact = 1 * arcmin;
     each.state.teeth = 17;
-    each.state.share = 0.12343;
-    each.state.share_error = 0.0003;
+    each.state.contact_fraction = 0.12343;
+    each.state.contact_fraction_error = 0.0003;
     each.clearance_error = 2e-5;
-    each.clearing_offset_error = 0.3e-3;
-    each.backlash_of_clearing_error = 0.4 * arcmin;
-    each.state.take_up_error = 0.06 * arcmin;
-    each.state.take_up_back_error = 0.04 * arcmin;
+    each.least_side_clearance_error = 0.3e-3;
+    each.backlash_of_least_side_clearance_error = 0.4 * arcmin;
+    each.state.turn_to_contact_error = 0.06 * arcmin;
+    each.state.reverse_turn_to_contact_error = 0.04 * arcmin;
     each.state.teeth_least = 16;
     each.state.teeth_most = 18;
     study.cases = {each};
@@ -198,13 +200,13 @@ TEST_CASE("a row of the contact table is in the units of its heading")
                    "tilted    draft    0.25     -78.12     81.23     12.34     90.00      11.00"
                    "     79.99     17     12.34 +- 0.03\n"
                    "                             +- 0.02    +- 0.3    +- 0.4               +- 0.1    +- 0.7  16-18\n"));
-    study.cases[0].state.take_up = study.cases[0].clearing_offset = -1e-12;
-    study.cases[0].state.take_up_back = 0;
+    study.cases[0].state.turn_to_contact = study.cases[0].least_side_clearance = -1e-12;
+    study.cases[0].state.reverse_turn_to_contact = 0;
     CHECK_THAT(summary_text(study), ContainsSubstring("     0.00     12.34     90.00       0.00      0.00     17"));
-    study.cases[0].state.take_up = 11 * arcmin;
-    study.cases[0].raised = true;
-    study.cases[0].clearing_tip = study.cases[0].tip = 25.1;
-    study.cases[0].clearing_tip_error = 1e-6;
+    study.cases[0].state.turn_to_contact = 11 * arcmin;
+    study.cases[0].side_clearance_increased = true;
+    study.cases[0].least_tip_radius = study.cases[0].tip = 25.1;
+    study.cases[0].least_tip_radius_error = 1e-6;
     study.solution.geometry.circular_spline_inner_radius = 25;
     CHECK_THAT(summary_text(study),
                ContainsSubstring("12.34     90.00*     11.00") && ContainsSubstring("more than the scene gives") &&
@@ -220,27 +222,27 @@ TEST_CASE("JSON of a contact study has the figures of the solution and of each c
     CHECK(json.at("files").at("xdmf").at("path") == "a.xdmf");
     auto const& contact = json.at("contact");
     CHECK(contact.at("contact_gap_um").get<double>() == Approx(1));
-    CHECK(contact.at("shown") == 3);
+    CHECK(contact.at("written_case") == 3);
     REQUIRE(contact.at("cases").size() == study.cases.size());
     auto const& third = contact.at("cases").at(3);
     auto const& given = study.cases[3];
     CHECK(third.at("tilt_deg").get<double>() == Approx(0.6));
-    CHECK(third.at("clearing_offset_um").get<double>() == Approx(given.clearing_offset * 1000));
+    CHECK(third.at("least_side_clearance_um").get<double>() == Approx(given.least_side_clearance * 1000));
     CHECK(third.at("closest_flank").at("clearance_um").get<double>() == Approx(given.closest_flank().clearance * 1000));
     CHECK(third.at("closest_flank").at("z_mm") == given.closest_slice().z);
-    CHECK(third.at("state").at("share") == given.state.share);
+    CHECK(third.at("state").at("contact_fraction") == given.state.contact_fraction);
     CHECK(third.at("state").at("backlash_arcmin").get<double>() == Approx(given.state.backlash() / arcmin));
     CHECK(third.at("state").at("backlash_um").get<double>() == Approx(given.state.backlash() * 25000));
-    CHECK(third.at("clearing_offset_error_um").get<double>() == Approx(given.clearing_offset_error * 1000));
+    CHECK(third.at("least_side_clearance_error_um").get<double>() == Approx(given.least_side_clearance_error * 1000));
     CHECK(third.at("state").at("backlash_error_arcmin").get<double>() == Approx(given.state.backlash_error() / arcmin));
     CHECK(third.at("state").at("backlash_error_um").get<double>() == Approx(given.state.backlash_error() * 25000));
     CHECK(third.at("state").at("teeth_most") == given.state.teeth_most);
     CHECK(third.at("slices").size() == 9);
     CHECK(third.at("revolution").size() == 5);
-    CHECK(contact.at("best").at(0).at("share") == 0.22);
-    CHECK(contact.at("best").at(1).at("clearing_offset_um").get<double>() == Approx(9));
-    CHECK(contact.at("best").at(0).at("share_error") == 0.004);
-    CHECK(contact.at("best").at(1).at("clearing_offset_error_um").get<double>() == Approx(0.01));
+    CHECK(contact.at("best").at(0).at("contact_fraction") == 0.22);
+    CHECK(contact.at("best").at(1).at("least_side_clearance_um").get<double>() == Approx(9));
+    CHECK(contact.at("best").at(0).at("contact_fraction_error") == 0.004);
+    CHECK(contact.at("best").at(1).at("least_side_clearance_error_um").get<double>() == Approx(0.01));
     CHECK(contact.at("best").at(2).at("on_bound") == true);
     CHECK_FALSE(nlohmann::json::parse(summary_json(study.solution)).contains("contact"));
 }
@@ -248,12 +250,12 @@ TEST_CASE("JSON of a contact study has the figures of the solution and of each c
 TEST_CASE("JSON of a contact study has null where there is no number")
 {
     auto study = sample::contact_study(3);
-    study.cases[0].state.share_error = std::numeric_limits<double>::quiet_NaN();
-    study.cases[0].clearing_root = std::numeric_limits<double>::infinity();
+    study.cases[0].state.contact_fraction_error = std::numeric_limits<double>::quiet_NaN();
+    study.cases[0].least_root_clearance = std::numeric_limits<double>::infinity();
     study.cases[1].slices.clear();
     auto const cases = nlohmann::json::parse(summary_json(study)).at("contact").at("cases");
-    CHECK(cases.at(0).at("state").at("share_error").is_null());
-    CHECK(cases.at(0).at("clearing_root_um").is_null());
+    CHECK(cases.at(0).at("state").at("contact_fraction_error").is_null());
+    CHECK(cases.at(0).at("least_root_clearance_um").is_null());
     CHECK(cases.at(1).at("closest_flank").is_null());
     CHECK(nlohmann::json::parse(summary_json(ContactStudy{})).at("contact").at("cases").empty());
 }

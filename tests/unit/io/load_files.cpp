@@ -52,24 +52,24 @@ TEST_CASE("load numbers come back from HDF5 bit for bit", "[load]")
         char const* name;
         double (*value)(LoadCase const&);
     };
-    for (auto const& [name, value] :
-         std::vector<Column>{{"tilt", [](auto const& c) { return c.tilt; }},
-                             {"backlash", [](auto const& c) { return c.backlash; }},
-                             {"backlash_offset", [](auto const& c) { return c.backlash_offset; }},
-                             {"first_stage", [](auto const& c) { return c.stages.first; }},
-                             {"first_stage_error", [](auto const& c) { return c.stages.first_error; }},
-                             {"second_stage", [](auto const& c) { return c.stages.second; }},
-                             {"second_stage_error", [](auto const& c) { return c.stages.second_error; }},
-                             {"knee", [](auto const& c) { return c.stages.knee; }},
-                             {"knee_error", [](auto const& c) { return c.stages.knee_error; }},
-                             {"knee_twist", [](auto const& c) { return c.stages.knee_twist; }},
-                             {"stages_rms", [](auto const& c) { return c.stages.rms; }},
-                             {"raised", [](auto const& c) { return c.raised ? 1.0 : 0.0; }},
-                             {"stages_found", [](auto const& c) { return c.stages.found ? 1.0 : 0.0; }},
-                             {"seconds", [](auto const& c) { return c.seconds; }},
-                             {"twist", [](auto const& c) { return c.curve[c.rated].twist; }},
-                             {"largest_pressure", [](auto const& c) { return c.curve[c.rated].largest_pressure; }},
-                             {"teeth", [](auto const& c) { return static_cast<double>(c.curve[c.rated].teeth); }}}) {
+    for (auto const& [name, value] : std::vector<Column>{
+             {"tilt", [](auto const& c) { return c.tilt; }},
+             {"backlash", [](auto const& c) { return c.backlash; }},
+             {"backlash_offset", [](auto const& c) { return c.backlash_offset; }},
+             {"first_stage", [](auto const& c) { return c.stages.first; }},
+             {"first_stage_error", [](auto const& c) { return c.stages.first_error; }},
+             {"second_stage", [](auto const& c) { return c.stages.second; }},
+             {"second_stage_error", [](auto const& c) { return c.stages.second_error; }},
+             {"knee", [](auto const& c) { return c.stages.knee; }},
+             {"knee_error", [](auto const& c) { return c.stages.knee_error; }},
+             {"knee_twist", [](auto const& c) { return c.stages.knee_twist; }},
+             {"stages_rms", [](auto const& c) { return c.stages.rms; }},
+             {"side_clearance_increased", [](auto const& c) { return c.side_clearance_increased ? 1.0 : 0.0; }},
+             {"stages_found", [](auto const& c) { return c.stages.found ? 1.0 : 0.0; }},
+             {"seconds", [](auto const& c) { return c.seconds; }},
+             {"twist", [](auto const& c) { return c.curve[c.rated].twist; }},
+             {"largest_pressure", [](auto const& c) { return c.curve[c.rated].largest_pressure; }},
+             {"teeth", [](auto const& c) { return static_cast<double>(c.curve[c.rated].teeth); }}}) {
         INFO(name);
         auto const column = read(file, ("/load/" + std::string(name)).c_str());
         REQUIRE(column.shape == std::vector<hsize_t>{cases});
@@ -87,9 +87,9 @@ TEST_CASE("load numbers come back from HDF5 bit for bit", "[load]")
                             {"twist", [](auto const& s) { return s.twist; }},
                             {"stiffness", [](auto const& s) { return s.stiffness; }},
                             {"contact_area", [](auto const& s) { return s.contact_area; }},
-                            {"contact_share", [](auto const& s) { return s.contact_share; }},
-                            {"near_share", [](auto const& s) { return s.near_share; }},
-                            {"node_share", [](auto const& s) { return s.node_share; }},
+                            {"contact_fraction", [](auto const& s) { return s.contact_fraction; }},
+                            {"fraction_within_gap", [](auto const& s) { return s.fraction_within_gap; }},
+                            {"carrying_fraction", [](auto const& s) { return s.carrying_fraction; }},
                             {"largest_pressure", [](auto const& s) { return s.largest_pressure; }},
                             {"pressure_z", [](auto const& s) { return s.pressure_z; }},
                             {"largest_force", [](auto const& s) { return s.largest_force; }},
@@ -99,11 +99,11 @@ TEST_CASE("load numbers come back from HDF5 bit for bit", "[load]")
                             {"stress_z", [](auto const& s) { return s.stress_z; }},
                             {"stress_r", [](auto const& s) { return s.stress_r; }},
                             {"stress_phi", [](auto const& s) { return s.stress_phi; }},
-                            {"residual", [](auto const& s) { return s.residual; }},
+                            {"gap_mismatch", [](auto const& s) { return s.gap_mismatch; }},
                             {"complementarity", [](auto const& s) { return s.complementarity; }},
                             {"teeth", [](auto const& s) { return static_cast<double>(s.teeth); }},
                             {"pressure_space", [](auto const& s) { return static_cast<double>(s.pressure_space); }},
-                            {"rounds", [](auto const& s) { return static_cast<double>(s.rounds); }},
+                            {"iterations", [](auto const& s) { return static_cast<double>(s.iterations); }},
                             {"steps", [](auto const& s) { return static_cast<double>(s.steps); }}}) {
         INFO(name);
         auto const column = read(file, ("/load/case_002/curve/" + std::string(name)).c_str());
@@ -117,7 +117,7 @@ TEST_CASE("load numbers come back from HDF5 bit for bit", "[load]")
     CHECK(pressure.values == map.pressure);
     CHECK(pressure.values[(60 * 2 + 1) * 9 + 4] == map.pressure[map.index(60, GapMap::right, 4)]);
     CHECK(read(file, "/load/case_001/map/gap").values == map.gap);
-    CHECK(read(file, "/load/case_001/map/height").values == map.height);
+    CHECK(read(file, "/load/case_001/map/flank_position").values == map.height);
     CHECK(read(file, "/load/cup/w_minor").values == study.cup.w_minor);
     CHECK(read(file, "/load/shape/u_t").values == study.shape.u_t);
     CHECK(read(file, "/load/shape/u_t").shape == std::vector<hsize_t>{36, study.shape.r.size()});

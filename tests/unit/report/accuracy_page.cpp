@@ -131,7 +131,7 @@ TEST_CASE("accuracy page: times of single runs are compared with none", "[accura
     }
 }
 
-TEST_CASE("accuracy page: the finest rungs of a load say how right they are", "[accuracy]")
+TEST_CASE("accuracy page: the finest levels of a load say how right they are", "[accuracy]")
 {
     AccuracyReport report = report_of_drive();
     add(report, "load", "harmonics: twist", "load.harmonics", {{25, 3e-3, 1}, {50, 2e-4, 1}, {75, 3e-4, 1}});

@@ -104,7 +104,7 @@ TEST_CASE("only what a contact study holds is drawn")
     auto study = sample::contact_study(1);
     study.best.clear();
     study.cases.erase(study.cases.begin() + 1, study.cases.end() - 2);  // one tilt, and two without
-    study.shown = 0;
+    study.written_case = 0;
     CHECK_FALSE(report::has_tilt_curve(study));
     CHECK(kinds_and_names(write_contact_pictures(study, folder / "a.svg")) ==
           Names{"picture_map: a-map.svg", "picture_flank: a-flank.svg"});

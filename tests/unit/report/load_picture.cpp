@@ -83,7 +83,7 @@ TEST_CASE("forces of single balls are drawn around the whole ring", "[load][pict
     auto study = sample::load_study();
     study.balls = 6;
     study.sectors = 2;
-    study.cases[study.shown].bearing = {{0.0}, {0.0}, {10.0}, {0.0, 1.0, 2.0}, {313, 0, 12.5}};
+    study.cases[study.written_case].bearing = {{0.0}, {0.0}, {10.0}, {0.0, 1.0, 2.0}, {313, 0, 12.5}};
     auto const written = write_load_pictures(study, folder / "a.svg");
     CHECK(names_of(written).back() == "picture_balls: a-balls.svg");
     CHECK_THAT(content(written.back().file),
@@ -118,9 +118,9 @@ TEST_CASE("only what a load study holds is drawn", "[load][picture]")
     auto const measured = measurement();
     CHECK(names_of(write_load_pictures(study, folder / "b.svg", &measured)).front() == "picture_curve: b-curve.svg");
     // No load at all, one angle, one tooth: still a picture.
-    for (auto& pressure : study.cases[study.shown].map.pressure)
+    for (auto& pressure : study.cases[study.written_case].map.pressure)
         pressure = 0;
-    for (auto& force : study.cases[study.shown].map.force)
+    for (auto& force : study.cases[study.written_case].map.force)
         force = 0;
     std::fill(study.shape.u_r.begin(), study.shape.u_r.end(), 0.0);
     std::fill(study.shape.u_z.begin(), study.shape.u_z.end(), 0.0);
@@ -189,7 +189,7 @@ TEST_CASE("the pressure's cells cover the sector and the width once", "[load][pi
 {
     for (int const slices : {1, 5}) {
         auto const study = sample::load_study(slices);
-        auto const& map = study.cases[study.shown].map;
+        auto const& map = study.cases[study.written_case].map;
         auto const script = report::load_pressure_script(study);
         auto const cells = plot_rows(script, "cells");
         double area = 0, coloured = 0;
@@ -221,7 +221,7 @@ TEST_CASE("the pressure's cells cover the sector and the width once", "[load][pi
     }
     // The other flanks, where they carry as well, hang down.
     auto study = sample::load_study(3);
-    auto& map = study.cases[study.shown].map;
+    auto& map = study.cases[study.written_case].map;
     map.force[map.index(4, GapMap::left, 1)] = 2;
     CHECK(plot_rows(report::load_pressure_script(study), "forces")[4][2] == -2);
 }

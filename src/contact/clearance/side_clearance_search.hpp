@@ -38,21 +38,21 @@ struct PlaceRange
 
 /// What clears to this clears [mm]: between its points a flank is known to much less than the scene's tolerance, but
 /// not to rounding.
-[[nodiscard]] inline double clearing_accuracy(Tolerance const& tolerance)
+[[nodiscard]] inline double clearance_accuracy(Tolerance const& tolerance)
 {
     constexpr double part = 0x1p-6;
     return std::max(part * tolerance.length, tolerance.coincidence());
 }
 
 /// Moving a flank along its normal opens a gap at least so much as fast as it moves.
-constexpr double flattest_clearing = 0.05;
+constexpr double flattest_slope = 0.05;
 
 /// The distance at which @p clearance(distance) is zero to @p enough, from the guess @p distance.
 ///
-/// Secant steps, the first of slope 1, none flatter than flattest_clearing, since a tooth may meet the flank's end
+/// Secant steps, the first of slope 1, none flatter than flattest_slope, since a tooth may meet the flank's end
 /// nearly along it. Nothing where 60 steps do not settle.
 template <class Clearance>
-[[nodiscard]] std::optional<double> clearing_search(Clearance&& clearance, double distance, double enough)
+[[nodiscard]] std::optional<double> side_clearance_search(Clearance&& clearance, double distance, double enough)
 {
     constexpr int budget = 60;
     double before = distance;
@@ -64,7 +64,7 @@ template <class Clearance>
         double const slope = distance != before ? (here - at_before) / (distance - before) : 1;
         before = distance;
         at_before = here;
-        distance -= here / (slope > flattest_clearing ? slope : 1);
+        distance -= here / (slope > flattest_slope ? slope : 1);
     }
     return std::nullopt;
 }

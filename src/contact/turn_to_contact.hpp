@@ -7,7 +7,7 @@
 namespace hdconj::contact {
 
 /// First contact of the flanks on one side.
-struct TakeUp
+struct TurnToContact
 {
     double turn = 0;  ///< of the teeth against the spaces, clockwise for GapMap::right; negative: out of interference
     GapField::Index where{};  ///< the point that touches, or beside which the flank does
@@ -27,7 +27,7 @@ struct TakeUp
 /// @param touches  smallest gaps at rest of no more than this, either way, are contact: no turn [mm]
 /// Accuracy: the gap at the result is zero to some roundings of the reach.
 /// @throws NumericalError where nothing touches within the limit
-[[nodiscard]] TakeUp take_up(GapField const& field, GapMap const& at_rest, int flank, double limit, int threads,
-                             double touches = 0);
+[[nodiscard]] TurnToContact turn_to_contact(GapField const& field, GapMap const& at_rest, int flank, double limit,
+                                            int threads, double touches = 0);
 
 }  // namespace hdconj::contact

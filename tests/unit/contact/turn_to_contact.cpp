@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "contact/take_up.hpp"
+#include "contact/turn_to_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,7 +14,7 @@
 #include "support/coned_drive.hpp"
 #include "support/oracle/tooth.hpp"
 
-namespace hdconj::test::take_up_cases {
+namespace hdconj::test::turn_to_contact_cases {
 
 namespace {
 
@@ -145,7 +145,7 @@ double first_zero(Gap const& gap, double high)
 TEST_CASE(
     "take-up is the turn of the circular spline, and z_f/z_c times that of a flexspline that moves along its neutral "
     "curve",
-    "[take_up]")
+    "[turn_to_contact]")
 {
     ConedDrive drive(parse_scene(thirty_teeth, "thirty-teeth.toml", {}), 1, 1, 5.0);
     contact::FlankGrid const grid =
@@ -160,7 +160,7 @@ TEST_CASE(
         };
         contact::ToothPoses const places = contact::tooth_places(*drive.context, phase, drive.context->maker.z());
         contact::GapField const field = field_at(places, phase);
-        double const turn = contact::take_up(field, field.map(0, 1), GapMap::right, drive.pitch(), 1).turn;
+        double const turn = contact::turn_to_contact(field, field.map(0, 1), GapMap::right, drive.pitch(), 1).turn;
         // wave generator and flexspline held, the circular spline turned against the teeth
         double const spline =
             first_zero([&](double x) { return teeth.least(right_flanks(field, -x), phase); }, 2 * turn);
@@ -181,7 +181,7 @@ TEST_CASE(
     }
 }
 
-TEST_CASE("take-up ends where the smallest gap is zero and not before", "[take_up]")
+TEST_CASE("turn to contact ends where the smallest gap is zero and not before", "[turn_to_contact]")
 {
     for (double const phase : {0.0, 0.004, -0.011})
         for (int const slices : {1, 3}) {
@@ -189,7 +189,8 @@ TEST_CASE("take-up ends where the smallest gap is zero and not before", "[take_u
             REQUIRE(smallest(pair.field, 0, GapMap::right) > 0);
             for (int const flank : {GapMap::left, GapMap::right}) {
                 double const sense = flank == GapMap::right ? 1 : -1;
-                contact::TakeUp const found = contact::take_up(pair.field, pair.rest, flank, pair.drive.pitch(), 1);
+                contact::TurnToContact const found =
+                    contact::turn_to_contact(pair.field, pair.rest, flank, pair.drive.pitch(), 1);
                 INFO("phase " << phase << ", slices " << slices << ", flank " << flank << ", turn " << found.turn);
                 CHECK(found.turn > 0);
                 GapMap const touching = pair.field.map(sense * found.turn, 1);
@@ -205,20 +206,24 @@ TEST_CASE("take-up ends where the smallest gap is zero and not before", "[take_u
                 CHECK(smallest(pair.field, sense * found.turn * (1 + 1e-6), flank) < 0);
                 // no faster than the reach
                 CHECK(found.turn * pair.field.reach() >= smallest(pair.field, 0, flank));
-                contact::TakeUp const threaded = contact::take_up(pair.field, pair.rest, flank, pair.drive.pitch(), 4);
+                contact::TurnToContact const threaded =
+                    contact::turn_to_contact(pair.field, pair.rest, flank, pair.drive.pitch(), 4);
                 CHECK(threaded.turn == found.turn);
                 CHECK(threaded.gap == found.gap);
             }
         }
 }
 
-TEST_CASE("take-up of a symmetric pair is the same either way and grows with the side clearance", "[take_up]")
+TEST_CASE("turn to contact of a symmetric pair is the same either way and grows with the side clearance",
+          "[turn_to_contact]")
 {
     double before = 0;
     for (double const clearance : {1e-9, 1e-6, 1e-4, 1e-3, 0.01, 0.02}) {
         Pair const pair({}, 1, clearance);
-        contact::TakeUp const right = contact::take_up(pair.field, pair.rest, GapMap::right, pair.drive.pitch(), 1);
-        contact::TakeUp const left = contact::take_up(pair.field, pair.rest, GapMap::left, pair.drive.pitch(), 1);
+        contact::TurnToContact const right =
+            contact::turn_to_contact(pair.field, pair.rest, GapMap::right, pair.drive.pitch(), 1);
+        contact::TurnToContact const left =
+            contact::turn_to_contact(pair.field, pair.rest, GapMap::left, pair.drive.pitch(), 1);
         INFO("clearance " << clearance);
         // a turn moves flank points by the radius times a cosine; some flank stands within 60 degrees of the radius
         CHECK(right.turn > clearance / pair.field.reach());
@@ -229,16 +234,19 @@ TEST_CASE("take-up of a symmetric pair is the same either way and grows with the
     }
 }
 
-TEST_CASE("take-up turns back out of interference by as much as the flexspline was turned into it", "[take_up]")
+TEST_CASE("turn to contact turns back out of interference by as much as the flexspline was turned into it",
+          "[turn_to_contact]")
 {
     Pair const free({}, 1, 0.01, 0.003);
-    double const play = contact::take_up(free.field, free.rest, GapMap::right, free.drive.pitch(), 1).turn;
-    double const play_back = contact::take_up(free.field, free.rest, GapMap::left, free.drive.pitch(), 1).turn;
+    double const play = contact::turn_to_contact(free.field, free.rest, GapMap::right, free.drive.pitch(), 1).turn;
+    double const play_back = contact::turn_to_contact(free.field, free.rest, GapMap::left, free.drive.pitch(), 1).turn;
     for (double const turn : {0.5 * play, 1.001 * play, 1.5 * play, 3 * play, -0.5 * play_back, -4 * play_back}) {
         Pair const pair({}, 1, 0.01, 0.003, turn);
         INFO("turned by " << turn << " of " << play);
-        contact::TakeUp const right = contact::take_up(pair.field, pair.rest, GapMap::right, pair.drive.pitch(), 1);
-        contact::TakeUp const left = contact::take_up(pair.field, pair.rest, GapMap::left, pair.drive.pitch(), 1);
+        contact::TurnToContact const right =
+            contact::turn_to_contact(pair.field, pair.rest, GapMap::right, pair.drive.pitch(), 1);
+        contact::TurnToContact const left =
+            contact::turn_to_contact(pair.field, pair.rest, GapMap::left, pair.drive.pitch(), 1);
         CHECK(right.turn == Approx(play - turn).margin(1e-13));
         CHECK(left.turn == Approx(play_back + turn).margin(1e-13));
         CHECK((smallest(pair.field, 0, GapMap::right) < 0) == (turn > play));
@@ -246,25 +254,26 @@ TEST_CASE("take-up turns back out of interference by as much as the flexspline w
     }
 }
 
-TEST_CASE("take-up without any clearance turns by nothing", "[take_up]")
+TEST_CASE("turn to contact without any clearance turns by nothing", "[turn_to_contact]")
 {
     Pair const pair({}, 1, 0);
     for (int const flank : {GapMap::left, GapMap::right})
-        CHECK(std::abs(take_up(pair.field, pair.rest, flank, pair.drive.pitch(), 1).turn) < 1e-8);
+        CHECK(std::abs(turn_to_contact(pair.field, pair.rest, flank, pair.drive.pitch(), 1).turn) < 1e-8);
 }
 
-TEST_CASE("take-up finds contact anywhere within its limit and says so where there is none", "[take_up]")
+TEST_CASE("turn to contact finds contact anywhere within its limit and says so where there is none",
+          "[turn_to_contact]")
 {
     Pair const pair({}, 1, 0.01);
-    double const turn = contact::take_up(pair.field, pair.rest, GapMap::right, pair.drive.pitch(), 1).turn;
+    double const turn = contact::turn_to_contact(pair.field, pair.rest, GapMap::right, pair.drive.pitch(), 1).turn;
     for (double const part : {1.001, 1.01, 1.1, 1.3, 1.49, 2.0})
-        CHECK(take_up(pair.field, pair.rest, GapMap::right, part * turn, 1).turn ==
+        CHECK(turn_to_contact(pair.field, pair.rest, GapMap::right, part * turn, 1).turn ==
               Approx(turn).margin(32 * unit_roundoff));
     for (double const part : {0.999, 0.5, 1e-3}) {
-        CHECK_THROWS_AS(take_up(pair.field, pair.rest, GapMap::right, part * turn, 1), NumericalError);
-        CHECK_THROWS_WITH(take_up(pair.field, pair.rest, GapMap::right, part * turn, 1),
+        CHECK_THROWS_AS(turn_to_contact(pair.field, pair.rest, GapMap::right, part * turn, 1), NumericalError);
+        CHECK_THROWS_WITH(turn_to_contact(pair.field, pair.rest, GapMap::right, part * turn, 1),
                           ContainsSubstring("take-up") && ContainsSubstring("no flank touches"));
     }
 }
 
-}  // namespace hdconj::test::take_up_cases
+}  // namespace hdconj::test::turn_to_contact_cases

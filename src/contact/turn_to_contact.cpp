@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "take_up.hpp"
+#include "turn_to_contact.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -86,7 +86,8 @@ Look look(GapField const& field, Rivals const& rivals, double turn, double margi
 
 }  // namespace
 
-TakeUp take_up(GapField const& field, GapMap const& at_rest, int flank, double limit, int threads, double touches)
+TurnToContact turn_to_contact(GapField const& field, GapMap const& at_rest, int flank, double limit, int threads,
+                              double touches)
 {
     double const sense = flank == GapMap::right ? 1 : -1;
     double const reach = field.reach();
