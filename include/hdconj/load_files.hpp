@@ -58,11 +58,11 @@ void check_load_pictures(std::filesystem::path const& file);
 std::vector<WrittenFile> write_load_pictures(LoadStudy const& study, std::filesystem::path const& file,
                                              Measurement const* measured = nullptr);
 
-/// The cup for ParaView: XML unstructured grid (.vtu), binary, hexahedra (wedges where the section has triangles) swept
-/// through the angles of the shape; undeformed points [mm] with the point data `displacement` [mm], ready for "Warp By
-/// Vector", and `von_mises` [MPa] where it was computed. Frame of the flexspline: the y axis is the major axis, angles
-/// run clockwise, z is 0 in the middle of the bearing. Angles that fill a turn, or 1/sectors of one, make a closed
-/// ring.
+/// The cup for ParaView: XML unstructured grid (.vtu), binary. Hexahedra, and wedges where the section has triangles,
+/// are swept through the angles of the shape. Points are undeformed [mm]. Point data are `displacement` [mm], ready for
+/// "Warp By Vector", and `von_mises` [MPa] where it was computed. Frame of the flexspline: the y axis is the major
+/// axis, angles run clockwise, z is 0 in the middle of the bearing. Angles that fill a turn, or 1/sectors of one, make
+/// a closed ring.
 /// @throws FileError; std::logic_error where the shape contradicts itself, or has no cells
 void write_cup_vtu(LoadStudy const& study, std::filesystem::path const& file);
 

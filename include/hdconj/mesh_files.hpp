@@ -28,9 +28,9 @@ struct SurfaceOptions
                                            ///< this; 0: all are kept
 };
 
-/// XDMF 3 of one tooth space, referring to the datasets in `/circular_spline/surface` of @p result, the HDF5 file of
-/// the same study, by its name relative to @p file: both may be moved together. The part of each cell (land, flank,
-/// root) is a cell attribute.
+/// XDMF 3 of one tooth space. It refers to the datasets in `/circular_spline/surface` of @p result, the HDF5 file of
+/// the same study. The reference is relative to @p file, so both may be moved together. The part of each cell (land,
+/// flank, root) is a cell attribute.
 /// @throws FileError where the name of @p result cannot stand in XDMF; InputError where there is no surface (one slice,
 /// no width)
 void write_xdmf(Solution const& solution, std::filesystem::path const& file, std::filesystem::path const& result);
@@ -47,7 +47,7 @@ void write_stl(Solution const& solution, std::filesystem::path const& file, Surf
 /// the largest contact on the driving side.
 void write_vtk(ContactStudy const& study, std::filesystem::path const& file, SurfaceOptions const& options = {});
 
-/// VTK's XML format, text: the whole undeformed cup as hexahedra with twenty nodes, point data `displacement` [mm]
+/// VTK's XML format, text: the whole undeformed cup as hexahedra with twenty nodes. Point data are `displacement` [mm]
 /// (ParaView's filter "Warp By Vector") and `von_mises` [MPa], extrapolated to the nodes and averaged there. Frame of
 /// the drive: x = r sin phi, y = r cos phi, z from the middle of the bearing.
 /// @param cup    the bent cup
@@ -55,19 +55,20 @@ void write_vtk(ContactStudy const& study, std::filesystem::path const& file, Sur
 /// @param steps  elements round the axis
 void write_vtu(elastic::BentCup const& cup, std::filesystem::path const& file, int steps = 96);
 
-/// A folder with a deck for CalculiX that needs nothing from here to run (`ccx linear`), and what it must come to:
+/// A folder with a complete deck for CalculiX (`ccx linear`) and the result that it must give:
 /// - `linear.inp`: cup of C3D20R, bottom clamped at the flange, forces of the bearing on the inner surface,
 ///   geometrically linear
 /// - `expected.csv`: node, r, z, phi_deg, u_r, u_t, u_z of some nodes whose displacements the deck prints
-/// - `files.txt`: what is there
+/// - `files.txt`: the list of these files
 ///
-/// and where contact is asked for
-/// - `contact.inp`: the cup, and the bearing as a second body that touches it or does not, moved by the cam (rigid, or
-///   on the line of balls of an elastic ring): the same displacements but for grids of contacts and a penalty
-/// - `expected_contact.csv`: resultant of the forces between them, on the part of the cup that is there
+/// With @p contact also
+/// - `contact.inp`: the cup, and the bearing as a second body in contact with it. The cam moves the bearing: a rigid
+///   one, or an elastic ring on its line of balls. The displacements agree but for grids of contacts and a penalty
+/// - `expected_contact.csv`: resultant of the forces between them, on the part of the cup that is modelled
 ///
-/// Of a cup that is its own mirror image half a lobe, otherwise the whole turn. Where the ring stands off its balls the
-/// deck leaves it free. Domain of the contact: balls without radial stiffness, a bearing with a width.
+/// The deck holds half a wave of a cup that is its own mirror image there, otherwise the whole turn. Where the ring
+/// does not touch its balls the deck leaves it free. Domain of the contact: balls without radial stiffness, a bearing
+/// with a width.
 /// @param cup      the bent cup
 /// @param folder   that is made, or replaced where it was written so before
 /// @param steps    elements round that

@@ -194,14 +194,14 @@ using WireSetUps = std::vector<WireProgram>;
 /// The same program for a part that is turned by half a turn.
 [[nodiscard]] WireProgram turned_half(WireProgram program);
 
-/// Faults between [wedm] and the drive: a wire wider than a pitch, a workpiece thinner than the toothing, a tilt that
-/// the machine cannot make; also that there is no [wedm]. Not part of reading a scene, so that other verbs do not
-/// refuse a drive for its wire.
+/// Faults between [wedm] and the drive, and a missing [wedm]. Such faults are a wire wider than a pitch, a workpiece
+/// thinner than the toothing, a tilt that the machine cannot make. Reading a scene leaves them out, so that other verbs
+/// do not refuse a drive for its wire.
 [[nodiscard]] Faults check_wedm(Scene const& scene);
 
-/// The scene whose solution has the faces: its face width is the workpiece's thickness, and it has slices where the
-/// faces differ, a middle one among them (for "per-slice" as many as @p scene, at least 3). Each face is a slice of the
-/// true surface; the lower one is that at z = -T/2.
+/// The scene whose solution has the faces. Its face width is the workpiece's thickness. Where the faces differ it has
+/// slices, a middle one among them; for "per-slice" as many as @p scene, at least 3. Each face is a slice of the true
+/// surface; the lower one is that at z = -T/2.
 [[nodiscard]] Scene wire_scene(Scene const& scene);
 
 /// Solves wire_scene(scene) and makes the program of all passes, checked (checks.hpp).
@@ -219,10 +219,10 @@ using WireSetUps = std::vector<WireProgram>;
 
 /// All set-ups of the part that [wedm] names: the circular spline has one.
 ///
-/// A wire around the flexspline would cut what holds it, so that it is cut in two set-ups of half the teeth each (one
-/// more in the first where their number is odd), between which the part is turned by half a turn on its mandrel. Both
-/// begin and end in the middle of a tip land, outside the blank; the path goes on for `overlap` beyond that. Checks and
-/// errors as of wire_program, for each.
+/// A wire around the flexspline would cut what holds it. The flexspline is therefore cut in two set-ups of half the
+/// teeth each, one more in the first where their number is odd. Between them the part is turned by half a turn on its
+/// mandrel. Both begin and end in the middle of a tip land, outside the blank; the path goes on for `overlap` beyond
+/// that. Checks and errors are those of wire_program, for each.
 [[nodiscard]] WireSetUps wire_set_ups(Scene const& scene, StageObserver const& on_stage = {});
 
 }  // namespace hdconj

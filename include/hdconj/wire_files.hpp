@@ -72,18 +72,17 @@ struct WireFile
 void check_wire_files(std::filesystem::path const& folder, std::vector<std::string> const& dialects = {},
                       std::string const& place = "--dialect");
 
-/// Writes the set-ups @p programs of one part into @p folder, with a list of the files, files.txt; where there are
-/// several, names of files say which they belong to. All or nothing: the files are made in a temporary folder beside
-/// it, each is read back from there and rebuilt to both faces within one unit of its last digit along the whole path,
-/// and then the folder is renamed. A folder that was written so before is replaced as a whole.
+/// Writes the set-ups @p programs of one part into @p folder, with a list of the files, files.txt. Where there are
+/// several set-ups, names of files say which they belong to. Either all files appear or none. They are made in a
+/// temporary folder beside it, and each is read back from there. The path so read must agree with both faces to one
+/// unit of its last digit. Then the folder is renamed. A folder that was written so before is replaced as a whole.
 ///
-/// Checked before: pairing, finite numbers, closed paths from and to a vertical wire, no block of length zero in either
-/// plane after rounding; of the texts: characters, line lengths, no exponent, no negative zero; equal faces give equal
-/// words.
+/// Checked before, of the path: pairing, finite numbers, a vertical wire at begin and end, no block of length zero in
+/// either plane after rounding. Checked of the texts: characters, line lengths, no exponent, no negative zero, equal
+/// words for equal faces.
 /// @param programs  the set-ups of one part
 /// @param folder    that is made, or replaced where it was written so before
-/// @param dialects  empty: all that fit, unfit_dialects() left out; to say so is the caller's, in the warnings of
-/// the programs
+/// @param dialects  empty: all that fit. unfit_dialects() are left out; the warnings of the programs do not say so
 /// @throws NumericalError with file, line and cause where a check fails; InputError, FileError. Nothing is written
 /// then.
 std::vector<WireFile> write_wire_files(WireSetUps const& programs, std::filesystem::path const& folder,

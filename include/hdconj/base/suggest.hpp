@@ -13,8 +13,9 @@ namespace hdconj {
 /// edited twice (Damerau-Levenshtein, optimal string alignment). Costs a.size() * b.size().
 [[nodiscard]] std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The word of @p words that @p given most likely means: equal but for case and - or _, one the beginning of the
-/// other, or few typing errors away; nothing when none is near. The first of equally near words.
+/// The word of @p words that @p given most likely means; nothing when none is near. A word is near when it is equal but
+/// for case and - or _, when one is the beginning of the other, or when few typing errors separate them. Of equally
+/// near words the first is taken.
 [[nodiscard]] std::optional<std::string_view> nearest(std::string_view given,
                                                       std::vector<std::string_view> const& words);
 

@@ -31,8 +31,8 @@ void crowd_ends(envelope::Envelope<Motion> const& envelope, envelope::ContactArc
     points.insert(points.end() - 1, end.begin(), end.end());
 }
 
-/// Calls @p add(points, u) for each stretch of a polygon of @p arc, chord error <= @p chord, that is @p wanted; of an
-/// arc that bounds nothing there is none.
+/// Calls @p add(points, u) for each stretch of a polygon of @p arc that is @p wanted. The chord error is at most @p
+/// chord. An arc that bounds nothing has no stretch.
 /// @param graded  with vertices crowded towards the arc's ends
 template <motion::RelativeMotion Motion, class Wanted, class Add>
 void add_polygons(envelope::Envelope<Motion> const& envelope, envelope::ContactArc const& arc, double chord,

@@ -37,15 +37,16 @@ struct ToothBody
     double gap = 0;            ///< largest distance between branches that were taken for one [mm]
 };
 
-/// Finds the largest tooth around the y axis that none of the moving teeth enters, cut flat at the tip.
+/// Finds the largest tooth around the y axis that none of the moving teeth penetrates, cut flat at the tip.
 ///
-/// What the teeth sweep hangs down on both sides of the axis; the tooth is the part of the rest that is reached from
-/// below, and its flanks are followed from the tip down to their feet: where the other tooth touches with the very end
-/// of its tip (its contact normal is along its own centre line, beyond which the other side of it touches), or where
-/// half the pitch is reached. Polygons decide only which arc follows which, as in ToothSpaceFinder; every corner is
-/// solved on the arcs. A flank that was itself made by two conjugate zones touches the tooth twice, and two branches
-/// then run side by side, closer than anything tells apart: where they have no corner, and are no farther apart than a
-/// small part of the tolerance, the flank changes from one to the other across the gap.
+/// What the moving teeth sweep hangs down on both sides of the axis. The tooth is the part of the rest that is reached
+/// from below. Its flanks are followed from the tip down to their feet. At a foot the other tooth touches with the end
+/// of its tip: the contact normal is along its own centre line. A flank also ends where half the pitch is reached.
+/// Polygons decide only which arc follows which, as in ToothSpaceFinder; every corner is solved on the arcs.
+///
+/// A flank that was itself made by two conjugate zones touches the tooth twice. Two branches then run side by side,
+/// closer than rounding can separate. Where they have no corner, and are no farther apart than a small part of the
+/// tolerance, the flank changes from one to the other across the gap.
 template <motion::RelativeMotion Motion>
 class ToothBodyFinder
 {

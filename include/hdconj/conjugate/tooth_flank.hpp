@@ -23,8 +23,8 @@ template <motion::RelativeMotion Motion>
     return {tooth.envelope, tooth.arcs[static_cast<std::size_t>(piece.arc)], 0};
 }
 
-/// Of branches that run side by side, no farther apart than @p step [mm], polygons pick now one, now the other: the
-/// flank stays on the first as long as it can.
+/// Keeps the flank on one of several branches that run side by side, no farther apart than @p step [mm]. Polygons pick
+/// now one, now the other of them; the flank stays on the first as long as it can.
 /// @param gap  raised to the largest distance between branches that were taken for one
 template <motion::RelativeMotion Motion>
 [[nodiscard]] std::vector<BoundaryPiece> without_changes(std::vector<SweptTooth<Motion>> const& teeth,
@@ -64,9 +64,9 @@ template <motion::RelativeMotion Motion>
     return result;
 }
 
-/// Where a flank of the reverse problem ends on @p piece: where the tooth that sweeps it touches with the very end of
-/// its tip (its contact normal is along its own centre line), or at half the pitch. Its begin when at once, nothing
-/// when the flank goes on.
+/// Where a flank of the reverse problem ends on @p piece; the begin of the piece when it ends at once, nothing when it
+/// goes on. It ends where the tooth that sweeps it touches with the end of its tip, so that the contact normal is along
+/// its own centre line, or at half the pitch.
 /// @param vertices    u at the vertices of the piece's polygon, between which at most one foot is looked for
 /// @param side        1: right flank, -1: left
 /// @param half_width  half the pitch at the root [mm]

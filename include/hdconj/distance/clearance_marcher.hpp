@@ -25,14 +25,15 @@ struct TurnMinimum
     std::size_t station = 0;                                    ///< nearest of the stations looked at
 };
 
-/// min over u in a lobe of the signed distance from a fixed point to the tooth.
+/// Minimum over u in one wave of the signed distance from a fixed point to the tooth.
 ///
-/// The distance changes no faster than the point moves in the tooth's frame; so from a station where it is d, the next
-/// one that can hold less than the best b is (d - b)/speed away, and everything between is skipped without being looked
-/// at. Around stations that cannot be skipped, a change of sign of the derivative d' = -n.v is refined to the minimum.
-/// Accuracy: some roundings of the coordinates at each minimum, u to half the digits. Stations are 1/384 of a lobe
-/// apart; two minima within one step of which only the higher one is found differ by no more than the square of the
-/// step times the distance's curvature. Keeps pointers to @p tooth and @p motion.
+/// The distance changes no faster than the point moves in the tooth's frame. From a position where it is d, the next
+/// one that can hold less than the best b is therefore (d - b)/speed away, and everything between is skipped. Around
+/// positions that cannot be skipped, a change of sign of the derivative d' = -n.v is refined to the minimum.
+///
+/// Accuracy: some roundings of the coordinates at each minimum, u to half the digits. Positions are 1/384 of a wave
+/// apart. If only the higher of two minima within one step is found, the error is at most the square of the step times
+/// the curvature of the distance. Keeps pointers to @p tooth and @p motion.
 template <motion::RelativeMotion Motion>
 class ClearanceMarcher
 {
@@ -79,8 +80,8 @@ class ClearanceMarcher
         }
     }
 
-    /// Looks for less than each of @p best over the whole lobe for neighbouring points at once: what is looked at is
-    /// what any of them needs, and what it says is looked at again one by one where it matters.
+    /// Looks over the whole wave for less than each of @p best, for neighbouring points at once. The points share the
+    /// positions that any of them needs; what is found is evaluated again point by point where it matters.
     void operator()(ToothLanes const& tooth, std::array<Vec2, lanes> const& p, int copy,
                     std::array<TurnMinimum, lanes>& best) const
     {
@@ -130,8 +131,8 @@ class ClearanceMarcher
         double speed;  ///< no faster anywhere near
     };
 
-    /// How low a dip between two adjoining stations can be: no lower than the point's speed allows, nor, where it is
-    /// one dip, than the steeper of its two sides; twice that steep, for what the slope does between.
+    /// Lower bound of a dip between two adjoining positions. It follows from the point's speed, and, where there is one
+    /// dip, from twice the steeper of the slopes at its two sides.
     [[nodiscard]] double lowest_between(Station const& before, Station const& now) const
     {
         double const steepest = std::min(now.speed, 2 * std::max(-before.slope, now.slope));

@@ -11,8 +11,8 @@
 
 namespace hdconj::distance {
 
-/// x(t) of a curve for t in [from, to], with bounds that hold on all of it, and as a short power series about its
-/// middle: x(t) = sum x_k s^k, s = -1 ... 1.
+/// A stretch of a curve x(t), t in [from, to], with bounds that hold on all of it. It is also given as a short power
+/// series about its middle: x(t) = sum x_k s^k, s = -1 ... 1.
 struct CurveStretch
 {
     /// No stretch needs more; one that does is cut.

@@ -111,11 +111,11 @@ class FullTurnClearance
     int reach_;  ///< neighbours on either side: half the lobe's pitches, and one for the tooth's own width
 };
 
-/// min over u in a full turn and over all circular-spline teeth of the signed distance from a point of the flexspline
-/// tooth.
+/// Minimum over u in a full turn, and over all circular-spline teeth, of the signed distance from a point of the
+/// flexspline tooth.
 ///
-/// Each circular-spline tooth does a motion of its own in the flexspline tooth's frame, and what it does in the next
-/// lobe another one does in this; so one lobe of the teeth that can reach the flexspline tooth is a full turn.
+/// Each circular-spline tooth has a motion of its own in the flexspline tooth's frame. What one tooth does in the next
+/// wave, another one does in this wave. So one wave of the teeth that can reach the flexspline tooth is a full turn.
 template <motion::RelativeMotion Motion>
 class ReverseFullTurnClearance
 {

@@ -28,8 +28,8 @@ struct BracketEnd
     return width * (1 - (high.slope + root - z) / (high.slope - low.slope + 2 * root));
 }
 
-/// Where lines with twice the slopes of both sides meet above the first, and how far they allow less than what was seen
-/// there: what a dip allows whose slopes between are no more than twice those at its sides, bent up or down.
+/// Where lines with twice the slopes of both sides meet, above the first, and how far they allow less than the least
+/// value seen. A dip reaches no deeper if the slopes between are no more than twice those at its sides.
 [[nodiscard]] inline double doubt_of(BracketEnd const& low, BracketEnd const& high)
 {
     double const width = high.u - low.u;
@@ -42,10 +42,10 @@ struct BracketEnd
 /// Follows the dip between @p low (falling) and @p high (rising) with @p look, u -> BracketEnd, until doubt_of() its
 /// sides is no more than @p rounding [mm].
 ///
-/// A smooth dip is met by the cubic through both sides, a pointed one (the foot changes to another piece) by their
-/// tangents; which it is shows in the slope at the last look. Where the cubic comes from one side only it goes twice as
-/// far; where tangents meet at one side, or beyond it, or gain little, the next look is at the geometric mean of its
-/// distance and the width. What is left after forty looks is halved.
+/// A smooth dip is met by the cubic through both sides. A pointed one, where the foot changes to another piece, is met
+/// by their tangents. The slope at the last evaluation shows which it is. Where the cubic comes from one side only, the
+/// step is doubled. Where tangents meet at one side or beyond it, or gain little, the next evaluation is at the
+/// geometric mean of that distance and the width. After forty evaluations the bracket is halved.
 template <class Look>
 void minimise_bracketed(Look&& look, BracketEnd low, BracketEnd high, double rounding)
 {

@@ -21,10 +21,10 @@ struct NearestPoint
 
 /// Distance function of one tooth in its own frame. Keeps pointers into the profile's curves.
 ///
-/// Feet on lines and arcs in closed form; on short stretches of curves the only root of (p - x(t)).x'(t) = 0 that a
-/// minimum can have, and where it is not proved to be the only one all roots on that curve. At a corner the foot is the
-/// corner. Below the root ends the body goes on as the rim: points whose nearest point is a root end count as outside,
-/// which is right for every point beyond the rim (all points of a circular spline are).
+/// Feet on lines and arcs have closed forms. A short stretch of a curve has at most one root of (p - x(t)).x'(t) = 0
+/// that can be a minimum; where this is not proved, all roots on that curve are found. At a corner the foot is the
+/// corner. Below the root ends the body goes on as the rim: points whose nearest point is a root end count as outside.
+/// That is right for every point beyond the rim, and all points of a circular spline are.
 class ToothDistance
 {
   public:

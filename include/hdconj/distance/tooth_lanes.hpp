@@ -18,12 +18,12 @@ struct alignas(lanes * sizeof(double)) Lanes : std::array<double, lanes>
 {
 };
 
-/// What ToothDistance says, for as many points at once as there are lanes, in a loop without branches of which a
-/// compiler makes vector instructions; which ones is chosen when the program is loaded, with the same bits for all.
+/// The distances of ToothDistance for as many points at once as there are lanes. The loop has no branches, so that a
+/// compiler makes vector instructions of it. Which ones is chosen when the program is loaded; all give the same bits.
 ///
-/// Every arc and line is looked at, prolonged beyond its ends by 2^-40 of it, so that no joint is left out; of the
-/// joints only corners and root ends. Accuracy: as ToothDistance, but for 2^-40 of a piece: for telling where to look
-/// closer.
+/// Every arc and line is evaluated, prolonged beyond its ends by 2^-40 of its length, so that no joint is left out. Of
+/// the joints only corners and root ends are evaluated. Accuracy: that of ToothDistance, but for 2^-40 of a piece; it
+/// serves to tell where to look closer.
 class ToothLanes
 {
   public:

@@ -69,8 +69,9 @@ template <class PointAt>
     return {std::move(stations), errors, chord};
 }
 
-/// One arc being sampled. Three looks: some twenty points, refined where neighbours turn too much for their chords'
-/// errors to be trusted; for a long polygon some hundred more, where those of the first look say; and the polygon.
+/// One arc being sampled, in three passes. The first takes some twenty points, and more where neighbours turn too much
+/// for their chord errors to be trusted. The second adds some hundred where a long polygon needs them. The third is the
+/// polygon.
 template <motion::RelativeMotion Motion>
 class ArcSampler
 {

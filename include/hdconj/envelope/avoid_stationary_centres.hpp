@@ -48,13 +48,13 @@ template <motion::RelativeMotion Motion>
     return {};
 }
 
-/// @p tooth, raised by as little as sets every arc's centre in motion.
+/// @p tooth, shifted minimally so that no arc centre is stationary.
 ///
-/// When V = 0 the meshing condition n.V = 0 of an arc holds for all of it at one instant: a contact that runs along the
-/// arc in no time. The circular spline is the limit of teeth that are a little higher or lower, where it runs in a
-/// short time, and such a tooth is solved: raised by some roundings of r_m divided by theta' (4e-11 mm and less on
-/// type-50). A tooth without such an arc is returned as it is, bit for bit.
-/// @throws NumericalError where the tooth does not turn at that instant, so that raising it changes nothing
+/// When V = 0, the meshing condition n.V = 0 of an arc holds for all of it at one instant, so the contact runs along
+/// the arc in no time. The circular spline is the limit of teeth that are a little higher or lower, where it runs in a
+/// short time. Such a tooth is solved: it is shifted by some roundings of r_m divided by theta', 4e-11 mm and less on
+/// type-50. A tooth without such an arc is returned bit for bit.
+/// @throws NumericalError where the tooth does not turn at that instant, so that a shift changes nothing
 template <motion::RelativeMotion Motion>
 [[nodiscard]] profile::Profile avoid_stationary_centres(profile::Profile tooth, Motion const& motion)
 {

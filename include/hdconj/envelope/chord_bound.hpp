@@ -18,9 +18,9 @@ namespace hdconj::envelope {
 /// The next order of the expansion, so that chord_error() is a bound.
 inline constexpr double next_order = 1.02;
 
-/// Largest distance from its chord of the cubic that has the given ends and end normals: for a circular arc length
-/// times turn over 8; right to the next order for any smooth curve, inflexions included. Rounded up by 2 per cent for
-/// that.
+/// Largest distance from its chord of the cubic that has the given ends and end normals. For a circular arc this is
+/// length times turn over 8. For any smooth curve, inflexions included, it is right to the next order, and 2 per cent
+/// are added for that.
 [[nodiscard]] inline double chord_error(EnvelopePoint const& a, EnvelopePoint const& b)
 {
     Vec2 const chord = b.p - a.p;
@@ -92,9 +92,9 @@ inline constexpr double next_order = 1.02;
 
 /// Upper bound of the distance of the arc s -> @p at(s) from its chord over [s0, s1], whose ends are @p a and @p b.
 ///
-/// Cubics through 2, 4, ... 16 parts. Their error is of fourth order: with each halving it falls to a sixteenth, so
-/// what is left is below the last change and a sixteenth of what was left before, whichever is more (a change may be
-/// small by chance); that is added. Done when it is a per cent.
+/// Cubics go through 2, 4, ... 16 parts. Their error is of fourth order: each halving divides it by sixteen. What is
+/// left is therefore below the last change, and below a sixteenth of what was left before. The larger of both is added,
+/// since a change may be small by chance. The search ends when it is a per cent.
 /// @param first_doubt  relative error of the cubic over the whole chord, at most
 template <class At>
 [[nodiscard]] double chord_bound(At const& at, double s0, EnvelopePoint const& a, double s1, EnvelopePoint const& b,
@@ -127,9 +127,9 @@ template <class At>
     }
 }
 
-/// chord_error() of every chord between neighbouring @p points, bit for bit, many at once; and its bend [1/mm], the
-/// turn of the normal over the length, 0 where that is more than a quarter turn or there is no length. Both outputs
-/// have one place less than @p points.
+/// chord_error() of every chord between neighbouring @p points, bit for bit, many at once, and its bend [1/mm]. The
+/// bend is the turn of the normal over the length, and 0 where that is more than a quarter turn or there is no length.
+/// Both outputs have one place less than @p points.
 void chord_errors(std::span<EnvelopePoint const> points, std::span<double> errors, std::span<double> bends);
 
 /// Errors and bends of chords; blocks of fixed size, whatever the number of threads.
@@ -156,8 +156,8 @@ struct ChordLook
 
 /// Whether chord @p i has neighbours on either side that bend as it does, so that chord_error() is not below its error.
 ///
-/// Where curvature changes by a tenth from chord to chord, what the cubic over one leaves out, L^4 y''''/384 of L^2
-/// y''/8, is below half a per cent, a quarter of what chord_error() adds.
+/// Let the curvature change by a tenth from chord to chord. What the cubic over one chord leaves out is L^4 y''''/384
+/// of L^2 y''/8. That is below half a per cent, a quarter of what chord_error() adds.
 [[nodiscard]] inline bool bends_alike(std::span<double const> bends, std::size_t i)
 {
     constexpr double alike = 1.1;
@@ -167,8 +167,8 @@ struct ChordLook
     return i > 0 && i + 1 < bends.size() && agree(bends[i], bends[i - 1]) && agree(bends[i], bends[i + 1]);
 }
 
-/// For each chord between neighbouring @p points, at @p stations: its error estimated from its ends, as @p look has it,
-/// where its neighbours bend as it does (bends_alike()); else its bound, which is put in its place.
+/// The error of each chord between neighbouring @p points, at @p stations. Where the neighbours of a chord bend as it
+/// does (bends_alike()), it is the estimate from its ends in @p look. Elsewhere its bound takes that place.
 template <class At>
 void bound_chords(At const& at, std::vector<double> const& stations, std::vector<EnvelopePoint> const& points,
                   ChordLook& look, std::size_t& evaluations)

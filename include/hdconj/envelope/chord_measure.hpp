@@ -12,8 +12,8 @@
 namespace hdconj::envelope {
 
 /// How many chords of a wanted error an arc takes up to each of some stations along it. A chord's error is of second
-/// order in its length, so a cell between two stations whose chord has the error e takes sqrt(e / wanted) of them;
-/// inside a cell their density is taken linear.
+/// order in its length. A cell between two stations whose chord has the error e therefore takes sqrt(e / wanted) of
+/// them. Inside a cell their density is taken as linear.
 ///
 /// Accuracy: the density's is of second order in the cells; chords placed by it differ in error by twice that.
 class ChordMeasure

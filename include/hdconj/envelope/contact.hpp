@@ -36,10 +36,13 @@ struct Contact
 
 /// Contact of a circular arc or corner, offset by @p d.
 ///
-/// f = n.V with V the velocity of the arc's centre (design 3.2), so n = sign * V turned by +90 degrees / |V|. With
-/// a' = cross(V, V')/|V|^2 the turning rate of V and r = radius + d, the envelope point moves along right_of(n) at
-/// sign |V| + r (omega - a'), and it bounds the swept region locally iff sgn(r) (|V|^3 + sign r (omega |V|^2 - cross(V,
-/// V'))) > 0. Degenerate: V = 0 (the whole arc touches): n is not finite.
+/// The meshing condition is f = n.V with V the velocity of the arc's centre, so n = sign * V turned by +90 degrees /
+/// |V|. Let a' = cross(V, V')/|V|^2 be the turning rate of V, and r = radius + d. The envelope point then moves along
+/// right_of(n) at
+///   sign |V| + r (omega - a')
+/// It bounds the swept region locally if and only if
+///   sgn(r) (|V|^3 + sign r (omega |V|^2 - cross(V, V'))) > 0
+/// Degenerate: V = 0, where the whole arc touches: n is not finite.
 [[nodiscard]] inline Contact arc_contact(profile::ArcPiece const& arc, motion::MotionRates const& rates, int sign,
                                          double d)
 {
@@ -71,8 +74,8 @@ struct Contact
 }
 
 /// Contact of an arc whose centre stands still to roundoff while the contact runs from t_begin at u_begin to t_end at
-/// u_end: all normals between touch at once, and t is taken linear in u. It bounds the swept region locally iff sign
-/// (turn of the normal) < 0, the limit of arc_contact() for V -> 0.
+/// u_end. All normals between touch at once, and t is taken as linear in u. The contact bounds the swept region locally
+/// if and only if sign (turn of the normal) < 0, the limit of arc_contact() for V -> 0.
 [[nodiscard]] inline Contact resting_contact(profile::ArcPiece const& arc, ContactArc const& along, double u, double d)
 {
     double const share = (u - along.u_begin) / (along.u_end - along.u_begin);
@@ -141,8 +144,8 @@ struct Contact
     return c;
 }
 
-/// Bernstein coefficients in t of f(., u) = theta' A + q_x B + q_y C; returns how far they may be, by rounding, from
-/// those of the exact curve under the exact @p twist.
+/// Bernstein coefficients in t of f(., u) = theta' A + q_x B + q_y C. Returns how far rounding may move them from those
+/// of the exact curve under the exact @p twist.
 inline double meshing_polynomial(profile::CurvePiece const& curve, PlanarVelocity const& twist, std::span<double> out)
 {
     double size = 0;

@@ -16,14 +16,14 @@ namespace hdconj::envelope {
 /// 2^-51 of the angle.
 void undeformed_angles(motion::CosineForm const& motion, std::span<double const> u, std::span<double> phi);
 
-/// Envelope::point() of a contact on an arc, corner or line, in loops without branches of which a compiler makes vector
-/// instructions; which ones is chosen when the program is loaded, with the same bits for all. No point depends on its
-/// neighbours: the bits are those of any other split into calls.
+/// Envelope::point() of a contact on an arc, corner or line, many at once. The loops have no branches, so that a
+/// compiler makes vector instructions of them. Which ones is chosen when the program is loaded; all give the same bits.
+/// No point depends on its neighbours: any other split into calls gives the same bits.
 ///
-/// Domain: |waves u| <= 64. Ends that are given are not taken for the solved ones: see point_batch().
-/// Degenerate: where the closed form has no value, or the normal is more than a quarter turn from the arc's middle, t
-/// is not a number. Accuracy: as Envelope::point(), whose error estimate is repeated; the two differ by some roundings
-/// of the coordinates.
+/// Domain: |waves u| <= 64. Ends that are given are not taken for the solved ones: see point_batch(). Degenerate: where
+/// the closed form has no value, or the normal is more than a quarter turn from the arc's middle, t is not a number.
+/// Accuracy: as Envelope::point(), whose error estimate is repeated; the two differ by some roundings of the
+/// coordinates.
 class ContactBatch
 {
   public:

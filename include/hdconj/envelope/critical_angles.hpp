@@ -45,9 +45,9 @@ struct CriticalAngle
 /// Instants in (a, b) at which a contact crosses an end of @p shape: all roots in u of f(t_end, u) = n_end . v(x_end,
 /// u).
 ///
-/// On each panel of @p rates this is a Bernstein polynomial with a stated error; its roots are isolated as in
-/// bernstein_roots, across panels, and refined on the motion itself. A near-double root is a contact that touches the
-/// end and turns back, or crosses it for a time too short to be told from none: it is recorded as a doubt.
+/// On each panel of @p rates this is a Bernstein polynomial with a stated error. Its roots are isolated as in
+/// bernstein_roots, across panels, and refined on the motion itself. At a near-double root a contact touches the end
+/// and turns back, or crosses it for a time that rounding hides. Such a place is recorded as undecided.
 /// @param piece  number of the piece, for the record
 template <motion::RelativeMotion Motion>
 void end_crossings(profile::PieceShape const& shape, int piece, Motion const& motion, motion::RatesModel const& rates,

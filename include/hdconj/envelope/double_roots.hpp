@@ -38,20 +38,22 @@ struct DoubleRoots
     }
 };
 
-/// All (t, u) in [0, 1] x [a, b] with f = f_t = 0; geometrically the instants at which the instantaneous centre of
-/// rotation crosses the evolute of the curve.
+/// All (t, u) in [0, 1] x [a, b] with f = f_t = 0. Geometrically these are the instants at which the instantaneous
+/// centre of rotation crosses the evolute of the curve.
 ///
-/// F = (f, f_t) is a tensor-product Bernstein polynomial to a stated error e. A box without zero among the coefficients
-/// of f or of f_t, widened by the error, is empty. Let J be the Jacobian of F, Y the inverse of its middle over the box
-/// X widened by an eighth, X', and E >= |1 - Y J| on X' with row sums below q < 1, from the ranges of the coefficients.
-/// By the mean value theorem every zero x in X of any function within e satisfies, for any z in X',
+/// F = (f, f_t) is a tensor-product Bernstein polynomial to a stated error e. A box is empty if the coefficients of f,
+/// or of f_t, widened by the error, do not contain zero. Let J be the Jacobian of F, X' the box X widened by an eighth,
+/// and Y the inverse of the middle of J over X'. The ranges of the coefficients give E >= |1 - Y J| on X'; its row sums
+/// must be below q < 1. By the mean value theorem every zero x in X of any function within e satisfies, for any z in
+/// X',
 ///   |x - z| <= (1 - E)^-1 |Y| (|F(z)| + e)                                    (1)
-/// so X' holds at most one; z is what Newton's method gives. Where the box (1) about z lies inside X' the zero exists
-/// (Brouwer); where it misses X, X is empty. Else X is cut across the direction in which F varies more. A box in which
-/// F stays within five times its error, or varies by less than it, is not cut further: it and its neighbours are
-/// reported as one root that is not separated. The work is bounded by `budget` boxes; what is left then is reported in
-/// the same way. Merges within rounding of an end of the curve are left out: there one contact crosses the end, and
-/// that is solved for. Accuracy: (1), stated with each root. Domain: the errors are those of the RatesModel.
+/// So X' holds at most one zero; z is what Newton's method gives. Where the box (1) about z lies inside X' the zero
+/// exists (Brouwer). Where it misses X, X is empty. Otherwise X is cut across the direction in which F varies more.
+///
+/// A box in which F stays within five times its error, or varies by less than it, is not cut further. It and its
+/// neighbours are reported as one root that is not separated. At most `budget` boxes are examined; what is left then is
+/// reported in the same way. Merges within rounding of an end of the curve are left out: there one contact crosses the
+/// end, and that is solved for. Accuracy: (1), stated with each root. Domain: the errors are those of the RatesModel.
 class DoubleRootSearch
 {
   public:

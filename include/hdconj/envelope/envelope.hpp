@@ -20,10 +20,10 @@ struct EnvelopePoint
     double error = 0;       ///< estimated rounding error of p, along the curve [mm]
 };
 
-/// Profile and motion together, with the parallel offset that the envelope is wanted at.
+/// Profile and motion together, with the parallel offset of the envelope.
 ///
-/// The envelope of the tooth offset by d is the offset of its envelope: n.v = 0 holds at the same instants, since
-/// the turn omega x (d n) has no part along n.
+/// The envelope of the tooth offset by d is the offset of its envelope. The condition n.v = 0 holds at the same
+/// instants, since the turn omega x (d n) has no part along n.
 template <motion::RelativeMotion Motion>
 class Envelope
 {
@@ -81,8 +81,8 @@ class Envelope
     }
 
     /// How far @p e may be from the true curve [mm]. Where the contact runs fast along a curve, as where two merge, the
-    /// point is uncertain along it; but tooth and envelope touch there, and a point of the tooth that is doubt away is
-    /// off the envelope by doubt^2 times half of what their curvatures differ by, of which twice the sum is taken.
+    /// point is uncertain along it. But tooth and envelope touch there. A point of the tooth at the distance s along it
+    /// is off the envelope by s^2 times half the difference of their curvatures. Twice the sum of both is taken.
     [[nodiscard]] double off_curve(ContactArc const& arc, EnvelopePoint const& e) const
     {
         double const fixed = roundings * unit_roundoff * e.p.norm();
@@ -124,10 +124,10 @@ class Envelope
         return {u, t, p, pose.rotate(end.normal), roundings * unit_roundoff * p.norm()};
     }
 
-    /// The root that this arc follows. Roots keep their order between two critical u; next to an end, where roundoff
-    /// may add or drop one, the root nearest to the chord between the known ends is taken. At an end that was solved
-    /// for the solved parameter holds: of two contacts that merge, roots at the same u are still the square root of
-    /// roundoff apart.
+    /// The root that this arc follows. Roots keep their order between two critical u. Next to an end, where roundoff
+    /// may add or drop a root, the one nearest to the chord between the known ends is taken. At an end that was solved
+    /// for, the solved parameter holds: two contacts that merge have roots at the same u that are still the square root
+    /// of roundoff apart.
     [[nodiscard]] double followed_root(profile::CurvePiece const& curve, PlanarVelocity const& twist,
                                        ContactArc const& arc, double u) const
     {

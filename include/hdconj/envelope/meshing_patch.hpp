@@ -29,8 +29,8 @@ struct Range
     [[nodiscard]] double beyond_noise() const { return std::max(0.0, largest() - 2 * noise); }
 };
 
-/// f(t, u) = sum_ij c_ij B_i(s) B_j(r) with s, r from 0 to 1 over the box; f is known to +-noise, and the coefficients
-/// of f(., u) in t as well. All derivatives are with respect to s and r.
+/// f(t, u) = sum_ij c_ij B_i(s) B_j(r) with s, r from 0 to 1 over the box. f is known to +-noise, and so are the
+/// coefficients of f(., u) in t. All derivatives are with respect to s and r.
 class MeshingPatch
 {
   public:

@@ -9,13 +9,14 @@
 
 namespace hdconj::envelope {
 
-/// Points equidistributed in sqrt(turn * length): for a smooth curve each chord then has the same error, which is the
-/// fewest points possible up to higher order. Places that the looks before misjudged are cut again until every chord
+/// Points equidistributed in sqrt(turn * length). For a smooth curve each chord then has the same error, which takes
+/// the fewest points possible up to higher order. Chords that are still too long are cut again until every chord
 /// passes.
 ///
 /// @param from, to  interval of u inside the arc; from > to gives the points in reverse order
-/// @param threads   for chords that are bounded; estimated ones are looked at as they are made
-/// Accuracy: every point is an exact contact (not interpolated); `chord` is within a few per cent of the true chord
+/// @param threads   for chords that are bounded; estimated ones are evaluated as they are made
+///
+/// Accuracy: every point is an exact contact, not interpolated. `chord` is within a few per cent of the true chord
 /// error, and by default not below it.
 template <motion::RelativeMotion Motion>
 [[nodiscard]] SampledArc sample_arc(Envelope<Motion> const& envelope, ContactArc const& arc, double from, double to,
@@ -30,7 +31,7 @@ template <motion::RelativeMotion Motion>
     return result;
 }
 
-/// The points of sample_arc() over the whole arc with estimated chords, handed to @p take part by part: a long polygon
+/// The points of sample_arc() over the whole arc with estimated chords, handed to @p take part by part. A long polygon
 /// costs no memory but what @p take keeps of it.
 /// @param take  (points, how many are to come with them, unless chords are cut)
 /// @returns what was asked of the chords, without points

@@ -39,8 +39,8 @@ void make_room(Column& column, std::size_t more)
         column.reserve(std::max(column.size() + more + more / few, 2 * column.capacity()));
 }
 
-/// Ends of the chords of @p points that are short enough, and of the others cut in halves until they are, added to @p
-/// result, which has the first of @p points.
+/// Adds to @p result the ends of the chords of @p points that are short enough. The others are cut in halves until they
+/// are. @p result holds the first of @p points.
 /// @param at      s -> EnvelopePoint
 /// @param errors  of the chords between @p stations
 template <class At>

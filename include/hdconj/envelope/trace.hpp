@@ -56,11 +56,11 @@ inline void join_continuing(std::vector<ContactArc>& arcs, int piece)
             leave_at_end(arcs[j].t_begin, arcs[j].begins, piece);
 }
 
-/// Contact arcs of piece @p piece over the lobe [-pi/n, pi/n], before they are cut at cusps.
+/// Contact arcs of piece @p piece over the wave [-pi/n, pi/n], before they are cut at cusps.
 ///
-/// Between two critical angles the number of contacts is constant and each is a smooth function of u; so the contacts
-/// at the middle of each interval stand for all, and no arc is lost for being shorter than some step. Where the motion
-/// has breaks, the ranges between them are traced one by one and their arcs joined.
+/// Between two critical angles the number of contacts is constant, and each is a smooth function of u. The contacts at
+/// the middle of each interval therefore stand for all, and no arc is lost for being short. Where the motion has
+/// breaks, the ranges between them are traced one by one and their arcs joined.
 /// @param rates  models of the motion on its smooth ranges, in order
 template <motion::RelativeMotion Motion>
 [[nodiscard]] std::vector<ContactArc> trace_piece(Envelope<Motion> const& envelope,

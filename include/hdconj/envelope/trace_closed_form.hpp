@@ -10,8 +10,8 @@
 
 namespace hdconj::envelope {
 
-/// Contact arcs of a line, arc or corner on one smooth range: membership of the candidates is constant between cuts, so
-/// the middle of each interval stands for all of it.
+/// Contact arcs of a line, arc or corner on one smooth range. Between cuts a candidate is a contact everywhere or
+/// nowhere, so the middle of each interval stands for all of it.
 template <motion::RelativeMotion Motion>
 class ClosedFormTracer
 {

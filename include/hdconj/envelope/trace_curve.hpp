@@ -80,8 +80,8 @@ class CurveTracer
     }
 
   private:
-    /// Number of contacts between cuts: seen in the middle of the longest interval whose roots are all simple, and from
-    /// there on by what each critical angle changes; compared with what is seen in all other such intervals.
+    /// Number of contacts between cuts. It is counted in the middle of the longest interval whose roots are all simple.
+    /// From there on each critical angle changes it by a known number. All other such intervals check the result.
     void count_contacts()
     {
         std::size_t const intervals = range_.cuts.size() - 1;

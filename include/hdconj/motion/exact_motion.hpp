@@ -12,14 +12,16 @@
 
 namespace hdconj::motion {
 
-/// Motion of design 3.1 with parameter u, the polar angle on the deformed neutral curve:
-/// gamma = u - (z_f/z_c) phi(u), theta = gamma - atan(rho'/rho), origin rho (sin gamma, cos gamma).
+/// Exact motion with parameter u, the polar angle on the deformed neutral curve (docs/explanation/theory.md, section
+/// 1):
+///   gamma = u - (z_f/z_c) phi(u),   theta = gamma - atan(rho'/rho),   origin rho (sin gamma, cos gamma)
 ///
 /// With S = sqrt(rho^2 + rho'^2) and k = z_f/z_c the velocity needs neither arc length nor sines of gamma:
 ///   theta' = 1 - k S/r_m - (rho rho'' - rho'^2)/S^2,
 ///   q_x = S - k rho^2/r_m,   q_y = k rho rho'/r_m.
-/// (From q = R^T P' with sin(gamma - theta) = rho'/S, cos(gamma - theta) = rho/S, phi' = S/r_m.)
-/// Accuracy: pose to a few roundings of r_m; q_x loses the two digits of S - k rho^2/r_m ~ r_m (1 - k).
+///
+/// This follows from q = R^T P' with sin(gamma - theta) = rho'/S, cos(gamma - theta) = rho/S, phi' = S/r_m. Accuracy:
+/// pose to a few roundings of r_m; q_x loses the two digits of S - k rho^2/r_m ~ r_m (1 - k).
 template <wavegen::WaveShape Shape>
 class ExactMotion
 {

@@ -14,13 +14,15 @@
 
 namespace hdconj::motion {
 
-/// Thesis (2-16), (2-17), (2-19) with parameter phi: rho = r_m + w(phi), v = -integral of w (less its mean, which is of
-/// second order, so that v is periodic), phi_1 = phi + v/r_m, gamma = phi_1 - k phi, and the normal turned against the
-/// undeformed radius by mu = (v - w')/r_m, theta = (1 - k) phi + mu, k = z_f/z_c.
+/// First-order motion of the thesis, (2-16), (2-17), (2-19), with parameter phi and k = z_f/z_c. Let v be -integral of
+/// w less its mean; the mean is of second order, and v is then periodic.
+///   rho = r_m + w(phi),   phi_1 = phi + v/r_m,   gamma = phi_1 - k phi
+///   mu = (v - w')/r_m,    theta = (1 - k) phi + mu
+/// The normal is turned by mu against the undeformed radius.
 ///
 /// For the cosine cam mu = (n - 1/n) w0 sin(n phi)/r_m, the 1.5 of (2-16) for n = 2. The printed (2-15) is the angle
-/// against the deformed radius, w'/r_m = gamma - theta here; mixing the two is the trap named in design 3.1. Accuracy:
-/// as a model of the inextensible curve, an error of order w0^2/r_m; as arithmetic, a few roundings of r_m.
+/// against the deformed radius, w'/r_m = gamma - theta here; the two must not be mixed. Accuracy: as a model of the
+/// inextensible curve, an error of order w0^2/r_m; as arithmetic, a few roundings of r_m.
 template <wavegen::WaveShape Shape>
 class FirstOrderMotion
 {

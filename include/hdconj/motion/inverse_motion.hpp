@@ -10,9 +10,9 @@
 
 namespace hdconj::motion {
 
-/// Frame of circular-spline tooth @p k in the circular-spline frame: tooth k stands (k - 1/2) pitches clockwise of the
-/// y axis, so that 0 and 1 are the walls of the space there. Origin at @p radius from the axis, y towards the axis:
-/// turned clockwise by that angle and pi.
+/// Frame of circular-spline tooth @p k in the circular-spline frame. Tooth k stands (k - 1/2) pitches clockwise of the
+/// y axis, so that 0 and 1 are the walls of the space there. Its origin is at @p radius from the axis, y towards the
+/// axis: turned clockwise by that angle and pi.
 [[nodiscard]] inline Pose circular_spline_seat(int k, double pitch, double radius)
 {
     double const angle = (k - 0.5) * pitch;
@@ -21,17 +21,17 @@ namespace hdconj::motion {
     return {-c, -s, {radius * s, radius * c}};
 }
 
-/// A body that rests in the circular-spline frame at `seat` (x -> G x + b_0), seen from the flexspline tooth, whose
-/// motion is p = R x + P with velocity v(x) = omega right_of(x) + q in its own frame:
+/// A body that rests in the circular-spline frame at `seat` (x -> G x + b_0), seen from the flexspline tooth. That
+/// tooth's motion is p = R x + P with velocity v(x) = omega right_of(x) + q in its own frame:
 ///
 ///   pose   A = R^T G,  b = R^T (b_0 - P)
 ///   twist  -omega,  -A^T v(b)
 ///   change -omega',  -A^T v'(b),   v'(x) = omega' right_of(x) + q'
 ///
-/// The last line has no further terms: those from A' and b' = -v(b) cancel. By the symmetry of a lobe, P and R at u + 2
-/// pi/n are those at u turned by (z_c - z_f)/n pitches, so that tooth k after a lobe does what tooth k - (z_c - z_f)/n
-/// does in this one. Choose the seat near the tooth: b is then of the tooth's size. Accuracy: that of the motion's own
-/// P, some roundings of its radius.
+/// The last line has no further terms: those from A' and b' = -v(b) cancel. After one wave, P and R are those of before
+/// turned by (z_c - z_f)/n pitches. So tooth k does in the next wave what tooth k - (z_c - z_f)/n does in this one.
+/// Choose the seat near the tooth: b is then of the tooth's size. Accuracy: that of the motion's own P, some roundings
+/// of its radius.
 template <RelativeMotion Motion>
 class InverseMotion
 {

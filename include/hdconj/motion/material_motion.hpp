@@ -17,16 +17,18 @@
 
 namespace hdconj::motion {
 
-/// Motion with parameter phi, the undeformed angle, of the point P = R e_r + v e_t, R = r_m + w(phi) (design 3.4).
+/// Material motion with parameter phi, the undeformed angle, of the point P = R e_r + v e_t, R = r_m + w(phi)
+/// (docs/explanation/theory.md, section 1).
 ///
-/// P' = A e_r + B e_t with A = w' - v, B = R + v'; S = sqrt(A^2 + B^2), the tilt of the normal against e_r is atan2(A,
+/// P' = A e_r + B e_t with A = w' - v, B = R + v'; S = sqrt(A^2 + B^2). The normal is tilted against e_r by atan2(A,
 /// B). With k = z_f/z_c the frame of the circular spline has turned by k phi, and there
 ///
-///   gamma = (1 - k) phi, theta = gamma - tilt, origin R (sin gamma, cos gamma) + v (cos gamma, -sin gamma),
-///   theta' = 1 - k - (A' B - A B')/S^2,   q_x = S + k (A v - B R)/S,   q_y = k (B v + A R)/S.
+///   gamma = (1 - k) phi,   theta = gamma - tilt,   origin R (sin gamma, cos gamma) + v (cos gamma, -sin gamma)
 ///
-/// (From q = R^T P' with A/S and B/S for sine and cosine of the tilt.) The displacement is taken as it is, stretching
-/// or not. Domain: R > 0 and B > 0 for every phi, so that the curve goes round the axis and does not fold back.
+///   theta' = 1 - k - (A' B - A B')/S^2,   q_x = S + k (A v - B R)/S,   q_y = k (B v + A R)/S
+///
+/// This follows from q = R^T P' with A/S and B/S for sine and cosine of the tilt. The displacement may stretch the
+/// curve or not. Domain: R > 0 and B > 0 for every phi, so that the curve goes round the axis and does not fold back.
 /// Accuracy: pose to a few roundings of r_m; q_x loses the two digits of S - k B R/S ~ r_m (1 - k).
 class MaterialMotion
 {

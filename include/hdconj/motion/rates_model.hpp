@@ -175,13 +175,14 @@ class RatesFit
 
 /// Model of @p motion on [@p a, @p b].
 ///
-/// Errors: the interpolant at 13 Chebyshev nodes, halved until the last two coefficients are roundoff of the rates; the
-/// stated error is 16 roundings of the sizes that the motion gives for its terms, plus these two, or twice the largest
-/// difference met at 12 further points, if that is more; for the derivative the same against the motion's own
-/// derivative. Assumed, not proved: on a panel the rates are analytic, with Chebyshev coefficients that go on falling,
-/// so that all beyond the last sum to less than it. That holds between the breaks that a motion declares; a kink that
-/// it does not declare ends as `resolved = false`. For the cosine cam a test proves the error by Cauchy's bound in the
-/// complex plane.
+/// Each panel has an interpolant at 13 Chebyshev nodes. Panels are halved until the last two coefficients are roundoff
+/// of the rates. The stated error is 16 roundings of the sizes that the motion gives for its terms, plus these two
+/// coefficients. If twice the largest difference at 12 further points is more, it is that. The derivative is treated
+/// likewise, against the motion's own derivative.
+///
+/// Assumed, not proved: on a panel the rates are analytic, and all Chebyshev coefficients beyond the last sum to less
+/// than it. That holds between the breaks that a motion declares. A kink that it does not declare ends as `resolved =
+/// false`. For the cosine cam a test proves the error by Cauchy's bound in the complex plane.
 template <RelativeMotion Motion>
 [[nodiscard]] RatesModel rates_model(Motion const& motion, double a, double b)
 {

@@ -16,7 +16,7 @@ struct MotionRates
     PlanarVelocity change;  ///< d/du of theta' and of the components of q
 
     /// Sizes of the terms that these are summed from: a rate is right to some roundings of its size. q is the
-    /// difference of two lengths near r_m, so its size is that of r_m and not its own.
+    /// difference of two lengths near r_m, so its size is r_m.
     double omega_size = 1;
     double q_size = 1;
     double omega_change_size = 1;
@@ -45,9 +45,9 @@ struct ToothAngles
 };
 
 /// A one-parameter motion of the flexspline tooth in the circular-spline frame. The parameter is u for the exact model
-/// and phi for the others; one lobe of the wave generator is (-pi/n, pi/n] in either. PlanarVelocity and pose are
-/// continuous and analytic between breaks(); at a break `change` is that of the side of larger u. symmetric(): the pose
-/// at -u is the mirror image of that at u.
+/// and phi for the others; one wave is (-pi/n, pi/n] in either. PlanarVelocity and pose are continuous, and analytic
+/// between breaks(). At a break `change` is that of the side of larger u. symmetric(): the pose at -u is the mirror
+/// image of that at u.
 template <class M>
 concept RelativeMotion = requires(M const& m, double u)
 {

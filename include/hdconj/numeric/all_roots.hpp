@@ -91,8 +91,8 @@ class RootIsolation
     }
 
   private:
-    /// The interpolant against f at places that no node of any cut shares: a function that runs through many waves
-    /// between the nodes can look like a smooth one at all of them.
+    /// Compares the interpolant with f at places that are nodes of no cut. A function that runs through many waves
+    /// between the nodes can look smooth at all of them.
     [[nodiscard]] bool agrees(ChebyshevVector const& c, double middle, double half, double doubt)
     {
         constexpr std::array<double, 3> places{-0.7320508, 0.0954451, 0.6180339};
@@ -136,20 +136,23 @@ class RootIsolation
 
 /// All roots of @p f on [@p a, @p b].
 ///
-/// The interval is bisected until each piece is, by the coefficients of a Chebyshev interpolant that resolves f to
-/// roundoff, (1) free of roots: |c_0| > sum |c_k|, or (2) monotone: the same for the derivative, hence at most one
-/// root, decided by the signs at its ends and refined by bracketing on f itself, or (3) shorter than 2^-44 of the
-/// interval with |f| below roundoff: reported as a near-double root with its width.
+/// A Chebyshev interpolant resolves f to roundoff. Its coefficients c_k decide, and the interval is bisected until each
+/// piece is one of these:
+/// (1) free of roots: |c_0| > sum |c_k|
+/// (2) monotone: the same for the derivative. It has at most one root, decided by the signs at its ends and refined by
+/// bracketing on f itself
+/// (3) shorter than 2^-44 of the interval with |f| below roundoff: reported as a near-double root with its width
 ///
-/// Given that the interpolant is within 4 times its last three coefficients (plus roundoff) of f, and its derivative
-/// within 16^2 times that, (1) and (2) are proofs. That premise is tested at three further points of each piece, and
-/// true when the coefficients go on falling, as those of an analytic function do once they are small; a feature much
-/// narrower than a piece that leaves no trace at its 20 points is not seen. Use it for functions that are analytic on
-/// [a, b] and near it; for polynomials with stated errors use bernstein_isolate, which proves.
+/// (1) and (2) are proofs under a premise. The interpolant must be within 4 times its last three coefficients (plus
+/// roundoff) of f, and its derivative within 16^2 times that. The premise is tested at three further points of each
+/// piece. It holds when the coefficients go on falling, as those of an analytic function do once they are small. A
+/// feature that leaves no trace at the 20 points of a piece is not seen. Use it for functions that are analytic on [a,
+/// b] and near it; for polynomials with stated errors use bernstein_isolate, which proves.
 /// @param scale  size of the terms that f is summed from; sets what counts as roundoff of f
-/// Domain: f smooth on [a, b] (kinks end as (3)). Degenerate: f = 0 on a piece is reported as `vanishes`.
-/// Not smooth, or noisier than `scale` says: the work is bounded and `certified` is false.
-/// Accuracy: simple roots to the last bits that f supports.
+///
+/// Domain: f smooth on [a, b] (kinks end as (3)). Degenerate: f = 0 on a piece is reported as `vanishes`. Not smooth,
+/// or noisier than `scale` says: the work is bounded and `certified` is false. Accuracy: simple roots to the last bits
+/// that f supports.
 template <class F>
 [[nodiscard]] RootSet all_roots(F&& f, double a, double b, double scale)
 {

@@ -87,11 +87,12 @@ struct CoefficientProof
 
 /// Feeds @p clusters with the stretches of one polynomial on x in [a, b].
 ///
+/// A piece is cut until its coefficients prove it free of roots, crossed once or monotone, or its largest coefficient
+/// is 4 noise. Cuts at 1/2 add at most degree * roundoff * largest coefficient to the noise of each half, which is
+/// carried along.
 /// @param c            Bernstein coefficients, each right to +-@p noise; overwritten
 /// @param slope_noise  further error of the derivative with respect to x * 1/(b - a), for functions that are no
-/// polynomials Cuts at 1/2 add at most degree * roundoff * largest coefficient to the noise of each half, which is
-/// carried along. A piece is cut until its coefficients prove it free of roots, crossed once or monotone, or its
-/// largest coefficient is 4 noise.
+///                     polynomials
 template <class Sink>
 void bernstein_isolate(std::span<double> c, double a, double b, double noise, double slope_noise,
                        RootClusters<Sink>& clusters)
@@ -134,14 +135,18 @@ template <class F>
 /// All roots in [0, 1] of every polynomial whose Bernstein coefficients differ from @p c by at most @p noise.
 ///
 /// Theorem. Let p be such a polynomial. Outside the intervals t +- width/2 of the near-double roots, p has exactly the
-/// simple roots listed, and where none is near p exceeds the noise. (A root within roundoff of 0 or 1 is listed there
-/// and may lie just outside.) Within such an interval |c(t)| stays within a few noises: p may have no root there, one
-/// or more. Proof. Variation diminishing: a polynomial has at most as many roots as its coefficients have changes of
-/// sign, and as many but for an even number. A coefficient counts as certain only beyond the noise, and an uncertain
-/// one is tried with both signs. Where all differences of coefficients exceed twice the noise, p is monotone. The noise
-/// of each piece includes the rounding of all cuts before it. Accuracy: simple roots to noise / |slope|. For a pair of
-/// roots at distance D, curvature k: told apart where k D^2 / 8 exceeds some noises (about D > 1e-7 where noise is
-/// roundoff), else one near-double root of width about sqrt(32 noise / k), which holds both.
+/// simple roots listed. Away from all of them p exceeds the noise. A root within roundoff of 0 or 1 is listed and may
+/// lie just outside. Within an interval of a near-double root |c(t)| stays within a few noises: p may have no root
+/// there, one or more.
+///
+/// Proof. Variation diminishing: a polynomial has at most as many roots as its coefficients have changes of sign, and
+/// as many but for an even number. A coefficient counts as certain only beyond the noise, and an uncertain one is tried
+/// with both signs. Where all differences of coefficients exceed twice the noise, p is monotone. The noise of each
+/// piece includes the rounding of all cuts before it.
+///
+/// Accuracy: simple roots to noise / |slope|. Two roots at distance D with curvature k are told apart where k D^2 / 8
+/// exceeds some noises, about D > 1e-7 where noise is roundoff. Else one near-double root of width about sqrt(32 noise
+/// / k) holds both.
 [[nodiscard]] inline BernsteinRoots bernstein_roots(std::span<double const> c, double noise)
 {
     BernsteinRoots roots;

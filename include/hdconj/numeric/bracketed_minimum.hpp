@@ -57,8 +57,8 @@ template <class F>
     return at_b < at_x ? BracketedMinimum{b, at_b} : BracketedMinimum{x, at_x};
 }
 
-/// Smallest value of @p f from @p a to @p b, whole numbers, f(a) = @p fa given, where the function may have several
-/// minima: looked at at all whole numbers between, and followed from those that are smaller than their neighbours
+/// Smallest value of @p f at the whole numbers from @p a to @p b, with f(a) = @p fa given. The function may have
+/// several minima. All whole numbers between are evaluated; those that are smaller than their neighbours are refined
 /// (minimum_beside()).
 template <class F>
 [[nodiscard]] BracketedMinimum minimum_of_steps(F&& f, double a, double b, double fa, double enough)

@@ -17,9 +17,10 @@ namespace hdconj::numeric {
 
 /// Integral of f as Chebyshev series on panels.
 ///
-/// One period is cut at the breaks and bisected further until each panel's interpolant of degree 16 has a tail below
-/// some roundings of the largest |f|, or the tail no longer falls with the panel's length, which is the rounding error
-/// of f itself. Accuracy: relative_error() against the largest |f|; `resolved()` says whether every panel got there.
+/// One period is cut at the breaks and bisected further. A panel is fine enough when its interpolant of degree 16 has a
+/// tail below some roundings of the largest |f|. It is also left when the tail no longer falls with the panel's length,
+/// which is the rounding error of f itself. Accuracy: relative_error() against the largest |f|; `resolved()` says
+/// whether every panel is fine enough.
 class PanelIntegral
 {
   public:

@@ -20,9 +20,9 @@ struct RootCluster
 
 /// Joins stretches, given in increasing order without gaps, into clusters.
 ///
-/// A sign is certain where the function exceeds its noise. Cuts may fall on roots: a stretch that is monotone but has
-/// an uncertain end is joined with its neighbour, and two that are monotone in the same direction hold one simple root
-/// between them. What stays undecided is reported from the last certain sign before it to the first after it.
+/// A sign is certain where the function exceeds its noise. Cuts may fall on roots. A monotone stretch with an uncertain
+/// end is joined with its neighbour. Two that are monotone in the same direction hold one simple root between them.
+/// What stays undecided is reported from the last certain sign before it to the first after it.
 /// @tparam Sink  called with each RootCluster, in order
 template <class Sink>
 class RootClusters

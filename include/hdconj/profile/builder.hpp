@@ -16,10 +16,10 @@
 
 namespace hdconj::profile {
 
-/// What a family is told about the gear it makes a tooth for.
+/// The gear for which a family makes a tooth.
 ///
-/// The gear's centre lies on the y axis, module teeth / 2 below the pitch line of a tooth on the flexspline, and as far
-/// above that of a tooth on the circular spline, which points inward: y is outward on the one and inward on the other.
+/// The gear's centre lies on the y axis. On the flexspline it is module teeth / 2 below the pitch line of a tooth, and
+/// y points outward. On the circular spline, whose teeth point inward, it is as far above, and y points inward.
 struct ToothPlace
 {
     double module = 0;
@@ -46,8 +46,8 @@ struct FlankSegment
 /// A segment that is a curve, in pieces.
 [[nodiscard]] FlankSegment curve_segment(std::string name, std::vector<CurvePiece> pieces);
 
-/// Right flank from tip to root -> whole symmetric tooth: the flank mirrored, a flat tip land between the
-/// two flanks when they do not meet at x = 0, corners inserted where the normals make a convex angle.
+/// Right flank from tip to root -> whole symmetric tooth. The flank is mirrored. A flat tip land joins the flanks when
+/// they do not meet at x = 0. Corners are inserted where the normals make a convex angle.
 /// @param dedendum  gives the pitch line: y = wall/2 + dedendum + neutral_offset in the tooth frame
 [[nodiscard]] Profile symmetric_tooth(std::vector<FlankSegment> const& right_flank, ToothPlace const& place,
                                       double addendum, double dedendum);
@@ -60,8 +60,8 @@ struct FlankSegment
 /// crossed.
 inline constexpr double pointed_tip = 1e-9;  // digits that designers type
 
-/// The argument between @p from and @p to at which a flank's height is @p y, for a height that changes in one direction
-/// only; nothing when it does not reach @p y.
+/// The argument between @p from and @p to at which a flank's height is @p y; nothing when it does not reach @p y. The
+/// height must change in one direction only.
 template <class F>
 [[nodiscard]] std::optional<double> at_height(F&& flank, double y, double from, double to)
 {

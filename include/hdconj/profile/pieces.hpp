@@ -27,8 +27,8 @@ struct LinePiece
     [[nodiscard]] Vec2 normal() const { return left_of(tangent()); }
 };
 
-/// Circular arc: points centre + radius n, where the outward normal n turns from angle `from` to angle `to`.
-/// radius > 0 convex (angles fall), radius < 0 concave (angles rise), radius 0 a convex corner with its cone of
+/// Circular arc: points centre + radius n, where the outward normal n turns from angle `from` to angle `to`. A radius >
+/// 0 is convex (angles fall), a radius < 0 concave (angles rise). A radius of 0 is a convex corner with its cone of
 /// normals.
 struct ArcPiece
 {
@@ -40,9 +40,9 @@ struct ArcPiece
     [[nodiscard]] double length() const { return std::abs(radius) * std::abs(to - from); }
 };
 
-/// Polynomial curve x(t), t in [0, 1], in Bernstein form, with the three functions of t that its meshing condition is
-/// made of: f(t, u) = theta'(u) A(t) + q_x(u) B(t) + q_y(u) C(t), (B, C) = N = x' turned by +90 degrees, A = N_x y -
-/// N_y x = -x.x'.
+/// Polynomial curve x(t), t in [0, 1], in Bernstein form, with the three functions of t in its meshing condition:
+///   f(t, u) = theta'(u) A(t) + q_x(u) B(t) + q_y(u) C(t)
+/// Here (B, C) = N = x' turned by +90 degrees, and A = N_x y - N_y x = -x.x'.
 class CurvePiece
 {
   public:

@@ -84,11 +84,10 @@ template <class F>
 
 /// Pieces of degree 9 for the curve s -> @p curve(s), s running from @p from to @p to (in either direction).
 ///
-/// Each piece has the curve's points and derivatives at its ends, so that joints are continuous to the last bit and
-/// share their tangent to roundoff, and passes through the curve at six Chebyshev points between; intervals are halved
-/// until the piece is within
-/// @p accuracy [mm] of the curve, parameter for parameter, at 23 more points.
-/// Domain: analytic curve with a derivative that does not vanish. The error falls with the tenth power of the interval.
+/// Each piece has the curve's points and derivatives at its ends, so joints are continuous to the last bit and share
+/// their tangent to roundoff. Between the ends it passes through the curve at six Chebyshev points. Intervals are
+/// halved until the piece is within @p accuracy [mm] of the curve, parameter for parameter, at 23 more points. Domain:
+/// analytic curve with a derivative that does not vanish. The error falls with the tenth power of the interval.
 /// @throws NumericalError when 12 halvings are not enough: the curve is not smooth, or @p accuracy is below its
 /// rounding
 template <class F>

@@ -36,7 +36,7 @@ struct Profile
     double root_half_width = 0;     ///< largest |x|
 };
 
-/// Whether any piece is a curve, whose contacts and distances are roots of polynomials: a point of it takes some thirty
+/// Whether any piece is a curve, whose contacts and distances are roots of polynomials. A point of it takes some thirty
 /// times as long as one of a line or an arc.
 [[nodiscard]] inline bool has_curves(Profile const& profile)
 {

@@ -31,10 +31,10 @@ struct OuterBoundary
 /// Walks from the first to the last point of curve @p floor along the boundary of everything that can be reached from
 /// far away on the floor's left side.
 ///
+/// Topology is exact (CGAL arrangement with exact constructions). Pieces that reach into the open side without bounding
+/// anything are left out. Positions are rounded to double.
 /// @param curves  polygons, each of 2 points or more; points that are meant to coincide must be bit-identical
 /// @param floor   index of a polygon that runs below all others and past them at both ends
-/// Topology is exact (CGAL arrangement with exact constructions); pieces that stick out into the open side without
-/// bounding anything are left out. Positions are rounded to double.
 /// @throws NumericalError when the floor is not reached again
 [[nodiscard]] OuterBoundary outer_boundary(std::vector<std::vector<Vec2>> const& curves, int floor);
 

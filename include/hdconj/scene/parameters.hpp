@@ -40,9 +40,9 @@ struct ParameterSpec
     bool required = true;
     double at_least = -std::numeric_limits<double>::infinity();
     double at_most = std::numeric_limits<double>::infinity();
-    /// Allowed words for word, length_or_word. Forms of a row for rows, such as "[radius, sweep_deg]": a column whose
-    /// name ends in _deg takes degrees, `radius` any number but 0, `length` a length of 0 or more, others a length.
-    /// at_least and at_most then count rows.
+    /// Allowed words for word, length_or_word. For rows, the forms of a row, such as "[radius, sweep_deg]". A column
+    /// whose name ends in _deg takes degrees, `radius` any number but 0, `length` a length of 0 or more, others a
+    /// length. at_least and at_most then count rows.
     std::vector<std::string_view> words{};
 };
 

@@ -39,14 +39,15 @@ template <WaveShape Shape>
                          "its polar angle did not converge");
 }
 
-/// w and v of @p curve: the point rho(u) e_r(u), rho = r_0 + w_u(u), that stood at phi(u) has with d = u - phi
+/// w and v of @p curve. The point rho(u) e_r(u), rho = r_0 + w_u(u), that stood at phi(u) has with d = u - phi
 ///
 ///   w = r_0 - r_m + w_u - 2 rho sin^2(d/2),   v = rho sin d.
 ///
 /// A MaterialMotion of it is the ExactMotion of the curve, with phi for parameter.
-/// Accuracy: coefficients to some roundings of r_m (those of phi(u)), and below them 0; a derivative of order j has the
-/// error of the last coefficient times the j-th power of its order. Domain: shapes without breaks. @throws
-/// NumericalError otherwise, or when a series is not resolved.
+///
+/// Accuracy: coefficients to some roundings of r_m (those of phi(u)), and below them 0. A derivative of order j has the
+/// error of the last coefficient times the j-th power of its order. Domain: shapes without breaks.
+/// @throws NumericalError otherwise, or when a series is not resolved.
 template <WaveShape Shape>
 [[nodiscard]] MaterialDisplacement displacement_of(NeutralCurve<Shape> const& curve)
 {

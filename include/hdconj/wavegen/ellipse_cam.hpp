@@ -9,13 +9,12 @@
 
 namespace hdconj::wavegen {
 
-/// Neutral curve rho(u) = a b / sqrt(a^2 sin^2 u + b^2 cos^2 u) with a = r_m + w0 and b such that the
-/// circumference is 2 pi r_m exactly, 4 a E(sqrt(1 - b^2/a^2)) = 2 pi r_m (Yao et al. 2025 approximate this b by
-/// Ramanujan's formula). The displacement is measured from r_m: w = rho - r_m.
+/// Neutral curve rho(u) = a b / sqrt(a^2 sin^2 u + b^2 cos^2 u) with a = r_m + w0. The circumference is 2 pi r_m
+/// exactly, and this fixes b: 4 a E(sqrt(1 - b^2/a^2)) = 2 pi r_m. Yao et al. 2025 approximate this b by Ramanujan's
+/// formula. The displacement is measured from r_m: w = rho - r_m.
 ///
-/// Derivatives: with g = a^2 sin^2 u + b^2 cos^2 u, rho' = -rho g'/(2 g), and so on.
-/// Domain: 0 < w0 < (pi/2 - 1) r_m, where b reaches 0; two waves. Accuracy: a few roundings of r_m; b to 2 units in its
-/// last place.
+/// Derivatives: with g = a^2 sin^2 u + b^2 cos^2 u, rho' = -rho g'/(2 g), and so on. Domain: 0 < w0 < (pi/2 - 1) r_m,
+/// where b reaches 0; two waves. Accuracy: a few roundings of r_m; b to 2 units in its last place.
 class EllipseCam
 {
   public:

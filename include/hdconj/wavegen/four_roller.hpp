@@ -11,14 +11,15 @@
 
 namespace hdconj::wavegen {
 
-/// Thin inextensible ring under radial forces at +-beta about each of its n lobes (n = 2: four rollers; beta = 0: two).
+/// Thin inextensible ring under radial forces at +-beta about each of its n ends of the major axis (n = 2: four
+/// rollers; beta = 0: two).
 ///
-/// w(u) = w0 S(u)/S(0), S(u) = (G(u - beta) + G(u + beta))/2, where G is the ring under one force a lobe:
-/// G(x) = sum_{k = n, 2n, ...} cos(k x)/(k^2 - 1)^2. With h = pi/n and y = (x mod 2h) - h this sum is
+/// Let G be the ring under one force a wave, G(x) = sum_{k = n, 2n, ...} cos(k x)/(k^2 - 1)^2. Then
+///   w(u) = w0 S(u)/S(0),   S(u) = (G(u - beta) + G(u + beta))/2.
+/// With h = pi/n and y = (x mod 2h) - h the sum is
 ///   G = -1/2 + E ((1 + h cot h) cos y + y sin y),   E = h/(4 sin h),
 /// the periodic solution of (D^2 + 1)^2 G = (pi/n) delta - 1/2. For n = 2, beta = 0: w(90 deg)/w0 = -0.91828, the ring
-/// under two opposite forces. The mean of w is 0 to first order.
-/// w''' jumps at the forces: these are the breaks.
+/// under two opposite forces. The mean of w is 0 to first order. w''' jumps at the forces: these are the breaks.
 /// Domain: n >= 2 (one force moves a ring as a whole), 0 <= n beta < 90 deg. Accuracy: a few roundings of w0.
 class FourRoller
 {

@@ -13,11 +13,11 @@
 
 namespace hdconj::wavegen {
 
-/// What a linear shell or finite-element model of the ring gives: w(phi) is the wave generator's shape at the
-/// *undeformed* angle, and v' = -(w - its mean), no hoop strain of first order, with v(0) = 0. The mean of w is of
-/// second order in families that have one; it stays in w and is kept out of v, which it would not leave periodic.
-/// Accuracy: Fourier coefficients to roundoff of the largest; those that are rounding are 0.
-/// Domain: shapes without breaks. @throws NumericalError otherwise, or when the series is not resolved to roundoff.
+/// Displacement of a linear shell or finite-element model of the ring. w(phi) is the wave generator's shape at the
+/// *undeformed* angle. With v' = -(w - its mean) and v(0) = 0 there is no hoop strain of first order. The mean of w is
+/// of second order in families that have one. It stays in w and is kept out of v, so that v is periodic. Accuracy:
+/// Fourier coefficients to roundoff of the largest; those that are rounding are 0. Domain: shapes without breaks.
+/// @throws NumericalError otherwise, or when the series is not resolved to roundoff.
 template <WaveShape Shape>
 [[nodiscard]] MaterialDisplacement inextensional_mode(Shape const& shape)
 {

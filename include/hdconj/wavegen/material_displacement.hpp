@@ -19,13 +19,13 @@ struct DisplacementHarmonic
     double v_sine = 0;
 };
 
-/// The point that stood at phi on the undeformed circle of radius r_m now stands at (r_m + w) e_r + v e_t,
-/// e_r = (sin phi, cos phi) and e_t = (cos phi, -sin phi):
+/// Displacement of a ring by its undeformed angle. The point that stood at phi on the circle of radius r_m now stands
+/// at (r_m + w) e_r + v e_t. Here e_r = (sin phi, cos phi) and e_t = (cos phi, -sin phi), and
 ///
 ///   w(phi) = sum_k w_cosine[k] cos(k n phi) + w_sine[k] sin(k n phi), v(phi) the same.
 ///
-/// This is the form in which a shell or finite-element model of the cup gives its displacements, slice by slice.
-/// v_cosine of k = 0 turns the ring as a whole.
+/// A shell or finite-element model of the cup gives its displacements in this form, slice by slice. v_cosine of k = 0
+/// turns the ring as a whole.
 struct MaterialDisplacement
 {
     int waves = 2;                                ///< n >= 1

@@ -14,11 +14,13 @@ namespace hdconj::wavegen {
 
 /// Closed inextensible neutral curve.
 ///
-/// r_0 is fixed by the length over one turn, integral_0^{2 pi} sqrt(rho^2 + rho'^2) du = 2 pi r_m, and
-/// the undeformed angle of a point is phi(u) = (1/r_m) integral_0^u sqrt(rho^2 + rho'^2) du (design 3.1; thesis (2-18)
-/// without its first-order approximation). The line element is integrated as a Fourier series, or panel by panel
-/// where the shape has breaks: spectral accuracy, relative error below 1e-14.
-/// Domain: rho > 0 everywhere. @throws NumericalError otherwise, or when the line element is not resolved to roundoff.
+/// The length over one turn fixes r_0, and the arc length gives the undeformed angle of a point:
+///   integral_0^{2 pi} sqrt(rho^2 + rho'^2) du = 2 pi r_m
+///   phi(u) = (1/r_m) integral_0^u sqrt(rho^2 + rho'^2) du
+/// This is (2-18) of the thesis without its first-order approximation. The line element is integrated as a Fourier
+/// series, or panel by panel where the shape has breaks. Accuracy: relative error below 1e-14. Domain: rho > 0
+/// everywhere.
+/// @throws NumericalError otherwise, or when the line element is not resolved to roundoff.
 template <WaveShape Shape>
 class NeutralCurve
 {

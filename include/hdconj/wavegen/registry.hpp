@@ -19,8 +19,8 @@
 
 namespace hdconj::wavegen {
 
-/// Any registered wave generator shape, itself a WaveShape: motions are compiled once for all families, and
-/// choosing the family at each angle costs a jump beside the sine and cosine that follow.
+/// Any registered wave generator shape, itself a WaveShape. Motions are compiled once for all families. Choosing the
+/// family at each angle costs a jump beside the sine and cosine that follow.
 class AnyWaveShape
 {
   public:

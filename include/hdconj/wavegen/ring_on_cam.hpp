@@ -7,13 +7,13 @@
 
 namespace hdconj::wavegen {
 
-/// The cam's surface is r(a) = R_c + w0 cos(n a); the neutral curve is its parallel curve at the distance t, bearing
-/// and half the wall. With chi = atan(r'/r) the angle between the cam's normal and its radius, the neutral point over
-/// the cam angle a is
+/// The cam's surface is r(a) = R_c + w0 cos(n a). The neutral curve is its parallel curve at the distance t, which is
+/// bearing and half the wall. Let chi = atan(r'/r) be the angle between the cam's normal and its radius. The neutral
+/// point over the cam angle a is
 ///   rho = |r + t exp(-i chi)|,  u = a - atan2(t sin chi, r + t cos chi).
-/// Both curves share their normals, so the angle between normal and radius on the neutral curve is chi + u - a.
-/// A parallel curve is longer than the cam by 2 pi t: R_c is the closed mean radius of a cosine cam of length 2 pi (r_m
-/// - t). The displacement is measured from R_c + t: w(0) = w0, w(pi/n) = -w0. Domain: 0 <= t < r_m, and a cam without a
+/// Both curves share their normals, so the angle between normal and radius on the neutral curve is chi + u - a. A
+/// parallel curve is longer than the cam by 2 pi t: R_c is the closed mean radius of a cosine cam of length 2 pi (r_m -
+/// t). The displacement is measured from R_c + t: w(0) = w0, w(pi/n) = -w0. Domain: 0 <= t < r_m, and a cam without a
 /// hollow sharper than t. t -> 0 gives "cosine". Accuracy: a few roundings of r_m (the cam angle is solved for by
 /// Newton's method at each u).
 class RingOnCam

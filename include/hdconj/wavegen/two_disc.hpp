@@ -11,19 +11,19 @@
 
 namespace hdconj::wavegen {
 
-/// n discs (n = 2: the two-disc generator), each touched by the ring over the wrap angle beta on either side of its
-/// lobe.
+/// n discs (n = 2: the two-disc generator), each touched by the ring over the wrap angle beta on either side of the
+/// major axis.
 ///
 /// On a disc, |u| <= beta, the neutral curve is exactly a circle of radius R about a centre at distance e from the
 /// axis:
 ///   rho(u) = e cos u + sqrt(R^2 - e^2 sin^2 u),  e + R = r_m + w0.
-/// Between the discs the ring carries no load, its bending moment goes as c + d cos y, y = u - pi/n, and ring theory
+/// Between the discs the ring carries no load. Its bending moment goes as c + d cos y, y = u - pi/n, and ring theory
 /// gives
 ///   rho(u) = C + A cos y + D y sin y.
 /// C, A, D make rho, rho' and rho'' (position, tangent, bending moment) continuous at beta; R makes the curve as long
 /// as the ring, 2 pi r_m. The disc presses with a line force at beta: w''' jumps there, which makes +-beta the breaks.
-/// Domain: n >= 2, 0 < beta < pi/n, w0 small against r_m. The displacement is measured from r_m.
-/// Accuracy: a few roundings of r_m; as a model, the free part is that of a thin ring to first order in w0/r_m.
+/// Domain: n >= 2, 0 < beta < pi/n, w0 small against r_m. The displacement is measured from r_m. Accuracy: a few
+/// roundings of r_m; as a model, the free part is that of a thin ring to first order in w0/r_m.
 class TwoDisc
 {
   public:
