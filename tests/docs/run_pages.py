@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs the commands of the pages and compares what they print with what the pages show.
 
-    run_pages.py PROGRAM SOURCE_DIR [PAGE...]    README and all pages of docs/tutorials and docs/how-to, or those named
+    run_pages.py PROGRAM SOURCE_DIR [PAGE...]    README, CONTRIBUTING and all pages of docs, or those named
     run_pages.py PROGRAM SOURCE_DIR --control    breaks a page in several ways: each must be caught
 
 A page runs in a fresh folder that holds a copy of data/; `hdconj` is PROGRAM. In a fenced block marked ```console a
@@ -12,8 +12,12 @@ lines below a command: what it prints is not compared. Words after ```console:
 
     exit=2         the exit status that the commands must have; 0 without it
     needs=h5py     a program or Python module without which the block is not tried
+    long           takes too long for every change: run where HDCONJ_LONG is set
 
 A fenced block marked with a language and file=NAME is written to NAME before the commands that follow it.
+
+Code within a line is a command too if it begins with `hdconj`, a verb and an argument. It must succeed; what it prints
+is not compared. A word in capitals, or `...`, stands for what the reader puts in: such a command is not run.
 
 Lines are equal where their words are, and their numbers agree: within 1 in the last digit that the page shows; within
 2 % before the units ms and s; within the error that follows after `+-`. That error itself may differ by a factor of 2.
@@ -28,7 +32,10 @@ import tempfile
 from pathlib import Path
 
 NUMBER = re.compile(r"(?<![\w.])[-+]?(?:\d+\.\d*|\.\d+|\d+)(?:e[-+]?\d+)?(?![\w]|\.\d)")
+INLINE = re.compile(r"`(hdconj\s+[a-z]+\s[^`]*)`")
+PLACEHOLDER = re.compile(r"\.\.\.|\b[A-Z]{3,}\b")
 TIMEOUT_S = 240
+LONG_TIMEOUT_S = 7200
 
 
 class Block:
@@ -37,24 +44,36 @@ class Block:
     def __init__(self, info, line):
         words = info.split()
         self.language = words[0] if words else ""
-        self.options = dict(word.split("=", 1) for word in words[1:] if "=" in word)
+        self.options = dict(word.partition("=")[::2] for word in words[1:])
         self.line = line
         self.lines = []
 
 
+def inline_blocks(text, begin):
+    """The commands within the lines of a text that begins at line `begin`, each as a block of its own."""
+    for match in INLINE.finditer(text):
+        if not PLACEHOLDER.search(match[1]):
+            block = Block("console", begin + text.count("\n", 0, match.start()))
+            block.lines.append("$ " + " ".join(match[1].split()))
+            yield block
+
+
 def blocks_of(text):
-    """All fenced blocks of a page, in order."""
-    found, block = [], None
-    for number, line in enumerate(text.splitlines(), 1):
+    """All fenced blocks of a page and the commands between them, in order."""
+    found, block, prose, begin = [], None, [], 1
+    for number, line in enumerate([*text.splitlines(), "```"], 1):
         if block is None and line.startswith("```"):
+            found += inline_blocks("\n".join(prose), begin)
             block = Block(line[3:], number)
         elif block is not None and line.startswith("```"):
             found.append(block)
-            block = None
+            block, prose, begin = None, [], number + 1
         elif block is not None:
             block.lines.append(line)
-    if block is not None:
-        raise ValueError(f"line {block.line}: the fenced block does not end")
+        else:
+            prose.append(line)
+    if block is None:
+        raise ValueError(f"line {found[-1].line}: the fenced block does not end")
     return found
 
 
@@ -85,8 +104,7 @@ def tokens_of(line):
     """Words and numbers of a line, in pieces without white space."""
     found, at = [], 0
     for match in NUMBER.finditer(line):
-        found += [(word, None) for word in line[at:match.start()].split()]
-        found.append((match[0], float(match[0])))
+        found += [*((word, None) for word in line[at:match.start()].split()), (match[0], float(match[0]))]
         at = match.end()
     return found + [(word, None) for word in line[at:].split()]
 
@@ -101,9 +119,7 @@ def allowed(tokens, at):
         far = max(far, abs(value))
     elif after == "+-" and at + 2 < len(tokens) and tokens[at + 2][1] is not None:
         far = max(far, abs(tokens[at + 2][1]))
-    if re.match(r"(ms|s)\b", after):
-        far = max(far, 0.02 * abs(value))
-    return far
+    return max(far, 0.02 * abs(value)) if re.match(r"(ms|s)\b", after) else far
 
 
 def same_line(shown, printed):
@@ -188,11 +204,12 @@ def environment(folder, program):
 
 def run_command(command, status, shown, folder, env):
     """Runs one command; what is wrong with it, or None."""
+    limit = LONG_TIMEOUT_S if os.environ.get("HDCONJ_LONG") else TIMEOUT_S
     try:
-        done = subprocess.run(["/bin/sh", "-c", command], cwd=folder, env=env, timeout=TIMEOUT_S, text=True,
+        done = subprocess.run(["/bin/sh", "-c", command], cwd=folder, env=env, timeout=limit, text=True,
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     except subprocess.TimeoutExpired:
-        return f"takes more than {TIMEOUT_S} s"
+        return f"takes more than {limit} s"
     if done.returncode != status:
         return f"exit status {done.returncode}, not {status}:\n{done.stdout[-2000:]}"
     return first_difference(shown, done.stdout.splitlines()) if any(line.strip() for line in shown) else None
@@ -208,7 +225,7 @@ def run_page(name, text, program, source):
         for block in blocks_of(text):
             if "file" in block.options:
                 (folder / block.options["file"]).write_text("\n".join(block.lines) + "\n")
-            if block.language != "console":
+            if block.language != "console" or ("long" in block.options and not os.environ.get("HDCONJ_LONG")):
                 continue
             need = block.options.get("needs")
             if need and not is_there(need):
@@ -223,9 +240,8 @@ def run_page(name, text, program, source):
 
 
 def pages_of(source):
-    """README and the pages that show commands."""
-    folders = [source / "docs" / shelf for shelf in ("tutorials", "how-to")]
-    return [source / "README.md"] + sorted(page for folder in folders for page in folder.glob("*.md"))
+    """README, CONTRIBUTING and all pages of docs."""
+    return [source / "README.md", source / "CONTRIBUTING.md", *sorted((source / "docs").rglob("*.md"))]
 
 
 CONTROL = """```console
@@ -235,23 +251,25 @@ $ hdconj check --plan
 ```console exit={status}
 $ hdconj solve --set flexspline.wall=-1{more}
 ```
+Within a line: `hdconj check --plan{inline}`, and `hdconj solve SCENE` is no command.
 """
 
 
 def control(program, source):
     """A page that is right must pass, and each of its broken forms must be caught."""
     done = subprocess.run([program, "check", "--plan"], capture_output=True, text=True, check=True)
-    plan = [line for line in done.stdout.splitlines() if line.strip()]
+    plan = list(filter(str.strip, done.stdout.splitlines()))
     number = next(at for at, line in enumerate(plan) if NUMBER.search(line))
     changed = [*plan]
     changed[number] = NUMBER.sub(lambda m: repr(float(m[0]) * 1.5 + 1), plan[number], count=1)
-    right = {"plan": "\n".join(plan), "status": 2, "more": ""}
+    right = {"plan": "\n".join(plan), "status": 2, "more": "", "inline": ""}
     skipped = {"plan": f"...\n{plan[number].rpartition(' ')[0]} ...\n..."}
     forms = {"right": {}, "right, with lines skipped": skipped,
              "a number": {"plan": "\n".join(changed)}, "a word": {"plan": "\n".join(plan[:-1] + ["x" + plan[-1]])},
              "a line too many": {"plan": "\n".join(plan + ["and more"])},
              "a line too few": {"plan": "\n".join(plan[:-1])},
-             "an exit status": {"status": 0}, "a command": {"more": "\n$ hdconj nonesuch-verb; exit 9"},
+             "an exit status": {"status": 0}, "an option within a line": {"inline": " --nonesuch"},
+             "a command": {"more": "\n$ hdconj nonesuch-verb; exit 9"},
              "a line after skipped ones": {"plan": "...\nno such line"}}
     failed = []
     for what, change in forms.items():
