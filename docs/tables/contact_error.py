@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whether the stated errors of `contact` bound the true ones: docs/tables/contact_error.py build/release/bin/hdconj [DESIGNS [random]]
+"""Whether the stated errors of `contact` bound the true ones: docs/tables/contact_error.py PROGRAM [--csv] [DESIGNS [random]]
 
-Every share of the ladder is held against a run that is many times finer, in flank points, in slices, and of random coned designs in both; there also clearances, offsets, play and gaps.
-Prints, per ladder, the least and the median ratio of stated to true error, and ends with status 1 where a true error is larger than what both runs state. With `random` the last ladders only.
+Compares coarse runs with much finer ones: in flank points, in slices, and of random coned designs in both. Prints the
+least and the median ratio of stated to true error. Ends with status 1 where a true error is larger than what both runs
+state. With `random` only the random designs.
 """
 import json
 import os
@@ -13,7 +14,8 @@ import subprocess
 import sys
 import tempfile
 
-ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..")
+from contact import CSV, ROOT, head, row
+
 SURFACES = ("tilted", "ruled", "per-slice")
 PLAIN, CONED = "type-50", "type-50-coned"
 
@@ -35,20 +37,20 @@ def share(case):
 
 
 FIGURES = {
-    "smallest clearance of the flanks [um]": lambda case: (case["closest_flank"]["clearance_um"], case["clearance_error_um"]),
-    "smallest clearance of the root [um]": lambda case: (min(each["root"]["clearance_um"] for each in case["slices"]), case["root_clearance_error_um"]),
+    "least clearance of the flanks [um]": lambda case: (case["closest_flank"]["clearance_um"], case["clearance_error_um"]),
+    "least clearance of the root [um]": lambda case: (min(each["root"]["clearance_um"] for each in case["slices"]), case["root_clearance_error_um"]),
     "least side clearance [um]": lambda case: (case["least_side_clearance_um"], case["least_side_clearance_error_um"]),
-    "clearing tip circle [mm]": lambda case: (case["least_tip_radius_mm"], case["least_tip_radius_error_mm"]),
-    "clearing root [um]": lambda case: (case["least_root_clearance_um"], case["least_root_clearance_error_um"]),
-    "play of clearing [arcmin]": lambda case: (case["backlash_of_least_side_clearance_arcmin"], case["backlash_of_least_side_clearance_error_arcmin"]),
-    "take-up [arcmin]": lambda case: (case["state"]["turn_to_contact_arcmin"], case["state"]["turn_to_contact_error_arcmin"]),
-    "play [arcmin]": lambda case: (case["state"]["backlash_arcmin"], case["state"]["backlash_error_arcmin"]),
+    "tip circle [mm]": lambda case: (case["least_tip_radius_mm"], case["least_tip_radius_error_mm"]),
+    "more root clearance [um]": lambda case: (case["least_root_clearance_um"], case["least_root_clearance_error_um"]),
+    "backlash with the least side clearance [arcmin]": lambda case: (case["backlash_of_least_side_clearance_arcmin"], case["backlash_of_least_side_clearance_error_arcmin"]),
+    "turn to first contact [arcmin]": lambda case: (case["state"]["turn_to_contact_arcmin"], case["state"]["turn_to_contact_error_arcmin"]),
+    "backlash [arcmin]": lambda case: (case["state"]["backlash_arcmin"], case["state"]["backlash_error_arcmin"]),
     "smallest gap [um]": lambda case: (case["state"]["smallest_gap_um"], case["state"]["smallest_gap_error_um"]),
-    "deviation, \"ruled\" [um]": lambda case: (case["ruled_deviation_um"], case["ruled_deviation_error_um"]),
+    "deviation of a ruled surface [um]": lambda case: (case["ruled_deviation_um"], case["ruled_deviation_error_um"]),
 }
 
 
-class Ladder:
+class Comparison:
     bad = 0
 
     def __init__(self, name, figure=share):
@@ -57,36 +59,24 @@ class Ladder:
     def add(self, what, coarse, fine):
         if isinstance(coarse, str) or isinstance(fine, str):
             self.refused += 1
-            print(f"<!-- {self.name}, {what}: {coarse if isinstance(coarse, str) else fine} -->")
+            print(f"<!-- {self.name}, {what}: {coarse if isinstance(coarse, str) else fine}", file=sys.stderr)
             return
         coarse, fine = self.figure(coarse), self.figure(fine)
         self.runs += 1
         self.stated.append(coarse[1])
         true, stated = abs(coarse[0] - fine[0]), coarse[1]
         if true > stated + fine[1]:
-            Ladder.bad += 1
-            print(f"<!-- NOT BOUNDED {self.name}, {what}: {coarse} {fine} -->")
+            Comparison.bad += 1
+            print(f"<!-- NOT BOUNDED {self.name}, {what}: {coarse} {fine}", file=sys.stderr)
         if true > 0:
             self.ratios.append(stated / true)
         if fine[0] > 0:
             self.true.append(true / fine[0])
 
     def row(self):
-        if not self.ratios or not self.true:
-            print(f"| {self.name} | {self.runs} | - | - | - | - |")
-            return
-        within = sum(ratio >= 1 for ratio in self.ratios)
-        print(f"| {self.name} | {self.runs} | {100 * statistics.median(self.true):.2g} ... {100 * max(self.true):.2g} | "
-              f"{within} of {len(self.ratios)} | {min(self.ratios):.2g} | {statistics.median(self.ratios):.2g} |")
-        sys.stdout.flush()
-
-    def figure_row(self):
-        within = sum(ratio >= 1 for ratio in self.ratios)
-        if not self.stated:
-            return
-        print(f"| {self.name} | {self.runs} | {statistics.median(self.stated):.1g} ... {max(self.stated):.1g} | {self.runs - len(self.ratios) + within} of {self.runs} | "
-              f"{min(self.ratios, default=float('inf')):.2g} |")
-        sys.stdout.flush()
+        within = sum(ratio >= 1 for ratio in self.ratios) + self.runs - len(self.ratios)
+        true = ["%.2g" % (100 * of(self.true)) if self.true else "" for of in (statistics.median, max)]
+        row(self.name, self.runs, *true, within, *["%.2g" % of(self.ratios) if self.ratios else "" for of in (min, statistics.median)])
 
 
 def design(seed):
@@ -104,8 +94,8 @@ def design(seed):
 
 
 def random_designs(program, designs):
-    ladder = Ladder("3 and 5 slices, 50 points against 33 and 500, random coned designs")
-    others = [Ladder(name, figure) for name, figure in FIGURES.items()]
+    comparison = Comparison("random designs: 3 and 5 slices and 50 points against 33 and 500")
+    others = [Comparison(name, figure) for name, figure in FIGURES.items()]
     outside = runs = elsewhere = 0
     for seed in range(designs):
         surface, keys = design(seed)
@@ -113,7 +103,7 @@ def random_designs(program, designs):
         for slices in (3, 5):
             coarse = state(program, CONED, surface, slices, 50, keys)
             what = f"{seed}, {surface}, {keys}, {slices}"
-            ladder.add(what, coarse, fine)
+            comparison.add(what, coarse, fine)
             if isinstance(coarse, str) or isinstance(fine, str):
                 continue
             for other in others:
@@ -122,63 +112,63 @@ def random_designs(program, designs):
             if not coarse["state"]["teeth_least"] <= fine["state"]["teeth"] <= coarse["state"]["teeth_most"]:
                 outside += 1
                 teeth = [[case["state"][key] for key in ("teeth_least", "teeth", "teeth_most")] for case in (coarse, fine)]
-                print(f"<!-- OUTSIDE teeth, {what}: {teeth} -->")
+                print(f"<!-- OUTSIDE teeth, {what}: {teeth}", file=sys.stderr)
             for where, place, case in ((coarse["state"], "smallest_z", fine["state"]), (coarse, "closest_z", None)):
                 z = (case if case else fine["closest_flank"])["smallest_z_mm" if case else "z_mm"]
                 low, high = ((fine["state"] if case else fine)[place + end] for end in ("_from_mm", "_to_mm"))
                 # the ranges of both share a plane, and the finer place is within the coarser range or its own reaches into it
                 if max(low, where[place + "_from_mm"]) > min(high, where[place + "_to_mm"]):
                     elsewhere += 1
-                    print(f"<!-- ELSEWHERE {place}, {what}: {where[place + '_from_mm']} ... {where[place + '_to_mm']}, {z} in {low} ... {high} -->")
+                    print(f"<!-- ELSEWHERE {place}, {what}: {where[place + '_from_mm']} ... {where[place + '_to_mm']}, {z} in {low} ... {high}", file=sys.stderr)
     if runs == 0:
         return
-    ladder.row()
-    print("\n| figure | runs | stated error, median ... largest | stated >= true | least ratio |\n|---|---|---|---|---|")
-    for other in others:
-        other.figure_row()
-    print(f"| teeth | {runs} | | {runs - outside} of {runs} within least and most | |")
-    print(f"| places along z | {2 * runs} | | {2 * runs - elsewhere} of {2 * runs} within their range | |")
-    Ladder.bad += outside + elsewhere
+    for each in (comparison, *others):
+        each.row()
+    row("teeth", runs, "", "", runs - outside, "", "")
+    row("places along z", 2 * runs, "", "", 2 * runs - elsewhere, "", "")
+    Comparison.bad += outside + elsewhere
 
 
 def main():
     if len(sys.argv) not in (2, 3, 4) or sys.argv[3:] not in ([], ["random"]):
         sys.exit(__doc__)
     program, designs = sys.argv[1], int(sys.argv[2]) if len(sys.argv) > 2 else 30
-    print("| ladder | runs | true error [% of the share], median ... largest | stated >= true | least ratio | median ratio |\n|---|---|---|---|---|---|")
+    if CSV:
+        print(f"# made by (long): docs/tables/contact_error.py PROGRAM --csv {designs}")
+    head("comparison", "runs", "true error, median [%]", "largest [%]", "runs within the estimate", "estimate over true error, least", "median")
     if len(sys.argv) < 4:
-        ladders(program)
+        series(program)
     random_designs(program, designs)
-    sys.exit(1 if Ladder.bad else 0)
+    sys.exit(1 if Comparison.bad else 0)
 
 
-def ladders(program):
+def series(program):
     points = (50, 100, 200, 400)
-    ladder = Ladder("flank points 50 ... 400 against 1600, one plane")
+    comparison = Comparison("flank points 50 ... 400 against 1600")
     for angle in (0, 0.7):
         keys = ["circular_spline.backlash_offset=0.005", f"contact.wave_generator_angle_deg={angle}"]
         fine = state(program, PLAIN, "tilted", 1, 1600, keys)
         for each in points:
-            ladder.add(each, state(program, PLAIN, "tilted", 1, each, keys), fine)
-    ladder.row()
+            comparison.add(each, state(program, PLAIN, "tilted", 1, each, keys), fine)
+    comparison.row()
     for surface in SURFACES:
-        ladder = Ladder(f"flank points 50 ... 400 against 1600, coned, \"{surface}\"")
+        comparison = Comparison(f"the same on a cone: {surface}")
         for shift in ("none", "mapped"):
             keys = ["coning.axial_shift=" + shift]
             fine = state(program, CONED, surface, 3, 1600, keys)
             for each in points:
                 # the error across the slices is the same in both
                 coarse = state(program, CONED, surface, 3, each, keys)
-                ladder.add(f"{shift}, {each}", coarse, fine)
-        ladder.row()
+                comparison.add(f"{shift}, {each}", coarse, fine)
+        comparison.row()
     for surface in SURFACES:
-        ladder = Ladder(f"2 ... 9 slices against 65, coned, \"{surface}\"")
+        comparison = Comparison(f"2 ... 9 slices against 65 on a cone: {surface}")
         for shift in ("none", "mapped"):
             keys = ["coning.axial_shift=" + shift]
             fine = state(program, CONED, surface, 65, 100, keys)
             for each in (2, 3, 4, 5, 6, 7, 9):
-                ladder.add(f"{shift}, {each}", state(program, CONED, surface, each, 100, keys), fine)
-        ladder.row()
+                comparison.add(f"{shift}, {each}", state(program, CONED, surface, each, 100, keys), fine)
+        comparison.row()
 
 
 main()

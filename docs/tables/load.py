@@ -2,18 +2,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tables of docs/explanation/load.md and docs/explanation/thesis.md, from the program's own JSON: docs/tables/load.py PROGRAM [--csv] [TABLE ...]
 
-TABLE is any of: thesis, surfaces, stages, bearing, fixed, balls, worth, worth_curve, cost, settle, curves; all of them
+TABLE is any of: stages, curve, prototypes, grid, thesis, tilted, surfaces, bearing, fixed, balls, worth; all of them
 without one. With --csv a table is comma-separated, as data/reference/load-TABLE.csv has it, in place of Markdown.
 """
 import json
 import os
 import random
-import resource
 import subprocess
 import sys
 import tempfile
 
-from contact import CSV, ROOT, head, row
+from contact import ROOT, head, make, row
 
 ELASTIC = os.path.join(ROOT, "data/scenes/type-50-elastic.toml")  # scene of the tables thesis and surfaces, with 33 slices, and stages
 
@@ -62,25 +61,64 @@ def thesis(program):
 
 def stages(program):
     """Two lines through one curve, for different numbers of torques: they are no property of the drive."""
-    head("torques", "surface", "first stage [N m/deg]", "second", "two lines found", "torque of the bend [N m]")
+    head("torques", "surface", "backlash [arcmin]", "first stage [N m/deg]", "+-", "second stage [N m/deg]", "+-", "two lines found", "knee [N m]")
     for points in (5, 8, 10, 13, 20):
         for surface in ("tilted", "per-slice"):
             result = load(program, ELASTIC, "--surface", surface, "--points", str(points), circular_spline__backlash_offset=0.065)
-            for case in result["cases"]:
-                row(points, surface, "%.0f" % case["first_stage_Nm_per_deg"], "%.0f" % case["second_stage_Nm_per_deg"],
-                    case["stages_found"], "%.1f" % case["knee_Nm"] if case["stages_found"] else "")
+            stage_row(result["cases"][0], points, surface)
+
+
+def stage_row(case, *cells):
+    row(*cells, "%.2f" % case["backlash_arcmin"], "%.0f" % case["first_stage_Nm_per_deg"], "%.0f" % case["first_stage_error_Nm_per_deg"],
+        "%.0f" % case["second_stage_Nm_per_deg"], "%.0f" % case["second_stage_error_Nm_per_deg"], case["stages_found"],
+        "%.1f" % case["knee_Nm"] if case["stages_found"] else "")
+
+
+def curve(program):
+    """The torque-twist curve of one outline and of an outline per slice, with a side clearance of 65 um."""
+    head("surface", "torque [N m]", "twist [arcmin]", "+-", "tangent stiffness [N m/deg]")
+    for surface in ("tilted", "per-slice"):
+        result = load(program, ELASTIC, "--surface", surface, "--points", "20", circular_spline__backlash_offset=0.065)
+        states = result["cases"][0]["curve"]
+        for state in states[:1 + len(states) // 3]:
+            row(surface, "%.4g" % state["torque_Nm"], "%.2f" % state["twist_arcmin"], "%.2g" % state["error"]["twist_arcmin"], "%.0f" % state["stiffness_Nm_per_deg"])
+
+
+def prototypes(program):
+    """The computed rows beside the two prototypes of the thesis."""
+    head("tilt [deg]", "side clearance [um]", "backlash [arcmin]", "+-", "first stage [N m/deg]", "+-", "second stage [N m/deg]", "+-", "tangent at 28 N m [N m/deg]")
+    for tilt, clearance in ((0, 0.075), (0.2, "auto")):
+        case = load(program, ELASTIC, "--surface", "tilted", f"--tilt={tilt}", circular_spline__backlash_offset=clearance)["cases"][0]
+        row(tilt, "%.1f" % case["backlash_offset_um"], "%.2f" % case["backlash_arcmin"], "%.1g" % case["backlash_error_arcmin"],
+            *["%.0f" % case[key] for stage in ("first", "second") for key in (stage + "_stage_Nm_per_deg", stage + "_stage_error_Nm_per_deg")],
+            "%.0f" % case["rated"]["stiffness_Nm_per_deg"])
+
+
+def grid(program):
+    """The number of slices, with one outline and its least side clearance."""
+    head("slices", *COLUMNS)
+    for count in (9, 17, 33):
+        told(load(program, ELASTIC, "--surface", "tilted", "--no-curve", slices__count=count), count)
+
+
+def tilted(program):
+    """One outline with a side clearance of 80 um for all tilts, and with a negative tilt."""
+    head("asked [um]", "tilt [deg]", "kind", *COLUMNS)
+    runs = [("least", -0.3, "radial", {})] + [(80, tilt, kind, {"circular_spline__backlash_offset": 0.08}) for kind in ("radial", "draft") for tilt in (0, 0.1, 0.2, 0.3)]
+    for asked, tilt, kind, keys in runs:
+        told(load(program, ELASTIC, "--surface", "tilted", "--no-curve", f"--tilt={tilt}", "--kind", kind, slices__count=33, **keys), asked, tilt, kind)
 
 
 def surfaces(program):
-    head("surface", *COLUMNS)
-    for clearance in (0, 0.04, 0.065):
+    head("asked [um]", "surface", *COLUMNS)
+    for clearance in (0, 40, 65):
         for surface in ("tilted", "ruled", "per-slice"):
-            told(load(program, ELASTIC, "--no-curve", "--surface", surface, slices__count=33, circular_spline__backlash_offset=clearance), surface)
+            told(load(program, ELASTIC, "--no-curve", "--surface", surface, slices__count=33, circular_spline__backlash_offset=clearance / 1000), clearance, surface)
 
 
 def bearing(program):
     head("bearing", "coning [deg]", *COLUMNS)
-    variants = [("elastic ring 1.2 mm, rigid balls", {}), ("ring 0.8 mm", {"bearing__ring_thickness": 0.8}), ("ring 1.6 mm", {"bearing__ring_thickness": 1.6}),
+    variants = [("ring 1.2 mm", {}), ("ring 0.8 mm", {"bearing__ring_thickness": 0.8}), ("ring 1.6 mm", {"bearing__ring_thickness": 1.6}),
                 ("balls 3000 N/mm^2", {"bearing__radial_stiffness": 3000}), ("balls 1000 N/mm^2", {"bearing__radial_stiffness": 1000}),
                 ("balls 300 N/mm^2", {"bearing__radial_stiffness": 300}), ("balls 100 N/mm^2", {"bearing__radial_stiffness": 100}),
                 ("balls free along the axis", {"bearing__axially": "free"}), ("fit +5 um", {"bearing__fit": 0.005}), ("fit -5 um", {"bearing__fit": -0.005}),
@@ -94,7 +132,7 @@ def bearing(program):
 def fixed(program):
     """The bearing's part alone: an outline of the linear cone, which does not follow the bearing."""
     head("bearing", "coning [deg]", *COLUMNS)
-    for name, keys in [("ring 1.2 mm, rigid balls", {}), ("ring 0.8 mm", {"bearing__ring_thickness": 0.8}), ("ring 1.6 mm", {"bearing__ring_thickness": 1.6}),
+    for name, keys in [("ring 1.2 mm", {}), ("ring 0.8 mm", {"bearing__ring_thickness": 0.8}), ("ring 1.6 mm", {"bearing__ring_thickness": 1.6}),
                        ("balls 3000 N/mm^2", {"bearing__radial_stiffness": 3000}), ("balls 1000 N/mm^2", {"bearing__radial_stiffness": 1000}),
                        ("balls free along the axis", {"bearing__axially": "free"}), ("fit +5 um", {"bearing__fit": 0.005}), ("fit -5 um", {"bearing__fit": -0.005}),
                        ("cam_oversize -5 um", {"bearing__cam_oversize": -0.005}), ("23 balls", {"bearing__balls": 23})]:
@@ -104,20 +142,19 @@ def fixed(program):
 
 
 def balls(program):
-    head("balls", "force on the cup [N]", "coning [deg]", "largest ball, assembled", "at 28 N m", "carry", "twist [arcmin]", "pressed flank [%]")
-    for count in (None, 200, 100, 50, 22, 23, 2):
+    head("balls", "force on the cup [N]", "coning [deg]", "largest ball assembled", "at 28 N m", "carry", "twist [arcmin]", "pressed flank [%]")
+    for count in (None, 200, 100, 50, 22, 23):
         keys = {"circular_spline__backlash_offset": 0.065, **({"bearing__balls": count} if count else {})}
         result = load(program, "--no-curve", **keys)
         if isinstance(result, str):
-            row(count, result)
-            continue
+            sys.exit(result)
         unit, state = "ball_force_N" + ("" if count else "_per_mm"), result["cases"][0]["rated"]
         row(count or "line", "%.0f" % result["cup"]["wave_generator_force_N"], "%.4f" % result["cup"]["coning_major_deg"], "%.4g" % result["cup"][unit], "%.4g" % state[unit],
             state["balls"], "%.2f" % state["twist_arcmin"], "%.4f" % (100 * state["contact_fraction"]))
 
 
 def worth(program):
-    """True distance to a grid twice as fine over the estimate, of random drives: the largest of each figure."""
+    """True distance to a grid twice as fine over the estimate, of random drives: the largest ratio of each figure."""
     wish = random.Random(41)
     keys_of = ["twist_arcmin", "stiffness_Nm_per_deg", "contact_fraction", "fraction_within_gap", "largest_pressure_MPa", "largest_force_N", "wave_generator_force_N", "lobe_force_N"]
     found = {key: [] for key in keys_of}
@@ -135,55 +172,9 @@ def worth(program):
             if a["rated_error"]:
                 found[key].append(abs(a["rated"][key] - b["rated"][key]) / max(1e-300, a["rated_error"][key]))
         print(keys, arguments, torque, {key: "%.2f" % found[key][-1] for key in keys_of if found[key]}, file=sys.stderr, flush=True)
-    head("figure", "drives", "within the estimate", "largest true error over estimate", "median")
+    head("figure", "drives", "within the estimate", "largest", "median")
     for key, ratios in found.items():
         row(key, len(ratios), sum(r <= 1 for r in ratios), "%.2f" % max(ratios), "%.2f" % sorted(ratios)[len(ratios) // 2])
-
-
-def worth_curve(program):
-    """The same of the torques of whole curves, twist and two others: largest true distance over estimate of each drive."""
-    wish = random.Random(77)
-    keys_of = ["twist_arcmin", "contact_fraction", "wave_generator_force_N", "ball_force_N_per_mm"]
-    head("drive", "torques", *("%s: within, largest" % key for key in keys_of))
-    for number in range(4):
-        keys, arguments = random_drive(wish)
-        keys["slices__count"] = 9
-        asked = ["--points", "4", "--torque", "%.6g" % 10 ** wish.uniform(0.5, 1.8), *arguments]
-        here = load(program, *asked, **keys)
-        fine = load(program, *asked, **{**keys, "slices__count": 17, "contact__flank_points": 400, "bearing__circles": 25})
-        if isinstance(here, str) or isinstance(fine, str):
-            print(here if isinstance(here, str) else fine, file=sys.stderr)
-            continue
-        pairs = [(a, b) for a, b in zip(here["cases"][0]["curve"], fine["cases"][0]["curve"]) if a["torque_Nm"] and a["error"]]
-        ratios = {key: [abs(a[key] - b[key]) / max(1e-300, a["error"][key]) for a, b in pairs] for key in keys_of}
-        row(number, len(pairs), *("%d of %d, %.2f" % (sum(r <= 1 for r in ratios[key]), len(pairs), max(ratios[key])) for key in keys_of))
-        sys.stdout.flush()
-
-
-# type-50 with half as many teeth again: all of a tooth two thirds as large
-TEETH = {"drive__module": 0.25 / 1.5, "drive__flexspline_teeth": 300, "drive__circular_spline_teeth": 302, "flexspline__profile__addendum": 0.15, "flexspline__profile__dedendum": 0.202,
-         "flexspline__profile__convex_radius": 0.2701 / 1.5, "flexspline__profile__convex_offset": 0.0982 / 1.5, "flexspline__profile__concave_radius": 0.5145 / 1.5,
-         "flexspline__profile__concave_rise": 0.0671 / 1.5, "flexspline__profile__tip_line_from": 0.19 / 1.5, "wave_generator__radial_deformation": 0.25 / 1.5}
-
-
-def processor_time():
-    """Of all programs run so far [s]: what a busy machine does not change much. OMP_WAIT_POLICY=passive keeps threads from waiting in it."""
-    used = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return used.ru_utime + used.ru_stime
-
-
-def cost(program):
-    head("change", "processor time [s]", "twist at 28 N m [arcmin]", "+-", "pressure [MPa]")
-    for name, keys in [("as it is", {}), ("5 slices", {"slices__count": 5}), ("17 slices", {"slices__count": 17}), ("50 harmonics", {"load__harmonics": 50}),
-                       ("400 flank points", {"contact__flank_points": 400}), ("100 flank points", {"contact__flank_points": 100}), ("25 circles", {"bearing__circles": 25}),
-                       ("300 and 302 teeth, module 0.1667", TEETH)]:
-        begin = processor_time()
-        result = load(program, "--no-curve", circular_spline__backlash_offset=0.065, **keys)
-        if isinstance(result, str):
-            row(name, result)
-            continue
-        state = result["cases"][0]["rated"]
-        row(name, "%.2f" % (processor_time() - begin), "%.3f" % state["twist_arcmin"], "%.2g" % result["cases"][0]["rated_error"]["twist_arcmin"], "%.0f" % state["largest_pressure_MPa"])
 
 
 def random_drive(wish):
@@ -197,42 +188,8 @@ def random_drive(wish):
     return keys, ["--surface", surface] + ([f"--tilt={tilt}", "--kind", kind] if tilt else [])
 
 
-def told_states(program, runs, options, keys_and_torques):
-    refused, states, rounds, worst, apart = [], 0, 0, 0.0, 0
-    for keys, arguments, torque in keys_and_torques:
-        result = load(program, *options, *arguments, "--torque", "%.6g" % torque, **keys)
-        if isinstance(result, str):
-            refused.append(result)
-            continue
-        curve = result["cases"][0]["curve"]
-        states += len(curve)
-        rounds += sum(state["iterations"] for state in curve)
-        worst = max([worst] + [state["gap_mismatch_um"] for state in curve])
-        points = len(curve) // 3
-        if points > 1:
-            # up and down again
-            apart += max(abs(a["twist_arcmin"] - b["twist_arcmin"]) for a, b in zip(curve[:points + 1], curve[2 * points:points - 1:-1])) > 0.005
-    row(runs, states, len(refused), "%.2f" % (1000 * worst), "%.1f" % (rounds / max(1, states)), apart)
-    for reason in refused:
-        print(reason, file=sys.stderr)
-
-
-def settle(program):
-    wish = random.Random(20261122)
-    head("drives", "states", "refused", "largest residual [nm]", "rounds a state", "curves with two ways")
-    told_states(program, 200, ["--no-curve"], [(*random_drive(wish), 10 ** wish.uniform(-2, 2.477)) for _ in range(200)])
-
-
-def curves(program):
-    wish = random.Random(7)
-    head("drives", "states", "refused", "largest residual [nm]", "rounds a state", "curves with two ways")
-    told_states(program, 30, ["--points", "6"], [(*random_drive(wish), 10 ** wish.uniform(0.3, 2)) for _ in range(30)])
-
-
-TABLES = {"stages": stages, "fixed": fixed, "balls": balls, "worth": worth, "worth_curve": worth_curve, "settle": settle, "curves": curves, "thesis": thesis, "surfaces": surfaces, "bearing": bearing, "cost": cost}
+TABLES = {"stages": stages, "curve": curve, "prototypes": prototypes, "grid": grid, "thesis": thesis, "tilted": tilted, "surfaces": surfaces, "bearing": bearing,
+          "fixed": fixed, "balls": balls, "worth": worth}
 
 if __name__ == "__main__":
-    for table in sys.argv[2:] or TABLES:
-        if not CSV:
-            print("\n" + table + "\n")
-        TABLES[table](sys.argv[1])
+    make(TABLES, set(TABLES) - {"grid"}, __doc__)

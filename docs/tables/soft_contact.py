@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contact share of type-50 against tilt if the flanks were soft: docs/tables/soft_contact.py build/release/bin/hdconj [CLEARANCE]
+"""Contact share of type-50 against tilt if the flanks were soft: docs/tables/soft_contact.py PROGRAM [--csv] [CLEARANCE]
 
 An estimate for docs/explanation/contact.md, not part of the program. The gap map of `hdconj contact` is moved back to a side clearance that the
 thesis' prototypes may have had (0.0225 mm by the play of 6.2 arcmin), which lets the teeth enter each other, and the circular spline is turned until the overlap, taken as the pressure of a bed of springs, makes a given
@@ -15,6 +15,8 @@ import tempfile
 
 import h5py
 import numpy as np
+
+from contact import CSV, head, row
 
 SCENE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "data/scenes/type-50-coned.toml")
 PLANE = os.path.join(os.path.dirname(SCENE), "type-50.toml")
@@ -77,15 +79,16 @@ def main():
     if len(sys.argv) not in (2, 3):
         sys.exit(__doc__)
     clearance = float(sys.argv[2]) if len(sys.argv) == 3 else 0.0225
-    cells = ["kind", "axial shift", "moment [mm^4]", *[f"{tilt}" for tilt in TILTS], "best [deg]"]
-    print("| " + " | ".join(cells) + " |\n" + "|---" * len(cells) + "|")
+    if CSV:
+        print(f"# made by (long): docs/tables/soft_contact.py PROGRAM --csv {clearance:g}")
+        print("# flank that overlaps [%] at each tilt [deg]; the moment times the stiffness of the bed is a torque")
+    head("kind", "axial shift", "moment [mm^4]", *TILTS, "best [deg]")
     for kind in ("radial", "draft"):
         for shift in ("none", "mapped"):
             beds = [Bed(sys.argv[1], clearance, tilt, kind, shift) for tilt in TILTS]
             for moment in MOMENTS:
                 shares = [bed.share(moment) if bed.made else -1 for bed in beds]
-                print(f"| {kind} | {shift} | {moment} | " + " | ".join("%.2f" % (100 * s) if s >= 0 else "-" for s in shares) + f" | {TILTS[int(np.argmax(shares))]} |")
-                sys.stdout.flush()
+                row(kind, shift, moment, *["%.2f" % (100 * s) if s >= 0 else "-" for s in shares], TILTS[int(np.argmax(shares))])
 
 
 main()

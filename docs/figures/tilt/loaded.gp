@@ -27,6 +27,6 @@ bar(row) = row == 1 ? 8 : row == 2 ? 10 : row == 4 ? 7 : row == 5 ? 9 : NaN
 plot tilts using ($0 == 4 ? NaN : place($0)):10 every ::1 with boxes lc rgb "#2060b0", \
   "" using ($0 == 4 ? NaN : place($0)):10:11 every ::1 with yerrorbars pt 0 lc rgb "#222222", \
   "" using ($0 == 4 ? NaN : place($0)):($10 + $11 + 0.02):(sprintf("%.2f", $10)) every ::1 with labels, \
-  surfaces using (bar($0)):9 every ::1 with boxes lc rgb "#b03030", \
-  "" using (bar($0)):9:10 every ::1 with yerrorbars pt 0 lc rgb "#222222", \
-  "" using (bar($0)):($9 + $10 + 0.02):(sprintf("%.2f", $9)) every ::1 with labels
+  surfaces using (bar($0)):10 every ::1 with boxes lc rgb "#b03030", \
+  "" using (bar($0)):10:11 every ::1 with yerrorbars pt 0 lc rgb "#222222", \
+  "" using (bar($0)):($10 + $11 + 0.02):(sprintf("%.2f", $10)) every ::1 with labels
