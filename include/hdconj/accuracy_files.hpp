@@ -47,7 +47,7 @@ void check_accuracy_folder(std::filesystem::path const& folder, std::string cons
 /// @throws FileError
 std::vector<WrittenFile> write_accuracy_folder(StoredAccuracy const& study, std::filesystem::path const& folder);
 
-/// Reads records.h5. The scene is as it was given; what a study leaves out of it is told by the notes.
+/// Reads records.h5. The scene is as it was given; the notes say what a study leaves out.
 /// @throws InputError where @p file holds no records, or a scene that this program does not take
 [[nodiscard]] StoredAccuracy read_accuracy(std::filesystem::path const& file);
 

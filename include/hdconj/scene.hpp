@@ -129,7 +129,7 @@ struct Slices
     int line = 0;                                 ///< of the table in the scene file, 1-based; 0: by --set
 };
 
-/// What contact is asked for. Only the verb `contact` looks at it.
+/// What contact is asked for. Only the verb `contact` reads it.
 struct ContactRequest
 {
     double gap = 0;             ///< contact where the gap is no larger [mm]
@@ -138,7 +138,7 @@ struct ContactRequest
     int line = 0;               ///< of the table in the scene file, 1-based; 0: by --set
 };
 
-/// What a load is asked for. Only the verb `load` looks at it.
+/// What a load is asked for. Only the verb `load` reads it.
 struct LoadRequest
 {
     std::optional<double> torque;       ///< rated, on the circular spline [N mm]
@@ -148,7 +148,7 @@ struct LoadRequest
     int line = 0;                       ///< of the table in the scene file, 1-based; 0: by --set
 };
 
-/// How the part is cut by wire. Only the verb `wedm` looks at it. Lengths in mm.
+/// How the part is cut by wire. Only the verb `wedm` reads it. Lengths in mm.
 struct WireRequest
 {
     WirePart part = WirePart::circular_spline;  ///< that is cut

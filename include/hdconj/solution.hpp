@@ -93,7 +93,7 @@ struct PairCheck
     double smallest_clearance = 0;  ///< min over outline points and positions; negative: interference
     Vec2 where = Vec2::Zero();      ///< frame of the outline that is solved for
     double at_phi = 0;              ///< tooth position where it happens
-    std::size_t points = 0;         ///< outline points looked at
+    std::size_t points = 0;         ///< outline points checked
     std::size_t positions = 0;      ///< tooth positions per point before refinement
 };
 
@@ -106,7 +106,7 @@ struct ErrorEstimate
     double r_0 = 0;          ///< of PairGeometry::r_0 [mm]
     double space_depth = 0;  ///< of PairGeometry::space_depth [mm]
     double land = 0;         ///< of the land's length along the tip circle [mm]
-    double clearance = 0;  ///< of PairCheck::smallest_clearance as the least of the points and positions looked at [mm]
+    double clearance = 0;  ///< of PairCheck::smallest_clearance as the least of the points and positions evaluated [mm]
     double side_clearance =
         0;           ///< of the one that "auto" found: in `clearance` and `land`, in no other; 0: as given [mm]
     double cup = 0;  ///< of the sections' displacement, as cup and bearing are resolved: in none of the others; 0: no

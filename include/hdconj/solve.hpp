@@ -20,7 +20,7 @@ namespace hdconj {
 /// Runs the stages of make_plan(scene), and no other. The result has the same bits for any number of threads.
 /// Accuracy: no point of an outline is farther than `solver.tolerance` from the true curve, see Solution::error.
 /// @param scene     lengths in mm, angles in rad; domain: scenes for which check_scene() finds no fault
-/// @param on_stage  told each stage that begins; null: nobody
+/// @param on_stage  called with each stage that begins; null: not called
 /// @throws InputError     the scene cannot describe a drive (exit status 2)
 /// @throws NumericalError a stage failed; says which, where and why (exit status 1)
 [[nodiscard]] Solution solve(Scene const& scene, StageObserver const& on_stage = {});

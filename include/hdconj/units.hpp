@@ -24,7 +24,7 @@ inline constexpr double per_arcmin = per_deg * 60;         ///< minutes of arc i
 inline constexpr double per_um = 1000;                     ///< micrometres in a millimetre
 inline constexpr double per_newton_metre = 1e-3;           ///< N m in a N mm
 inline constexpr double per_newton_metre_per_deg = per_newton_metre * std::numbers::pi / 180;  ///< from N mm/rad
-inline constexpr double per_percent = 100;                                                     ///< from a share
+inline constexpr double per_percent = 100;                                                     ///< from a fraction
 inline constexpr double per_ms = 1000;  ///< milliseconds in a second
 /// @}
 

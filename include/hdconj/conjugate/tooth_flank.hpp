@@ -64,9 +64,9 @@ template <motion::RelativeMotion Motion>
     return result;
 }
 
-/// Where a flank of the reverse problem ends on @p piece; the begin of the piece when it ends at once, nothing when it
-/// goes on. It ends where the tooth that sweeps it touches with the end of its tip, so that the contact normal is along
-/// its own centre line, or at half the pitch.
+/// Where a flank of the reverse problem ends on @p piece. This is the begin of the piece when it ends at once, and
+/// nothing when it goes on. It ends at half the pitch, or where the tooth that sweeps it touches with the end of its
+/// tip. There the contact normal is along that tooth's centre line.
 /// @param vertices    u at the vertices of the piece's polygon, between which at most one foot is looked for
 /// @param side        1: right flank, -1: left
 /// @param half_width  half the pitch at the root [mm]

@@ -22,7 +22,7 @@ struct TurnMinimum
     double distance = std::numeric_limits<double>::infinity();  ///< [mm]
     double u = 0;                                               ///< parameter of the motion
     int copy = 0;                                               ///< which tooth
-    std::size_t station = 0;                                    ///< nearest of the stations looked at
+    std::size_t station = 0;                                    ///< nearest of the stations evaluated
 };
 
 /// Minimum over u in one wave of the signed distance from a fixed point to the tooth.
@@ -63,7 +63,7 @@ class ClearanceMarcher
         (void)look(p, station, copy, best);
     }
 
-    /// Looks for less than @p best over the whole lobe.
+    /// Searches the whole lobe for less than @p best.
     void operator()(Vec2 const& p, int copy, TurnMinimum& best) const
     {
         std::size_t last = 0;
@@ -80,7 +80,7 @@ class ClearanceMarcher
         }
     }
 
-    /// Looks over the whole wave for less than each of @p best, for neighbouring points at once. The points share the
+    /// Searches the whole wave for less than each of @p best, for neighbouring points at once. The points share the
     /// positions that any of them needs; what is found is evaluated again point by point where it matters.
     void operator()(ToothLanes const& tooth, std::array<Vec2, lanes> const& p, int copy,
                     std::array<TurnMinimum, lanes>& best) const

@@ -40,7 +40,7 @@ struct CurveStretch
 struct StretchFoot
 {
     bool found = false;
-    bool certain = true;  ///< false: nothing is proved, all of the curve has to be looked at
+    bool certain = true;  ///< false: nothing is proved, all of the curve has to be searched
     Vec2 point = Vec2::Zero();
     Vec2 normal = Vec2::Zero();  ///< left of x', of length 1
 };

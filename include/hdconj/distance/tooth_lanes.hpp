@@ -12,7 +12,7 @@
 
 namespace hdconj::distance {
 
-/// Points that are looked at together; one number each.
+/// Points that are evaluated together; one number each.
 inline constexpr std::size_t lanes = 8;
 struct alignas(lanes * sizeof(double)) Lanes : std::array<double, lanes>
 {

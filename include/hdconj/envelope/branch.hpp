@@ -54,7 +54,7 @@ struct Branch
 
 /// A place where the number of roots is not known: within `width` of u a branch may exist that was not found.
 ///
-/// Its contacts lie where |f| <= F. Since f is the speed of the tooth along its own normal, the tooth covers at most
+/// Its contacts lie where |f| <= F, and f is the speed of the tooth along its own normal. So the tooth covers at most
 /// reach = F width more than the known branches say, measured along the normal.
 struct RootDoubt
 {

@@ -26,7 +26,7 @@ enum class ChordTest
 {
     estimate,  ///< from the ends of each chord alone, some per cent low where few chords make an arc: for polygons that
                ///< nothing is promised of
-    bound      ///< wherever curvature changes from chord to chord the arc is looked at between the ends: `chord` is not
+    bound      ///< wherever curvature changes from chord to chord the arc is evaluated between the ends: `chord` is not
                ///< below the true error
 };
 

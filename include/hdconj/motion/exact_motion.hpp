@@ -36,7 +36,7 @@ class ExactMotion
 
     [[nodiscard]] Pose pose(double u) const { return pose(u, curve_.shape()(u)); }
     [[nodiscard]] MotionRates rates(double u) const { return rates(curve_.shape()(u)); }
-    /// Both, from one look at the wave.
+    /// Both, from one evaluation of the wave.
     [[nodiscard]] MotionState state(double u) const
     {
         wavegen::RadialDisplacement const d = curve_.shape()(u);

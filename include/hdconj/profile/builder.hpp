@@ -56,7 +56,7 @@ struct FlankSegment
 [[nodiscard]] Profile whole_tooth(std::vector<FlankSegment> const& segments, ToothPlace const& place, double addendum,
                                   double dedendum, bool mirror_symmetric);
 
-/// Tips of typed numbers: half a tip thickness above minus this share of the addendum counts as pointed, not as
+/// Tips of typed numbers: half a tip thickness above minus this fraction of the addendum counts as pointed, not as
 /// crossed.
 inline constexpr double pointed_tip = 1e-9;  // digits that designers type
 

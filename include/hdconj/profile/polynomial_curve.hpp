@@ -113,7 +113,7 @@ template <class F>
     return pieces;
 }
 
-/// Accuracy of curve pieces as a share of the tooth's height.
+/// Accuracy of curve pieces as a fraction of the tooth's height.
 inline constexpr double curve_accuracy = 0x1p-47;  // 7e-15: some tens of roundings of the height itself
 
 }  // namespace hdconj::profile

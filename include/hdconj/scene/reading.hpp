@@ -37,7 +37,7 @@ struct SceneReading
 [[nodiscard]] SceneReading validate_scene(RawValue const& root, SceneFamilies const& families);
 
 /// Faults between values that are each right: tooth difference and waves, tolerance and module, effects that
-/// exclude each other. Only values in @p reading.known are looked at.
+/// exclude each other. Only values in @p reading.known are checked.
 [[nodiscard]] Faults cross_faults(SceneReading const& reading);
 
 /// Fills in line and origin of faults that name a key of @p scene but no line, and the value as it was written.

@@ -12,7 +12,7 @@
 
 namespace hdconj::wavegen {
 
-/// What a family is told about the drive it deforms.
+/// The drive that a family deforms.
 struct WaveGeneratorPlace
 {
     double r_m = 0;      ///< radius of the undeformed neutral curve [mm]
