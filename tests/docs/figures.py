@@ -3,7 +3,7 @@
 """Compares the figures of the pages with the files that they come from, and these with the program.
 
     figures.py SOURCE_DIR                  the pages against data/reference
-    figures.py SOURCE_DIR --control        changes a digit of each figure in a copy: each change must be caught
+    figures.py SOURCE_DIR --control        changes figures of pages and files in a copy: each change must be caught
     figures.py SOURCE_DIR --fresh PROGRAM  makes the files again; with HDCONJ_LONG set, also those that take long
 
 A comment below a paragraph, a list or a table names the source of its figures. Browsers do not show it:
@@ -247,7 +247,7 @@ def with_other_digit(number):
 
 
 def control(source):
-    """Figures that can be changed without a fault."""
+    """Figures of pages and files that can be changed without a fault."""
     missed, count = [], 0
     for name, blocks, inputs in pages_of(source):
         for block in blocks:
@@ -258,6 +258,15 @@ def control(source):
                 if not faults_of(block, source, inputs)[0]:
                     missed.append(f"{name}:{block.line}: {right[begin:end]} may become {block.text[begin:end]}")
             block.text = right
+    for path in sorted((source / "data/reference").glob("*.csv")):
+        table = Table(path)
+        right = [table.columns, *table.rows]
+        moved = [[NUMBER.sub(lambda m: repr(3 * float(m[0]) + 1), cell) for cell in row] for row in right[1:]]
+        wrong = {"its own rows": (right, False), "other figures": ([right[0], *moved], True),
+                 "a missing row": (right[:-1], True), "another column": ([["x", *right[0][1:]], *right[1:]], True)}
+        for what, (rows, is_wrong) in wrong.items() if table.maker() else ():
+            count += 1
+            missed += [f"{path.name}: {what}"] if bool(differences(path.name, table, rows)) != is_wrong else []
     return missed, count
 
 
@@ -281,10 +290,15 @@ def fresh_faults(path, program, source):
     done = subprocess.run([sys.executable, *words], cwd=source, stdout=subprocess.PIPE, text=True, check=False)
     if done.returncode:
         return [f"{path.name}: status {done.returncode} of {command}"]
-    new = list(csv.reader(line for line in done.stdout.splitlines() if line and not line.startswith("#")))
+    lines = [line for line in done.stdout.splitlines() if line and not line.startswith("#")]
+    return differences(path.name, table, list(csv.reader(lines)))
+
+
+def differences(name, table, new):
+    """What the rows of a stored table and fresh ones differ in, heads included."""
     old = [table.columns, *table.rows]
     if len(old) != len(new) or any(len(a) != len(b) for a, b in zip(old, new)):
-        return [f"{path.name}: {len(new)} fresh rows, {len(old)} stored; or their columns differ"]
+        return [f"{name}: {len(new)} fresh rows, {len(old)} stored; or their columns differ"]
     faults = []
     for a, b in zip(old, new):
         for at, (left, right) in enumerate(zip(a, b)):
@@ -292,7 +306,7 @@ def fresh_faults(path, program, source):
             is_error = old[0][at].startswith("+-")
             near = is_error and value_of(left) and 0.5 <= (value_of(right) or 0) / value_of(left) <= 2
             if not near and not numbers_agree(left, right, beside):
-                faults.append(f"{path.name}: {old[0][at]} of {', '.join(a[:2])}: stored {left}, fresh {right}")
+                faults.append(f"{name}: {old[0][at]} of {', '.join(a[:2])}: stored {left}, fresh {right}")
     return faults
 
 
