@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Tables of docs/explanation/load.md and docs/explanation/thesis.md, from the program's own JSON: docs/tables/load.py PROGRAM [--csv] [TABLE ...]
 
-TABLE is any of: stages, curve, prototypes, grid, thesis, tilted, surfaces, bearing, fixed, balls, worth; all of them
+TABLE is any of: stages, curve, prototypes, grid, thesis, tilted, surfaces, bearing, fixed, balls, estimates; all of them
 without one. With --csv a table is comma-separated, as data/reference/load-TABLE.csv has it, in place of Markdown.
 """
 import json
@@ -153,7 +153,7 @@ def balls(program):
             state["balls"], "%.2f" % state["twist_arcmin"], "%.4f" % (100 * state["contact_fraction"]))
 
 
-def worth(program):
+def estimates(program):
     """True distance to a grid twice as fine over the estimate, of random drives: the largest ratio of each figure."""
     wish = random.Random(41)
     keys_of = ["twist_arcmin", "stiffness_Nm_per_deg", "contact_fraction", "fraction_within_gap", "largest_pressure_MPa", "largest_force_N", "wave_generator_force_N", "lobe_force_N"]
@@ -189,7 +189,7 @@ def random_drive(wish):
 
 
 TABLES = {"stages": stages, "curve": curve, "prototypes": prototypes, "grid": grid, "thesis": thesis, "tilted": tilted, "surfaces": surfaces, "bearing": bearing,
-          "fixed": fixed, "balls": balls, "worth": worth}
+          "fixed": fixed, "balls": balls, "estimates": estimates}
 
 if __name__ == "__main__":
     make(TABLES, set(TABLES) - {"grid"}, __doc__)
