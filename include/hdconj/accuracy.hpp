@@ -130,18 +130,18 @@ using StudyProgress = std::function<void(std::string const& what, double share)>
 /// Names of studies that there are not: all that can be said without a scene.
 [[nodiscard]] Faults check_studies(AccuracyOptions const& options);
 
-/// Whether what is asked can be measured: studies that there are, and that this scene has. Every drive that `solve`
-/// takes has a reference in 50 digits, of its own motion model and of the member that it solves for; in the reverse
-/// problem there is no union, contact-area and load, nor these two where the scene lacks what they need: left out with
-/// a note where nobody names them, a fault where somebody does.
+/// Faults of what is asked: studies that do not exist, or that this scene does not have. Every drive that `solve` takes
+/// has a reference in 50 digits, of its own motion model and of the member that it solves for. The reverse problem has
+/// no union, contact-area and load. The last two also need what they measure in the scene. Such a study is a fault
+/// where it is named, and is otherwise left out with a note.
 [[nodiscard]] Faults check_accuracy(Scene const& scene, AccuracyOptions const& options);
 
 /// Runs the studies.
 ///
-/// Effects along the axis, coning among them (contact-area alone knows of it), root clearance and an automatic side
-/// clearance are left out of the drive that is measured; `notes` says so. Errors are against the scene's own motion
-/// model, those of the study motion-model against exact motion. Studies that the scene does not have, or that have no
-/// reference, are left out while others run; `notes` says why. Deterministic but for the times and the memory.
+/// The drive that is measured has no root clearance, no automatic side clearance and no effects along the axis; `notes`
+/// says so. Only contact-area knows of coning. Errors are against the scene's own motion model; those of the study
+/// motion-model are against exact motion. Studies that the scene does not have, or that have no reference, are left out
+/// while others run; `notes` says why. Deterministic but for the times and the memory.
 /// @throws InputError for what check_accuracy() finds, and where every study had to be left out; NumericalError where
 /// the scene itself cannot be solved, or has no reference and no other study was asked for
 [[nodiscard]] AccuracyReport measure_accuracy(Scene const& scene, AccuracyOptions const& options = {},

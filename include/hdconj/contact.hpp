@@ -20,7 +20,7 @@ namespace hdconj {
 /// Gaps of all flanks of the circular spline at one position, plain data.
 ///
 /// A gap is the signed distance from a point of a circular-spline flank to the nearest flexspline tooth, in the plane
-/// of the slice; negative where the point is inside the tooth.
+/// of the slice. It is negative where the point is inside the tooth.
 struct GapMap
 {
     /// Side of a tooth space, second index of the map.
@@ -67,9 +67,9 @@ struct SliceClearance
     double root_error = 0;   ///< the same of the smallest distance at the root [mm]
 };
 
-/// Contact at one angle of the wave generator. To first contact the circular spline is turned, wave generator and
-/// flexspline held; a cup that is turned in its place, wave generator and circular spline held, takes z_c/z_f times
-/// that angle (docs/explanation/theory.md).
+/// Contact at one angle of the wave generator. The circular spline is turned to first contact, while wave generator and
+/// flexspline are held. If the cup is turned in place of the circular spline, the angle is z_c/z_f times as large
+/// (docs/explanation/theory.md).
 struct ContactState
 {
     double wave_generator =
@@ -224,13 +224,13 @@ inline constexpr int standard_slices = 17;
 /// Scene and options against each other.
 [[nodiscard]] Faults check_contact(Scene const& scene, ContactOptions const& options);
 
-/// Clearances, least side clearances, backlash and contact areas of every combination of surface, kind and tilt
-/// (design 3.4, 3.5).
+/// Clearances, least side clearances, backlash and contact areas of every combination of surface, kind and tilt.
 ///
 /// Gaps are distances in the planes of the slices, from exact points of the circular spline to exact teeth. With
-/// [coning] and axial_shift = "mapped" the teeth in a plane are those parts of the cup that have moved into it, for
-/// gaps and for full turns (ToothSurfaceBuilder::follows_sections() says where not). Same bits for any number of
-/// threads. A case that cannot be made leaves the others as they are and is named in ContactStudy::missing.
+/// [coning] and axial_shift = "mapped" the teeth in a plane are those parts of the cup that have moved into it. This
+/// holds for gaps and for full turns; ToothSurfaceBuilder::follows_sections() names the exceptions. Every number of
+/// threads gives the same bits. A case that cannot be made leaves the others as they are and is named in
+/// ContactStudy::missing.
 /// @throws InputError for a scene or options that cannot be computed; NumericalError with stage, place and cause where
 /// no case can be made
 [[nodiscard]] ContactStudy study_contact(Scene const& scene, ContactOptions const& options = {},

@@ -101,10 +101,10 @@ struct StiffnessStages
     bool found = false;       ///< enough points for two lines
 };
 
-/// Two straight lines through (twist, torque) by least squares, the bend where they fit best. Points in order of
-/// growing torque, all of one sign. Fewer than six points, or no bend that chance would not make of a straight line
-/// with noise (1 %): `found` is false and both slopes are those of one line. Fewer than two different twists: all zero.
-/// Global least squares over slopes and bend (Hudson 1966), in time points^2.
+/// Two straight lines through (twist, torque) by least squares, and the bend where they fit best. Points are in order
+/// of growing torque, all of one sign. With fewer than six points `found` is false, and both slopes are those of one
+/// line. The same holds where a straight line with noise would show such a bend by chance (1 %). Fewer than two
+/// different twists: all zero. Global least squares over slopes and bend (Hudson 1966), in time points^2.
 /// @throws std::logic_error where there are not as many torques as twists
 [[nodiscard]] StiffnessStages stiffness_stages(std::vector<double> const& twist, std::vector<double> const& torque);
 

@@ -72,13 +72,13 @@ inline constexpr double no_load = 0.02;    ///< below, the drive may lie anywher
 inline constexpr double near_zero = 0.12;  ///< up to here the unloading branch is a straight line to zero torque
 }  // namespace measured_at
 
-/// Splits a curve where the torque turns, and takes from each branch what it has.
+/// Splits a curve where the torque turns, and evaluates each branch.
 ///
-/// Load cycles 0, T, 0, -T, 0 in any number, beginning anywhere. Backlash per cycle: a straight line through the
-/// samples of each unloading branch between no_load and near_zero, taken to zero torque (fewer than three samples
-/// there: through the two nearest to zero, zero included). With friction that is the width of the loop at zero torque;
-/// without, the backlash, wherever the drive lay within it. Stiffness per loading branch: stiffness_stages() of its
-/// samples above no_load, negative branches turned round.
+/// The load cycles are 0, T, 0, -T, 0 in any number, beginning anywhere. Backlash is found for each cycle: a straight
+/// line through the samples of each unloading branch between no_load and near_zero is extended to zero torque. With
+/// fewer than three samples there, it goes through the two nearest to zero. With friction the backlash is the width of
+/// the loop at zero torque. Without friction it is the backlash, wherever the drive lay within it. Stiffness is found
+/// for each loading branch: stiffness_stages() of its samples above no_load, with negative branches turned round.
 /// @throws InputError where the samples are no such loop: one sign only, no unloading, torque that falls with the angle
 [[nodiscard]] MeasuredStiffness measured_stiffness(MeasuredCurve const& curve);
 

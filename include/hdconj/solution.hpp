@@ -109,8 +109,8 @@ struct ErrorEstimate
     double clearance = 0;  ///< of PairCheck::smallest_clearance as the least of the points and positions evaluated [mm]
     double side_clearance =
         0;           ///< of the one that "auto" found: in `clearance` and `land`, in no other; 0: as given [mm]
-    double cup = 0;  ///< of the sections' displacement, as cup and bearing are resolved: in none of the others; 0: no
-                     ///< elastic cup [mm]
+    double cup = 0;  ///< of the sections' displacement, by the grid of cup and bearing: in none of the others; 0: no
+                     ///< cup [mm]
     /// The larger of the errors of chords and of points [mm].
     [[nodiscard]] double largest() const { return chord > point ? chord : point; }
 };
