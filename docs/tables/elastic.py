@@ -28,7 +28,7 @@ def cup(program, *settings):
             sys.exit(done.stderr.strip())
         with open(os.path.join(folder, "cup.vtu")) as file:
             stress = re.search(r'Name="von_mises"[^>]*>\s*([^<]*)<', file.read()).group(1)
-    coning, force = re.search(r"cones by (\S+)(?: \+- \S+)? degrees.* with (\S+)(?: \+- \S+)? N", done.stdout).groups()
+    coning, force = re.search(r"con(?:es by|ing) (\S+)(?: \+- \S+)? degrees.*(?:with|cup) (\S+)(?: \+- \S+)? N", done.stdout).groups()
     gap = re.search(r"balls .*?(\S+) um", done.stdout)
     return {"coning": "%.3f" % float(coning), "force": "%.0f" % float(force), "gap": "%.1f" % float(gap.group(1)) if gap else "0",
             "stress": "%.0f" % max(map(float, stress.split()))}
