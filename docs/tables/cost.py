@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Work of whole runs on one thread: docs/tables/cost.py PROGRAM [--csv] [TABLE ...]
+"""Work of whole runs on one thread, and the errors that they state: docs/tables/cost.py PROGRAM [--csv] [TABLE ...]
 
-TABLE is any of: tolerance, verbs; both without one. Counts of points and contacts are the same on every machine.
+TABLE is any of: tolerance, errors, verbs; all of them without one. Counts of points and contacts are the same on every machine.
 Instructions are counted by callgrind (valgrind). Memory is the largest resident set.
 """
 import json
@@ -78,7 +78,17 @@ def tolerance(program):
         row(f"1e-{power}", found["circular_spline"]["points"], found["work"]["envelope_points"], "%.2g" % (size / 1e6))
 
 
-TABLES = {"tolerance": tolerance, "verbs": verbs}
+def errors(program):
+    """What `solve` states of the errors of the built-in drive. Those that are rounding differ among processors."""
+    with tempfile.TemporaryDirectory() as folder:
+        done = subprocess.run([*command(os.path.abspath(program), ["solve"]), "--json"], cwd=folder, capture_output=True, text=True, check=True)
+    head("figure", "value", "+-")
+    for key, value in json.loads(done.stdout)["error"].items():
+        if value > 0:
+            row(key, "%.3g" % value, "%.1g" % (0.2 * value))
+
+
+TABLES = {"tolerance": tolerance, "errors": errors, "verbs": verbs}
 
 if __name__ == "__main__":
     make(TABLES, ("verbs",), __doc__)

@@ -35,7 +35,7 @@ from pathlib import Path
 from run_pages import NUMBER, last_digit
 
 COVERED = ("docs/explanation",)
-NOT_COVERED = ("docs/explanation/architecture.md", "docs/explanation/theory.md")
+NOT_COVERED = ("docs/explanation/architecture.md",)
 MARK = re.compile(r"<!--\s*(from|by|given|inputs):(.*?)-->", re.S)
 UNIT = re.compile(r"\s?(%|°|'(?![a-z])|um\b|mm\b|deg\b|arcmin|GPa|MPa|N\b|ms\b|s\b|MB\b|ns\b|rad\b|times\b|million\b)")
 TERM = re.compile(r"(?:(?P<file>\S+\.csv)\s*)?(?:\[(?P<rows>[^\]=]+=[^\]]*)\]\s*)?(?P<columns>.+)", re.S)
