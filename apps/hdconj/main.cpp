@@ -16,6 +16,7 @@
 #include "hdconj/error.hpp"
 #include "hdconj/file/atomic_file.hpp"
 #include "hdconj/read_scene.hpp"
+#include "hdconj/result_files.hpp"
 #include "hdconj/scene/schema.hpp"
 #include "hdconj/version.hpp"
 #include "heap.hpp"
@@ -58,6 +59,7 @@ int fail(std::string const& cause)
 int run_action(CommonOptions const& common)
 {
     prepare_heap();
+    leave_memory_at_exit();
     at_thread_start(prepare_heap_of_thread);
     try {
         return common.action();

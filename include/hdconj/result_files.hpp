@@ -54,4 +54,8 @@ struct StoredOutline
 /// @throws InputError where @p file is none of our results, or its parts contradict each other
 [[nodiscard]] StoredOutline read_outline(std::filesystem::path const& file);
 
+/// Tells HDF5 not to tidy its memory when the process ends, where the system takes all of it at once. For a program
+/// that is done with its files by then; called before its first file. A library must not.
+void leave_memory_at_exit();
+
 }  // namespace hdconj

@@ -48,19 +48,19 @@ std::span<RecordFigure const> record_figures()
 {
     using R = StudyRecord;
     static constexpr std::array figures = {
-        number<&R::value>("value", one, "of the knob"),
+        number<&R::value>("value", one, "value of the knob"),
         number<&R::repeat>("repeat", one, "number of the run"),
         number<&R::error>("error", unit_of_record, "largest distance of a computed point from the true curve"),
         number<&R::hausdorff>("hausdorff", unit_of_record, "distance of the computed curve from the true one"),
-        number<&R::estimate>("estimate", unit_of_record, "the method's own estimate of that distance"),
+        number<&R::estimate>("estimate", unit_of_record, "the method's own estimate of the error"),
         number<&R::normal_speed>("normal_speed", mm_per_rad, "largest n.v at the computed contacts; 0 at true ones",
                                  "residual"),
         number<&R::branches>("branches", one, "branches or roots found"),
-        number<&R::missed>("missed", one, "of these missed"),
-        number<&R::extra>("extra", one, "found where there are none"),
+        number<&R::missed>("missed", one, "branches or roots missed"),
+        number<&R::extra>("extra", one, "branches or roots found where there are none"),
         number<&R::seconds>("seconds", second, "time of the run"),
-        number<&R::evaluations>("evaluations", one, "of the meshing condition or the envelope point"),
-        number<&R::points>("points", one, "of the result"),
+        number<&R::evaluations>("evaluations", one, "evaluations of the meshing condition or the envelope point"),
+        number<&R::points>("points", one, "points of the result"),
         number<&R::memory>("memory", megabyte, "largest resident set of the process"),
         number<&R::threads>("threads", one, "threads of the run")};
     return figures;
@@ -68,10 +68,11 @@ std::span<RecordFigure const> record_figures()
 
 std::span<RecordText const> record_texts()
 {
-    static constexpr std::array texts = {
-        RecordText{"study", &StudyRecord::study}, RecordText{"drive", &StudyRecord::drive},
-        RecordText{"method", &StudyRecord::method}, RecordText{"knob", &StudyRecord::knob},
-        RecordText{"unit", &StudyRecord::unit}};
+    static constexpr std::array texts = {RecordText{"study", &StudyRecord::study, "name of the study"},
+                                         RecordText{"drive", &StudyRecord::drive, "name of the drive"},
+                                         RecordText{"method", &StudyRecord::method, "name of the method"},
+                                         RecordText{"knob", &StudyRecord::knob, "key that is varied"},
+                                         RecordText{"unit", &StudyRecord::unit, "unit of the errors"}};
     return texts;
 }
 

@@ -26,6 +26,7 @@ struct RecordText
 {
     char const* name;
     std::string StudyRecord::*text;
+    char const* meaning;
 };
 [[nodiscard]] std::span<RecordText const> record_texts();
 

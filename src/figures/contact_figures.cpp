@@ -38,31 +38,32 @@ Rows<ContactState> state_figures()
         figure<&T::wave_generator>("wave_generator", given_degree,
                                    "angle of the wave generator from a tooth space of the circular spline",
                                    {"wave generator", fixed<4>, nullptr, &degree}),
-        pair<&T::turn_to_contact, &T::turn_to_contact_error>("turn_to_contact", arcmin,
-                                                             "turn of the circular spline to first contact")
+        pair<&T::turn_to_contact, &T::turn_to_contact_error>(
+            "turn_to_contact", arcmin, "turn of the circular spline to first contact, counter-clockwise")
             .formerly("take_up"),
-        pair<&T::reverse_turn_to_contact, &T::reverse_turn_to_contact_error>("reverse_turn_to_contact", arcmin,
-                                                                             "the same turn the other way")
+        pair<&T::reverse_turn_to_contact, &T::reverse_turn_to_contact_error>(
+            "reverse_turn_to_contact", arcmin, "turn of the circular spline to first contact, clockwise")
             .formerly("take_up_back"),
-        pair<&T::backlash, &T::backlash_error>("backlash", arcmin, "sum of both turns",
+        pair<&T::backlash, &T::backlash_error>("backlash", arcmin, "sum of both turns to first contact",
                                                {"backlash", fixed<2>, one_digit})
             .and_as_length(),
         pair<&T::contact_area, &T::contact_area_error>("contact_area", mm2,
                                                        "flank area whose gap is at most the contact gap"),
         pair<&T::contact_fraction, &T::contact_fraction_error>(
-            "contact_fraction", one, "fraction of the area of all flanks on the driving side",
+            "contact_fraction", one, "contact area as a fraction of all flanks on the driving side",
             {"contact area", significant<4>, significant<2>, &percent})
             .formerly("share"),
         pair<&T::smallest_gap, &T::smallest_gap_error>("smallest_gap", um,
                                                        "smallest gap before the turn, on either side"),
-        figure<&T::smallest_z>("smallest_z", mm, "height of the slice with that gap"),
-        figure<&T::smallest_z_from>("smallest_z_from", mm, "lower end of where it may lie as well"),
-        figure<&T::smallest_z_to>("smallest_z_to", mm, "upper end of where it may lie as well"),
+        figure<&T::smallest_z>("smallest_z", mm, "height of the slice with the smallest gap"),
+        figure<&T::smallest_z_from>("smallest_z_from", mm, "lower end of where the smallest gap may lie"),
+        figure<&T::smallest_z_to>("smallest_z_to", mm, "upper end of where the smallest gap may lie"),
         figure<&T::teeth>("teeth", one, "tooth spaces in contact on the driving side", {"teeth", whole}),
-        figure<&T::teeth_least>("teeth_least", one, "spaces in contact whatever the errors"),
-        figure<&T::teeth_most>("teeth_most", one, "spaces that may be in contact within the errors"),
+        figure<&T::teeth_least>("teeth_least", one, "tooth spaces in contact whatever the errors"),
+        figure<&T::teeth_most>("teeth_most", one, "tooth spaces that may be in contact within the errors"),
         figure<&T::smallest_space>("smallest_space", one, "tooth space with the smallest gap"),
-        figure<&T::smallest_spaces>("smallest_spaces", one, "spaces with such a gap within its error")};
+        figure<&T::smallest_spaces>("smallest_spaces", one,
+                                    "tooth spaces that may have the smallest gap within its error")};
     return Rows<T>(rows);
 }
 
@@ -80,9 +81,9 @@ Rows<ContactCase> case_figures()
             .formerly("clearing_offset"),
         figure<&T::tip>("tip_radius", mm, "tip circle at z = 0 that the contact is computed with",
                         {"tip circle", decimals<4>}),
-        pair<&T::least_tip_radius, &T::least_tip_radius_error>("least_tip_radius", mm,
-                                                               "smallest tip circle at z = 0 that goes with it",
-                                                               {"tip circle", decimals<4>, one_digit})
+        pair<&T::least_tip_radius, &T::least_tip_radius_error>(
+            "least_tip_radius", mm, "smallest tip circle at z = 0 that goes with the least side clearance",
+            {"tip circle", decimals<4>, one_digit})
             .formerly("clearing_tip"),
         pair<&T::least_root_clearance, &T::least_root_clearance_error>(
             "least_root_clearance", um, "least root clearance without interference over a full turn",
@@ -134,7 +135,8 @@ Rows<ClosestPlace> closest_figures()
         Row{"y", mm, "where, on the circular spline", [](Place place) { return place.at.where.y(); }}
             .without(hdf5)
             .printed({"y", fixed<4>}),
-        figure<&ClosestPlace::at, &Closest::phi>("phi", degree, "undeformed angle of the tooth", {"phi", fixed<3>})};
+        figure<&ClosestPlace::at, &Closest::phi>("phi", degree, "undeformed angle of the tooth at the closest place",
+                                                 {"phi", fixed<3>})};
     return Rows<ClosestPlace>(rows);
 }
 
@@ -152,8 +154,8 @@ Rows<BestTilt> best_tilt_figures()
     constexpr Text bound = {"", significant<6>, nullptr, &degree};
     static constexpr std::array rows = {
         figure<&T::tilt>("tilt", given_degree, "the best tilt", {"tilt", decimals<4>, nullptr, &degree}),
-        figure<&T::tolerance>("tolerance", degree, "how well it is known", {"", one_digit}),
-        figure<&T::on_bound>("on_bound", one, "whether it lies at an end of the interval searched"),
+        figure<&T::tolerance>("tolerance", degree, "tolerance of the best tilt", {"", one_digit}),
+        figure<&T::on_bound>("on_bound", one, "whether the best tilt lies at an end of the interval searched"),
         figure<&T::refused>("refused", one, "tilts tried at which no surface can be made").without(hdf5),
         figure<&T::possible_from>("possible_from", given_degree, "least tilt tried that makes a surface", bound)
             .without(hdf5),

@@ -33,10 +33,10 @@ constexpr auto teeth_figures(Unit const& ball)
 {
     using T = LoadedState;
     return std::array{
-        figure<&T::torque>("torque", newton_metre, "on the circular spline"),
+        figure<&T::torque>("torque", newton_metre, "torque on the circular spline"),
         estimated<&T::twist>("twist", arcmin, "of the circular spline, from the middle of the backlash",
                              {"twist", fixed<2>, significant<2>}),
-        estimated<&T::stiffness>("stiffness", newton_metre_per_rad, "dT/d(twist) with the contacts closed"),
+        estimated<&T::stiffness>("stiffness", newton_metre_per_rad, "stiffness, dT/d(twist), with the contacts closed"),
         json_only(estimated<&T::stiffness>("stiffness", newton_metre_per_degree, "the same")),
         estimated<&T::contact_area>("contact_area", mm2, "flank area under pressure"),
         estimated<&T::contact_fraction>("contact_fraction", one, "fraction of all flanks on the loaded side",
@@ -62,16 +62,17 @@ constexpr auto teeth_figures(Unit const& ball)
         estimated<&T::lobe_force>("lobe_force", newton,
                                   "resultant of the bearing over the lobe at the major axis, along that axis",
                                   general("along")),
-        estimated<&T::lobe_force_across>("lobe_force_across", newton, "the same across it, clockwise",
+        estimated<&T::lobe_force_across>("lobe_force_across", newton,
+                                         "resultant of the bearing over that lobe across its axis, clockwise",
                                          general("across")),
         estimated<&T::lobe_z>("lobe_z", mm, "height at which the resultant acts", {"at z", fixed<2>, two_digits}),
         figure<&T::ball_phi>("ball_phi", given_degree, "angle of the ball that is pressed most",
                              {"at", fixed<1>, nullptr, &degree}),
         estimated<&T::largest_stress>("largest_stress", megapascal, "largest von Mises stress of the cup",
                                       {"stress", table_number, table_number}),
-        figure<&T::stress_z>("stress_z", mm, "height of that stress", {"z", fixed<2>}),
-        figure<&T::stress_r>("stress_r", mm, "radius of that stress", {"r", fixed<2>}),
-        figure<&T::stress_phi>("stress_phi", given_degree, "angle of that stress from the major axis",
+        figure<&T::stress_z>("stress_z", mm, "height of the largest stress", {"z", fixed<2>}),
+        figure<&T::stress_r>("stress_r", mm, "radius of the largest stress", {"r", fixed<2>}),
+        figure<&T::stress_phi>("stress_phi", given_degree, "angle of the largest stress from the major axis",
                                {"phi", fixed<1>, nullptr, &degree}),
         figure<&T::gap_mismatch>("gap_mismatch", um, "gap solved for less that of the loaded shape, at contacts",
                                  {"gap", significant<2>})
@@ -163,7 +164,8 @@ Rows<LoadCase> load_case_figures()
                          {"tilt", significant<3>, nullptr, &degree}),
         figure<&T::backlash_offset>("backlash_offset", um, "side clearance", {"offset", fixed<2>}),
         figure<&T::tip>("tip_radius", mm, "tip circle at z = 0", {"tip circle", decimals<6>}),
-        figure<&T::tip_radius_increase>("tip_radius_increase", um, "how much wider it is than the surface's own",
+        figure<&T::tip_radius_increase>("tip_radius_increase", um,
+                                        "how much wider the tip circle is than the surface's own",
                                         {"wider", decimals<2>})
             .formerly("tip_change"),
         pair<&T::backlash, &T::backlash_error>("backlash", arcmin, "backlash without torque")

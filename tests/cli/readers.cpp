@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Other people's programs read what we write.
 #include "hdconj/contact_files.hpp"
+#include "hdconj/load_files.hpp"
 #include "hdconj/mesh_files.hpp"
 #include "support/catch.hpp"
 #include "support/not_tried.hpp"
 #include "support/run_program.hpp"
 #include "support/sample_contact_study.hpp"
+#include "support/sample_load_study.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace hdconj::test::readers_cases {
@@ -40,7 +42,7 @@ TEST_CASE("h5py and ezdxf read the files and find the documented layout")
     write_hdf5(solution, folder / "a.h5");
     write_dxf(solution, folder / "a.dxf");
     auto const read = run(reader + "a.h5 a.dxf", folder.path());
-    CHECK(read.out + read.err == "32 datasets, 2 branches, 0 faults\n");
+    CHECK(read.out + read.err == "40 datasets, 2 branches, 0 faults\n");
     CHECK(read.status == 0);
     solution.neutral_curve[7].x() += 1e-6;
     write_hdf5(solution, folder / "a.h5");
@@ -57,6 +59,29 @@ TEST_CASE("h5py reads a contact result and finds the documented layout")
     write_hdf5(sample::contact_study(3), folder / "a.h5");
     auto const read = run(reader + "a.h5", folder.path());
     CHECK_THAT(read.out + read.err, ContainsSubstring(", 2 branches, 0 faults\n"));
+    CHECK(read.status == 0);
+}
+
+TEST_CASE("xarray shows dimensions by their names, and z as a coordinate")
+{
+    if (std::string(HDCONJ_PYTHON).empty()) {
+        not_tried("python with h5py and ezdxf");
+        return;
+    }
+    TemporaryFolder const folder;
+    write_hdf5(Solution{}, folder / "nothing.h5");
+    write_hdf5(sample::solution(), folder / "solution.h5");
+    write_hdf5(sample::contact_study(3), folder / "contact.h5");
+    write_hdf5(sample::load_study(), folder / "load.h5");
+    auto const read = run("'" HDCONJ_PYTHON "' '" HDCONJ_SOURCE_DIR
+                          "/tests/cli/read_with_xarray.py' "
+                          "nothing.h5 solution.h5 contact.h5 load.h5",
+                          folder.path());
+    if (read.err.find("no xarray") != std::string::npos) {
+        not_tried("python with xarray and h5netcdf");
+        return;
+    }
+    CHECK_THAT(read.out + read.err, ContainsSubstring(" variables, 0 faults\n"));
     CHECK(read.status == 0);
 }
 

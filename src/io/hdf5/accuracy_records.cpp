@@ -31,9 +31,9 @@ std::vector<StudyRecord> records_of(hid_t file, bool format_1)
         for (std::size_t i = 0; i < values.size(); ++i)
             set(records[i], values[i]);
     };
-    for (auto const& [name, member] : figures::record_texts())
-        fill(hdf5::texts_of(place, name),
-             [at = member](StudyRecord& record, std::string const& text) { record.*at = text; });
+    for (auto const& column : figures::record_texts())
+        fill(hdf5::texts_of(place, column.name),
+             [at = column.text](StudyRecord& record, std::string const& text) { record.*at = text; });
     for (auto const& [figure, set] : figures::record_figures()) {
         char const* const name = format_1 && figure.former != nullptr ? figure.former : figure.name;
         fill(hdf5::values_of<double>(hdf5::Opened(place, name, 1), H5T_NATIVE_DOUBLE), set);
@@ -78,7 +78,7 @@ std::string hdf5::accuracy_bytes(StoredAccuracy const& study)
 {
     hdf5::Silence const silence;
     hdf5::Sink sink;
-    hdf5::NewFile const made(sink);
+    hdf5::NewFile made(sink);
     auto const root = made.root();
     auto const& report = study.report;
     root.attribute("format", std::string(format));
@@ -94,13 +94,14 @@ std::string hdf5::accuracy_bytes(StoredAccuracy const& study)
     hdf5::write_attributes(root, figures::report_figures(), report);
     root.group("records", [&](hdf5::Writer const& records) {
         for (auto const& column : figures::record_texts())
-            records.texts(column.name, hdf5::column(report.records, column.text));
+            records.texts(column.name, hdf5::column(report.records, column.text), column.meaning, "record");
         for (auto const& [figure, set] : figures::record_figures())
             hdf5::write_named(records, {figure.name, figure.former}, [&](char const* name) {
-                records.numbers(name, hdf5::column(report.records, figure.value), figure.unit.stored);
+                records.numbers(name, hdf5::column(report.records, figure.value),
+                                {figure.unit.stored, figure.meaning, {"record"}});
             });
     });
-    root.texts("notes", report.notes);
+    root.texts("notes", report.notes, "what a reader should know", "note");
     made.flush();
     return sink.bytes();
 }

@@ -22,6 +22,13 @@ auto column(Records const& records, Take take)
     return values;
 }
 
+/// What a reader is told of the error of a figure.
+template <class Record>
+About about_error(figures::FigureOf<Record> const& figure, std::string const& prefix, char const* dim)
+{
+    return {figure.unit.stored, "estimated error of " + prefix + figure.name, {dim}};
+}
+
 /// A name of a column, or that of its errors: what a figure says it is, behind @p prefix.
 template <class Record>
 using NameOf = std::string (*)(figures::FigureOf<Record> const&);
@@ -29,13 +36,14 @@ using NameOf = std::string (*)(figures::FigureOf<Record> const&);
 /// A column of doubles, or of integers for counts and flags; its former name is a link to it.
 template <class Record, class Read>
 void write_column(Writer const& place, figures::FigureOf<Record> const& figure, std::string const& prefix,
-                  NameOf<Record> name_of, Read read, std::vector<Record> const& records)
+                  NameOf<Record> name_of, Read read, std::vector<Record> const& records, About const& about)
 {
     std::string const name = prefix + name_of(figure);
     if (figure.kind == figures::Kind::number) {
-        place.numbers(name, column(records, read), figure.unit.stored);
+        place.numbers(name, column(records, read), about);
     } else {
-        place.integers(name, column(records, [&](Record const& record) { return static_cast<int>(read(record)); }));
+        place.integers(name, column(records, [&](Record const& record) { return static_cast<int>(read(record)); }),
+                       about);
     }
     if (figure.former != nullptr)
         place.link(name, prefix + name_of(figure.under_former_name()));
@@ -43,40 +51,41 @@ void write_column(Writer const& place, figures::FigureOf<Record> const& figure, 
 
 /// A column of the values, or of the errors.
 template <class Record>
-void write_value_column(Writer const& place, figures::FigureOf<Record> const& figure,
+void write_value_column(Writer const& place, char const* dim, figures::FigureOf<Record> const& figure,
                         std::vector<Record> const& records, std::string const& prefix)
 {
-    write_column<Record>(
-        place, figure, prefix, [](auto const& row) { return std::string(row.name); }, figure.value, records);
+    write_column<Record>(place, figure, prefix, [](auto const& row) { return std::string(row.name); }, figure.value,
+                         records, {figure.unit.stored, figure.meaning, {dim}});
 }
 template <class Record>
-void write_error_column(Writer const& place, figures::FigureOf<Record> const& figure,
+void write_error_column(Writer const& place, char const* dim, figures::FigureOf<Record> const& figure,
                         std::vector<Record> const& records, std::string const& prefix)
 {
     write_column<Record>(
-        place, figure, prefix, [](auto const& row) { return row.column_of_error(); }, figure.error, records);
+        place, figure, prefix, [](auto const& row) { return row.column_of_error(); }, figure.error, records,
+        about_error(figure, prefix, dim));
 }
 
 /// Columns of the errors of all figures.
 template <class Record>
-void write_error_columns(Writer const& place, figures::Rows<Record> const& rows, std::vector<Record> const& records,
-                         std::string const& prefix = "")
+void write_error_columns(Writer const& place, char const* dim, figures::Rows<Record> const& rows,
+                         std::vector<Record> const& records, std::string const& prefix = "")
 {
     for (auto const& figure : rows)
         if (figure.is_in(figures::hdf5_error))
-            write_error_column(place, figure, records, prefix);
+            write_error_column(place, dim, figure, records, prefix);
 }
 
-/// Columns of all figures and of their errors, unless these stand apart.
+/// Columns of all figures and of their errors, unless these stand apart. @param dim  that all columns have
 template <class Record>
-void write_columns(Writer const& place, figures::Rows<Record> const& rows, std::vector<Record> const& records,
-                   std::string const& prefix = "")
+void write_columns(Writer const& place, char const* dim, figures::Rows<Record> const& rows,
+                   std::vector<Record> const& records, std::string const& prefix = "")
 {
     for (auto const& figure : rows) {
         if (figure.is_in(figures::hdf5_value))
-            write_value_column(place, figure, records, prefix);
+            write_value_column(place, dim, figure, records, prefix);
         if (figure.is_in(figures::hdf5_error) && !figure.apart)
-            write_error_column(place, figure, records, prefix);
+            write_error_column(place, dim, figure, records, prefix);
     }
 }
 

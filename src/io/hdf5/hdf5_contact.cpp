@@ -17,26 +17,29 @@ using hdf5::write_columns;
 using hdf5::Writer;
 
 /// Columns of the places where flanks or roots come closest.
-void write_closest(Writer const& place, std::string const& prefix, std::vector<figures::ClosestPlace> const& closest)
+void write_closest(Writer const& place, char const* dim, std::string const& prefix,
+                   std::vector<figures::ClosestPlace> const& closest)
 {
-    write_columns(place, figures::closest_figures(), closest, prefix);
-    place.points(prefix + "where", column(closest, [](auto const& each) { return each.at.where; }));
+    write_columns(place, dim, figures::closest_figures(), closest, prefix);
+    place.points(prefix + "where", column(closest, [](auto const& each) { return each.at.where; }),
+                 "where, in the frame of the tooth space", dim);
 }
 
 void write_contact_case(Writer const& place, ContactCase const& each)
 {
     auto const& slices = each.slices;
     using figures::ClosestPlace;
-    write_columns(place, figures::slice_figures(), slices);
-    write_closest(place, "flank_", column(slices, [](auto const& slice) {
+    write_columns(place, "z", figures::slice_figures(), slices);
+    write_closest(place, "z", "flank_", column(slices, [](auto const& slice) {
                       return ClosestPlace{slice.flank, slice.flank_error};
                   }));
-    write_closest(place, "root_", column(slices, [](auto const& slice) {
+    write_closest(place, "z", "root_", column(slices, [](auto const& slice) {
                       return ClosestPlace{slice.root, slice.root_error};
                   }));
     if (!each.revolution.empty()) {
-        place.group("revolution",
-                    [&](Writer const& turn) { write_columns(turn, figures::state_figures(), each.revolution); });
+        place.group("revolution", [&](Writer const& turn) {
+            write_columns(turn, "wave_generator", figures::state_figures(), each.revolution);
+        });
     }
 }
 
@@ -44,33 +47,33 @@ void write_contact_cases(Writer const& place, std::vector<ContactCase> const& ca
 {
     if (std::any_of(cases.begin(), cases.end(), [](auto const& each) { return each.slices.empty(); }))
         throw std::logic_error("a contact case without slices");
-    place.texts("surface", column(cases, [](auto const& each) { return std::string(to_string(each.surface)); }));
-    place.texts("kind", column(cases, [](auto const& each) { return std::string(to_string(each.kind)); }));
-    write_columns(place, figures::case_figures(), cases);
-    write_closest(place, "flank_", column(cases, [](auto const& each) {
+    hdf5::write_surface_names(place, cases);
+    write_columns(place, "case", figures::case_figures(), cases);
+    write_closest(place, "case", "flank_", column(cases, [](auto const& each) {
                       return figures::ClosestPlace{each.closest_flank(), each.clearance_error};
                   }));
-    place.numbers("flank_z", column(cases, [](auto const& each) { return each.closest_slice().z; }), "mm");
-    write_columns(place, figures::state_figures(), column(cases, &ContactCase::state));
+    place.numbers("flank_z", column(cases, [](auto const& each) { return each.closest_slice().z; }),
+                  {"mm", "slice where the flanks come closest", {"case"}});
+    write_columns(place, "case", figures::state_figures(), column(cases, &ContactCase::state));
     place.groups("case", cases, write_contact_case);
 }
 
 void write_best(Writer const& place, std::vector<BestTilt> const& best)
 {
-    place.texts("goal", column(best, figures::goal_name));
-    place.texts("what", column(best, figures::former_goal_name));
-    place.texts("kind", column(best, [](auto const& each) { return std::string(to_string(each.kind)); }));
-    write_columns(place, figures::best_tilt_figures(), best);
+    place.texts("goal", column(best, figures::goal_name), "what the tilt is best for", "optimum");
+    place.texts("what", column(best, figures::former_goal_name), "former name of goal", "optimum");
+    place.texts("kind", column(best, [](auto const& each) { return std::string(to_string(each.kind)); }),
+                "kind of tilt", "optimum");
+    write_columns(place, "optimum", figures::best_tilt_figures(), best);
     // one column for all cases, whose units differ
-    place.numbers("value", column(best, &BestTilt::value), "1");
-    place.numbers("value_error", column(best, &BestTilt::value_error), "1");
-    place.texts("value_units", column(best, [](auto const& each) {
-                    return std::string(figures::best_value_figure(each).unit.stored);
-                }));
+    place.numbers("value", column(best, &BestTilt::value), {"1", "what is best, in value_units", {"optimum"}});
+    place.numbers("value_error", column(best, &BestTilt::value_error), {"1", "estimated error of value", {"optimum"}});
+    auto const units = [](BestTilt const& each) { return std::string(figures::best_value_figure(each).unit.stored); };
+    place.texts("value_units", column(best, units), "units of value and value_error", "optimum");
     std::vector<double> interval;
     for (auto const& each : best)
         interval.insert(interval.end(), {each.from, each.to});
-    place.array("interval", {best.size(), 2}, interval.data(), "rad");
+    place.array("interval", {best.size(), 2}, interval.data(), {"rad", "tilts searched", {"optimum", "end"}});
 }
 
 void write_gap_map(Writer const& place, GapMap const& map)
@@ -78,21 +81,34 @@ void write_gap_map(Writer const& place, GapMap const& map)
     Shape const shape = {map.angle.size(), 2, map.z.size(), map.station.size()};
     if (map.gap.size() != shape[0] * shape[1] * shape[2] * shape[3])
         throw std::logic_error("the gaps of a map do not match its spaces, slices and stations");
-    place.attribute("flanks", std::vector<std::string>{"left", "right"});
-    place.numbers("z", map.z, "mm");
-    hdf5::write_named(place, figures::flank_position, [&](char const* name) { place.numbers(name, map.station, "1"); });
-    place.numbers("angle", map.angle, "rad");
-    place.array("gap", shape, map.gap.data(), "mm");
+    hdf5::write_flanks(place);
+    place.numbers("z", map.z, {"mm", "slices", {"z"}});
+    hdf5::write_named(place, figures::flank_position, [&](char const* name) {
+        place.numbers(name, map.station, {"1", "place along the flank, 0 at the land corner", {name}});
+    });
+    place.numbers("angle", map.angle, {"rad", "centre line of the space, clockwise from the major axis", {"angle"}});
+    place.array("gap", shape, map.gap.data(),
+                {"mm",
+                 "gap in the plane of the slice; negative: interference",
+                 {"angle", "flank", "z", figures::flank_position.now}});
 }
 
 }  // namespace
 
+void hdf5::write_flanks(hdf5::Writer const& place)
+{
+    std::vector<std::string> const flanks = {"left", "right"};
+    place.attribute("flanks", flanks);
+    place.texts("flank", flanks, "flank of the tooth space", "flank");
+}
+
 void hdf5::write_surface(hdf5::Writer const& place, Surface const& surface)
 {
     place.array("points", {surface.points.size(), 3}, surface.points.empty() ? nullptr : surface.points.front().data(),
-                "mm");
-    place.array("quads", {surface.quads.size(), 4}, surface.quads.empty() ? nullptr : surface.quads.front().data());
-    place.integers("part", surface.part);
+                {"mm", "points of the mesh, slice by slice", {"node", "xyz"}});
+    place.array("quads", {surface.quads.size(), 4}, surface.quads.empty() ? nullptr : surface.quads.front().data(),
+                {"1", "corners, counter-clockwise from the tooth space", {"cell", "corner"}});
+    place.integers("part", surface.part, {"1", "0 land, 1 left flank, 2 root, 3 right flank", {"cell"}});
 }
 
 void hdf5::write_spline_and_surface(hdf5::Writer const& place, Solution const& solution)

@@ -62,10 +62,13 @@ void write_branch(Writer const& branch, BranchRecord const& record, bool reverse
     branch.flag("on_boundary", record.on_boundary);
     if (reverse)
         branch.attribute("tooth", record.tooth);
-    branch.numbers("u", record.u, "rad");
-    branch.numbers("phi", record.phi, "rad");
-    branch.numbers("t", record.t, "1");
-    branch.points("point", record.point);
+    branch.numbers("u", record.u, {"rad", "polar angle of the tooth on the deformed neutral curve", {"u"}});
+    branch.numbers("phi", record.phi, {"rad", "angle of the tooth on the undeformed ring", {"u"}});
+    branch.numbers("t", record.t, {"1", "profile parameter, 0 to 1 along the segment", {"u"}});
+    branch.points(
+        "point", record.point,
+        reverse ? "contact, in the frame of the flexspline tooth" : "contact, in the frame of the circular spline",
+        "u");
 }
 
 void write_envelope(Writer const& root, Solution const& solution)
@@ -81,23 +84,27 @@ void write_envelope(Writer const& root, Solution const& solution)
 }
 
 void write_intervals(Writer const& place, std::string const& name, std::vector<ConjugateZone> const& zones,
-                     double ConjugateZone::*begin, double ConjugateZone::*end, char const* units)
+                     double ConjugateZone::*begin, double ConjugateZone::*end, char const* units, char const* meaning)
 {
     std::vector<double> pairs;
     for (auto const& zone : zones)
         pairs.insert(pairs.end(), {zone.*begin, zone.*end});
-    place.array(name, {zones.size(), 2}, pairs.data(), units);
+    place.array(name, {zones.size(), 2}, pairs.data(), {units, meaning, {"zone", "end"}});
 }
 
 void write_zones(Writer const& root, std::vector<ConjugateZone> const& zones)
 {
     root.group("conjugate_zones", [&](Writer const& place) {
-        place.integers("branch", column(zones, [](auto const& zone) { return static_cast<int>(zone.branch); }));
-        place.integers("segment", column(zones, &ConjugateZone::segment));
-        hdf5::write_columns(place, figures::zone_figures(), zones);
-        write_intervals(place, "u", zones, &ConjugateZone::u_begin, &ConjugateZone::u_end, "rad");
-        write_intervals(place, "phi", zones, &ConjugateZone::phi_begin, &ConjugateZone::phi_end, "rad");
-        write_intervals(place, "t", zones, &ConjugateZone::t_begin, &ConjugateZone::t_end, "1");
+        place.integers("branch", column(zones, [](auto const& zone) { return static_cast<int>(zone.branch); }),
+                       {"1", "number of the branch", {"zone"}});
+        place.integers("segment", column(zones, &ConjugateZone::segment), {"1", "number in segments", {"zone"}});
+        hdf5::write_columns(place, "zone", figures::zone_figures(), zones);
+        write_intervals(place, "u", zones, &ConjugateZone::u_begin, &ConjugateZone::u_end, "rad",
+                        "polar angle of the tooth at begin and end");
+        write_intervals(place, "phi", zones, &ConjugateZone::phi_begin, &ConjugateZone::phi_end, "rad",
+                        "undeformed angle of the tooth at begin and end");
+        write_intervals(place, "t", zones, &ConjugateZone::t_begin, &ConjugateZone::t_end, "1",
+                        "profile parameter at begin and end");
     });
 }
 
@@ -105,19 +112,22 @@ void write_zones(Writer const& root, std::vector<ConjugateZone> const& zones)
 void write_certificate(Writer const& root, std::vector<UndecidedPlace> const& places)
 {
     root.group("undecided", [&](Writer const& place) {
-        place.texts("what", column(places, &UndecidedPlace::what));
-        place.texts("segment_name", column(places, &UndecidedPlace::segment_name));
-        hdf5::write_columns(place, figures::undecided_figures(), places);
+        place.texts("what", column(places, &UndecidedPlace::what), "what happens there", "place");
+        place.texts("segment_name", column(places, &UndecidedPlace::segment_name), "segment of the profile", "place");
+        hdf5::write_columns(place, "place", figures::undecided_figures(), places);
     });
 }
 
 void write_pieces(Writer const& member, std::vector<OutlinePiece> const& pieces)
 {
     member.group("pieces", [&](Writer const& place) {
-        place.texts("kind", column(pieces, &OutlinePiece::kind));
-        place.texts("segment_name", column(pieces, &OutlinePiece::segment_name));
-        place.integers("first", column(pieces, [](auto const& piece) { return static_cast<int>(piece.first); }));
-        place.integers("last", column(pieces, [](auto const& piece) { return static_cast<int>(piece.last); }));
+        place.texts("kind", column(pieces, &OutlinePiece::kind), "kind of the piece", "piece");
+        place.texts("segment_name", column(pieces, &OutlinePiece::segment_name), "segment that made it, or empty",
+                    "piece");
+        place.integers("first", column(pieces, [](auto const& piece) { return static_cast<int>(piece.first); }),
+                       {"1", "first point of the piece", {"piece"}});
+        place.integers("last", column(pieces, [](auto const& piece) { return static_cast<int>(piece.last); }),
+                       {"1", "last point of the piece", {"piece"}});
     });
 }
 
@@ -142,8 +152,8 @@ void write_summary(Writer const& root, Solution const& solution)
 void write_timing(Writer const& root, std::vector<StageTime> const& timing)
 {
     root.group("timing", [&](Writer const& place) {
-        place.texts("stage", column(timing, &StageTime::stage));
-        place.numbers("seconds", column(timing, &StageTime::seconds), "s");
+        place.texts("stage", column(timing, &StageTime::stage), "name of the stage", "stage");
+        place.numbers("seconds", column(timing, &StageTime::seconds), {"s", "time of the stage", {"stage"}});
     });
 }
 
@@ -152,12 +162,16 @@ void write_timing(Writer const& root, std::vector<StageTime> const& timing)
 void hdf5::write_solution(hdf5::Writer const& root, Solution const& solution)
 {
     write_provenance(root, solution);
+    root.texts("xy", {"x", "y"}, "coordinate of a point", "xy");
+    root.texts("end", {"begin", "end"}, "end of an interval", "end");
     root.group("flexspline", [&](hdf5::Writer const& place) {
-        place.points("outline", solution.flexspline_outline);
+        place.points("outline", solution.flexspline_outline, "one tooth, left to right, y from the pitch line",
+                     "point");
         if (solution.scene.is_reverse())
             write_pieces(place, solution.flexspline_pieces);
     });
-    root.points("neutral_curve", solution.neutral_curve);
+    root.points("neutral_curve", solution.neutral_curve, "deformed neutral curve in the fixed frame, closed",
+                "neutral_point");
     write_envelope(root, solution);
     write_zones(root, solution.zones);
     write_certificate(root, solution.certificate.undecided);
@@ -178,9 +192,11 @@ void hdf5::write_circular_spline(hdf5::Writer const& place, CircularSplineOutlin
             flat.insert(flat.end(), slice.front().data(), slice.front().data() + 2 * points);
     }
     double const* const first = slices == 1 && points > 0 ? outline.outline.front().front().data() : flat.data();
-    place.numbers("z", outline.z, "mm");
-    place.array("outline", {slices, points, 2}, first, "mm");
-    place.integers("landmarks", outline.landmarks);
+    place.numbers("z", outline.z, {"mm", "slices, 0 in the middle of the bearing", {"z"}});
+    place.array("outline", {slices, points, 2}, first,
+                {"mm", "one pitch from mid-land to mid-land, x increasing", {"z", "point", "xy"}});
+    place.integers("landmarks", outline.landmarks,
+                   {"1", "points at land corners, flank ends and the middle", {"landmarks"}});
     write_pieces(place, outline.pieces);
 }
 

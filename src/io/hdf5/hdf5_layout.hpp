@@ -4,7 +4,7 @@
 
 #include "hdconj/accuracy_files.hpp"
 #include "hdconj/solution.hpp"
-#include "hdf5_writer.hpp"
+#include "hdf5_columns.hpp"
 #include "io/mesh/spline_surface.hpp"
 
 namespace hdconj::io::hdf5 {
@@ -21,6 +21,19 @@ void write_circular_spline(Writer const& place, CircularSplineOutline const& out
 
 /// The same and, where the solution has one, the toothed surface as a mesh.
 void write_spline_and_surface(Writer const& place, Solution const& solution);
+
+/// Surface and kind of tilt of the cases of a study, as columns.
+template <class Cases>
+void write_surface_names(Writer const& place, Cases const& cases)
+{
+    place.texts("surface", column(cases, [](auto const& each) { return std::string(to_string(each.surface)); }),
+                "kind of the surface", "case");
+    place.texts("kind", column(cases, [](auto const& each) { return std::string(to_string(each.kind)); }),
+                "kind of tilt; empty without one", "case");
+}
+
+/// Names of the two flanks of a tooth space, for a map.
+void write_flanks(Writer const& place);
 
 /// The datasets of a mesh.
 void write_surface(Writer const& place, Surface const& surface);

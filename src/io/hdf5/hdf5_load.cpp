@@ -13,6 +13,7 @@
 namespace hdconj::io {
 namespace {
 
+using hdf5::About;
 using hdf5::column;
 using hdf5::Shape;
 using hdf5::write_columns;
@@ -21,43 +22,48 @@ using hdf5::Writer;
 
 /// Values of which there are as many as @p shape says.
 void write_checked(Writer const& place, std::string const& name, Shape const& shape, std::vector<double> const& values,
-                   char const* units)
+                   About const& about)
 {
     if (values.size() != std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>()))
         throw std::logic_error(name + " does not match what it is a function of");
-    place.array(name, shape, values.data(), units);
+    place.array(name, shape, values.data(), about);
 }
 
 void write_load_map(Writer const& place, LoadMap const& map)
 {
     Shape const shape = {map.angle.size(), 2, map.z.size()};
-    place.attribute("flanks", std::vector<std::string>{"left", "right"});
+    hdf5::Dims const dims = {"angle", "flank", "z"};
+    hdf5::write_flanks(place);
     place.attribute("torque_Nmm", map.torque);
-    place.numbers("z", map.z, "mm");
-    place.numbers("angle", map.angle, "rad");
-    write_checked(place, "force", shape, map.force, "N");
-    write_checked(place, "line_load", shape, map.line_load, "N/mm");
-    write_checked(place, "pressure", shape, map.pressure, "MPa");
-    write_checked(place, "gap", shape, map.gap, "mm");
-    hdf5::write_named(place, figures::flank_position_of_gap,
-                      [&](char const* name) { write_checked(place, name, shape, map.height, "1"); });
+    place.numbers("z", map.z, {"mm", "slices", {"z"}});
+    place.numbers("angle", map.angle, {"rad", "centre lines of the tooth spaces", {"angle"}});
+    write_checked(place, "force", shape, map.force, {"N", "force along the normal", dims});
+    write_checked(place, "line_load", shape, map.line_load, {"N/mm", "force per length along the axis", dims});
+    write_checked(place, "pressure", shape, map.pressure, {"MPa", "Hertz pressure", dims});
+    write_checked(place, "gap", shape, map.gap, {"mm", "smallest gap of the loaded shape", dims});
+    hdf5::write_named(place, figures::flank_position_of_gap, [&](char const* name) {
+        write_checked(place, name, shape, map.height,
+                      {"1", "place of that gap, 0 at the land corner to 1 at the flank end", dims});
+    });
 }
 
 void write_bearing(Writer const& place, BearingMap const& bearing, int balls)
 {
-    place.numbers("angle", bearing.angle, "rad");
-    place.numbers("z", bearing.z, "mm");
-    write_checked(place, "force", {bearing.angle.size(), bearing.z.size()}, bearing.force, "N");
+    place.numbers("angle", bearing.angle, {"rad", "angles of the nodes of the bearing", {"angle"}});
+    place.numbers("z", bearing.z, {"mm", "heights of the nodes of the bearing", {"z"}});
+    write_checked(place, "force", {bearing.angle.size(), bearing.z.size()}, bearing.force,
+                  {"N", "force outward on the cup", {"angle", "z"}});
     if (!bearing.ball_angle.empty()) {
         auto const& ball = figures::loaded_state_figures(balls)["ball_force"];
-        place.numbers("ball_angle", bearing.ball_angle, "rad");
-        write_checked(place, ball.name, {bearing.ball_angle.size()}, bearing.ball_force, ball.unit.stored);
+        place.numbers("ball_angle", bearing.ball_angle, {"rad", "angles of the balls", {"ball_angle"}});
+        write_checked(place, ball.name, {bearing.ball_angle.size()}, bearing.ball_force,
+                      {ball.unit.stored, "force of a ball, or of the line of balls", {"ball_angle"}});
     }
 }
 
 void write_curve(Writer const& place, LoadCase const& each, figures::Rows<LoadedState> const& rows)
 {
-    write_columns(place, rows, each.curve);
+    write_columns(place, "state", rows, each.curve);
     place.group("error", [&](Writer const& group) {
         std::vector<int> estimated;
         std::vector<LoadedState> errors;  // zeros where there are none
@@ -66,8 +72,8 @@ void write_curve(Writer const& place, LoadCase const& each, figures::Rows<Loaded
             estimated.push_back(error != nullptr ? 1 : 0);
             errors.push_back(error != nullptr ? *error : LoadedState());
         }
-        group.integers("estimated", estimated);
-        write_error_columns(group, rows, errors);
+        group.integers("estimated", estimated, {"1", "whether the errors were estimated", {"state"}});
+        write_error_columns(group, "state", rows, errors);
     });
 }
 
@@ -84,10 +90,12 @@ void write_load_case(Writer const& place, LoadCase const& each, int balls)
 void write_errors(Writer const& place, std::vector<LoadCase> const& cases, int balls)
 {
     auto const& backlash = figures::load_case_figures()["backlash"];
-    place.integers("estimated", column(cases, &LoadCase::estimated));
-    place.integers("pressure_at_edge", column(cases, &LoadCase::pressure_at_edge));
-    place.numbers(backlash.name, column(cases, backlash.error), backlash.unit.stored);
-    write_error_columns(place, figures::loaded_state_figures(balls), column(cases, &LoadCase::error));
+    place.integers("estimated", column(cases, &LoadCase::estimated),
+                   {"1", "whether the errors were estimated", {"case"}});
+    place.integers("pressure_at_edge", column(cases, &LoadCase::pressure_at_edge),
+                   {"1", "whether the largest pressure is at an end of the face width", {"case"}});
+    place.numbers(backlash.name, column(cases, backlash.error), hdf5::about_error(backlash, "", "case"));
+    write_error_columns(place, "case", figures::loaded_state_figures(balls), column(cases, &LoadCase::error));
 }
 
 void write_load_cases(Writer const& place, std::vector<LoadCase> const& cases, int balls)
@@ -99,10 +107,9 @@ void write_load_cases(Writer const& place, std::vector<LoadCase> const& cases, i
             throw std::logic_error("a load case without a state at its largest torque");
         rated.push_back(*state);
     }
-    place.texts("surface", column(cases, [](auto const& each) { return std::string(to_string(each.surface)); }));
-    place.texts("kind", column(cases, [](auto const& each) { return std::string(to_string(each.kind)); }));
-    write_columns(place, figures::load_case_figures(), cases);
-    write_columns(place, figures::loaded_state_figures(balls), rated);
+    hdf5::write_surface_names(place, cases);
+    write_columns(place, "case", figures::load_case_figures(), cases);
+    write_columns(place, "case", figures::loaded_state_figures(balls), rated);
     place.group("error", [&](Writer const& group) { write_errors(group, cases, balls); });
     place.groups("case", cases,
                  [&](Writer const& group, LoadCase const& each) { write_load_case(group, each, balls); });
@@ -113,9 +120,11 @@ void write_cup(Writer const& place, AssembledCup const& cup, int balls)
     hdf5::write_attributes(place, figures::assembled_cup_figures(balls), cup);
     place.attribute("ball_force", cup.ball_force);
     place.attribute("estimated", cup.estimated ? 1 : 0);
-    place.numbers("z", cup.z, "mm");
-    write_checked(place, "w_major", {cup.z.size()}, cup.w_major, "mm");
-    write_checked(place, "w_minor", {cup.z.size()}, cup.w_minor, "mm");
+    place.numbers("z", cup.z, {"mm", "slices", {"z"}});
+    write_checked(place, "w_major", {cup.z.size()}, cup.w_major,
+                  {"mm", "radial displacement at the major axis", {"z"}});
+    write_checked(place, "w_minor", {cup.z.size()}, cup.w_minor,
+                  {"mm", "radial displacement at the minor axis", {"z"}});
 }
 
 /// Four corners a row; a triangle has its last one twice.
@@ -134,16 +143,18 @@ std::vector<int> four_corners(std::vector<std::vector<int>> const& cells)
 void write_shape(Writer const& place, CupShape const& shape)
 {
     Shape const size = {shape.phi.size(), shape.r.size()};
-    place.numbers("r", shape.r, "mm");
-    write_checked(place, "z", {shape.r.size()}, shape.z, "mm");
+    hdf5::Dims const dims = {"phi", "node"};
+    place.numbers("r", shape.r, {"mm", "radius of the nodes of the section", {"node"}});
+    write_checked(place, "z", {shape.r.size()}, shape.z, {"mm", "height of the nodes of the section", {"node"}});
     auto const corners = four_corners(shape.cells);
-    place.array("cells", {shape.cells.size(), 4}, corners.data());
-    place.numbers("phi", shape.phi, "rad");
-    write_checked(place, "u_r", size, shape.u_r, "mm");
-    write_checked(place, "u_t", size, shape.u_t, "mm");
-    write_checked(place, "u_z", size, shape.u_z, "mm");
+    place.array("cells", {shape.cells.size(), 4}, corners.data(),
+                {"1", "nodes at the corners of an element, counter-clockwise", {"cell", "corner"}});
+    place.numbers("phi", shape.phi, {"rad", "angles, clockwise from the major axis", {"phi"}});
+    write_checked(place, "u_r", size, shape.u_r, {"mm", "radial displacement", dims});
+    write_checked(place, "u_t", size, shape.u_t, {"mm", "tangential displacement", dims});
+    write_checked(place, "u_z", size, shape.u_z, {"mm", "axial displacement", dims});
     if (!shape.stress.empty())
-        write_checked(place, "stress", size, shape.stress, "MPa");
+        write_checked(place, "stress", size, shape.stress, {"MPa", "von Mises stress", dims});
 }
 
 void write_measured(Writer const& place, Measurement const& measured)
@@ -157,16 +168,18 @@ void write_measured(Writer const& place, Measurement const& measured)
     place.attribute("efficiency", curve.rig.efficiency);
     place.attribute("angle_per_spline", curve.rig.angle_per_spline);
     hdf5::write_attributes(place, figures::measured_curve_figures(), found);
-    place.numbers("twist", curve.twist, "rad");
-    place.numbers("torque", curve.torque, "N mm");
+    place.numbers("twist", curve.twist, {"rad", "twist of the samples at the output", {"sample"}});
+    place.numbers("torque", curve.torque, {"N mm", "torque of the samples at the output", {"sample"}});
     for (auto const& figure : figures::measured_figures()) {
         Estimate const& estimate = figure.value(found);
         if (estimate.count == 0)
             continue;
         hdf5::write_named(place, figure.name, [&](char const* name) {
-            place.numbers(name, {estimate.value, estimate.error}, figure.unit.stored);
+            place.numbers(name, {estimate.value, estimate.error},
+                          {figure.unit.stored, std::string(figure.words) + ": value and standard error", {"estimate"}});
         });
-        place.integers(std::string(figure.name.now) + "_count", {estimate.count});
+        place.integers(std::string(figure.name.now) + "_count", {estimate.count},
+                       {"1", "number of values averaged", {"average"}});
         if (figure.name.former != nullptr)
             place.link(figure.name.now + std::string("_count"), figure.name.former + std::string("_count"));
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdf5_writer.hpp"
 
+#include <algorithm>
 #include <type_traits>
 
 #include "file/atomic_file_posix.hpp"
@@ -29,6 +30,18 @@ std::vector<char const*> pointers(std::vector<std::string> const& texts)
     return result;
 }
 
+/// What marks a dataset as the scale of a dimension, and the length of the name of one without numbers: as the library
+/// and netCDF-4 write them.
+constexpr char dimension_scale[] = "DIMENSION_SCALE";
+constexpr std::size_t scale_name_length = sizeof "This is a netCDF dimension but not a netCDF variable.0123456789";
+
+Type text_of_length(std::size_t length)
+{
+    Type type(H5Tcopy(H5T_C_S1), "copy string type");
+    checked(H5Tset_size(type, length), "set string length");
+    return type;
+}
+
 /// Keeps the innermost description: H5Ewalk goes from the outermost call inwards.
 herr_t keep_last(unsigned, H5E_error2_t const* entry, void* text)
 {
@@ -48,58 +61,118 @@ void fail(char const* doing)
 
 Tools::Tools()
     : text(text_type()),
+      scale_class(text_of_length(sizeof dimension_scale)),
+      scale_name(text_of_length(scale_name_length)),
+      scales(H5Tvlen_create(H5T_STD_REF_OBJ), "create type"),
       scalar(H5Screate(H5S_SCALAR), "create dataspace"),
-      timeless(H5Pcreate(H5P_DATASET_CREATE), "create properties"),
       frugal(H5Pcreate(H5P_DATASET_XFER), "create properties")
 {
-    checked(H5Pset_obj_track_times(timeless, false), "switch timestamps off");
     checked(H5Pset_buffer(frugal, conversion_buffer, nullptr, nullptr), "set conversion buffer");
 }
 
-void Writer::numbers(std::string const& name, std::vector<double> const& values, char const* units) const
+std::optional<hobj_ref_t> Dimensions::scale_of(std::string const& name, hsize_t size) const
 {
-    array(name, {values.size()}, values.data(), units);
+    for (auto const& each : own_) {
+        if (each.name != name)
+            continue;
+        if (each.size != size)
+            throw std::logic_error("datasets of one group differ in their dimension " + name);
+        return each.scale;
+    }
+    return outer_ != nullptr ? outer_->scale_of(name, size) : std::nullopt;
 }
 
-void Writer::integers(std::string const& name, std::vector<int> const& values, char const* units) const
+void Writer::numbers(std::string const& name, std::vector<double> const& values, About const& about) const
 {
-    array(name, {values.size()}, values.data(), units);
+    array(name, {values.size()}, values.data(), about);
 }
 
-void Writer::points(std::string const& name, std::vector<Vec2> const& points, char const* units) const
+void Writer::integers(std::string const& name, std::vector<int> const& values, About const& about) const
 {
-    array(name, {points.size(), 2}, points.empty() ? nullptr : points.front().data(), units);
+    array(name, {values.size()}, values.data(), about);
 }
 
-void Writer::array(std::string const& name, Shape const& shape, double const* values, char const* units) const
+void Writer::points(std::string const& name, std::vector<Vec2> const& points, char const* meaning,
+                    char const* dim) const
 {
-    fill(dataset(name, shape, H5T_IEEE_F64LE, units), H5T_NATIVE_DOUBLE, values, H5P_DEFAULT);
+    array(name, {points.size(), 2}, points.empty() ? nullptr : points.front().data(), {"mm", meaning, {dim, "xy"}});
 }
 
-void Writer::array(std::string const& name, Shape const& shape, int const* values, char const* units) const
+void Writer::array(std::string const& name, Shape const& shape, double const* values, About const& about) const
 {
-    fill(dataset(name, shape, H5T_STD_I32LE, units), H5T_NATIVE_INT, values, H5P_DEFAULT);
+    dataset(name, shape, {H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, H5P_DEFAULT}, values, about);
 }
 
-void Writer::texts(std::string const& name, std::vector<std::string> const& values, char const* units) const
+void Writer::array(std::string const& name, Shape const& shape, int const* values, About const& about) const
 {
-    fill(dataset(name, {values.size()}, tools_->text, units), tools_->text, pointers(values).data(), tools_->frugal);
+    dataset(name, shape, {H5T_STD_I32LE, H5T_NATIVE_INT, H5P_DEFAULT}, values, about);
 }
 
-Dataset Writer::dataset(std::string const& name, Shape const& shape, hid_t stored, char const* units) const
+void Writer::texts(std::string const& name, std::vector<std::string> const& values, char const* meaning,
+                   char const* dim) const
 {
-    Space const space = simple(shape);
-    Dataset made(H5Dcreate2(place_, name.c_str(), stored, space, H5P_DEFAULT, tools_->timeless, H5P_DEFAULT),
-                 "create dataset");
-    Writer(made, *tools_).attribute("units", std::string(units));
-    return made;
+    dataset(name, {values.size()}, {tools_->text, tools_->text, tools_->frugal}, pointers(values).data(),
+            {"1", meaning, {dim}});
 }
 
-void Writer::fill(hid_t dataset, hid_t given, void const* values, hid_t transfer) const
+void Writer::dataset(std::string const& name, Shape const& shape, Transfer const& transfer, void const* values,
+                     About const& about) const
 {
-    Space const space(H5Dget_space(dataset), "get dataspace");
-    if (H5Sget_simple_extent_npoints(space) > 0)
-        checked(H5Dwrite(dataset, given, H5S_ALL, H5S_ALL, transfer, values), "write dataset");
+    Dataset const made = bare_dataset(name, shape, transfer.stored);
+    Writer const of_dataset(made, *tools_, *dimensions_);
+    of_dataset.attribute("units", std::string(about.units));
+    of_dataset.attribute("long_name", about.meaning);
+    attach(made, name, shape, about.dims);
+    if (std::find(shape.begin(), shape.end(), hsize_t{0}) == shape.end())
+        checked(H5Dwrite(made, transfer.given, H5S_ALL, H5S_ALL, transfer.properties, values), "write dataset");
+}
+
+Dataset Writer::bare_dataset(std::string const& name, Shape const& shape, hid_t stored) const
+{
+    return {H5Dcreate2(place_, name.c_str(), stored, simple(shape), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+            "create dataset"};
+}
+
+/// Names the dimensions of a dataset as the library's H5DSattach_scale() does, but for the list at the scale of all
+/// that refer to it: a list that grows with each, and that no reader needs.
+void Writer::attach(hid_t dataset, std::string const& name, Shape const& shape, Dims const& dims) const
+{
+    if (dims.size() != shape.size())
+        throw std::logic_error("dataset " + name + " has not one name for each dimension");
+    if (dims.size() == 1 && name == dims.front()) {
+        register_scale(dataset, name, shape.front());
+        return;
+    }
+    std::vector<hobj_ref_t> scales(dims.size());
+    std::vector<hvl_t> lists(dims.size());
+    for (std::size_t i = 0; i < dims.size(); ++i) {
+        scales[i] = scale_for(dims[i], shape[i]);
+        lists[i] = {1, &scales[i]};
+    }
+    Space const space = simple({dims.size()});
+    Attribute const made(H5Acreate2(dataset, "DIMENSION_LIST", tools_->scales, space, H5P_DEFAULT, H5P_DEFAULT),
+                         "create attribute");
+    checked(H5Awrite(made, tools_->scales, lists.data()), "write attribute");
+}
+
+/// The scale of a dimension; where it has none yet, one without numbers in this group, as netCDF-4 makes it.
+hobj_ref_t Writer::scale_for(char const* dim, hsize_t size) const
+{
+    if (auto const known = dimensions_->scale_of(dim, size))
+        return *known;
+    Dataset const made = bare_dataset(dim, {size}, H5T_STD_I32LE);
+    std::string const text = fmt::format("This is a netCDF dimension but not a netCDF variable.{:10}", size);
+    Writer(made, *tools_, *dimensions_).scalar("NAME", tools_->scale_name, tools_->scale_name, text.c_str());
+    return register_scale(made, dim, size);
+}
+
+hobj_ref_t Writer::register_scale(hid_t dataset, std::string const& name, hsize_t size) const
+{
+    Writer(dataset, *tools_, *dimensions_).scalar("CLASS", tools_->scale_class, tools_->scale_class, dimension_scale);
+    hobj_ref_t scale = 0;
+    checked(H5Rcreate(&scale, dataset, ".", H5R_OBJECT, H5I_INVALID_HID), "refer to a dataset");
+    dimensions_->add(name, size, scale);
+    return scale;
 }
 
 void Writer::link(std::string const& name, std::string const& other) const
@@ -162,7 +235,7 @@ void write_file(std::filesystem::path const& file, std::function<void(Writer con
         Sink sink(out.number(), goes_back);
         try {
             Silence const silence;
-            NewFile const made(sink);
+            NewFile made(sink);
             fill(made.root());
             made.flush();
         } catch (Failure const& failure) {
