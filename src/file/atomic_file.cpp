@@ -81,8 +81,8 @@ void write_atomically(fs::path const& target, std::function<void(fs::path const&
     write_all(temporary.name(), O_CREAT | O_EXCL, "", target);
     write(temporary.name());
     flush(temporary.name(), old, target);
-    if (::rename(temporary.name().c_str(), real.c_str()) != 0)
-        throw FileError(target, posix::cannot_write(errno));
+    if (int const error = temporary.rename_to(real); error != 0)
+        throw FileError(target, posix::cannot_write(error));
 }
 
 void write_text_atomically(fs::path const& target, std::string_view text)

@@ -135,11 +135,10 @@ void AtomicFolder::publish(std::vector<std::pair<std::string, std::string>> cons
     check(target_, first_line_);  // again: something may have been put there while the work went on
     bool const there = posix::status_of(target_).is_folder();
     unsigned int const how = there ? RENAME_EXCHANGE : RENAME_NOREPLACE;
-    int failed = ::renameat2(AT_FDCWD, made_.name().c_str(), AT_FDCWD, target_.c_str(), how);
-    if (failed != 0 && !there && errno == EINVAL)  // a file system that knows no such flags
-        failed = ::rename(made_.name().c_str(), target_.c_str());
-    if (failed != 0) {
-        int const error = errno;
+    int error = made_.rename_to(target_, how);
+    if (!there && error == EINVAL)  // a file system that knows no such flags
+        error = made_.rename_to(target_);
+    if (error != 0) {
         throw FileError(target_, there && error == EINVAL
                                      ? "this file system cannot exchange folders (remove the old one first)"
                                      : posix::cannot_write(error));

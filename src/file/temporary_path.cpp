@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "temporary_path.hpp"
 
+#include <fcntl.h>
 #include <semaphore.h>
+#include <stdio.h>
 
 #include <array>
 #include <cerrno>
@@ -154,6 +156,14 @@ TemporaryPath::~TemporaryPath()
     discard(name_);
     std::lock_guard const lock(registry().mutex);
     registry().names.erase(name_);
+}
+
+int TemporaryPath::rename_to(fs::path const& target, unsigned int flags) const
+{
+    std::lock_guard const lock(registry().mutex);
+    int const failed = flags == 0 ? ::rename(name_.c_str(), target.c_str())
+                                  : ::renameat2(AT_FDCWD, name_.c_str(), AT_FDCWD, target.c_str(), flags);
+    return failed == 0 ? 0 : errno;
 }
 
 void remove_temporaries_when_interrupted()

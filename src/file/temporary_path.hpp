@@ -20,6 +20,11 @@ class TemporaryPath
 
     [[nodiscard]] std::filesystem::path const& name() const { return name_; }
 
+    /// Renames it to @p target, with the flags of renameat2(). A signal that removes temporaries comes before or after:
+    /// in the midst of it, it would remove files of what has just become the target.
+    /// @returns 0, or the system's error number
+    [[nodiscard]] int rename_to(std::filesystem::path const& target, unsigned int flags = 0) const;
+
   private:
     std::filesystem::path name_;
 };
