@@ -10,6 +10,11 @@
 
 namespace hdconj::conjugate {
 
+/// What to write where curves of contact that bound the solved member do not meet: they hardly touch, or differ by less
+/// than what the polygons resolve.
+inline constexpr char const* remedy_of_open_boundary =
+    "write a wave_generator.radial_deformation nearer to module (z_c - z_f) / 2, or a larger solver.tolerance";
+
 /// Vertices that crowd towards both ends of an arc: next to a cusp two arcs may cross at any distance, however small.
 template <motion::RelativeMotion Motion>
 void crowd_ends(envelope::Envelope<Motion> const& envelope, envelope::ContactArc const& arc,

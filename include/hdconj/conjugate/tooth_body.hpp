@@ -69,7 +69,8 @@ class ToothBodyFinder
                 return *body;
         }
         throw NumericalError(ErrorCode::no_outline, "region", place_,
-                             "the boundary of the flexspline tooth could not be put together: " + cause_);
+                             "the boundary of the flexspline tooth could not be put together: " + cause_,
+                             remedy_of_open_boundary);
     }
 
   private:
@@ -90,7 +91,7 @@ class ToothBodyFinder
         // farther out curves hang loose because more teeth were left out
         for (Vec2 const& p : boundary.loose)
             if (std::abs(p.x()) <= limits_.half_width)
-                return fail(p, "branches that should cross there miss each other as polygons");
+                return fail(p, "the curves of contact that bound it there do not meet");
         Runs const& runs = boundary.runs;
         auto const land = std::find_if(runs.begin(), runs.end(), [&](region::BoundaryRun const& run) {
             return run.curve == floor_ && swept_.u_at(floor_, run.begin) >= 0 && swept_.u_at(floor_, run.end) <= 0;
@@ -154,7 +155,7 @@ class ToothBodyFinder
         for (std::size_t i = 0; i < runs.size() && of_a_tooth(runs[i]); ++i) {
             BoundaryPiece piece = flank.empty() ? piece_of(runs[i]) : next_;
             if (flank.empty() && !at_tip(piece, piece.begin))
-                return fail(point(piece, piece.begin), "a flank does not cross the tip where its polygon does"), false;
+                return fail(point(piece, piece.begin), "a flank only touches the tip"), false;
             bool const more = i + 1 < runs.size() && of_a_tooth(runs[i + 1]);
             if (more) {
                 next_ = piece_of(runs[i + 1]);
@@ -184,7 +185,7 @@ class ToothBodyFinder
         if (!exact && across_gaps_ && change_over(a, b))
             return true;
         if (!exact)
-            return fail(point(a, a.end), "two branches cross there as polygons but not as curves"), false;
+            return fail(point(a, a.end), "two curves of contact that bound it there only come close"), false;
         a.end = (*exact)[0];
         b.begin = (*exact)[1];
         return true;

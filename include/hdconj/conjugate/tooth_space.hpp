@@ -80,7 +80,7 @@ class ToothSpaceFinder
                 return *space;
         }
         throw NumericalError(code_, "region", place_,
-                             "the boundary of the swept region could not be put together: " + cause_);
+                             "the boundary of the tooth space could not be put together: " + cause_, remedy_);
     }
 
   private:
@@ -97,23 +97,22 @@ class ToothSpaceFinder
         for (Vec2 const& p : boundary.loose) {
             if (std::abs(std::atan2(p.x(), p.y())) > pitch_ / 2)
                 continue;
-            return fail(ErrorCode::no_outline, near_text(p),
-                        "branches that should cross there miss each other as polygons");
+            return fail(ErrorCode::no_outline, near_text(p), "the curves of contact that bound it there do not meet",
+                        remedy_of_open_boundary);
         }
         std::vector<region::BoundaryRun> const runs = middle_pitch(boundary.runs, floor);
         if (runs.empty())
-            return fail(
-                ErrorCode::no_land, "tip circle",
-                "the boundary does not come down to a land on both sides; write a larger circular_spline.inner_radius, "
-                "or a smaller wave_generator.radial_deformation");
+            return fail(ErrorCode::no_land, "tip circle", "it does not come down to a land on both sides",
+                        "write a larger circular_spline.inner_radius, or a smaller wave_generator.radial_deformation");
         return refine(runs, floor, chord);
     }
 
-    std::nullopt_t fail(ErrorCode code, std::string place, std::string cause)
+    std::nullopt_t fail(ErrorCode code, std::string place, std::string cause, std::string remedy)
     {
         code_ = code;
         place_ = std::move(place);
         cause_ = std::move(cause);
+        remedy_ = std::move(remedy);
         return std::nullopt;
     }
 
@@ -248,8 +247,8 @@ class ToothSpaceFinder
         TurnedArc<Motion> const arc = turned(piece);
         auto const exact = crossing_with_circle(arc, tip_radius_, u, chord);
         if (!exact)
-            return fail(ErrorCode::no_land, "tip circle",
-                        "a flank does not cross the tip circle where its polygon does"),
+            return fail(ErrorCode::no_land, "tip circle", "a flank only touches the tip circle",
+                        "write another circular_spline.inner_radius"),
                    false;
         u = *exact;
         Vec2 const p = arc.point(u).p;
@@ -264,7 +263,7 @@ class ToothSpaceFinder
         auto const exact = crossing_of_arcs(arc_a, a.end, arc_b, b.begin, chord, tolerance_);
         if (!exact)
             return fail(ErrorCode::no_outline, near_text(arc_a.point(a.end).p),
-                        "two branches cross there as polygons but not as curves"),
+                        "two curves of contact that bound it there only come close", remedy_of_open_boundary),
                    false;
         a.end = (*exact)[0];
         b.begin = (*exact)[1];
@@ -281,7 +280,7 @@ class ToothSpaceFinder
     std::size_t segments_ = 0;
     ErrorCode code_ = ErrorCode::no_outline;
     std::string place_ = "tooth space";
-    std::string cause_;
+    std::string cause_, remedy_;
 };
 
 }  // namespace hdconj::conjugate

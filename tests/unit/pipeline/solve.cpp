@@ -157,6 +157,30 @@ TEST_CASE("root clearance moves the bottom and nothing else", "[pipeline]")
     CHECK(deep.check->smallest_clearance >= -1e-12);
 }
 
+TEST_CASE("a boundary that does not close says what to write", "[pipeline]")
+{
+    profile::Profile const tooth = test::type50_tooth();
+    auto const motion = motion::AnyMotion::owning(test::type50_motion());
+    envelope::AnyEnvelope const envelope(tooth, motion, 0);
+    std::vector<envelope::ContactArc> arcs;
+    for (envelope::Branch const& branch : envelope::find_branches(envelope, 1).branches)
+        arcs.insert(arcs.end(), branch.arcs.begin(), branch.arcs.end());
+    std::size_t open = 0;
+    for (std::size_t lost = 0; lost < arcs.size(); ++lost) {
+        auto fewer = arcs;
+        fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(lost));
+        try {
+            conjugate::ToothSpaceFinder<motion::AnyMotion>(envelope, fewer, 25.025, test::type50_z_c, {1e-6, 26},
+                                                           1e-4)();
+        } catch (NumericalError const& error) {
+            open += error.cause().find("do not meet") != std::string::npos;
+            INFO(error.what());
+            CHECK_FALSE(error.remedy().empty());
+        }
+    }
+    CHECK(open > 0);
+}
+
 TEST_CASE("an offset that swallows a stretch of flank says where and how much", "[pipeline]")
 {
     profile::Profile const tooth = test::type50_tooth();
