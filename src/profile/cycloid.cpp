@@ -111,14 +111,14 @@ Profile cycloid_tooth(scene::FamilyChoice const& c, ToothPlace const& place, Fau
     std::optional<double> const root = at_height(inside, -h_f, cut, inside.last());
     if (!tip)
         refuse("addendum_rolling_radius",
-               "the epicycloid reaches from " + short_number(outside(cut).point.y()) + " to " +
-                   short_number(outside(outside.last()).point.y()) + ", not the tip at " + short_number(h_a),
-               "write more than half the addendum");
+               "the flank above the pitch line ends at height " + short_number(outside(outside.last()).point.y()) +
+                   ", below the tip at " + short_number(h_a),
+               "write more than " + short_number(h_a / 2) + ", half the addendum");
     if (!root)
         refuse("dedendum_rolling_radius",
-               "the hypocycloid reaches from " + short_number(inside(cut).point.y()) + " to " +
-                   short_number(inside(inside.last()).point.y()) + ", not the root at " + short_number(-h_f),
-               "write more than half the dedendum");
+               "the flank below the pitch line ends at height " + short_number(inside(inside.last()).point.y()) +
+                   ", above the root at " + short_number(-h_f),
+               "write more than " + short_number(h_f / 2) + ", half the dedendum");
     if (refuse.any())
         return {};
     if (!(outside(*tip).point.x() > -pointed_tip * h_a)) {

@@ -76,7 +76,7 @@ Profile s_tooth_tooth(scene::FamilyChoice const& c, ToothPlace const& place, Fau
     constexpr double typed = 1e-6;
     if (alpha < least * (1 - typed))
         refuse("pressure_angle_deg",
-               "no point of the locus has it: the least for this deflection is " + short_number(least * per_deg) +
+               "no point of the flank has it: the least for this deflection is " + short_number(least * per_deg) +
                    " degrees",
                "write a larger angle, or leave the key out, which takes the least");
     HalvedLocus locus{0.5 * place.module * place.tooth_difference, n, kappa,
@@ -84,7 +84,7 @@ Profile s_tooth_tooth(scene::FamilyChoice const& c, ToothPlace const& place, Fau
     // at eta = 0 the cycloid of kappa = 1 has a cusp: the curve's radius there is about eta m D / 2
     constexpr double blunt = 0.02;
     if (!(kappa * std::sin(locus.eta_datum) > blunt))
-        refuse("pressure_angle_deg", "the locus has its cusp at the datum point",
+        refuse("pressure_angle_deg", "the flank would have a cusp at its datum point",
                "write pressure_angle_deg = " + short_number(std::ceil(60 * blunt / n)) + " or more");
     if (refuse.any())
         return {};
@@ -94,8 +94,8 @@ Profile s_tooth_tooth(scene::FamilyChoice const& c, ToothPlace const& place, Fau
     // at its end the flank lies flat
     constexpr double flat = 0x1p-20;
     if (!(h_a < end - flat * (h_a + h_f))) {
-        refuse("addendum", "the locus ends at height " + short_number(end),
-               "write a smaller addendum or a larger deflection or datum_rise");
+        refuse("addendum", "the flank ends at height " + short_number(end) + ", below the tip",
+               "write an addendum below " + short_number(end) + ", or a larger deflection or datum_rise");
         return {};
     }
     // the thickness is measured at the pitch line, which the straight part crosses when the datum point is above it

@@ -97,23 +97,26 @@ std::variant<Parameter, Faults> validate_rows(ParameterSpec const& spec, RawEntr
 {
     constexpr std::size_t most_faults = 20;
     auto const& rows = entry.value.items;
-    std::string const remedy = write_instead(spec, "");
     Faults faults;
     NumberRows numbers;
-    auto const add = [&](RawValue const* row, std::string reason) {
-        int const line = row != nullptr && row->line > 0 ? row->line : entry.line;
-        std::string const value = row != nullptr ? printable(text_of(*row)) : entry.value.written;
-        faults.push_back({path, line, value, std::move(reason), remedy, entry.origin});
+    auto const add = [&](std::string reason) {
+        faults.push_back(
+            {path, entry.line, entry.value.written, std::move(reason), write_instead(spec, ""), entry.origin});
+    };
+    auto const add_row = [&](RawValue const& row, std::size_t number, std::string const& reason) {
+        std::string const name = "row " + std::to_string(number);
+        faults.push_back({path, row.line > 0 ? row.line : entry.line, printable(text_of(row)), name + reason,
+                          "write " + name + " as " + row_form(spec), entry.origin});
     };
     if (rows.size() > static_cast<std::size_t>(bounds::most_rows)) {
-        add(nullptr, "has more than " + std::to_string(bounds::most_rows) + " rows: give that many points in a file");
+        add("has more than " + std::to_string(bounds::most_rows) + " rows: give that many points in a file");
         return faults;
     }
     for (std::size_t i = 0; i < rows.size(); ++i) {
         for (auto const& fault : row_faults(rows[i], spec.words))
-            add(&rows[i], "row " + std::to_string(i + 1) + fault);
+            add_row(rows[i], i + 1, fault);
         if (faults.size() >= most_faults) {
-            add(nullptr, "rows after row " + std::to_string(i + 1) + " were not looked at");
+            add("rows after row " + std::to_string(i + 1) + " were not looked at");
             return faults;
         }
         std::vector<double> row;
@@ -122,7 +125,7 @@ std::variant<Parameter, Faults> validate_rows(ParameterSpec const& spec, RawEntr
         numbers.push_back(std::move(row));
     }
     if (static_cast<double>(rows.size()) < spec.at_least)
-        add(nullptr, "has " + std::to_string(rows.size()) + (rows.size() == 1 ? " row" : " rows"));
+        add("has " + std::to_string(rows.size()) + (rows.size() == 1 ? " row" : " rows"));
     if (!faults.empty())
         return faults;
     return Parameter{std::move(numbers), entry.line};

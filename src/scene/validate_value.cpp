@@ -49,15 +49,10 @@ std::string quantity_name(ParameterSpec const& spec)
     return names.at(static_cast<std::size_t>(spec.quantity));
 }
 
-/// "at least 4 [x, y], in mm"
-std::string rows_expectation(ParameterSpec const& spec)
+/// "at least 4 ", or empty.
+std::string least_rows(ParameterSpec const& spec)
 {
-    std::string forms;
-    for (auto const form : spec.words)
-        forms += (forms.empty() ? "" : " or ") + std::string(form);
-    bool const has_angles = forms.find("_deg") != std::string::npos;
-    std::string const least = std::isfinite(spec.at_least) ? "at least " + number_text(spec.at_least) + " " : "";
-    return least + forms + (has_angles ? ", in mm and degrees" : ", in mm");
+    return std::isfinite(spec.at_least) ? "at least " + number_text(spec.at_least) + " " : "";
 }
 
 std::string base_expectation(ParameterSpec const& spec)
@@ -71,10 +66,10 @@ std::string base_expectation(ParameterSpec const& spec)
         return quoted_list(spec.words);
     bool const positive = spec.quantity == Quantity::positive_length;
     Quantity const said = positive && std::isfinite(spec.at_least) ? Quantity::length : spec.quantity;
-    return std::string(plain.at(static_cast<std::size_t>(said))) + (said == Quantity::length_or_word
-                                                                        ? quoted_list(spec.words)
-                                                                    : said == Quantity::rows ? rows_expectation(spec)
-                                                                                             : "");
+    return std::string(plain.at(static_cast<std::size_t>(said))) +
+           (said == Quantity::length_or_word ? quoted_list(spec.words)
+            : said == Quantity::rows         ? least_rows(spec) + row_form(spec)
+                                             : "");
 }
 
 Refusal text_for_number(ParameterSpec const& spec, std::string const& text, std::string const& otherwise)
@@ -153,7 +148,7 @@ Verdict validate_free_text(std::string const& text, std::string const& remedy)
         return Refusal{"longer than " + std::to_string(longest) + " bytes", remedy};
     bool const has_control =
         std::any_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; });
-    return has_control ? Verdict(Refusal{"contains control characters", remedy}) : std::nullopt;
+    return has_control ? Verdict(Refusal{"contains control characters", "leave them out; " + remedy}) : std::nullopt;
 }
 
 Verdict validate_text(ParameterSpec const& spec, std::string const& text, std::string const& remedy)
@@ -186,6 +181,15 @@ Verdict refusal_of(ParameterSpec const& spec, RawValue const& value, std::string
 }
 
 }  // namespace
+
+std::string row_form(ParameterSpec const& spec)
+{
+    std::string forms;
+    for (auto const form : spec.words)
+        forms += (forms.empty() ? "" : " or ") + std::string(form);
+    bool const has_angles = forms.find("_deg") != std::string::npos;
+    return forms + (has_angles ? ", in mm and degrees" : ", in mm");
+}
 
 std::string expectation(ParameterSpec const& spec)
 {

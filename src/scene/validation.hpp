@@ -95,6 +95,9 @@ void validate_missing(Validation& validation);
 /// What @p spec takes, as a phrase: "a whole number from 1 to 3".
 [[nodiscard]] std::string expectation(ParameterSpec const& spec);
 
+/// What one row of a list takes: "[x, y], in mm".
+[[nodiscard]] std::string row_form(ParameterSpec const& spec);
+
 /// "write " and the expectation, with @p example when there is one.
 [[nodiscard]] std::string write_instead(ParameterSpec const& spec, std::string_view example);
 

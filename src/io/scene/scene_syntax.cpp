@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What to say where TOML itself is broken: mostly a unit, a decimal comma or forgotten quotes.
 #include <algorithm>
+#include <array>
 
 #include "base/text.hpp"
 #include "file/csv.hpp"
@@ -63,10 +64,29 @@ std::string remedy_for(KeyLine const& line, std::string_view description)
     return remedy.empty() ? "write lines of the form [table] or key = value, text in double quotes" : remedy;
 }
 
-/// The parser's words, with a small first letter and without the full stop.
+/// A piece of what the parser says, and what it means for a scene.
+struct PlainWords
+{
+    std::string_view parser, plain;
+};
+
+constexpr std::array plain_words{
+    PlainWords{"redefine", "this name stands twice"},
+    PlainWords{"nested", "brackets are nested too deeply"},
+    PlainWords{"expected ']'", "a closing bracket ] is missing"},
+    PlainWords{"expected '='", "neither a [table] nor key = value"},
+    PlainWords{"expected keys, tables", "neither a [table] nor key = value"},
+    PlainWords{"blank bare keys", "the brackets hold no name"},
+    PlainWords{"expected bare key", "a name is missing there, or begins with a character that none has"},
+    PlainWords{"expected a comment or whitespace", "the value goes on where only a comment may follow"}};
+
+/// What is wrong, in words of a scene; else the parser's, with a small first letter and without the full stop.
 std::string reason_of(toml::parse_error const& error)
 {
     std::string reason(error.description());
+    for (auto const& [parser, plain] : plain_words)
+        if (reason.find(parser) != std::string::npos)
+            return std::string(plain);
     while (!reason.empty() && (reason.back() == '.' || reason.back() == ' '))
         reason.pop_back();
     if (!reason.empty() && reason.front() == 'E')
