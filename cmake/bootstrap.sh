@@ -15,13 +15,29 @@ packages() {
   done
 }
 
+# clang_version: of the clang that this release installs; empty where apt knows none (yet)
+clang_version() { apt-cache depends clang 2>/dev/null | sed -n 's/.*Depends: clang-\([0-9]*\)$/\1/p' | head -1; }
+
+# is_known PACKAGE: apt can install it
+is_known() { apt-cache policy "$1" 2>/dev/null | grep -q 'Candidate: [^(]'; }
+
+# missing_packages SECTION...: the names that are to be installed; of those with a ? only what apt knows
+missing_packages() {
+  present=$(dpkg-query -W -f '${db:Status-Abbrev}${Package}\n' | sed -n 's/^ii *//p')
+  packages "$@" | while read -r name; do
+    case $name in *CLANG*) name=${name%%CLANG*}$(clang_version)${name##*CLANG} ;; esac
+    if printf '%s\n' "${name%\?}" | grep -qxF "$present"; then continue; fi
+    case $name in *\?) is_known "${name%\?}" || continue ;; esac
+    printf '%s ' "${name%\?}"
+  done
+}
+
 # need_packages SECTION...: installs what is missing; returns at once when nothing is.
 # On a system without dpkg nothing is checked: CMake will say what it cannot find.
 need_packages() {
   installed_something=no
   command -v dpkg-query >/dev/null || return 0
-  present=$(dpkg-query -W -f '${db:Status-Abbrev}${Package}\n' | sed -n 's/^ii *//p')
-  missing=$(packages "$@" | grep -vxF "$present" | tr '\n' ' ' || true)
+  missing=$(missing_packages "$@")
   [ -n "$missing" ] || return 0
 
   as_root=
@@ -36,7 +52,7 @@ need_packages() {
   fi
   say "Installing $missing"
   {
-    $as_root apt-get update &&
+    $as_root apt-get update && missing=$(missing_packages "$@") &&  # apt may know more now
     $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -y --no-install-recommends $missing
   } >&2 || { say "Installing failed; the packages needed are: $missing"; exit 1; }
   installed_something=yes

@@ -242,13 +242,19 @@ def small_folders(root):
     return except_named(root, "folder", faults)
 
 
+def clang_format_14():
+    """Name of that program; None where there is none, or one of another version, which formats otherwise."""
+    for name in ("clang-format-14", "clang-format"):
+        if shutil.which(name):
+            said = subprocess.run([name, "--version"], capture_output=True, text=True).stdout
+            return name if "version 14." in said else None
+    return None
+
+
 def formatted(root):
     """clang-format 14 would change nothing."""
-    program = next((p for p in ("clang-format-14", "clang-format") if shutil.which(p)), None)
+    program = clang_format_14()
     if not (root / ".clang-format").is_file() or not program:
-        return []
-    version = subprocess.run([program, "--version"], capture_output=True, text=True).stdout
-    if "version 14." not in version:
         return []
     names = [path for path, _ in cpp(root, OURS + ("tests",))]
     result = subprocess.run([program, "--dry-run", "-Werror", "--style=file", *names], capture_output=True, text=True)
@@ -413,7 +419,7 @@ BREAKS += [
     (tests_mirror_rooms, {"tests/unit/attic/a.cpp": SPDX}),
     (tests_mirror_rooms, {"tests/unit/a.cpp": SPDX}),
 ]
-if shutil.which("clang-format"):
+if clang_format_14():
     BREAKS.append((formatted, {".clang-format": "BasedOnStyle: Google\n",
                                "src/low/f.hpp": SPDX + "// a\n  // b\n"}))
 
