@@ -72,6 +72,9 @@ void check_all(WireFaces const& faces, std::vector<std::vector<char>> const& res
 /// layer that the next one is to take.
 [[nodiscard]] std::vector<std::string> skim_warnings(WireProgram const& program);
 
+/// Blocks that the tolerance leaves shorter than least_block(), in words.
+[[nodiscard]] std::vector<std::string> short_block_warnings(WireProgram const& program);
+
 /// Every tooth space is cut as the first one of the pass is, turned: nominal contour and guides of all passes without
 /// stop and overlap points.
 [[nodiscard]] WireFailures check_pitches(WireProgram const& program);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 #include "hdconj/base/vec2.hpp"
@@ -32,6 +33,13 @@ struct PairedPath
 /// point of the move that is nearest in both faces together, so that between the faces no ruling is further from the
 /// move than this.
 [[nodiscard]] double from_move(PairedPath const& path, std::size_t k, std::size_t a, std::size_t b);
+
+/// Whether the move from point a to point b of a path is too short.
+using IsShort = std::function<bool(std::size_t a, std::size_t b)>;
+
+/// As thinned(), but of all such moves those of which the fewest are short, and then the fewest.
+[[nodiscard]] std::vector<std::size_t> thinned_to_long_moves(PairedPath const& path, double tolerance,
+                                                             IsShort const& is_short);
 
 /// Indices of points whose straight moves keep to within @p tolerance [mm] of every point of @p path, as measured by
 /// from_move; the ends and @p keep (increasing) are among them. Greedy from the first point, so not always the fewest.

@@ -5,8 +5,6 @@
 #include <stdexcept>
 #include <string>
 
-#include "planes.hpp"
-
 namespace hdconj::wedm {
 namespace {
 
@@ -36,8 +34,8 @@ double length(WireMove const& a, WireMove const& b)
     return (b.lower - a.lower).norm();
 }
 
-/// Tags the point @p before the last one with `stop`; a new point where none lies there.
-void tag_stop(std::vector<WireMove>& moves, std::size_t first, double before)
+/// Tags the point @p before the last one with `stop`; a new point where none lies within @p least.
+void tag_stop(std::vector<WireMove>& moves, std::size_t first, double before, double least)
 {
     double left = before;
     for (std::size_t i = moves.size() - 1; i > first; --i) {
@@ -46,7 +44,10 @@ void tag_stop(std::vector<WireMove>& moves, std::size_t first, double before)
             left -= step;
             continue;
         }
-        if (left > 0)
+        bool const is_end = i + 1 == moves.size();
+        if (i > first + 1 && step - left < least)
+            --i;
+        else if (left > 0 && (is_end || left >= least))
             moves.insert(moves.begin() + static_cast<std::ptrdiff_t>(i),
                          between(moves[i - 1], moves[i], 1 - left / step));
         moves[i].tag = WireTag::stop;
@@ -56,6 +57,13 @@ void tag_stop(std::vector<WireMove>& moves, std::size_t first, double before)
 }
 
 }  // namespace
+
+double shortest_plane(WireMachine const& machine, WirePoints const& a, WirePoints const& b)
+{
+    WirePoints const from = guides_of(machine, a), to = guides_of(machine, b);
+    return std::min({(b.lower - a.lower).norm(), (b.upper - a.upper).norm(), (to.lower - from.lower).norm(),
+                     (to.upper - from.upper).norm()});
+}
 
 PairedContour whole_contour(WireFaces const& faces, std::vector<std::size_t> const& indices)
 {
@@ -138,14 +146,16 @@ WirePass wire_pass(PairedPath const& pitch, WireFaces const& faces, WireRun cons
     pass.moves.insert(pass.moves.end(), way.path.begin(), way.path.end());
     pass.moves[1].tag = WireTag::lead_in;
     if (run.stop_before > 0)
-        tag_stop(pass.moves, 1, run.stop_before);
+        tag_stop(pass.moves, 1, run.stop_before, run.least);
     double left = run.overlap;
     WireMove from = way.path.back();
     for (std::size_t i = 0; left > 0; ++i) {
         if (i == way.beyond.size())
             throw std::invalid_argument("overlap is longer than the path");
         double const step = length(from, way.beyond[i]);
-        WireMove move = left < step ? between(from, way.beyond[i], left / step) : way.beyond[i];
+        if (i > 0 && left < run.least)
+            break;
+        WireMove move = left < step - run.least ? between(from, way.beyond[i], left / step) : way.beyond[i];
         move.tag = WireTag::overlap;
         move.tooth = way.beyond[i].tooth;
         pass.moves.push_back(move);

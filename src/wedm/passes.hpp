@@ -2,10 +2,26 @@
 // From the path along one pitch to the moves of a whole pass, and back.
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "faces.hpp"
 #include "hdconj/wedm.hpp"
+#include "planes.hpp"
 
 namespace hdconj::wedm {
+
+/// Shortest block that is wanted, in units of the last digit: rounding turns it by 4 degrees at most.
+inline constexpr double least_units = 20;
+
+/// The same in mm.
+[[nodiscard]] inline double least_block(int decimals)
+{
+    return least_units * std::pow(10.0, -decimals);
+}
+
+/// Length of the move from @p a to @p b in that of both faces and both guides where it is shortest [mm].
+[[nodiscard]] double shortest_plane(WireMachine const& machine, WirePoints const& a, WirePoints const& b);
 
 /// How a pass begins, ends and goes round. Lengths in mm along the lower face.
 struct WireRun
@@ -17,6 +33,7 @@ struct WireRun
     bool reversed = false;     ///< the other way round, void on the right
     int spaces = 0;            ///< that are cut, from `start`; 0: all of them, and the path closes
     Vec2 end = Vec2::Zero();   ///< where a path that does not close ends, or begins if reversed
+    double least = 0;          ///< stop and overlap move by up to this to end no block that is shorter
 };
 
 /// The whole contour: turned copies of the fine pitch thinned to @p indices, as marks for CAM those of @p faces.marks.

@@ -8,6 +8,7 @@
 
 #include "checks.hpp"
 #include "offset_path.hpp"
+#include "passes.hpp"
 
 namespace hdconj::wedm {
 namespace {
@@ -34,6 +35,18 @@ std::optional<double> fitting_wire(WireJob const& job)
     return {};
 }
 
+/// The points of @p fine that the wire moves between, no shorter than least_block() where the tolerance allows it.
+std::vector<std::size_t> moves_along(WireJob const& job, PairedPath const& fine)
+{
+    double const tolerance = share_of_moves * job.wire.tolerance, least = least_block(job.wire.decimals);
+    auto const is_short = [&](std::size_t a, std::size_t b) {
+        return shortest_plane(job.machine, {fine.lower[a], fine.upper[a]}, {fine.lower[b], fine.upper[b]}) < least;
+    };
+    std::vector<std::size_t> const kept = thinned(fine, tolerance);
+    return std::ranges::adjacent_find(kept, is_short) == kept.end() ? kept
+                                                                    : thinned_to_long_moves(fine, tolerance, is_short);
+}
+
 /// Least distance of what @p pass leaves from where the teeth come, if it is above the tolerance.
 std::optional<double> way_of_teeth(WireJob const& job, PitchPass const& pass, WireFaces const& reached)
 {
@@ -54,7 +67,7 @@ PitchPass pitch_pass(WireJob const& job, double wire_diameter, double stock)
     PairedPath const contour{with_neighbours(faces.pitch.lower, faces, 1),
                              with_neighbours(faces.pitch.upper, faces, 1)};
     PairedPath const fine = offset_path(contour, pass.offset, share_of_arcs * tolerance);
-    std::vector<std::size_t> const kept = thinned(fine, share_of_moves * tolerance);
+    std::vector<std::size_t> const kept = moves_along(job, fine);
     pass.path = taken(fine, kept);
     pass.guide_chord = guide_chord_error(fine, kept, job.machine);
     pass.uncut = uncut_of(faces, pass.path, pass.offset, tolerance);

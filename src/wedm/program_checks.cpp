@@ -6,10 +6,12 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
 
 #include "checks.hpp"
 #include "hdconj/base/tolerance.hpp"
 #include "hdconj/error.hpp"
+#include "hdconj/units.hpp"
 #include "passes.hpp"
 #include "segment_grid.hpp"
 
@@ -217,6 +219,29 @@ std::vector<std::string> skim_warnings(WireProgram const& program)
                 fmt::format("pass {} leaves up to {:.6g} mm on top of its stock where it cannot follow the contour, "
                             "more than the layer of {:.6g} mm that pass {} is to take: there it cuts {:.6g} mm deep",
                             pass.number, highest, layer, next.number, highest + layer));
+    }
+    return warnings;
+}
+
+std::vector<std::string> short_block_warnings(WireProgram const& program)
+{
+    double const least = least_block(program.decimals), unit = least / least_units;
+    std::vector<std::string> warnings;
+    for (WirePass const& pass : program.passes) {
+        std::size_t count = 0;
+        double shortest = least;
+        for (std::size_t i = 1; i < pass.moves.size(); ++i) {
+            WireMove const &a = pass.moves[i - 1], &b = pass.moves[i];
+            double const length = shortest_plane(program.machine, {a.lower, a.upper}, {b.lower, b.upper});
+            count += length < least ? 1 : 0;
+            shortest = std::min(shortest, length);
+        }
+        if (count > 0)
+            warnings.push_back(fmt::format(
+                "{} blocks of pass {} are shorter than {:g} units of the last digit in a face or at a guide, down to "
+                "{:.3g} mm: rounding turns that one by up to {:.3g} deg; more wedm.decimals or a coarser "
+                "wedm.tolerance avoids it",
+                count, pass.number, least_units, shortest, std::atan2(std::numbers::sqrt2 * unit, shortest) / deg));
     }
     return warnings;
 }

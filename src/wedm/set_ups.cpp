@@ -2,6 +2,7 @@
 #include "pitch_pass.hpp"
 
 #include <algorithm>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -63,6 +64,7 @@ WireRun run_of(WireJob const& job, WireSetUp const& set_up)
     run.start = start;
     run.hole = hole_beside(faces, start, false, job.wire.lead_in);
     run.overlap = job.wire.overlap;
+    run.least = least_block(job.wire.decimals);
     if (!closed) {
         run.spaces = set_up.spaces;
         run.end = hole_beside(faces, faces.space_in_order(start, set_up.spaces - 1), true, job.wire.lead_in);
@@ -114,6 +116,7 @@ WireProgram set_up_program(WireJob const& job, std::vector<PitchPass> const& pas
     check_all(job.faces, uncut_at, std::max(job.wire.surface_limit.value_or(0), job.wire.tolerance),
               limits_of(job.wire), program);
     program.warnings = skim_warnings(program);
+    std::ranges::copy(short_block_warnings(program), std::back_inserter(program.warnings));
     return program;
 }
 

@@ -447,4 +447,28 @@ TEST_CASE("stop and overlap lie where they were asked for and move nothing else"
     CHECK_THROWS_AS(wire_pass(path, faces, {0, {0, -1}, 0, 1000, false}), std::invalid_argument);
 }
 
+TEST_CASE("short moves are joined to others where the tolerance allows it", "[wire]")
+{
+    // an arc whose last point is hardly beyond what one move from the start reaches
+    wedm::PairedPath path;
+    constexpr double radius = 1, sagitta = 1e-3, step = 1e-3;
+    double const reach = 2 * std::acos(1 - sagitta / radius);
+    for (double angle = 0; angle < reach + 2.5 * step; angle += step) {
+        Vec2 const p = radius * Vec2(std::cos(angle), std::sin(angle));
+        path.add(p, p);
+    }
+    auto const length = [&](std::size_t a, std::size_t b) { return (path.lower[b] - path.lower[a]).norm(); };
+    auto const is_short = [&](std::size_t a, std::size_t b) { return length(a, b) < 0.02; };
+    auto const greedy = wedm::thinned(path, sagitta);
+    REQUIRE(std::ranges::adjacent_find(greedy, is_short) != greedy.end());
+    auto const even = wedm::thinned_to_long_moves(path, sagitta, is_short);
+    CHECK(even.size() == greedy.size());
+    CHECK(std::ranges::adjacent_find(even, is_short) == even.end());
+    CHECK(even.front() == 0);
+    CHECK(even.back() == path.size() - 1);
+    for (std::size_t i = 1; i < even.size(); ++i)
+        for (std::size_t k = even[i - 1]; k <= even[i]; ++k)
+            CHECK(wedm::from_move(path, k, even[i - 1], even[i]) <= sagitta);
+}
+
 }  // namespace hdconj::test::wedm_cases
