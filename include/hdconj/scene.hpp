@@ -164,6 +164,7 @@ struct WireRequest
     double start_hole_radius = 0;               ///< distance of its centre from the axis
     double overlap = 0;                         ///< beyond the point where the contour closes
     double stop_before = 0;                     ///< first pass: stop this far before it closes; 0: no stop
+    WireStop stop = WireStop::always;           ///< the word of that stop
     double tolerance = 0;                 ///< largest distance of the surface cut from the nominal one, residuals apart
     double residual_limit = 0;            ///< residual material that is accepted
     std::optional<double> surface_limit;  ///< error between the faces that is accepted; default the tolerance

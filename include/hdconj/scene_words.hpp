@@ -55,6 +55,13 @@ enum class WirePart
     flexspline  ///< upright teeth outside, in two set-ups
 };
 
+/// How a wire program stops before the slug drops.
+enum class WireStop
+{
+    always,   ///< M0, program stop
+    optional  ///< M1: only where the control's switch for optional stops is on
+};
+
 /// The words of an enumeration, in the order of its values.
 template <class Enumeration>
 inline constexpr std::array<std::string_view, 0> words_of{};
@@ -76,6 +83,9 @@ inline constexpr std::array<std::string_view, 2> words_of<AxialShift>{"mapped", 
 /// Words of WirePart.
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<WirePart>{"circular-spline", "flexspline"};
+/// Words of WireStop.
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<WireStop>{"M0", "M1"};
 
 /// An enumeration that has words.
 template <class Enumeration>

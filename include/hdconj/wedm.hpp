@@ -166,6 +166,7 @@ struct WireProgram
                                ///< side clearance "auto" was found to [mm]
     double cup_error = 0;  ///< of the displacement of the sections that an elastic cup bends, an estimate in none of
                            ///< the others; 0: none, or not known from an outline alone [mm]
+    WireStop stop = WireStop::always;     ///< word of the moves with the tag `stop`
     double start_hole_radius = 0;         ///< [mm]
     int teeth = 0;                        ///< tooth spaces around
     bool external = false;                ///< teeth outside; the void is left of contour and passes, so that they go

@@ -40,8 +40,8 @@ struct UnfitDialect
     std::string cause;  ///< why the program does not fit
 };
 
-/// Those of @p dialects (empty: of all) that cannot hold all of @p programs. Blocks that a grid loses cannot be joined
-/// to their neighbours: moves are already as long as the tolerance lets them be.
+/// Those of @p dialects (empty: of all that fit the kind of part) that cannot hold all of @p programs. Blocks that a
+/// grid loses cannot be joined to their neighbours: moves are already as long as the tolerance lets them be.
 [[nodiscard]] std::vector<UnfitDialect> unfit_dialects(WireSetUps const& programs,
                                                        std::vector<std::string> const& dialects = {});
 

@@ -367,7 +367,7 @@ std::vector<KeySpec> wedm()
                  "stock that each pass leaves, in order; it decreases, and the last pass leaves 0; absent: one pass", 1,
                  bounds::most_passes),
              {"[length]"}),
-         "[[0.02], [0.005], [0]]",
+         "[0.02, 0.005, 0]",
          [](Scene& s, Parameter const& p) {
              for (auto const& row : std::get<NumberRows>(p.value))
                  s.wedm->stock.push_back(row.front());
@@ -392,6 +392,8 @@ std::vector<KeySpec> wedm()
         {optional("stop_before", Q::nonnegative_length,
                   "first pass: stop this far before the contour ends and the slug drops; 0: no stop"),
          "1.0", to<&Scene::wedm, &WireRequest::stop_before>, 1.0},
+        {choice<WireStop>("stop", "of stop_before: M0 always stops, M1 where the control's optional stop is on", false),
+         "\"M0\"", to<&Scene::wedm, &WireRequest::stop>, "M0"},
         {optional("tolerance", Q::positive_length,
                   "largest distance of the surface that is cut from the nominal one, residuals apart",
                   bounds::least_tolerance),

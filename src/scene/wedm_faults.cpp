@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The wire of [wedm].
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -20,13 +22,11 @@ void check_wire(SceneReading const& reading, Faults& faults)
     if (whole && wedm.spark_gap > wedm.wire_diameter)
         add_at(faults, "wedm.spark_gap", number_text(wedm.spark_gap), "a gap wider than the wire is no spark gap",
                "write the gap in mm, such as 0.006");
-    double const rounding = std::numbers::sqrt2 / 2 * std::pow(10.0, -wedm.decimals);
-    if (knows(reading, {"wedm.tolerance", "wedm.decimals"}) && rounding > wedm.tolerance) {
+    std::string const rounding = rounding_fault(wedm.decimals, wedm.tolerance);
+    if (knows(reading, {"wedm.tolerance", "wedm.decimals"}) && !rounding.empty()) {
         bool const told = reading.scene.given.contains("wedm.decimals");
         add_at(faults, told ? "wedm.decimals" : "wedm.tolerance",
-               told ? std::to_string(wedm.decimals) : number_text(wedm.tolerance),
-               "rounding to " + std::to_string(wedm.decimals) + " decimals moves a point by up to " +
-                   number_text(rounding) + " mm, more than the tolerance of " + number_text(wedm.tolerance) + " mm",
+               told ? std::to_string(wedm.decimals) : number_text(wedm.tolerance), rounding,
                "write more decimals or a larger tolerance");
     }
     double const reach = wedm.wire_diameter / 2 + wedm.spark_gap;
@@ -59,10 +59,20 @@ void check_passes(SceneReading const& reading, Faults& faults)
         add_at(faults, "wedm.passes", "",
                falls ? "the last pass leaves " + number_text(stock.back()) + " mm on the part"
                      : "a pass that leaves no less than the one before cuts nothing",
-               "write decreasing lengths that end with 0, such as passes = [[0.02], [0.005], [0]]");
+               "write decreasing lengths that end with 0, such as passes = [0.02, 0.005, 0]");
 }
 
 }  // namespace
+
+std::string rounding_fault(int decimals, double tolerance)
+{
+    double const rounding = std::numbers::sqrt2 / 2 * std::pow(10.0, -decimals);
+    return rounding <= tolerance
+               ? ""
+               : fmt::format(
+                     "rounding to {} decimals moves a point by up to {:.6g} mm, more than the tolerance of {:.6g} mm",
+                     decimals, rounding, tolerance);
+}
 
 void add_wedm_faults(SceneReading const& reading, Faults& faults)
 {

@@ -40,6 +40,7 @@ WireProgram blank_program(WireJob const& job)
     program.spark_gap = job.wire.spark_gap;
     program.decimals = job.wire.decimals;
     program.tolerance = job.wire.tolerance;
+    program.stop = job.wire.stop;
     program.start_hole_radius = job.wire.start_hole_radius;
     program.teeth = faces.teeth;
     program.external = faces.external;

@@ -4,9 +4,11 @@
 installed) and with parsers
 written here, rebuilds both faces from each, and sweeps the emitted wire with shapely.
 
-  read_wire.py FOLDER STEM THICKNESS LOWER_GUIDE UPPER_GUIDE DECIMALS CHORD
+  read_wire.py FOLDER STEM THICKNESS LOWER_GUIDE UPPER_GUIDE DECIMALS CHORD TOLERANCE
 
-CHORD [mm]: what the sampled contour and wire may be off between their points. Prints what is wrong, and what was read.
+CHORD [mm]: what the sampled contour and wire may be off between their points; 0: the wire is not swept.
+TOLERANCE [mm]: how far the path that a control makes of a contour with G41 or G42 may be off the wire's.
+Prints what is wrong, and what was read.
 """
 
 import re
@@ -33,7 +35,7 @@ except ImportError:
 folder, stem = Path(sys.argv[1]), sys.argv[2]
 T, h_lower, h_upper = map(float, sys.argv[3:6])
 UNIT = 10.0 ** -int(sys.argv[6])
-CHORD = float(sys.argv[7])
+CHORD, TOLERANCE = map(float, sys.argv[7:9])
 H = h_lower + T + h_upper
 DXF_UNIT, UM = 1e-10, 1e-3
 
@@ -98,6 +100,8 @@ def colon(name):
     want(text[0] == "G91;" and text[-1] == "M02;" and all(line.endswith(";") for line in text), f"{name}: frame")
     want(len(text) <= 200000 and max(map(len, text)) < 200 and "(" not in "".join(text), f"{name}: limits")
     for line in text[1:-1]:
+        if line == "M00;":
+            continue
         halves = line[:-1].split(":")
         for path, half in zip(paths, halves * 2 if line.startswith("G92") else halves):
             row = words(half)
@@ -112,6 +116,8 @@ def three_b(name, start):
     want(text[-1] == "DD", f"{name}: end")
     at, path = np.array(start, float), [np.array(start, float)]
     for line in text[:-1]:
+        if line == "D":
+            continue
         match = re.fullmatch(r"B(\d+) B(\d+) B(\d+) G([XY]) L([1-4])", line)
         x, y, count = (int(match[i]) for i in (1, 2, 3))
         want(count == max(x, y) == (x if match[4] == "X" else y), f"{name}: {line}")
@@ -123,14 +129,54 @@ def three_b(name, start):
 
 
 def flat_contour(name):
-    """The contour of the part with G41 or G42 on the way in and G40 on the way out."""
+    """The contour with G41 or G42 on the way in and G40 on the way out, the radius of D, and whether it is G41."""
     rows = [words(line) for line in lines(name)]
     moves = [row for row in rows if "X" in row]
     want(set(moves[1]["G"]) & {41, 42} and 40 in moves[-1]["G"], f"{name}: offset on and off")
     want(
         not any({40, 41, 42} & set(row.get("G", [])) for row in moves[2:-1]), f"{name}: offset switched on the contour"
     )
-    return np.array([(row["X"], row["Y"]) for row in moves])
+    radius = float(re.search(rf"set D{moves[1]['D']:g} to ([\d.]+) mm", (folder / name).read_text())[1])
+    return np.array([(row["X"], row["Y"]) for row in moves]), radius, 41 in moves[1]["G"]
+
+
+def control(contour, radius, left):
+    """What a control with cutter compensation makes of a contour between its leads: each move's parallel, from where
+    it meets the one before to where it meets the next; around the outside of a corner points on the arc about it."""
+    along = np.diff(contour, axis=0)
+    along /= np.linalg.norm(along, axis=1)[:, None]
+    normal = (1 if left else -1) * np.column_stack((-along[:, 1], along[:, 0]))
+    path, leaves = [], contour[1] + radius * normal[1]
+    for k in range(2, len(contour) - 2):
+        a, b = normal[k - 1], normal[k]
+        if along[k] @ a > 0:  # turns towards the wire: a point at the radius from both moves
+            arrives = contour[k] + radius * (np.linalg.solve((a, b), (1, 1)) if a @ b < 1 else a)
+            path.append(arrives)
+        else:
+            arrives = contour[k] + radius * a
+            for share in np.linspace(0, 1, 2 + int(40 * np.arccos(np.clip(a @ b, -1, 1)))):
+                spoke = (1 - share) * a + share * b
+                path.append(contour[k] + radius * spoke / np.linalg.norm(spoke))
+        want((arrives - leaves) @ along[k - 1] > 0, f"move {k} of the contour is too short for the offset")
+        leaves = path[-1]
+    return np.array(path)
+
+
+def apart(a, b):
+    """Largest distance of a point of one of two lines, or of the middle between two, from the other line."""
+    with_middles = lambda line: np.vstack((line, (line[1:] + line[:-1]) / 2))
+    return max(distance_to(with_middles(a), b, closed=False).max(), distance_to(with_middles(b), a, closed=False).max())
+
+
+def stops_of(name):
+    """Numbers of the points behind which a program stops; 3B begins at a point that it does not say."""
+    points, stops = 1 if name.endswith(".3b") else 0, []
+    for line in lines(name):
+        if re.fullmatch(r"M0?0;?|D", line):
+            stops.append(points - 1)
+        elif not line.startswith("(") and ("X" in line or line.startswith("B")):
+            points += 1
+    return stops
 
 
 def distance_to(points, line, closed=True):
@@ -174,6 +220,10 @@ def dxf_by_ezdxf(name):
         want(line.is_closed == line.dxf.layer.startswith("PART"), f"{name}: closed")
         found.setdefault(line.dxf.layer, []).append(np.array([tuple(v.dxf.location) for v in line.vertices]))
     want({"START", "SYNC"} <= {e.dxf.layer for e in drawing.modelspace()}, f"{name}: start and sync")
+    stops = [e.dxf.start.vec2 for e in drawing.modelspace().query('LINE[layer=="STOP"]')]
+    at = exact_stops()
+    off = np.array(stops, float).reshape(-1, 2) - at if len(stops) == len(at) else np.inf
+    want(np.max(np.abs(off), initial=0) <= DXF_UNIT, f"{name}: stops")
     return found
 
 
@@ -231,7 +281,13 @@ def sweep(name, paths, closed, nominal, cut, allowed):
         said.append((f"{name} swept, {face}, below", most))
 
 
+def exact_stops():
+    return pair(rows)[0][rows["tag"] == "stop"]
+
+
 def linuxcnc(names):
+    """Moves of each file by name; of a contour with G41 the moves that the interpreter makes of it, with G41.1 in place
+    of a table of tools."""
     try:
         import gcode as interpreter
     except ImportError:
@@ -248,6 +304,16 @@ def linuxcnc(names):
             self.moves.append((25.4 * x, 25.4 * y, 25.4 * u, 25.4 * v))
 
         straight_traverse = straight_feed = straight
+
+        def arc_feed(self, x, y, x_centre, y_centre, turn, *rest):
+            """Points on the arc from where the machine is."""
+            start, centre = np.array(self.moves[-1][:2]) / 25.4, np.array((x_centre, y_centre))
+            angles = [np.arctan2(*(p - centre)[::-1]) for p in (start, np.array((x, y)))]
+            sweep = (angles[1] - angles[0]) % (2 * np.pi) - (2 * np.pi if turn < 0 else 0)
+            for share in np.linspace(0, 1, 2 + int(40 * abs(sweep)))[1:]:
+                angle = angles[0] + share * sweep
+                spoke = np.array((np.cos(angle), np.sin(angle)))
+                self.straight(*(centre + np.linalg.norm(start - centre) * spoke), *7 * (0,))
 
         def get_axis_mask(self):
             return 1 | 2 | 64 | 128
@@ -271,7 +337,12 @@ def linuxcnc(names):
     for name in names:
         parameters.touch()  # the interpreter renames it when it ends
         canon = Canon()
-        result, line = interpreter.parse(str(folder / name), canon, "G21", "")
+        program = here / name
+        text = (folder / name).read_text()
+        for number, radius in re.findall(r"set D(\d+) to ([\d.]+) mm", text):
+            text = re.sub(rf"(G4[12]) D{number} ", rf"\1.1 D{2 * float(radius):.6f} ", text)
+        program.write_text(text)
+        result, line = interpreter.parse(str(program), canon, "G21", "")
         want(result <= interpreter.MIN_ERROR, f"{name}, line {line}: LinuxCNC: {interpreter.strerror(result)}")
         paths[name] = np.array(canon.moves)
     shutil.rmtree(here)
@@ -299,7 +370,26 @@ for number in range(1, passes + 1):
             UM,
         ),
     ):
+        if name.endswith(".3b") and not (folder / name).exists():
+            continue  # its grid is too coarse for the tolerance
         compare(name, read(name), exact, allowed + 1e-12)
+        want(stops_of(name) == list(np.flatnonzero(tags == "stop")), f"{name}: stops")
+    flat = f"{stem}_2d_pass{number}.iso"
+    if (folder / flat).exists():
+        contour_2d, radius, left = flat_contour(flat)
+        wire = exact[0][1:-1]
+        off = apart(control(contour_2d, radius, left), wire)
+        want(off <= TOLERANCE, f"{flat}: a control would make a path {off:.3g} mm off the wire's")
+        lengths = np.linalg.norm(np.diff(contour_2d, axis=0), axis=1)
+        want(lengths.min() >= 2 * UNIT, f"{flat}: a block of {lengths.min():.3g} mm")
+        want(min(lengths[0], lengths[-1]) > radius, f"{flat}: leads shorter than the offset")
+        stops = contour_2d[stops_of(flat)]
+        at = exact[0][tags == "stop"]
+        want(
+            stops.shape == at.shape and (np.abs(np.linalg.norm(stops - at, axis=1) - radius) <= TOLERANCE).all(),
+            f"{flat}: stops",
+        )
+        said.append((f"{flat}, offset by {radius:g} mm", off))
     name = f"{stem}_xyuv_face_pass{number}.ngc"
     head = (folder / name).read_text()
     offset = float(re.search(r"wire centre ([\d.]+) mm", head)[1])
@@ -308,17 +398,9 @@ for number in range(1, passes + 1):
     if np.linalg.norm(along[0] - along[-1]) > 0:
         print(f"pass {number} does not close: it was not swept here")
         continue
-    if Polygon is not None:
+    if Polygon is not None and CHORD > 0:
         for each, guides in ((name, False), (name.replace("face", "guide"), True)):
             sweep(each, xyuv(each, guides), closed, nominal, offset, UNIT + CHORD)
-    flat = f"{stem}_2d_pass{number}.iso"
-    if (folder / flat).exists():
-        part = flat_contour(flat)
-        on_part = distance_to(part[1:-1], nominal[0])
-        want(on_part.max() <= 2**0.5 / 2 * UNIT + 1e-12, f"{flat}: {on_part.max():.3g} mm off the contour")
-        reached = distance_to(nominal[0], part[1:-1], closed=False)
-        want((reached <= 2 * UNIT).mean() > 0.49, f"{flat}: passes over half of the contour")
-        said.append((flat, on_part.max()))
 if Polygon is None:
     print("shapely is not installed: nothing was swept")
 
@@ -354,10 +436,16 @@ for reader, read in readers.items():
         )
 
 names = [f"{stem}_xyuv_{plane}_pass{number}.ngc" for number in range(1, passes + 1) for plane in ("face", "guide")]
+names += [path.name for path in sorted(folder.glob(f"{stem}_2d_pass*.iso"))]
 for name, moves in linuxcnc(names).items():
     number = int(re.search(r"pass(\d+)", name)[1])
     these = {key: value[rows["pass"] == number] for key, value in rows.items()}
     planes = moves[:, :2], moves[:, 2:]
+    if "_2d_" in name:  # start hole and way in, way out and end
+        off = apart(moves[2:-2, :2], pair(these)[0][1:-1])
+        want(off <= TOLERANCE, f"LinuxCNC, {name}: {off:.3g} mm off the wire's path")
+        said.append((f"LinuxCNC, {name}", off))
+        continue
     compare(f"LinuxCNC, {name}", faces(*planes) if "guide" in name else planes, pair(these), UNIT + 1e-9)
 
 for name, drift in said:

@@ -92,7 +92,7 @@ TEST_CASE("wedm: --json prints one object with the figures of the text and --qui
     auto const text = wedm("--tilt 0.2 -o a", folder);
     auto const summary = wedm("--tilt 0.2 -o a --json", folder);
     CHECK(summary.status == 0);
-    CHECK(summary.err == "wrote 9 files into a\n");
+    CHECK(summary.err == "wrote 7 files into a\n");
     auto const figures = json::parse(summary.out);
     CHECK(figures.at("format") == "hdconj-wire-summary");
     CHECK(figures.at("folder") == "a");
@@ -172,8 +172,9 @@ TEST_CASE("wedm without a tilt writes U as X and V as Y byte for byte", "[wedm]"
                    block[3].substr(1) == block[5].substr(1);
         }));
     }
-    CHECK(content(folder / "a" / "type-50_lower_pass1.3b") == content(folder / "a" / "type-50_upper_pass1.3b"));
     CHECK(std::filesystem::exists(folder / "a" / "type-50_2d_pass1.iso"));
+    REQUIRE(wedm("--tilt 0 --quiet --dialect 3b --set wedm.tolerance=0.001 -o b", folder).status == 0);
+    CHECK(content(folder / "b" / "type-50_lower_pass1.3b") == content(folder / "b" / "type-50_upper_pass1.3b"));
 }
 
 TEST_CASE("wedm: another first space turns the path by pitches", "[wedm]")
@@ -221,7 +222,7 @@ TEST_CASE("wedm cuts the flexspline in two set-ups that appear together", "[wedm
         return content(folder / "type-50-flexspline-wedm" / ("type-50-flexspline_" + name));
     };
     CHECK(blocks_of(file("setup1_xyuv_face_pass1.ngc")) == blocks_of(file("setup2_xyuv_face_pass1.ngc")));
-    CHECK(file("setup1_lower_pass1.3b") == file("setup2_lower_pass1.3b"));
+    CHECK(file("setup1_twoplane_pass1.nc") == file("setup2_twoplane_pass1.nc"));
     CHECK_THAT(file("summary.txt"),
                ContainsSubstring("set-up 2 of 2: 100 spaces from 100 clockwise, part turned 180 deg") &&
                    ContainsSubstring("0.1 mm   overlap beyond"));
@@ -257,12 +258,14 @@ TEST_CASE("wedm leaves out a dialect with a grid of its own that loses a block u
     // a drafted corner is a point in the lower face and an arc in the upper one
     std::string const drafted =
         "--tilt 0.1 --set tilt.kind=draft --set circular_spline.root_clearance=0.02 --set wedm.residual_limit=0.06 ";
-    auto const all = wedm(drafted + "--json --quiet -o a", folder);
+    std::string const fine = drafted + "--set wedm.tolerance=0.0008 ";
+    auto const all = wedm(fine + "--json --quiet -o a", folder);
     REQUIRE(all.status == 0);
     CHECK(all.err.empty());
     auto const summary = json::parse(all.out);
-    REQUIRE(summary.at("warnings").size() == 1);
-    CHECK_THAT(summary.at("warnings")[0].get<std::string>(),
+    REQUIRE(summary.at("warnings").size() == 2);
+    CHECK_THAT(summary.at("warnings")[0].get<std::string>(), ContainsSubstring("shorter than 20 units"));
+    CHECK_THAT(summary.at("warnings")[1].get<std::string>(),
                ContainsSubstring("dialect 3b is left out: pass 1, block ") &&
                    ContainsSubstring("no length in the lower plane when rounded to 0.001 mm"));
     CHECK(summary.at("files").size() == 7);  // of 9
@@ -270,7 +273,7 @@ TEST_CASE("wedm leaves out a dialect with a grid of its own that loses a block u
     CHECK_FALSE(std::filesystem::exists(folder / "a" / "type-50_lower_pass1.3b"));
     CHECK_THAT(content(folder / "a" / "type-50_summary.txt"), ContainsSubstring("WARNING: dialect 3b is left out"));
     // by name: an error, and the tolerance that it advises is one that works
-    auto const named = wedm(drafted + "--dialect csv,3b --quiet -o b", folder);
+    auto const named = wedm(fine + "--dialect csv,3b --quiet -o b", folder);
     CHECK(named.status == 1);
     CHECK_THAT(named.err, ContainsSubstring("3b, pass 1, block ") && ContainsSubstring("write wedm.tolerance = ") &&
                               ContainsSubstring("or another dialect"));
@@ -281,6 +284,55 @@ TEST_CASE("wedm leaves out a dialect with a grid of its own that loses a block u
     auto const advice = named.err.substr(from, named.err.find(',', from) - from);
     CHECK(wedm(drafted + "--dialect csv,3b --quiet -o b --set '" + advice + "'", folder).status == 0);
     CHECK(std::filesystem::exists(folder / "b" / "type-50_lower_pass1.3b"));
+}
+
+TEST_CASE("wedm leaves out the dialect whose grid is too coarse for the tolerance, and says what to write for it",
+          "[wedm]")
+{
+    TemporaryFolder const folder;
+    std::string const cause =
+        "rounding to 3 decimals moves a point by up to 0.000707107 mm, more than the tolerance of 0.0005 mm";
+    auto const all = wedm("--tilt 0.2 -o a", folder);
+    CHECK(all.status == 0);
+    CHECK_THAT(all.out, ContainsSubstring("WARNING: dialect 3b is left out: grid of 0.001 mm: " + cause));
+    auto const named = wedm("--tilt 0.2 --dialect 3b -o b", folder);
+    CHECK(named.status == 1);
+    CHECK_THAT(named.err, ContainsSubstring("3b, grid of 0.001 mm: " + cause) &&
+                              ContainsSubstring("write wedm.tolerance = 0.0008, or another dialect"));
+    CHECK(wedm("--tilt 0.2 --dialect 3b --set wedm.tolerance=0.0008 -o b", folder).status == 0);
+    auto const decimals = wedm("--tilt 0.2 --decimals 3 -o c", folder);
+    CHECK(decimals.status == 2);
+    CHECK_THAT(decimals.err, ContainsSubstring(cause));
+}
+
+TEST_CASE("wedm: blocks have at least 20 units of the last digit, or a warning counts those that have not", "[wedm]")
+{
+    TemporaryFolder const folder;
+    for (std::string const arguments :
+         {"--tilt 0.2", "--tilt 0.2 --set wedm.stop_before=1.0015 --set wedm.overlap=0.0961",
+          "--tilt 0.2 --decimals 3 --set wedm.tolerance=0.001",
+          "--tilt 0.3 --set tilt.kind=draft --set wedm.surface_limit=0.002"}) {
+        INFO(arguments);
+        auto const done = wedm(arguments + " --dialect xyuv-guide,xyuv-face --json --quiet -o a", folder);
+        REQUIRE(done.status == 0);
+        auto const summary = json::parse(done.out);
+        double const unit = arguments.find("decimals 3") != std::string::npos ? 1e-3 : 1e-4;
+        std::size_t shorter = 0;
+        for (std::string const plane : {"face", "guide"}) {
+            auto const blocks = blocks_of(content(folder / "a" / ("type-50_xyuv_" + plane + "_pass1.ngc")));
+            auto const value = [&](std::size_t i, std::size_t k) { return std::stod(blocks[i].at(k).substr(1)); };
+            for (std::size_t i = 1; i < blocks.size(); ++i) {
+                auto const length = [&](std::size_t k) {
+                    return std::hypot(value(i, k) - value(i - 1, k), value(i, k + 1) - value(i - 1, k + 1));
+                };
+                shorter += std::min(length(2), length(4)) < 20 * unit - 1.5 * unit ? 1 : 0;
+            }
+        }
+        bool told = false;
+        for (auto const& warning : summary.at("warnings"))
+            told = told || warning.get<std::string>().find("shorter than 20 units") != std::string::npos;
+        CHECK(told == (shorter > 0));
+    }
 }
 
 TEST_CASE("wedm: where more decimals keep a block the message says how many", "[wedm]")

@@ -49,7 +49,7 @@ TEST_CASE("every dialect of a toothed ring is read back to both faces and its wi
         return;
     TemporaryFolder const folder;
     write_wire_files({sample::wire_ring(sample::wire_tilt, 96)}, folder / "out");
-    auto const read = run(reader + "out ring 7 20 30 4 " + chord, folder.path());
+    auto const read = run(reader + "out ring 7 20 30 4 " + chord + " 0.0002", folder.path());
     INFO(read.out);
     CHECK(read.err.empty());
     CHECK_THAT(read.out, ContainsSubstring(", 0 faults\n"));
@@ -68,7 +68,7 @@ TEST_CASE("every dialect of a toothed ring is read back to both faces and its wi
         if (test::content(broken / "out" / file).find(from) == std::string::npos)
             FAIL(file << " has no " << from);
         change(broken / "out" / file, from, to);
-        auto const noticed = run(reader + "out ring 7 20 30 4 1", broken.path());  // sweeping is not what is tried
+        auto const noticed = run(reader + "out ring 7 20 30 4 1 1", broken.path());  // sweeping is not what is tried
         INFO(file << "\n" << noticed.out << noticed.err);
         CHECK(noticed.status != 0);
     }
@@ -85,7 +85,7 @@ TEST_CASE("the built-in drive's files are read back to both faces, the flexsplin
     // 0.007 mm: chords of contour and wire, and what is left in the corners of the root
     for (std::string const files :
          {"ring type-50", "gear type-50-flexspline_setup1", "gear type-50-flexspline_setup2"}) {
-        auto const read = run(reader + files + " 7 20 30 4 0.007", folder.path());
+        auto const read = run(reader + files + " 7 20 30 4 0.007 0.002", folder.path());
         INFO(files << "\n" << read.out << read.err);
         CHECK_THAT(read.out, ContainsSubstring(", 0 faults\n"));
         CHECK(read.status == 0);
@@ -102,9 +102,49 @@ TEST_CASE("the square hole is read back in three decimals too", "[wire]")
         program.decimals = decimals;
         write_wire_files({program}, folder / "out");
         // No chord error, but round wire makes round corners: offset (sqrt 2 - 1) of them is left.
-        auto const read = run(reader + "out square 7 20 30 " + std::to_string(decimals) + " 0.0258", folder.path());
+        auto const read =
+            run(reader + "out square 7 20 30 " + std::to_string(decimals) + " 0.0258 0.002", folder.path());
         INFO(read.out << read.err);
         CHECK(read.status == 0);
+    }
+}
+
+TEST_CASE("a control makes the wire's path again of every contour with G41 or G42: a simulation, and LinuxCNC's own",
+          "[wire]")
+{
+    if (no_python())
+        return;
+    struct Case
+    {
+        std::string arguments;
+        std::vector<std::string> stems;
+        std::string decimals = "4", tolerance = "0.0005";
+    };
+    for (auto const& [arguments, stems, decimals, tolerance] : std::vector<Case>{
+             {"", {"type-50"}},
+             {"--set 'wedm.passes=[0.02, 0]' --set wedm.direction=alternating --set wedm.overlap=0.3", {"type-50"}},
+             {"--set wedm.wire_diameter=0.2 --set wedm.residual_limit=0.05", {"type-50"}},
+             {"--set circular_spline.root_clearance=0.03 --set wedm.residual_limit=0.05", {"type-50"}},
+             {"--set wedm.tolerance=1e-4 --decimals 5", {"type-50"}, "5", "0.0001"},
+             {"--set wedm.tolerance=0.002 --decimals 3", {"type-50"}, "3", "0.002"},
+             {"--part flexspline --set wedm.overlap=0.05",
+              {"type-50-flexspline_setup1", "type-50-flexspline_setup2"}}}) {
+        TemporaryFolder const folder;
+        REQUIRE(run("'" HDCONJ_PROGRAM "' wedm --quiet --dialect csv,dxf,xyuv-guide,xyuv-face,relative-uv,two-plane,"
+                    "iso-2d -o out " +
+                        arguments,
+                    folder.path())
+                    .status == 0);
+        for (auto const& stem : stems) {
+            auto const read = run(reader + "out " + stem + " 7 20 30 " + decimals + " 0 " + tolerance, folder.path());
+            INFO(arguments << "\n" << read.out << read.err);
+            CHECK(read.status == 0);
+            CHECK_THAT(read.out, ContainsSubstring(stem + "_2d_pass1.iso, offset by "));
+            if (read.out.find("LinuxCNC is not installed") != std::string::npos)
+                not_tried("LinuxCNC");
+            else
+                CHECK_THAT(read.out, ContainsSubstring("LinuxCNC, " + stem + "_2d_pass1.iso: "));
+        }
     }
 }
 

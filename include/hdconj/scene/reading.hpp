@@ -43,4 +43,8 @@ struct SceneReading
 /// Fills in line and origin of faults that name a key of @p scene but no line, and the value as it was written.
 void locate(Faults& faults, Scene const& scene);
 
+/// What is wrong with @p decimals of a coordinate in mm where a wire is to keep @p tolerance [mm]: rounding moves a
+/// point by up to 10^-decimals/sqrt 2, which must be no more. Empty: nothing.
+[[nodiscard]] std::string rounding_fault(int decimals, double tolerance);
+
 }  // namespace hdconj::scene

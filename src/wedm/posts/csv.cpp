@@ -118,6 +118,9 @@ std::vector<FacePath> read(std::vector<WireText> const& files, WireProgram const
             by_guides.push_back({"guides", {}, {}});
         }
         constexpr std::size_t lower = 4, upper = 6, lower_guide = 8, upper_guide = 10;
+        for (auto* const path : {&paths.back(), &by_guides.back()})
+            if (cells[2] == to_string(WireTag::stop))
+                path->stops.push_back(path->lower.size());
         paths.back().lower.push_back(at(lower));
         paths.back().upper.push_back(at(upper));
         auto const faces = faces_of(program.machine, {at(lower_guide), at(upper_guide)});

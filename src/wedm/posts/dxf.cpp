@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contours and wire for CAM, vertex k of the lower one paired with vertex k of the upper one, at their heights; the
-// lines of layer SYNC join the marks that CAM synchronises on.
+// lines of layer SYNC join the marks that CAM synchronises on, those of STOP are the wire where the program stops.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -19,12 +20,15 @@ constexpr file::dxf::Layer part_upper = {"PART_UPPER", file::dxf::red};
 constexpr file::dxf::Layer wire_lower = {"WIRE_LOWER", file::dxf::blue};
 constexpr file::dxf::Layer wire_upper = {"WIRE_UPPER", file::dxf::magenta};
 constexpr file::dxf::Layer start_hole = {"START", file::dxf::green};
+constexpr file::dxf::Layer stop_lines = {"STOP", file::dxf::green};
 constexpr file::dxf::Layer sync_lines = {"SYNC", file::dxf::grey};
 
-void write_sync(file::dxf::Groups& out, Vec2 const& lower, Vec2 const& upper, double height)
+/// A line from face to face.
+void write_line(file::dxf::Groups& out, file::dxf::Layer const& layer, Vec2 const& lower, Vec2 const& upper,
+                double height)
 {
     out.add(file::dxf::code_type, "LINE");
-    out.add(file::dxf::code_layer, sync_lines.name);
+    out.add(file::dxf::code_layer, layer.name);
     out.point(lower.x(), lower.y(), 0);
     out.add(file::dxf::code_x_end, upper.x());
     out.add(file::dxf::code_y_end, upper.y());
@@ -33,7 +37,7 @@ void write_sync(file::dxf::Groups& out, Vec2 const& lower, Vec2 const& upper, do
 
 std::vector<WireText> write(WireProgram const& program, std::string const& stem)
 {
-    constexpr std::array layers = {part_lower, part_upper, wire_lower, wire_upper, start_hole, sync_lines};
+    constexpr std::array layers = {part_lower, part_upper, wire_lower, wire_upper, start_hole, stop_lines, sync_lines};
     double const height = program.machine.thickness;
     file::dxf::Groups out;
     file::dxf::begin(out, layers);
@@ -50,13 +54,16 @@ std::vector<WireText> write(WireProgram const& program, std::string const& stem)
     out.add(file::dxf::code_type, "POINT");
     out.add(file::dxf::code_layer, start_hole.name);
     out.point(start.x(), start.y(), 0);
+    for (auto const& path : exact_passes(program))
+        for (auto const k : path.stops)
+            write_line(out, stop_lines, path.lower[k], path.upper[k], height);
     for (auto const k : nominal.sync)
-        write_sync(out, nominal.lower[k], nominal.upper[k], height);
+        write_line(out, sync_lines, nominal.lower[k], nominal.upper[k], height);
     file::dxf::end(out);
     return {{stem + "_planes.dxf", out.text(), 0, blocks}};
 }
 
-/// Polylines by layer, in order; every vertex must be at @p height of its layer.
+/// Polylines by layer, in order, of lines the lower ends; every vertex must be at the height of its layer.
 std::map<std::string, std::vector<std::vector<Vec2>>, std::less<>> polylines_of(WireText const& file, double thickness)
 {
     std::map<std::string, std::vector<std::vector<Vec2>>, std::less<>> found;
@@ -71,9 +78,9 @@ std::map<std::string, std::vector<std::vector<Vec2>>, std::less<>> polylines_of(
             layer = nullptr;
         } else if (code == "8") {
             layer = &found[std::string(value.text())];
-            if (type == "POLYLINE")
+            if (type == "POLYLINE" || type == "LINE")
                 layer->emplace_back();
-        } else if (type == "VERTEX" && layer != nullptr && !layer->empty()) {
+        } else if ((type == "VERTEX" || type == "LINE") && layer != nullptr && !layer->empty()) {
             if (code == "10") {
                 layer->back().emplace_back(value.number(value.text()), 0);
             } else if (code == "20") {
@@ -96,8 +103,14 @@ std::vector<FacePath> read(std::vector<WireText> const& files, WireProgram const
         found["WIRE_LOWER"].size() != found["WIRE_UPPER"].size())
         refuse_to_write(files.at(0).name, "contours or passes are missing");
     std::vector<FacePath> paths = {{"contour", found["PART_LOWER"][0], found["PART_UPPER"][0]}};
-    for (std::size_t i = 0; i < found["WIRE_LOWER"].size(); ++i)
-        paths.push_back({fmt::format("pass {}", i + 1), found["WIRE_LOWER"][i], found["WIRE_UPPER"][i]});
+    auto const& stops = found["STOP"];
+    for (std::size_t i = 0; i < found["WIRE_LOWER"].size(); ++i) {
+        auto& path =
+            paths.emplace_back(FacePath{fmt::format("pass {}", i + 1), found["WIRE_LOWER"][i], found["WIRE_UPPER"][i]});
+        for (std::size_t k = 0; k < path.lower.size(); ++k)
+            if (std::ranges::any_of(stops, [&](auto const& line) { return line.front() == path.lower[k]; }))
+                path.stops.push_back(k);
+    }
     return paths;
 }
 

@@ -28,6 +28,7 @@ struct FacePath
     std::string what;  ///< for messages: "pass 1"
     std::vector<Vec2> lower;
     std::vector<Vec2> upper;
+    std::vector<std::size_t> stops{};  ///< numbers of the points behind which the program stops
 };
 
 /// "NAME_xyuv_guide_pass1.ngc"
@@ -70,6 +71,9 @@ struct WirePost
     std::vector<FacePath> (*exact)(WireProgram const& program) = nullptr;
     /// Reads the files back, without the writer's means. @throws NumericalError with file, line and cause
     std::vector<FacePath> (*read)(std::vector<WireText> const& files, WireProgram const& program) = nullptr;
+    /// Largest distance of the wire's path from the exact one where the files say something else [mm]; null: they say
+    /// the wire's path.
+    double (*drift)(WireProgram const& program, std::vector<FacePath> const& read) = nullptr;
 };
 
 namespace dxf {
@@ -103,6 +107,9 @@ WirePost post();
 
 /// The passes, as they are.
 [[nodiscard]] std::vector<FacePath> exact_passes(WireProgram const& program);
+
+/// The stop of @p program with two digits: "M00" or "M01".
+[[nodiscard]] std::string two_digit_stop(WireProgram const& program);
 
 /// A text that may stand in a comment of every dialect that has comments: ASCII, no brackets, cut to @p longest.
 [[nodiscard]] std::string comment_text(std::string const& text, std::size_t longest);

@@ -53,11 +53,18 @@ std::vector<FacePath> exact_passes(WireProgram const& program)
         auto& path = paths.emplace_back();
         path.what = fmt::format("pass {}", pass.number);
         for (auto const& move : pass.moves) {
+            if (move.tag == WireTag::stop)
+                path.stops.push_back(path.lower.size());
             path.lower.push_back(move.lower);
             path.upper.push_back(move.upper);
         }
     }
     return paths;
+}
+
+std::string two_digit_stop(WireProgram const& program)
+{
+    return fmt::format("M0{}", to_string(program.stop).substr(1));
 }
 
 std::string comment_text(std::string const& text, std::size_t longest)

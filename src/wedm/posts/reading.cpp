@@ -103,6 +103,19 @@ bool has_word(std::vector<WireWord> const& words, char letter)
     return std::ranges::find(words, letter, &WireWord::letter) != words.end();
 }
 
+void note_stop(WireLine const& line, std::vector<WireWord> const& words, WireProgram const& program, FacePath& path)
+{
+    auto const word = std::ranges::find(words, 'M', &WireWord::letter);
+    if (word == words.end())
+        return;
+    long long const code = line.whole(word->digits);
+    if (code > 1)
+        return;  // the end
+    if (code != static_cast<long long>(program.stop) || path.lower.empty())
+        line.refuse("another stop than asked for");
+    path.stops.push_back(path.lower.size() - 1);
+}
+
 bool is_straight_move(std::vector<WireWord> const& words)
 {
     return std::any_of(words.begin(), words.end(), [](WireWord const& word) {

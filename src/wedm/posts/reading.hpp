@@ -60,6 +60,10 @@ struct WireWord
 
 [[nodiscard]] bool has_word(std::vector<WireWord> const& words, char letter);
 
+/// Notes in @p path that the program stops behind its last point where @p words are M0 or M1, in one or two digits.
+/// The one that is not the stop of @p program is refused.
+void note_stop(WireLine const& line, std::vector<WireWord> const& words, WireProgram const& program, FacePath& path);
+
 /// Whether G0, G00, G1 or G01 is among the words.
 [[nodiscard]] bool is_straight_move(std::vector<WireWord> const& words);
 

@@ -22,18 +22,19 @@ std::string text_of(WireProgram const& program, WirePass const& pass)
         UnitPoint const lean = block.upper - block.lower;
         grid.put(text, "G01 X", " Y", block.lower);
         grid.put(text, " U", " V", lean);
-        text += block.tag == WireTag::stop ? "\nM01\n" : "\n";
+        text += block.tag == WireTag::stop ? fmt::format("\n{}\n", two_digit_stop(program)) : "\n";
     }
     return text + "M02\n%\n";
 }
 
-FacePath read_one(WireText const& file, WireProgram const&)
+FacePath read_one(WireText const& file, WireProgram const& program)
 {
     FacePath path{file.name, {}, {}};
     for (auto const& line : lines_of(file)) {
         if (line.text() == "%")
             continue;
         auto const words = words_of(line, line.text());
+        note_stop(line, words, program, path);
         if (!has_word(words, 'X'))
             continue;
         bool const start = path.lower.empty();

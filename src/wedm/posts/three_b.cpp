@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // 3B of fast-wire controllers: B<X> B<Y> B<J> G{X|Y} L{1..4}, whole micrometres, incremental from the start hole, one
 // face per file; both files have the same number of lines. J counts along the longer direction; L1 to L4 is the
-// quadrant that the line goes into.
+// quadrant that the line goes into. By convention a line D stops the machine, whatever its switches say, and DD ends
+// the program.
 #include <fmt/format.h>
 
 #include <array>
+#include <utility>
 
 #include "grid.hpp"
 #include "hdconj/units.hpp"
@@ -32,8 +34,10 @@ std::string text_of(std::vector<WireBlock> const& blocks, UnitPoint WireBlock::*
         UnitPoint const step = blocks[i].*face - blocks[i - 1].*face;
         long long const x = std::llabs(step.x), y = std::llabs(step.y);
         text += fmt::format("B{} B{} B{} G{} L{}\n", x, y, x >= y ? x : y, x >= y ? 'X' : 'Y', quadrant(step));
+        if (blocks[i].tag == WireTag::stop)
+            text += "D\n";
     }
-    return text + "DD\n";  // end of program by convention
+    return text + "DD\n";
 }
 
 std::vector<WireText> write(WireProgram const& program, std::string const& stem)
@@ -69,18 +73,22 @@ Vec2 step_of(WireLine const& line)
     return {s[0] * um * static_cast<double>(x), s[1] * um * static_cast<double>(y)};
 }
 
-std::vector<Vec2> read_one(WireText const& file, Vec2 const& start)
+/// One face and its stops.
+std::pair<std::vector<Vec2>, std::vector<std::size_t>> read_one(WireText const& file, Vec2 const& start)
 {
     std::vector<Vec2> path = {start};
+    std::vector<std::size_t> stops;
     bool ended = false;
     for (auto const& line : lines_of(file)) {
         if (ended)
             line.refuse("a line behind DD");
         ended = line.text() == "DD";
-        if (!ended)
+        if (line.text() == "D")
+            stops.push_back(path.size() - 1);
+        else if (!ended)
             path.emplace_back(path.back() + step_of(line));
     }
-    return path;
+    return {path, stops};
 }
 
 /// A file does not say where its start hole is: that is given to the machine beside it.
@@ -90,7 +98,11 @@ std::vector<FacePath> read(std::vector<WireText> const& files, WireProgram const
     constexpr std::size_t faces = 2;
     for (std::size_t i = 0; i + 1 < files.size(); i += faces) {
         Vec2 const start = program.passes.at(i / faces).moves.front().lower;
-        paths.push_back({files[i].name, read_one(files[i], start), read_one(files[i + 1], start)});
+        auto const [lower, stops] = read_one(files[i], start);
+        auto const [upper, upper_stops] = read_one(files[i + 1], start);
+        if (stops != upper_stops)
+            refuse_to_write(files[i].name, "the faces stop at different blocks");
+        paths.push_back({files[i].name, lower, upper, stops});
     }
     return paths;
 }

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Two contours in one block, lower : upper, incremental. The controller that is known to read it takes a missing word
 // for 0, an M anywhere for an M block, and half lines of 100 characters, 200 000 blocks and 5 000 000 bytes at most:
-// every block has all its words, there are no comments and no stops, and what would not fit is refused.
+// every block has all its words, there are no comments, a stop is a block of its own, and what would not fit is
+// refused.
 #include <fmt/format.h>
 
 #include "grid.hpp"
@@ -27,7 +28,7 @@ std::string text_of(WireProgram const& program, WirePass const& pass)
         UnitPoint const upper = blocks[i].upper - blocks[i - 1].upper;
         grid.put(text, "G01 X", " Y", lower);
         grid.put(text, ":G01 X", " Y", upper);
-        text += ";\n";
+        text += blocks[i].tag == WireTag::stop ? fmt::format(";\n{};\n", two_digit_stop(program)) : ";\n";
     }
     return text + "M02;\n";
 }
@@ -53,7 +54,7 @@ Vec2 step_of(WireLine const& line, std::string_view half)
     return point_of(line, words);
 }
 
-FacePath read_one(WireText const& file, WireProgram const&)
+FacePath read_one(WireText const& file, WireProgram const& program)
 {
     FacePath path{file.name, {}, {}};
     for (auto const& line : lines_of(file)) {
@@ -67,8 +68,9 @@ FacePath read_one(WireText const& file, WireProgram const&)
                 line.refuse("a move before G92");
             path.lower.emplace_back(path.lower.back() + step_of(line, block.substr(0, colon)));
             path.upper.emplace_back(path.upper.back() + step_of(line, block.substr(colon + 1)));
+        } else if (auto const words = words_of(line, block); block.starts_with("M")) {
+            note_stop(line, words, program, path);
         } else if (block.starts_with("G92")) {
-            auto const words = words_of(line, block);
             path.lower.push_back(point_of(line, words));
             path.upper.push_back(path.lower.back());
         }

@@ -4,92 +4,19 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "file/atomic_folder.hpp"
+#include "file_checks.hpp"
 #include "grid.hpp"
 #include "hdconj/base/suggest.hpp"
 #include "hdconj/error.hpp"
+#include "hdconj/scene/reading.hpp"
 #include "post.hpp"
-#include "wedm/checks.hpp"
-
-namespace hdconj::wedm {
-namespace {
-
-/// The program itself, so far as its numbers and the pairing of its points tell.
-void check_program(WireProgram const& program)
-{
-    for (WireFailures const& failures : {check_numbers(program), check_pairing(program)})
-        if (!failures.empty())
-            refuse_to_write(program.name, failures.front());
-}
-
-/// A text: characters of its dialect, line lengths, printable ASCII.
-void check_text(WirePost const& post, WireText const& file)
-{
-    std::size_t line = 1, column = 0;
-    bool comment = false;
-    auto const refuse = [&](std::string const& cause) {
-        refuse_to_write(fmt::format("{}, line {}", file.name, line), cause);
-    };
-    for (char const c : file.text) {
-        if (c == '\n') {
-            ++line;
-            column = 0;
-            comment = false;
-            continue;
-        }
-        if (++column > post.longest_line)
-            refuse(fmt::format("more than {} characters", post.longest_line));
-        comment = comment || c == '(';
-        bool const printable = c >= ' ' && c <= '~';
-        if (!printable || (!comment && !post.alphabet.empty() && post.alphabet.find(c) == std::string_view::npos))
-            refuse(fmt::format("character {} does not belong into {}", static_cast<int>(static_cast<unsigned char>(c)),
-                               post.dialect.name));
-        comment = comment && c != ')';
-    }
-    if (column != 0)
-        refuse("the file ends in the middle of a line");
-}
-
-/// What was read back against what should be there: as many points, each as near as the last digit allows; equal faces
-/// must be read as equal.
-/// @return largest distance along the whole path in both faces [mm]
-double check_paths(WirePost const& post, WireProgram const& program, std::vector<FacePath> const& read)
-{
-    auto const exact = post.exact(program);
-    std::string const place(post.dialect.name);
-    auto const require = [](bool holds, std::string const& where, char const* cause) {
-        if (!holds)
-            refuse_to_write(where, cause);
-    };
-    require(read.size() == exact.size(), place, "passes are missing when it is read back");
-    double const allowed = post.allowed.value_or(post.unit(program));
-    bool const untilted = is_untilted(program);
-    double drift = 0;
-    for (std::size_t i = 0; i < exact.size(); ++i) {
-        std::string const which = fmt::format("{}, {}", place, exact[i].what);
-        require(read[i].lower.size() == exact[i].lower.size() && read[i].upper.size() == exact[i].upper.size(), which,
-                "points are missing when it is read back");
-        require(!untilted || read[i].lower == read[i].upper, which, "without a tilt both planes must be the same");
-        for (std::size_t k = 0; k < exact[i].lower.size(); ++k) {
-            Vec2 const lower = read[i].lower[k] - exact[i].lower[k], upper = read[i].upper[k] - exact[i].upper[k];
-            require(lower.cwiseAbs().maxCoeff() <= allowed && upper.cwiseAbs().maxCoeff() <= allowed,
-                    fmt::format("{}, point {}", which, k),
-                    "what is read back is further from the exact point than one unit of the last digit");
-            drift = std::max({drift, lower.norm(), upper.norm()});
-        }
-    }
-    return drift;
-}
-
-}  // namespace
-}  // namespace hdconj::wedm
 
 namespace hdconj {
 namespace {
-
-constexpr char const* operator_name = "_summary.txt";
 
 bool is_in(auto const& names, std::string_view name)
 {
@@ -148,6 +75,19 @@ std::string stem_of(std::string const& part)
     return stem.empty() ? "part" : stem;
 }
 
+/// Files of @p program by @p post. @throws NumericalError with ErrorCode::no_room also where the last digit is too
+/// coarse for the tolerance
+std::vector<wedm::WireText> written(wedm::WirePost const& post, WireProgram const& program, std::string const& stem)
+{
+    double const unit = post.unit(program);
+    if (unit > 0 && program.tolerance > 0) {
+        auto const fault = scene::rounding_fault(static_cast<int>(std::lround(-std::log10(unit))), program.tolerance);
+        if (!fault.empty())
+            throw wedm::no_room(fmt::format("grid of {:g} mm", unit), fault);
+    }
+    return post.write(program, stem);
+}
+
 /// The least wedm.decimals above those of @p programs with which all @p posts hold them all; nothing where none does.
 std::optional<int> fitting_decimals(std::vector<wedm::WirePost> const& posts, WireSetUps programs)
 {
@@ -157,7 +97,7 @@ std::optional<int> fitting_decimals(std::vector<wedm::WirePost> const& posts, Wi
             for (auto& program : programs) {
                 program.decimals = decimals;
                 for (auto const& post : posts)
-                    (void)post.write(program, stem_of(program.name));
+                    (void)written(post, program, stem_of(program.name));
             }
             return decimals;
         } catch (NumericalError const& error) {
@@ -173,7 +113,7 @@ std::vector<wedm::WireText> texts_of(wedm::WirePost const& post, std::vector<wed
                                      WireProgram const& program, WireSetUps const& programs, std::string const& stem)
 {
     try {
-        return post.write(program, stem);
+        return written(post, program, stem);
     } catch (NumericalError const& unfit) {
         if (unfit.code() != ErrorCode::no_room)
             throw;
@@ -224,15 +164,16 @@ std::vector<UnfitDialect> unfit_dialects(WireSetUps const& programs, std::vector
 {
     std::vector<UnfitDialect> unfit;
     for (auto const& post : wedm::wire_posts()) {
-        if (!post.own_limits || (!dialects.empty() && !is_in(dialects, post.dialect.name)))
+        bool const fits = !post.dialect.only_untilted || std::ranges::all_of(programs, is_untilted);
+        if (!fits || !post.own_limits || (!dialects.empty() && !is_in(dialects, post.dialect.name)))
             continue;
         for (auto const& program : programs) {
             try {
-                (void)post.write(program, stem_of(program.name));
+                (void)written(post, program, stem_of(program.name));
             } catch (NumericalError const& cause) {
                 if (cause.code() != ErrorCode::no_room)
                     throw;
-                if (!fitting_decimals({post}, programs)) {
+                if (dialects.empty() || !fitting_decimals({post}, programs)) {
                     unfit.push_back({std::string(post.dialect.name), cause.place(), cause.cause()});
                     break;
                 }
@@ -260,11 +201,11 @@ std::vector<WireFile> write_wire_files(WireSetUps const& programs, std::filesyst
             files.insert(files.end(), written.begin(), written.end());
         }
     }
-    target.write(stem + operator_name, summary_text(programs, files));
     std::vector<std::pair<std::string, std::string>> lines;
     for (auto const& file : files)
         lines.emplace_back(file.name, said_of(file));
-    lines.emplace_back(stem + operator_name, "for the operator of the machine");
+    target.write(stem + "_summary.txt", summary_text(programs, files));
+    lines.emplace_back(stem + "_summary.txt", "for the operator of the machine");
     target.publish(lines);
     return files;
 }

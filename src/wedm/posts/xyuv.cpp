@@ -43,7 +43,7 @@ std::string text_of(WireProgram const& program, WirePass const& pass, WirePlanes
         text += i == 0 ? "G0" : "G1";
         grid.put(text, " X", " Y", blocks[i].lower);
         grid.put(text, " U", " V", blocks[i].upper);
-        text += blocks[i].tag == WireTag::stop ? "\nM1\n" : "\n";
+        text += blocks[i].tag == WireTag::stop ? fmt::format("\n{}\n", to_string(program.stop)) : "\n";
     }
     return text + "M2\n%\n";
 }
@@ -56,6 +56,7 @@ FacePath read_one(WireText const& file, WireProgram const& program)
         if (line.text() == "%")
             continue;
         auto const words = words_of(line, line.text());
+        note_stop(line, words, program, path);
         if (!is_straight_move(words)) {
             if (has_word(words, 'X') || has_word(words, 'U'))
                 line.refuse("coordinates without G0 or G1");

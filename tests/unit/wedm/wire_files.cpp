@@ -12,11 +12,13 @@
 #include "hdconj/accuracy_files.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/file/atomic_file.hpp"
+#include "hdconj/read_scene.hpp"
 #include "hdconj/wire_files.hpp"
 #include "support/catch.hpp"
 #include "support/sample_wire_program.hpp"
 #include "support/temporary_folder.hpp"
 #include "wedm/planes.hpp"
+#include "wedm/posts/file_checks.hpp"
 
 namespace hdconj::test::wire_files_cases {
 
@@ -122,6 +124,91 @@ TEST_CASE("without a tilt U is X and V is Y, byte for byte, and the 2-D dialect 
     CHECK(lines_with(flat, "G40 G01 X").size() == 1);
     CHECK(lines_with(flat, "(set D1 to 0.076000 mm").size() == 1);
     CHECK_THROWS_AS(texts_of(sample::wire_ring(), {"iso-2d"}), InputError);
+}
+
+TEST_CASE("every dialect stops before the slug drops, and reads that back", "[wire]")
+{
+    auto program = sample::wire_ring(0);
+    for (WireStop const stop : {WireStop::always, WireStop::optional}) {
+        program.stop = stop;
+        auto const texts = texts_of(program);
+        bool const always = stop == WireStop::always;
+        auto const count = [&](std::string const& name, std::string const& word) {
+            auto const lines = lines_with(texts.at(name), word);
+            return std::ranges::count(lines, word);
+        };
+        for (auto const& [name, word] :
+             std::map<std::string, std::string>{{"ring_xyuv_guide_pass", always ? "M0" : "M1"},
+                                                {"ring_xyuv_face_pass", always ? "M0" : "M1"},
+                                                {"ring_rel_pass", always ? "M00" : "M01"},
+                                                {"ring_2d_pass", always ? "M00" : "M01"},
+                                                {"ring_twoplane_pass", always ? "M00;" : "M01;"},
+                                                {"ring_lower_pass", "D"},
+                                                {"ring_upper_pass", "D"}}) {
+            INFO(name << " " << word);
+            std::string const ending = texts.contains(name + "1.ngc")   ? ".ngc"
+                                       : texts.contains(name + "1.iso") ? ".iso"
+                                       : texts.contains(name + "1.nc")  ? ".nc"
+                                                                        : ".3b";
+            CHECK(count(name + "1" + ending, word) == 1);
+            CHECK(count(name + "2" + ending, word) == 0);  // the slug has dropped
+        }
+        CHECK(lines_with(texts.at("ring_planes.dxf"), "STOP").size() == 2);  // the layer, and a line on it
+        CHECK(lines_with(texts.at("ring_path.csv"), ",stop,").size() == 1);
+    }
+}
+
+TEST_CASE("a stop that is lost, moved or another one than asked for is noticed when a file is read back", "[wire]")
+{
+    auto const program = sample::wire_ring(0);
+    auto optional = program;
+    optional.stop = WireStop::optional;
+    for (auto const& post : wedm::wire_posts()) {
+        INFO(post.dialect.name);
+        auto texts = post.write(program, "ring");
+        CHECK_NOTHROW(wedm::check_paths(post, program, post.read(texts, program)));
+        std::string const name(post.dialect.name);
+        bool const has_words = name != "dxf" && name != "csv" && name != "3b";
+        if (has_words)
+            CHECK_THROWS_WITH(post.read(texts, optional), ContainsSubstring("another stop than asked for"));
+        for (auto& file : texts)
+            for (std::string const stop : {"\nM0\n", "\nM00\n", "\nM00;\n", "\nD\n", "LINE\n8\nSTOP\n", ",stop,"})
+                if (auto const at = file.text.find(stop); at != std::string::npos)
+                    file.text.replace(at, stop.size(),
+                                      stop == ",stop," ? ",contour,"
+                                      : stop[0] == 'L' ? "LINE\n8\nSYNC\n"
+                                                       : "\n");
+        CHECK_THROWS_WITH(wedm::check_paths(post, program, post.read(texts, program)), ContainsSubstring("stops"));
+    }
+}
+
+TEST_CASE("no dialect is written whose last digit is too coarse for the tolerance, and all say it alike", "[wire]")
+{
+    auto program = sample::wire_ring();
+    program.tolerance = 0.0005;
+    std::string const cause =
+        "rounding to 3 decimals moves a point by up to 0.000707107 mm, more than the tolerance of 0.0005 mm";
+    auto const unfit = unfit_dialects({program});
+    REQUIRE(unfit.size() == 1);
+    CHECK(unfit[0].name == "3b");
+    CHECK(unfit[0].cause == cause);
+    CHECK_FALSE(texts_of(program).contains("ring_lower_pass1.3b"));
+    CHECK_THROWS_WITH(texts_of(program, {"3b"}), ContainsSubstring(cause) && ContainsSubstring("wedm.tolerance"));
+    program.decimals = 3;
+    for (std::string const dialect : {"xyuv-guide", "xyuv-face", "relative-uv", "two-plane"}) {
+        INFO(dialect);
+        CHECK_THROWS_WITH(texts_of(program, {dialect}),
+                          ContainsSubstring(cause) && ContainsSubstring("write wedm.decimals = 4"));
+    }
+    CHECK_NOTHROW(texts_of(program, {"csv", "dxf"}));
+    try {
+        (void)builtin_scene({"wedm.decimals=3"});
+        FAIL("not refused");
+    } catch (InputError const& error) {
+        CHECK_THAT(describe(error.faults()), ContainsSubstring(cause));
+    }
+    program.tolerance = 0.0008;
+    CHECK(texts_of(program).contains("ring_lower_pass1.3b"));
 }
 
 TEST_CASE("coordinates have no exponent, no negative zero and all their decimals", "[wire]")
@@ -356,7 +443,8 @@ TEST_CASE("dialects that no other reader has taken yet are called unverified", "
     for (auto const& dialect : wire_dialects())
         verified += dialect.verified() ? 1 : 0;
     CHECK(wire_dialects().size() == 8);
-    CHECK(verified == 4);  // DXF by ezdxf and GDAL, XYUV by LinuxCNC and CSV by NumPy, in tests/cli/wire_readers.cpp
+    CHECK(verified ==
+          5);  // DXF by ezdxf and GDAL, XYUV and iso-2d by LinuxCNC, CSV by NumPy, in tests/cli/wire_readers.cpp
     CHECK_THAT(summary_text(WireSetUps{sample::wire_ring()}, {{"3b", "", "a.3b", 1, 1, 1, 1, 0.001, 0}}),
                ContainsSubstring("not verified on hardware"));
 }
