@@ -72,7 +72,8 @@ struct WireFile
 void check_wire_files(std::filesystem::path const& folder, std::vector<std::string> const& dialects = {},
                       std::string const& place = "--dialect");
 
-/// Writes the set-ups @p programs of one part into @p folder, with a list of the files, files.txt. Where there are
+/// Writes the set-ups @p programs of one part into @p folder, with a summary, a setup
+/// sheet (text and SVG) and a list of the files, files.txt. Where there are
 /// several set-ups, names of files say which they belong to. Either all files appear or none. They are made in a
 /// temporary folder beside it, and each is read back from there. The path so read must agree with both faces to one
 /// unit of its last digit. Then the folder is renamed. A folder that was written so before is replaced as a whole.
@@ -91,6 +92,13 @@ std::vector<WireFile> write_wire_files(WireSetUps const& programs, std::filesyst
 /// The printed summary that a machine operator reads: wire and gap, passes, faces, guides, files, residuals, what was
 /// checked.
 [[nodiscard]] std::string summary_text(WireSetUps const& programs, std::vector<WireFile> const& files = {});
+
+/// One page for whoever clamps and cuts the part: part, faces and which is larger, wire and guides, start, direction,
+/// stops, passes, files, and which of them no other reader than ours has accepted.
+[[nodiscard]] std::string setup_sheet_text(WireSetUps const& programs, std::vector<WireFile> const& files = {});
+
+/// The same as a picture of a sheet A4 (SVG), with the part from above, the start, and the planes from the side.
+[[nodiscard]] std::string setup_sheet_svg(WireSetUps const& programs, std::vector<WireFile> const& files = {});
 
 /// The same figures as one JSON object, keys in docs/reference/json.md. Numbers are finite or null.
 [[nodiscard]] std::string summary_json(WireSetUps const& programs, std::vector<WireFile> const& files = {},

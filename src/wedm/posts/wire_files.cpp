@@ -204,8 +204,13 @@ std::vector<WireFile> write_wire_files(WireSetUps const& programs, std::filesyst
     std::vector<std::pair<std::string, std::string>> lines;
     for (auto const& file : files)
         lines.emplace_back(file.name, said_of(file));
-    target.write(stem + "_summary.txt", summary_text(programs, files));
-    lines.emplace_back(stem + "_summary.txt", "for the operator of the machine");
+    auto const add = [&](std::string const& ending, std::string const& text, char const* meaning) {
+        target.write(stem + ending, text);
+        lines.emplace_back(stem + ending, meaning);
+    };
+    add("_summary.txt", summary_text(programs, files), "for the operator of the machine");
+    add("_setup.txt", setup_sheet_text(programs, files), "setup sheet");
+    add("_setup.svg", setup_sheet_svg(programs, files), "setup sheet, with drawings");
     target.publish(lines);
     return files;
 }

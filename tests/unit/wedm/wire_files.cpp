@@ -211,6 +211,33 @@ TEST_CASE("no dialect is written whose last digit is too coarse for the toleranc
     CHECK(texts_of(program).contains("ring_lower_pass1.3b"));
 }
 
+TEST_CASE("a setup sheet says in text and picture what is clamped and cut", "[wire]")
+{
+    TemporaryFolder const folder;
+    auto program = sample::wire_ring();
+    program.start_hole_radius = 0.5;
+    write_wire_files({program}, folder / "out");
+    auto const text = content(folder / "out" / "ring_setup.txt");
+    auto const picture = content(folder / "out" / "ring_setup.svg");
+    for (std::string const words :
+         {"ring: wire setup sheet", "0.1 mm, spark gap 0.006 mm", "SMALLER than the lower face",
+          "20 mm below the lower face", "30 mm above the upper face", "radius 0.5 mm, wire vertical",
+          "pass 1 counter-clockwise, seen from above", "M0 in pass 1 at x ", "0.076000", "reversed", "ring_planes.dxf",
+          "ezdxf, GDAL", "not verified on hardware: run it dry first"}) {
+        INFO(words);
+        CHECK_THAT(text, ContainsSubstring(words));
+        CHECK_THAT(picture, ContainsSubstring(words));
+    }
+    std::istringstream lines(text);
+    std::size_t count = 0;
+    for (std::string line; std::getline(lines, line); ++count)
+        CHECK(line.size() <= 110);
+    CHECK(count < 60);  // one page
+    CHECK(lines_with(content(folder / "out" / "files.txt"), "ring_setup").size() == 2);
+    program.name = "a<b & c";
+    CHECK_THAT(setup_sheet_svg({program}), ContainsSubstring("a&lt;b &amp; c"));
+}
+
 TEST_CASE("coordinates have no exponent, no negative zero and all their decimals", "[wire]")
 {
     auto program = sample::square_hole();
