@@ -2,6 +2,7 @@
 // The verb `check`: what is wrong with a scene, or what will be computed of it and why.
 #include <fmt/format.h>
 
+#include "hdconj/judgement.hpp"
 #include "hdconj/load.hpp"
 #include "hdconj/plan.hpp"
 #include "hdconj/profile/registry.hpp"
@@ -38,12 +39,16 @@ int run_check(CommonOptions const& common, CheckArguments const& own)
 {
     auto const reading = examine(common);
     refuse(reading.faults);
+    Notes const notes = judge(reading.scene);
     Work<Plan> work;
     work.compute = [&](ProgressLine const&) { return plan_of(own, reading.scene); };
     work.text = [&](Plan const& plan, Written const&) {
-        return (own.only_plan ? "" : headline(reading.scene)) + describe(plan);
+        return own.only_plan ? describe(plan) : headline(reading.scene) + describe(plan) + describe(notes);
     };
-    work.json = [&](Plan const& plan, Written const&) { return check_json(scene_name(common), {}, &plan) + '\n'; };
+    work.json = [&](Plan const& plan, Written const&) {
+        return check_json(scene_name(common), {}, &plan, notes) + '\n';
+    };
+    work.judgement = [&](Plan const&) { return notes; };
     return run_verb(common, work);
 }
 
@@ -62,6 +67,7 @@ void add_check(CLI::App& program, CommonOptions& common)
     auto [verb, own] =
         add_verb(program, common, "check", "validate a scene and print what will be computed, and why", run_check);
     add_scene_options(verb, common);
+    add_strict(verb, common);
     verb.add_flag("--plan", own.only_plan, "print the plan and nothing else");
     verb.add_option("--for", own.verb,
                     "the verb to plan for [contact where the scene has a table [contact], else solve]")

@@ -91,6 +91,7 @@ int run_contact(CommonOptions const& common, ContactArguments const& own)
     work.text = [](ContactStudy const& study, Written const& written) { return summary_text(study, written); };
     work.json = [](ContactStudy const& study, Written const& written) { return summary_json(study, written); };
     work.status = [](ContactStudy const& study) { return status_of_cases(study.missing, study.cases.size()); };
+    work.judgement = [](ContactStudy const& study) { return study.solution.judgement; };
     return run_verb(common, work);
 }
 
@@ -115,6 +116,7 @@ void add_contact(CLI::App& program, CommonOptions& common)
     auto [verb, own] =
         add_verb(program, common, "contact", "contact area, clearance and play, against tilt and surface", run_contact);
     add_scene_options(verb, common);
+    add_strict(verb, common);
     add_case_options(verb, own.cases,
                      "tilt angles in degrees, such as 0,0.1,0.2; with --best the interval searched [the scene's]");
     verb.add_flag("--best", own.best, "search the tilt of largest contact area, and that of least clearing offset");

@@ -139,6 +139,7 @@ int run_load(CommonOptions const& common, LoadArguments const& own)
     work.text = [&](LoadStudy const& study, Written const& written) { return summary_text(study, written, measured); };
     work.json = [&](LoadStudy const& study, Written const& written) { return summary_json(study, written, measured); };
     work.status = [](LoadStudy const& study) { return status_of_cases(study.missing, study.cases.size()); };
+    work.judgement = [](LoadStudy const& study) { return study.solution.judgement; };
     return run_verb(common, work);
 }
 
@@ -186,6 +187,7 @@ void add_load(CLI::App& program, CommonOptions& common)
     auto [verb, own] = add_verb(program, common, "load",
                                 "the elastic cup and the teeth under torque: stiffness, pressure, stress", run_load);
     add_scene_options(verb, common);
+    add_strict(verb, common);
     add_option(verb, "--torque", own.torque_nm, "largest torque on the circular spline in N m [the scene's]", "NM",
                positive_number("write a torque in N m such as --torque 28"));
     add_option(verb, "--points", own.points, "torques on the way up [the scene's]", "N", CLI::Range(1, 1000));

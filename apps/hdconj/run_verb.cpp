@@ -79,6 +79,16 @@ int status_of_cases(std::vector<std::string> const& missing, std::size_t compute
     return exit_failed;
 }
 
+int strict_status(CommonOptions const& common, Notes const& notes, int status)
+{
+    std::size_t const warnings = warnings_of(notes);
+    if (status != exit_done || !common.strict || warnings == 0)
+        return status;
+    std::cerr << "hdconj: the judgement of the design holds " << warnings << (warnings == 1 ? " warning" : " warnings")
+              << ", and --strict is given\n";
+    return exit_failed;
+}
+
 void print_result(CommonOptions const& common, std::string const& text, std::vector<std::string> const& wrote)
 {
     std::cout << text;

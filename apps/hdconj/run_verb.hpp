@@ -10,6 +10,7 @@
 
 #include "hdconj/file/atomic_file.hpp"
 #include "hdconj/file/written_file.hpp"
+#include "hdconj/note.hpp"
 #include "hdconj/plan.hpp"
 #include "outputs.hpp"
 #include "verb.hpp"
@@ -63,7 +64,8 @@ struct Work
     /// What is said to be written on standard error, a line each; null: the files, where the printed summary does not
     /// name them.
     std::function<std::vector<std::string>(Result const&, Written const&)> wrote;
-    std::function<int(Result const&)> status;  ///< the exit status; null: done
+    std::function<int(Result const&)> status;       ///< the exit status; null: done
+    std::function<Notes(Result const&)> judgement;  ///< of the design, for --strict; null: none
 };
 
 /// Runs @p write and keeps its time.
@@ -94,6 +96,10 @@ void add_file(Work<Result>& work, std::string const& kind, std::string const& op
          }});
 }
 
+/// @p status, or failed where it is done, --strict is given and @p notes hold a warning, which is said on standard
+/// error.
+[[nodiscard]] int strict_status(CommonOptions const& common, Notes const& notes, int status);
+
 /// Prints the text, and what was written unless @p common is quiet.
 void print_result(CommonOptions const& common, std::string const& text, std::vector<std::string> const& wrote);
 
@@ -118,7 +124,8 @@ int run_verb(CommonOptions const& common, Work<Result> const& work)
     bool const printed = summary && (common.json || !common.quiet);
     std::vector<std::string> const files = common.json ? names_of(written) : std::vector<std::string>{};
     print_result(common, printed ? summary(result, written) : "", work.wrote ? work.wrote(result, written) : files);
-    return work.status ? work.status(result) : exit_done;
+    int const status = work.status ? work.status(result) : exit_done;
+    return work.judgement ? strict_status(common, work.judgement(result), status) : status;
 }
 
 }  // namespace hdconj::cli

@@ -34,6 +34,7 @@ int run_solve(CommonOptions const& common, SolveArguments const& own)
         return summary_text(solution, written, own.verbose ? SummaryDetail::zones : SummaryDetail::figures);
     };
     work.json = [](Solution const& solution, Written const& written) { return summary_json(solution, written); };
+    work.judgement = [](Solution const& solution) { return solution.judgement; };
     return run_verb(common, work);
 }
 
@@ -43,6 +44,7 @@ void add_solve(CLI::App& program, CommonOptions& common)
 {
     auto [verb, own] = add_verb(program, common, "solve", "the conjugate circular spline, into HDF5", run_solve);
     add_scene_options(verb, common);
+    add_strict(verb, common);
     add_name(verb, "-o,--output", own.output, "result file, HDF5 [the scene file's name and .h5, in this folder]",
              "FILE");
     add_name(verb, "--dxf", own.dxf, "outlines for CAD and wire machines, DXF R12", "FILE");

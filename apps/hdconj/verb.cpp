@@ -39,6 +39,11 @@ void add_scene_options(CLI::App& verb, CommonOptions& common)
     verb.add_flag("-q,--quiet", common.quiet, "no summary and no progress");
 }
 
+void add_strict(CLI::App& verb, CommonOptions& common)
+{
+    verb.add_flag("--strict", common.strict, "exit status 1 where the judgement of the design holds a warning");
+}
+
 scene::SceneReading examine(CommonOptions const& common)
 {
     auto overrides = common.overrides;

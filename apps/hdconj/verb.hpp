@@ -40,6 +40,7 @@ struct CommonOptions
     std::vector<std::string> overrides;  ///< "key.path=value" of --set, in order
     bool json = false;                   ///< one JSON object on standard output instead of text
     bool quiet = false;                  ///< no messages on standard error, no summary
+    bool strict = false;                 ///< warnings of the judgement make the exit status 1
     int threads = -1;                    ///< --threads; -1: as the scene says
 
     std::function<int()> action;  ///< what the chosen verb does; returns the exit status
@@ -60,6 +61,9 @@ std::pair<CLI::App&, Arguments&> add_verb(CLI::App& program, CommonOptions& comm
 
 /// Adds SCENE, --set, --threads, --json and --quiet to @p verb.
 void add_scene_options(CLI::App& verb, CommonOptions& common);
+
+/// Adds --strict to @p verb.
+void add_strict(CLI::App& verb, CommonOptions& common);
 
 /// The scene of @p common with its overrides and --threads, and every fault: of the text, of the values, and of the
 /// geometry (check_scene).

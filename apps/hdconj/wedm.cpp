@@ -206,6 +206,7 @@ int run_wedm(CommonOptions const& common, WireArguments const& own)
             names.insert(names.begin(), fmt::format("{} files into {}", cut.files.size(), folder.string()));
         return names;
     };
+    work.judgement = [](WireCut const& cut) { return cut.programs.front().judgement; };
     return run_verb(common, work);
 }
 
@@ -227,6 +228,7 @@ void add_wedm(CLI::App& program, CommonOptions& common)
         add_verb(program, common, "wedm",
                  "coordinate files for cutting the circular spline, or the flexspline, by wire", run_wedm);
     add_scene_options(verb, common);
+    add_strict(verb, common);
     add_option(verb, "--part", own.part,
                "circular-spline or flexspline, key wedm.part [the scene's, or circular-spline]", "WORD",
                one_of<WirePart>());

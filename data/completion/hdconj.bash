@@ -31,14 +31,15 @@ _hdconj()
     local options
     case ${COMP_WORDS[1]} in
         init) options="--help --force --quiet" ;;
-        check) options="$common --plan --for" ;;
-        solve) options="$common --output --dxf --picture --verbose" ;;
+        check) options="$common --strict --plan --for" ;;
+        solve) options="$common --strict --output --dxf --picture --verbose" ;;
         contact)
-            options="$common --tilt --surface --kind --best --revolution --output --picture --xdmf --stl --vtk --ring" ;;
+            options="$common --strict --tilt --surface --kind --best --revolution --output --picture"
+            options="$options --xdmf --stl --vtk --ring" ;;
         load)
-            options="$common --torque --points --tilt --surface --kind --no-curve --output --picture --vtu"
+            options="$common --strict --torque --points --tilt --surface --kind --no-curve --output --picture --vtu"
             options="$options --measured --torque-constant --counts-per-turn --ratio --efficiency --output-member" ;;
-        wedm) options="$common --part --tilt --output --from --dialect --decimals --picture" ;;
+        wedm) options="$common --strict --part --tilt --output --from --dialect --decimals --picture" ;;
         accuracy)
             options="$common --study --output --sample --repeats --quick --from --budget --error --page" ;;
         export) options="$common --calculix --contact --vtu --steps" ;;

@@ -14,12 +14,13 @@ namespace hdconj {
 /// One fault of a scene or of the command line.
 struct Fault
 {
-    std::string path;      ///< key path such as "flexspline.profile.addendum", or a file name
-    int line = 0;          ///< line in the scene file, 1-based; 0 where there is none
-    std::string value;     ///< the offending value as the user wrote it; empty when absent
-    std::string reason;    ///< why this cannot be computed
-    std::string remedy;    ///< what to write instead
-    std::string origin{};  ///< "--set" for a fault of the command line; empty: the scene
+    std::string path;                ///< key path such as "flexspline.profile.addendum", or a file name
+    int line = 0;                    ///< line in the scene file, 1-based; 0 where there is none
+    std::string value;               ///< the offending value as the user wrote it; empty when absent
+    std::string reason;              ///< why this cannot be computed
+    std::string remedy;              ///< what to write instead
+    std::string origin{};            ///< "--set" for a fault of the command line; empty: the scene
+    std::vector<std::string> set{};  ///< the remedy as arguments of --set; empty where no number is known
 };
 
 /// All faults found so far, in the order found.
@@ -77,13 +78,16 @@ class NumericalError : public std::runtime_error
     /// @param place   where in the drive: "segment 2 at u = 12.3 deg"
     /// @param cause   what happened
     /// @param remedy  what can be done, "write a larger flexspline.dedendum"; empty where nothing is known to help
-    NumericalError(ErrorCode code, std::string stage, std::string place, std::string cause, std::string remedy = {});
+    /// @param set     the same as arguments of --set; empty where no number is known
+    NumericalError(ErrorCode code, std::string stage, std::string place, std::string cause, std::string remedy = {},
+                   std::vector<std::string> set = {});
 
-    [[nodiscard]] ErrorCode code() const { return code_; }               ///< kind of failure
-    [[nodiscard]] std::string const& stage() const { return stage_; }    ///< part of the computation
-    [[nodiscard]] std::string const& place() const { return place_; }    ///< where in the drive
-    [[nodiscard]] std::string const& cause() const { return cause_; }    ///< what happened
-    [[nodiscard]] std::string const& remedy() const { return remedy_; }  ///< what can be done; may be empty
+    [[nodiscard]] ErrorCode code() const { return code_; }                      ///< kind of failure
+    [[nodiscard]] std::string const& stage() const { return stage_; }           ///< part of the computation
+    [[nodiscard]] std::string const& place() const { return place_; }           ///< where in the drive
+    [[nodiscard]] std::string const& cause() const { return cause_; }           ///< what happened
+    [[nodiscard]] std::string const& remedy() const { return remedy_; }         ///< what can be done; may be empty
+    [[nodiscard]] std::vector<std::string> const& set() const { return set_; }  ///< the same as arguments of --set
 
     /// Whether the drive that was asked for has no answer, as opposed to a result or a file that the program itself
     /// rejects. Searches over drives count such a drive as impossible and go on.
@@ -95,6 +99,7 @@ class NumericalError : public std::runtime_error
   private:
     ErrorCode code_;
     std::string stage_, place_, cause_, remedy_;
+    std::vector<std::string> set_;
 };
 
 /// A file could not be read or written.

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hdconj/error.hpp"
+#include "hdconj/note.hpp"
 #include "hdconj/plan.hpp"
 #include "hdconj/scene.hpp"
 #include "hdconj/scene/reading.hpp"
@@ -49,11 +50,14 @@ inline constexpr std::size_t largest_scene = std::size_t{16} << 20;
 /// key that has a fault already gets no second one.
 void examine_geometry(scene::SceneReading& reading);
 
-/// One JSON object: "scene", "faults" [{"path", "line", "value", "reason", "remedy", "origin"}], and, when there is a
-/// plan, "stages" [{"stage", "reason"}] and "absent" [{"effect", "remedy"}]. @p plan may be null.
-[[nodiscard]] std::string check_json(std::string const& scene_name, Faults const& faults, Plan const* plan);
+/// One JSON object: "scene", "faults" [{"path", "line", "value", "reason", "remedy", "origin", "set"}], and, when there
+/// is a plan, "stages" [{"stage", "reason"}], "absent" [{"effect", "remedy"}] and "judgement" with @p notes. @p plan
+/// may be null.
+[[nodiscard]] std::string check_json(std::string const& scene_name, Faults const& faults, Plan const* plan,
+                                     Notes const& notes = {});
 
-/// One JSON object for a run that failed: "scene", "error" {"code", "stage", "place", "cause", "remedy"}.
+/// One JSON object for a run that failed: "scene", "error" {"code", "stage", "place", "cause", "remedy",
+/// "set"}.
 /// @param scene_name  as messages call the scene
 /// @param error       a NumericalError with all that it knows; of any other only the cause, with the code "failed"
 [[nodiscard]] std::string failure_json(std::string const& scene_name, std::exception const& error);

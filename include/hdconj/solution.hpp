@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hdconj/base/vec2.hpp"
+#include "hdconj/note.hpp"
 #include "hdconj/plan.hpp"
 #include "hdconj/scene.hpp"
 
@@ -85,6 +86,15 @@ struct CircularSplineOutline
     std::vector<std::vector<Vec2>> outline;  ///< (k,n,2), mid-land to mid-land, increasing x
     std::vector<int> landmarks;              ///< (l) indices: land corners, flank ends, middle of the space
     std::vector<OutlinePiece> pieces;        ///< of each slice
+};
+
+/// Where the flanks of a tooth touch: contacts that bound the member that is solved for, without those of corners and
+/// tip lands.
+struct FlankEngagement
+{
+    double angle = 0;  ///< polar angle over which one flank of a tooth touches, the lesser of both flanks [rad]
+    double used = 0;   ///< polar angle of the contact beside the cusp that loses most; 0: no cusp [rad]
+    double lost = 0;   ///< polar angle from its end to that cusp [rad]
 };
 
 /// The finished pair over a full turn of the wave generator.
@@ -171,6 +181,8 @@ struct Solution
     CircularSplineOutline circular_spline;        ///< in the reverse problem as given
     std::vector<std::vector<Vec2>> tooth_family;  ///< given teeth in the frame of the branches, one polyline per
                                                   ///< position; for pictures, may be empty
+    FlankEngagement flank_contact;                ///< where flanks touch
+    Notes judgement;                              ///< figures of the design outside their usual range, at z = 0
     std::optional<PairCheck> check;               ///< of the finished pair; absent where the plan has no such stage
     ErrorEstimate error;                          ///< estimated errors of the outline
     WorkCount work;                               ///< done

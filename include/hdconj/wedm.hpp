@@ -175,6 +175,7 @@ struct WireProgram
     std::optional<ToothSurface> surface;  ///< nothing where both faces are the same
     std::optional<TiltKind> tilt_kind;    ///< nothing where the teeth are not tilted
     WireFigures figures;                  ///< what a shop wants to know
+    Notes judgement;                      ///< of the design, as far as it is known
     std::vector<std::string> warnings;    ///< no failures, but a shop should read them
 
     /// Whether the wire goes all around in this set-up.

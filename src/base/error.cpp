@@ -65,13 +65,14 @@ std::string_view code_word(ErrorCode code)
 }
 
 NumericalError::NumericalError(ErrorCode code, std::string stage, std::string place, std::string cause,
-                               std::string remedy)
+                               std::string remedy, std::vector<std::string> set)
     : std::runtime_error(stage + ": " + place + ": " + cause + (remedy.empty() ? "" : "; ") + remedy),
       code_(code),
       stage_(std::move(stage)),
       place_(std::move(place)),
       cause_(std::move(cause)),
-      remedy_(std::move(remedy))
+      remedy_(std::move(remedy)),
+      set_(std::move(set))
 {
 }
 
@@ -82,7 +83,7 @@ bool NumericalError::is_infeasible() const
 
 NumericalError NumericalError::inside(std::string stage, std::string place) const
 {
-    return {code_, std::move(stage), std::move(place), stage_ + ": " + place_ + ": " + cause_, remedy_};
+    return {code_, std::move(stage), std::move(place), stage_ + ": " + place_ + ": " + cause_, remedy_, set_};
 }
 
 }  // namespace hdconj

@@ -43,9 +43,9 @@ std::string number_text(double value)
     return {buffer.data(), result.ptr};
 }
 
-std::string short_number(double value)
+std::string short_number(double value, int digits)
 {
-    return fmt::format("{:.6g}", value);
+    return fmt::format("{:.{}g}", value, digits);
 }
 
 std::string in_quotes(std::string_view text)

@@ -13,8 +13,8 @@ namespace hdconj {
 /// Shortest decimal text that reads back as @p value; with an exponent only when very small or large.
 [[nodiscard]] std::string number_text(double value);
 
-/// @p value with at most six significant digits.
-[[nodiscard]] std::string short_number(double value);
+/// @p value with at most @p digits significant digits.
+[[nodiscard]] std::string short_number(double value, int digits = 6);
 
 /// @p text in double quotes.
 [[nodiscard]] std::string in_quotes(std::string_view text);

@@ -7,9 +7,11 @@
 
 #include "base/text.hpp"
 #include "elastic_cup.hpp"
+#include "fault_advice.hpp"
 #include "hdconj/check.hpp"
 #include "hdconj/profile/registry.hpp"
 #include "hdconj/units.hpp"
+#include "scene/usual_drive.hpp"
 
 namespace hdconj::drive {
 
@@ -91,7 +93,8 @@ void validate_width(Scene const& scene, profile::Profile const& tooth, PairGeome
                           "the tooth is wider than its pitch: " + short_number(2 * std::abs(where.x())) +
                               " mm thick at height " + short_number(where.y() - tooth.pitch_line) +
                               " mm, where the pitch is " + short_number(2 * half_pitch * radius(where)) + " mm",
-                          "make the tooth thinner, or use fewer teeth or a larger module"});
+                          "make the tooth thinner, or use fewer teeth or a larger module", "",
+                          thinner_tooth(scene.given_profile(), 2 * worst)});
 }
 
 /// Tips of the flexspline against the bottom of the given tooth spaces, at the major axis.
@@ -125,17 +128,22 @@ void validate_tip_circle(Scene const& scene, PairGeometry const& g, Faults& faul
     }
     std::string const value = given ? short_number(*scene.circular_spline.inner_radius) : "";
     double const radius = g.circular_spline_inner_radius;
+    std::string const usual = short_number(scene::usual_tip_radius(scene, g.w0).value_or(tip - 2 * g.addendum));
+    std::string const remedy =
+        "write a radius between " + short_number(rim) + " and " + short_number(tip) + ", usually " + usual;
+    std::vector<std::string> const set =
+        scene.is_reverse() ? std::vector<std::string>{} : std::vector{"circular_spline.inner_radius=" + usual};
     if (!(radius < tip))
         faults.push_back({"circular_spline.inner_radius", 0, value,
                           "the flexspline's tips reach a radius of " + short_number(tip) +
                               " mm only, so no tooth enters the circular spline at " + short_number(radius) + " mm",
-                          "write a radius between " + short_number(rim) + " and " + short_number(tip)});
+                          remedy, "", set});
     else if (!(radius > rim))
         faults.push_back({"circular_spline.inner_radius", 0, value,
                           "the circular spline's tips at " + short_number(radius) +
                               " mm would cut into the flexspline's rim, which reaches " + short_number(rim) +
                               " mm at the major axis",
-                          "write a radius between " + short_number(rim) + " and " + short_number(tip)});
+                          remedy, "", set});
 }
 
 /// What only the assembled dimensions show: tooth against pitch, tips of either member against roots of the other.
@@ -149,7 +157,7 @@ void validate_geometry(Scene const& scene, profile::Profile const& tooth, PairGe
     else if (!(g.r_m > g.w0))
         faults.push_back({scene.wave_generator.shape.path + ".radial_deformation", 0, short_number(g.w0),
                           "is not smaller than the neutral radius " + short_number(g.r_m) + " mm",
-                          "write about one module (" + short_number(scene.drive.module) + ")"});
+                          "write " + short_number(scene::usual_deformation(scene.drive)) + ", m (z_c - z_f)/2"});
     else {
         validate_tip_circle(scene, g, faults);
         validate_width(scene, tooth, g, faults);
@@ -226,10 +234,12 @@ void validate_curvature(Scene const& scene, profile::Profile const& tooth, waveg
         return;
     }
     double const largest = largest_deformation(scene, tooth, r_m);
+    scene::Advice const usual = scene::usual_pair(scene, shape.amplitude());
     faults.push_back({choice.path + ".radial_deformation", choice.line_of("radial_deformation"),
                       choice.text_of("radial_deformation"), reason,
-                      largest > 0 ? "write at most " + short_number(largest) + ", usually about one module"
-                                  : "write a smaller one, usually about one module"});
+                      (largest > 0 ? "write at most " + short_number(largest) : std::string("write a smaller one")) +
+                          (usual.words.empty() ? "" : "; usual is " + usual.words)});
+    faults.back().set = usual.set;
 }
 
 /// Motion model against wave generator: "material" needs a shape that a Fourier series follows.
@@ -253,8 +263,11 @@ Faults check_scene(Scene const& scene)
     Faults faults;
     profile::Profile const tooth = drive::given_tooth(scene, faults);
     wavegen::AnyWaveShape const shape = drive::wave_shape(scene, tooth, faults);
-    if (tooth.pieces.empty() || !faults.empty())
+    if (tooth.pieces.empty() || !faults.empty()) {
+        double const w0 = scene.wave_generator.shape.number_or("radial_deformation", 0);
+        drive::say_likely_cause(scene, w0, false, faults);
         return faults;
+    }
     // without it there is no place to check the bearing at, and that it is missing is said elsewhere
     bool const placed = scene.coning && scene.coning->bottom_to_middle;
     if (scene.is_elastic() && placed)
@@ -262,8 +275,10 @@ Faults check_scene(Scene const& scene)
     else if (!scene.is_elastic())
         drive::validate_kinematics(scene, shape, faults);
     drive::validate_curvature(scene, tooth, shape, drive::ring_geometry(scene, tooth).r_m, faults);
-    if (faults.empty())
+    if (faults.empty()) {
         drive::validate_geometry(scene, tooth, drive::pair_geometry(scene, tooth, shape.amplitude()), faults);
+        drive::say_likely_cause(scene, shape.amplitude(), true, faults);
+    }
     return faults;
 }
 

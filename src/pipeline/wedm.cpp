@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/wedm.hpp"
 
+#include "hdconj/judgement.hpp"
 #include "hdconj/solve.hpp"
 #include "wedm/faces.hpp"
 #include "wedm/pitch_pass.hpp"
@@ -46,7 +47,9 @@ WireSetUps flexspline_programs(Scene const& scene, StageObserver const& on_stage
     auto const passes = wedm::pitch_passes(job);
     if (wedm::leaves_too_much(job, passes))
         throw InputError(wedm::residual_fault(job, passes, {}));
-    return wedm::half_programs(job, passes);
+    WireSetUps programs = wedm::half_programs(job, passes);
+    programs.front().judgement = solved ? solved->judgement : judge(scene);
+    return programs;
 }
 
 }  // namespace
@@ -58,13 +61,16 @@ WireProgram wire_program(Scene const& scene, StageObserver const& on_stage)
     WireProgram program = spline_program(scene, solution.circular_spline);
     program.cup_error = solution.error.cup;
     program.contour_error += solution.error.side_clearance;
+    program.judgement = solution.judgement;
     return program;
 }
 
 WireProgram wire_program(Scene const& scene, CircularSplineOutline const& outline)
 {
     wedm::refuse_wire_faults(scene);
-    return spline_program(scene, outline);
+    WireProgram program = spline_program(scene, outline);
+    program.judgement = judge(scene);
+    return program;
 }
 
 WireSetUps wire_set_ups(Scene const& scene, StageObserver const& on_stage)

@@ -111,10 +111,13 @@ Profile double_circular_arc_tooth(scene::FamilyChoice const& c, ToothPlace const
     Vec2 const line_start = o1 + r_a * n_tip;
     double const rise_to_tip = h_a - h_t;
     Vec2 const tip_point = line_start - right_of(n_tip) * (rise_to_tip / n_tip.x());
-    if (rise_to_tip >= 0 && !(tip_point.x() > -pointed_tip * h_a))
+    if (rise_to_tip >= 0 && !(tip_point.x() > -pointed_tip * h_a)) {
         refuse("addendum",
                "the two flanks cross below the tip: half the tip thickness would be " + short_number(tip_point.x()),
                "write a smaller addendum or move the convex arc outward (smaller convex_offset)");
+        double const offset = c.number_or("convex_offset", 0) + tip_point.x() - usual_half_land * place.module;
+        faults.back().set = {c.path + ".convex_offset=" + short_number(offset, 3)};
+    }
     if (refuse.any())
         return {};
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tooth family "s-tooth": half the path that a tooth describes.
+#include <algorithm>
 #include <cmath>
 
 #include "base/text.hpp"
@@ -42,6 +43,15 @@ double eta_of_angle(double kappa, double waves, double alpha)
 {
     double const k = waves * std::tan(alpha);
     return std::atan(k) + std::acos(std::min(1.0, 1 / (kappa * std::hypot(1.0, k))));
+}
+
+/// A tip below the end of the locus at height @p end, where the flank is nearly flat; for numbers of teeth that do not
+/// meet, that of those that do [mm].
+double usual_height(ToothPlace const& place, double end)
+{
+    constexpr double low_tip = 0.9;
+    bool const meets = place.tooth_difference > 0 && place.tooth_difference % place.waves == 0;
+    return low_tip * (meets ? end : end * place.waves / std::max(1, place.tooth_difference));
 }
 
 /// The S-tooth after Ishikawa ("IH"): a tooth of the flexspline moves along the locus (rack limit: many teeth, no
@@ -94,8 +104,10 @@ Profile s_tooth_tooth(scene::FamilyChoice const& c, ToothPlace const& place, Fau
     // at its end the flank lies flat
     constexpr double flat = 0x1p-20;
     if (!(h_a < end - flat * (h_a + h_f))) {
+        std::string const height = short_number(usual_height(place, end), 3);
         refuse("addendum", "the flank ends at height " + short_number(end) + ", below the tip",
-               "write an addendum below " + short_number(end) + ", or a larger deflection or datum_rise");
+               "write an addendum of at most " + height + ", or a larger deflection or datum_rise");
+        faults.back().set = {c.path + ".addendum=" + height};
         return {};
     }
     // the thickness is measured at the pitch line, which the straight part crosses when the datum point is above it

@@ -20,6 +20,7 @@ Profile straight_sided_tooth(scene::FamilyChoice const& c, ToothPlace const& pla
         faults.push_back(scene::parameter_fault(
             c, "addendum", "the two flanks cross below the tip: half the tip thickness would be " + short_number(tip),
             "write an addendum of at most " + short_number(half / slope)));
+        faults.back().set = {c.path + ".addendum=" + short_number((half - usual_half_land * place.module) / slope, 3)};
         return {};
     }
     FlankSegment const flank{"flank", {LinePiece{{tip, h_a}, {half + h_f * slope, -h_f}}}};

@@ -5,6 +5,7 @@
 
 #include "base/text.hpp"
 #include "tolerance_limits.hpp"
+#include "usual_drive.hpp"
 #include "validation.hpp"
 
 namespace hdconj::scene {
@@ -13,9 +14,12 @@ namespace {
 /// An inner radius further than this share from the one that module and teeth give is a typing error.
 constexpr double radius_doubt = 0.25;
 
-double pitch_radius(Scene const& scene)
+/// What makes the pair a usual one whose flanks touch.
+Advice drive_advice(Scene const& scene)
 {
-    return flexspline_pitch_radius(scene.drive);
+    Advice advice = usual_pair(scene, scene.wave_generator.shape.number("radial_deformation").value_or(0));
+    add_pressure_angle(scene, advice);
+    return advice;
 }
 
 void check_teeth(SceneReading const& reading, Faults& faults)
@@ -26,21 +30,25 @@ void check_teeth(SceneReading const& reading, Faults& faults)
     int const waves = reading.scene.wave_generator.waves;
     int const more = drive.circular_spline_teeth - drive.flexspline_teeth;
     bool const meets = more > 0 && more % waves == 0;
-    if (meets && more / waves > bounds::most_pitches_per_lobe)
+    if (meets && more / waves > bounds::most_pitches_per_lobe) {
         add_at(faults, "drive.circular_spline_teeth", std::to_string(drive.circular_spline_teeth),
                "each wave would move the flexspline by " + std::to_string(more / waves) +
                    " teeth of the circular spline, and more than " + std::to_string(bounds::most_pitches_per_lobe) +
                    " are not computed",
                "write " + std::to_string(drive.flexspline_teeth + waves) +
                    ", flexspline_teeth plus waves, or another small multiple of waves more");
+        faults.back().set = drive_advice(reading.scene).set;
+    }
     if (meets)
         return;
-    int const right = drive.flexspline_teeth + std::max(1, (more + waves / 2) / waves) * waves;
+    Advice const advice = drive_advice(reading.scene);
+    std::string const teeth = std::to_string(drive.flexspline_teeth + waves);
     add_at(faults, "drive.circular_spline_teeth", std::to_string(drive.circular_spline_teeth),
            "must be flexspline_teeth = " + std::to_string(drive.flexspline_teeth) +
                " plus a positive multiple of waves = " + std::to_string(waves) +
                ", or the teeth do not meet at every wave",
-           "write " + std::to_string(right));
+           more == 2 ? "write wave_generator.waves = 2, or here " + teeth : "write " + teeth);
+    faults.back().set = advice.set;
 }
 
 void check_tolerance(SceneReading const& reading, Faults& faults)
@@ -57,10 +65,10 @@ void check_tolerance(SceneReading const& reading, Faults& faults)
         return;
     double const least = least_tolerance(reading.scene.drive);
     if (tolerance < least)
-        add_at(
-            faults, "solver.tolerance", number_text(tolerance),
-            "cannot be reached in double precision on a radius of " + number_text(pitch_radius(reading.scene)) + " mm",
-            "write at least " + number_text(least));
+        add_at(faults, "solver.tolerance", number_text(tolerance),
+               "cannot be reached in double precision on a radius of " +
+                   number_text(flexspline_pitch_radius(reading.scene.drive)) + " mm",
+               "write at least " + number_text(least));
 }
 
 void check_wall(SceneReading const& reading, Faults& faults)
@@ -76,10 +84,10 @@ void check_wall(SceneReading const& reading, Faults& faults)
     auto const dedendum = scene.flexspline_dedendum();
     if (!dedendum || !knows(reading, {"flexspline.wall", "drive.module", "drive.flexspline_teeth"}))
         return;
-    double const hole = pitch_radius(scene) - *dedendum - scene.flexspline.wall;
+    double const hole = flexspline_pitch_radius(scene.drive) - *dedendum - scene.flexspline.wall;
     if (!knows(reading, {"flexspline.inner_radius"}) && hole <= 0)
         add_at(faults, "flexspline.wall", number_text(scene.flexspline.wall),
-               "leaves no hole: the pitch radius is " + number_text(pitch_radius(scene)) + " mm",
+               "leaves no hole: the pitch radius is " + number_text(flexspline_pitch_radius(scene.drive)) + " mm",
                "write a thinner wall, or check module and flexspline_teeth");
 }
 
@@ -90,8 +98,8 @@ void check_inner_radius(SceneReading const& reading, Faults& faults)
     if (!dedendum ||
         !knows(reading, {"flexspline.inner_radius", "flexspline.wall", "drive.module", "drive.flexspline_teeth"}))
         return;
-    double const expected = pitch_radius(scene) - *dedendum - scene.flexspline.wall;
-    if (std::abs(*scene.flexspline.inner_radius - expected) > radius_doubt * pitch_radius(scene))
+    double const expected = flexspline_pitch_radius(scene.drive) - *dedendum - scene.flexspline.wall;
+    if (std::abs(*scene.flexspline.inner_radius - expected) > radius_doubt * flexspline_pitch_radius(scene.drive))
         add_at(faults, "flexspline.inner_radius", number_text(*scene.flexspline.inner_radius),
                "contradicts module and teeth, which make it about " + number_text(expected) + " mm",
                "write a radius near that, or remove the key");
@@ -105,11 +113,14 @@ void check_deformation(SceneReading const& reading, Faults& faults)
         return;
     // rho = r_0 + w0 cos(n u) has a hollow where w0 (n^2 + 1) > r_0.
     double const waves = scene.wave_generator.waves;
-    double const largest = pitch_radius(scene) / (waves * waves + 1);
-    if (*w0 >= largest)
-        add_at(faults, "wave_generator.radial_deformation", number_text(*w0),
-               "the neutral curve would be hollow between the waves",
-               "write less than " + number_text(largest) + ", usually about one module");
+    double const largest = flexspline_pitch_radius(scene.drive) / (waves * waves + 1);
+    if (*w0 < largest)
+        return;
+    Advice const usual = drive_advice(scene);
+    add_at(faults, "wave_generator.radial_deformation", number_text(*w0),
+           "the neutral curve would be hollow between the waves",
+           "write less than " + short_number(largest) + "; usual is " + usual.words);
+    faults.back().set = usual.set;
 }
 
 void check_clearance(SceneReading const& reading, std::string const& key, double clearance, Faults& faults)

@@ -50,11 +50,11 @@ std::vector<BadScene> const& wrong_values()
         {"fewer teeth outside", "circular_spline_teeth = 202", "circular_spline_teeth = 198",
          "drive.circular_spline_teeth", "positive multiple", "write 202"},
         {"odd difference", "circular_spline_teeth = 202", "circular_spline_teeth = 203", "drive.circular_spline_teeth",
-         "multiple of waves", "write 204"},
+         "multiple of waves", "write 202"},
         {"no waves", "waves = 2", "waves = 0", "wave_generator.waves", "at least 1", "from 1 to 3"},
         {"four waves", "waves = 2", "waves = 4", "wave_generator.waves", "at most 3", "from 1 to 3"},
         {"three waves, two teeth", "waves = 2", "waves = 3", "drive.circular_spline_teeth", "multiple of waves",
-         "write 203"},
+         "write wave_generator.waves = 2, or here 203"},
         {"negative threads", "threads = 0", "threads = -1", "solver.threads", "at least 0", "threads = 0"},
         {"too many threads", "threads = 0", "threads = 1025", "solver.threads", "at most 1024", "1024"},
         // lengths

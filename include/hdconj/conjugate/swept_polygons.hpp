@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <initializer_list>
+#include <optional>
 #include <vector>
 
 #include "hdconj/base/vec2.hpp"
@@ -65,6 +66,10 @@ class SweptPolygons
 
     /// The same half-way between two tooth spaces, on either side.
     [[nodiscard]] double radius_between_spaces() const;
+
+    /// Radius at which two spaces leave a land of 0.14 pitches, more than 0.4 modules, between them; nothing where this
+    /// is within the tip circle @p tip or leaves less than half of the depth outside it.
+    [[nodiscard]] std::optional<double> radius_of_land(double tip) const;
 
     /// Parameter at a position (vertices, with a fraction) along a polygon.
     [[nodiscard]] double u_at(int polygon, double position) const;

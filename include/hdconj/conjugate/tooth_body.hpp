@@ -129,9 +129,8 @@ class ToothBodyFinder
                                  "the circular spline's teeth sweep down to " + std::to_string(limits_.tip - lowest) +
                                      " mm below it on the tooth's centre line, so that the tooth would be pointed "
                                      "there",
-                                 "write a smaller "
-                                 "flexspline.addendum, a larger wave_generator.radial_deformation or a smaller "
-                                 "circular_spline.profile.addendum");
+                                 "write a smaller flexspline.addendum or circular_spline.profile.addendum, or a "
+                                 "wave_generator.radial_deformation nearer to m (z_c - z_f)/2");
     }
 
     /// One flank. @p runs  from the tip outward, as the walk met them; @p side  1: right, -1: left

@@ -80,7 +80,7 @@ class ToothSpaceFinder
                 return *space;
         }
         throw NumericalError(code_, "region", place_,
-                             "the boundary of the tooth space could not be put together: " + cause_, remedy_);
+                             "the boundary of the tooth space could not be put together: " + cause_, remedy_, set_);
     }
 
   private:
@@ -103,17 +103,28 @@ class ToothSpaceFinder
         std::vector<region::BoundaryRun> const runs = middle_pitch(boundary.runs, floor);
         if (runs.empty())
             return fail(ErrorCode::no_land, "tip circle", "it does not come down to a land on both sides",
-                        "write a larger circular_spline.inner_radius, or a smaller wave_generator.radial_deformation");
+                        "write a larger circular_spline.inner_radius, or a smaller wave_generator.radial_deformation",
+                        wider_tip());
         return refine(runs, floor, chord);
     }
 
-    std::nullopt_t fail(ErrorCode code, std::string place, std::string cause, std::string remedy)
+    std::nullopt_t fail(ErrorCode code, std::string place, std::string cause, std::string remedy,
+                        std::vector<std::string> set = {})
     {
         code_ = code;
         place_ = std::move(place);
         cause_ = std::move(cause);
         remedy_ = std::move(remedy);
+        set_ = std::move(set);
         return std::nullopt;
+    }
+
+    /// A tip circle that leaves a land, as an argument of --set; empty where the space would be too flat.
+    [[nodiscard]] std::vector<std::string> wider_tip() const
+    {
+        auto const radius = swept_.radius_of_land(tip_radius_);
+        return radius ? std::vector{"circular_spline.inner_radius=" + std::to_string(*radius)}
+                      : std::vector<std::string>{};
     }
 
     /// The middle of the land is solid from the tip circle outward; where a tooth sweeps any of it, there is no land.
@@ -129,7 +140,8 @@ class ToothSpaceFinder
                     " mm, where the circular spline's teeth would be pointed, and the tip circle is at " +
                     std::to_string(tip_radius_) + " mm",
                 "write a circular_spline.inner_radius above " + std::to_string(reached) +
-                    ", a larger wave_generator.radial_deformation or a smaller addendum");
+                    ", a thinner tooth or a smaller addendum",
+                wider_tip());
     }
 
     /// A flank that ends with the tooth's own profile, at its root, outside of all others and above the tip circle
@@ -153,7 +165,8 @@ class ToothSpaceFinder
                     " mm, where the flexspline's tooth ends at its root, and does not come down to the tip circle at " +
                     std::to_string(tip_radius_) + " mm",
                 "write a circular_spline.inner_radius above " + std::to_string(highest) +
-                    ", a smaller circular_spline.backlash_offset or a smaller wave_generator.radial_deformation");
+                    ", a larger dedendum of the flexspline's tooth or a smaller circular_spline.backlash_offset",
+                {"circular_spline.inner_radius=" + std::to_string(highest + (highest - tip_radius_) / 4)});
     }
 
     /// The runs from the land at -half a pitch to the land at +half a pitch; nothing when the walk did not pass them.
@@ -281,6 +294,7 @@ class ToothSpaceFinder
     ErrorCode code_ = ErrorCode::no_outline;
     std::string place_ = "tooth space";
     std::string cause_, remedy_;
+    std::vector<std::string> set_;  ///< what may help, as arguments of --set
 };
 
 }  // namespace hdconj::conjugate

@@ -56,6 +56,9 @@ struct FlankSegment
 [[nodiscard]] Profile whole_tooth(std::vector<FlankSegment> const& segments, ToothPlace const& place, double addendum,
                                   double dedendum, bool mirror_symmetric);
 
+/// Half a usual tip land in modules (design_limits()): what is advised where a tooth is pointed.
+inline constexpr double usual_half_land = 0.21;
+
 /// Tips of typed numbers: half a tip thickness above minus this fraction of the addendum counts as pointed, not as
 /// crossed.
 inline constexpr double pointed_tip = 1e-9;  // digits that designers type

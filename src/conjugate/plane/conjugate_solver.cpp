@@ -8,6 +8,7 @@
 #include "boundary_checks.hpp"
 #include "conjugate/chord_moved.hpp"
 #include "drive/drive.hpp"
+#include "flank_contact.hpp"
 #include "outline_records.hpp"
 #include "records_beside.hpp"
 #include "root_clearance.hpp"
@@ -220,6 +221,9 @@ void ConjugateSolver::publish()
         for (std::size_t k = before; k < out_.zones.size(); ++k)
             out_.branches[i].on_boundary = out_.branches[i].on_boundary || out_.zones[k].on_boundary;
     }
+    FlankContactSum touching;
+    touching.add(moved_ ? *moved_ : base_, final_.arcs, final_.space.pieces);
+    out_.flank_contact = touching.value();
     add_positions(tooth_, motion_, 0, out_.tooth_family);
 }
 

@@ -9,6 +9,7 @@
 #include "boundary_checks.hpp"
 #include "conjugate_solver.hpp"
 #include "drive/drive.hpp"
+#include "flank_contact.hpp"
 #include "flexspline_outline.hpp"
 #include "given_spline.hpp"
 #include "hdconj/base/parallel.hpp"
@@ -213,8 +214,10 @@ class ReverseJob
         out_.error.point = std::max(tooth_.error, spline.outline.error) + body_.gap;
         out_.error.clearance = out_.error.point + tolerance_.roundoff();
         std::size_t index = 0;
+        FlankContactSum touching;
         for (std::size_t j = 0; j < traced_.size(); ++j) {
             std::vector<BoundaryPiece> const own = pieces_of(body_, static_cast<int>(j));
+            touching.add(final_[j].envelope, final_[j].arcs, own);
             for (envelope::Branch const& branch : traced_[j].branches) {
                 std::size_t const before = out_.zones.size();
                 append_zones(base_[j].envelope, branch, index, final_[j].arcs, own, out_.zones);
@@ -223,6 +226,7 @@ class ReverseJob
                 ++index;
             }
         }
+        out_.flank_contact = touching.value();
         for (motion::AnyMotion const& motion : motions_)
             add_positions(given_, motion, out_.geometry.pitch_line, out_.tooth_family);
     }

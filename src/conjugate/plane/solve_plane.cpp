@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "solve_plane.hpp"
 
+#include <algorithm>
+
 #include "conjugate_solver.hpp"
 #include "drive/drive.hpp"
 #include "drive/elastic_cup.hpp"
@@ -8,6 +10,7 @@
 #include "hdconj/elastic_cup.hpp"
 #include "hdconj/envelope/avoid_stationary_centres.hpp"
 #include "hdconj/error.hpp"
+#include "judgement/judgement.hpp"
 #include "plane_motion.hpp"
 
 namespace hdconj::conjugate {
@@ -26,6 +29,18 @@ void solve_cup(Solution& out, wavegen::AnyWaveShape const& shape, std::optional<
     out.notes.push_back(describe(*out.cup, known));
 }
 
+/// Solves the pair of @p plane, whose tooth, shape and dimensions are known.
+void solve_pair(SolvedPlane& plane, drive::StageClock& clock, std::optional<double> cup_error)
+{
+    Solution& out = plane.solution;
+    bool const elastic = clock.run(Stage::cup, [&] { solve_cup(out, plane.shape, cup_error); });
+    motion::AnyMotion const motion = elastic ? elastic_plane_motion(out, clock) : plane_motion(plane.shape, out, clock);
+    if (out.scene.is_reverse())
+        return solve_reverse(out, plane.tooth, motion, clock);
+    profile::Profile const clear = envelope::avoid_stationary_centres(plane.tooth, motion);
+    ConjugateSolver(out, clear, motion, clock)(plane.tooth);
+}
+
 }  // namespace
 
 void solve_plane(SolvedPlane& plane, drive::StageClock& clock, std::optional<double> cup_error)
@@ -40,12 +55,16 @@ void solve_plane(SolvedPlane& plane, drive::StageClock& clock, std::optional<dou
         out.segment_names = plane.tooth.segment_names;
         out.geometry = drive::pair_geometry(scene, plane.tooth, plane.shape.amplitude());
     });
-    bool const elastic = clock.run(Stage::cup, [&] { solve_cup(out, plane.shape, cup_error); });
-    motion::AnyMotion const motion = elastic ? elastic_plane_motion(out, clock) : plane_motion(plane.shape, out, clock);
-    if (scene.is_reverse())
-        return solve_reverse(out, plane.tooth, motion, clock);
-    profile::Profile const clear = envelope::avoid_stationary_centres(plane.tooth, motion);
-    ConjugateSolver(out, clear, motion, clock)(plane.tooth);
+    judgement::UnsolvedPair const pair{scene, out.geometry, plane.tooth, plane.shape};
+    Notes const notes = judgement::notes_on(pair);
+    try {
+        solve_pair(plane, clock, cup_error);
+    } catch (NumericalError const& error) {
+        throw judgement::with_likely_cause(error, pair);
+    }
+    for (Notes const& more : {notes, judgement::notes_on(out)})
+        out.judgement.insert(out.judgement.end(), more.begin(), more.end());
+    std::ranges::stable_sort(out.judgement, {}, &Note::code);
 }
 
 }  // namespace hdconj::conjugate

@@ -149,6 +149,25 @@ void write_summary(Writer const& root, Solution const& solution)
     });
 }
 
+/// Nothing where there are none.
+void write_notes(Writer const& root, Notes const& notes)
+{
+    if (notes.empty())
+        return;
+    root.group("notes", [&](Writer const& place) {
+        auto const words = [&](char const* name, auto take) { place.texts(name, column(notes, take)); };
+        words("code", [](Note const& note) { return std::string(to_string(note.code)); });
+        words("severity", [](Note const& note) { return std::string(to_string(note.severity)); });
+        place.numbers("figure", column(notes, &Note::figure), "1");
+        place.numbers("limit", column(notes, &Note::limit), "1");
+        words("unit", [](Note const& note) { return note.unit; });
+        words("place", [](Note const& note) { return note.place; });
+        words("cause", [](Note const& note) { return note.cause; });
+        words("advice", [](Note const& note) { return note.advice; });
+        words("set", [](Note const& note) { return fmt::format("{}", fmt::join(note.set, " ")); });
+    });
+}
+
 void write_timing(Writer const& root, std::vector<StageTime> const& timing)
 {
     root.group("timing", [&](Writer const& place) {
@@ -175,6 +194,7 @@ void hdf5::write_solution(hdf5::Writer const& root, Solution const& solution)
     write_envelope(root, solution);
     write_zones(root, solution.zones);
     write_certificate(root, solution.certificate.undecided);
+    write_notes(root, solution.judgement);
     write_summary(root, solution);
     write_timing(root, solution.timing);
 }

@@ -3,6 +3,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "note_json.hpp"
+
 namespace hdconj {
 namespace {
 
@@ -17,7 +19,8 @@ Json json_of(Faults const& faults)
                         {"value", fault.value},
                         {"reason", fault.reason},
                         {"remedy", fault.remedy},
-                        {"origin", fault.origin}});
+                        {"origin", fault.origin},
+                        {"set", fault.set}});
     }
     return list;
 }
@@ -41,11 +44,13 @@ std::string text_of(Json const& object)
 
 }  // namespace
 
-std::string check_json(std::string const& scene_name, Faults const& faults, Plan const* plan)
+std::string check_json(std::string const& scene_name, Faults const& faults, Plan const* plan, Notes const& notes)
 {
     Json object{{"scene", scene_name}, {"faults", json_of(faults)}};
-    if (plan != nullptr)
+    if (plan != nullptr) {
         add_plan(object, *plan);
+        object["judgement"] = io::json_of(notes);
+    }
     return text_of(object);
 }
 
@@ -53,11 +58,8 @@ std::string failure_json(std::string const& scene_name, std::exception const& er
 {
     Json said{{"code", "failed"}, {"stage", ""}, {"place", ""}, {"cause", error.what()}, {"remedy", ""}};
     if (auto const* known = dynamic_cast<NumericalError const*>(&error))
-        said = {{"code", code_word(known->code())},
-                {"stage", known->stage()},
-                {"place", known->place()},
-                {"cause", known->cause()},
-                {"remedy", known->remedy()}};
+        said = {{"code", code_word(known->code())}, {"stage", known->stage()},   {"place", known->place()},
+                {"cause", known->cause()},          {"remedy", known->remedy()}, {"set", known->set()}};
     return text_of({{"scene", scene_name}, {"error", said}});
 }
 

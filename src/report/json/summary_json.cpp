@@ -5,6 +5,7 @@
 
 #include "figures/summary_figures.hpp"
 #include "hdconj/version.hpp"
+#include "io/scene/note_json.hpp"
 #include "summary_object.hpp"
 
 namespace hdconj::report {
@@ -105,6 +106,7 @@ Json summary_object(Solution const& solution)
     }
     if (!solution.notes.empty())
         result["notes"] = solution.notes;
+    result["judgement"] = io::json_of(solution.judgement);
     result["certificate"] = certificate_object(solution.certificate);
     auto const& spline = solution.circular_spline;
     result["circular_spline"] = {{"slices", spline.outline.size()},

@@ -88,6 +88,9 @@ void write_slices(Page& page, std::vector<double> const& z);
 /// What was changed or left out.
 void write_notes(Page& page, std::vector<std::string> const& notes);
 
+/// Figures of the design outside their usual range; nothing where there are none.
+void write_judgement(Page& page, Notes const& notes);
+
 /// What every verb that goes on from the solution ends with: certificate, errors of the written points, times and
 /// files.
 void write_end(Page& page, Solution const& solution, std::vector<WrittenFile> const& written);

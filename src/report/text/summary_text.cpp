@@ -149,6 +149,7 @@ void write_outline(Page& page, Solution const& solution)
     write_clearance(page, solution);
     write_notes(page, solution.notes);
     write_errors(page, solution);
+    write_judgement(page, solution.judgement);
 }
 
 }  // namespace
@@ -181,10 +182,17 @@ void write_notes(Page& page, std::vector<std::string> const& notes)
         page.line("  note: {}", note);
 }
 
+void write_judgement(Page& page, Notes const& notes)
+{
+    if (std::string const text = describe(notes); !text.empty())
+        page.line("\n{}", std::string_view(text).substr(0, text.size() - 1));
+}
+
 void write_end(Page& page, Solution const& solution, std::vector<WrittenFile> const& written)
 {
     write_certificate(page, solution);
     write_errors(page, solution);
+    write_judgement(page, solution.judgement);
     write_timing(page, solution);
     write_files(page, written);
 }

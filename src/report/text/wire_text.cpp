@@ -177,6 +177,7 @@ std::string summary_text(WireSetUps const& programs, std::vector<WireFile> const
     report::write_checks(page, first);
     for (auto const& warning : first.program.warnings)
         page.line("  WARNING: {}", warning);
+    report::write_judgement(page, first.program.judgement);
     report::write_wire_files_list(page, files);
     return page.text();
 }

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Judgement of a design: the limits, and what a scene alone says.
+#pragma once
+
+#include <limits>
+#include <span>
+
+#include "hdconj/note.hpp"
+#include "hdconj/scene.hpp"
+
+namespace hdconj {
+
+/// A closed interval.
+struct DesignRange
+{
+    double low = -std::numeric_limits<double>::infinity();  ///< smallest value inside
+    double high = std::numeric_limits<double>::infinity();  ///< largest value inside
+    /// Whether @p value lies inside.
+    [[nodiscard]] bool contains(double value) const { return value >= low && value <= high; }
+};
+
+/// The limits of one figure.
+struct DesignLimit
+{
+    NoteCode code;         ///< what it limits
+    char const* figure;    ///< in words and symbols
+    char const* unit;      ///< "1" for a pure number
+    DesignRange usual;     ///< outside: information
+    DesignRange accepted;  ///< outside: warning
+    char const* source;    ///< of the limits
+};
+
+/// All limits, in the order of NoteCode.
+[[nodiscard]] std::span<DesignLimit const> design_limits();
+
+/// The notes that follow from @p scene without solving it. Solution::judgement holds these and those of the solved
+/// pair.
+/// @param scene  that check_scene() finds no fault in
+[[nodiscard]] Notes judge(Scene const& scene);
+
+}  // namespace hdconj

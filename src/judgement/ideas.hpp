@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The single ideas, each a note or nothing.
+#pragma once
+
+#include <optional>
+
+#include "judgement.hpp"
+
+namespace hdconj::judgement {
+
+/// Radial deformation against m (z_c - z_f)/2.
+[[nodiscard]] std::optional<Note> deformation(UnsolvedPair const& pair);
+/// Teeth of the circular spline that a wave moves the flexspline by.
+[[nodiscard]] std::optional<Note> tooth_difference(UnsolvedPair const& pair);
+/// Tip land of the flexspline; nothing where the tip is round.
+[[nodiscard]] std::optional<Note> tip_land(UnsolvedPair const& pair);
+/// Bending stress of the ring by sigma = E c w0 (n^2 - 1)/r_m^2.
+///
+/// The curvature of an inextensional ring changes by (w + w'')/r_m^2, at most w0 (n^2 - 1)/r_m^2 for w = w0 cos(n phi).
+/// Source: S. Timoshenko, Strength of Materials, part II (thin ring). Accuracy: first order in w0/r_m; teeth, cup and
+/// edges are left out. The verb `load` computes the stress of the cup.
+[[nodiscard]] std::optional<Note> wall_stress(UnsolvedPair const& pair);
+/// Where along a lobe the flexspline's tips leave the circular spline's tip circle.
+[[nodiscard]] std::optional<Note> late_mesh(UnsolvedPair const& pair);
+
+/// Teeth of a lobe that touch with a flank at the same time.
+[[nodiscard]] std::optional<Note> flank_contact(Solution const& solution);
+/// Part of a contact that is lost before its cusp.
+[[nodiscard]] std::optional<Note> undercut(Solution const& solution);
+/// Tip land of the circular spline.
+[[nodiscard]] std::optional<Note> land(Solution const& solution);
+/// Highest material that the wire leaves in a corner of the tooth space.
+[[nodiscard]] std::optional<Note> sharp_corner(Solution const& solution);
+/// Narrowest width of the tooth space down to where the wire's centre goes.
+[[nodiscard]] std::optional<Note> narrow_space(Solution const& solution);
+
+}  // namespace hdconj::judgement

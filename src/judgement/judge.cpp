@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/judgement.hpp"
+
+#include <algorithm>
+#include <initializer_list>
+#include <utility>
+
+#include "drive/drive.hpp"
+#include "ideas.hpp"
+
+namespace hdconj::judgement {
+namespace {
+
+Notes all_of(std::initializer_list<std::optional<Note>> ideas)
+{
+    Notes notes;
+    for (auto const& idea : ideas)
+        if (idea)
+            notes.push_back(*idea);
+    return notes;
+}
+
+}  // namespace
+
+Notes notes_on(UnsolvedPair const& pair)
+{
+    return all_of({deformation(pair), tooth_difference(pair), tip_land(pair), wall_stress(pair), late_mesh(pair)});
+}
+
+Notes notes_on(Solution const& solution)
+{
+    return all_of(
+        {flank_contact(solution), land(solution), undercut(solution), sharp_corner(solution), narrow_space(solution)});
+}
+
+}  // namespace hdconj::judgement
+
+namespace hdconj {
+
+Notes judge(Scene const& scene)
+{
+    Faults faults;
+    profile::Profile const tooth = drive::given_tooth(scene, faults);
+    wavegen::AnyWaveShape const shape = drive::wave_shape(scene, tooth, faults);
+    if (!faults.empty())
+        return {};
+    return judgement::notes_on({scene, drive::pair_geometry(scene, tooth, shape.amplitude()), tooth, shape});
+}
+
+}  // namespace hdconj

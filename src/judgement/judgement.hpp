@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Notes on a pair before it is solved and after, and the likely cause of a failure.
+#pragma once
+
+#include "hdconj/error.hpp"
+#include "hdconj/profile/profile.hpp"
+#include "hdconj/solution.hpp"
+#include "hdconj/wavegen/registry.hpp"
+
+namespace hdconj::judgement {
+
+/// A pair before it is solved.
+struct UnsolvedPair
+{
+    Scene const& scene;
+    PairGeometry const& geometry;
+    profile::Profile const& tooth;  ///< that is given
+    wavegen::AnyWaveShape const& shape;
+};
+
+/// What dimensions alone say.
+[[nodiscard]] Notes notes_on(UnsolvedPair const& pair);
+
+/// What the solved pair says beside that, in one plane.
+[[nodiscard]] Notes notes_on(Solution const& solution);
+
+/// @p error, which solving @p pair ended with, and first of all what is far from usual in the pair and can be written
+/// otherwise.
+[[nodiscard]] NumericalError with_likely_cause(NumericalError const& error, UnsolvedPair const& pair);
+
+}  // namespace hdconj::judgement

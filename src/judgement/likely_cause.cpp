@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "base/text.hpp"
+#include "judgement.hpp"
+#include "scene/usual_drive.hpp"
+
+namespace hdconj::judgement {
+namespace {
+
+/// What is far from usual in @p pair and can be written otherwise: causes in words, and the advice.
+std::pair<std::string, scene::Advice> likely_cause(UnsolvedPair const& pair)
+{
+    std::string cause;
+    scene::Advice advice;
+    bool deformed = false;
+    for (Note const& note : notes_on(pair)) {
+        bool const far = note.severity == Severity::warning || note.code == NoteCode::deformation;
+        if (!far || note.set.empty())
+            continue;
+        // tip circle and stress come with the deformation
+        bool const said = std::find(advice.set.begin(), advice.set.end(), note.set.front()) != advice.set.end();
+        if (said || (deformed && note.code == NoteCode::late_mesh))
+            continue;
+        deformed = deformed || note.code == NoteCode::deformation;
+        cause += note.cause + "; ";
+        advice.words += (advice.words.empty() ? "" : "; ") + note.advice;
+        advice.set.insert(advice.set.end(), note.set.begin(), note.set.end());
+    }
+    return {cause, advice};
+}
+
+/// What @p error advises, and the usual radial deformation where that of @p pair is another.
+scene::Advice with_deformation(NumericalError const& error, UnsolvedPair const& pair)
+{
+    constexpr double near = 0.02;  // ratios as near as that are no cause
+    if (std::abs(scene::deformation_ratio(pair.scene.drive, pair.geometry.w0) - 1) < near)
+        return {error.remedy(), error.set()};
+    scene::Advice usual = scene::usual_pair(pair.scene, std::nullopt);
+    if (usual.set.empty())
+        return {error.remedy(), error.set()};
+    usual.words = error.remedy() + (error.remedy().empty() ? "write " : ", or ") + usual.words;
+    return usual;
+}
+
+}  // namespace
+
+NumericalError with_likely_cause(NumericalError const& error, UnsolvedPair const& pair)
+{
+    if (!error.is_infeasible())
+        return error;
+    auto [cause, advice] = likely_cause(pair);
+    if (advice.set.empty())
+        advice = with_deformation(error, pair);
+    else
+        cause = "likely because " + cause;
+    scene::Advice flank;
+    scene::add_pressure_angle(pair.scene, flank);
+    if (!flank.set.empty()) {
+        advice.words += (advice.words.empty() ? "" : "; ") + ("to let the flanks touch, write " + flank.words);
+        advice.set.push_back(flank.set.front());
+    }
+    return {error.code(), error.stage(), error.place(), cause + error.cause(), advice.words, advice.set};
+}
+
+}  // namespace hdconj::judgement

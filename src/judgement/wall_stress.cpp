@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "ideas.hpp"
+#include "limits.hpp"
+#include "scene/usual_drive.hpp"
+
+namespace hdconj::judgement {
+namespace {
+
+constexpr double steel = 206e3;  // [MPa] of 30CrMnSiA, where the scene has no cup
+
+}  // namespace
+
+std::optional<Note> wall_stress(UnsolvedPair const& pair)
+{
+    Flexspline const& flexspline = pair.scene.flexspline;
+    PairGeometry const& g = pair.geometry;
+    double const modulus = flexspline.cup ? flexspline.cup->youngs_modulus : steel;
+    double const waves = pair.scene.wave_generator.waves;
+    double const depth = flexspline.wall / 2 + std::abs(flexspline.neutral_offset);
+    double const stress = modulus * depth * g.w0 * (waves * waves - 1) / (g.r_m * g.r_m);
+    auto note = note_on(NoteCode::wall_stress, stress);
+    if (!note)
+        return note;
+    note->place = "flexspline.wall";
+    note->cause = "bending the ring stresses it by " + short_number(stress, 3) + " MPa, and " +
+                  short_number(note->limit, 3) + " MPa are " +
+                  (note->severity == Severity::warning ? "accepted" : "usual");
+    double const usual = limit_of(note->code).usual.high;
+    scene::Advice const other = scene::usual_pair(pair.scene, g.w0);
+    Drive drive = pair.scene.drive;
+    drive.circular_spline_teeth = drive.flexspline_teeth + pair.scene.wave_generator.waves;
+    double const eased = other.set.empty() ? stress : stress * scene::usual_deformation(drive) / g.w0;
+    if (eased < stress) {
+        note->advice = "write " + other.words;
+        note->set = other.set;
+    }
+    if (eased > usual || note->set.empty()) {
+        std::string const wall = short_number(0.95 * flexspline.wall * usual / std::min(stress, eased), 3);
+        note->advice += (note->advice.empty() ? "write " : " and ") + ("flexspline.wall = " + wall);
+        note->set.push_back("flexspline.wall=" + wall);
+    }
+    note->advice += ", or more teeth";
+    return note;
+}
+
+}  // namespace hdconj::judgement

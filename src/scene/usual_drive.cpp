@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "usual_drive.hpp"
+
+#include <algorithm>
+
+#include "base/text.hpp"
+#include "tolerance_limits.hpp"
+
+namespace hdconj::scene {
+
+double usual_deformation(Drive const& drive)
+{
+    return drive.module * (drive.circular_spline_teeth - drive.flexspline_teeth) / 2;
+}
+
+double deformation_ratio(Drive const& drive, double w0)
+{
+    return w0 / usual_deformation(drive);
+}
+
+void Advice::add(std::string const& key, std::string const& value)
+{
+    words += (words.empty() ? "" : " and ") + key + " = " + value;
+    set.push_back(key + "=" + value);
+}
+
+namespace {
+
+/// Adds the tip circle that goes with the radial deformation @p w0; one that was given for another is left out.
+void add_tip_circle(Scene const& scene, double w0, Advice& advice)
+{
+    bool const given = scene.circular_spline.inner_radius.has_value();
+    auto const usual = usual_tip_radius(scene, w0);
+    double const standard =
+        flexspline_pitch_radius(scene.drive) + w0 - scene.flexspline.profile.number_or("addendum", 0);
+    if (usual && (given || short_number(*usual) != short_number(standard))) {
+        advice.add("circular_spline.inner_radius", short_number(*usual));
+    } else if (given && !scene.is_reverse()) {
+        advice.words += ", and leave circular_spline.inner_radius out";
+        advice.set.emplace_back("!circular_spline.inner_radius");
+    }
+}
+
+}  // namespace
+
+std::optional<double> usual_tip_radius(Scene const& scene, double w0)
+{
+    auto const addendum = scene.flexspline.profile.number("addendum");
+    auto const dedendum = scene.flexspline_dedendum();
+    if (scene.is_reverse() || !addendum || !dedendum || scene.flexspline.inner_radius)
+        return std::nullopt;
+    constexpr double parting = 0.8, rim = 0.05;  // of the deformation; modules
+    double const radius = flexspline_pitch_radius(scene.drive);
+    return std::max({radius + w0 - *addendum, radius + *addendum - parting * w0,
+                     radius + w0 - *dedendum + rim * scene.drive.module});
+}
+
+Advice usual_pair(Scene const& scene, std::optional<double> kept)
+{
+    Advice advice;
+    Drive drive = scene.drive;
+    int const waves = scene.wave_generator.waves, more = drive.circular_spline_teeth - drive.flexspline_teeth;
+    constexpr int usual_waves = 2;
+    if (more != waves && more == usual_waves) {
+        advice.add("wave_generator.waves", std::to_string(more));
+    } else if (more != waves) {
+        drive.circular_spline_teeth = drive.flexspline_teeth + waves;
+        advice.add("drive.circular_spline_teeth", std::to_string(drive.circular_spline_teeth));
+    }
+    if (kept && is_usual(deformation_ratio(drive, *kept)))
+        return advice;
+    FamilyChoice const& shape = scene.wave_generator.shape;
+    if (!shape.has("radial_deformation"))
+        return {};
+    double const w0 = usual_deformation(drive);
+    advice.add(shape.path + ".radial_deformation", short_number(w0));
+    add_tip_circle(scene, w0, advice);
+    return advice;
+}
+
+void add_pressure_angle(Scene const& scene, Advice& advice)
+{
+    // straight and involute flanks of 60 to 240 teeth touch over one pitch and more from 24 and 19 degrees on
+    constexpr double rack = 17, turning = 400, good = 26;  // [deg]
+    FamilyChoice const& tooth = scene.flexspline.profile;
+    auto const angle = tooth.number("pressure_angle_deg");
+    bool const plain = tooth.family == "straight" || tooth.family == "involute";
+    if (plain && angle && *angle < rack + turning / scene.drive.flexspline_teeth)
+        advice.add(tooth.path + ".pressure_angle_deg", short_number(good));
+}
+
+std::optional<std::string> unusual_deformation(Drive const& drive, double w0)
+{
+    double const ratio = deformation_ratio(drive, w0);
+    if (is_usual(ratio))
+        return std::nullopt;
+    constexpr int digits = 3;
+    return "the radial deformation " + short_number(w0) + " mm is " + short_number(ratio, digits) +
+           " times the usual m (z_c - z_f)/2 = " + short_number(usual_deformation(drive)) + " mm";
+}
+
+}  // namespace hdconj::scene

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Notes on a design as a user meets them: in each summary, in JSON, and as an exit status.
+#include <nlohmann/json.hpp>
+
+#include "hdconj_run.hpp"
+#include "support/catch.hpp"
+#include "support/read_hdf5.hpp"
+#include "support/temporary_folder.hpp"
+
+namespace hdconj::test::judgement_output_cases {
+namespace {
+
+/// The built-in drive with a wall that bends too stiffly: a warning of the scene alone, which changes no outline.
+char const* const stiff =
+    " --set flexspline.wall=3.5 --set '!circular_spline.inner_radius' --set '!wedm' --set '!flexspline.cup' --set "
+    "'!bearing'";
+
+}  // namespace
+
+TEST_CASE("a warning is printed and leaves the exit status, unless --strict is given", "[judgement]")
+{
+    std::string const verb = GENERATE("check", "solve", "contact");
+    TemporaryFolder const folder;
+    auto const plain = hdconj_run(verb + stiff, folder.path());
+    INFO(plain.out << plain.err);
+    CHECK(plain.status == 0);
+    CHECK_THAT(plain.out, ContainsSubstring("judgement: 1 warning") && ContainsSubstring("WARNING [wall-stress]") &&
+                              ContainsSubstring("write flexspline.wall = "));
+    auto const strict = hdconj_run(verb + stiff + " --strict --json", folder.path());
+    CHECK(strict.status == 1);
+    CHECK_THAT(strict.err, ContainsSubstring("1 warning, and --strict is given"));
+    auto const json = nlohmann::json::parse(strict.out);  // one object and no more
+    CHECK(json.at("judgement").front().at("code") == "wall-stress");
+    CHECK(json.at("judgement").front().at("severity") == "warning");
+}
+
+TEST_CASE("a design without a warning passes --strict", "[judgement]")
+{
+    TemporaryFolder const folder;
+    CHECK(hdconj_run("solve --strict", folder.path()).status == 0);
+    CHECK(hdconj_run("wedm --strict -o cut", folder.path()).status == 0);
+    CHECK_THAT(hdconj_run("solve", folder.path()).out, !ContainsSubstring("judgement"));
+}
+
+TEST_CASE("HDF5 has a row for each note", "[judgement]")
+{
+    TemporaryFolder const folder;
+    CHECK(hdconj_run("solve -o stiff.h5" + std::string(stiff), folder.path()).status == 0);
+    auto const file = open_file(folder.path() / "stiff.h5");
+    CHECK(read(file, "notes/figure").shape == std::vector<hsize_t>{1});
+    CHECK(read(file, "notes/figure").values.front() > read(file, "notes/limit").values.front());
+    for (char const* name :
+         {"notes/code", "notes/severity", "notes/unit", "notes/place", "notes/cause", "notes/advice", "notes/set"})
+        CHECK(has_link(file, name));
+}
+
+TEST_CASE("a refusal says first what is unusual, and JSON how to set it", "[judgement]")
+{
+    TemporaryFolder const folder;
+    auto const large =
+        hdconj_run("solve --json --set wave_generator.radial_deformation=2.5 --set '!circular_spline.inner_radius'",
+                   folder.path());
+    CHECK(large.status == 1);
+    CHECK_THAT(large.err, ContainsSubstring("likely because the radial deformation 2.5 mm is 10 times the usual") &&
+                              !ContainsSubstring("a larger wave_generator.radial_deformation"));
+    auto const set = nlohmann::json::parse(large.out).at("error").at("set");
+    CHECK(set.front() == "wave_generator.radial_deformation=0.25");
+    auto const teeth = hdconj_run("check --json --set drive.circular_spline_teeth=203", folder.path());
+    CHECK(teeth.status == 2);
+    CHECK(nlohmann::json::parse(teeth.out).at("faults").front().at("set").front() == "drive.circular_spline_teeth=202");
+}
+
+TEST_CASE("what the wire leaves in a corner is what the verb wedm finds", "[judgement]")
+{
+    TemporaryFolder const folder;
+    auto const solved = hdconj_run("solve --json --set wedm.residual_limit=1e-4", folder.path());
+    auto const note = nlohmann::json::parse(solved.out).at("judgement").front();
+    CHECK(note.at("code") == "sharp-corner");
+    auto const cut = nlohmann::json::parse(hdconj_run("wedm --json --dialect csv -o cut", folder.path()).out);
+    double const height_um = cut.at("set_ups").front().at("passes").front().at("residual_um");
+    CHECK(1e3 * 1e-4 * note.at("figure").get<double>() == Approx(height_um).epsilon(0.02));
+}
+
+}  // namespace hdconj::test::judgement_output_cases

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "hdconj/judgement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
+#include <sstream>
+
+#include "hdconj/error.hpp"
+#include "hdconj/result_files.hpp"
+#include "hdconj/solve.hpp"
+#include "hdconj/units.hpp"
+#include "scene/usual_drive.hpp"
+#include "support/catch.hpp"
+#include "support/read_hdf5.hpp"
+#include "support/temporary_folder.hpp"
+#include "support/type50.hpp"
+
+namespace hdconj::test::judgement_cases {
+namespace {
+
+using Keys = std::vector<std::string>;
+
+std::optional<Note> note_of(Notes const& notes, NoteCode code)
+{
+    auto const found = std::find_if(notes.begin(), notes.end(), [code](Note const& note) { return note.code == code; });
+    return found == notes.end() ? std::nullopt : std::optional(*found);
+}
+
+/// Straight teeth of a printed drive.
+Scene printed(Keys const& more = {})
+{
+    std::string const text =
+        "[drive]\nname = \"printed\"\nmodule = 1\nflexspline_teeth = 60\ncircular_spline_teeth = 62\n"
+        "[flexspline]\nwall = 0.8\n[flexspline.profile]\nfamily = \"straight\"\naddendum = 0.8\ndedendum = 1.1\n"
+        "thickness = 1.5\npressure_angle_deg = 28.6\n"
+        "[wave_generator]\nfamily = \"cosine\"\nradial_deformation = 1.0\nwaves = 2\n[solver]\ntolerance = 1e-5\n";
+    auto const reading = examine_scene(text, "printed", {}, more);
+    if (!reading.faults.empty())
+        throw InputError(reading.faults);
+    return reading.scene;
+}
+
+std::string page()
+{
+    std::ifstream file(std::string(HDCONJ_SOURCE_DIR) + "/docs/reference/judgement.md");
+    std::ostringstream text;
+    for (std::string word; file >> word;)  // lines are broken somewhere
+        text << word << ' ';
+    return text.str();
+}
+
+std::string words(DesignRange const& range)
+{
+    std::ostringstream text;
+    text.precision(3);
+    if (std::isfinite(range.low) && std::isfinite(range.high))
+        text << range.low << " to " << range.high;
+    else if (std::isfinite(range.low))
+        text << "at least " << range.low;
+    else if (std::isfinite(range.high))
+        text << "at most " << range.high;
+    else
+        text << "any";
+    return text.str();
+}
+
+std::string row_of(DesignLimit const& limit)
+{
+    return "| `" + std::string(to_string(limit.code)) + "` | " + limit.unit + " | " + words(limit.usual) + " | " +
+           words(limit.accepted) + " |";
+}
+
+std::string source_of(DesignLimit const& limit)
+{
+    return "- `" + std::string(to_string(limit.code)) + "`: " + limit.figure + ". Source: " + limit.source + ".";
+}
+
+}  // namespace
+
+TEST_CASE("the page of limits holds the program's limits, word for word", "[judgement]")
+{
+    std::string const text = page();
+    std::size_t rows = 0;
+    for (std::size_t at = text.find("- `"); at != std::string::npos; at = text.find("- `", at + 1))
+        ++rows;
+    CHECK(rows == design_limits().size());
+    CHECK(design_limits().size() == words_of<NoteCode>.size());
+    for (DesignLimit const& limit : design_limits()) {
+        CHECK(&limit - design_limits().data() == static_cast<std::ptrdiff_t>(limit.code));
+        CHECK_THAT(text, ContainsSubstring(row_of(limit)));
+        CHECK_THAT(text, ContainsSubstring(source_of(limit)));
+    }
+}
+
+TEST_CASE("prints the table of docs/reference/judgement.md", "[.][judgement-table]")
+{
+    for (DesignLimit const& limit : design_limits())
+        std::cout << row_of(limit) << '\n' << source_of(limit) << '\n';
+}
+
+TEST_CASE("with the usual radial deformation a tooth rests at the major axis, for any number of waves", "[judgement]")
+{
+    int const waves = GENERATE(1, 2, 3);
+    int const z_f = 60000;  // a rack: teeth do not turn
+    Drive const drive{"", 0.25, z_f, z_f + waves};
+    double const w0 = scene::usual_deformation(drive);
+    CHECK(w0 == Approx(0.25 * waves / 2));
+    CHECK(drive.module * z_f / 2 + w0 == Approx(drive.module * drive.circular_spline_teeth / 2).epsilon(1e-12));
+    double const r_m = drive.module * z_f / 2, ratio = static_cast<double>(z_f) / drive.circular_spline_teeth;
+    auto const speed = [&](double factor) {
+        Exact const motion(wavegen::NeutralCurve<wavegen::CosineCam>({w0 * factor, waves}, r_m), ratio);
+        double const u = 0.01;
+        return (motion.pose(u)(Vec2(0, 0)).x() - motion.pose(0)(Vec2(0, 0)).x()) / (w0 * u);
+    };
+    CHECK(std::abs(speed(1)) < 1e-3);
+    CHECK(std::abs(speed(0.9)) > 0.05);
+    CHECK(speed(0.9) * speed(1.1) < 0);
+}
+
+TEST_CASE("the built-in drive and printed straight teeth draw no warning", "[judgement]")
+{
+    CHECK(solve(builtin_scene()).judgement.empty());
+    CHECK(warnings_of(solve(printed()).judgement) == 0);
+}
+
+TEST_CASE("a scene's own notes name figure, limit and what to write", "[judgement]")
+{
+    auto const [keys, code, severity, figure, set] = GENERATE(table<Keys, NoteCode, Severity, double, Keys>({
+        {{"wave_generator.radial_deformation=2.0"},
+         NoteCode::deformation,
+         Severity::warning,
+         2.0,
+         {"wave_generator.radial_deformation=1"}},
+        {{"wave_generator.radial_deformation=0.7"},
+         NoteCode::deformation,
+         Severity::information,
+         0.7,
+         {"wave_generator.radial_deformation=1"}},
+        {{"drive.circular_spline_teeth=64"},
+         NoteCode::deformation,
+         Severity::information,
+         0.5,
+         {"drive.circular_spline_teeth=62"}},
+        {{"drive.circular_spline_teeth=64"}, NoteCode::tooth_difference, Severity::information, 2.0, {}},
+        {{"flexspline.profile.thickness=0.95", "flexspline.profile.pressure_angle_deg=28"},
+         NoteCode::tip_land,
+         Severity::warning,
+         0.95 - 1.6 * std::tan(from_deg(28)),
+         {"flexspline.profile.addendum=0.498"}},
+    }));
+    auto const note = note_of(judge(printed(keys)), code);
+    REQUIRE(note);
+    INFO(describe({*note}));
+    CHECK(note->severity == severity);
+    CHECK(note->figure == Approx(figure).margin(1e-9));
+    CHECK(note->set == set);
+    CHECK_FALSE(note->cause.empty());
+    CHECK_FALSE(note->advice.empty());
+}
+
+TEST_CASE("the wall's stress is that of the neutral curve's change of curvature", "[judgement]")
+{
+    Scene const scene = printed({"flexspline.wall=1.5"});
+    auto const note = note_of(judge(scene), NoteCode::wall_stress);
+    REQUIRE(note);
+    Solution const solution = solve(scene);
+    // the circle through three neighbouring points of the neutral curve at its major axis
+    auto const& curve = solution.neutral_curve;
+    std::size_t const top = static_cast<std::size_t>(
+        std::max_element(curve.begin(), curve.end(), [](Vec2 const& a, Vec2 const& b) { return a.y() < b.y(); }) -
+        curve.begin());
+    std::size_t const step = curve.size() / 180;
+    Vec2 const a = curve[(top + curve.size() - step) % curve.size()], b = curve[top],
+               c = curve[(top + step) % curve.size()];
+    Vec2 const ab = b - a, bc = c - b, ac = c - a;
+    double const curvature = 2 * std::abs(ab.x() * bc.y() - ab.y() * bc.x()) / (ab.norm() * bc.norm() * ac.norm());
+    double const change = curvature - 1 / solution.geometry.r_m;
+    CHECK(note->figure == Approx(206e3 * 0.75 * change).epsilon(0.12));  // first order in w0/r_m = 0.035
+    CHECK(note->set.size() == 1);
+    CHECK_FALSE(note_of(judge(printed(note->set)), NoteCode::wall_stress));
+}
+
+TEST_CASE("tips leave the tip circle where the cam says", "[judgement]")
+{
+    Scene const scene = printed({"circular_spline.inner_radius=29.82"});
+    auto const note = note_of(judge(scene), NoteCode::late_mesh);
+    REQUIRE(note);
+    // r_m + w0 cos(2 u) + pitch line + h_a = m z_f/2 + h_a + w0 cos(2 u)
+    CHECK(note->figure == Approx(std::acos(29.82 - 30.8) / std::numbers::pi).epsilon(1e-3));
+    CHECK_FALSE(note_of(judge(printed(note->set)), NoteCode::late_mesh));
+}
+
+TEST_CASE("flank contact is the angle between the ends of the flank of the tooth space", "[judgement]")
+{
+    Solution const solution = solve(printed());
+    // the branch point nearest to a point of the outline tells its angle
+    auto const angle_at = [&](Vec2 const& p) {
+        double nearest = std::numeric_limits<double>::infinity(), angle = 0;
+        for (BranchRecord const& branch : solution.branches)
+            for (std::size_t i = 0; branch.kind == "regular" && i < branch.point.size(); ++i)
+                if (branch.segment_name == "right flank" && (branch.point[i] - p).norm() < nearest) {
+                    nearest = (branch.point[i] - p).norm();
+                    angle = branch.u[i];
+                }
+        return angle;
+    };
+    double angle = 0;
+    auto const& points = solution.circular_spline.outline.front();
+    for (OutlinePiece const& piece : solution.circular_spline.pieces)
+        if (piece.kind == "flank" && points[piece.first].x() > 0)
+            angle += std::abs(angle_at(points[piece.last]) - angle_at(points[piece.first]));
+    CHECK(angle > from_deg(5));
+    CHECK(solution.flank_contact.angle == Approx(angle).epsilon(0.02));  // branches are sampled
+    double zones = 0;
+    for (ConjugateZone const& zone : solution.zones)
+        if (zone.kind == "regular" && zone.on_boundary && zone.segment_name == "right flank")
+            zones += std::abs(zone.u_end - zone.u_begin);
+    CHECK(solution.flank_contact.angle <= zones);
+}
+
+TEST_CASE("a drive whose corners alone mesh is not silent", "[judgement]")
+{
+    Solution const solution = solve(printed({"flexspline.profile.pressure_angle_deg=14", "flexspline.wall=0.7"}));
+    auto const note = note_of(solution.judgement, NoteCode::flank_contact);
+    REQUIRE(note);
+    CHECK(note->severity == Severity::warning);
+    CHECK(note->figure == 0);
+    CHECK_THAT(note->cause, ContainsSubstring("no flank touches"));
+    REQUIRE(note->set.size() == 1);
+    Solution const better = solve(printed({note->set.front(), "flexspline.wall=0.7"}));
+    CHECK(better.flank_contact.angle > 0);
+    CHECK(warnings_of(better.judgement) == 0);
+}
+
+TEST_CASE("a wire that is too thick is named with the corner and the space", "[judgement]")
+{
+    Keys const wire{"wedm.wire_diameter=1.5", "wedm.spark_gap=0.01", "wedm.start_hole_radius=1.0", "wedm.lead_in=3.0"};
+    Notes const notes = solve(printed(wire)).judgement;
+    auto const corner = note_of(notes, NoteCode::sharp_corner), space = note_of(notes, NoteCode::narrow_space);
+    REQUIRE(corner);
+    REQUIRE(space);
+    CHECK_THAT(corner->cause, ContainsSubstring("the wire of [wedm] leaves up to"));
+    CHECK_THAT(space->cause, ContainsSubstring("a slot of 1.52 mm"));
+    CHECK(space->figure < 1);
+}
+
+TEST_CASE("a failure names the unusual radial deformation first, in the right direction", "[judgement]")
+{
+    auto const failure = [](Scene const& scene) -> NumericalError {
+        try {
+            (void)solve(scene);
+        } catch (NumericalError const& error) {
+            return error;
+        }
+        throw std::logic_error("it was solved");
+    };
+    NumericalError const large =
+        failure(builtin_scene({"wave_generator.radial_deformation=2.5", "!circular_spline.inner_radius"}));
+    CHECK(large.cause().starts_with("likely because the radial deformation 2.5 mm is 10 times the usual"));
+    CHECK_THAT(large.remedy(), ContainsSubstring("wave_generator.radial_deformation = 0.25"));
+    CHECK(large.set() == Keys{"wave_generator.radial_deformation=0.25"});
+    NumericalError const small =
+        failure(builtin_scene({"wave_generator.radial_deformation=0.025", "!circular_spline.inner_radius"}));
+    CHECK_THAT(small.cause(), ContainsSubstring("0.1 times the usual"));
+    CHECK(small.set() == large.set());
+    CHECK_NOTHROW(solve(builtin_scene(large.set())));
+}
+
+TEST_CASE("notes stand in text, JSON and HDF5", "[judgement]")
+{
+    TemporaryFolder const folder;
+    Solution const solution = solve(printed({"wave_generator.radial_deformation=1.3"}));
+    REQUIRE(solution.judgement.size() >= 1);
+    Note const& first = solution.judgement.front();
+    CHECK_THAT(summary_text(solution), ContainsSubstring(describe(solution.judgement)));
+    auto const json = nlohmann::json::parse(summary_json(solution)).at("judgement");
+    REQUIRE(json.size() == solution.judgement.size());
+    CHECK(json.front().at("code") == "deformation");
+    CHECK(json.front().at("severity") == "information");
+    CHECK(json.front().at("figure") == first.figure);
+    CHECK(json.front().at("limit") == 1.2);
+    CHECK(json.front().at("advice") == first.advice);
+    CHECK(json.front().at("set") == first.set);
+}
+
+}  // namespace hdconj::test::judgement_cases
