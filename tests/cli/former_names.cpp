@@ -3,13 +3,12 @@
 // the page that describes them.
 #include <hdf5.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <set>
 
 #include "hdconj_run.hpp"
 #include "support/catch.hpp"
+#include "support/former_names.hpp"
 #include "support/read_hdf5.hpp"
 
 namespace hdconj::test::former_name_cases {
@@ -17,31 +16,6 @@ namespace hdconj::test::former_name_cases {
 using nlohmann::json;
 
 namespace {
-
-struct Renamed
-{
-    std::string name, former;
-    auto operator<=>(Renamed const&) const = default;
-};
-
-/// The rows of the table in docs/reference/json.md for @p object, and @p more of HDF5 alone.
-std::vector<Renamed> renamed(std::string const& object, std::vector<Renamed> more = {})
-{
-    std::ifstream page(HDCONJ_SOURCE_DIR "/docs/reference/json.md");
-    std::regex const row("^\\| `" + object + "` \\| `(\\w+)` \\| `(\\w+)` \\|$");
-    for (std::string line; std::getline(page, line);)
-        if (std::smatch found; std::regex_match(line, found, row))
-            more.push_back({found[1], found[2]});
-    return more;
-}
-
-/// What follows @p stem in @p key, where that is an error, a count or a unit.
-std::optional<std::string> end_of(std::string const& key, std::string const& stem)
-{
-    static std::regex const ends("(_error|_count)?(_(um|mm|arcmin|mm_per_rad))?");
-    std::string const rest = key.starts_with(stem) ? key.substr(stem.size()) : "?";
-    return std::regex_match(rest, ends) ? std::optional(rest) : std::nullopt;
-}
 
 /// Names that were found under both forms.
 using Seen = std::set<Renamed>;
@@ -149,7 +123,7 @@ TEST_CASE("contact: former names have the values of the new ones", "[contact][fo
     check_verb("contact",
                "'" HDCONJ_SOURCE_DIR
                "/data/scenes/type-50-coned.toml' --set slices.count=3 "
-               "--set contact.flank_points=40 --revolution 2 --tilt 0,0.1 --best",
+               "--set contact.flank_points=40 --surface tilted --revolution 2 --tilt 0,0.1 --best",
                renamed("contact", {{"flank_position", "station"}}));
 }
 

@@ -61,10 +61,13 @@ struct Results
     [[nodiscard]] hdconj::io::hdf5::File file() const { return hdconj::test::open_file(folder / "a.h5"); }
 };
 
-/// Plays as lengths at the pitch circle: HDF5 has them as angles only.
-std::set<std::string> const plays_as_lengths = {"backlash_um", "backlash_error_um",
-                                                "backlash_of_least_side_clearance_um",
-                                                "backlash_of_least_side_clearance_error_um"};
+/// Backlash as a length at the pitch circle: HDF5 has them as angles only.
+std::set<std::string> const backlash_as_lengths = {"backlash_um",
+                                                   "backlash_error_um",
+                                                   "backlash_of_least_side_clearance_um",
+                                                   "backlash_of_least_side_clearance_error_um",
+                                                   "backlash_of_clearing_um",
+                                                   "backlash_of_clearing_error_um"};
 
 /// Compares the numbers of @p object with row @p row of the columns in @p group.
 /// @returns the keys without a column
@@ -87,7 +90,7 @@ std::set<std::string> compare_columns(hid_t file, std::string const& group, json
             name = other->second;
         std::string const path = group + "/" + name;
         INFO(path << " [" << row << "] and " << key);
-        if (plays_as_lengths.contains(key) || !hdconj::test::has_link(file, path.c_str())) {
+        if (backlash_as_lengths.contains(key) || !hdconj::test::has_link(file, path.c_str())) {
             absent.insert(key);
             continue;
         }
