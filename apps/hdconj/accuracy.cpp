@@ -195,15 +195,14 @@ std::string studies_text()
 }
 
 constexpr char const* footer =
-    "Errors are distances in mm from a reference in 50 digits that is computed by another path: of the scene's own "
-    "wave generator, motion model and tooth,\n"
-    "and of the flexspline where the circular spline is given, which has no union, contact-area and load. Outlines are "
-    "measured in one plane, without coning, tilt and slices.\n"
-    "Motion models are compared with the exact one. contact-area is measured against lengths in a thousand exact "
-    "planes, load against its own finest rungs. What of the scene is left out is said in notes. The folder holds "
-    "records.h5,\n"
-    "records.csv and, where gnuplot is installed, a picture of each study; it appears whole or not at all. Times are "
-    "of this machine, as busy as it is.\n"
+    "Errors are distances in mm from a reference in 50 digits, which another method computes for the scene's own wave "
+    "generator, motion model and tooth.\n"
+    "Outlines are compared in one plane, without coning, tilt and slices. Motion models are compared with the exact "
+    "one, contact-area with lengths in a thousand exact planes,\n"
+    "and load with its own finest levels. Where the circular spline is given, union, contact-area and load are left "
+    "out. Notes say what else was.\n"
+    "The folder holds records.h5, records.csv and, where gnuplot is installed, a picture of each study. It appears "
+    "whole or not at all. Times depend on how busy this machine is.\n"
     "Examples:\n"
     "  hdconj accuracy drive.toml -o study\n"
     "  hdconj accuracy --study tolerance,motion-model --sample 0\n"
@@ -216,19 +215,17 @@ void add_accuracy(CLI::App& program, CommonOptions& common)
 {
     auto [verb, own] =
         add_verb(program, common, "accuracy",
-                 "what accuracy costs in time: error against time of every method and knob", run_accuracy);
+                 "what accuracy costs in time: error against time of every method and setting", run_accuracy);
     add_scene_options(verb, common);
     add_list(verb, "--study", own.studies, "studies to run, see below [all]", "NAME,...");
     add_name(verb, "-o,--output", own.output,
              "folder to make [the scene file's name and -accuracy, in this folder; with --from none]", "DIR");
-    add_option(verb, "--sample", own.sample, "designs about the scene whose worst is shown beside it [64]", "N",
-               CLI::Range(0, 1000));
+    add_option(verb, "--sample", own.sample, "random designs around the scene; the worst of them is reported too [64]",
+               "N", CLI::Range(0, 1000));
     add_option(verb, "--repeats", own.repeats, "runs of each setting; the median counts [5]", "N", CLI::Range(1, 1000));
     verb.add_flag("--quick", own.quick,
-                  "short ladders, one run of each setting, 3 designs: some seconds in place of ten minutes (one "
-                  "without the sample)");
-    add_name(verb, "--from", own.from, "take records that were measured before in place of measuring",
-             "DIR/records.h5");
+                  "short convergence series, one run of each setting, 3 designs: seconds instead of ten minutes");
+    add_name(verb, "--from", own.from, "read records that were measured before instead of measuring", "DIR/records.h5");
     verb.add_option("--budget", own.budget, "advise the most accurate setting within a time, such as 10ms, 0.5s, 800us")
         ->type_name("TIME");
     verb.add_option("--error", own.error,

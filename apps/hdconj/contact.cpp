@@ -77,7 +77,7 @@ ContactOptions options_of(ContactArguments const& own)
 int run_contact(CommonOptions const& common, ContactArguments const& own)
 {
     if (own.ring && own.xdmf.empty() && own.stl.empty() && own.vtk.empty())
-        throw InputError(Fault{"--ring", 0, "", "no surface is written that could be the whole ring's",
+        throw InputError(Fault{"--ring", 0, "", "no surface file is asked for that could hold the whole ring",
                                "write --xdmf, --stl or --vtk with a file name, or leave --ring out"});
     Scene const scene = load_scene(common);
     ContactOptions const options = options_of(own);
@@ -98,10 +98,11 @@ int run_contact(CommonOptions const& common, ContactArguments const& own)
 constexpr char const* contact_footer =
     "A gap is the distance from a point of the circular spline's flank to the nearest tooth, in the plane of its "
     "slice.\n"
-    "The circular spline is turned, wave generator and flexspline held, until teeth touch; where the gap is then no "
-    "larger than contact.contact_gap there is contact.\n"
-    "Where the side clearance leaves interference, the least that clears is taken, and the table says so.\n"
-    "Of several surfaces, kinds or tilts those that cannot be made are named, the others written, and the exit status "
+    "The circular spline turns, with wave generator and flexspline held, until teeth touch. Flank with a gap up to "
+    "contact.contact_gap is then in contact.\n"
+    "Where the side clearance of the scene leaves interference, the smallest without interference is used instead, and "
+    "the table marks it with *.\n"
+    "A surface, kind or tilt that has no result is named with its cause. The others are written, and the exit status "
     "is 1.\n"
     "Examples:\n"
     "  hdconj contact drive.toml --tilt 0,0.1,0.2,0.3 --picture tilt.svg\n"
@@ -113,15 +114,16 @@ constexpr char const* contact_footer =
 
 void add_contact(CLI::App& program, CommonOptions& common)
 {
-    auto [verb, own] =
-        add_verb(program, common, "contact", "contact area, clearance and play, against tilt and surface", run_contact);
+    auto [verb, own] = add_verb(program, common, "contact",
+                                "contact area, clearance and backlash, against tilt and surface", run_contact);
     add_scene_options(verb, common);
     add_strict(verb, common);
     add_case_options(verb, own.cases,
                      "tilt angles in degrees, such as 0,0.1,0.2; with --best the interval searched [the scene's]");
-    verb.add_flag("--best", own.best, "search the tilt of largest contact area, and that of least clearing offset");
+    verb.add_flag("--best", own.best,
+                  "search the tilt with the largest contact area, and that with the smallest least side clearance");
     add_option(verb, "--revolution", own.revolution,
-               "angles of the wave generator over a revolution; the one with least contact counts", "N",
+               "angles of the wave generator over a revolution; the table shows the one with least contact", "N",
                CLI::Range(1, 10000));
     add_name(verb, "-o,--output", own.output,
              "result file, HDF5 [the scene file's name and -contact.h5, in this folder]", "FILE");

@@ -72,7 +72,7 @@ void check_options(LoadArguments const& own, Faults& faults)
     if (!own.measured.empty())
         return;
     auto const refuse_option = [&](char const* option, std::string const& value) {
-        faults.push_back({option, 0, value, "there is no measured curve that it could be about",
+        faults.push_back({option, 0, value, "no measured curve is given that it could apply to",
                           "write --measured with the name of a CSV file, or leave it out"});
     };
     if (!own.output_member.empty())
@@ -144,19 +144,22 @@ int run_load(CommonOptions const& common, LoadArguments const& own)
 }
 
 constexpr char const* load_footer =
-    "The cup is elastic, pressed on its wave generator without friction; teeth touch, part and share the torque as "
-    "their gaps allow.\n"
-    "Wave generator and cup's flange are held, the torque on the circular spline runs 0, T, 0, -T: its twist, "
-    "backlash, two stages of stiffness, pressure, stress.\n"
-    "Where the cup is the output, angles are z_c/z_f times as large, torques z_f/z_c.\n"
-    "Absolute stiffness depends on how far the bearing gives way, which is a key of the scene and no more than its "
-    "value is right.\n"
+    "The cup is elastic and sits on its wave generator without friction. Each pair of teeth carries as much of the "
+    "torque as its gap allows.\n"
+    "Wave generator and flange of the cup are held. The torque on the circular spline runs 0, T, 0, -T. Results are "
+    "twist, backlash, stiffness, pressure and stress.\n"
+    "The two stages of stiffness are two straight lines through the curve, to compare with a catalogue or a test rig. "
+    "The curve itself rises smoothly: the stages\n"
+    "depend on the number of torques, so compare only those from runs with the same --points.\n"
+    "Where the cup is the output, angles are z_c/z_f times as large and torques z_f/z_c times (teeth of the circular "
+    "spline and of the flexspline).\n"
+    "The stiffness is as right as the radial stiffness of the bearing, a key of the scene.\n"
     "A measured curve is a CSV file whose first line names columns and units, such as\n"
     "  angle [arcmin], torque [N m]          angle deg, arcmin, arcsec, rad, mrad; torque N m, N mm, mN m\n"
     "  current [A], position [counts]        a motor with --torque-constant, its encoder with --counts-per-turn\n"
-    "with one or more cycles 0, T, 0, -T, 0: its backlash is the width of the loop at zero torque, its stages two "
-    "lines each.\n"
-    "Of several surfaces, kinds or tilts those that cannot be made are named, the others written, and the exit status "
+    "with one or more cycles 0, T, 0, -T, 0. Its backlash is the width of the loop at zero torque. Two lines are "
+    "fitted to each loading branch.\n"
+    "A surface, kind or tilt that has no result is named with its cause. The others are written, and the exit status "
     "is 1.\n"
     "Examples:\n"
     "  hdconj load drive.toml --picture drive.svg --vtu cup.vtu\n"
@@ -165,19 +168,21 @@ constexpr char const* load_footer =
 
 void add_rig(CLI::App& verb, LoadArguments& own)
 {
-    add_name(verb, "--measured", own.measured, "torque-angle curve of a test rig, to be laid over the simulation",
+    add_name(verb, "--measured", own.measured, "torque-angle curve of a test rig, to compare with the simulation",
              "FILE.csv");
     add_option(verb, "--torque-constant", own.rig.torque_constant,
                "of the rig's motor in N m/A; negative where current and angle count in opposite senses", "NM/A",
                finite_number("write N m per A such as --torque-constant 0.119"));
-    add_option(verb, "--counts-per-turn", own.rig.counts_per_turn, "of the encoder on the motor, after multiplication",
-               "N", finite_number("write counts per turn of the motor such as --counts-per-turn 2000"));
+    add_option(verb, "--counts-per-turn", own.rig.counts_per_turn,
+               "of the encoder on the motor, after quadrature multiplication", "N",
+               finite_number("write counts per turn of the motor such as --counts-per-turn 2000"));
     add_option(verb, "--ratio", own.rig.ratio, "motor turns per turn of the output [the scene's]", "I",
                finite_number("write a ratio such as --ratio 100"));
     add_option(verb, "--efficiency", own.rig.efficiency, "static efficiency between motor and output [1]", "ETA",
-               finite_number("write a share such as --efficiency 0.8"));
-    add_option(verb, "--output-member", own.output_member, "what turns at the rig's output: cup, circular-spline [cup]",
-               "WORD", one_of({"cup", "circular-spline"}));
+               finite_number("write a number above 0 and at most 1, such as --efficiency 0.8"));
+    add_option(verb, "--output-member", own.output_member,
+               "member that turns at the rig's output: cup, circular-spline [cup]", "WORD",
+               one_of({"cup", "circular-spline"}));
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 An estimate for docs/explanation/contact.md, not part of the program. The gap map of `hdconj contact` is moved back to a side clearance that the
 thesis' prototypes may have had (0.0225 mm by the play of 6.2 arcmin), which lets the teeth enter each other, and the circular spline is turned until the overlap, taken as the pressure of a bed of springs, makes a given
 moment; what overlaps on the driving side is in contact. Needs h5py and numpy. Simplifications: gaps change by the clearance itself and by
-lever times turn; normals are those of the slice in the middle; the tip circle is the one that clears. Tilts at which no surface can be made have no share.
+lever times turn; normals are those of the slice in the middle; the tip circle is the least one. Tilts at which no surface can be made have no area.
 """
 import json
 import os

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/accuracy.hpp"
 
+#include <fmt/format.h>
 #include <algorithm>
 #include <chrono>
 #include <fstream>
@@ -29,10 +30,10 @@ class Measuring
         : options_(options), progress_(progress), scene_share_(options.sample > 0 ? 1.0 / 8 : 1.0)
     {
         report_.quick = options.quick;
-        report_.scene = accuracy::plain(scene, report_.notes);
+        report_.scene = accuracy::plain(scene, notes_);
         report_.threads = thread_count(scene.solver.threads);
         report_.machine = processor();
-        chosen_ = accuracy::wanted(report_.scene, options, report_.notes);
+        chosen_ = accuracy::wanted(report_.scene, options, notes_);
         flat_ = report_.scene;
         flat_.coning.reset();
     }
@@ -42,7 +43,7 @@ class Measuring
         auto const start = std::chrono::steady_clock::now();
         measure_scene(reference());
         if (report_.records.empty())
-            throw InputError(accuracy::nothing_measured(chosen_, report_.notes));
+            throw InputError(accuracy::nothing_measured(chosen_, notes_));
         // what this drive has not, designs about it have not either
         std::erase_if(chosen_, [&](accuracy::Study const& study) {
             return std::none_of(report_.records.begin(), report_.records.end(),
@@ -50,6 +51,8 @@ class Measuring
         });
         measure_sample();
         report_.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+        for (accuracy::StudyNote const& note : notes_)
+            report_.notes.push_back(note.study.empty() ? note.words : note.study + ": " + note.words);
         return std::move(report_);
     }
 
@@ -77,7 +80,7 @@ class Measuring
                 throw;
             for (accuracy::Study const& study : chosen_)
                 if (accuracy::has_outline(study))
-                    report_.notes.push_back(std::string(study.kind.name) + ": left out, " + error.what());
+                    notes_.push_back({std::string(study.kind.name), std::string("left out, ") + error.what()});
             std::erase_if(chosen_, accuracy::has_outline);
         }
         return whole;
@@ -90,8 +93,8 @@ class Measuring
             say(std::string(study.kind.name),
                 scene_share_ * static_cast<double>(done++) / static_cast<double>(chosen_.size()));
             accuracy::run_study(study, whole,
-                                {report_, flat_, report_.scene.drive.name, options_.quick ? 1 : options_.repeats,
-                                 options_.quick, false, report_.threads},
+                                {report_, notes_, flat_, report_.scene.drive.name,
+                                 options_.quick ? 1 : options_.repeats, options_.quick, false, report_.threads},
                                 report_.scene);
         }
     }
@@ -113,10 +116,9 @@ class Measuring
         }
         for (std::size_t k = 0; k < chosen_.size(); ++k)
             if (unfinished[k].designs > 0)
-                report_.notes.push_back(std::string(chosen_[k].kind.name) + ": not finished on " +
-                                        std::to_string(unfinished[k].designs) + " of " +
-                                        std::to_string(report_.sample) + " designs of the sample; the first is " +
-                                        unfinished[k].first);
+                notes_.push_back({std::string(chosen_[k].kind.name),
+                                  fmt::format("not finished on {} of {} designs of the sample; the first is {}",
+                                              unfinished[k].designs, report_.sample, unfinished[k].first)});
     }
 
     /// Designs that a study was not finished on.
@@ -138,7 +140,8 @@ class Measuring
         coned.coning = report_.scene.coning;
         for (std::size_t k = 0; k < chosen_.size(); ++k) {
             try {
-                accuracy::run_study(chosen_[k], one, {report_, one.scene, name, 1, options_.quick, true, 1}, coned);
+                accuracy::run_study(chosen_[k], one, {report_, notes_, one.scene, name, 1, options_.quick, true, 1},
+                                    coned);
             } catch (NumericalError const& error) {
                 // such as another motion model with which the teeth have no land: what was measured before stays
                 if (unfinished[k].designs++ == 0)
@@ -151,6 +154,7 @@ class Measuring
     StudyProgress const& progress_;
     double scene_share_;  ///< of the time
     AccuracyReport report_;
+    std::vector<accuracy::StudyNote> notes_;
     std::vector<accuracy::Study> chosen_;
     Scene flat_;  ///< the scene's drive without what it has along the axis
 };

@@ -130,12 +130,12 @@ void measure(StudyRun const& bench, Scene const& scene, Series const& series)
     bench.keep(reference.record);
     std::string const part =
         reference.record.error > 0 ? short_number(std::floor(finest / reference.record.error)) : "infinity";
-    bench.note("contact-area: no reference in 50 digits; " + std::string(series.method) + " are measured against " +
-               short_number(reference.record.value) +
-               (series.slices ? " planes with edges of contact as roots, and no cells between them"
-                              : " of them in the same planes") +
-               ", whose own error is " + short_number(reference.record.error) + " mm^2, 1/" + part +
-               " of the finest tested");
+    bench.note("contact-area", "no reference in 50 digits; " + std::string(series.method) + " are compared with " +
+                                   short_number(reference.record.value) +
+                                   (series.slices ? " planes with edges of contact as roots, and no cells between them"
+                                                  : " of them in the same planes") +
+                                   ", whose own error is " + short_number(reference.record.error) + " mm^2, 1/" + part +
+                                   " of the finest tested");
 }
 
 void run_area_series(StudyRun const& bench)
@@ -143,7 +143,7 @@ void run_area_series(StudyRun const& bench)
     Scene scene = coned(bench);
     scene.solver.threads = bench.threads;
     if (scene.circular_spline.backlash_offset != 0) {
-        bench.note("contact-area: backlash_offset left out: measured where conjugate flanks touch");
+        bench.note("contact-area", "backlash_offset left out: measured where conjugate flanks touch");
         scene.circular_spline.backlash_offset = 0;
     }
     struct Lengths

@@ -190,7 +190,7 @@ std::string why_no_order(std::vector<ConvergenceLevel> const& levels, double flo
         std::adjacent_find(clear.begin(), clear.end(), [](ConvergenceLevel const* a, ConvergenceLevel const* b) {
             return !falls(*a, *b);
         }) == clear.end();
-    return clear.size() < least || fall ? std::string() : "errors do not fall by 5 % at every rung";
+    return clear.size() < least || fall ? std::string() : "errors do not fall by 5 % at every level";
 }
 
 std::optional<ErrorPerStep> error_per_step(std::vector<ConvergenceLevel> const& levels)

@@ -34,10 +34,10 @@ std::optional<LoadCase> at_rated_torque(StudyRun const& bench, Scene const& load
     try {
         return study_load(scene, options).cases.front();
     } catch (NumericalError const& error) {
-        bench.report.notes.push_back(
-            fmt::format("load: {}no answer with {} harmonics, {} slices, {} points and {} circles: {}",
-                        bench.sampled ? bench.name + " has " : "", counts.harmonics, counts.slices, counts.points,
-                        counts.circles, error.what()));
+        bench.notes.push_back(
+            {"load", fmt::format("{}no result with {} harmonics, {} slices, {} points and {} circles: {}",
+                                 bench.sampled ? bench.name + " has " : "", counts.harmonics, counts.slices,
+                                 counts.points, counts.circles, error.what())});
         return {};
     }
 }
@@ -121,15 +121,17 @@ void note_reference(StudyRun const& bench, CountSeries const& series, SolvedLoad
 {
     LoadedState const& finest = reference.rated();
     auto const share = [&](double LoadedState::*figure) { return reference.estimate(figure, finest); };
-    bench.note(fmt::format(
-        "load: no reference in 50 digits; {} are measured against {} of them, twist {:.3g} rad and largest force "
-        "{:.3g} N, which by their own estimate are off by {}; gaps of the loaded shape are met to {:.3g} mm, the floor "
-        "of all of them",
-        series.method, series.finest, finest.twist, finest.largest_force,
-        reference.load.estimated
-            ? fmt::format("{:.3g} and {:.3g} of them", share(&LoadedState::twist), share(&LoadedState::largest_force))
-            : "an amount that is not known",
-        finest.gap_mismatch));
+    bench.note(
+        "load",
+        fmt::format(
+            "no reference in 50 digits; {} are compared with {} of them, whose twist is {:.3g} rad and largest force "
+            "{:.3g} N, with estimated errors of {}; gaps agree with the loaded shape to {:.3g} mm, below which no "
+            "error can be seen",
+            series.method, series.finest, finest.twist, finest.largest_force,
+            reference.load.estimated ? fmt::format("{:.3g} and {:.3g} of them", share(&LoadedState::twist),
+                                                   share(&LoadedState::largest_force))
+                                     : "unknown size",
+            finest.gap_mismatch));
 }
 
 void run_load_series(StudyRun const& bench, Scene const& scene)
@@ -150,7 +152,7 @@ void run_load_series(StudyRun const& bench, Scene const& scene)
         if (!reference)
             continue;
         if (reference->rated().twist == 0 || reference->rated().largest_force == 0)
-            return bench.leave_out("load", "at this torque nothing turns or no tooth carries");
+            return bench.leave_out("load", "at this torque no tooth carries or nothing turns");
         note_reference(bench, series, *reference);
         for (int const value : series.values) {
             if (std::optional<SolvedLoad> found = solve_load(bench, scene, counts(value)))

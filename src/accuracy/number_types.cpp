@@ -76,8 +76,8 @@ void study_precision(StudyBench const& bench)
     conjugate::BoundaryPiece const* chosen = longest_flank(
         bench, [&](auto const& piece) { return std::holds_alternative<profile::ArcPiece>(drive.shape_of(piece)); });
     if (chosen == nullptr)
-        return bench.note(
-            "number-type: no arc of the flank bounds the tooth space; the study is of the closed form on arcs");
+        return bench.note("number-type",
+                          "no arc of the flank bounds the tooth space; the study is of the closed form on arcs");
     conjugate::BoundaryPiece in_place = *chosen;
     if (!drive.reverse())
         in_place.copy = 0;

@@ -211,7 +211,7 @@ void study_roots(StudyBench const& bench)
     Instants const at = instants_of(bench.drive, pieces, bench.quick ? instants_of_quick : instants);
     closed_form(bench, at);
     if (pieces.empty())
-        return bench.note("roots: the flank has too few points for a spline");
+        return bench.note("roots", "the flank has too few points for a spline");
     std::vector<Found> const proved = certified(pieces, at);
     StudyRecord record = roots_record("certified (spline)", 1);
     record.error = record.hausdorff = worst_root(pieces, at, proved, record.normal_speed);

@@ -17,10 +17,18 @@ namespace hdconj::accuracy {
 [[nodiscard]] double peak_memory();
 void reset_peak_memory();
 
-/// The scene that is measured, and where records go.
+/// What is said of a study, or of the scene where @ref study is empty.
+struct StudyNote
+{
+    std::string study;
+    std::string words;
+};
+
+/// The scene that is measured, and where records and notes go.
 struct StudyRun
 {
     AccuracyReport& report;
+    std::vector<StudyNote>& notes;
     Scene const& scene;
     std::string name;  ///< of the drive
     int repeats = 1;
@@ -47,14 +55,14 @@ struct StudyRun
     {
         if (sampled)
             throw NumericalError(ErrorCode::no_reference, "accuracy", study, why);
-        report.notes.push_back(study + ": left out, " + why);
+        notes.push_back({study, "left out, " + why});
     }
 
-    /// Says @p what, once and not for each design of the sample.
-    void note(std::string const& what) const
+    /// Says @p words of @p study, once and not for each design of the sample.
+    void note(std::string const& study, std::string const& words) const
     {
         if (!sampled)
-            report.notes.push_back(what);
+            notes.push_back({study, words});
     }
 
     /// The length of a series.

@@ -55,7 +55,7 @@ void until_clear(StudyDrive const& drive, Clearance const& clearance, Find const
             return;
     }
     throw NumericalError(ErrorCode::interference, "reference", "boundary",
-                         "teeth enter it however fine its pieces are looked for");
+                         "teeth interfere with it however finely it is computed");
 }
 
 void find_tooth_space(StudyDrive& drive)

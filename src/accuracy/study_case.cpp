@@ -13,29 +13,29 @@
 
 namespace hdconj::accuracy {
 
-Scene plain(Scene const& scene, std::vector<std::string>& notes)
+Scene plain(Scene const& scene, std::vector<StudyNote>& notes)
 {
     Scene plain = scene;
     auto const leave_out = [&](bool there, char const* what) {
         if (there)
             notes.push_back(
-                std::string(what) +
-                " left out: the studies are of one plane, and contact-area and load bring slices of their own");
+                {"",
+                 std::string(what) +
+                     " left out: the studies are of one plane, and contact-area and load have slices of their own"});
     };
     leave_out(scene.tilt.has_value(), "[tilt]");
     leave_out(scene.slices.has_value(), "[slices]");
     if (scene.coning)
-        notes.emplace_back(
-            "[coning] left out: outlines are measured in the plane of the middle as the wave generator shapes a ring, "
-            "which an elastic cup follows only nearly; contact-area measures with it, load with the elastic cup in its "
-            "place");
+        notes.push_back({"",
+                         "[coning] left out: outlines are measured in the middle plane of a ring, from which an "
+                         "elastic cup differs slightly; contact-area has the coning, load the elastic cup instead"});
     plain.tilt.reset();
     plain.slices.reset();
     if (scene.circular_spline.root_clearance > 0)
-        notes.emplace_back("root_clearance left out: it is the difference of two given lengths");
+        notes.push_back({"", "root_clearance left out: it is the difference of two given lengths"});
     plain.circular_spline.root_clearance = 0;
     if (scene.circular_spline.automatic_backlash)
-        notes.emplace_back("backlash_offset = \"auto\" left out: measured with none");
+        notes.push_back({"", "backlash_offset = \"auto\" left out: measured without side clearance"});
     plain.circular_spline.automatic_backlash = false;
     plain.wedm.reset();
     return plain;
@@ -129,7 +129,7 @@ std::vector<std::unique_ptr<Case>> designs_of(Scene const& scene, std::vector<St
 void run_study(Study const& study, Case const& drive, StudyRun const& run, Scene const& coned)
 {
     auto const of = [&](Scene const& scene, int threads) -> StudyRun {
-        return {run.report, scene, run.name, run.repeats, run.quick, run.sampled, threads};
+        return {run.report, run.notes, scene, run.name, run.repeats, run.quick, run.sampled, threads};
     };
     if (!has_outline(study))
         return study.axial(of(study.axial == study_contact_area ? coned : drive.scene, run.report.threads));

@@ -15,7 +15,7 @@ namespace hdconj::accuracy {
 
 /// The drive that is measured: nothing along the axis, nothing cut away that no tooth has touched. What is left out is
 /// said in @p notes.
-[[nodiscard]] Scene plain(Scene const& scene, std::vector<std::string>& notes);
+[[nodiscard]] Scene plain(Scene const& scene, std::vector<StudyNote>& notes);
 
 /// A drive taken apart, with its reference.
 struct Measured

@@ -12,9 +12,12 @@ std::vector<Study> const& studies()
     constexpr char const* of_flexspline = "it needs the flexspline's tooth given";
     static std::vector<Study> const all = {
         {{"tolerance", "what each digit of solver.tolerance costs"}, study_tolerance, nullptr, nullptr},
-        {{"sampling", "equal steps of u against the adaptive sampler"}, study_sampling, nullptr, nullptr},
-        {{"motion-model", "first order and material against exact motion"}, study_motion_model, nullptr, nullptr},
-        {{"polynomial-fit", "grid in phi, iterate, fit a polynomial: where the fit stops helping"},
+        {{"sampling", "equal steps of u against adaptive steps"}, study_sampling, nullptr, nullptr},
+        {{"motion-model", "first-order and material motion against exact motion"},
+         study_motion_model,
+         nullptr,
+         nullptr},
+        {{"polynomial-fit", "polynomial fitted to contacts on a grid in phi: best degree and its error"},
          study_fit,
          nullptr,
          nullptr},
@@ -22,7 +25,7 @@ std::vector<Study> const& studies()
          study_union,
          nullptr,
          "it unites positions of a flexspline tooth"},
-        {{"roots", "closed form against certified roots against a plain scan"}, study_roots, nullptr, nullptr},
+        {{"roots", "closed form, certified roots and a plain scan"}, study_roots, nullptr, nullptr},
         {{"number-type", "float, double, long double"}, study_precision, nullptr, nullptr},
         {{"contact-area", "slices and flank points for the contact area"},
          nullptr,
@@ -34,7 +37,7 @@ std::vector<Study> const& studies()
          study_load_twist,
          of_flexspline,
          lacks_for_load},
-        {{"threads", "what more threads give, and that they change no bit"}, study_threads, nullptr, nullptr}};
+        {{"threads", "speed with more threads; the result keeps every bit"}, study_threads, nullptr, nullptr}};
     return all;
 }
 
@@ -43,29 +46,29 @@ bool named(AccuracyOptions const& options, Study const& study)
     return std::find(options.studies.begin(), options.studies.end(), study.kind.name) != options.studies.end();
 }
 
-std::vector<Study> wanted(Scene const& scene, AccuracyOptions const& options, std::vector<std::string>& notes)
+std::vector<Study> wanted(Scene const& scene, AccuracyOptions const& options, std::vector<StudyNote>& notes)
 {
     std::vector<Study> chosen;
     for (Study const& study : studies()) {
         if (!options.studies.empty() && !named(options, study))
             continue;
         if (scene.is_reverse() && study.forward_only != nullptr)
-            notes.push_back(std::string(study.kind.name) + ": left out, " + study.forward_only);
+            notes.push_back({std::string(study.kind.name), std::string("left out, ") + study.forward_only});
         else
             chosen.push_back(study);
     }
     return chosen;
 }
 
-Faults nothing_measured(std::vector<Study> const& chosen, std::vector<std::string> const& notes)
+Faults nothing_measured(std::vector<Study> const& chosen, std::vector<StudyNote> const& notes)
 {
     Faults faults;
     for (Study const& study : chosen) {
-        std::string const name(study.kind.name), begin = name + ": ";
+        std::string const name(study.kind.name);
         std::string why = "nothing could be measured";
-        for (std::string const& note : notes)
-            if (note.starts_with(begin))
-                why += "; " + note.substr(begin.size());
+        for (StudyNote const& note : notes)
+            if (note.study == name)
+                why += "; " + note.words;
         faults.push_back({"--study", 0, name, why, "change the scene, or ask for another study"});
     }
     return faults;

@@ -34,9 +34,9 @@ struct Study
 /// The studies that are run; of those that nobody has asked for by name, those that the scene has. What is left out is
 /// said in @p notes.
 [[nodiscard]] std::vector<Study> wanted(Scene const& scene, AccuracyOptions const& options,
-                                        std::vector<std::string>& notes);
+                                        std::vector<StudyNote>& notes);
 
 /// One fault for each study that has been left out, where all of them have been.
-[[nodiscard]] Faults nothing_measured(std::vector<Study> const& chosen, std::vector<std::string> const& notes);
+[[nodiscard]] Faults nothing_measured(std::vector<Study> const& chosen, std::vector<StudyNote> const& notes);
 
 }  // namespace hdconj::accuracy

@@ -58,8 +58,9 @@ void study_motion_model(StudyBench const& bench)
     tolerance_series(bench, "motion-model", "first order", Kinematics::first_order, levels);
     if (!bench.drive.shape.breaks().empty())
         return bench.note(
-            "motion-model: material left out, it is a Fourier series, which does not follow the jumps in the third "
-            "derivative of this wave generator's shape");
+            "motion-model",
+            "material left out: it is a Fourier series, which cannot follow the jumps in the third derivative of this "
+            "wave generator's shape");
     tolerance_series(bench, "motion-model", "material", Kinematics::material, levels);
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdlib>
 
 #include <fmt/format.h>
 
@@ -46,6 +47,21 @@ std::string number_text(double value)
 std::string short_number(double value, int digits)
 {
     return fmt::format("{:.{}g}", value, digits);
+}
+
+std::string at_least_text(double bound)
+{
+    std::string const text = short_number(bound);
+    if (std::strtod(text.c_str(), nullptr) >= bound)
+        return text;
+    double const last_digit = std::pow(10.0, std::floor(std::log10(std::abs(bound))) - 5);
+    return short_number(bound + last_digit);
+}
+
+std::string at_most_text(double bound)
+{
+    std::string const text = at_least_text(-bound);
+    return text.front() == '-' ? text.substr(1) : text;
 }
 
 std::string in_quotes(std::string_view text)

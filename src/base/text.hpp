@@ -16,6 +16,11 @@ namespace hdconj {
 /// @p value with at most @p digits significant digits.
 [[nodiscard]] std::string short_number(double value, int digits = 6);
 
+/// A number of at most six digits that is no smaller than @p bound, for "write at least ...".
+[[nodiscard]] std::string at_least_text(double bound);
+/// A number of at most six digits that is no larger than @p bound, for "write at most ...".
+[[nodiscard]] std::string at_most_text(double bound);
+
 /// @p text in double quotes.
 [[nodiscard]] std::string in_quotes(std::string_view text);
 

@@ -75,7 +75,7 @@ ToothSpaceBoundary ToothSpaceBoundary::moved_along_normal(double distance, Toler
                 vanished = Vanished::whole;
         }
         if (vanished != Vanished::nothing && made_by(piece).kind == OutlineKind::flank)
-            refuse(piece, "the flank folds there");
+            refuse(piece, "the flank would fold over itself there");
         if (!cut.empty() && (vanished == Vanished::whole || vanished == Vanished::begin))
             cut.back() = 1;
         if (vanished == Vanished::whole)
@@ -101,7 +101,7 @@ ToothSpaceBoundary ToothSpaceBoundary::moved_along_normal(double distance, Toler
     }
     for (BoundaryPiece const& piece : gone)
         if (moved.nearest_corner_of_land(sampled(piece, tolerance.length)) < std::abs(distance) - 2 * tolerance.length)
-            refuse(piece, "the stretch of outline beside the tip circle has no place",
+            refuse(piece, "the part of the outline beside the tip circle would vanish",
                    "write another circular_spline.inner_radius or tilt.angle_deg");
     return moved;
 }
@@ -125,13 +125,13 @@ std::optional<ToothSpaceBoundary::NoPlace> ToothSpaceBoundary::join(std::vector<
         bool const corner = cut[i] != 0 || std::abs(cross(n, next)) > smooth || n.dot(next) < 0;
         if (corner && !moved.meet(after[i], after[i + 1], std::abs(distance), tolerance))
             return NoPlace{is_land(i) || (!is_land(i + 1) && is_land(i + 2)) ? i + 1 : i,
-                           "the stretches of outline that meet there no longer do"};
+                           "neighbouring parts of the outline would no longer meet there"};
     }
     for (std::size_t i = 0; i < after.size(); ++i) {
         double const was = before[i].end - before[i].begin;
         double const is = after[i].end - after[i].begin;
         if (std::signbit(was) != std::signbit(is) && was != 0)
-            return NoPlace{i, "a stretch of the outline vanishes"};
+            return NoPlace{i, "a part of the outline would vanish"};
     }
     return std::nullopt;
 }

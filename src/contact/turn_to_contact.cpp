@@ -6,9 +6,11 @@
 #include <limits>
 #include <string>
 
+#include "base/text.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/base/tolerance.hpp"
 #include "hdconj/error.hpp"
+#include "hdconj/units.hpp"
 
 namespace hdconj::contact {
 namespace {
@@ -127,8 +129,8 @@ TurnToContact turn_to_contact(GapField const& field, GapMap const& at_rest, int 
         constexpr double growth = 1.5;
         // the last look is at the limit itself
         if (!(step < limit))
-            throw NumericalError(ErrorCode::no_contact, "contact", "take-up",
-                                 "no flank touches within a turn of " + std::to_string(limit) + " rad");
+            throw NumericalError(ErrorCode::no_contact, "contact", "turn to contact",
+                                 "no flank touches within a turn of " + short_number(limit / deg) + " deg");
         step = std::min(growth * step, limit);
         rivals = rivals_within(step);
         double const gap = look(field, rivals, sense * way * step, 0, threads).least.gap;
@@ -172,7 +174,7 @@ TurnToContact turn_to_contact(GapField const& field, GapMap const& at_rest, int 
         }
     }
     if (!done)
-        throw NumericalError(ErrorCode::not_converged, "contact", "take-up",
+        throw NumericalError(ErrorCode::not_converged, "contact", "turn to contact",
                              "the turn to first contact did not converge");
     if (rivals.place.empty())
         return {turn, {}, 0, resting};

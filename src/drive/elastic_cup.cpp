@@ -103,7 +103,7 @@ std::shared_ptr<elastic::BentCup const> bent_cup(Scene const& scene, double inne
                              "the cam reaches no ball, and the cup stays round", "write a larger bearing.cam_oversize");
     if (!(cup->contact().total_force > 0))
         throw NumericalError(ErrorCode::no_contact, "elastic cup", "bearing",
-                             "it never touches the cup, which stays round", "write a larger bearing.fit");
+                             "it does not touch the cup, which stays round", "write a larger bearing.fit");
     return cup;
 }
 
@@ -169,12 +169,12 @@ std::string describe(elastic::BentCup const& cup, std::optional<BentCupError> co
     auto const known = [&](double value, double BentCupError::*off, double unit) {
         return short_number(value / unit) + (error ? " +- " + rounded((*error).*off / unit) : "");
     };
-    std::string text = "elastic cup: cones by " + known(cup.coning(0), &BentCupError::coning_major, deg) +
-                       " degrees at the major axis; bearing and cup press each other with " +
+    std::string text = "elastic cup: coning " + known(cup.coning(0), &BentCupError::coning_major, deg) +
+                       " degrees at the major axis; force between bearing and cup " +
                        known(contact.total_force, &BentCupError::force, 1) + " N";
     if (auto const widest = std::max_element(contact.ball_gap.begin(), contact.ball_gap.end());
         widest != contact.ball_gap.end() && *widest > 0)
-        text += "; the ring stands off the balls by up to " + short_number(per_um * *widest) + " um";
+        text += "; largest gap between outer ring and balls " + short_number(per_um * *widest) + " um";
     return text;
 }
 

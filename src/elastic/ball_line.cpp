@@ -33,9 +33,9 @@ std::vector<int> released(std::vector<bool> const& off)
 [[noreturn]] void refuse_free_ring()
 {
     refuse_bearing(
-        "line of balls",
-        "no ball holds the ring, which may move as a whole, or all that do face one way and leave it to the cup alone, "
-        "which is not solved; the bearing is too loose, or has too few balls where the cam pushes");
+        "balls",
+        "the balls that touch do not hold the outer ring, or hold it from one side only: the bearing is too loose, or "
+        "has too few balls where the cam pushes");
 }
 
 /// The block of a problem that belongs to the contacts of a ring.
@@ -94,9 +94,9 @@ BallLine ball_line(BearingSurface const& surface, int waves, BearingContacts con
                    int threads)
 {
     if (!surface.compliance)
-        refuse_bearing("line of balls", "a rigid bearing has no balls");
+        refuse_bearing("balls", "a rigid bearing has no balls");
     if (points < 2 || points % 2 != 0 || points / 2 >= static_cast<int>(surface.cosine.cols()))
-        refuse_bearing("line of balls",
+        refuse_bearing("balls",
                        "its points must be an even number, and no more than the harmonics of the ring can tell apart");
     int const terms = points / 2 + 1;
     auto const count = static_cast<Index>(mirrored ? terms : points), rows = static_cast<Index>(contacts.phi.size());
@@ -208,8 +208,8 @@ BallContact solve_on_balls(numeric::Complementarity& problem, Index first, BallL
         }
     }
     throw NumericalError(
-        ErrorCode::not_converged, "bearing", "line of balls",
-        "in " + std::to_string(most_rounds) + " rounds no set of touching balls was found in which all push");
+        ErrorCode::not_converged, "bearing", "balls",
+        "in " + std::to_string(most_rounds) + " iterations no set of balls was found that all press on the ring");
 }
 
 }  // namespace hdconj::elastic

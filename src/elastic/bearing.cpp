@@ -33,7 +33,7 @@ void require_sound(Bearing const& bearing)
     if (!(bearing.ring->thickness > 0))
         refuse_bearing("outer ring", "must be thicker than 0");
     if (bearing.ring->radial_stiffness && !(*bearing.ring->radial_stiffness > 0))
-        refuse_bearing("radial stiffness of the line of balls", "must be above 0");
+        refuse_bearing("radial stiffness of the balls", "must be above 0");
 }
 
 /// Puts the outer ring between the cam, the series @p cosine and @p sine with @p waves, and the surface.

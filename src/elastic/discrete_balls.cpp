@@ -138,9 +138,9 @@ DiscreteBalls discrete_balls(BearingSurface const& surface, int sectors, Bearing
     if (count == 0)
         refuse_bearing("balls", "none touches the ring");
     if (!stiffness && count > size)
-        refuse_bearing("balls", std::to_string(count * sectors) +
-                                    " are more than the harmonics of the ring tell apart, " +
-                                    std::to_string(size * sectors) + ": leave the number out for a line of balls");
+        refuse_bearing("balls",
+                       std::to_string(count * sectors) + " are more than the harmonics of the ring tell apart, " +
+                           std::to_string(size * sectors) + ": leave the number out for a continuous row of balls");
     if (sectors == 1 && !holds_a_shift(phi))
         refuse_bearing(
             "balls",

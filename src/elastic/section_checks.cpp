@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/text.hpp"
 #include "hdconj/error.hpp"
 
 namespace hdconj::elastic {
@@ -16,7 +17,7 @@ void require(bool good, std::string const& what, std::string const& cause)
 
 std::string mm(double length)
 {
-    return std::to_string(length) + " mm";
+    return short_number(length) + " mm";
 }
 
 void require_sound(Elasticity const& material)
@@ -75,7 +76,7 @@ void require_sound(CupSection const& cup)
                 mm(cup.corner_radius));
     require(cup.tooth_layer >= 0 && std::isfinite(cup.tooth_layer), "layer of teeth", "must not be of negative height");
     require(cup.tooth_share > 0 && cup.tooth_share <= 1, "layer of teeth",
-            "its share of steel must be above 0 and at most 1");
+            "the fraction of it that is steel must be above 0 and at most 1");
     require(cup.ring_end > cup.ring_begin, "tooth ring", "must end in front of where it begins");
     require(cup.length >= cup.ring_end, "tooth ring",
             "ends at " + mm(cup.ring_end) + ", beyond the cup's length of " + mm(cup.length));

@@ -48,7 +48,7 @@ std::span<RecordFigure const> record_figures()
 {
     using R = StudyRecord;
     static constexpr std::array figures = {
-        number<&R::value>("value", one, "value of the knob"),
+        number<&R::value>("value", one, "of the setting"),
         number<&R::repeat>("repeat", one, "number of the run"),
         number<&R::error>("error", unit_of_record, "largest distance of a computed point from the true curve"),
         number<&R::hausdorff>("hausdorff", unit_of_record, "distance of the computed curve from the true one"),
@@ -82,12 +82,12 @@ Rows<AccuracyReport> report_figures()
     static constexpr std::array rows = {
         figure<&T::threads>("threads", one, "threads of the studies"),
         figure<&T::reference_error>("reference_error", mm, "distance of the reference from 50 digits",
-                                    {"itself right to", scientific}),
+                                    {"error", scientific}),
         figure<&T::reference_interference>("reference_interference", mm, "deepest interference with the reference",
-                                           {"touched to", scientific})
+                                           {"interference", scientific})
             .formerly("reference_entry"),
         figure<&T::sample>("sample", one, "designs of the sample"),
-        figure<&T::sample_refused>("sample_refused", one, "designs drawn that make no drive"),
+        figure<&T::sample_refused>("sample_refused", one, "random designs that are no valid drive"),
         figure<&T::quick>("quick", one, "whether series are short").without(json),
         figure<&T::seconds>("seconds", one, "time of all")};
     return Rows<T>(rows);
@@ -97,7 +97,7 @@ Rows<ConvergenceLevel> level_figures()
 {
     using T = ConvergenceLevel;
     static constexpr std::array rows = {
-        figure<&T::value>("value", one, "of the knob", {"knob", knob_text}),
+        figure<&T::value>("value", one, "of the setting", {"knob", knob_text}),
         figure<&T::error>("error", one, "in the unit of the series", {"error", scientific}),
         figure<&T::estimate>("estimate", one, "the method's own estimate", {"estimate", scientific}),
         figure<&T::normal_speed>("normal_speed", mm_per_rad, "largest n.v at the computed contacts; 0 at true ones",
@@ -165,7 +165,7 @@ std::string advice_text(accuracy::Recommendation const& advice)
 {
     auto const& level = advice.level;
     std::string text = fmt::format("{}--set {}={}: error {} mm on this drive",
-                                   advice.reaches ? "" : "nothing measured does; nearest is ", level.knob,
+                                   advice.reaches ? "" : "no measured setting reaches it; the nearest is ", level.knob,
                                    knob_text(level.value), scientific(level.error));
     if (advice.sample_error == advice.sample_error)
         text += fmt::format(", {} mm on the worst of the sample", scientific(advice.sample_error));

@@ -44,7 +44,7 @@ constexpr auto teeth_figures(Unit const& ball)
             .formerly("contact_share"),
         estimated<&T::fraction_within_gap>("fraction_within_gap", one,
                                            "fraction of the flank with a gap up to the contact gap",
-                                           {"near", significant<3>, significant<2>, &percent})
+                                           {"within", significant<3>, significant<2>, &percent})
             .formerly("near_share"),
         estimated<&T::carrying_fraction>("carrying_fraction", one,
                                          "fraction of the pairs of tooth space and slice that carry")
@@ -56,8 +56,7 @@ constexpr auto teeth_figures(Unit const& ball)
                                      {"force", table_number, significant<2>}),
         estimated<&T::wave_generator_force>("wave_generator_force", newton,
                                             "sum of the bearing's forces on the cup, without direction"),
-        estimated<&T::wave_generator_torque>("wave_generator_torque", newton_metre,
-                                             "torque that the wave generator feels",
+        estimated<&T::wave_generator_torque>("wave_generator_torque", newton_metre, "torque on the wave generator",
                                              {"wave generator", significant<4>, two_digits}),
         estimated<&T::lobe_force>("lobe_force", newton,
                                   "resultant of the bearing over the lobe at the major axis, along that axis",
@@ -79,7 +78,7 @@ constexpr auto teeth_figures(Unit const& ball)
             .formerly("residual"),
         figure<&T::complementarity>("complementarity", one, "largest product of force and gap, relative",
                                     {"force and gap", exponential<1>}),
-        estimated<&T::ball_force>("ball_force", ball, "largest force of a ball, or of the line of balls",
+        estimated<&T::ball_force>("ball_force", ball, "largest force of a ball, or per length of a continuous row",
                                   general("balls")),
         figure<&T::balls>("balls", one, "single balls that carry", {"carry", whole}),
         estimated<&T::teeth>("teeth", one, "tooth spaces that carry", {"teeth", whole, whole}).without(hdf5_error),
@@ -111,7 +110,7 @@ constexpr auto cup_figures(Unit const& ball)
         estimate_of<&T::largest_stress, &T::largest_stress_error>(
             "largest_stress", megapascal, "largest von Mises stress", {"largest stress", decimals<1>, two_digits}),
         estimate_of<&T::ball_force, &T::ball_force_error>("ball_force", ball,
-                                                          "largest force of a ball, or of the line of balls",
+                                                          "largest force of a ball, or per length of a continuous row",
                                                           {"largest force of", decimals<1>, two_digits})
             .without(hdf5),  // an attribute without a unit in its name
         figure<&T::ball_phi>("ball_phi", degree, "angle of that ball", {"at", fixed<1>}).without(hdf5 | json),
@@ -126,7 +125,7 @@ Rows<LoadStudy> load_study_figures()
     using T = LoadStudy;
     static constexpr std::array rows = {
         figure<&T::rated_torque>("rated_torque", newton_metre, "largest torque", {"at", significant<6>}),
-        figure<&T::contact_gap>("contact_gap", um, "gap of fraction_within_gap", {"gap", significant<6>}),
+        figure<&T::contact_gap>("contact_gap", um, "gap limit of fraction_within_gap", {"gap", significant<6>}),
         figure<&T::pitch_radius>("pitch_radius", mm, "half the module times the flexspline's teeth"),
         figure<&T::harmonics>("harmonics", one, "largest circumferential harmonic of the cup", {"harmonics", whole}),
         figure<&T::sectors>("sectors", one, "how often the solved sector repeats around the ring"),
@@ -137,7 +136,7 @@ Rows<LoadStudy> load_study_figures()
                                                     "by how much the tip circle is wider than the standard one"))
             .formerly("tip_widened")
             .printed({"tip circle", decimals<1>}),
-        figure<&T::balls>("balls", one, "balls of the bearing; 0: a line of them, or a rigid bearing"),
+        figure<&T::balls>("balls", one, "balls of the bearing; 0: a continuous row, or a rigid bearing"),
         json_only(figure<&T::sharp_steps>("sharp_steps", one,
                                           "whether the wall has sharp steps, where stress grows with the mesh"))};
     return Rows<T>(rows);
@@ -186,7 +185,7 @@ Rows<LoadCase> load_case_figures()
         json_only(figure<&T::stages, &Stages::second>("second_stage", newton_metre_per_degree, "the same")
                       .with_error<&T::stages, &Stages::second_error>()),
         figure<&T::stages, &Stages::knee>("knee", newton_metre, "torque where the lines meet",
-                                          {"bend", table_number, significant<2>})
+                                          {"knee", table_number, significant<2>})
             .with_error<&T::stages, &Stages::knee_error>(),
         figure<&T::stages, &Stages::knee_twist>("knee_twist", arcmin, "twist where the lines meet"),
         figure<&T::stages, &Stages::rms>("stages_rms", newton_metre, "root mean square of the fit, in torque"),

@@ -64,7 +64,7 @@ Rows<MeasuredProgram> wire_figures()
         found<&Figures::guide_shift>("guide_offset", mm, "largest distance of the guides seen along the axis",
                                      {"guide offset", decimals<6>}),
         found<&Figures::tilt>("largest_wire_tilt", degree, "largest angle of the wire from the axis",
-                              {"wire leans", decimals<6>}),
+                              {"wire tilt", decimals<6>}),
         found<&Figures::travel>("travel", mm, "largest way of a guide along an axis", {"travel", decimals<3>}),
         found<&Figures::uv_travel>("uv_travel", mm, "largest way of the upper guide against the lower one",
                                    {"upper against lower guide", decimals<3>}),
@@ -79,7 +79,7 @@ Rows<MeasuredProgram> wire_check_figures()
     using Figures = WireFigures;
     static constexpr std::array rows = {
         given<&WireProgram::tolerance>("tolerance", um, "of the surface that is cut", {"tolerance", significant<3>}),
-        found<&Figures::face_error>("face_error", um, "of the cut from the nominal faces, residuals apart",
+        found<&Figures::face_error>("face_error", um, "of the cut from the nominal faces, apart from residual material",
                                     {"cut off the faces", significant<3>}),
         found<&Figures::guide_chord>("guide_chord", um, "chord error at the guides, of straight moves",
                                      {"chord at the guides", significant<3>}),

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "base/text.hpp"
 #include "equilibrium_start.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/error.hpp"
@@ -106,9 +107,9 @@ numeric::Complementarity contact_problem(ElasticDrive const& drive, LinearGaps c
             drive.needed(static_cast<Index>(nodes[i].height), static_cast<Index>(nodes[i].angle));
     if (torque) {
         if (*torque != 0 && !((lever * *torque).maxCoeff() > 0))
-            throw NumericalError(ErrorCode::overload, "load",
-                                 "torque of " + std::to_string(*torque / newton_metre) + " N m",
-                                 "no flank of that side is near enough to carry it: the teeth pass over each other");
+            throw NumericalError(
+                ErrorCode::overload, "load", "torque of " + short_number(*torque / newton_metre) + " N m",
+                "no flank on the loaded side can carry it: the teeth slip over each other", "write a smaller torque");
         problem.border = lever;
         problem.total = *torque / drive.response.sectors();
     }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/segments.hpp"
+#include "base/text.hpp"
 #include "hdconj/error.hpp"
 
 namespace hdconj::load {
@@ -78,8 +79,8 @@ contact::FlankGrid with_round_edges(contact::FlankGrid grid, double radius, doub
             auto const edge = edge_of(point, normal, radius, half_pitch);
             if (!edge)
                 throw NumericalError(
-                    ErrorCode::no_solution, "load", "edge of a land at z = " + std::to_string(grid.z[k]) + " mm",
-                    "no circle of the radius " + std::to_string(radius) +
+                    ErrorCode::no_solution, "load", "edge of a land at z = " + short_number(grid.z[k]) + " mm",
+                    "no circle of the radius " + short_number(radius) +
                         " mm fits into a tooth of the circular spline: write a smaller load.edge_radius");
             for (std::size_t i = 0; i < point.size(); ++i)
                 point[i] = i < edge->next ? edge->centre : Vec2(point[i] + radius * normal[i]);

@@ -112,8 +112,9 @@ ComplementaritySolution projected(ComplementaritySystem& system, double toleranc
         if (system.s == s)
             break;
     }
-    fail_complementarity(fmt::format(
-        "no forces and gaps were found that fit together: residual {:.3g} instead of {:.3g}", residual, tolerance));
+    fail_complementarity(
+        fmt::format("no forces and gaps were found that fit together: remaining error {:.3g} instead of {:.3g}",
+                    residual, tolerance));
 }
 
 }  // namespace hdconj::numeric

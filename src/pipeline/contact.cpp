@@ -77,9 +77,8 @@ void write_shown(ContactStudy& study, contact::ContactStudyData& data, SurfaceSp
         if (shown.backlash_offset == 0)
             throw;
         write_part(study.solution, data, spec, shown.tip, 0);
-        study.solution.notes.push_back("the written outline is without the side clearance of " +
-                                       short_number(shown.backlash_offset) +
-                                       " mm, with which it cannot be made: " + error.what());
+        study.solution.notes.push_back("the outline is written without side clearance, because with " +
+                                       short_number(shown.backlash_offset) + " mm it cannot be made: " + error.what());
     }
 }
 

@@ -78,7 +78,7 @@ RigInputs rig_inputs(MeasuredColumns const& columns, RigOptions const& rig, doub
     refuse_unused({"--ratio", rig.ratio, has_current || has_counts, "reading of the motor's side"}, file, faults);
     double const ratio = std::abs(rig.ratio.value_or(scene_ratio)), efficiency = rig.efficiency.value_or(1);
     if (rig.efficiency && !(efficiency > 0 && efficiency <= 1))
-        faults.push_back({"--efficiency", 0, fmt::format("{:g}", efficiency), "is no share of a torque",
+        faults.push_back({"--efficiency", 0, fmt::format("{:g}", efficiency), "is no efficiency",
                           "write a number above 0 and at most 1"});
     if (rig.ratio && !(ratio > 0 && std::isfinite(ratio)))
         faults.push_back({"--ratio", 0, fmt::format("{:g}", *rig.ratio), "is no ratio of motor turns to output turns",

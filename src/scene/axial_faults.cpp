@@ -73,7 +73,7 @@ void check_contact(SceneReading const& reading, Faults& faults)
         scene.contact->gap > scene.drive.module / 10) {
         add_at(faults, "contact.contact_gap", number_text(scene.contact->gap),
                "flanks a tenth of the module apart do not touch",
-               "write at most " + number_text(scene.drive.module / 10) + ", such as 0.001");
+               "write at most " + at_most_text(scene.drive.module / 10) + ", such as 0.001");
     }
 }
 

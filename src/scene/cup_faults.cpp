@@ -66,9 +66,9 @@ void check_bearing(SceneReading const& reading, Faults& faults)
             refuse(key, "type \"rigid\" has no outer ring and no balls", "remove the key, or write type = \"elastic\"");
     if (bearing.balls && *bearing.balls < 2)
         refuse("balls", "one ball leaves the ring free to move across it",
-               "write as many as the bearing has, such as 23, or leave the key out for a line of balls");
+               "write as many as the bearing has, such as 23, or leave the key out for a continuous row of balls");
     if (!bearing.balls && scene.given.contains("bearing.ball_phase_deg"))
-        refuse("ball_phase_deg", "a line of balls looks the same from every angle",
+        refuse("ball_phase_deg", "without the key balls they are a continuous row, which has no first ball",
                "write balls = 23 too, or remove the key");
     if (knows(reading, {"bearing.angles"}) && bearing.angles % 2 != 0)
         refuse("angles", "is odd", "write an even number such as 48");

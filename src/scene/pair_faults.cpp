@@ -59,16 +59,16 @@ void check_tolerance(SceneReading const& reading, Faults& faults)
     double const largest = largest_tolerance(reading.scene.drive);
     if (tolerance > largest)
         add_at(faults, "solver.tolerance", number_text(tolerance),
-               "above a tenth of the module says nothing about a tooth",
-               "write at most " + number_text(largest) + ", such as 1e-6");
+               "is above a tenth of the module, too coarse for a tooth",
+               "write at most " + at_most_text(largest) + ", such as 1e-6");
     if (!knows(reading, {"drive.flexspline_teeth"}))
         return;
     double const least = least_tolerance(reading.scene.drive);
     if (tolerance < least)
         add_at(faults, "solver.tolerance", number_text(tolerance),
                "cannot be reached in double precision on a radius of " +
-                   number_text(flexspline_pitch_radius(reading.scene.drive)) + " mm",
-               "write at least " + number_text(least));
+                   short_number(flexspline_pitch_radius(reading.scene.drive)) + " mm",
+               "write at least " + at_least_text(least));
 }
 
 void check_wall(SceneReading const& reading, Faults& faults)
@@ -87,7 +87,7 @@ void check_wall(SceneReading const& reading, Faults& faults)
     double const hole = flexspline_pitch_radius(scene.drive) - *dedendum - scene.flexspline.wall;
     if (!knows(reading, {"flexspline.inner_radius"}) && hole <= 0)
         add_at(faults, "flexspline.wall", number_text(scene.flexspline.wall),
-               "leaves no hole: the pitch radius is " + number_text(flexspline_pitch_radius(scene.drive)) + " mm",
+               "leaves no hole: the pitch radius is " + short_number(flexspline_pitch_radius(scene.drive)) + " mm",
                "write a thinner wall, or check module and flexspline_teeth");
 }
 
@@ -101,8 +101,8 @@ void check_inner_radius(SceneReading const& reading, Faults& faults)
     double const expected = flexspline_pitch_radius(scene.drive) - *dedendum - scene.flexspline.wall;
     if (std::abs(*scene.flexspline.inner_radius - expected) > radius_doubt * flexspline_pitch_radius(scene.drive))
         add_at(faults, "flexspline.inner_radius", number_text(*scene.flexspline.inner_radius),
-               "contradicts module and teeth, which make it about " + number_text(expected) + " mm",
-               "write a radius near that, or remove the key");
+               "contradicts module and teeth, which make it about " + short_number(expected) + " mm",
+               "write about that radius, or remove the key");
 }
 
 void check_deformation(SceneReading const& reading, Faults& faults)
@@ -119,7 +119,7 @@ void check_deformation(SceneReading const& reading, Faults& faults)
     Advice const usual = drive_advice(scene);
     add_at(faults, "wave_generator.radial_deformation", number_text(*w0),
            "the neutral curve would be hollow between the waves",
-           "write less than " + short_number(largest) + "; usual is " + usual.words);
+           "write less than " + at_most_text(largest) + "; usual is " + usual.words);
     faults.back().set = usual.set;
 }
 

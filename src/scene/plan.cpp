@@ -22,8 +22,8 @@ std::vector<PlannedStage> base_stages(Scene const& scene)
 {
     std::string const tooth = scene.is_reverse() ? "circular_spline.profile" : "flexspline.profile";
     std::string const swept = scene.is_reverse() ? "circular-spline" : "flexspline";
-    std::string const solved = scene.is_reverse() ? "always: the flexspline tooth that no circular-spline tooth enters"
-                                                  : "always: the space that no flexspline tooth enters from outside";
+    std::string const solved = scene.is_reverse() ? "always: the largest flexspline tooth without interference"
+                                                  : "always: the space that the flexspline's teeth sweep";
     std::string const elastic = "coning.model = \"elastic\": displacements of the cup";
     std::vector<PlannedStage> stages{{Stage::profile, tooth + ".family = " + in_quotes(scene.given_profile().family)}};
     if (scene.is_elastic() && scene.bearing)
@@ -32,7 +32,7 @@ std::vector<PlannedStage> base_stages(Scene const& scene)
     std::vector<PlannedStage> const always{
         {Stage::neutral_curve, "wave_generator.family = " + in_quotes(scene.wave_generator.shape.family) +
                                    ", waves = " + std::to_string(scene.wave_generator.waves)},
-        {Stage::motion, scene.is_elastic() ? elastic + " (solver.kinematics is not asked)"
+        {Stage::motion, scene.is_elastic() ? elastic + " (solver.kinematics has no effect)"
                                            : "solver.kinematics = " + in_quotes(to_string(scene.solver.kinematics))},
         {Stage::envelope, "always: where the " + swept + " tooth can touch"},
         {Stage::region, solved}};
@@ -71,7 +71,7 @@ std::vector<AbsentEffect> absent_effects(Scene const& scene, Verb verb)
         scene.is_elastic()
             ? "[slices] with surface \"ruled\" or \"per-slice\", or the verb contact: one outline is that of z = 0"
             : "[slices] with surface \"ruled\" or \"per-slice\", or the verb contact: one outline is that of z = 0, "
-              "which the cone leaves as it is");
+              "where coning changes nothing");
     add(scene.tilt && !has_slices(scene), "tilt of the surface",
         "[slices] with count above 1: at z = 0 the tilt moves nothing");
     add(verb != Verb::contact, "contact", "the verb contact");
@@ -133,14 +133,14 @@ Plan make_plan(Scene const& scene, Verb verb)
         add(Stage::clearance, spline.automatic_backlash ? "circular_spline.backlash_offset = \"auto\""
                               : verb == Verb::contact
                                   ? "contact: every slice over a full turn"
-                                  : "load: side clearance, if the scene's leaves the assembled teeth none");
+                                  : "load: more side clearance where the assembled teeth would interfere");
     if (verb == Verb::contact) {
         add(Stage::gap_map, "contact: gaps of all teeth");
-        add(Stage::contact, "contact: first touch, area, play");
+        add(Stage::contact, "contact: first contact, contact area, backlash");
     }
     if (verb == Verb::load) {
-        add(Stage::influence, "load: the wall gives way");
-        add(Stage::assembly, "load: the wave generator presses where it touches");
+        add(Stage::influence, "load: deformation of the cup by unit forces");
+        add(Stage::assembly, "load: the cup on its wave generator, without torque");
         add(Stage::load, "load: torque on the teeth");
     }
     return plan;

@@ -115,7 +115,7 @@ std::vector<KeySpec> drive()
 {
     return {{optional("name", Q::text, "name of the drive, for results and file names"), "\"type-50\"",
              to<&Scene::drive, &Drive::name>, "unnamed"},
-            {required("module", Q::positive_length, "module, m", bounds::least_module, bounds::largest_module), "0.25",
+            {required("module", Q::positive_length, "module", bounds::least_module, bounds::largest_module), "0.25",
              to<&Scene::drive, &Drive::module>},
             {required("flexspline_teeth", Q::count, "teeth of the flexspline, z_f", bounds::fewest_teeth,
                       bounds::most_teeth),
@@ -204,8 +204,8 @@ std::vector<KeySpec> circular_spline()
         {optional("width", Q::positive_length, "axial width of the toothing; needed by [slices] with count above 1"),
          "7.0", to<&Scene::circular_spline, &CircularSpline::width>},
         {with_words(optional("backlash_offset", Q::length_or_word,
-                             "side clearance along the normal of the flank; \"auto\": the least that clears every "
-                             "slice over a full turn",
+                             "side clearance along the normal of the flank; \"auto\": the smallest without "
+                             "interference in any slice over a full turn",
                              0),
                     {"auto"}),
          "0.02",
@@ -252,7 +252,7 @@ std::vector<KeySpec> solver()
 
 std::vector<KeySpec> coning()
 {
-    return {{choice<ConingModel>("model", "amplitude linear along the axis, or from the elastic cup", true),
+    return {{choice<ConingModel>("model", "radial deformation linear along the axis, or that of the elastic cup", true),
              "\"linear\"", to<&Scene::coning, &Coning::model>},
             {optional("bottom_to_middle", Q::positive_length,
                       "from the cup's bottom to the middle of the bearing; needed by either model"),
@@ -260,15 +260,14 @@ std::vector<KeySpec> coning()
             {optional("apex_height", Q::length,
                       "of the point that does not move, above the cup's bottom; model \"linear\" only"),
              "0.43", to<&Scene::coning, &Coning::apex_height>, 0.0},
-            {choice<AxialShift>("axial_shift", "whether gaps are looked up where the wall has moved to along the axis",
-                                false),
+            {choice<AxialShift>("axial_shift", "whether gaps take the wall's shift along the axis into account", false),
              "\"mapped\"", to<&Scene::coning, &Coning::axial_shift>, "mapped"}};
 }
 
 std::vector<KeySpec> bearing()
 {
-    return {{choice("type", "surface that keeps the cam's shape, or outer ring that bends on a line of balls",
-                    {"rigid", "elastic"}, true),
+    return {{choice("type", "surface of the cam's shape, or outer ring that bends on its balls", {"rigid", "elastic"},
+                    true),
              "\"elastic\"", [](Scene& s, Parameter const& p) { s.bearing->elastic = word(p) == "elastic"; }},
             {required("width", Q::nonnegative_length,
                       "over which the cup may touch it, its middle at z = 0; 0: one line, type \"rigid\" only"),
@@ -278,18 +277,18 @@ std::vector<KeySpec> bearing()
             {optional("fit", Q::length, "interference: outer radius of the bearing less inner radius of the cup"),
              "0.005", to<&Scene::bearing, &BearingChoice::fit>, 0.0},
             {optional("cam_oversize", Q::length,
-                      "of the cam's radius under the line of balls, all round: preload of the balls"),
+                      "how much larger the cam's radius is than the balls need, all round: their preload"),
              "0.002", to<&Scene::bearing, &BearingChoice::cam_oversize>, 0.0},
             {optional("radial_stiffness", Q::number,
-                      "of the line of balls, in N/mm per mm of arc; absent: rigid; type \"elastic\" only",
+                      "of the balls as a continuous row, in N/mm per mm of arc; absent: rigid; type \"elastic\" only",
                       bounds::least_stiffness, bounds::largest_stiffness),
              "2000", to<&Scene::bearing, &BearingChoice::radial_stiffness>},
-            {choice("axially", "whether the groove holds the line of balls along the axis; type \"elastic\" only",
+            {choice("axially", "whether the groove holds the balls along the axis; type \"elastic\" only",
                     {"held", "free"}, false),
              "\"held\"", [](Scene& s, Parameter const& p) { s.bearing->axially_held = word(p) == "held"; }, "held"},
             {optional("balls", Q::count,
-                      "how many; for the verb load, which presses the ring outward at each of them; absent: a line all "
-                      "round; type \"elastic\" only",
+                      "how many; for the verb load, which presses the ring outward at each of them; absent: a "
+                      "continuous row; type \"elastic\" only",
                       1, bounds::most_balls),
              "23", to<&Scene::bearing, &BearingChoice::balls>},
             {optional("ball_phase_deg", Q::angle_deg, "angle of one ball from the major axis, clockwise"), "7.5",
@@ -314,20 +313,20 @@ std::vector<KeySpec> slices()
 {
     return {{required("count", Q::count, "number of slices", 1, bounds::most_slices), "9",
              to<&Scene::slices, &Slices::count>},
-            {choice<ToothSurface>("surface", "how the slices make the tooth surface", false), "\"tilted\"",
+            {choice<ToothSurface>("surface", "how the tooth surface follows from the slices", false), "\"tilted\"",
              to<&Scene::slices, &Slices::surface>, "tilted"}};
 }
 
 std::vector<KeySpec> contact()
 {
-    return {
-        {optional("contact_gap", Q::positive_length, "flanks touch where the gap is no larger", bounds::least_length),
-         "0.001", to<&Scene::contact, &ContactRequest::gap>, 0.001},
-        {optional("flank_points", Q::count, "points along each flank", bounds::fewest_flank_points,
-                  bounds::most_flank_points),
-         "200", to<&Scene::contact, &ContactRequest::flank_points>, 200.0},
-        {optional("wave_generator_angle_deg", Q::angle_deg, "from the centre line of a tooth space", -360, 360), "0",
-         to_rad<&Scene::contact, &ContactRequest::wave_generator>, 0.0}};
+    return {{optional("contact_gap", Q::positive_length, "gap up to which flanks count as in contact",
+                      bounds::least_length),
+             "0.001", to<&Scene::contact, &ContactRequest::gap>, 0.001},
+            {optional("flank_points", Q::count, "points along each flank", bounds::fewest_flank_points,
+                      bounds::most_flank_points),
+             "200", to<&Scene::contact, &ContactRequest::flank_points>, 200.0},
+            {optional("wave_generator_angle_deg", Q::angle_deg, "from the centre line of a tooth space", -360, 360),
+             "0", to_rad<&Scene::contact, &ContactRequest::wave_generator>, 0.0}};
 }
 
 std::vector<KeySpec> load()
@@ -395,7 +394,7 @@ std::vector<KeySpec> wedm()
         {choice<WireStop>("stop", "of stop_before: M0 always stops, M1 where the control's optional stop is on", false),
          "\"M0\"", to<&Scene::wedm, &WireRequest::stop>, "M0"},
         {optional("tolerance", Q::positive_length,
-                  "largest distance of the surface that is cut from the nominal one, residuals apart",
+                  "largest distance of the cut from the nominal surface, apart from residual material",
                   bounds::least_tolerance),
          "0.0005", to<&Scene::wedm, &WireRequest::tolerance>, 0.0005},
         {optional("residual_limit", Q::nonnegative_length,
@@ -436,7 +435,7 @@ std::vector<TableSpec> const& scene_schema()
         {"wave_generator", "what deforms the flexspline", required, FamilyKind::wave_generator,
          [](Scene& s, int) { s.wave_generator.shape.path = "wave_generator"; }, wave_generator()},
         {"circular_spline", "the circular spline", optional, FamilyKind::none, nullptr, circular_spline()},
-        {"circular_spline.profile", "the circular spline's tooth, when the flexspline's is solved for", alternative,
+        {"circular_spline.profile", "the circular spline's tooth, where the flexspline's is computed", alternative,
          FamilyKind::profile,
          [](Scene& s, int) { s.circular_spline.profile.emplace().path = "circular_spline.profile"; },
          circular_spline_profile()},
@@ -446,9 +445,9 @@ std::vector<TableSpec> const& scene_schema()
          FamilyKind::none, begin<&Scene::bearing>, bearing()},
         {"tilt", "effect: tilted teeth of the circular spline", effect, FamilyKind::none, begin<&Scene::tilt>, tilt()},
         {"slices", "effect: slices across the face width", effect, FamilyKind::none, begin<&Scene::slices>, slices()},
-        {"contact", "what the verb contact is asked for", effect, FamilyKind::none, begin<&Scene::contact>, contact()},
-        {"load", "what the verb load is asked for", effect, FamilyKind::none, begin<&Scene::load>, load()},
-        {"wedm", "what the verb wedm is asked for: a part cut by wire", effect, FamilyKind::none, begin<&Scene::wedm>,
+        {"contact", "settings of the verb contact", effect, FamilyKind::none, begin<&Scene::contact>, contact()},
+        {"load", "settings of the verb load", effect, FamilyKind::none, begin<&Scene::load>, load()},
+        {"wedm", "settings of the verb wedm: a part cut by wire", effect, FamilyKind::none, begin<&Scene::wedm>,
          wedm()}};
     return tables;
 }

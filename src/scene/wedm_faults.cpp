@@ -35,7 +35,7 @@ void check_wire(SceneReading const& reading, Faults& faults)
         add_at(faults, told ? "wedm.start_hole_radius" : "wedm.wire_diameter",
                number_text(told ? wedm.start_hole_radius : wedm.wire_diameter),
                "wire and gap do not go through a start hole of radius " + number_text(wedm.start_hole_radius) + " mm",
-               "write a start_hole_radius above " + number_text(reach));
+               "write a start_hole_radius above " + short_number(reach));
     }
     double const stock = wedm.stock.empty() ? 0 : wedm.stock.front();
     double const least = wedm.start_hole_radius + reach + stock;
@@ -45,7 +45,7 @@ void check_wire(SceneReading const& reading, Faults& faults)
                number_text(told ? wedm.lead_in : wedm.start_hole_radius),
                "the start hole would reach into the cut along the part: its centre is " + number_text(wedm.lead_in) +
                    " mm from the tip land, its radius " + number_text(wedm.start_hole_radius) + " mm",
-               "write a lead_in above " + number_text(least) + ", or a smaller hole");
+               "write a lead_in above " + short_number(least) + ", or a smaller hole");
     }
 }
 

@@ -34,7 +34,7 @@ void take_tip(Solution& out, conjugate::MatchedOutline const& outline, TipCircle
     double const tip = widened.radius;
     if (tip == out.geometry.circular_spline_inner_radius)
         return;
-    out.notes.push_back("tip circle widened from " + short_number(out.geometry.circular_spline_inner_radius) + " to " +
+    out.notes.push_back("tip circle enlarged from " + short_number(out.geometry.circular_spline_inner_radius) + " to " +
                         short_number(tip) + " mm: " + widened.why);
     auto const& middle = outline.points[outline.points.size() / 2];
     out.geometry.space_depth += out.geometry.circular_spline_inner_radius - tip;

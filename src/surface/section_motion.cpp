@@ -59,7 +59,7 @@ Sections sections_of_cone(Solution const& base, wavegen::AnyWaveShape const& sha
     double const largest = largest_shift(shape.waves(), [&](double phi) { return shift(phi).u_z; });
     if (!(mode.factor(z.front() - largest) > 0))
         throw NumericalError(ErrorCode::no_solution, "coning", "slice at z = " + short_number(z.front()) + " mm",
-                             "the wall moves into this plane from as far as " + short_number(largest) +
+                             "the wall shifts along the axis into this plane from " + short_number(largest) +
                                  " mm behind it, which is behind the apex at z = " + short_number(mode.apex) + " mm",
                              "write a smaller circular_spline.width or coning.apex_height, or axial_shift = \"none\"");
     bool const exact = base.scene.solver.kinematics == Kinematics::exact;

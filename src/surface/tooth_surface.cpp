@@ -88,10 +88,10 @@ std::string ToothSurfaceBuilder::note_on_sections()
     if (!coned() || !base_->scene.maps_axial_shift() || follows_sections())
         return "";
     bool const first_order = base_->scene.solver.kinematics == Kinematics::first_order;
-    return "outlines are made for the wall's slices as if they stayed in their planes, since " +
-           std::string(first_order ? "first-order kinematics knows no others"
-                                   : "the wave generator's shape has breaks, and its sections no series") +
-           "; the axial shift is in the gaps only";
+    return "outlines leave out the wall's axial shift, which " +
+           std::string(first_order ? "first-order kinematics does not have"
+                                   : "has no Fourier series for a wave generator whose shape has breaks") +
+           "; gaps contain it";
 }
 
 SliceMotion const& ToothSurfaceBuilder::motion(std::size_t k)

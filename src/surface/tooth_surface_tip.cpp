@@ -14,7 +14,7 @@
 namespace hdconj::surface {
 namespace {
 
-constexpr char const* drafted_meet = "leaves a tip land between the drafted flanks";
+constexpr char const* drafted_meet = "leaves no tip land between the drafted flanks";
 
 /// Largest radius that an end of the flanks reaches, moved by @p distance along its normal, where the neutral curve
 /// moves by w = amplitude cos n u about r_m [mm]. An end stands x beside the tooth's middle, which is highest at u = 0;
@@ -33,11 +33,11 @@ double foot_radius(profile::Profile const& tooth, double distance, double r_m, d
     return highest;
 }
 
-/// Widens @p tip to @p radius where that is larger. @param cause  what no smaller one does in the slice at @p z
+/// Widens @p tip to @p radius where that is larger. @param cause  what a smaller one does in the slice at @p z
 void widen(TipCircle& tip, double radius, char const* cause, double z)
 {
     if (radius > tip.radius)
-        tip = {radius, fmt::format("no smaller one {} in the slice z = {} mm", cause, short_number(z))};
+        tip = {radius, fmt::format("a smaller one {} in the slice z = {} mm", cause, short_number(z))};
 }
 
 /// The higher end of the flanks above the neutral curve, moved by @p distance along their normals [mm].
@@ -57,13 +57,14 @@ TipCircle ToothSurfaceBuilder::needed_tip(SurfaceSpec const& spec)
         return tip;
     std::vector<SliceNeed> const needs = slice_needs(spec);
     for (std::size_t k = 0; k < needs.size(); ++k) {
-        widen(tip, needs[k].land, "leaves the circular spline a tip land", z_[k]);
-        widen(tip, needs[k].rim, "clears the flexspline's rim", z_[k]);
+        widen(tip, needs[k].land, "leaves the circular spline no tip land", z_[k]);
+        widen(tip, needs[k].rim, "cuts into the flexspline's rim", z_[k]);
         widen(tip, needs[k].draft, drafted_meet, z_[k]);
     }
     double const solved = solvable_tip(spec, base_->scene.circular_spline.backlash_offset);
-    return solved > tip.radius ? TipCircle{solved, "no smaller one is met by all flanks with their side clearance"}
-                               : tip;
+    return solved > tip.radius
+               ? TipCircle{solved, "a smaller one is not reached by all flanks with their side clearance"}
+               : tip;
 }
 
 std::vector<double> ToothSurfaceBuilder::needed_by_slices(SurfaceSpec const& spec)

@@ -104,7 +104,8 @@ Fault residual_fault(WireJob const& job, std::vector<PitchPass> const& passes, s
         wire ? fmt::format("write wire_diameter = {:.6g}, a thinner wire that leaves no more than that, or", *wire)
              : "no thinner wire that is sold leaves so little; write",
         std::ceil(worst->height * told_per_mm) / told_per_mm,
-        way ? fmt::format(": the teeth of the unloaded flexspline stay {:.6g} mm clear of what is left", *way) : "");
+        way ? fmt::format(": the teeth of the unloaded flexspline keep a distance of {:.6g} mm from what is left", *way)
+            : "");
     return fault;
 }
 

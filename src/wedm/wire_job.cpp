@@ -79,7 +79,7 @@ void check_wire(Scene const& scene, Faults& faults)
                   fmt::format("the outline itself is known to {:.6g} mm only (solver.tolerance)", known),
                   fmt::format("write at least {:.6g}, or a smaller solver.tolerance", 10 * known));
     if (wire.tolerance > module / 10)
-        add_fault(faults, "wedm.tolerance", "above a tenth of the module says nothing about a tooth",
+        add_fault(faults, "wedm.tolerance", "is above a tenth of the module, too coarse for a tooth",
                   fmt::format("write at most {:.6g}, such as 0.0005", module / 10));
 }
 

@@ -108,7 +108,7 @@ ends = sorted(min(ends, key=lambda e: e[2])[:2])
 coarse_tooth = hdconj(1e-5, 1)[1]
 tooth = outlines_of(coarse_tooth)[2]
 
-ladders = {
+series = {
     "hdconj, tooth space": [],
     "hdconj, running": [],
     "hdconj, points": [],
@@ -120,7 +120,7 @@ ladders = {
 }
 for digits in range(3, 11):
     seconds = sorted(hdconj(10.0**-digits, 0)[0] for _ in range(5))[2]
-    ladders["hdconj, tooth space"].append((10.0**-digits, 10.0**-digits, seconds))
+    series["hdconj, tooth space"].append((10.0**-digits, 10.0**-digits, seconds))
 for study, method, name in (("sampling", "adaptive", "hdconj, points"), ("tolerance", "solve", "hdconj, running")):
     measured = subprocess.run(
         [
@@ -138,11 +138,11 @@ for study, method, name in (("sampling", "adaptive", "hdconj, points"), ("tolera
         capture_output=True,
         check=True,
     ).stdout
-    ladders[name] = [
-        (rung["value"], rung["error"], rung["median_s"])
-        for ladder in json.loads(measured)["convergence_series"]
-        if ladder["method"] == method
-        for rung in ladder["levels"]
+    series[name] = [
+        (level["value"], level["error"], level["median_s"])
+        for each in json.loads(measured)["convergence_series"]
+        if each["method"] == method
+        for level in each["levels"]
     ]
 made = os.path.join(folder.name, "notebook.h5")
 for name, make, true_points in (
@@ -153,19 +153,19 @@ for name, make, true_points in (
 ):
     for count in [2**k for k in range(6, 17)]:
         points, seconds = timed(lambda: make(count))
-        ladders[name].append((count, hausdorff(points, true_points), seconds))
+        series[name].append((count, hausdorff(points, true_points), seconds))
         if seconds > largest / 3:
             break
 for count in [2**k for k in range(5, 13)]:
     boundary, seconds = timed(lambda: with_shapely(count, ends, tooth))
-    ladders["union"].append((count, gap(boundary, truth), seconds))
+    series["union"].append((count, gap(boundary, truth), seconds))
     if seconds > largest / 3:
         break
 
 
-def interpolated(ladder, at, wanted, given):
+def interpolated(found, at, wanted, given):
     """Column `wanted` where column `given` is `at`, on log-log lines; None outside."""
-    for a, b in zip(ladder, ladder[1:]):
+    for a, b in zip(found, found[1:]):
         lo, hi = sorted((a[given], b[given]))
         if lo <= at <= hi and lo < hi:
             share = math.log(at / a[given]) / math.log(b[given] / a[given])
@@ -173,9 +173,9 @@ def interpolated(ladder, at, wanted, given):
     return None
 
 
-for name, ladder in ladders.items():
+for name, found in series.items():
     print(f"{name}:")
-    for knob, error, seconds in ladder:
+    for knob, error, seconds in found:
         print(f"  {knob:10g}   error {error:9.2e} mm   {seconds * 1e3:10.2f} ms")
 print("\nratio of time at equal error (the notebook's over hdconj's), and of error at equal time:")
 summary = {}
@@ -190,15 +190,15 @@ for name, own in (
     ("SciPy, points", "hdconj, tooth space"),
     ("union", "hdconj, tooth space"),
 ):
-    mine = ladders[own]
+    mine = series[own]
     ratios = [
         (error, seconds / interpolated(mine, error, 2, 1))
-        for _, error, seconds in ladders[name]
+        for _, error, seconds in series[name]
         if interpolated(mine, error, 2, 1)
     ]
     errors = [
         (seconds, error / interpolated(mine, seconds, 1, 2))
-        for _, error, seconds in ladders[name]
+        for _, error, seconds in series[name]
         if interpolated(mine, seconds, 1, 2)
     ]
     print(
@@ -208,4 +208,4 @@ for name, own in (
         + ", ".join(f"{r:.3g} at {s * 1e3:.3g} ms" for s, r in errors)
     )
     summary[f"{name} / {own}"] = {"time_ratio": ratios, "error_ratio": errors}
-print(json.dumps({"ladders": ladders, "ratios": summary}), file=open(os.environ.get("NOTEBOOK_JSON", os.devnull), "w"))
+print(json.dumps({"series": series, "ratios": summary}), file=open(os.environ.get("NOTEBOOK_JSON", os.devnull), "w"))

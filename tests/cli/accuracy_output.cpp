@@ -161,7 +161,7 @@ TEST_CASE("accuracy: drives of every kind are measured, and what a scene has no 
                            Row{scenes + "cam-table.toml' --study tolerance,threads", "", 3},
                            Row{"--study motion-model --set solver.kinematics=material", "", 3},
                            Row{"--study tolerance --set coning.model=linear --set coning.bottom_to_middle=9",
-                               "[coning] left out: outlines are measured in the plane of the middle", 1},
+                               "[coning] left out: outlines are measured in the middle plane", 1},
                            Row{scenes + "circular-spline-given.toml'", "union: left out", 19}}) {
         INFO(row.arguments);
         auto const done =
@@ -181,7 +181,7 @@ TEST_CASE("accuracy: drives of every kind are measured, and what a scene has no 
     // a study along the axis needs no reference
     auto const axial = accuracy("--quick --sample 0 --study contact-area -o axial", folder);
     CHECK(axial.status == 0);
-    CHECK_THAT(axial.out, !ContainsSubstring("50 digits by another path") && ContainsSubstring("slices"));
+    CHECK_THAT(axial.out, !ContainsSubstring("50 digits by another method") && ContainsSubstring("slices"));
 }
 
 TEST_CASE("accuracy: bad input is answered with what to write", "[accuracy]")

@@ -143,7 +143,7 @@ std::vector<BadCommand> const& contact_commands()
         {"--best", "--best", "surface \"per-slice\" is asked for", "--surface tilted"},
         {"--best --surface tilted --tilt 0.3", "--best", "interval of tilts to search is empty", "FROM below TO"},
         {"--best --surface tilted --tilt 1,1", "--best", "interval of tilts to search is empty", "FROM below TO"},
-        {"--ring", "--ring", "no surface is written", "--stl"},
+        {"--ring", "--ring", "no surface file is asked for", "--stl"},
         {"-o a.h5 --stl ./a.h5", "--output = a.h5", "is given to --stl too", "another name"},
         {"-o a.h5 --vtk a.vtk --xdmf a.vtk", "--xdmf = a.vtk", "is given to --vtk too", "another name"},
         {"-o ./scene.toml", "--output = ./scene.toml", "this is the scene file", "another name"},

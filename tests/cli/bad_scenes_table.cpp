@@ -139,7 +139,7 @@ std::vector<BadScene> const& wrong_values()
         {"neutral layer outside the wall", "wall = 0.7", "wall = 0.7\nneutral_offset = 0.36",
          "flexspline.neutral_offset", "outside the wall", "0.35"},
         {"inner diameter for radius", "wall = 0.7", "wall = 0.7\ninner_radius = 47.994", "flexspline.inner_radius",
-         "about 23.997", "near that"},
+         "about 23.997", "write about that radius"},
         {"negative inner radius", "wall = 0.7", "wall = 0.7\ninner_radius = -1", "flexspline.inner_radius", "above 0",
          "23.997"},
     };

@@ -175,7 +175,7 @@ TEST_CASE("contact: a case that cannot be made is named and leaves the others as
     auto const done = contact(run + "--json", folder);
     INFO(done.err);
     CHECK(done.status == 1);
-    std::string const reason = "no row for a tilt of 4 deg, draft, surface \"tilted\": ";
+    std::string const reason = "no result for tilt 4 deg, kind \"draft\", surface \"tilted\": ";
     CHECK_THAT(done.err, ContainsSubstring("hdconj: 1 of 4 cases could not be computed") && ContainsSubstring(reason));
     json const summary = json::parse(done.out);
     json const& cases = summary.at("contact").at("cases");

@@ -26,7 +26,7 @@ TEST_CASE("the plan of a reverse scene says what is given and what is computed",
     auto const check = hdconj_run("check '" + scene + "'", folder.path());
     CHECK(check.status == 0);
     CHECK(contains(check.out, "circular_spline.profile.family = \"double-circular-arc\""));
-    CHECK(contains(check.out, "the flexspline tooth that no circular-spline tooth enters"));
+    CHECK(contains(check.out, "the largest flexspline tooth without interference"));
     CHECK_FALSE(contains(check.out, "root clearance"));
 }
 
@@ -45,7 +45,7 @@ TEST_CASE("summary, JSON, HDF5 and DXF of a reverse result", "[program][reverse]
     CHECK(std::abs(json["clearance"]["smallest_clearance_mm"].get<double>()) < 1e-11);
     CHECK(json["geometry"]["addendum_mm"] == 0.225);
     CHECK(contains(hdconj_run("solve '" + scene + "' -o b.h5", folder.path()).out,
-                   "given: the circular spline's tooth; solved for: the flexspline's"));
+                   "given: tooth of the circular spline; computed: tooth of the flexspline"));
     if (!std::string(HDCONJ_PYTHON).empty()) {
         auto const read = test::run(
             std::string("'" HDCONJ_PYTHON "' '") + HDCONJ_SOURCE_DIR + "/tests/cli/read_with_h5py.py' a.h5 a.dxf",

@@ -104,7 +104,7 @@ TEST_CASE("wedm: --json prints one object with the figures of the text and --qui
     };
     shown("face shift                   %.6f mm", figures.at("face_shift_mm"));
     shown("guide offset                 %.6f mm", figures.at("guide_offset_mm"));
-    shown("wire leans %.6f deg", figures.at("largest_wire_tilt_deg"));
+    shown("wire tilt %.6f deg", figures.at("largest_wire_tilt_deg"));
     shown("cut off the faces               %.3g um", figures.at("checks").at("face_error_um"));
     shown("cut between the faces           %.3g um", figures.at("checks").at("middle_error_um"));
     shown("constant taper                   %.3g um", figures.at("checks").at("constant_taper_error_um"));

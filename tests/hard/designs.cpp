@@ -426,10 +426,11 @@ HARD_ROW("offset of 1e-15 mm", "below every rounding", "right answer next to the
     CHECK(difference(base, right_answer({"circular_spline.backlash_offset=1e-15"})) < 1e-9);
 }
 
-HARD_ROW("swallowed stretch", "a clearance of 20 um closes over a corner path of 3.4 um", "refused: place and length")
+HARD_ROW("flank lost to side clearance", "a clearance of 20 um closes over a corner path of 3.4 um",
+         "refused: place and length")
 {
     refused(short_corner_path + Overrides{"circular_spline.backlash_offset=0.02"},
-            "swallows a stretch of the flank 0.003389 mm long");
+            "would remove a part of the flank 0.0033");
 }
 
 HARD_ROW("the same without clearance", "the corner path of 3.4 um is there", "right answer")
@@ -437,7 +438,7 @@ HARD_ROW("the same without clearance", "the corner path of 3.4 um is there", "ri
     right_answer(short_corner_path);
 }
 
-HARD_ROW("offset at the swallowing limit",
+HARD_ROW("side clearance at that limit",
          "1e-9 mm below and above the offset at which the stretch has a few nanometres left",
          "right answer below and refused with the place above")
 {
@@ -461,7 +462,7 @@ HARD_ROW("offset at the swallowing limit",
     right_answer(with(low - 1e-9), "limit " + three_digits(low) + " mm");
     refused(with(high + 1e-9), "near (");
     // past the last nanometres, where three branches meet in a point, the refusal names what is swallowed
-    refused(with(high + 1e-7), "swallows");
+    refused(with(high + 1e-7), "would remove a part of the flank");
 }
 
 HARD_ROW("corner beside the tip circle", "the corner between flank and corner path lies 2 um above the tip circle",

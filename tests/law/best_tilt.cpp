@@ -42,7 +42,7 @@ TEST_CASE("best tilt: ends that make no surface are left out and named", "[law][
         CHECK(best.tilt <= best.possible_to);
     }
     REQUIRE(!study.solution.notes.empty());
-    CHECK_THAT(study.solution.notes.front(), ContainsSubstring("no row for a tilt of 2.4 deg"));
+    CHECK_THAT(study.solution.notes.front(), ContainsSubstring("no result for tilt 2.4 deg"));
 }
 
 TEST_CASE("best tilt: it fails only where no tilt makes a surface", "[law][contact]")

@@ -99,7 +99,7 @@ TEST_CASE("contact law: clearances of a tilted type-50 are the oracle's and the 
     }
 }
 
-TEST_CASE("contact law: the clearing offset clears and a micrometre less does not", "[law][contact]")
+TEST_CASE("contact law: the least side clearance leaves no interference, a micrometre less does", "[law][contact]")
 {
     for (Keys const& surface : {with(sliced(3, "tilted"), tilted(0.2)), sliced(3, "tilted"), sliced(3, "ruled"),
                                 with(sliced(3, "tilted"), tilted(0.2, "draft"))}) {

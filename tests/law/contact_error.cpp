@@ -136,19 +136,20 @@ TEST_CASE("contact law: the stated error of every figure bounds its distance to 
             check("root clearance of a slice", own.root.clearance, own.root_error, same.root.clearance,
                   same.root_error);
         }
-        check("clearing offset", coarse.least_side_clearance, coarse.least_side_clearance_error,
+        check("least side clearance", coarse.least_side_clearance, coarse.least_side_clearance_error,
               fine.least_side_clearance, fine.least_side_clearance_error);
-        check("clearing tip", coarse.least_tip_radius, coarse.least_tip_radius_error, fine.least_tip_radius,
+        check("least tip radius", coarse.least_tip_radius, coarse.least_tip_radius_error, fine.least_tip_radius,
               fine.least_tip_radius_error);
-        check("clearing root", coarse.least_root_clearance, coarse.least_root_clearance_error,
+        check("least root clearance", coarse.least_root_clearance, coarse.least_root_clearance_error,
               fine.least_root_clearance, fine.least_root_clearance_error);
-        check("play of clearing", coarse.backlash_of_least_side_clearance,
+        check("backlash of least side clearance", coarse.backlash_of_least_side_clearance,
               coarse.backlash_of_least_side_clearance_error, fine.backlash_of_least_side_clearance,
               fine.backlash_of_least_side_clearance_error);
-        check("take-up", coarse.state.turn_to_contact, coarse.state.turn_to_contact_error, fine.state.turn_to_contact,
-              fine.state.turn_to_contact_error);
-        check("take-up back", coarse.state.reverse_turn_to_contact, coarse.state.reverse_turn_to_contact_error,
-              fine.state.reverse_turn_to_contact, fine.state.reverse_turn_to_contact_error);
+        check("turn to contact", coarse.state.turn_to_contact, coarse.state.turn_to_contact_error,
+              fine.state.turn_to_contact, fine.state.turn_to_contact_error);
+        check("reverse turn to contact", coarse.state.reverse_turn_to_contact,
+              coarse.state.reverse_turn_to_contact_error, fine.state.reverse_turn_to_contact,
+              fine.state.reverse_turn_to_contact_error);
         check("play", coarse.state.backlash(), coarse.state.backlash_error(), fine.state.backlash(),
               fine.state.backlash_error());
         check("smallest gap", coarse.state.smallest_gap, coarse.state.smallest_gap_error, fine.state.smallest_gap,
@@ -277,7 +278,7 @@ TEST_CASE("contact law: a flank between its points is the flank that many more p
     }
 }
 
-TEST_CASE("contact law: clearance as made does not jump where a tilt of either kind begins", "[law][contact]")
+TEST_CASE("contact law: clearance as given does not jump where a tilt of either kind begins", "[law][contact]")
 {
     auto const as_made = [](std::string const& kind, std::string const& tilt) {
         return only_case(
@@ -334,8 +335,7 @@ TEST_CASE("contact law: the written outline is that of the part whose contact is
     CHECK(study_contact(builtin_scene({"contact.flank_points=40"})).side_clearance == 0);
 }
 
-TEST_CASE("contact law: a side clearance that solve looks for by itself is the one that contact says clears",
-          "[law][contact]")
+TEST_CASE("contact law: a side clearance that solve looks for by itself is the least one of contact", "[law][contact]")
 {
     Keys const drive = with(with(coned(), resolution(3, 60, "tilted")), {"circular_spline.backlash_offset=\"auto\""});
     Solution const solved = solve(builtin_scene(drive));

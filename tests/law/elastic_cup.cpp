@@ -43,7 +43,7 @@ TEST_CASE("solving with the elastic cup enters its stage once and others not at 
     CHECK(with.circular_spline.outline.size() == 3);
     CHECK(with.check->smallest_clearance > -1e-6);
     REQUIRE_FALSE(with.notes.empty());
-    CHECK_THAT(with.notes.front(), ContainsSubstring("cones by 1.2"));
+    CHECK_THAT(with.notes.front(), ContainsSubstring("coning 1.2"));
 
     std::map<Stage, int> linear;
     Solution const without =

@@ -170,7 +170,7 @@ TEST_CASE("more than the teeth can carry is said", "[load]")
     }
 }
 
-TEST_CASE("many balls are a line of balls", "[load][balls]")
+TEST_CASE("many balls are a continuous row of balls", "[load][balls]")
 {
     LoadStudy const line = study_load(quick(), at_torque(20 * newton_metre));
     double last = 1e9;
@@ -351,7 +351,7 @@ TEST_CASE("contact and load take the same part: the scene's own where nothing en
         Keys more;
         double least_tip, largest_tip;  // [mm]
     };
-    // the scene's tip circle though another, wider one goes with the least clearing offset; and where the side
+    // the scene's tip circle though another, wider one goes with the least side clearance; and where the side
     // clearance leaves no land, one that does
     for (Row const& row : std::vector<Row>{{{"circular_spline.inner_radius=25.2", "tilt.angle_deg=0.3"}, 25.2, 25.2},
                                            {{"circular_spline.backlash_offset=0.08"}, 25.1023, 25.12},

@@ -166,7 +166,7 @@ TEST_CASE("wire sweep: where the teeth are said to stay clear of a residual, all
         sets.back() = "wedm.residual_limit=0.003";
         CHECK_THROWS_WITH(wire_program(builtin_scene(sets)),
                           ContainsSubstring("residual_limit = ") &&
-                              (clear ? ContainsSubstring("mm clear of what is left") : ContainsSubstring("")));
+                              (clear ? ContainsSubstring("from what is left") : ContainsSubstring("")));
         INFO("root clearance " << clearance << ": " << left << " mm left");
         CHECK((left <= program.tolerance) == clear);
     }

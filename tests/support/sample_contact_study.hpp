@@ -105,7 +105,7 @@ inline ContactState contact_state(double share, double play)
     return state;
 }
 
-/// @param best  tilt where its clearing offset is least and its area largest [rad]
+/// @param best  tilt where its least side clearance is smallest and its area largest [rad]
 inline ContactCase contact_case(ToothSurface surface, std::optional<TiltKind> kind, double tilt, double best,
                                 std::vector<double> const& z)
 {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/text.hpp"
 #include "conjugate/outline.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/conjugate/tooth_space.hpp"
@@ -60,7 +61,7 @@ void assemble_until_clear(Solution const& out, double chord, Assemble&& assemble
     }
     throw NumericalError(
         ErrorCode::interference, "interference", near_text(out.check->where) + frame,
-        "a tooth enters the outline by " + std::to_string(wanted() - out.check->smallest_clearance) + " mm");
+        "a tooth interferes with the outline by " + std::to_string(wanted() - out.check->smallest_clearance) + " mm");
 }
 
 /// Requires that no stretch of a boundary longer than the tolerance vanishes at the offset, where the neighbours'
@@ -90,9 +91,9 @@ void require_same_topology(std::vector<BoundaryPiece> const& before, Kept const&
         largest = std::max(largest, length);
     }
     if (largest > tolerance)
-        throw NumericalError(ErrorCode::no_outline, "backlash offset", near_text(where),
-                             "an offset of " + std::to_string(offset) + " mm swallows a stretch of the flank " +
-                                 std::to_string(largest) + " mm long",
+        throw NumericalError(ErrorCode::no_outline, "side clearance", near_text(where),
+                             "a side clearance of " + short_number(offset) + " mm would remove a part of the flank " +
+                                 short_number(largest) + " mm long",
                              "write a smaller circular_spline.backlash_offset");
 }
 

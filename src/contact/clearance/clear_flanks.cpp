@@ -38,8 +38,8 @@ void lift_tip(CaseSurface const& surface, SliceClearances const& clearances, Cle
             return;
         further = more * cleared.offset;
     }
-    throw NumericalError(ErrorCode::not_converged, "contact", "clearing offset",
-                         "what is left of the flanks at the tip circle asks for ever more side clearance");
+    throw NumericalError(ErrorCode::not_converged, "contact", "least side clearance",
+                         "the flanks that are left at the tip circle need more side clearance each time it grows");
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "base/text.hpp"
 #include "hdconj/error.hpp"
 #include "surface/moved_outline.hpp"
 
@@ -118,7 +119,7 @@ void refuse_to_lift_for_ever(int round, double tip)
     constexpr int budget = 12;
     if (round + 1 == budget)
         throw NumericalError(ErrorCode::not_converged, "contact", "tip circle",
-                             "side clearance and tip circle did not settle at a tip circle of " + std::to_string(tip) +
+                             "side clearance and tip circle did not converge, at a tip circle of " + short_number(tip) +
                                  " mm: the teeth become too short for this tilt");
 }
 

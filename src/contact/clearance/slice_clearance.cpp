@@ -155,8 +155,8 @@ double least_offset(SliceClearances const& clearances, ClearanceSet const& set, 
     auto const guess = side_clearance_search(clearance_of(&wanted), -worst, enough);
     auto const distance = guess ? side_clearance_search(clearance_of(nullptr), *guess, enough) : guess;
     if (!distance)
-        throw NumericalError(ErrorCode::not_converged, "contact", "clearing offset",
-                             "did not converge; the flank may be swallowed by the side clearance that it needs");
+        throw NumericalError(ErrorCode::not_converged, "contact", "least side clearance",
+                             "did not converge: the side clearance that is needed may remove the whole flank");
     return *distance;
 }
 

@@ -40,7 +40,7 @@ template <class Value>
 /// Why one of them is not there.
 [[nodiscard]] inline std::string no_row(surface::SurfaceSpec const& spec, std::string const& why)
 {
-    return fmt::format("no row for a tilt of {} deg, {}, surface \"{}\": {}", short_number(spec.tilt / deg),
+    return fmt::format("no result for tilt {} deg, kind \"{}\", surface \"{}\": {}", short_number(spec.tilt / deg),
                        to_string(spec.kind), to_string(spec.surface), why);
 }
 

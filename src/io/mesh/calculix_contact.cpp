@@ -149,7 +149,7 @@ ContactDeck contact_deck(elastic::BentCup const& cup, DeckBody const& cup_body)
         "displacements. mm, N, MPa.\n"
         "** The bearing is {}. Displacements must come near expected.csv, forces near expected_contact.csv: run ccx "
         "contact.\n",
-        bearing.ring ? "an elastic outer ring, its line of balls moved by the cam"
+        bearing.ring ? "an elastic outer ring, its balls moved by the cam"
                      : "rigid: all of its nodes are moved by the cam");
     put_bodies(deck, cup, cup_body, ring, moved);
     put_contact(deck, cup_body.section.material.youngs_modulus);

@@ -26,8 +26,8 @@ namespace {
         : choice.surface != ToothSurface::per_slice ? "surface = \"per-slice\" in [slices]"
                                                     : "a larger circular_spline.backlash_offset";
     throw NumericalError(ErrorCode::interference, "load", "assembly",
-                         "the teeth of the bent cup stand in the way of those of the circular spline at every turn, "
-                         "with a side clearance of " +
+                         "cup and circular spline interfere in every position of the circular spline, even with a "
+                         "side clearance of " +
                              short_number(side_clearance) + " mm",
                          "write " + advice + ", or a larger circular_spline.inner_radius");
 }

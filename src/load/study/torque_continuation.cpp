@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/text.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/units.hpp"
@@ -33,7 +34,7 @@ constexpr Attempt attempts[] = {{1, 3, 25}, {0.5, 3, 25}, {1, 40, 60}, {2, 3, 25
 
 std::string place_of(double torque)
 {
-    return "torque of " + std::to_string(torque / newton_metre) + " N m";
+    return "torque of " + short_number(torque / newton_metre) + " N m";
 }
 
 auto flank_of(FlankContact const& c)
@@ -111,8 +112,9 @@ void require_within_pitch(LoadProblem const& problem, double torque, double turn
 {
     if (std::abs(turn) > 2 * std::numbers::pi / problem.context.scene.drive.circular_spline_teeth)
         throw NumericalError(ErrorCode::overload, "load", place_of(torque),
-                             "the flexspline turns by more than a pitch, " + std::to_string(to_deg(turn)) +
-                                 " deg: the teeth pass over each other; it is more than they can carry");
+                             "the teeth turn by more than a pitch against each other, " + short_number(to_deg(turn)) +
+                                 " deg: they slip over each other",
+                             "write a smaller torque");
 }
 
 // Anderson mixing (D. G. Anderson, J. ACM 12, 1965).
@@ -234,7 +236,7 @@ LoadedDrive converged_at(LoadProblem const& problem, double torque, LoadedDrive 
     }
     throw NumericalError(ErrorCode::not_converged, "load", place_of(torque),
                          "forces and loaded shape do not converge: after " + std::to_string(result.drive.iterations) +
-                             " iterations gaps still differ by " + std::to_string(result.mismatch * per_um) + " um",
+                             " iterations gaps still differ by " + short_number(result.mismatch * per_um) + " um",
                          "write a larger load.edge_radius, or another circular_spline.backlash_offset");
 }
 

@@ -20,8 +20,8 @@ namespace hdconj::report {
 
 /// Whether some surface was computed at two tilts or more.
 [[nodiscard]] bool has_tilt_curve(ContactStudy const& study);
-/// Contact area (left axis) and clearing offset (right axis) against tilt, a pair of curves for each surface and kind,
-/// the best tilts marked.
+/// Contact area (left axis) and least side clearance (right axis) against tilt, a pair of curves for each surface and
+/// kind, the best tilts marked.
 [[nodiscard]] std::string tilt_script(ContactStudy const& study);
 /// Smallest gap along the flank over tooth space and slice, both flanks. Needs a map.
 [[nodiscard]] std::string map_script(ContactStudy const& study);

@@ -63,7 +63,7 @@ void conclude_tolerance(Page& page, SeriesList const& series_list)
     std::string text =
         series->order == series->order
             ? fmt::format(
-                  "The error follows the tolerance with order {:.2f}, down to {} mm, where the finest rung stands.",
+                  "The error follows the tolerance with order {:.2f}, down to {} mm, the error at the finest level.",
                   series->order, figures::scientific(last.error))
             : fmt::format("The error is {} mm with the coarsest tolerance and {} mm with the finest.",
                           figures::scientific(first.error), figures::scientific(last.error));

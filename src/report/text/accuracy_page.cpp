@@ -17,8 +17,8 @@ void write_table(report::Page& page, ConvergenceSeries const& series)
     std::string const remark = figures::series_remark(series);
     page.line("\n**{}**{}{}\n", figures::series_name(series), remark.empty() ? "" : ": ", remark);
     page.line(
-        "| {} | error [{}] | estimate | residual [mm/rad] | missed, extra | median | least ... most | evaluations | "
-        "points | memory [MB] |",
+        "| {} | error [{}] | estimate | normal speed [mm/rad] | missed, extra | median | least ... most | evaluations "
+        "| points | memory [MB] |",
         series.knob, series.unit);
     page.line("|---|---|---|---|---|---|---|---|---|---|");
     for (auto const& level : series.levels) {
@@ -34,7 +34,7 @@ void write_table(report::Page& page, ConvergenceSeries const& series)
 void write_reference(report::Page& page, AccuracyReport const& report)
 {
     page.line(
-        "**Errors** are distances in mm from a reference that is computed in 50 digits by another path (frames from "
+        "**Errors** are distances in mm from a reference that is computed in 50 digits by another method (frames from "
         "tangent vectors in place of angles, arcs as parallels of their centre's path, arc length by the trapezoidal "
         "rule or, where the wave generator's third derivative jumps, by one series from jump to jump, corners by "
         "Newton's method). It is of this drive's own wave generator (`{}`) and motion model (`{}`){}; the study "
@@ -52,7 +52,7 @@ void write_reference(report::Page& page, AccuracyReport const& report)
 
 void write_knobs(report::Page& page, report::SeriesList const& series_list)
 {
-    page.line("## Which knob for which accuracy\n");
+    page.line("## Which setting for which accuracy\n");
     page.line("| wanted [mm] | write | error on this drive | worst of the sample | time |");
     page.line("|---|---|---|---|---|");
     constexpr int coarsest = 2, finest = 11;
@@ -66,9 +66,9 @@ void write_knobs(report::Page& page, report::SeriesList const& series_list)
                   figures::scientific(found->sample_error), figures::duration(found->level.median));
     }
     page.line(
-        "\n`solver.tolerance` is the knob for the outline, `kinematics` a choice of model and not of accuracy, "
-        "`slices.count` the knob for the contact area, and `threads` worth its while where the table of the study says "
-        "so. For a wanted error or time: `hdconj accuracy --error 1e-6`, `hdconj accuracy --budget 10ms`; with `--from "
+        "\n`solver.tolerance` decides the error of the outline and `slices.count` that of the contact area. "
+        "`kinematics` chooses a model and no accuracy. More `threads` help where the table of the study says so. For a "
+        "wanted error or time: `hdconj accuracy --error 1e-6`, `hdconj accuracy --budget 10ms`; with `--from "
         "DIR/records.h5` from records that were measured before.\n");
 }
 
@@ -99,7 +99,7 @@ std::string accuracy_page(StoredAccuracy const& study, std::filesystem::path con
         page.line(
             "**Sample**: {} designs about the drive (radial deformation 0.85 to 1.1, wall 0.8 to 1.2, lengths of the "
             "profile 0.94 to 1.06 times; {} more were drawn and make no drive). For each setting the worst of them is "
-            "shown; a slow machine is not a bad design, so their times are of single runs.\n",
+            "listed; a slow machine is not a bad design, so their times are of single runs.\n",
             report.sample, report.sample_refused);
     }
     if (report::find(series_list, "tolerance", "solve") != nullptr)

@@ -14,7 +14,7 @@ void write_series(Page& page, ConvergenceSeries const& series)
     std::string const remark = figures::series_remark(series);
     page.line("  {}{}{}", figures::series_name(series), remark.empty() ? "" : ": ", remark);
     page.line("  {:>12}  {:>10} {:>10} {:>10} {:>6} {:>5} {:>11} {:>11} {:>11} {:>9}",
-              series.knob.size() > 12 ? "knob" : series.knob, "error", "estimate", "residual", "missed", "extra",
+              series.knob.size() > 12 ? "knob" : series.knob, "error", "estimate", "speed n.v", "missed", "extra",
               "median", "least", "most", "points");
     for (auto const& level : series.levels) {
         Told const told(figures::level_figures(), level);
@@ -32,10 +32,10 @@ void write_head(Page& page, StoredAccuracy const& study, std::vector<Convergence
               study.origin.revision);
     page.line("  {}, {}; {}", report.machine, figures::threads_text(report.threads), study.origin.build);
     if (figures::are_single_runs(series_list))
-        page.line("  times are of single runs: none of them says how it compares with another");
+        page.line("  each time is that of a single run, so do not compare times");
     bool const has_reference = report.reference_error > 0;  // studies along the axis need none
     if (has_reference) {
-        page.line("  reference: 50 digits by another path, itself right to {}; brute force finds it touched to {}",
+        page.line("  reference: 50 digits by another method, error {}; brute force finds interference up to {}",
                   told.with_unit("reference_error"), told.with_unit("reference_interference"));
     }
     if (has_reference && report.scene.solver.kinematics != Kinematics::exact) {
@@ -43,7 +43,7 @@ void write_head(Page& page, StoredAccuracy const& study, std::vector<Convergence
                   to_string(report.scene.solver.kinematics));
     }
     if (report.sample > 0) {
-        page.line("  sample: {} designs about this one ({} drawn that make no drive)", report.sample,
+        page.line("  sample: {} random designs around this one ({} more were no valid drive)", report.sample,
                   report.sample_refused);
     }
     for (auto const& note : report.notes)
@@ -54,7 +54,7 @@ void write_advice(Page& page, std::string const& asked, std::optional<accuracy::
 {
     page.line("\n{}\n  {}", asked,
               found ? figures::advice_text(*found)
-                    : "no record of the study tolerance to go by: run it, or give --from a file that holds it");
+                    : "there is no record of the study tolerance: run it, or write --from with a file that holds it");
 }
 
 }  // namespace

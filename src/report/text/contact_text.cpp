@@ -18,7 +18,7 @@ void write_contact_setting(Page& page, ContactStudy const& study)
     page.line("\ncontact where the gap is {} or less", told.with_unit("contact_gap"));
     write_slices(page, study.solution.circular_spline.z);
     page.figure("coning", std::string(coning ? to_string(coning->model) : "none"));
-    page.figure(figures::contact_study_figures()["pitch_radius"], study, "radius, for play as a length");
+    page.figure(figures::contact_study_figures()["pitch_radius"], study, "radius at which backlash is a length");
     if (!study.cases.empty()) {
         page.figure(figures::state_figures()["wave_generator"], study.cases.front().state,
                     "from a tooth space of the circular spline");
@@ -30,12 +30,12 @@ std::string with_sign(std::string const& error)
     return "+- " + error;
 }
 
-/// An angle and its error as play at the pitch circle [um].
-std::string play_text(double angle, ContactStudy const& study)
+/// An angle and its error as backlash at the pitch circle [um].
+std::string length_text(double angle, ContactStudy const& study)
 {
     return figures::fixed<2>(figures::unit::um.shown(figures::at_pitch_circle(angle, study)));
 }
-std::string play_error(double angle, ContactStudy const& study)
+std::string length_error(double angle, ContactStudy const& study)
 {
     return with_sign(figures::significant<1>(figures::unit::um.shown(figures::at_pitch_circle(angle, study))));
 }
@@ -48,34 +48,34 @@ void write_contact_row(Page& page, ContactStudy const& study, ContactCase const&
     page.line("{}{:>11}{:>10}{:>10}{:>10}{}{:>10}{:>10}{:>7}{:>10} +- {}",
               surface_columns(figures::case_figures(), each), each.slices.empty() ? "-" : told("flank_clearance"),
               told("least_side_clearance"), told("backlash_of_least_side_clearance"), told("backlash_offset"),
-              each.side_clearance_increased ? '*' : ' ', at("backlash"), play_text(state.backlash(), study),
+              each.side_clearance_increased ? '*' : ' ', at("backlash"), length_text(state.backlash(), study),
               at("teeth"), at("contact_fraction"), at.error("contact_fraction"));
     std::string teeth;
     if (state.teeth_least != state.teeth || state.teeth_most != state.teeth)
         teeth = fmt::format("{}-{}", state.teeth_least, state.teeth_most);
     page.line("{:<25}{:>11}{:>10}{:>10}{:>10} {:>10}{:>10}{:>7}", "", with_sign(told.error("flank_clearance")),
               with_sign(told.error("least_side_clearance")), with_sign(told.error("backlash_of_least_side_clearance")),
-              "", with_sign(at.error("backlash")), play_error(state.backlash_error(), study), teeth);
+              "", with_sign(at.error("backlash")), length_error(state.backlash_error(), study), teeth);
 }
 
 void write_contact_table(Page& page, ContactStudy const& study)
 {
     // Tilt ends in column 25, then clearance 11 wide, twice offset and backlash 10 wide, the latter also as a length.
-    page.line("\n{:<25}{:>11}{:>20}{:>31}", "", "as made", "to clear: offset", "as computed: offset,");
+    page.line("\n{:<25}{:>10}{:>21}{:>31}", "", "as given", "least side clearance", "as computed:");
     page.line("  {:<10}{:<7}{:>6}{:>11}{:>20}{:>31}{:>7}{:>14}", "surface", "kind", "tilt", "clearance",
-              "and its backlash", "and backlash", "teeth", "contact area");
+              "and its backlash", "clearance, backlash", "teeth", "contact area");
     page.line("  {:<10}{:<7}{:>6}{:>11}{:>10}{:>10}{:>10}{:>11}{:>10}{:>7}{:>14}", "", "", "deg", "um", "um", "arcmin",
               "um", "arcmin", "um", "", "%");
     for (auto const& each : study.cases)
         write_contact_row(page, study, each);
     auto const any = [&](auto condition) { return std::any_of(study.cases.begin(), study.cases.end(), condition); };
     if (any([](auto const& each) { return each.side_clearance_increased; }))
-        page.line("  *: more than the scene gives, because with that the teeth enter the flanks");
+        page.line("  *: more side clearance than the scene gives, with which the flanks would interfere");
     double const tolerance = study.solution.scene.solver.tolerance;
-    bool const wedged =
+    bool const pressed =
         any([&](auto const& each) { return figures::at_pitch_circle(each.state.backlash(), study) < -tolerance; });
-    if (wedged)
-        page.line("  backlash below zero: the flexspline is wedged, it would have to enter by as much");
+    if (pressed)
+        page.line("  backlash below zero: the teeth press on both flanks and would interfere by as much");
 }
 
 char const* verdict(double clearance, double tolerance)
@@ -103,7 +103,7 @@ void write_needs(Page& page, ContactStudy const& study, ContactCase const& each)
         // where moved flanks meet is known as well as they are
         std::string const error =
             each.tip == each.least_tip_radius ? told.error("least_tip_radius") : figures::significant<1>(tolerance);
-        needs.push_back(fmt::format("needs the tip circle {} +- {} mm instead of {} mm", told("tip_radius"), error,
+        needs.push_back(fmt::format("needs a tip circle of {} +- {} mm instead of {} mm", told("tip_radius"), error,
                                     figures::decimals<4>(tip)));
     }
     if (each.least_root_clearance > 0) {
@@ -111,13 +111,13 @@ void write_needs(Page& page, ContactStudy const& study, ContactCase const& each)
                                     told.error_with_unit("least_root_clearance")));
     }
     if (each.surface == ToothSurface::ruled) {
-        needs.push_back(fmt::format("up to {} {} from the slices' own conjugate outlines", told("ruled_deviation"),
+        needs.push_back(fmt::format("up to {} {} off the conjugate outlines of the slices", told("ruled_deviation"),
                                     told.error_with_unit("ruled_deviation")));
     }
     // a place that one plane decides lies between its neighbours
     if (each.slices.size() > 3 &&
         each.closest_z_to - each.closest_z_from > 2.5 * (each.slices[1].z - each.slices[0].z)) {
-        needs.push_back(fmt::format("the flanks come as close, within that error, anywhere from z = {} to {}",
+        needs.push_back(fmt::format("the flanks are equally close, within the error, from z = {} to {}",
                                     told("flank_z_from"), told.with_unit("flank_z_to")));
     }
     if (!needs.empty())
@@ -127,7 +127,7 @@ void write_needs(Page& page, ContactStudy const& study, ContactCase const& each)
 void write_contact_places(Page& page, ContactStudy const& study)
 {
     double const tolerance = study.solution.scene.solver.tolerance;
-    page.line("\nwhere the teeth come closest over a full turn, with the side clearance that the scene gives");
+    page.line("\nwhere the teeth come closest over a full turn, with the side clearance of the scene");
     page.line("  {:<10}{:<7}{:>6}   {:<7}{:>10}{:>10}{:>10}{:>9}{:>10}", "surface", "kind", "tilt", "", "clearance",
               "x", "y", "z", "phi");
     page.line("  {:<10}{:<7}{:>6}   {:<7}{:>10}{:>10}{:>10}{:>9}{:>10}", "", "", "deg", "", "um", "mm", "mm", "mm",
@@ -188,12 +188,13 @@ void write_best(Page& page, std::vector<BestTilt> const& best)
     for (auto const& each : best) {
         Told const told(figures::best_tilt_figures(), each);
         auto const value = figures::best_value_figure(each);
-        page.figure(std::string(to_string(each.kind)) + ", for " + figures::goal_name(each), told.with_unit("tilt"),
-                    fmt::format("+- {}, {} {} +- {}; searched {} ... {}{}", told.with_unit("tolerance"),
-                                value.text.label, value.value_with_unit(each), value.error_text(each), told("from"),
-                                told.with_unit("to"), each.on_bound ? ", and on the bound: it may lie beyond" : ""));
+        page.figure(
+            std::string(to_string(each.kind)) + ", for " + figures::goal_name(each), told.with_unit("tilt"),
+            fmt::format("+- {}, {} {} +- {}; searched {} ... {}{}", told.with_unit("tolerance"), value.text.label,
+                        value.value_with_unit(each), value.error_text(each), told("from"), told.with_unit("to"),
+                        each.on_bound ? "; an end of this interval: the best tilt may lie outside" : ""));
         if (each.refused > 0) {
-            page.line("    {} of the tilts tried make no surface, those from {} to {} do: {}", each.refused,
+            page.line("    no surface exists at {} of the tilts tried, only from {} to {}: {}", each.refused,
                       told("possible_from"), told.with_unit("possible_to"), each.refusal);
         }
     }
@@ -214,7 +215,7 @@ std::string summary_text(ContactStudy const& study, std::vector<WrittenFile> con
     report::write_revolutions(page, study.cases);
     report::write_best(page, study.best);
     if (study.written_case < study.cases.size())
-        page.line("\ncircular spline, as written: {}", figures::case_name(study.cases[study.written_case]));
+        page.line("\ncircular spline in the result file: {}", figures::case_name(study.cases[study.written_case]));
     report::write_end(page, study.solution, written);
     return page.text();
 }

@@ -10,7 +10,7 @@ namespace {
 
 using ToldLoad = Told<LoadCase>;
 
-bool is_moved(LoadCase const& each)
+bool is_changed(LoadCase const& each)
 {
     return each.side_clearance_increased || each.tip_radius_increase > 0;
 }
@@ -21,7 +21,7 @@ void write_values(Page& page, LoadStudy const& study, LoadCase const& each)
     auto const& stages = each.stages;
     bool const any = stages.first != 0;
     std::string row = fmt::format("{}{:>8}{}{:>9}{:>9}{:>9}{:>8}", surface_columns(figures::load_case_figures(), each),
-                                  told("backlash_offset"), is_moved(each) ? '*' : ' ', told("backlash"),
+                                  told("backlash_offset"), is_changed(each) ? '*' : ' ', told("backlash"),
                                   any ? told("first_stage") : "-",
                                   stages.found ? told("second_stage")
                                   : any        ? "="
@@ -41,7 +41,7 @@ void write_values(Page& page, LoadStudy const& study, LoadCase const& each)
 void write_errors_of(Page& page, LoadStudy const& study, LoadCase const& each)
 {
     if (!each.estimated) {
-        page.line("    +-     no estimate: it takes three slices, and a balance on a grid half as fine");
+        page.line("    +-     no error estimate: it needs three slices, and equilibrium on a grid half as fine");
         return;
     }
     ToldLoad const told(figures::load_case_figures(), each);
@@ -55,16 +55,16 @@ void write_errors_of(Page& page, LoadStudy const& study, LoadCase const& each)
               each.error.largest_stress > 0 ? at.error("largest_stress") : "-");
 }
 
-/// The surfaces that did not stay as the scene gives them.
-void write_moved(Page& page, LoadStudy const& study)
+/// The surfaces that are not as the scene gives them.
+void write_changed(Page& page, LoadStudy const& study)
 {
     page.line(
-        "  *: with what the scene gives the assembled teeth press on both flanks, and this surface has what clears "
-        "over a full turn; or the side clearance leaves no land, and the tip circle follows:");
+        "  *: with the side clearance and tip circle of the scene the assembled teeth would press on both flanks, or "
+        "no land would be left; computed with:");
     for (auto const& each : study.cases) {
         ToldLoad const told(figures::load_case_figures(), each);
-        if (is_moved(each)) {
-            page.line("    {}{:>9} um side clearance, tip circle {}, {} wider than its own",
+        if (is_changed(each)) {
+            page.line("    {}{:>9} um side clearance, tip circle {}, enlarged by {}",
                       surface_columns(figures::load_case_figures(), each), told("backlash_offset"),
                       told.with_unit("tip_radius"), told.with_unit("tip_radius_increase"));
         }
@@ -76,25 +76,26 @@ void write_legend(Page& page, LoadStudy const& study)
 {
     auto const any = [&](auto condition) { return std::any_of(study.cases.begin(), study.cases.end(), condition); };
     page.line(
-        "  contact: flank under pressure; near: gap no larger than {}; of the area of all flanks of the loaded side",
+        "  offset: side clearance; contact: flank under pressure; within: flank with a gap up to {}; both of the area "
+        "of all flanks on the loaded side",
         Told(figures::load_study_figures(), study).with_unit("contact_gap"));
     page.line(
-        "  +-: four times the distance from a grid half as fine in slices, flank points, circles and harmonics, on "
-        "another mesh (below nine slices twelve times); of stages with the standard error of their fit");
+        "  +-: four times the difference from a grid half as fine in slices, flank points, circles and harmonics, on "
+        "another mesh (twelve times below nine slices); for the stages with the standard error of their fit");
     if (any([](auto const& each) { return each.pressure_at_edge; })) {
         page.line(
-            "  edge: the largest pressure is at an end of the face width, where it does not converge; what it adds up "
-            "to does");
+            "  edge: the largest pressure is at an end of the face width and grows with the number of slices; forces "
+            "converge");
     }
     if (study.sharp_steps) {
         page.line(
-            "  stress: the wall steps from barrel to ring in sharp corners, where it grows with the mesh; rear_fillet "
-            "and front_fillet round them");
+            "  stress: largest in the sharp corners between barrel and toothed ring, where it grows with a finer mesh; "
+            "write rear_fillet and front_fillet in [flexspline.cup]");
     }
-    if (any(is_moved))
-        write_moved(page, study);
+    if (any(is_changed))
+        write_changed(page, study);
     if (any([](auto const& each) { return !each.stages.found && each.stages.first != 0; }))
-        page.line("  =: one line, the curve has no bend that would make two stages of it");
+        page.line("  =: one straight line fits the curve as well as two");
     if (any([](auto const& each) { return each.backlash < 0; }))
         page.line("  backlash below zero: the assembled teeth press on both flanks");
 }
@@ -106,7 +107,7 @@ void write_load_table(Page& page, LoadStudy const& study)
     // Tilt ends in column 25; the columns of the stages follow, then those of the largest torque.
     page.line("\n{:<25}{:>44}   at {}", "", "", rated_torque(study));
     page.line("  {:<10}{:<7}{:>6}{:>8}{:>10}{:>18}{:>8}{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", "surface", "kind",
-              "tilt", "offset", "backlash", "stiffness: stages", "bend", "twist", "teeth", "contact", "near",
+              "tilt", "offset", "backlash", "stiffness: stages", "knee", "twist", "teeth", "contact", "within",
               "pressure", "force", "stress");
     page.line("  {:<10}{:<7}{:>6}{:>8}{:>10}{:>9}{:>9}{:>8}{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", "", "", "deg", "um",
               "arcmin", "N m/deg", "N m/deg", "N m", "arcmin", "", "%", "%", "MPa", "N", "MPa");

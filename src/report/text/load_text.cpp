@@ -24,12 +24,12 @@ void write_load_setting(Page& page, LoadStudy const& study)
     line("coning_minor", rows["coning_minor"].text.label, "");
     write_slices(page, cup.z);
     line("wave_generator_force", rows["wave_generator_force"].text.label,
-         "without direction, over " + told("contacts") + " places");
+         "sum without direction, over " + told("contacts") + " contact points");
     if (cup.ball_force > 0) {
         bool const single = study.balls > 0;
         line("ball_force", single ? "largest force of a ball" : "largest force of the balls",
              single ? fmt::format("at {}; {} of {} balls carry", told.with_unit("ball_phi"), told("balls"), study.balls)
-                    : "of their line, at " + told.with_unit("ball_phi"));
+                    : "balls as a continuous row, at " + told.with_unit("ball_phi"));
     }
     if (cup.largest_stress > 0)
         line("largest_stress", rows["largest_stress"].text.label, "von Mises, inside the elements");
@@ -39,7 +39,7 @@ void write_load_setting(Page& page, LoadStudy const& study)
     if (study.standard_tip_increase > 0) {
         auto const tip = figures::geometry_figures()["tip_radius"];
         page.figure("tip circle", fmt::format("{:.4f} mm", tip.value(study.solution)),
-                    fmt::format("circular spline; {} wider than the standard one, which leaves no land between spaces",
+                    fmt::format("circular spline; {} larger than the standard one, which would leave no land",
                                 whole.with_unit("standard_tip_increase")));
     }
     page.figure("harmonics", "up to " + whole("harmonics"),
@@ -57,7 +57,7 @@ std::string place_of_pressure(LoadCase const& each, LoadedState const& state)
 
 void write_largest(Page& page, LoadStudy const& study)
 {
-    page.line("\nwhere it is largest, at {}", rated_torque(study));
+    page.line("\nlargest pressure and stress, at {}", rated_torque(study));
     for (auto const& each : study.cases) {
         auto const* state = figures::rated_state(each);
         if (state == nullptr)
@@ -106,7 +106,7 @@ void write_balls(Page& page, LoadStudy const& study, LoadCase const& each)
 }
 
 /// How well the equations are solved: the worst of all states.
-void write_residuals(Page& page, LoadStudy const& study)
+void write_convergence(Page& page, LoadStudy const& study)
 {
     LoadedState worst;
     for (auto const& each : study.cases) {
@@ -118,8 +118,9 @@ void write_residuals(Page& page, LoadStudy const& study)
     }
     Told const told(figures::loaded_state_figures(study.balls), worst);
     page.line(
-        "  solved to: gap against the loaded shape {}, force and gap {} relative; {} rounds of the geometry at most",
-        told.with_unit("gap_mismatch"), told("complementarity"), worst.iterations);
+        "  converged after at most {} iterations: gaps agree with the loaded shape to {}, force times gap is at most "
+        "{} (relative)",
+        worst.iterations, told.with_unit("gap_mismatch"), told("complementarity"));
 }
 
 void write_load_places(Page& page, LoadStudy const& study)
@@ -132,7 +133,7 @@ void write_load_places(Page& page, LoadStudy const& study)
     for (auto const& each : study.cases)
         if (study.balls > 0)
             write_balls(page, study, each);
-    write_residuals(page, study);
+    write_convergence(page, study);
 }
 
 std::string rig_text(MeasuredCurve const& curve)
@@ -182,12 +183,12 @@ void write_measured(Page& page, LoadStudy const& study, Measurement const& measu
         write_estimate(page, figure, measured, simulated);
     if (curve.rig.angle_per_spline != 1) {
         page.line(
-            "  at the output, the cup: it turns by {:.6g} times the angle of the circular spline, whose curve stands "
+            "  at the output, which is the cup: its angles are {:.6g} times those of the circular spline in the tables "
             "above",
             curve.rig.angle_per_spline);
     }
     if (found.straight > 0) {
-        page.line("  {} of {} loading branches have no bend and are no part of the stages", found.straight,
+        page.line("  {} of {} loading branches are one straight line and are left out of the stages", found.straight,
                   found.whole.count);
     }
 }
@@ -214,7 +215,7 @@ std::string summary_text(LoadStudy const& study, std::vector<WrittenFile> const&
         report::write_measured(page, study, *measured);
     report::write_notes(page, study.missing);
     if (auto const* shown = figures::shown_case(study))
-        page.line("\ncup and circular spline, as written: {}", figures::case_name(*shown));
+        page.line("\ncup and circular spline in the result file: {}", figures::case_name(*shown));
     report::write_end(page, study.solution, written);
     return page.text();
 }

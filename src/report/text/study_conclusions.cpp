@@ -104,8 +104,8 @@ void conclude_contact(Page& page, SeriesList const& series_list)
         "This is no distance from a reference in 50 digits, see the notes below.{}",
         figures::scientific(of_slices), slices->levels.back().value, figures::scientific(of_points),
         points->levels.back().value,
-        of_slices > of_points   ? "; slices are the knob that counts"
-        : of_points > of_slices ? "; flank points are the knob that counts"
+        of_slices > of_points   ? "; the number of slices counts most"
+        : of_points > of_slices ? "; the number of flank points counts most"
                                 : "",
         reference);
 }
@@ -137,15 +137,15 @@ void conclude_load(Page& page, SeriesList const& series_list)
     std::string own;
     if (widest > 0) {
         own = fmt::format(
-            " The finest rungs themselves are right to {} of the twist or better, as the program estimates them "
+            " The finest levels themselves are right to {} of the twist or better, as the program estimates them "
             "(tables \"reference\"){}.",
             figures::scientific(widest),
             widest > least
-                ? ": these distances say how the twist settles as one count grows, not how far it is from the truth"
+                ? ": these distances say how the twist converges as one count grows, not how far it is from the truth"
                 : "");
     }
     page.line(
-        "How far the twist at the rated torque is from that of the finest rung, relative to it, and what it takes: "
+        "How far the twist at the rated torque is from that of the finest level, relative to it, and what it takes: "
         "{}.{} This is no distance from a reference in 50 digits, see the notes below.{}",
         found, own, of_sample.empty() ? of_sample : of_sample + ".");
 }
@@ -174,7 +174,7 @@ void conclude_threads(Page& page, SeriesList const& series_list)
                                   ? std::string()
                                   : fmt::format(
                                         ", where the machine gave {:.2f}: so much more was done in the same minutes by "
-                                        "{:.0f} solves side by side, which share nothing else",
+                                        "{:.0f} solves side by side, which have nothing else in common",
                                         apart->levels.front().median / apart->levels.back().median, last.value);
     page.line("{:.0f} threads are {:.2f} times as fast as one{}; {}.", last.value, one.median / last.median, given,
               same);

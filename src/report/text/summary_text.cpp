@@ -19,7 +19,7 @@ void write_geometry(Page& page, Solution const& solution)
     Told const told(rows, solution);
     write_drive(page, solution);
     if (solution.scene.is_reverse())
-        page.line("given: the circular spline's tooth; solved for: the flexspline's");
+        page.line("given: tooth of the circular spline; computed: tooth of the flexspline");
     page.line("\ngeometry");
     page.figure(rows["r_m"], solution, "undeformed");
     page.figure(rows["r_0"], solution,
@@ -53,7 +53,7 @@ void write_zones(Page& page, Solution const& solution, SummaryDetail detail)
                   zone.on_boundary ? "yes" : "-");
     }
     Told const errors(figures::error_figures(), solution);
-    page.line("  by rounding the ends of zones are off by at most {} and {} of t", errors.with_unit("error_zone_phi"),
+    page.line("  rounding moves the ends of zones by at most {} of phi and {} of t", errors.with_unit("error_zone_phi"),
               errors("error_zone_t"));
 }
 
@@ -91,9 +91,9 @@ void write_errors(Page& page, Solution const& solution)
     line("error_point", "<= ", "");
     line("error_chord", "<= ", "asked for " + drive.with_unit("tolerance"));
     if (solution.error.cup > 0)
-        line("error_cup", "+- ", "as cup and bearing are resolved; the outline moves with them");
+        line("error_cup", "+- ", "of the computed cup and bearing; the outline moves by as much");
     if (solution.scene.solver.kinematics == Kinematics::first_order && !solution.scene.is_elastic())
-        page.line("  of the first-order motion itself: hdconj accuracy --study motion-model");
+        page.line("  error of the first-order motion itself: hdconj accuracy --study motion-model");
     page.figure(rows["error_arc_length_relative"].text.label, told("error_arc_length_relative"));
 }
 
@@ -140,7 +140,7 @@ void write_outline(Page& page, Solution const& solution)
     auto const& spline = solution.circular_spline;
     bool const reverse = solution.scene.is_reverse();
     if (reverse) {
-        page.line("\nflexspline tooth, solved for: {} points, {} pieces", solution.flexspline_outline.size(),
+        page.line("\nflexspline tooth, computed: {} points, {} pieces", solution.flexspline_outline.size(),
                   solution.flexspline_pieces.size());
     }
     page.line("{}circular spline{}: {} slice{}, {} points, {} pieces", reverse ? "" : "\n", reverse ? ", given" : "",
@@ -163,7 +163,7 @@ std::string surface_columns(ToothSurface surface, std::optional<TiltKind> kind, 
 void write_drive(Page& page, Solution const& solution)
 {
     auto const& drive = solution.scene.drive;
-    page.line("{}: m {:g} mm, z_f/z_c {}/{}, ratio {}, {} waves, kinematics {}", drive.name, drive.module,
+    page.line("{}: module {:g} mm, teeth {}/{}, ratio {}, {} waves, kinematics {}", drive.name, drive.module,
               drive.flexspline_teeth, drive.circular_spline_teeth, Told(figures::geometry_figures(), solution)("ratio"),
               solution.scene.wave_generator.waves, figures::kinematics_name(solution));
 }

@@ -38,19 +38,18 @@ void write_wire(Page& page, MeasuredProgram const& first)
     write_face(page, "upper, radii", found.upper, "; " + wedm::upper_face_words(found));
     line("face_shift", fmt::format("largest |U - L| of the contour, least {}; T tan(tilt) of a radial tilt",
                                    told.with_unit("least_face_shift")));
-    line("guide_offset", "largest, H tan(tilt); wire leans " + told.with_unit("largest_wire_tilt"));
+    line("guide_offset", "largest, H tan(tilt); wire tilt " + told.with_unit("largest_wire_tilt"));
     page.figure(rows["contour_error"].text.label, "<= " + told.with_unit("contour_error"),
                 found.face_shift > 0 ? "of the radii; of the face shift twice that; guide offset and lean, lengths "
                                        "and travel are those of the moves as written"
                                      : "of the radii; lengths and travel are those of the moves as written");
     if (program.cup_error > 0) {
         page.figure(rows["cup_error"].text.label, "+- " + told.with_unit("cup_error"),
-                    "as cup and bearing are resolved; the contours move with them");
+                    "of the computed cup and bearing; the contours move by as much");
     }
     if (found.ellipse > negligible) {
         page.line(
-            "  WARNING: a wire that leans so much cuts an ellipse, {} wider in the plane of a face than is reckoned "
-            "with",
+            "  WARNING: a wire tilted this much cuts an ellipse that is {} wider in the plane of a face than assumed",
             figures::um_text(found.ellipse));
     }
 }
@@ -129,10 +128,10 @@ void write_checks(Page& page, MeasuredProgram const& first)
     Told const told(rows, first);
     auto const line = [&](char const* name, std::string const& note) { page.figure(rows[name], first, note); };
     page.line("\nchecked");
-    line("face_error", "residuals apart; tolerance " + told.with_unit("tolerance"));
+    line("face_error", "apart from residual material; tolerance " + told.with_unit("tolerance"));
     line("guide_chord", "of straight moves");
     if (found.face_shift > 0) {
-        line("middle_error", "off the true sections, residuals apart");
+        line("middle_error", "off the true sections, apart from residual material");
         line("ruling_error", fmt::format("of the surface off straight lines ({}); matched edges turn by {}",
                                          to_string(program.surface), told.with_unit("matched_edges_turn")));
         line("constant_taper_error", fmt::format("+- {}; what G51 would be wrong by on the flanks of the upper face",

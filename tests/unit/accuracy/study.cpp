@@ -164,7 +164,7 @@ TEST_CASE("convergence series: an order only where errors fall from level to lev
     for (std::vector<double> const& errors :
          {std::vector<double>{1e-3, 1e-2, 1e-1}, {1e-2, 1e-4, 1e-3}, {4.16, 4.16, 4.15, 1.5, 0.4}}) {
         CHECK(std::isnan(of(errors).order));
-        CHECK(of(errors).no_order == "errors do not fall by 5 % at every rung");
+        CHECK(of(errors).no_order == "errors do not fall by 5 % at every level");
     }
     // what does not fall any more is a floor and spoils no order; two levels say nothing
     CHECK(of({1, 1e-1, 1e-2, 1e-5, 1.05e-5}).order < -1);

@@ -143,7 +143,8 @@ double first_zero(Gap const& gap, double high)
 }  // namespace
 
 TEST_CASE(
-    "take-up is the turn of the circular spline, and z_f/z_c times that of a flexspline that moves along its neutral "
+    "turn to contact is the turn of the circular spline, and z_f/z_c times that of a flexspline that moves along its "
+    "neutral "
     "curve",
     "[turn_to_contact]")
 {
@@ -272,7 +273,7 @@ TEST_CASE("turn to contact finds contact anywhere within its limit and says so w
     for (double const part : {0.999, 0.5, 1e-3}) {
         CHECK_THROWS_AS(turn_to_contact(pair.field, pair.rest, GapMap::right, part * turn, 1), NumericalError);
         CHECK_THROWS_WITH(turn_to_contact(pair.field, pair.rest, GapMap::right, part * turn, 1),
-                          ContainsSubstring("take-up") && ContainsSubstring("no flank touches"));
+                          ContainsSubstring("turn to contact") && ContainsSubstring("no flank touches"));
     }
 }
 

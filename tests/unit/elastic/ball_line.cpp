@@ -57,7 +57,7 @@ double largest(std::vector<double> const& values)
 
 }  // namespace
 
-TEST_CASE("balls push or the ring stands off them", "[balls]")
+TEST_CASE("balls press on the ring or leave a gap", "[balls]")
 {
     for (double const oversize : {0.01, 0.0, -0.01, -0.03, -0.1}) {
         CAPTURE(oversize);

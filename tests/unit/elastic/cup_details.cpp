@@ -175,7 +175,7 @@ TEST_CASE("a layer of teeth that fades away leaves the bare cup", "[cup_details]
     elastic::CupSection wrong;
     wrong.tooth_layer = 0.5;
     wrong.tooth_share = 0;
-    CHECK_THROWS_WITH(section_mesh(wrong), ContainsSubstring("share of steel"));
+    CHECK_THROWS_WITH(section_mesh(wrong), ContainsSubstring("fraction of it that is steel"));
     elastic::SectionMesh mesh = elastic::section_mesh({});
     CHECK_THROWS_WITH(add_outer_layer(mesh, 20, 21, 1, 1, elastic::StressMatrix::Zero()),
                       ContainsSubstring("no wall between"));

@@ -132,7 +132,7 @@ TEST_CASE("single balls are forces on a free ring", "[balls]")
         }
 }
 
-TEST_CASE("many balls are the line of balls", "[balls]")
+TEST_CASE("many balls are a continuous row", "[balls]")
 {
     constexpr int sectors = 2;
     Drive const drive(sectors, 0);
@@ -200,7 +200,7 @@ TEST_CASE("a ring that its balls do not hold is refused", "[balls]")
                       ContainsSubstring("too close"));
 }
 
-TEST_CASE("the rounds of releasing balls end, with the answer of the one way to say it", "[balls]")
+TEST_CASE("the iterations of releasing balls end, with the answer of the one way to say it", "[balls]")
 {
     // random rings of a few balls under random forces: all sets of touching balls by enumeration. A ring without a
     // wall: force and gap of the balls alone.

@@ -155,9 +155,9 @@ TEST_CASE("the contact text has a row for each case and the places of interferen
     for (auto const* part :
          {"type-50", "gap is 1 um or less", "z -3.5 ... 3.5 mm", "tilted    radial", "tilted    draft", "per-slice -",
           "where the teeth come closest", "flanks     -43.65   -0.2100   25.3100   -3.500    12.892   interfere",
-          "touch", "wedged", "best tilt", "0.7700 deg", "contact area 22 %", "clearing offset 9 um", "on the bound",
-          "over a revolution, 5 angles", "ruled: up to 3.4 +- 0.01 um from", "as written: tilted, radial 0.6 deg",
-          "out/contact.h5"}) {
+          "touch", "press on both flanks", "best tilt", "0.7700 deg", "contact area 22 %", "least side clearance 9 um",
+          "an end of this interval", "over a revolution, 5 angles", "ruled: up to 3.4 +- 0.01 um off",
+          "in the result file: tilted, radial 0.6 deg", "out/contact.h5"}) {
         CHECK_THAT(text, ContainsSubstring(part));
     }
     std::size_t rows = 0;
@@ -209,9 +209,11 @@ TEST_CASE("a row of the contact table is in the units of its heading")
     study.cases[0].least_tip_radius = study.cases[0].tip = 25.1;
     study.cases[0].least_tip_radius_error = 1e-6;
     study.solution.geometry.circular_spline_inner_radius = 25;
-    CHECK_THAT(summary_text(study),
-               ContainsSubstring("12.34     90.00*     11.00") && ContainsSubstring("more than the scene gives") &&
-                   ContainsSubstring("draft 0.25 deg: needs the tip circle 25.1000 +- 1e-06 mm instead of 25.0000 mm"));
+    CHECK_THAT(
+        summary_text(study),
+        ContainsSubstring("12.34     90.00*     11.00") &&
+            ContainsSubstring("more side clearance than the scene gives") &&
+            ContainsSubstring("draft 0.25 deg: needs a tip circle of 25.1000 +- 1e-06 mm instead of 25.0000 mm"));
 }
 
 TEST_CASE("JSON of a contact study has the figures of the solution and of each case")

@@ -181,7 +181,7 @@ TEST_CASE("a boundary that does not close says what to write", "[pipeline]")
     CHECK(open > 0);
 }
 
-TEST_CASE("an offset that swallows a stretch of flank says where and how much", "[pipeline]")
+TEST_CASE("a side clearance that removes a part of the flank says where and how much", "[pipeline]")
 {
     profile::Profile const tooth = test::type50_tooth();
     auto const motion = motion::AnyMotion::owning(test::type50_motion());

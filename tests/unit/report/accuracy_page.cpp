@@ -139,10 +139,10 @@ TEST_CASE("accuracy page: the finest levels of a load say how right they are", "
     report.records.back().estimate = 2e-2;
     std::string const page = page_of(report);
     CHECK_THAT(page, ContainsSubstring("right to 2.00e-02 of the twist or better, as the program estimates them") &&
-                         ContainsSubstring("how the twist settles as one count grows"));
-    CHECK_THAT(page, ContainsSubstring("**harmonics: twist**: no order: errors do not fall by 5 % at every rung"));
+                         ContainsSubstring("how the twist converges as one count grows"));
+    CHECK_THAT(page, ContainsSubstring("**harmonics: twist**: no order: errors do not fall by 5 % at every level"));
     report.records.back().estimate = 1e-9;
-    CHECK_THAT(page_of(report), !ContainsSubstring("how the twist settles"));
+    CHECK_THAT(page_of(report), !ContainsSubstring("how the twist converges"));
 }
 
 TEST_CASE("accuracy pictures: labels keep off each other, off points and lines, and inside the frame", "[accuracy]")

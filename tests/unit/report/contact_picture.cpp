@@ -85,7 +85,7 @@ TEST_CASE("pictures of a contact study are drawn as SVG and PNG under names of t
         // Neither data blocks nor files are named.
         CHECK_THAT(svg, !ContainsSubstring("$") && !ContainsSubstring(folder.path().string()));
     }
-    CHECK_THAT(content(written[0].file), ContainsSubstring("clearing offset: tilted, draft") &&
+    CHECK_THAT(content(written[0].file), ContainsSubstring("least side clearance: tilted, draft") &&
                                              ContainsSubstring("0.77°, 9 µm") &&
                                              ContainsSubstring("0.21° (on the bound)"));
     CHECK_THAT(content(written[1].file), ContainsSubstring("most contact") && ContainsSubstring("left flanks") &&

@@ -18,7 +18,7 @@ TEST_CASE("the text names what a designer looks for")
     auto const text = summary_text(sample::solution(), {{"hdf5", "out/type-50.h5", 0.0021}}, SummaryDetail::zones);
     for (auto const* part :
          {"type-50", "200/202", "ratio -100", "24.347000 mm", "-2.567 um", "convex arc right", "outer  yes", "inner  -",
-          "the teeth touch", "+- 0.00032 um", "+- 4e-09 um", "off by at most 1.7e-11 deg and 5.0e-14 of t", "error",
+          "the teeth touch", "+- 0.00032 um", "+- 4e-09 um", "by at most 1.7e-11 deg of phi and 5.0e-14 of t", "error",
           "total", "out/type-50.h5", "2.100 ms"}) {
         CHECK_THAT(text, ContainsSubstring(part));
     }

@@ -228,7 +228,7 @@ TEST_CASE("what is advised against a residual keeps the limit", "[wedm]")
         }
         INFO(remedy);
         CHECK(remedy.find("root_clearance") == std::string::npos);
-        CHECK((remedy.find("flexspline stay 0.0") != std::string::npos) == clear);
+        CHECK((remedy.find("flexspline keep a distance of 0.0") != std::string::npos) == clear);
         for (std::string const key : {"wire_diameter", "residual_limit"}) {
             auto const at = remedy.find(key + " = ");
             REQUIRE(at != std::string::npos);

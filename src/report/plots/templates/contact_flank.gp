@@ -25,7 +25,7 @@ set ytics tic_step(z_high - z_low)
 set y2tics ('' z_low)
 do for [i = 1:|$slices|] { set y2tics add ('' $slices[i] + 0) }
 set xlabel sprintf('along the flank, from the land corner to the flank end [%s]', \
-    in_mm ? 'mm' : 'share of its length') noenhanced
+    in_mm ? 'mm' : 'fraction of its length') noenhanced
 set ylabel 'z [mm]' noenhanced
 set y2label 'slices computed' noenhanced offset -1,0
 # A border closes the seam that the smoothed edges of two neighbours leave.

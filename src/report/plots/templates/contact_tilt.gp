@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Contact area (left axis) and clearing offset (right axis) against the tilt of the circular spline, a pair of curves
+# Contact area (left axis) and least side clearance (right axis) against the tilt of the circular spline, a pair of curves
 # for each surface and kind of tilt, the best tilts marked.
 #
 # Columns:
-#   $curves  tilt [deg], contact area [%], clearing offset [um]; one index for each curve, two rows where it has no tilt
+#   $curves  tilt [deg], contact area [%], least side clearance [um]; one index for each curve, two rows where it has no tilt
 #   $names   of each curve: 1 where it has no tilt, else 0, "name"
 #   $best    curve (0: none), tilt [deg], value on its axis, 1 for the area or 0 for the offset, 1 on the bound
 # Variables: contact_gap [um]; tilt_low, tilt_high [deg]
@@ -37,7 +37,7 @@ do for [i = 1:|$names|] {
   eval sample(112, legend_y(i), area_look(i))
   eval sample(middle, legend_y(i), offset_look(i))
   set label "contact area: " . name(i) at screen px(112 + sample_text),py(legend_y(i)) noenhanced
-  set label "clearing offset: " . name(i) at screen px(middle + sample_text),py(legend_y(i)) noenhanced
+  set label "least side clearance: " . name(i) at screen px(middle + sample_text),py(legend_y(i)) noenhanced
 }
 
 set style textbox opaque noborder fillcolor rgb white margins 0.2,0.2
@@ -67,7 +67,7 @@ set ytics tic_step(area_end)
 set y2tics tic_step(offset_end)
 set xlabel 'tilt of the circular spline [deg]' noenhanced
 set ylabel 'contact area [% of the driving flanks]' noenhanced
-set y2label 'clearing offset [µm]' noenhanced
+set y2label 'least side clearance [µm]' noenhanced
 plot for [i = 1:|$names|] $curves index i-1 using 1:3 axes x1y2 with linespoints linecolor rgb curve_colour(i) \
         linewidth (is_level(i) ? 1.1 : 2.0) dashtype (8,5) pointtype (is_level(i) ? -2 : 6) pointsize 0.6 notitle, \
     for [i = 1:|$names|] $curves index i-1 using 1:2 axes x1y1 with linespoints linecolor rgb curve_colour(i) \
