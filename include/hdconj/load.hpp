@@ -95,10 +95,11 @@ struct StiffnessStages
     /// Of the slopes [N mm/rad]: the standard error of the fit and, in a LoadCase with error estimates, the estimated
     /// discretisation error of the twist that the branch rises over.
     double first_error = 0;
-    double second_error = 0;  ///< of the second stage [N mm/rad]
-    double knee_error = 0;    ///< standard error of the knee's torque [N mm]
-    double rms = 0;           ///< of the fit, in torque [N mm]
-    bool found = false;       ///< enough points for two lines
+    double second_error = 0;      ///< of the second stage [N mm/rad]
+    double knee_error = 0;        ///< standard error of the knee's torque [N mm]
+    double knee_twist_error = 0;  ///< standard error of the twist there [rad]
+    double rms = 0;               ///< of the fit, in torque [N mm]
+    bool found = false;           ///< enough points for two lines
 };
 
 /// Two straight lines through (twist, torque) by least squares, and the bend where they fit best. Points are in order
@@ -107,6 +108,13 @@ struct StiffnessStages
 /// different twists: all zero. Global least squares over slopes and bend (Hudson 1966), in time points^2.
 /// @throws std::logic_error where there are not as many torques as twists
 [[nodiscard]] StiffnessStages stiffness_stages(std::vector<double> const& twist, std::vector<double> const& torque);
+
+/// A torque for which no equilibrium was found.
+struct UnsettledTorque
+{
+    double torque = 0;  ///< [N mm]
+    std::string cause;  ///< in words
+};
 
 /// One surface of the circular spline under load.
 struct LoadCase
@@ -123,9 +131,10 @@ struct LoadCase
     double tip_radius_increase = 0;
     double backlash = 0;             ///< without torque [rad]; negative: the assembled teeth press on both flanks
     std::vector<LoadedState> curve;  ///< in the order of loading: 0 to T, back to 0, to -T
-    std::size_t rated = 0;           ///< index of the largest torque in curve
-    LoadMap map;                     ///< at that torque
-    BearingMap bearing;              ///< at that torque
+    std::vector<UnsettledTorque> unsettled;  ///< torques of the path that are missing in curve
+    std::size_t rated = 0;                   ///< index of the largest torque in curve
+    LoadMap map;                             ///< at that torque
+    BearingMap bearing;                      ///< at that torque
     /// Estimated discretisation error of curve[rated]: four times the difference to a grid half as fine in slices,
     /// flank points, circles of the bearing and harmonics (numbers of teeth and balls: once). Not a bound where a
     /// figure does not converge: pressure_at_edge, LoadStudy::sharp_steps.
@@ -184,7 +193,7 @@ struct LoadStudy
     Solution solution;  ///< of the scene; its circular spline with the surface and slices of cases[written_case]
     AssembledCup cup;   ///< on its wave generator, without torque
     std::vector<LoadCase> cases;       ///< in the order asked for, without those that are missing
-    std::vector<std::string> missing;  ///< as in ContactStudy
+    std::vector<std::string> missing;  ///< as in ContactStudy; and torques without an equilibrium
     std::size_t written_case = 0;      ///< case of least largest pressure, which `shape` is of
     CupShape shape;                    ///< of the cup at the largest torque
     int harmonics = 0;                 ///< largest circumferential harmonic

@@ -51,11 +51,16 @@ struct Estimate
 /// the loop without torque.
 struct MeasuredStiffness
 {
-    int cycles = 0;             ///< pairs of a positive and a negative load
-    double largest_torque = 0;  ///< [N mm]
-    double angle_step = 0;      ///< smallest difference of two angles: the resolution of the reading [rad]
-    double middle = 0;          ///< of the backlash [rad]; what `twist` of a simulation counts from
-    Estimate backlash;  ///< angle where the load has gone, from the positive side less from the negative side [rad]
+    int cycles = 0;                   ///< pairs of a positive and a negative load
+    double largest_torque = 0;        ///< [N mm]
+    double angle_step = 0;            ///< smallest difference of two angles: the resolution of the reading [rad]
+    double middle = 0;                ///< of the loop at zero torque [rad]; what `twist` of a simulation counts from
+    std::vector<std::size_t> strays;  ///< samples left out: they leave the run of their neighbours
+    Estimate drift;       ///< of the angle, over the whole log [rad]; taken out. Count 0: no branch is repeated
+    Estimate loop_width;  ///< angle where the load has gone, from the positive side less from the negative one [rad]
+    Estimate friction_width;  ///< of the loop's width what friction makes [rad]; count 0: too few samples near zero
+    Estimate backlash;  ///< of the loop's width the rest, the jump between both sides [rad]; without friction_width
+                        ///< the whole loop
     Estimate first;     ///< stiffness of the first stage, over the loading branches that have a bend [N mm/rad]
     Estimate second;    ///< stiffness of the second stage [N mm/rad]
     Estimate knee;      ///< torque where they meet [N mm]
@@ -74,11 +79,13 @@ inline constexpr double near_zero = 0.12;  ///< up to here the unloading branch 
 
 /// Splits a curve where the torque turns, and evaluates each branch.
 ///
-/// The load cycles are 0, T, 0, -T, 0 in any number, beginning anywhere. Backlash is found for each cycle: a straight
-/// line through the samples of each unloading branch between no_load and near_zero is extended to zero torque. With
-/// fewer than three samples there, it goes through the two nearest to zero. With friction the backlash is the width of
-/// the loop at zero torque. Without friction it is the backlash, wherever the drive lay within it. Stiffness is found
-/// for each loading branch: stiffness_stages() of its samples above no_load, with negative branches turned round.
+/// The load cycles are 0, T, 0, -T, 0 in any number, beginning anywhere. Readings far from their neighbours are left out
+/// first. Where a part of the cycle is repeated, an even drift of the angle is found and taken out. The width of the
+/// loop is found for each cycle: a straight line through the samples of each unloading branch between no_load and
+/// near_zero is extended to zero torque. With fewer than three samples there, it goes through the two nearest to zero.
+/// Backlash is the jump between two parallel lines where a branch passes through zero. The rest of the width is
+/// friction. Stiffness is found for each loading branch: stiffness_stages() of the angle over the torque, with negative
+/// branches turned round.
 /// @throws InputError where the samples are no such loop: one sign only, no unloading, torque that falls with the angle
 [[nodiscard]] MeasuredStiffness measured_stiffness(MeasuredCurve const& curve);
 

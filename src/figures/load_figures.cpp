@@ -207,7 +207,9 @@ Rows<MeasuredStiffness> measured_curve_figures()
             .printed({"up to", significant<4>}),
         figure<&T::angle_step>("angle_step", arcmin, "smallest difference of two angles",
                                {"in steps of", significant<3>}),
-        figure<&T::middle>("middle", arcmin, "middle of the backlash")};
+        figure<&T::middle>("middle", arcmin, "middle of the backlash"),
+        FigureOf<T>{"stray_readings", one, "readings left out: they leave the run of their neighbours",
+                    [](T const& each) { return static_cast<double>(each.strays.size()); }}};
     return Rows<T>(rows);
 }
 
@@ -216,6 +218,7 @@ std::span<MeasuredFigure const> measured_figures()
     using Found = MeasuredStiffness const&;
     using Case = LoadCase const&;
     using Value = std::optional<double>;
+    constexpr auto not_simulated = [](Case) { return Value(); };
     static constexpr std::array figures = {
         MeasuredFigure{{"backlash"},
                        "backlash",
@@ -223,6 +226,24 @@ std::span<MeasuredFigure const> measured_figures()
                        [](Found f) -> Estimate const& { return f.backlash; },
                        1,
                        [](Case c) { return Value(c.backlash); }},
+        MeasuredFigure{{"friction_width"},
+                       "loop's width by friction",
+                       arcmin,
+                       [](Found f) -> Estimate const& { return f.friction_width; },
+                       1,
+                       not_simulated},
+        MeasuredFigure{{"loop_width"},
+                       "loop at zero torque",
+                       arcmin,
+                       [](Found f) -> Estimate const& { return f.loop_width; },
+                       1,
+                       not_simulated},
+        MeasuredFigure{{"drift"},
+                       "drift over the log",
+                       arcmin,
+                       [](Found f) -> Estimate const& { return f.drift; },
+                       1,
+                       not_simulated},
         MeasuredFigure{{"first_stage"},
                        "first stage",
                        newton_metre_per_degree,

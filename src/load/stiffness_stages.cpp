@@ -203,9 +203,11 @@ StiffnessStages stiffness_stages(std::vector<double> const& twist, std::vector<d
     stages.second = bend.second;
     stages.first_error = std::sqrt(variance / low.spread());
     stages.second_error = std::sqrt(variance / high.spread());
-    stages.knee_error = std::hypot(bend.second * std::sqrt(variance * low.height_variance(bend.twist)),
-                                   bend.first * std::sqrt(variance * high.height_variance(bend.twist))) /
-                        std::abs(bend.second - bend.first);
+    double const low_height = std::sqrt(variance * low.height_variance(bend.twist));
+    double const high_height = std::sqrt(variance * high.height_variance(bend.twist));
+    double const slopes = std::abs(bend.second - bend.first);
+    stages.knee_error = std::hypot(bend.second * low_height, bend.first * high_height) / slopes;
+    stages.knee_twist_error = std::hypot(low_height, high_height) / slopes;
     stages.knee = sign * (curve.mean_y() + bend.torque);
     stages.knee_twist = sign * (curve.mean_x() + bend.twist);
     stages.rms = std::sqrt(bend.squares / count);

@@ -3,58 +3,26 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
+#include "backlash.hpp"
+#include "cleaning.hpp"
+#include "found.hpp"
 #include "hdconj/load.hpp"
 #include "numeric/moments.hpp"
 
 namespace hdconj {
 namespace {
 
+using rig::Branch;
+using rig::Found;
+using rig::mean_of;
+using rig::Samples;
+
 struct Sample
 {
     double twist = 0, torque = 0;
-};
-
-/// Samples from one turning point of the torque to the next, both included.
-struct Branch
-{
-    std::size_t first = 0, last = 0;
-    bool rising = false;
-};
-
-/// Turning points: extremes from which the torque comes back by more than @p reversal.
-std::vector<Branch> branches_of(std::vector<double> const& torque, double reversal)
-{
-    std::vector<Branch> branches;
-    std::size_t begin = 0, low = 0, high = 0;
-    int sense = 0;
-    for (std::size_t i = 0; i < torque.size(); ++i) {
-        high = torque[i] > torque[high] ? i : high;
-        low = torque[i] < torque[low] ? i : low;
-        if (sense >= 0 && torque[high] - torque[i] > reversal) {
-            if (high > begin)
-                branches.push_back({begin, high, true});
-            begin = high;
-            low = i;
-            sense = -1;
-        } else if (sense <= 0 && torque[i] - torque[low] > reversal) {
-            if (low > begin)
-                branches.push_back({begin, low, false});
-            begin = low;
-            high = i;
-            sense = 1;
-        }
-    }
-    if (begin + 1 < torque.size())
-        branches.push_back({begin, torque.size() - 1, torque.back() > torque[begin]});
-    return branches;
-}
-
-/// A fitted value and its standard error from the residuals of the fit.
-struct Found
-{
-    double value = 0, error = 0;
 };
 
 /// Straight line y(x) by least squares.
@@ -79,7 +47,7 @@ std::optional<Line> line_through(std::vector<double> const& x, std::vector<doubl
 }
 
 /// The samples of a branch whose torque has the sign @p sign, in order of time, multiplied by it.
-std::vector<Sample> loaded_part(MeasuredCurve const& curve, Branch const& branch, double sign)
+std::vector<Sample> loaded_part(Samples const& curve, Branch const& branch, double sign)
 {
     std::vector<Sample> samples;
     for (std::size_t i = branch.first; i <= branch.last; ++i)
@@ -115,36 +83,6 @@ std::optional<Found> rest_of(std::vector<Sample> samples, double largest, double
     return Found{line->at_zero, coarse ? angle_step / std::sqrt(12.0) : line->at_zero_error};
 }
 
-Estimate estimate(std::vector<Found> const& found)
-{
-    Estimate result;
-    result.count = static_cast<int>(found.size());
-    double const n = result.count;
-    double own = 0, squares = 0;
-    for (auto const& each : found) {
-        result.value += each.value / n;
-        own += each.error * each.error / n;
-    }
-    for (auto const& each : found)
-        squares += std::pow(each.value - result.value, 2);
-    double const scatter = found.size() > 1 ? squares / (n - 1) : 0;
-    result.error = found.empty() ? 0 : std::sqrt(std::max(own, scatter) / n);
-    return result;
-}
-
-double smallest_step(std::vector<double> twist)
-{
-    std::sort(twist.begin(), twist.end());
-    double const range = twist.back() - twist.front();
-    constexpr double rounding = 1e-9;  // of the range: two spellings of one reading
-    double step = range;
-    for (std::size_t i = 1; i < twist.size(); ++i) {
-        double const here = twist[i] - twist[i - 1];
-        step = here > rounding * range ? std::min(step, here) : step;
-    }
-    return step;
-}
-
 [[noreturn]] void refuse(MeasuredCurve const& curve, std::string const& reason, std::string const& remedy)
 {
     throw InputError(Fault{"--measured", 0, curve.file, reason, remedy});
@@ -161,12 +99,12 @@ void check_sizes(MeasuredCurve const& curve)
 }
 
 /// Torque and angle must grow together where the drive is loaded.
-void check_sense(MeasuredCurve const& curve)
+void check_sense(MeasuredCurve const& curve, Samples const& samples)
 {
-    numeric::Moments const m = numeric::moments(curve.torque, curve.twist);
+    numeric::Moments const m = numeric::moments(samples.torque, samples.twist);
     constexpr double related = 0.3;  // correlation; of a loop with as much play as twist it is above 0.8
-    auto const [least, most] = std::minmax_element(curve.twist.begin(), curve.twist.end());
-    if (*least == *most || std::abs(m.xy) < related * std::sqrt(m.xx * m.yy))
+    auto const [least, most] = std::ranges::minmax(samples.twist);
+    if (least == most || std::abs(m.xy) < related * std::sqrt(m.xx * m.yy))
         refuse(curve, "angle and torque do not depend on each other",
                "write the columns of a load cycle: torque up, down to 0, to the other side, and back");
     if (m.xy < 0)
@@ -178,51 +116,112 @@ void check_sense(MeasuredCurve const& curve)
 /// Results of all branches.
 struct Collected
 {
-    std::vector<Found> first, second, knee, whole;  ///< of loading branches
-    std::vector<Found> positive, negative;          ///< angles at zero torque of unloading branches, by side
-    int straight = 0;                               ///< loading branches without a bend
+    std::vector<Found> first, second, knee, whole;     ///< of loading branches
+    std::vector<Found> positive, negative;             ///< angles at zero torque of unloading branches, by side
+    std::vector<double> positive_time, negative_time;  ///< when the load was off
+    std::vector<Found> jumps;                          ///< from one side of the backlash to the other
+    int straight = 0;                                  ///< loading branches without a bend
 };
 
-/// Adds the stages of a loading branch.
-void add_loading(std::vector<Sample> const& samples, double largest, Collected& all)
+/// Adds the stages of a loading branch. The torque was set and the angle read, so that lines of the angle over the
+/// torque are fitted; noise of the angle on the other axis would make every stiffness too small.
+/// @param engaged  torque from which the flanks touch [N mm]
+/// @param drift_error  standard error of the drift over the branch, as an angle per torque [rad/(N mm)]
+void add_loading(std::vector<Sample> const& samples, double engaged, double drift_error, Collected& all)
 {
     std::vector<double> twist, torque;
     for (auto const& each : samples) {
-        if (each.torque >= measured_at::no_load * largest) {
-            twist.push_back(each.twist);
+        if (each.torque >= engaged) {
+            twist.push_back(each.twist - samples.front().twist);  // grows from zero whatever the angles count from
             torque.push_back(each.torque);
         }
     }
-    auto const line = line_through(twist, torque);
+    auto const line = line_through(torque, twist);
     if (!line)
         return;
-    all.whole.push_back({line->slope, line->slope_error});
-    StiffnessStages const stages = stiffness_stages(twist, torque);
+    auto const stiffness = [&](double compliance, double error) {
+        return Found{1 / compliance, std::hypot(error, drift_error) / (compliance * compliance)};
+    };
+    all.whole.push_back(stiffness(line->slope, line->slope_error));
+    StiffnessStages const stages = stiffness_stages(torque, twist);
     if (stages.found) {
-        all.first.push_back({stages.first, stages.first_error});
-        all.second.push_back({stages.second, stages.second_error});
-        all.knee.push_back({stages.knee, stages.knee_error});
+        all.first.push_back(stiffness(stages.first, stages.first_error));
+        all.second.push_back(stiffness(stages.second, stages.second_error));
+        all.knee.push_back({stages.knee_twist, stages.knee_twist_error});
     } else {
         ++all.straight;
     }
 }
 
+/// What all branches share.
+struct BranchLimits
+{
+    double loaded = 0;       ///< torque that a branch of a load cycle reaches [N mm]
+    double engaged = 0;      ///< torque from which the flanks touch in every loading branch [N mm]
+    double drift_error = 0;  ///< standard error of the drift [rad per reading]
+};
+
 /// Adds both sides of one branch: a branch from one load to the opposite one unloads first, then loads.
-void add_branch(MeasuredCurve const& curve, Branch const& branch, MeasuredStiffness const& known, double loaded,
+void add_branch(Samples const& curve, Branch const& branch, MeasuredStiffness const& known, BranchLimits limits,
                 Collected& all)
 {
     for (double const sign : {1.0, -1.0}) {
         double const at_first = sign * curve.torque[branch.first], at_last = sign * curve.torque[branch.last];
-        if (std::max(at_first, at_last) < loaded)
+        if (std::max(at_first, at_last) < limits.loaded)
             continue;
         auto const samples = loaded_part(curve, branch, sign);
         if (at_last > at_first) {
-            add_loading(samples, known.largest_torque, all);
+            add_loading(samples, limits.engaged, limits.drift_error * static_cast<double>(samples.size()) / at_last,
+                        all);
         } else if (at_last <= measured_at::near_zero * known.largest_torque) {
-            if (auto const rest = rest_of(samples, known.largest_torque, known.angle_step))
-                (sign > 0 ? all.positive : all.negative).push_back(*rest);
+            if (auto const rest = rest_of(samples, known.largest_torque, known.angle_step)) {
+                bool const above = sign > 0;
+                (above ? all.positive : all.negative).push_back(*rest);
+                (above ? all.positive_time : all.negative_time)
+                    .push_back(curve.time[branch.first + samples.size() - 1]);
+            }
         }
     }
+}
+
+/// The log without stray readings, with the time of each.
+Samples kept_samples(MeasuredCurve const& curve, std::vector<std::size_t> const& strays)
+{
+    Samples kept;
+    double const middle = static_cast<double>(curve.twist.size() - 1) / 2;
+    for (std::size_t i = 0; i < curve.twist.size(); ++i) {
+        if (std::ranges::binary_search(strays, i))
+            continue;
+        kept.time.push_back(static_cast<double>(i) - middle);
+        kept.twist.push_back(curve.twist[i]);
+        kept.torque.push_back(curve.torque[i]);
+    }
+    return kept;
+}
+
+/// Backlash, width of the loop and friction of all branches.
+/// @param drift_error  standard error of the drift [rad per reading]
+void add_loop(Collected const& all, double drift_error, MeasuredStiffness& result)
+{
+    std::size_t const cycles = std::min(all.positive.size(), all.negative.size());
+    result.cycles = static_cast<int>(cycles);
+    std::vector<Found> widths;
+    double apart = 0;  // readings from one side to the other
+    for (std::size_t i = 0; i < cycles; ++i) {
+        auto const &positive = all.positive[i], &negative = all.negative[i];
+        // The negative side was multiplied by -1.
+        widths.push_back({positive.value + negative.value, std::hypot(positive.error, negative.error)});
+        result.middle += (positive.value - negative.value) / 2 / static_cast<double>(cycles);
+        apart += (all.negative_time[i] - all.positive_time[i]) / static_cast<double>(cycles);
+    }
+    result.loop_width = mean_of(widths);
+    result.loop_width.error = std::hypot(result.loop_width.error, drift_error * apart);
+    result.backlash = all.jumps.empty() ? result.loop_width : mean_of(all.jumps);
+    if (all.jumps.empty())
+        return;
+    // Width and jumps share half of their lines, so that the variance of the width counts half.
+    double const error = std::hypot(result.loop_width.error / std::numbers::sqrt2, result.backlash.error);
+    result.friction_width = {result.loop_width.value - result.backlash.value, error, result.cycles};
 }
 
 }  // namespace
@@ -231,34 +230,44 @@ MeasuredStiffness measured_stiffness(MeasuredCurve const& curve)
 {
     check_sizes(curve);
     MeasuredStiffness result;
-    auto const [least, most] = std::minmax_element(curve.torque.begin(), curve.torque.end());
-    result.largest_torque = std::max(-*least, *most);
-    if (!(std::min(-*least, *most) > measured_at::loaded / 2 * result.largest_torque))
+    result.strays = rig::stray_readings(curve);
+    Samples samples = kept_samples(curve, result.strays);
+    auto const [low, high] = std::ranges::minmax(samples.torque);
+    result.largest_torque = std::max(-low, high);
+    if (!(std::min(-low, high) > measured_at::loaded / 2 * result.largest_torque))
         refuse(curve, "the torque has one sign only, or nearly so", "write a whole load cycle: 0, T, 0, -T, 0");
-    check_sense(curve);
-    result.angle_step = smallest_step(curve.twist);
+    check_sense(curve, samples);
+    result.angle_step = rig::smallest_step(samples.twist);
+    auto const branches = rig::branches_of(samples.torque, measured_at::reversal * result.largest_torque);
+    Found drift;
+    if (auto const found = rig::drift_of(samples, branches, result.largest_torque)) {
+        drift = *found;
+        double const readings = static_cast<double>(curve.twist.size());
+        result.drift = {drift.value * readings, drift.error * readings, 1};
+        for (std::size_t i = 0; i < samples.twist.size(); ++i)
+            samples.twist[i] -= drift.value * samples.time[i];
+    }
+    BranchLimits limits{measured_at::loaded * std::min(-low, high), measured_at::no_load * result.largest_torque,
+                        drift.error};
     Collected all;
-    for (auto const& branch : branches_of(curve.torque, measured_at::reversal * result.largest_torque))
-        add_branch(curve, branch, result, measured_at::loaded * std::min(-*least, *most), all);
+    for (auto const& branch : branches) {
+        if (auto const jump = rig::jump_at_zero(samples, branch, result.largest_torque)) {
+            all.jumps.push_back(jump->height);
+            limits.engaged = jump->seen ? std::max(limits.engaged, jump->engaged) : limits.engaged;
+        }
+    }
+    for (auto const& branch : branches)
+        add_branch(samples, branch, result, limits, all);
     if (all.positive.empty() || all.negative.empty())
         refuse(curve,
                std::string("the load is never taken off from the ") + (all.positive.empty() ? "positive" : "negative") +
                    " side",
                "write a whole load cycle: 0, T, 0, -T, 0; without unloading there is no width of the loop");
-    std::size_t const cycles = std::min(all.positive.size(), all.negative.size());
-    result.cycles = static_cast<int>(cycles);
-    std::vector<Found> widths;
-    for (std::size_t i = 0; i < cycles; ++i) {
-        auto const &positive = all.positive[i], &negative = all.negative[i];
-        // The negative side was multiplied by -1.
-        widths.push_back({positive.value + negative.value, std::hypot(positive.error, negative.error)});
-        result.middle += (positive.value - negative.value) / 2 / static_cast<double>(cycles);
-    }
-    result.backlash = estimate(widths);
-    result.first = estimate(all.first);
-    result.second = estimate(all.second);
-    result.knee = estimate(all.knee);
-    result.whole = estimate(all.whole);
+    add_loop(all, drift.error, result);
+    result.first = mean_of(all.first);
+    result.second = mean_of(all.second);
+    result.knee = mean_of(all.knee);
+    result.whole = mean_of(all.whole);
     result.straight = all.straight;
     return result;
 }

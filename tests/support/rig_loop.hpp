@@ -20,6 +20,10 @@ struct Rig
     double angle_noise = 0;    ///< standard deviation [rad]
     double angle_step = 0;     ///< readings to the next step [rad]; 0: exact
     double friction = 0;       ///< the angle lags by this on either side [rad]
+    double coulomb = 0;        ///< torque that friction takes on either side [N mm]
+    double drift = 0;          ///< of the angle over the log [rad]
+    double strays = 0;         ///< fraction of readings that are off
+    double stray_size = 0;     ///< by this, either way [rad]
     double offset = 0;         ///< of the angle [rad]
     bool last_stretch = true;  ///< up to 1/28 of the torque again, as the thesis does
     unsigned seed = 1;
@@ -34,8 +38,9 @@ inline MeasuredCurve rig_loop(Rig const& rig)
     std::normal_distribution<double> noise;
     double play = 1;  // side of the play that the drive lies at
     auto const add = [&](double torque, double lag) {
-        play = torque > 0 ? 1 : torque < 0 ? -1 : play;
-        double twist = torque == 0 ? play * rig.drive.backlash / 2 : rig.drive.twist(torque);
+        double const elastic = torque + lag * rig.coulomb;
+        play = elastic > 0 ? 1 : elastic < 0 ? -1 : play;
+        double twist = elastic == 0 ? play * rig.drive.backlash / 2 : rig.drive.twist(elastic);
         twist += rig.offset + lag * rig.friction + rig.angle_noise * noise(random);
         curve.twist.push_back(rig.angle_step > 0 ? rig.angle_step * std::round(twist / rig.angle_step) : twist);
         curve.torque.push_back(torque);
@@ -54,6 +59,12 @@ inline MeasuredCurve rig_loop(Rig const& rig)
     }
     if (rig.last_stretch)
         run(0, rig.torque / 28, std::max(1, rig.per_branch / 28));
+    std::uniform_real_distribution<double> chance(0, 1);
+    for (std::size_t i = 0; i < curve.twist.size(); ++i) {
+        curve.twist[i] += rig.drift * static_cast<double>(i) / static_cast<double>(curve.twist.size());
+        if (rig.strays > 0 && chance(random) < rig.strays)
+            curve.twist[i] += chance(random) < 0.5 ? -rig.stray_size : rig.stray_size;
+    }
     return curve;
 }
 

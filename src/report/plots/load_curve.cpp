@@ -62,8 +62,12 @@ PlotColumns rig_points(Measurement const& measured)
     double const per_spline = measured.curve.rig.angle_per_spline;
     constexpr std::size_t most = 4000;  // few enough for a picture that one can still open
     PlotColumns points;
-    for (std::size_t i = 0; i < twist.size(); i += twist.size() / most + 1)
-        add_point(points, (twist[i] - measured.found.middle) / per_spline, torque[i] * per_spline);
+    double const drift = measured.found.drift.value / static_cast<double>(twist.size());
+    double const half = static_cast<double>(twist.size() - 1) / 2;  // the middle of the log has no drift
+    for (std::size_t i = 0; i < twist.size(); i += twist.size() / most + 1) {
+        double const angle = twist[i] - measured.found.middle - drift * (static_cast<double>(i) - half);
+        add_point(points, angle / per_spline, torque[i] * per_spline);
+    }
     return points;
 }
 

@@ -168,6 +168,21 @@ void write_estimate(Page& page, figures::MeasuredFigure const& figure, Measureme
               estimate.count, value ? fmt::format("{:.4g}", unit.shown(*value)) : "-");
 }
 
+/// Which readings were left out, by the lines of the file.
+void write_strays(Page& page, Measurement const& measured)
+{
+    auto const& strays = measured.found.strays;
+    if (strays.empty())
+        return;
+    constexpr std::size_t most = 10;
+    std::vector<int> lines;
+    for (std::size_t i = 0; i < std::min(most, strays.size()); ++i)
+        lines.push_back(measured.curve.line[strays[i]]);
+    page.line("  {} reading{} left out, far from {} neighbours: line{} {}{}", strays.size(), plural(strays.size()),
+              strays.size() == 1 ? "its" : "their", plural(strays.size()), fmt::join(lines, ", "),
+              strays.size() > most ? ", ..." : "");
+}
+
 void write_measured(Page& page, LoadStudy const& study, Measurement const& measured)
 {
     auto const& [curve, found] = measured;
@@ -187,6 +202,9 @@ void write_measured(Page& page, LoadStudy const& study, Measurement const& measu
             "above",
             curve.rig.angle_per_spline);
     }
+    write_strays(page, measured);
+    if (found.friction_width.count == 0)
+        page.line("  too few readings near zero torque to tell the width by friction from backlash");
     if (found.straight > 0) {
         page.line("  {} of {} loading branches are one straight line and are left out of the stages", found.straight,
                   found.whole.count);

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cleaning.hpp"
+
+#include <numeric>
+
+namespace hdconj::rig {
+namespace {
+
+/// Marks the values that leave the run of their neighbours.
+void mark_strays(std::vector<double> const& values, std::vector<bool>& stray)
+{
+    constexpr std::size_t half = 3, window = 2 * half + 1;
+    constexpr double deviation_per_median = 1.4826;  // of normal noise
+    constexpr double of_all = 5, of_neighbours = 3, steps = 2;
+    if (values.size() < window)
+        return;
+    auto const neighbours = [&](std::size_t i) {
+        auto const begin = values.begin() + static_cast<std::ptrdiff_t>(i - half);
+        return std::vector<double>(begin, begin + window);
+    };
+    std::vector<double> differences(values.size());
+    for (std::size_t i = half; i + half < values.size(); ++i)
+        differences[i] = values[i] - quantile(neighbours(i), 0.5);
+    double const usual = of_all * deviation_of(differences) + steps * smallest_step(values);
+    for (std::size_t i = half; i + half < values.size(); ++i) {
+        if (std::abs(differences[i]) <= usual)
+            continue;
+        std::vector<double> local = neighbours(i);
+        for (double& each : local)
+            each = std::abs(each - values[i] + differences[i]);
+        if (std::abs(differences[i]) > usual + of_neighbours * deviation_per_median * quantile(local, 0.5))
+            stray[i] = true;
+    }
+}
+
+/// A branch by ascending torque.
+struct Sorted
+{
+    std::vector<std::size_t> at;  ///< positions in the samples
+    Samples const& samples;
+
+    Sorted(Samples const& of, Branch const& branch) : at(branch.last - branch.first + 1), samples(of)
+    {
+        std::iota(at.begin(), at.end(), branch.first);
+        std::ranges::stable_sort(at, {}, [&](std::size_t i) { return of.torque[i]; });
+    }
+    /// Angle and time at a torque, between two samples; nothing outside.
+    [[nodiscard]] std::optional<std::pair<double, double>> at_torque(double torque) const
+    {
+        auto const after = std::ranges::upper_bound(at, torque, {}, [&](std::size_t i) { return samples.torque[i]; });
+        if (after == at.begin() || after == at.end())
+            return std::nullopt;
+        std::size_t const a = *std::prev(after), b = *after;
+        double const share = (torque - samples.torque[a]) / (samples.torque[b] - samples.torque[a]);
+        return std::pair(std::lerp(samples.twist[a], samples.twist[b], share),
+                         std::lerp(samples.time[a], samples.time[b], share));
+    }
+};
+
+/// Drift between two branches of the same sense.
+std::optional<Found> drift_between(Samples const& samples, Branch const& earlier, Branch const& later, double largest)
+{
+    Sorted const before(samples, earlier);
+    std::vector<Found> rates;
+    for (std::size_t i = later.first; i <= later.last; ++i) {
+        double const share = std::abs(samples.torque[i]) / largest;
+        auto const then = before.at_torque(samples.torque[i]);
+        if (then && share >= measured_at::near_zero && share <= measured_at::loaded)
+            rates.push_back({(samples.twist[i] - then->first) / (samples.time[i] - then->second)});
+    }
+    constexpr std::size_t enough = 3;
+    if (rates.size() < enough)
+        return std::nullopt;
+    Estimate const mean = mean_of(rates);
+    return Found{mean.value, mean.error};
+}
+
+}  // namespace
+
+std::vector<std::size_t> stray_readings(MeasuredCurve const& curve)
+{
+    std::vector<bool> stray(curve.twist.size());
+    mark_strays(curve.twist, stray);
+    mark_strays(curve.torque, stray);
+    std::vector<std::size_t> found;
+    for (std::size_t i = 0; i < stray.size(); ++i)
+        if (stray[i])
+            found.push_back(i);
+    return found;
+}
+
+std::optional<Found> drift_of(Samples const& samples, std::vector<Branch> const& branches, double largest_torque)
+{
+    bool const from_rest =
+        !branches.empty() && std::abs(samples.torque[branches.front().first]) < measured_at::loaded * largest_torque;
+    std::vector<Found> rates;
+    for (std::size_t i = from_rest ? 1 : 0; i + 2 < branches.size(); ++i)
+        if (auto const rate = drift_between(samples, branches[i], branches[i + 2], largest_torque))
+            rates.push_back(*rate);
+    if (rates.empty())
+        return std::nullopt;
+    Estimate const mean = mean_of(rates);
+    return Found{mean.value, mean.error};
+}
+
+}  // namespace hdconj::rig

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is wrong with a log before it says anything of a drive: stray readings and drift.
+#pragma once
+
+#include "branches.hpp"
+#include "found.hpp"
+
+namespace hdconj::rig {
+
+/// Positions of the stray readings, ascending: those that leave the run of their neighbours in angle or torque.
+///
+/// Hampel's filter: a reading is compared with the median of the seven readings about it. It is a stray where it
+/// differs by more than the sum of five standard deviations of all such differences (by their upper quartile, so that
+/// strays do not widen it), three of its neighbours', and two steps of the reading. A jump from one side of the
+/// backlash to the other is no stray, since half of the neighbours make it too. The three readings at either end have
+/// no neighbours on one side and are kept.
+[[nodiscard]] std::vector<std::size_t> stray_readings(MeasuredCurve const& curve);
+
+/// The slope of the angle over time that all cycles share [rad per reading]; nothing where no part of the cycle is
+/// repeated.
+///
+/// Each branch is compared with the next one of the same sense at the same torques: between samples of the earlier one
+/// the angle is interpolated. The mean of the differences over their time is the drift. The first branch of a log
+/// that begins without load is left out: it is the only one that does not come from the other side.
+[[nodiscard]] std::optional<Found> drift_of(Samples const& samples, std::vector<Branch> const& branches,
+                                            double largest_torque);
+
+}  // namespace hdconj::rig
