@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <tuple>
 
 #include "flank_curve.hpp"
 #include "gap_minima.hpp"
@@ -114,6 +115,32 @@ std::vector<FlankContact> flank_contacts(contact::GapField const& field, FlankSe
     for (auto const& each : found)
         all.insert(all.end(), each.begin(), each.end());
     return all;
+}
+
+void hold_contacts(contact::GapField const& field, FlankSearch const& search, std::vector<FlankContact> const& before,
+                   std::vector<double> const& force, std::vector<FlankContact>& contacts)
+{
+    auto const flank_of = [](FlankContact const& c) { return std::tuple(c.space, c.flank, c.slice); };
+    auto const half_width = [&](FlankContact const& c) { return std::sqrt(2 * search.strip_depth / c.curvature); };
+    std::vector<FlankContact> held;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+        FlankContact const& old = before[i];
+        auto const same = std::ranges::equal_range(contacts, flank_of(old), {}, flank_of);
+        bool const found = std::ranges::any_of(same, [&](FlankContact const& c) {
+            return std::abs(c.arc_length - old.arc_length) <= std::max(half_width(c), half_width(old));
+        });
+        if (!(force[i] > 0) || found)
+            continue;
+        FlankCurve const curve(field.grid().point[static_cast<std::size_t>(old.flank)][old.slice]);
+        FlankView const view{field, search, curve, old.space, old.flank, old.slice, field.radius(old.flank, old.slice)};
+        FlankCurve::Place const place = curve.place(old.arc_length);
+        FlankContact c = contact_at(view, place, view.touch(curve.point(place)));
+        c.curvature = old.curvature;
+        held.push_back(c);
+    }
+    contacts.insert(contacts.end(), held.begin(), held.end());
+    std::ranges::stable_sort(
+        contacts, {}, [&](FlankContact const& c) { return std::tuple(c.space, c.flank, c.slice, c.arc_length); });
 }
 
 }  // namespace hdconj::load

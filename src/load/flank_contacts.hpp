@@ -56,4 +56,10 @@ struct FlankSearch
 [[nodiscard]] std::vector<FlankContact> flank_contacts(contact::GapField const& field, FlankSearch const& search,
                                                        int threads);
 
+/// Adds those of @p before that carried @p force and have no contact of @p contacts within a strip's half width: the
+/// minimum of a contact vanishes at once where flanks that fit each other over a long stretch turn by a little,
+/// although the gap there hardly changes. They keep place and curvature. The order stays that of flank_contacts().
+void hold_contacts(contact::GapField const& field, FlankSearch const& search, std::vector<FlankContact> const& before,
+                   std::vector<double> const& force, std::vector<FlankContact>& contacts);
+
 }  // namespace hdconj::load

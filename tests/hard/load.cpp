@@ -6,6 +6,7 @@
 
 #include "hdconj/error.hpp"
 #include "hdconj/load.hpp"
+#include "hdconj/units.hpp"
 #include "row.hpp"
 
 namespace hdconj::test::load_cases {
@@ -201,6 +202,52 @@ HARD_ROW("an edge of 1 nm", "as sharp as a number can say", "balance")
     LoadCase const c = loaded({"load.edge_radius=1e-6", "circular_spline.backlash_offset=0.065"}, 5);
     check_laws(c);
     say(told(c));
+}
+
+HARD_ROW("a minimum of the gap that vanishes", "conformal flanks of a drive of module 0.175, 7.5 to 8.5 N m",
+         "balance at each torque, the twist a smooth curve")
+{
+    Overrides const small = {"drive.module=0.175",
+                             "flexspline.wall=0.5",
+                             "flexspline.cup.length=11",
+                             "flexspline.cup.barrel_wall=0.28",
+                             "flexspline.cup.bottom=0.4",
+                             "flexspline.cup.corner_radius=1.5",
+                             "flexspline.cup.flange_radius=8.5",
+                             "flexspline.cup.tooth_width=5",
+                             "flexspline.cup.front_land=0.8",
+                             "flexspline.cup.rear_ramp=0.3",
+                             "flexspline.cup.front_ramp=0.3",
+                             "flexspline.profile.addendum=0.1575",
+                             "flexspline.profile.dedendum=0.2121",
+                             "flexspline.profile.convex_radius=0.18907",
+                             "flexspline.profile.convex_offset=0.06874",
+                             "flexspline.profile.concave_radius=0.36015",
+                             "flexspline.profile.concave_rise=0.04697",
+                             "flexspline.profile.tip_line_from=0.133",
+                             "wave_generator.radial_deformation=0.17",
+                             "circular_spline.width=4.5",
+                             "circular_spline.backlash_offset=0",
+                             "circular_spline.inner_radius=17.535",
+                             "coning.model=\"elastic\"",
+                             "coning.bottom_to_middle=7.7",
+                             "coning.axial_shift=\"mapped\"",
+                             "bearing.type=\"elastic\"",
+                             "bearing.width=4",
+                             "bearing.ring_thickness=0.8",
+                             "slices.count=9",
+                             "slices.surface=\"per-slice\""};
+    std::vector<double> twist;
+    for (double const torque : {7.5, 8.0, 8.5}) {
+        LoadOptions options;
+        options.torque = torque * newton_metre;
+        options.curve = false;
+        LoadCase const c = study_load(builtin_scene(small), options).cases.front();
+        check_laws(c);
+        twist.push_back(c.curve.front().twist);
+        say(told(c));
+    }
+    CHECK(std::abs(twist[1] - (twist[0] + twist[2]) / 2) < 1e-3 * twist[1]);
 }
 
 }  // namespace hdconj::test::load_cases

@@ -170,6 +170,22 @@ TEST_CASE("more than the teeth can carry is said", "[load]")
     }
 }
 
+TEST_CASE("torques beyond what the teeth can carry are marked, and the others stay", "[load]")
+{
+    LoadOptions options;
+    options.torque = 4000 * newton_metre;
+    options.points = 4;
+    LoadStudy const study = study_load(quick(), options);
+    LoadCase const& found = study.cases.front();
+    REQUIRE_FALSE(found.unsettled.empty());
+    CHECK(found.curve.size() + found.unsettled.size() == 13);  // 0 to T, back, to -T
+    CHECK(study.missing.size() == found.unsettled.size());
+    for (auto const& each : found.unsettled) {
+        CHECK(std::abs(each.torque) > found.curve[found.rated].torque);
+        CHECK_FALSE(each.cause.empty());
+    }
+}
+
 TEST_CASE("many balls are a continuous row of balls", "[load][balls]")
 {
     LoadStudy const line = study_load(quick(), at_torque(20 * newton_metre));

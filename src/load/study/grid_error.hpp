@@ -37,7 +37,8 @@ struct LoadedCurve
 {
     std::vector<LoadedState> states;
     std::vector<BearingMap> bearing;  ///< of each state
-    std::size_t rated = 0;            ///< state of the largest torque
+    std::vector<UnsettledTorque> unsettled;
+    std::size_t rated = 0;  ///< state of the largest torque
     LoadedDrive at_rated;
     double play = 0;    ///< width [rad]
     double middle = 0;  ///< turn from which twists count [rad]

@@ -81,6 +81,8 @@ LoadCase assembled_case(contact::ContactContext const& context, surface::Surface
     return result;
 }
 
+/// States at all torques that have an equilibrium. After one without, the next torque starts from the last one with.
+/// @throws NumericalError of the first torque without equilibrium where no torque but zero has one
 LoadedCurve loaded_curve(LoadProblem const& problem, LoadedDrive const& unloaded, Play const& play,
                          std::vector<double> const& torques, std::function<void()> const& on_state)
 {
@@ -90,18 +92,29 @@ LoadedCurve loaded_curve(LoadProblem const& problem, LoadedDrive const& unloaded
     curve.middle = path.middle;
     double largest = -1;
     LoadedDrive at = path.start;
+    std::optional<NumericalError> first;
     for (double const torque : torques) {
-        at = advance(path, at, torque);
-        curve.states.push_back(loaded_state(problem, at, path.middle));
-        curve.bearing.push_back(bearing_map(problem.drive, at.state));
-        if (std::abs(torque) > largest) {
-            largest = std::abs(torque);
-            curve.rated = curve.states.size() - 1;
-            curve.at_rated = at;
+        try {
+            at = advance(path, at, torque);
+            curve.states.push_back(loaded_state(problem, at, path.middle));
+            curve.bearing.push_back(bearing_map(problem.drive, at.state));
+            if (std::abs(torque) > largest) {
+                largest = std::abs(torque);
+                curve.rated = curve.states.size() - 1;
+                curve.at_rated = at;
+            }
+        } catch (NumericalError const& error) {
+            if (!error.is_infeasible())
+                throw;
+            curve.unsettled.push_back({torque, error.cause()});
+            if (!first)
+                first.emplace(error);
         }
         if (on_state)
             on_state();
     }
+    if (first && !(largest > 0))
+        throw NumericalError(*first);
     return curve;
 }
 
@@ -162,6 +175,7 @@ SolvedCase load_case(contact::ContactContext const& context, DrivePair const& dr
     LoadProblem const problem = load_problem(context, fine.model.drive, assembled.surface.grid);
     LoadedCurve const curve = loaded_curve(problem, fine.unloaded, assembled.play, torques, observer.on_state);
     result.curve = curve.states;
+    result.unsettled = curve.unsettled;
     result.rated = curve.rated;
     result.map = load_map(problem, curve.at_rated);
     result.bearing = curve.bearing[curve.rated];

@@ -26,11 +26,14 @@ struct Attempt
     double depth;      ///< of the strips, as a multiple of the standard one
     int first_mixing;  ///< iteration from which on forces are mixed: by then the contacts have been found
     int most_iterations;
+    bool hold = false;  ///< loaded contacts stay where their minimum of the gap vanishes
 };
 
-/// Where two strips of a flank are about to merge, the iteration alternates between one and two; with another depth it
-/// does not. Mixing leads back to an unstable equilibrium for ever; without it the next stable one is reached.
-constexpr Attempt attempts[] = {{1, 3, 25}, {0.5, 3, 25}, {1, 40, 60}, {2, 3, 25}, {0.25, 3, 25}};
+/// Where two strips of a flank are about to merge, or one of two minima to vanish, the iteration alternates between one
+/// contact and two; it does not where contacts are held, or with another depth. Mixing leads back to an unstable
+/// equilibrium for ever; without it the next stable one is reached.
+constexpr Attempt attempts[] = {{1, 3, 25}, {1, 3, 40, true}, {0.5, 3, 25},      {1, 40, 60},
+                                {2, 3, 25}, {0.25, 3, 25},    {0.5, 3, 40, true}};
 
 std::string place_of(double torque)
 {
@@ -70,14 +73,16 @@ struct Linearisation
     std::vector<double> force;
 };
 
-Linearisation linearised(LoadProblem const& problem, LoadedDrive const& now, double depth)
+Linearisation linearised(LoadProblem const& problem, LoadedDrive const& now, Attempt const& attempt)
 {
     Linearisation result;
     LinearGaps& gaps = result.gaps;
     gaps.turn = now.state.turn;
     contact::GapField const field = gap_field(problem, now.shape, problem.edges);
-    gaps.contacts =
-        flank_contacts(field, flank_search(problem, gaps.turn, search_limit(problem), depth), problem.context.threads);
+    FlankSearch const search = flank_search(problem, gaps.turn, search_limit(problem), attempt.depth);
+    gaps.contacts = flank_contacts(field, search, problem.context.threads);
+    if (attempt.hold)
+        hold_contacts(field, search, now.contacts, now.state.flank, gaps.contacts);
     result.force = carried_over(now.contacts, now.state.flank, gaps.contacts);
     gaps.compliance = local_compliance(problem.drive, gaps.contacts, result.force);
     return result;
@@ -183,7 +188,7 @@ AttemptResult attempted(LoadProblem const& problem, double torque, Attempt const
     bool mixed = false;
     std::vector<MixingStep> history;
     for (int iteration = 0; iteration <= attempt.most_iterations; ++iteration) {
-        Linearisation at = linearised(problem, now, attempt.depth);
+        Linearisation at = linearised(problem, now, attempt);
         if (iteration > 0) {
             double const mismatch = mismatch_of(at);
             if (!mixed && mismatch <= gap_tolerance(problem)) {

@@ -43,6 +43,8 @@ Json load_case_object(LoadCase const& each, States const& rows)
     object[backlash.json_key_of_error()] = each.estimated ? error_of(backlash, each) : Json(nullptr);
     object["pressure_at_edge"] = each.pressure_at_edge;
     object["bearing"] = bearing_object(each.bearing, rows);
+    for (auto const& [torque, cause] : each.unsettled)
+        object["unsettled"].push_back({{"torque_Nm", number(torque / newton_metre)}, {"cause", cause}});
     object["curve"] = Json::array();
     for (std::size_t i = 0; i < each.curve.size(); ++i) {
         Json state = figures_object(rows, each.curve[i]);
