@@ -109,6 +109,35 @@ struct StiffnessStages
 /// @throws std::logic_error where there are not as many torques as twists
 [[nodiscard]] StiffnessStages stiffness_stages(std::vector<double> const& twist, std::vector<double> const& torque);
 
+/// Torques that catalogues define stiffness and lost motion by [N mm].
+struct CatalogueTorques
+{
+    double first = 0;        ///< T1
+    double second = 0;       ///< T2
+    double lost_motion = 0;  ///< 4 % of the rated torque
+};
+
+/// A slope of torque over twist.
+struct Stiffness
+{
+    double value = 0;  ///< [N mm/rad]
+    double error = 0;  ///< estimated discretisation error [N mm/rad]
+};
+
+/// Stiffness and lost motion as catalogues of harmonic drives state them: slopes of straight lines between the points
+/// of the torque-twist curve at zero torque (backlash left out), T1, T2 and the rated torque, and the turn between both
+/// signs of 4 % of the rated torque. Without friction the lost motion is backlash and elastic twist alone.
+struct CatalogueFigures
+{
+    CatalogueTorques torque;       ///< as the scene gives them, else 0.175 and 0.625 of the rated torque
+    Stiffness k1;                  ///< from zero torque to T1
+    Stiffness k2;                  ///< from T1 to T2
+    Stiffness k3;                  ///< from T2 to the rated torque
+    double lost_motion = 0;        ///< [rad]
+    double lost_motion_error = 0;  ///< estimated discretisation error [rad]
+    bool estimated = false;        ///< false: the errors are 0 and mean nothing
+};
+
 /// A torque for which no equilibrium was found.
 struct UnsettledTorque
 {
@@ -147,8 +176,9 @@ struct LoadCase
     std::vector<std::optional<LoadedState>> curve_error;
     /// The largest pressure is at an end of the face width, where it grows with the number of slices.
     bool pressure_at_edge = false;
-    StiffnessStages stages;  ///< of the branch 0 to T
-    double seconds = 0;      ///< wall time [s]
+    StiffnessStages stages;                     ///< of the branch 0 to T
+    std::optional<CatalogueFigures> catalogue;  ///< with a curve only; none where T2 is not below its largest torque
+    double seconds = 0;                         ///< wall time [s]
 };
 
 /// The cup in the section plane with its harmonics summed at the angles that are drawn.

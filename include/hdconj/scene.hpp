@@ -141,11 +141,13 @@ struct ContactRequest
 /// What a load is asked for. Only the verb `load` reads it.
 struct LoadRequest
 {
-    std::optional<double> torque;       ///< rated, on the circular spline [N mm]
-    int points = 0;                     ///< torques from 0 to the rated one
-    int harmonics = 0;                  ///< highest one around the circumference
-    std::optional<double> edge_radius;  ///< of the lands' edges under load [mm]; default 1/25 of the module
-    int line = 0;                       ///< of the table in the scene file, 1-based; 0: by --set
+    std::optional<double> torque;         ///< rated, on the circular spline [N mm]
+    int points = 0;                       ///< torques from 0 to the rated one
+    int harmonics = 0;                    ///< highest one around the circumference
+    std::optional<double> first_torque;   ///< T1 of the stiffness K1 [N mm]; default 0.175 of the rated one
+    std::optional<double> second_torque;  ///< T2 of the stiffness K2 [N mm]; default 0.625 of the rated one
+    std::optional<double> edge_radius;    ///< of the lands' edges under load [mm]; default 1/25 of the module
+    int line = 0;                         ///< of the table in the scene file, 1-based; 0: by --set
 };
 
 /// How the part is cut by wire. Only the verb `wedm` reads it. Lengths in mm.

@@ -197,6 +197,31 @@ Rows<LoadCase> load_case_figures()
     return Rows<T>(rows);
 }
 
+Rows<CatalogueFigures> catalogue_rows()
+{
+    using T = CatalogueFigures;
+    using Torque = CatalogueTorques;
+    static constexpr std::array rows = {
+        figure<&T::torque, &Torque::first>("T1", newton_metre, "torque up to which K1 reaches", {"T1", significant<4>}),
+        figure<&T::torque, &Torque::second>("T2", newton_metre, "torque up to which K2 reaches",
+                                            {"T2", significant<4>}),
+        figure<&T::torque, &Torque::lost_motion>("lost_motion_torque", newton_metre,
+                                                 "torque of either sign of the lost motion", {"at +-", significant<4>}),
+        figure<&T::k1, &Stiffness::value>("K1", newton_metre_per_rad, "stiffness from zero torque to T1",
+                                          {"K1", table_number, significant<2>})
+            .with_error<&T::k1, &Stiffness::error>(),
+        figure<&T::k2, &Stiffness::value>("K2", newton_metre_per_rad, "stiffness from T1 to T2",
+                                          {"K2", table_number, significant<2>})
+            .with_error<&T::k2, &Stiffness::error>(),
+        figure<&T::k3, &Stiffness::value>("K3", newton_metre_per_rad, "stiffness from T2 to the rated torque",
+                                          {"K3", table_number, significant<2>})
+            .with_error<&T::k3, &Stiffness::error>(),
+        pair<&T::lost_motion, &T::lost_motion_error>("lost_motion", arcmin, "turn between both signs of that torque",
+                                                     {"lost motion", fixed<2>, significant<2>}),
+        figure<&T::estimated>("estimated", one, "whether the errors are estimates")};
+    return Rows<T>(rows);
+}
+
 Rows<MeasuredStiffness> measured_curve_figures()
 {
     using T = MeasuredStiffness;

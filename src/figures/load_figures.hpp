@@ -27,6 +27,9 @@ inline constexpr Name flank_position_of_gap{flank_position.now, "height"};
 /// Of the cup without torque. @param balls  as above
 [[nodiscard]] Rows<AssembledCup> assembled_cup_figures(int balls);
 
+/// Stiffness and lost motion of a case by the definitions of catalogues.
+[[nodiscard]] Rows<CatalogueFigures> catalogue_rows();
+
 /// Of a measured curve, but for those that are averages.
 [[nodiscard]] Rows<MeasuredStiffness> measured_curve_figures();
 

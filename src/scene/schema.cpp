@@ -331,17 +331,25 @@ std::vector<KeySpec> contact()
 
 std::vector<KeySpec> load()
 {
-    return {{optional("torque", Q::number, "rated torque on the circular spline, in N m", bounds::least_torque,
-                      bounds::largest_torque),
-             "28.0", [](Scene& s, Parameter const& p) { s.load->torque = number(p) * newton_metre; }},
-            {optional("points", Q::count, "torques from 0 to the rated one", 1, bounds::most_torques), "10",
-             to<&Scene::load, &LoadRequest::points>, 10.0},
-            {optional("harmonics", Q::count, "highest harmonic around the circumference", bounds::fewest_harmonics,
-                      bounds::most_harmonics),
-             "100", to<&Scene::load, &LoadRequest::harmonics>, 100.0},
-            {optional("edge_radius", Q::positive_length,
-                      "of the edges where teeth touch under load; absent: 1/25 of the module", bounds::least_length),
-             "0.01", to<&Scene::load, &LoadRequest::edge_radius>}};
+    return {
+        {optional("torque", Q::number, "rated torque on the circular spline, in N m", bounds::least_torque,
+                  bounds::largest_torque),
+         "28.0", [](Scene& s, Parameter const& p) { s.load->torque = number(p) * newton_metre; }},
+        {optional("points", Q::count, "torques from 0 to the rated one", 1, bounds::most_torques), "10",
+         to<&Scene::load, &LoadRequest::points>, 10.0},
+        {optional("first_torque", Q::number, "T1 in N m: K1 is the stiffness from 0 to T1; absent: 0.175 of the rated",
+                  bounds::least_torque, bounds::largest_torque),
+         "5.0", [](Scene& s, Parameter const& p) { s.load->first_torque = number(p) * newton_metre; }},
+        {optional("second_torque", Q::number,
+                  "T2 in N m: K2 is the stiffness from T1 to T2, K3 from T2 on; absent: 0.625 of the rated",
+                  bounds::least_torque, bounds::largest_torque),
+         "17.5", [](Scene& s, Parameter const& p) { s.load->second_torque = number(p) * newton_metre; }},
+        {optional("harmonics", Q::count, "highest harmonic around the circumference", bounds::fewest_harmonics,
+                  bounds::most_harmonics),
+         "100", to<&Scene::load, &LoadRequest::harmonics>, 100.0},
+        {optional("edge_radius", Q::positive_length,
+                  "of the edges where teeth touch under load; absent: 1/25 of the module", bounds::least_length),
+         "0.01", to<&Scene::load, &LoadRequest::edge_radius>}};
 }
 
 std::vector<KeySpec> wedm()

@@ -148,6 +148,28 @@ TEST_CASE("the error of a stage contains that of the grid", "[load]")
     CHECK(found.stages.second_error == Approx(fit.second_error + grid * fit.second));
 }
 
+TEST_CASE("stiffness and lost motion of a catalogue are those of the curve's own torques", "[load]")
+{
+    LoadOptions options;
+    options.torque = 20 * newton_metre;
+    options.points = 4;  // 5, 10, 15 and 20 N m
+    LoadCase const found =
+        study_load(quick({"load.torque=20", "load.first_torque=5", "load.second_torque=15"}), options).cases.front();
+    REQUIRE(found.catalogue);
+    CatalogueFigures const& c = *found.catalogue;
+    auto const twist = [&](std::size_t i) { return found.curve[i].twist; };
+    CHECK(c.torque.lost_motion == Approx(0.04 * 20 * newton_metre));
+    CHECK(c.k1.value == Approx(5 * newton_metre / (twist(1) - found.backlash / 2)).epsilon(1e-5));
+    CHECK(c.k2.value == Approx(10 * newton_metre / (twist(3) - twist(1))).epsilon(1e-5));
+    CHECK(c.k3.value == Approx(5 * newton_metre / (twist(4) - twist(3))).epsilon(1e-5));
+    CHECK(c.lost_motion > found.backlash);
+    CHECK(c.lost_motion < found.backlash + 2 * (twist(1) - found.backlash / 2));
+    options.curve = false;
+    CHECK_FALSE(study_load(quick(), options).cases.front().catalogue);
+    for (char const* key : {"load.first_torque=25", "load.second_torque=25"})
+        CHECK_FALSE(check_load(builtin_scene({"load.torque=20", key}), {}).empty());
+}
+
 TEST_CASE("only the verb load enters the stages of a load", "[load]")
 {
     std::map<Stage, int> count;

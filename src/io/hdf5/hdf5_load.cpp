@@ -80,6 +80,10 @@ void write_curve(Writer const& place, LoadCase const& each, figures::Rows<Loaded
 void write_load_case(Writer const& place, LoadCase const& each, int balls)
 {
     place.group("curve", [&](Writer const& curve) { write_curve(curve, each, figures::loaded_state_figures(balls)); });
+    if (each.catalogue)
+        place.group("catalogue", [&](Writer const& group) {
+            hdf5::write_attributes(group, figures::catalogue_rows(), *each.catalogue);
+        });
     if (!each.unsettled.empty()) {
         place.numbers("unsettled_torque", column(each.unsettled, &UnsettledTorque::torque), "N mm");
         place.texts("unsettled_cause", column(each.unsettled, &UnsettledTorque::cause));

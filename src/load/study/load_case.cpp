@@ -9,6 +9,7 @@
 
 #include "base/text.hpp"
 #include "bearing_map.hpp"
+#include "catalogue_figures.hpp"
 #include "contact/study/contact_case.hpp"
 #include "hdconj/error.hpp"
 #include "load/model/cup_shape.hpp"
@@ -81,43 +82,6 @@ LoadCase assembled_case(contact::ContactContext const& context, surface::Surface
     return result;
 }
 
-/// States at all torques that have an equilibrium. After one without, the next torque starts from the last one with.
-/// @throws NumericalError of the first torque without equilibrium where no torque but zero has one
-LoadedCurve loaded_curve(LoadProblem const& problem, LoadedDrive const& unloaded, Play const& play,
-                         std::vector<double> const& torques, std::function<void()> const& on_state)
-{
-    TorqueContinuation const path = torque_continuation(problem, unloaded, play);
-    LoadedCurve curve;
-    curve.play = width_of(play);
-    curve.middle = path.middle;
-    double largest = -1;
-    LoadedDrive at = path.start;
-    std::optional<NumericalError> first;
-    for (double const torque : torques) {
-        try {
-            at = advance(path, at, torque);
-            curve.states.push_back(loaded_state(problem, at, path.middle));
-            curve.bearing.push_back(bearing_map(problem.drive, at.state));
-            if (std::abs(torque) > largest) {
-                largest = std::abs(torque);
-                curve.rated = curve.states.size() - 1;
-                curve.at_rated = at;
-            }
-        } catch (NumericalError const& error) {
-            if (!error.is_infeasible())
-                throw;
-            curve.unsettled.push_back({torque, error.cause()});
-            if (!first)
-                first.emplace(error);
-        }
-        if (on_state)
-            on_state();
-    }
-    if (first && !(largest > 0))
-        throw NumericalError(*first);
-    return curve;
-}
-
 /// The two stages of the branch from 0 to the largest torque. A slope is as uncertain as the elastic twist that the
 /// branch rises over.
 StiffnessStages stages_of(LoadCase const& solved)
@@ -162,6 +126,41 @@ void enter_stress(contact::ContactContext const& context, DrivePair const& drive
 
 }  // namespace
 
+LoadedCurve loaded_curve(LoadProblem const& problem, LoadedDrive const& unloaded, Play const& play,
+                         std::vector<double> const& torques, std::function<void()> const& on_state)
+{
+    TorqueContinuation const path = torque_continuation(problem, unloaded, play);
+    LoadedCurve curve;
+    curve.play = width_of(play);
+    curve.middle = path.middle;
+    double largest = -1;
+    LoadedDrive at = path.start;
+    std::optional<NumericalError> first;
+    for (double const torque : torques) {
+        try {
+            at = advance(path, at, torque);
+            curve.states.push_back(loaded_state(problem, at, path.middle));
+            curve.bearing.push_back(bearing_map(problem.drive, at.state));
+            if (std::abs(torque) > largest) {
+                largest = std::abs(torque);
+                curve.rated = curve.states.size() - 1;
+                curve.at_rated = at;
+            }
+        } catch (NumericalError const& error) {
+            if (!error.is_infeasible())
+                throw;
+            curve.unsettled.push_back({torque, error.cause()});
+            if (!first)
+                first.emplace(error);
+        }
+        if (on_state)
+            on_state();
+    }
+    if (first && !(largest > 0))
+        throw NumericalError(*first);
+    return curve;
+}
+
 SolvedCase load_case(contact::ContactContext const& context, DrivePair const& drives,
                      surface::SurfaceSpec const& choice, std::vector<double> const& torques,
                      CaseObserver const& observer)
@@ -192,6 +191,8 @@ SolvedCase load_case(contact::ContactContext const& context, DrivePair const& dr
     if (result.estimated)
         result.error = *result.curve_error[result.rated];
     result.stages = stages_of(result);
+    if (torques.size() > 1)
+        result.catalogue = catalogue_figures(problem, drives, assembled.surface.grid, assembled.play, result);
     elastic::HarmonicField field = cup_field(fine.model, curve.at_rated.forces, context.threads);
     enter_stress(context, drives, field, errors.rated_forces, result);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -26,6 +26,11 @@ struct SolvedCase
     elastic::HarmonicField field;
 };
 
+/// States at all torques that have an equilibrium. After one without, the next torque starts from the last one with.
+/// @throws NumericalError of the first torque without equilibrium where no torque but zero has one
+[[nodiscard]] LoadedCurve loaded_curve(LoadProblem const& problem, LoadedDrive const& unloaded, Play const& play,
+                                       std::vector<double> const& torques, std::function<void()> const& on_state);
+
 /// @param drives   with a coarse grid: errors are estimated
 /// @param torques  in the order of loading [N mm]
 /// @throws NumericalError where the teeth interfere at every turn, or a torque has no equilibrium

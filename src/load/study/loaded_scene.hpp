@@ -32,6 +32,9 @@ struct LoadedDriveData
 /// The largest torque of a study [N mm]. Domain: a checked scene.
 [[nodiscard]] double rated_torque(Scene const& scene, LoadOptions const& options);
 
+/// Torques of CatalogueFigures for a rated torque [N mm]: as the scene gives them, or standard fractions of it.
+[[nodiscard]] CatalogueTorques catalogue_torques(Scene const& scene, double rated);
+
 /// Torques in the order of loading [N mm]: from 0 up to the rated one, down again, and to the opposite one; without a
 /// curve the rated one alone. Domain: a checked scene.
 [[nodiscard]] std::vector<double> loading_path(Scene const& scene, LoadOptions const& options);

@@ -45,6 +45,8 @@ Json load_case_object(LoadCase const& each, States const& rows)
     object["bearing"] = bearing_object(each.bearing, rows);
     for (auto const& [torque, cause] : each.unsettled)
         object["unsettled"].push_back({{"torque_Nm", number(torque / newton_metre)}, {"cause", cause}});
+    if (each.catalogue)
+        object["catalogue"] = figures_object(figures::catalogue_rows(), *each.catalogue);
     object["curve"] = Json::array();
     for (std::size_t i = 0; i < each.curve.size(); ++i) {
         Json state = figures_object(rows, each.curve[i]);
