@@ -54,7 +54,7 @@ void write_bearing(Writer const& place, BearingMap const& bearing, int balls)
     write_checked(place, "force", {bearing.angle.size(), bearing.z.size()}, bearing.force,
                   {"N", "force outward on the cup", {"angle", "z"}});
     if (!bearing.ball_angle.empty()) {
-        auto const& ball = figures::loaded_state_figures(balls)["ball_force"];
+        auto const ball = figures::loaded_state_figures(balls)["ball_force"];
         place.numbers("ball_angle", bearing.ball_angle, {"rad", "angles of the balls", {"ball_angle"}});
         write_checked(place, ball.name, {bearing.ball_angle.size()}, bearing.ball_force,
                       {ball.unit.stored, "force of a ball, or of the line of balls", {"ball_angle"}});
@@ -97,7 +97,7 @@ void write_load_case(Writer const& place, LoadCase const& each, int balls)
 /// Estimates, worth something where `estimated` is 1.
 void write_errors(Writer const& place, std::vector<LoadCase> const& cases, int balls)
 {
-    auto const& backlash = figures::load_case_figures()["backlash"];
+    auto const backlash = figures::load_case_figures()["backlash"];
     place.integers("estimated", column(cases, &LoadCase::estimated),
                    {"1", "whether the errors were estimated", {"case"}});
     place.integers("pressure_at_edge", column(cases, &LoadCase::pressure_at_edge),

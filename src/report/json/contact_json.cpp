@@ -35,7 +35,7 @@ Json slice_object(SliceClearance const& slice)
 Json closest_flank_object(ContactCase const& each)
 {
     Json object = figures_object(figures::closest_figures(), {each.closest_flank(), each.clearance_error});
-    auto const& height = figures::slice_figures()["z"];
+    auto const height = figures::slice_figures()["z"];
     object[height.json_key()] = value_of(height, each.closest_slice());
     return object;
 }

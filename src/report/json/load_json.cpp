@@ -39,7 +39,7 @@ Json load_case_object(LoadCase const& each, States const& rows)
     auto const* rated = figures::rated_state(each);
     object["rated"] = rated != nullptr ? figures_object(rows, *rated) : Json(nullptr);
     object["rated_error"] = error_object(rows, each.estimated ? &each.error : nullptr);
-    auto const& backlash = figures::load_case_figures()["backlash"];
+    auto const backlash = figures::load_case_figures()["backlash"];
     object[backlash.json_key_of_error()] = each.estimated ? error_of(backlash, each) : Json(nullptr);
     object["pressure_at_edge"] = each.pressure_at_edge;
     object["bearing"] = bearing_object(each.bearing, rows);

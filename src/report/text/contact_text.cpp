@@ -150,7 +150,7 @@ void write_contact_places(Page& page, ContactStudy const& study)
 /// "12 ... 14", as the values of a figure over the states.
 std::string range(std::vector<ContactState> const& states, char const* name)
 {
-    auto const& figure = figures::state_figures()[name];
+    auto const figure = figures::state_figures()[name];
     auto const [low, high] = std::minmax_element(
         states.begin(), states.end(), [&](auto const& a, auto const& b) { return figure.value(a) < figure.value(b); });
     auto const shown = [&](auto const& state) { return figure.text_unit().shown(figure.value(state)); };
@@ -160,7 +160,7 @@ std::string range(std::vector<ContactState> const& states, char const* name)
 /// The largest error of a figure over the states.
 std::string largest_error(std::vector<ContactState> const& states, char const* name)
 {
-    auto const& figure = figures::state_figures()[name];
+    auto const figure = figures::state_figures()[name];
     double high = 0;
     for (auto const& state : states)
         high = std::max(high, figure.error(state));
