@@ -92,7 +92,8 @@ void add_pressure_angle(Scene const& scene, Advice& advice)
 std::optional<std::string> unusual_deformation(Drive const& drive, double w0)
 {
     double const ratio = deformation_ratio(drive, w0);
-    if (is_usual(ratio))
+    // without a positive tooth difference nothing is usual
+    if (!(usual_deformation(drive) > 0) || is_usual(ratio))
         return std::nullopt;
     constexpr int digits = 3;
     return "the radial deformation " + short_number(w0) + " mm is " + short_number(ratio, digits) +
