@@ -7,7 +7,7 @@
 
 namespace hdconj {
 
-/// "0.1.0"
+/// "1.0.0"
 [[nodiscard]] std::string_view program_version();
 
 /// `git describe` of the sources as built, with "-dirty" when they differ from the commit;
