@@ -155,16 +155,20 @@ void write_notes(Writer const& root, Notes const& notes)
     if (notes.empty())
         return;
     root.group("notes", [&](Writer const& place) {
-        auto const words = [&](char const* name, auto take) { place.texts(name, column(notes, take)); };
-        words("code", [](Note const& note) { return std::string(to_string(note.code)); });
-        words("severity", [](Note const& note) { return std::string(to_string(note.severity)); });
-        place.numbers("figure", column(notes, &Note::figure), "1");
-        place.numbers("limit", column(notes, &Note::limit), "1");
-        words("unit", [](Note const& note) { return note.unit; });
-        words("place", [](Note const& note) { return note.place; });
-        words("cause", [](Note const& note) { return note.cause; });
-        words("advice", [](Note const& note) { return note.advice; });
-        words("set", [](Note const& note) { return fmt::format("{}", fmt::join(note.set, " ")); });
+        auto const words = [&](char const* name, char const* meaning, auto take) {
+            place.texts(name, column(notes, take), meaning, "note");
+        };
+        words("code", "what is judged", [](Note const& note) { return std::string(to_string(note.code)); });
+        words("severity", "information or warning",
+              [](Note const& note) { return std::string(to_string(note.severity)); });
+        place.numbers("figure", column(notes, &Note::figure), {"1", "figure of the design, in its own unit", {"note"}});
+        place.numbers("limit", column(notes, &Note::limit), {"1", "limit that it leaves, in the same unit", {"note"}});
+        words("unit", "unit of figure and limit", [](Note const& note) { return note.unit; });
+        words("place", "where, or which key", [](Note const& note) { return note.place; });
+        words("cause", "what is wrong", [](Note const& note) { return note.cause; });
+        words("advice", "what to write instead", [](Note const& note) { return note.advice; });
+        words("set", "the advice as arguments of --set",
+              [](Note const& note) { return fmt::format("{}", fmt::join(note.set, " ")); });
     });
 }
 

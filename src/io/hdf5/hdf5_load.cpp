@@ -85,8 +85,9 @@ void write_load_case(Writer const& place, LoadCase const& each, int balls)
             hdf5::write_attributes(group, figures::catalogue_rows(), *each.catalogue);
         });
     if (!each.unsettled.empty()) {
-        place.numbers("unsettled_torque", column(each.unsettled, &UnsettledTorque::torque), "N mm");
-        place.texts("unsettled_cause", column(each.unsettled, &UnsettledTorque::cause));
+        place.numbers("unsettled_torque", column(each.unsettled, &UnsettledTorque::torque),
+                      {"N mm", "torques without equilibrium", {"unsettled"}});
+        place.texts("unsettled_cause", column(each.unsettled, &UnsettledTorque::cause), "why", "unsettled");
     }
     if (!each.bearing.angle.empty())
         place.group("bearing", [&](Writer const& bearing) { write_bearing(bearing, each.bearing, balls); });

@@ -65,8 +65,10 @@ Tools::Tools()
       scale_name(text_of_length(scale_name_length)),
       scales(H5Tvlen_create(H5T_STD_REF_OBJ), "create type"),
       scalar(H5Screate(H5S_SCALAR), "create dataspace"),
+      timeless(H5Pcreate(H5P_DATASET_CREATE), "create properties"),
       frugal(H5Pcreate(H5P_DATASET_XFER), "create properties")
 {
+    checked(H5Pset_obj_track_times(timeless, false), "switch timestamps off");
     checked(H5Pset_buffer(frugal, conversion_buffer, nullptr, nullptr), "set conversion buffer");
 }
 
@@ -129,7 +131,7 @@ void Writer::dataset(std::string const& name, Shape const& shape, Transfer const
 
 Dataset Writer::bare_dataset(std::string const& name, Shape const& shape, hid_t stored) const
 {
-    return {H5Dcreate2(place_, name.c_str(), stored, simple(shape), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+    return {H5Dcreate2(place_, name.c_str(), stored, simple(shape), H5P_DEFAULT, tools_->timeless, H5P_DEFAULT),
             "create dataset"};
 }
 

@@ -60,12 +60,13 @@ struct Tools
 {
     Tools();
 
-    Type text;          ///< variable-length UTF-8
-    Type scale_class;   ///< text of the length that the library's dimension scales have
-    Type scale_name;    ///< the same for the name of a dimension without numbers
-    Type scales;        ///< one list of scales for each dimension
-    Space scalar;       ///< one value
-    Properties frugal;  ///< transfer with a small conversion buffer
+    Type text;            ///< variable-length UTF-8
+    Type scale_class;     ///< text of the length that the library's dimension scales have
+    Type scale_name;      ///< the same for the name of a dimension without numbers
+    Type scales;          ///< one list of scales for each dimension
+    Space scalar;         ///< one value
+    Properties timeless;  ///< datasets without timestamps, so that equal content gives equal bytes
+    Properties frugal;    ///< transfer with a small conversion buffer
 };
 
 /// Writes into one group or the root of a @ref NewFile.
@@ -140,19 +141,6 @@ class Writer
     Dimensions* dimensions_;
 };
 
-/// Switches the timestamps of new datasets off while it lives, so that equal content gives equal bytes.
-///
-/// It does so in the library's default properties: any others are copied for each dataset, which takes a tenth of the
-/// time of a small file.
-class Timeless
-{
-  public:
-    Timeless() { H5Pset_obj_track_times(H5P_DATASET_CREATE_DEFAULT, false); }
-    ~Timeless() { H5Pset_obj_track_times(H5P_DATASET_CREATE_DEFAULT, true); }
-    Timeless(Timeless const&) = delete;
-    Timeless& operator=(Timeless const&) = delete;
-};
-
 /// An HDF5 file that is being made.
 class NewFile
 {
@@ -165,7 +153,6 @@ class NewFile
     void flush() const;
 
   private:
-    Timeless timeless_;
     Tools tools_;
     Dimensions dimensions_;
     File file_;
