@@ -67,6 +67,15 @@ void discard(fs::path const& name)
     fs::remove_all(name, ignored);
 }
 
+/// The same while other threads still write into @p name: nothing finds it any more under its new name.
+void discard_in_use(fs::path const& name)
+{
+    fs::path const aside = name.parent_path() / (".ended" + name.filename().string());
+    std::error_code error;
+    fs::rename(name, aside, error);
+    discard(error ? name : aside);
+}
+
 /// Removes what killed processes have left in @p folder.
 void remove_left_overs(fs::path const& folder)
 {
@@ -108,7 +117,7 @@ extern "C" void note_signal(int signal)
     }
     std::lock_guard const nothing_new(all.mutex);  // held to the end
     for (auto const& name : all.names)
-        discard(name);
+        discard_in_use(name);
     std::signal(all.signal, SIG_DFL);
     for (;;)
         ::kill(::getpid(), all.signal);
