@@ -18,7 +18,7 @@ std::pair<std::string, scene::Advice> likely_cause(UnsolvedPair const& pair)
     bool deformed = false;
     for (Note const& note : notes_on(pair)) {
         bool const far = note.severity == Severity::warning || note.code == NoteCode::deformation;
-        if (!far || note.set.empty())
+        if (!far || note.set.empty() || note.code == NoteCode::wall_stress)  // stress spoils no geometry
             continue;
         // tip circle and stress come with the deformation
         bool const said = std::find(advice.set.begin(), advice.set.end(), note.set.front()) != advice.set.end();
@@ -54,8 +54,10 @@ NumericalError with_likely_cause(NumericalError const& error, UnsolvedPair const
     auto [cause, advice] = likely_cause(pair);
     if (advice.set.empty())
         advice = with_deformation(error, pair);
-    else
+    else {
         cause = "likely because " + cause;
+        advice.words += error.remedy().empty() ? "" : "; or " + error.remedy();
+    }
     scene::Advice flank;
     scene::add_pressure_angle(pair.scene, flank);
     if (!flank.set.empty()) {
