@@ -79,7 +79,7 @@ std::vector<BadFamily> const& bad_families()
         // s-tooth
         {"s-tooth",
          {"s-tooth: addendum above the locus", "addendum = 0.19", "addendum = 0.23", tooth + ".addendum",
-           "ends at height 0.22", "addendum of at most"}},
+          "ends at height 0.22", "addendum of at most"}},
         {"s-tooth",
          {"s-tooth: cusp", "pressure_angle_deg = 9", "pressure_angle_deg = 0", tooth + ".pressure_angle_deg", "cusp",
           "pressure_angle_deg = 1"}},

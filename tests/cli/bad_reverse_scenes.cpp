@@ -59,7 +59,7 @@ std::vector<BadScene> const& reverse_rows()
          "no tooth enters", "between", 0},
         {"no hole", "wall = 0.7 ", "wall = 24.8 ", "flexspline.wall", "leaves no hole", "thinner"},
         {"inner radius of another drive", "wall = 0.7 ", "inner_radius = 12.0\nwall = 0.7 ", "flexspline.inner_radius",
-         "contradicts module and teeth", "write a radius"},
+         "contradicts module and teeth", "write about that radius"},
     };
     return table;
 }

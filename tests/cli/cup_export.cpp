@@ -184,7 +184,7 @@ TEST_CASE("the exported cup is read by meshio", "[export]")
     TemporaryFolder const folder;
     REQUIRE(hdconj_run("export " + scene + "--vtu cup.vtu --steps 12", folder.path()).status == 0);
     auto const read =
-        run("'" HDCONJ_PYTHON "' '" HDCONJ_SOURCE_DIR "/tests/cli/read_bent_cup.py' cup.vtu", folder.path());
+        run("'" HDCONJ_PYTHON "' '" HDCONJ_SOURCE_DIR "/tests/cli/readers/read_bent_cup.py' cup.vtu", folder.path());
     INFO(read.out << read.err);
     CHECK(read.status == 0);
 }

@@ -17,7 +17,7 @@ using test::TemporaryFolder;
 namespace {
 
 std::string const python = "'" HDCONJ_PYTHON "' ";
-std::string const cup_reader = python + "'" HDCONJ_SOURCE_DIR "/tests/cli/read_cup.py' ";
+std::string const cup_reader = python + "'" HDCONJ_SOURCE_DIR "/tests/cli/readers/read_cup.py' ";
 
 bool is_missing(std::string const& modules)
 {
@@ -63,7 +63,7 @@ TEST_CASE("h5py reads a load result and finds the documented layout", "[load]")
     measured.curve = sample::rig_loop({});
     measured.found = measured_stiffness(measured.curve);
     write_hdf5(sample::load_study(3), folder / "a.h5", &measured);
-    auto const read = run(python + "'" HDCONJ_SOURCE_DIR "/tests/cli/read_with_h5py.py' a.h5", folder.path());
+    auto const read = run(python + "'" HDCONJ_SOURCE_DIR "/tests/cli/readers/read_with_h5py.py' a.h5", folder.path());
     CHECK_THAT(read.out + read.err, ContainsSubstring(", 2 branches, 0 faults\n"));
     CHECK(read.status == 0);
 }

@@ -25,7 +25,8 @@ bool skipped_without(std::string const& program)
     return missing;
 }
 
-std::string const reader = std::string("'" HDCONJ_PYTHON "' '") + HDCONJ_SOURCE_DIR + "/tests/cli/read_with_h5py.py' ";
+std::string const reader =
+    std::string("'" HDCONJ_PYTHON "' '") + HDCONJ_SOURCE_DIR + "/tests/cli/readers/read_with_h5py.py' ";
 
 }  // namespace
 
@@ -74,7 +75,7 @@ TEST_CASE("xarray shows dimensions by their names, and z as a coordinate")
     write_hdf5(sample::contact_study(3), folder / "contact.h5");
     write_hdf5(sample::load_study(), folder / "load.h5");
     auto const read = run("'" HDCONJ_PYTHON "' '" HDCONJ_SOURCE_DIR
-                          "/tests/cli/read_with_xarray.py' "
+                          "/tests/cli/readers/read_with_xarray.py' "
                           "nothing.h5 solution.h5 contact.h5 load.h5",
                           folder.path());
     if (read.err.find("no xarray") != std::string::npos) {
@@ -103,7 +104,7 @@ TEST_CASE("surfaces of tooth and ring are read by other programs and are the sli
     write_xdmf(study.solution, folder / "ring.xdmf", ring);
     write_stl(study.solution, folder / "ring.stl", ring);
     write_vtk(study, folder / "ring.vtk", ring);
-    std::string const surfaces = "'" HDCONJ_PYTHON "' '" HDCONJ_SOURCE_DIR "/tests/cli/read_surfaces.py' ";
+    std::string const surfaces = "'" HDCONJ_PYTHON "' '" HDCONJ_SOURCE_DIR "/tests/cli/readers/read_surfaces.py' ";
     auto const read = run(surfaces + "a.h5 tooth ring", folder.path());
     INFO(read.out + read.err);
     CHECK(read.status == 0);

@@ -47,9 +47,9 @@ TEST_CASE("summary, JSON, HDF5 and DXF of a reverse result", "[program][reverse]
     CHECK(contains(hdconj_run("solve '" + scene + "' -o b.h5", folder.path()).out,
                    "given: tooth of the circular spline; computed: tooth of the flexspline"));
     if (!std::string(HDCONJ_PYTHON).empty()) {
-        auto const read = test::run(
-            std::string("'" HDCONJ_PYTHON "' '") + HDCONJ_SOURCE_DIR + "/tests/cli/read_with_h5py.py' a.h5 a.dxf",
-            folder.path());
+        auto const read = test::run(std::string("'" HDCONJ_PYTHON "' '") + HDCONJ_SOURCE_DIR +
+                                        "/tests/cli/readers/read_with_h5py.py' a.h5 a.dxf",
+                                    folder.path());
         CHECK(read.err.empty());
         CHECK(contains(read.out, " 0 faults"));
         CHECK(read.status == 0);

@@ -135,7 +135,7 @@ TEST_CASE("all files of a real run are read by other programs")
     }
     TemporaryFolder const folder;
     REQUIRE(solve("-o a.h5 --dxf a.dxf --picture a.svg", folder).status == 0);
-    std::string const reader = "'" HDCONJ_PYTHON "' '" HDCONJ_SOURCE_DIR "/tests/cli/read_with_h5py.py' ";
+    std::string const reader = "'" HDCONJ_PYTHON "' '" HDCONJ_SOURCE_DIR "/tests/cli/readers/read_with_h5py.py' ";
     auto const read = hdconj::test::run(reader + "a.h5 a.dxf", folder.path());
     INFO(read.out + read.err);
     CHECK(read.status == 0);

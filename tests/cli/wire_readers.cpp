@@ -17,7 +17,7 @@ using test::TemporaryFolder;
 
 namespace {
 
-std::string const reader = "'" HDCONJ_PYTHON "' '" HDCONJ_SOURCE_DIR "/tests/cli/read_wire.py' ";
+std::string const reader = "'" HDCONJ_PYTHON "' '" HDCONJ_SOURCE_DIR "/tests/cli/readers/read_wire.py' ";
 
 bool no_python()
 {

@@ -157,7 +157,7 @@ def check_load(file):
 
 
 def check_documented(file):
-    pages = Path(__file__).parents[2] / "docs" / "reference"
+    pages = Path(__file__).parents[3] / "docs" / "reference"
     text = (pages / "hdf5.md").read_text()
     former = re.findall(r"^\| `\w+` \| `\w+` \| `(\w+)` \|$", (pages / "json.md").read_text(), re.MULTILINE)
     known = {name + end for name in former for end in ("", "_error", "_count")}
