@@ -97,9 +97,9 @@ struct StiffnessStages
     double first_error = 0;
     double second_error = 0;      ///< of the second stage [N mm/rad]
     double knee_error = 0;        ///< standard error of the knee's torque [N mm]
-    double knee_twist_error = 0;  ///< standard error of the twist there [rad]
     double rms = 0;               ///< of the fit, in torque [N mm]
     bool found = false;           ///< enough points for two lines
+    double knee_twist_error = 0;  ///< standard error of the twist there [rad]
 };
 
 /// Two straight lines through (twist, torque) by least squares, and the bend where they fit best. Points are in order

@@ -79,9 +79,9 @@ inline constexpr double near_zero = 0.12;  ///< up to here the unloading branch 
 
 /// Splits a curve where the torque turns, and evaluates each branch.
 ///
-/// The load cycles are 0, T, 0, -T, 0 in any number, beginning anywhere. Readings far from their neighbours are left out
-/// first. Where a part of the cycle is repeated, an even drift of the angle is found and taken out. The width of the
-/// loop is found for each cycle: a straight line through the samples of each unloading branch between no_load and
+/// The load cycles are 0, T, 0, -T, 0 in any number, beginning anywhere. Readings far from their neighbours are left
+/// out first. Where a part of the cycle is repeated, an even drift of the angle is found and taken out. The width of
+/// the loop is found for each cycle: a straight line through the samples of each unloading branch between no_load and
 /// near_zero is extended to zero torque. With fewer than three samples there, it goes through the two nearest to zero.
 /// Backlash is the jump between two parallel lines where a branch passes through zero. The rest of the width is
 /// friction. Stiffness is found for each loading branch: stiffness_stages() of the angle over the torque, with negative

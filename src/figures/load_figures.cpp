@@ -208,13 +208,13 @@ Rows<CatalogueFigures> catalogue_rows()
         figure<&T::torque, &Torque::lost_motion>("lost_motion_torque", newton_metre,
                                                  "torque of either sign of the lost motion", {"at +-", significant<4>}),
         figure<&T::k1, &Stiffness::value>("K1", newton_metre_per_rad, "stiffness from zero torque to T1",
-                                          {"K1", table_number, significant<2>})
+                                          {"K1", decimals<0>, decimals<0>})
             .with_error<&T::k1, &Stiffness::error>(),
         figure<&T::k2, &Stiffness::value>("K2", newton_metre_per_rad, "stiffness from T1 to T2",
-                                          {"K2", table_number, significant<2>})
+                                          {"K2", decimals<0>, decimals<0>})
             .with_error<&T::k2, &Stiffness::error>(),
         figure<&T::k3, &Stiffness::value>("K3", newton_metre_per_rad, "stiffness from T2 to the rated torque",
-                                          {"K3", table_number, significant<2>})
+                                          {"K3", decimals<0>, decimals<0>})
             .with_error<&T::k3, &Stiffness::error>(),
         pair<&T::lost_motion, &T::lost_motion_error>("lost_motion", arcmin, "turn between both signs of that torque",
                                                      {"lost motion", fixed<2>, significant<2>}),
@@ -252,7 +252,7 @@ std::span<MeasuredFigure const> measured_figures()
                        1,
                        [](Case c) { return Value(c.backlash); }},
         MeasuredFigure{{"friction_width"},
-                       "loop's width by friction",
+                       "width by friction",
                        arcmin,
                        [](Found f) -> Estimate const& { return f.friction_width; },
                        1,

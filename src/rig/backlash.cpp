@@ -44,7 +44,7 @@ Fit lines_beside(Side const& low, Side const& high)
 
 }  // namespace
 
-std::optional<Jump> jump_at_zero(Samples const& samples, Branch const& branch, double largest_torque)
+std::optional<Jump> jump_at_zero(Samples const& samples, LoadBranch const& branch, double largest_torque)
 {
     constexpr std::size_t least = 3;
     constexpr double clear = 5;  // standard errors: beyond what the best of some hundred places reaches by chance

@@ -27,6 +27,6 @@ struct Jump
 /// may lie anywhere in its backlash.
 /// @returns nothing where the branch does not pass through all of these torques, or has fewer than three samples of
 /// either sign there
-[[nodiscard]] std::optional<Jump> jump_at_zero(Samples const& samples, Branch const& branch, double largest_torque);
+[[nodiscard]] std::optional<Jump> jump_at_zero(Samples const& samples, LoadBranch const& branch, double largest_torque);
 
 }  // namespace hdconj::rig

@@ -3,9 +3,9 @@
 
 namespace hdconj::rig {
 
-std::vector<Branch> branches_of(std::vector<double> const& torque, double reversal)
+std::vector<LoadBranch> branches_of(std::vector<double> const& torque, double reversal)
 {
-    std::vector<Branch> branches;
+    std::vector<LoadBranch> branches;
     std::size_t begin = 0, low = 0, high = 0;
     int sense = 0;
     for (std::size_t i = 0; i < torque.size(); ++i) {

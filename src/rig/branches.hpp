@@ -16,13 +16,13 @@ struct Samples
 };
 
 /// Samples from one turning point of the torque to the next, both included.
-struct Branch
+struct LoadBranch
 {
     std::size_t first = 0, last = 0;
     bool rising = false;
 };
 
 /// Turning points are extremes from which the torque comes back by more than @p reversal [N mm].
-[[nodiscard]] std::vector<Branch> branches_of(std::vector<double> const& torque, double reversal);
+[[nodiscard]] std::vector<LoadBranch> branches_of(std::vector<double> const& torque, double reversal);
 
 }  // namespace hdconj::rig

@@ -39,7 +39,7 @@ struct Sorted
     std::vector<std::size_t> at;  ///< positions in the samples
     Samples const& samples;
 
-    Sorted(Samples const& of, Branch const& branch) : at(branch.last - branch.first + 1), samples(of)
+    Sorted(Samples const& of, LoadBranch const& branch) : at(branch.last - branch.first + 1), samples(of)
     {
         std::iota(at.begin(), at.end(), branch.first);
         std::ranges::stable_sort(at, {}, [&](std::size_t i) { return of.torque[i]; });
@@ -58,7 +58,8 @@ struct Sorted
 };
 
 /// Drift between two branches of the same sense.
-std::optional<Found> drift_between(Samples const& samples, Branch const& earlier, Branch const& later, double largest)
+std::optional<Found> drift_between(Samples const& samples, LoadBranch const& earlier, LoadBranch const& later,
+                                   double largest)
 {
     Sorted const before(samples, earlier);
     std::vector<Found> rates;
@@ -89,7 +90,7 @@ std::vector<std::size_t> stray_readings(MeasuredCurve const& curve)
     return found;
 }
 
-std::optional<Found> drift_of(Samples const& samples, std::vector<Branch> const& branches, double largest_torque)
+std::optional<Found> drift_of(Samples const& samples, std::vector<LoadBranch> const& branches, double largest_torque)
 {
     bool const from_rest =
         !branches.empty() && std::abs(samples.torque[branches.front().first]) < measured_at::loaded * largest_torque;

@@ -22,7 +22,7 @@ namespace hdconj::rig {
 /// Each branch is compared with the next one of the same sense at the same torques: between samples of the earlier one
 /// the angle is interpolated. The mean of the differences over their time is the drift. The first branch of a log
 /// that begins without load is left out: it is the only one that does not come from the other side.
-[[nodiscard]] std::optional<Found> drift_of(Samples const& samples, std::vector<Branch> const& branches,
+[[nodiscard]] std::optional<Found> drift_of(Samples const& samples, std::vector<LoadBranch> const& branches,
                                             double largest_torque);
 
 }  // namespace hdconj::rig

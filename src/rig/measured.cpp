@@ -15,8 +15,8 @@
 namespace hdconj {
 namespace {
 
-using rig::Branch;
 using rig::Found;
+using rig::LoadBranch;
 using rig::mean_of;
 using rig::Samples;
 
@@ -47,7 +47,7 @@ std::optional<Line> line_through(std::vector<double> const& x, std::vector<doubl
 }
 
 /// The samples of a branch whose torque has the sign @p sign, in order of time, multiplied by it.
-std::vector<Sample> loaded_part(Samples const& curve, Branch const& branch, double sign)
+std::vector<Sample> loaded_part(Samples const& curve, LoadBranch const& branch, double sign)
 {
     std::vector<Sample> samples;
     for (std::size_t i = branch.first; i <= branch.last; ++i)
@@ -162,7 +162,7 @@ struct BranchLimits
 };
 
 /// Adds both sides of one branch: a branch from one load to the opposite one unloads first, then loads.
-void add_branch(Samples const& curve, Branch const& branch, MeasuredStiffness const& known, BranchLimits limits,
+void add_branch(Samples const& curve, LoadBranch const& branch, MeasuredStiffness const& known, BranchLimits limits,
                 Collected& all)
 {
     for (double const sign : {1.0, -1.0}) {

@@ -102,10 +102,18 @@ void add_cup(Scene& scene)
     scene.bearing.emplace();
 }
 
+/// The wire that corners are judged with where the scene has none.
+void add_wire(Scene& scene)
+{
+    scene.wedm.emplace();
+    scene.wedm->wire_diameter = 0.1;
+    scene.wedm->spark_gap = 0.006;
+    scene.wedm->residual_limit = 0.01;
+}
+
 /// What contact has no use for, and solve neither.
-std::vector<Effect> const of_other_verbs{{"load", [](Scene& s) { s.load.emplace(); }},
-                                         {"wedm", [](Scene& s) { s.wedm.emplace(); }},
-                                         {"cup and bearing", add_cup}};
+std::vector<Effect> const of_other_verbs{
+    {"load", [](Scene& s) { s.load.emplace(); }}, {"wedm", add_wire}, {"cup and bearing", add_cup}};
 
 /// Each of @p effects, added to @p base, leaves the allocations of a run as they are.
 void check_free(Scene const& base, std::vector<Effect> const& effects, std::size_t (*allocations_of_run)(Scene const&))

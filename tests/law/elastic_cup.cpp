@@ -119,7 +119,7 @@ TEST_CASE("a stiffer wave generator cones the cup less, and its slices are more 
 
 TEST_CASE("a bearing that is too small for the cup is an error that says so", "[elastic_cup]")
 {
-    CHECK_THROWS_WITH(elastic_cup(elastic_scene({"bearing.fit=-0.5"})), ContainsSubstring("never touches the cup"));
+    CHECK_THROWS_WITH(elastic_cup(elastic_scene({"bearing.fit=-0.5"})), ContainsSubstring("does not touch the cup"));
 }
 
 TEST_CASE("teeth in planes across the elastic cup stand where the displaced wall passes through", "[elastic_cup]")

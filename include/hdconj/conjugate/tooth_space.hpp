@@ -75,10 +75,9 @@ class ToothSpaceFinder
     {
         double chord = chord_;
         constexpr int attempts = 5;
-        for (int attempt = 0; attempt < attempts; ++attempt, chord /= 16) {
+        for (int attempt = 0; attempt < attempts; ++attempt, chord /= 16)
             if (auto const space = find(std::max(chord, tolerance_.coincidence()), attempt > 0))
                 return *space;
-        }
         throw NumericalError(code_, "region", place_,
                              "the boundary of the tooth space could not be put together: " + cause_, remedy_, set_);
     }

@@ -37,7 +37,7 @@ template <class Value>
     return result;
 }
 
-[[nodiscard]] inline std::string words_of(surface::SurfaceSpec const& spec)
+[[nodiscard]] inline std::string spec_words(surface::SurfaceSpec const& spec)
 {
     return fmt::format("tilt {} deg, kind \"{}\", surface \"{}\"", short_number(spec.tilt / deg), to_string(spec.kind),
                        to_string(spec.surface));
@@ -46,7 +46,7 @@ template <class Value>
 /// Why one of them is not there.
 [[nodiscard]] inline std::string no_row(surface::SurfaceSpec const& spec, std::string const& why)
 {
-    return fmt::format("no result for {}: {}", words_of(spec), why);
+    return fmt::format("no result for {}: {}", spec_words(spec), why);
 }
 
 /// Whether scene or options ask for an effect along the axis.

@@ -61,7 +61,7 @@ void add_cases(contact::ContactContext const& context, DrivePair const& drives, 
             SolvedCase solved = load_case(context, drives, surfaces[i], torques, told);
             for (auto const& [torque, cause] : solved.result.unsettled)
                 study.missing.push_back(fmt::format("no equilibrium at {:g} N m for {}: {}", torque / newton_metre,
-                                                    contact::words_of(surfaces[i]), cause));
+                                                    contact::spec_words(surfaces[i]), cause));
             study.cases.push_back(std::move(solved.result));
             std::size_t const last = study.cases.size() - 1;
             if (last == 0 || rated_pressure(study.cases[last]) < rated_pressure(study.cases[study.written_case])) {

@@ -181,7 +181,7 @@ void write_estimate(Page& page, figures::MeasuredFigure const& figure, Measureme
     if (estimate.count == 0 && !value)
         return;
     auto const& unit = figure.unit;
-    page.line("  {:<26}{:>24}{:>12}   {}", fmt::format("{} [{}]", figure.words, unit.text),
+    page.line("  {:<30}{:>20}{:>12}   {}", fmt::format("{} [{}]", figure.words, unit.text),
               estimate.count == 0
                   ? "-"
                   : fmt::format("{:.4g} +- {:.2g}", unit.shown(estimate.value), unit.shown(estimate.error)),
@@ -212,7 +212,7 @@ void write_measured(Page& page, LoadStudy const& study, Measurement const& measu
     page.line("  {} samples, {} load cycle{} up to {}, angles in steps of {}", curve.twist.size(), told("cycles"),
               plural(static_cast<std::size_t>(found.cycles)), told.with_unit("largest_torque"),
               told.with_unit("angle_step"));
-    page.line("  {:<26}{:>24}{:>12}{}", "", "measured", "of",
+    page.line("  {:<30}{:>20}{:>12}{}", "", "measured", "of",
               simulated != nullptr ? "   simulated: " + figures::case_name(*simulated) : "");
     for (auto const& figure : figures::measured_figures())
         write_estimate(page, figure, measured, simulated);

@@ -137,7 +137,7 @@ TEST_CASE("a measured curve lies in HDF5 beside the simulation", "[load][measure
     CHECK(read(file, "/load/measured/torque").values == measured.curve.torque);
     CHECK(read(file, "/load/measured/first_stage").values ==
           std::vector<double>{measured.found.first.value, measured.found.first.error});
-    CHECK(read(file, "/load/measured/backlash_count").values == std::vector<double>{4});
+    CHECK(read(file, "/load/measured/loop_width_count").values == std::vector<double>{4});
 }
 
 TEST_CASE("only what a load study holds is written and what contradicts itself is not", "[load]")

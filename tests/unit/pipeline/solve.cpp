@@ -170,8 +170,8 @@ TEST_CASE("a boundary that does not close says what to write", "[pipeline]")
         auto fewer = arcs;
         fewer.erase(fewer.begin() + static_cast<std::ptrdiff_t>(lost));
         try {
-            conjugate::ToothSpaceFinder<motion::AnyMotion>(envelope, fewer, 25.025, test::type50_z_c, {1e-6, 26},
-                                                           1e-4)();
+            (void)conjugate::ToothSpaceFinder<motion::AnyMotion>(envelope, fewer, 25.025, test::type50_z_c, {1e-6, 26},
+                                                                 1e-4)();
         } catch (NumericalError const& error) {
             open += error.cause().find("do not meet") != std::string::npos;
             INFO(error.what());
