@@ -5,18 +5,18 @@
 #include <initializer_list>
 #include <utility>
 
+#include "checks.hpp"
 #include "drive/drive.hpp"
-#include "ideas.hpp"
 
 namespace hdconj::judgement {
 namespace {
 
-Notes all_of(std::initializer_list<std::optional<Note>> ideas)
+Notes all_of(std::initializer_list<std::optional<Note>> checks)
 {
     Notes notes;
-    for (auto const& idea : ideas)
-        if (idea)
-            notes.push_back(*idea);
+    for (auto const& check : checks)
+        if (check)
+            notes.push_back(*check);
     return notes;
 }
 

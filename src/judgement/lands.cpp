@@ -4,7 +4,7 @@
 #include <numbers>
 
 #include "base/text.hpp"
-#include "ideas.hpp"
+#include "checks.hpp"
 #include "limits.hpp"
 
 namespace hdconj::judgement {

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "base/text.hpp"
+#include "checks.hpp"
 #include "hdconj/units.hpp"
-#include "ideas.hpp"
 #include "limits.hpp"
 #include "scene/usual_drive.hpp"
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "base/text.hpp"
-#include "ideas.hpp"
+#include "checks.hpp"
 #include "limits.hpp"
 #include "scene/usual_drive.hpp"
 

@@ -5,8 +5,8 @@
 #include <limits>
 
 #include "base/text.hpp"
+#include "checks.hpp"
 #include "hdconj/units.hpp"
-#include "ideas.hpp"
 #include "limits.hpp"
 
 namespace hdconj::judgement {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The single ideas, each a note or nothing.
+// One function for each figure of a design that is checked: a note where it leaves its range, else nothing.
 #pragma once
 
 #include <optional>
