@@ -125,8 +125,9 @@ void hold_contacts(contact::GapField const& field, FlankSearch const& search, st
     std::vector<FlankContact> held;
     for (std::size_t i = 0; i < before.size(); ++i) {
         FlankContact const& old = before[i];
-        auto const same = std::ranges::equal_range(contacts, flank_of(old), {}, flank_of);
-        bool const found = std::ranges::any_of(same, [&](FlankContact const& c) {
+        auto const first = std::ranges::lower_bound(contacts, flank_of(old), {}, flank_of);
+        auto const last = std::ranges::upper_bound(contacts, flank_of(old), {}, flank_of);
+        bool const found = std::any_of(first, last, [&](FlankContact const& c) {
             return std::abs(c.arc_length - old.arc_length) <= std::max(half_width(c), half_width(old));
         });
         if (!(force[i] > 0) || found)

@@ -96,9 +96,9 @@ std::string hdf5::accuracy_bytes(StoredAccuracy const& study)
         for (auto const& column : figures::record_texts())
             records.texts(column.name, hdf5::column(report.records, column.text), column.meaning, "record");
         for (auto const& [figure, set] : figures::record_figures())
-            hdf5::write_named(records, {figure.name, figure.former}, [&](char const* name) {
-                records.numbers(name, hdf5::column(report.records, figure.value),
-                                {figure.unit.stored, figure.meaning, {"record"}});
+            hdf5::write_named(records, {figure.name, figure.former}, [&, &column = figure](char const* name) {
+                records.numbers(name, hdf5::column(report.records, column.value),
+                                {column.unit.stored, column.meaning, {"record"}});
             });
     });
     root.texts("notes", report.notes, "what a reader should know", "note");
