@@ -42,13 +42,13 @@ void add_files(Work<LoadStudy>& work, CommonOptions const& common, LoadArguments
     if (own.picture.empty())
         return;
     fs::path const picture = own.picture;
-    auto const [curve, pressure, cup, stress, balls] = load_picture_names(picture);
+    auto const [curve, stiffness, pressure, cup, stress, balls] = load_picture_names(picture);
     work.outputs.push_back(
         {{"picture",
           "--picture",
           picture,
           [picture] { check_load_pictures(picture); },
-          {curve, pressure, cup, stress, balls}},
+          {curve, stiffness, pressure, cup, stress, balls}},
          [picture, measured](LoadStudy const& study) { return write_load_pictures(study, picture, measured); }});
 }
 
@@ -146,11 +146,12 @@ int run_load(CommonOptions const& common, LoadArguments const& own)
 constexpr char const* load_footer =
     "The cup is elastic and sits on its wave generator without friction. Each pair of teeth carries as much of the "
     "torque as its gap allows.\n"
-    "Wave generator and flange of the cup are held. The torque on the circular spline runs 0, T, 0, -T. Results are "
-    "twist, backlash, stiffness, pressure and stress.\n"
-    "The two stages of stiffness are two straight lines through the curve, to compare with a catalogue or a test rig. "
-    "The curve itself rises smoothly: the stages\n"
-    "depend on the number of torques, so compare only those from runs with the same --points.\n"
+    "Wave generator and flange of the cup are held. The torque on the circular spline runs from -T to T, as often as "
+    "the stiffness needs, or in even steps with --points.\n"
+    "Results are twist, backlash, stiffness, pressure and stress. K1, K2 and K3 are stiffnesses as catalogues define "
+    "them: from 0 to T1, from T1 to T2 and from T2 on,\n"
+    "where load.first_torque and load.second_torque are T1 and T2. Two straight lines through the curve are given for "
+    "comparison with a test rig.\n"
     "Where the cup is the output, angles are z_c/z_f times as large and torques z_f/z_c times (teeth of the circular "
     "spline and of the flexspline).\n"
     "The stiffness is as right as the radial stiffness of the bearing, a key of the scene.\n"
@@ -195,9 +196,9 @@ void add_load(CLI::App& program, CommonOptions& common)
     add_strict(verb, common);
     add_option(verb, "--torque", own.torque_nm, "largest torque on the circular spline in N m [the scene's]", "NM",
                positive_number("write a torque in N m such as --torque 28"));
-    add_option(verb, "--points", own.points, "torques on the way up [the scene's]", "N", CLI::Range(1, 1000));
+    add_option(verb, "--points", own.points, "even torques from 0 to T [as many as needed]", "N", CLI::Range(1, 1000));
     add_case_options(verb, own.cases, "tilt angles in degrees, such as 0,0.1,0.2 [the scene's]");
-    verb.add_flag("--no-curve", own.no_curve, "the largest torque only: no curve, no stages");
+    verb.add_flag("--no-curve", own.no_curve, "the largest torque only: no curve, no K1, K2, K3");
     add_name(verb, "-o,--output", own.output, "result file, HDF5 [the scene file's name and -load.h5, in this folder]",
              "FILE");
     add_name(

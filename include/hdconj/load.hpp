@@ -25,7 +25,7 @@ struct LoadedState
 {
     double torque = 0;                 ///< on the circular spline [N mm]
     double twist = 0;                  ///< of the circular spline [rad]
-    double stiffness = 0;              ///< dT/d(twist) with the contacts that are closed [N mm/rad]
+    double stiffness = 0;              ///< dT/d(twist) of the curve [N mm/rad]
     int teeth = 0;                     ///< tooth spaces that carry force
     double contact_area = 0;           ///< of Hertz strips, cut where the force becomes zero between slices [mm^2]
     double contact_fraction = 0;       ///< the same as a fraction of the area of all flanks on the loaded side
@@ -84,22 +84,21 @@ struct BearingMap
     std::vector<double> ball_force;  ///< (b) of single balls [N], of a line [N/mm]
 };
 
-/// Two straight lines through the loaded branch of a torque-twist curve, and their bend (thesis 5-2: C = dT/dphi in two
-/// stages).
+/// Two straight lines through a torque-twist curve, and their bend (thesis 5-2: C = dT/dphi in two stages).
 struct StiffnessStages
 {
     double first = 0;       ///< [N mm/rad]
     double second = 0;      ///< [N mm/rad]
     double knee = 0;        ///< torque where they meet [N mm]; one line: 0
     double knee_twist = 0;  ///< twist there [rad]
-    /// Of the slopes [N mm/rad]: the standard error of the fit and, in a LoadCase with error estimates, the estimated
-    /// discretisation error of the twist that the branch rises over.
+    /// Standard error of the fit; in a LoadCase the estimated discretisation error, and `rms` tells how far the curve
+    /// is from two lines [N mm/rad].
     double first_error = 0;
-    double second_error = 0;      ///< of the second stage [N mm/rad]
-    double knee_error = 0;        ///< standard error of the knee's torque [N mm]
+    double second_error = 0;      ///< likewise [N mm/rad]
+    double knee_error = 0;        ///< likewise, of the knee's torque [N mm]
     double rms = 0;               ///< of the fit, in torque [N mm]
     bool found = false;           ///< enough points for two lines
-    double knee_twist_error = 0;  ///< standard error of the twist there [rad]
+    double knee_twist_error = 0;  ///< likewise, of the twist there [rad]
 };
 
 /// Two straight lines through (twist, torque) by least squares, and the bend where they fit best. Points are in order
@@ -159,7 +158,7 @@ struct LoadCase
     /// left [mm].
     double tip_radius_increase = 0;
     double backlash = 0;             ///< without torque [rad]; negative: the assembled teeth press on both flanks
-    std::vector<LoadedState> curve;  ///< in the order of loading: 0 to T, back to 0, to -T
+    std::vector<LoadedState> curve;  ///< in order of growing torque, from -T to T; without a curve: T alone
     std::vector<UnsettledTorque> unsettled;  ///< torques of the path that are missing in curve
     std::size_t rated = 0;                   ///< index of the largest torque in curve
     LoadMap map;                             ///< at that torque
@@ -176,8 +175,9 @@ struct LoadCase
     std::vector<std::optional<LoadedState>> curve_error;
     /// The largest pressure is at an end of the face width, where it grows with the number of slices.
     bool pressure_at_edge = false;
-    StiffnessStages stages;                     ///< of the branch 0 to T
-    std::optional<CatalogueFigures> catalogue;  ///< with a curve only; none where T2 is not below its largest torque
+    StiffnessStages stages;                     ///< of the curve from 0 to the rated torque, at even torques
+    std::optional<CatalogueFigures> catalogue;  ///< with a curve only; none where T2 is not below its largest torque,
+                                                ///< or one of its torques has no equilibrium
     double seconds = 0;                         ///< wall time [s]
 };
 
@@ -245,7 +245,7 @@ struct LoadOptions
     std::vector<ToothSurface> surfaces;  ///< kinds of surface
     std::vector<TiltKind> kinds;         ///< of the tilt
     std::optional<double> torque;        ///< rated torque [N mm]
-    std::optional<int> points;           ///< torques on the way up
+    std::optional<int> points;           ///< even torques on the way up, beside those of the catalogue's figures
     bool curve = true;                   ///< false: the rated torque only
 };
 

@@ -35,10 +35,11 @@ void write_hdf5(LoadStudy const& study, std::filesystem::path const& file, Measu
 struct LoadPictures
 {
     std::filesystem::path curve;  ///< NAME-curve.svg: torque against twist, all cases, with the two lines of each stage
-    std::filesystem::path pressure;  ///< NAME-pressure.svg: pressure over tooth space and slice
-    std::filesystem::path cup;       ///< NAME-cup.svg: deformed section of the cup at the major and the minor axis
-    std::filesystem::path stress;    ///< NAME-stress.svg: the same coloured by von Mises stress
-    std::filesystem::path balls;     ///< NAME-balls.svg: forces of single balls around the ring
+    std::filesystem::path stiffness;  ///< NAME-stiffness.svg: stiffness against torque, all cases, with K1, K2, K3
+    std::filesystem::path pressure;   ///< NAME-pressure.svg: pressure over tooth space and slice
+    std::filesystem::path cup;        ///< NAME-cup.svg: deformed section of the cup at the major and the minor axis
+    std::filesystem::path stress;     ///< NAME-stress.svg: the same coloured by von Mises stress
+    std::filesystem::path balls;      ///< NAME-balls.svg: forces of single balls around the ring
 };
 
 /// Names of the pictures for @p file, NAME.svg or NAME.png.

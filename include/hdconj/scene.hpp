@@ -142,7 +142,7 @@ struct ContactRequest
 struct LoadRequest
 {
     std::optional<double> torque;         ///< rated, on the circular spline [N mm]
-    int points = 0;                       ///< torques from 0 to the rated one
+    int points = 0;                       ///< torques from 0 to the rated one; 0: as many as needed
     int harmonics = 0;                    ///< highest one around the circumference
     std::optional<double> first_torque;   ///< T1 of the stiffness K1 [N mm]; default 0.175 of the rated one
     std::optional<double> second_torque;  ///< T2 of the stiffness K2 [N mm]; default 0.625 of the rated one

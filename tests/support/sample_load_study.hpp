@@ -100,11 +100,10 @@ inline LoadCase load_case(ToothSurface surface, std::optional<TiltKind> kind, do
         for (int i = 1; i <= points; ++i)
             result.curve.push_back(loaded_state(stages, from + (to - from) * i / points, side));
     };
-    result.curve.push_back(loaded_state(stages, 0, 1));
+    result.curve.push_back(loaded_state(stages, -rated_torque, -1));
+    run(-rated_torque, 0, -1);
     run(0, rated_torque, 1);
-    run(rated_torque, 0, 1);
-    run(0, -rated_torque, -1);
-    result.rated = points;
+    result.rated = result.curve.size() - 1;
     result.map = load_map(z, 101);
     result.stages = {
         stages.first, stages.second, stages.knee, stages.twist(stages.knee), 0.4 * nm_per_degree, 0.6 * nm_per_degree,
@@ -176,6 +175,14 @@ inline LoadStudy load_study(int slice_count = 9)
     study.cases[0].tip = 25.107695;
     study.cases[2].tip = 25.03;
     study.cases[2].tip_radius_increase = 0.0827;
+    constexpr double nm_per_rad = 1000;
+    study.cases[1].catalogue = CatalogueFigures{.torque = {4.9 * nm, 17.5 * nm, 1.12 * nm},
+                                                .k1 = {5600 * nm_per_rad, 300 * nm_per_rad},
+                                                .k2 = {10500 * nm_per_rad, 500 * nm_per_rad},
+                                                .k3 = {12000 * nm_per_rad, 900 * nm_per_rad},
+                                                .lost_motion = 7 * minute,
+                                                .lost_motion_error = 0.3 * minute,
+                                                .estimated = true};
     study.written_case = 1;
     study.shape = cup_shape();
     auto& cup = study.cup;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "figures/load_figures.hpp"
+#include "figures/measured_figures.hpp"
 #include "hdconj/load_files.hpp"
 #include "hdf5_columns.hpp"
 #include "hdf5_layout.hpp"
@@ -84,6 +85,8 @@ void write_load_case(Writer const& place, LoadCase const& each, int balls)
         place.group("catalogue", [&](Writer const& group) {
             hdf5::write_attributes(group, figures::catalogue_rows(), *each.catalogue);
         });
+    if (auto const names = figures::unconverged_figures(each, balls); !names.empty())
+        place.texts("not_converged", names, "figures whose error exceeds a third of them", "figure");
     if (!each.unsettled.empty()) {
         place.numbers("unsettled_torque", column(each.unsettled, &UnsettledTorque::torque),
                       {"N mm", "torques without equilibrium", {"unsettled"}});

@@ -2,59 +2,105 @@
 #include "catalogue_figures.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "load_case.hpp"
-#include "loaded_scene.hpp"
+#include "torque_branch.hpp"
 
 namespace hdconj::load {
 namespace {
 
-/// A twist and its estimated error; negative: none.
-struct Twist
+/// Figures of CatalogueFigures on one grid.
+struct Slopes
 {
-    double value = 0, error = 0;
+    std::array<double, 3> k = {};  ///< K1, K2, K3 [N mm/rad]
+    double lost_motion = 0;        ///< [rad]
 };
 
-Stiffness slope(double torque, Twist const& from, Twist const& to)
+std::optional<Slopes> slopes_of(CatalogueTorques const& torques, CurveBranches const& curve)
 {
-    double const rise = to.value - from.value, error = from.error + to.error;
-    return {torque / rise, torque * error / (rise * rise)};
+    if (curve.forth.empty() || !(torques.second < std::abs(curve.forth.back().torque)))
+        return std::nullopt;
+    double const sign = std::copysign(1, curve.forth.back().torque);
+    LoadedState const* const at[] = {state_at(curve.forth, sign * torques.first),
+                                     state_at(curve.forth, sign * torques.second), &curve.forth.back()};
+    LoadedState const* const lost[] = {state_at(curve.forth, sign * torques.lost_motion),
+                                       state_at(curve.back, -sign * torques.lost_motion)};
+    if (!at[0] || !at[1] || !lost[0] || !lost[1])
+        return std::nullopt;
+    Slopes result;
+    double torque = 0, twist = curve.free;
+    for (std::size_t i = 0; i < result.k.size(); ++i) {
+        result.k[i] = (at[i]->torque - torque) / (at[i]->twist - twist);
+        torque = at[i]->torque;
+        twist = at[i]->twist;
+    }
+    result.lost_motion = std::abs(lost[0]->twist - lost[1]->twist);
+    return result;
+}
+
+/// The polygon of the states at even torques.
+StiffnessStages lines_of(CurveBranches const& curve)
+{
+    constexpr int samples = 100;
+    if (curve.forth.size() < 2)
+        return {};
+    std::vector<double> torques, twists;
+    double const rated = curve.forth.back().torque;
+    std::size_t k = 0;  // of the state at whose end the interval lies
+    for (int i = 1; i <= samples; ++i) {
+        double const torque = i == samples ? rated : rated * i / samples;
+        while (std::abs(curve.forth[k].torque) < std::abs(torque))
+            ++k;
+        bool const first = k == 0 || curve.forth[k - 1].torque == 0;
+        double const from = first ? 0 : curve.forth[k - 1].torque;
+        double const twist = first ? curve.free : curve.forth[k - 1].twist;
+        double const along = (torque - from) / (curve.forth[k].torque - from);
+        torques.push_back(torque);
+        twists.push_back(twist + along * (curve.forth[k].twist - twist));
+    }
+    return stiffness_stages(twists, torques);
 }
 
 }  // namespace
 
-std::optional<CatalogueFigures> catalogue_figures(LoadProblem const& problem, DrivePair const& drives,
-                                                  contact::FlankGrid const& flanks, Play const& play,
-                                                  LoadCase const& solved)
+std::optional<CatalogueFigures> catalogue_figures(CatalogueTorques const& torques, CurveBranches const& fine,
+                                                  CurveBranches const* coarse, double safety, double relative_twist)
 {
-    LoadedState const& rated = solved.curve[solved.rated];
-    CatalogueFigures result;
-    result.torque = catalogue_torques(problem.context.scene, rated.torque);
-    auto const [first, second, lost] = result.torque;
-    if (!(rated.torque > second))
+    std::optional<Slopes> const found = slopes_of(torques, fine);
+    if (!found)
         return std::nullopt;
-    LoadedCurve const curve = loaded_curve(problem, drives.fine.unloaded, play, {lost, first, second, -lost}, {});
-    if (!curve.unsettled.empty())
-        return std::nullopt;
-    CurveErrors errors;
-    errors.states.resize(curve.states.size());
-    if (drives.coarse)
-        errors = curve_errors(problem.context, *drives.coarse, flanks, curve);
-    result.estimated = solved.estimated;
-    for (auto const& each : errors.states)
-        result.estimated = result.estimated && each;
-    auto const twist = [&](std::size_t i) {
-        return Twist{curve.states[i].twist, result.estimated ? errors.states[i]->twist : 0};
-    };
-    Twist const free{std::max(0.0, solved.backlash) / 2, solved.backlash_error / 2},
-        at_rated{rated.twist, solved.error.twist};
-    result.k1 = slope(first, free, twist(1));
-    result.k2 = slope(second - first, twist(1), twist(2));
-    result.k3 = slope(rated.torque - second, twist(2), at_rated);
-    result.lost_motion = twist(0).value - twist(3).value;
-    result.lost_motion_error = twist(0).error + twist(3).error;
+    CatalogueFigures result{.torque = torques,
+                            .k1 = {found->k[0]},
+                            .k2 = {found->k[1]},
+                            .k3 = {found->k[2]},
+                            .lost_motion = found->lost_motion};
+    std::optional<Slopes> const other = coarse ? slopes_of(torques, *coarse) : std::nullopt;
+    if (!other)
+        return result;
+    // Two grids may agree by chance in one of them: relative to its size, none gets less than the worst.
+    constexpr double slopes = 1.25, lost_motion = 2;  // times the safety, see grid_error.cpp
+    double relative = 0;
+    for (std::size_t i = 0; i < found->k.size(); ++i)
+        relative = std::max(relative, slopes * safety * std::abs(found->k[i] - other->k[i]) / found->k[i]);
+    for (Stiffness* const figure : {&result.k1, &result.k2, &result.k3})
+        figure->error = relative * figure->value;
+    result.lost_motion_error = std::max(lost_motion * safety * std::abs(found->lost_motion - other->lost_motion),
+                                        relative_twist * result.lost_motion);
+    result.estimated = true;
     return result;
+}
+
+StiffnessStages stages_of(CurveBranches const& fine, CurveBranches const* coarse, double safety)
+{
+    StiffnessStages stages = lines_of(fine);
+    StiffnessStages const other = coarse ? lines_of(*coarse) : stages;
+    for (auto const& [error, figure] : {std::pair(&StiffnessStages::first_error, &StiffnessStages::first),
+                                        std::pair(&StiffnessStages::second_error, &StiffnessStages::second),
+                                        std::pair(&StiffnessStages::knee_error, &StiffnessStages::knee),
+                                        std::pair(&StiffnessStages::knee_twist_error, &StiffnessStages::knee_twist)})
+        stages.*error = safety * std::abs(stages.*figure - other.*figure);
+    return stages;
 }
 
 }  // namespace hdconj::load

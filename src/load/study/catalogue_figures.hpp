@@ -1,21 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Stiffness and lost motion as catalogues state them.
+// Stiffness and lost motion as catalogues state them, and the two lines of the thesis.
 #pragma once
 
 #include <optional>
+#include <vector>
 
-#include "grid_error.hpp"
+#include "hdconj/load.hpp"
 
 namespace hdconj::load {
 
-/// Solves the torques of the definitions and takes K1, K2, K3 and the lost motion from their twists.
-///
-/// Errors of a slope come from the estimated errors of both twists, added; those of a twist without estimate leave the
-/// figures without.
-/// @param solved  has the states of the whole curve, the rated one among them
-/// @returns nothing where one of the torques has no equilibrium
-[[nodiscard]] std::optional<CatalogueFigures> catalogue_figures(LoadProblem const& problem, DrivePair const& drives,
-                                                                contact::FlankGrid const& flanks, Play const& play,
-                                                                LoadCase const& solved);
+/// Both signs of torque on one grid, each in order of growing size from zero on.
+struct CurveBranches
+{
+    std::vector<LoadedState> const& forth;
+    std::vector<LoadedState> const& back;
+    double free = 0;  ///< twist at zero torque where `forth` begins [rad]
+};
+
+/// K1, K2, K3 and lost motion from the states at their torques; nothing where one of them is missing.
+/// @param coarse          of the same drive, for the errors; null: none
+/// @param relative_twist  relative error of the twist along the branch, the least of the lost motion
+[[nodiscard]] std::optional<CatalogueFigures> catalogue_figures(CatalogueTorques const& torques,
+                                                                CurveBranches const& fine, CurveBranches const* coarse,
+                                                                double safety, double relative_twist);
+
+/// Two lines through the polygon of the states of `forth`, at even torques: so that they do not depend on where the
+/// states lie. The errors are those of the grid; all zero without @p coarse. Fewer than two states: all zero.
+[[nodiscard]] StiffnessStages stages_of(CurveBranches const& fine, CurveBranches const* coarse, double safety);
 
 }  // namespace hdconj::load

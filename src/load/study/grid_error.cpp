@@ -11,79 +11,71 @@
 namespace hdconj::load {
 namespace {
 
-/// @p safety times the difference of each figure that is a number, the difference of those that count, and zero
-/// elsewhere.
-///
-/// Two grids may agree by chance in one of several related figures. Stiffness, shares, largest force and pressure all
-/// depend on which contacts are closed: relative to its size, none gets less than their median. Of the forces of the
-/// bearing none gets less than the largest of them.
-LoadedState error_between(LoadedState const& a, LoadedState const& b, double safety)
+/// How an error follows from the difference of two grids.
+struct ErrorRule
+{
+    double LoadedState::*figure;
+    double factor;  ///< times grid_safety(): as many grids of seeded drives needed, see docs/explanation/load.md
+};
+
+constexpr ErrorRule error_rules[] = {{&LoadedState::twist, 1},
+                                     {&LoadedState::stiffness, 1},
+                                     {&LoadedState::contact_area, 2},
+                                     {&LoadedState::contact_fraction, 2},
+                                     {&LoadedState::fraction_within_gap, 2},
+                                     {&LoadedState::carrying_fraction, 2},
+                                     {&LoadedState::largest_pressure, 1},
+                                     {&LoadedState::largest_force, 0.4},
+                                     {&LoadedState::wave_generator_force, 1},
+                                     {&LoadedState::wave_generator_torque, 1.25},
+                                     {&LoadedState::lobe_force, 1},
+                                     {&LoadedState::lobe_force_across, 0.3},
+                                     {&LoadedState::lobe_z, 1},
+                                     {&LoadedState::ball_force, 0.5}};
+
+/// Errors of @p a by its differences from @p b on a coarser grid. Two grids may agree by chance: no error is less than
+/// what those of related figures make of it.
+/// @param half_width  of the bearing [mm]
+LoadedState error_between(LoadedState const& a, LoadedState const& b, double safety, double half_width)
 {
     LoadedState d;
-    for (double LoadedState::*const figure :
-         {&LoadedState::twist, &LoadedState::stiffness, &LoadedState::contact_area, &LoadedState::contact_fraction,
-          &LoadedState::fraction_within_gap, &LoadedState::carrying_fraction, &LoadedState::largest_pressure,
-          &LoadedState::largest_force, &LoadedState::wave_generator_force, &LoadedState::wave_generator_torque,
-          &LoadedState::lobe_force, &LoadedState::lobe_force_across, &LoadedState::lobe_z, &LoadedState::ball_force})
-        d.*figure = safety * std::abs(a.*figure - b.*figure);
-    auto const relative_to_size = [&](double LoadedState::*figure) {
+    for (auto const& [figure, factor] : error_rules)
+        d.*figure = factor * safety * std::abs(a.*figure - b.*figure);
+    auto const relative = [&](double LoadedState::*figure) {
         return a.*figure != 0 ? d.*figure / std::abs(a.*figure) : 0;
     };
-    auto const raise = [&](auto const& figures, double relative) {
-        for (auto const figure : figures)
-            d.*figure = std::max(d.*figure, relative * std::abs(a.*figure));
+    auto const raise = [&](double LoadedState::*figure, double least) {
+        d.*figure = std::max(d.*figure, least * std::abs(a.*figure));
     };
-    constexpr double LoadedState::*contacts[] = {&LoadedState::stiffness, &LoadedState::contact_fraction,
-                                                 &LoadedState::fraction_within_gap, &LoadedState::largest_force,
-                                                 &LoadedState::largest_pressure};
-    std::vector<double> relative;
-    for (auto const figure : contacts)
-        relative.push_back(relative_to_size(figure));
-    std::sort(relative.begin(), relative.end());
-    double const median = relative[relative.size() / 2];
-    raise(contacts, median);
-    d.contact_area = std::max(d.contact_area, median * a.contact_area);
-    constexpr double LoadedState::*bearing[] = {&LoadedState::wave_generator_force, &LoadedState::lobe_force,
-                                                &LoadedState::ball_force};
-    double largest = 0;
-    for (auto const figure : bearing)
-        largest = std::max(largest, relative_to_size(figure));
-    raise(bearing, largest);
+    double const bearing = std::max(relative(&LoadedState::wave_generator_force), relative(&LoadedState::lobe_force));
+    raise(&LoadedState::wave_generator_force, bearing);
+    raise(&LoadedState::lobe_force, bearing);
+    d.lobe_z = std::max(d.lobe_z, bearing * half_width);
+    raise(&LoadedState::largest_pressure, relative(&LoadedState::contact_fraction) / 2);
+    raise(&LoadedState::largest_force, relative(&LoadedState::twist));
+    raise(&LoadedState::wave_generator_torque, relative(&LoadedState::twist) / 4);
     d.teeth = std::abs(a.teeth - b.teeth);
     d.balls = std::abs(a.balls - b.balls);
     return d;
 }
 
-/// The loading path of @p curve on the coarse grid; nothing where that has no play or no balance without torque.
-std::optional<TorqueContinuation> coarse_path(LoadProblem const& problem, LoadedDrive const& unloaded,
-                                              LoadedCurve const& curve)
+/// The twist of a branch is an integral over all contacts that have closed: relative to its size, none gets less than
+/// the worst. A stiffness is local: none gets less than the median.
+void raise_along_branch(std::vector<LoadedState> const& states, std::vector<std::optional<LoadedState>>& errors)
 {
-    try {
-        std::optional<Play> const play =
-            curve.play < 0 ? play_of(problem, unloaded.shape) : play_about(problem, unloaded.shape, curve.middle);
-        if (play)
-            return torque_continuation(problem, unloaded, *play);
-    } catch (NumericalError const& error) {
-        if (!error.is_infeasible())
-            throw;
-        // There is nothing to compare with.
+    for (double LoadedState::*const figure : {&LoadedState::twist, &LoadedState::stiffness}) {
+        std::vector<double> relative;
+        for (std::size_t i = 0; i < states.size(); ++i)
+            if (errors[i] && states[i].*figure != 0)
+                relative.push_back((*errors[i]).*figure / std::abs(states[i].*figure));
+        if (relative.empty())
+            continue;
+        std::ranges::sort(relative);
+        double const least = figure == &LoadedState::twist ? relative.back() : relative[relative.size() / 2];
+        for (std::size_t i = 0; i < states.size(); ++i)
+            if (auto& error = errors[i])
+                (*error).*figure = std::max((*error).*figure, least * std::abs(states[i].*figure));
     }
-    return std::nullopt;
-}
-
-/// At one torque of a curve two grids may agree by chance: relative to its size, no twist gets less than the median.
-void raise_twists_to_median(std::vector<LoadedState> const& states, std::vector<std::optional<LoadedState>>& errors)
-{
-    std::vector<double> relative;
-    for (std::size_t i = 0; i < states.size(); ++i)
-        if (errors[i] && states[i].twist != 0)
-            relative.push_back(errors[i]->twist / std::abs(states[i].twist));
-    if (relative.empty())
-        return;
-    std::sort(relative.begin(), relative.end());
-    for (std::size_t i = 0; i < states.size(); ++i)
-        if (auto& error = errors[i])
-            error->twist = std::max(error->twist, relative[relative.size() / 2] * std::abs(states[i].twist));
 }
 
 }  // namespace
@@ -98,48 +90,65 @@ void estimate_errors(contact::ContactContext const& context, DrivePair const& dr
                       bearing_map(coarse_drive, drives.coarse->unloaded.state), fine_drive.response.sectors());
     cup.coning_major_error = safety * std::abs(cup.coning_major - coarse.coning_major);
     cup.coning_minor_error = safety * std::abs(cup.coning_minor - coarse.coning_minor);
-    cup.wave_generator_force_error = safety * std::abs(cup.wave_generator_force - coarse.wave_generator_force);
-    cup.ball_force_error = safety * std::max(balls, std::abs(cup.ball_force - coarse.ball_force));
+    constexpr double forces = 0.4;  // they converge faster than the shape
+    cup.wave_generator_force_error = forces * safety * std::abs(cup.wave_generator_force - coarse.wave_generator_force);
+    cup.ball_force_error = forces * safety * std::max(balls, std::abs(cup.ball_force - coarse.ball_force));
     cup.largest_stress_error += safety * std::abs(cup.largest_stress - coarse.largest_stress);
     cup.estimated = true;
 }
 
-CurveErrors curve_errors(contact::ContactContext const& context, AssembledDrive const& coarse,
-                         contact::FlankGrid const& flanks, LoadedCurve const& curve)
+std::optional<TorqueContinuation> coarse_path(LoadProblem const& problem, LoadedDrive const& unloaded,
+                                              TorqueContinuation const& fine)
 {
-    constexpr int most_failures = 3;  // torques without an equilibrium, after which no more are tried
-    CurveErrors errors;
-    errors.states.assign(curve.states.size(), std::nullopt);
-    ElasticDrive const& drive = coarse.model.drive;
-    contact::FlankGrid const grid = coarsened(flanks, coarse.grid.slices);
-    LoadProblem const problem = load_problem(context, drive, grid);
-    double const safety = grid_safety(flanks.slices());
-    std::optional<TorqueContinuation> const path = coarse_path(problem, coarse.unloaded, curve);
-    if (!path)
-        return errors;
-    errors.play = safety * std::abs(curve.play - width_of(path->play));
-    LoadedDrive at = path->start;
-    int failures = 0;
-    for (std::size_t i = 0; i < curve.states.size() && failures < most_failures; ++i) {
-        LoadedState const& state = curve.states[i];
+    try {
+        std::optional<Play> const play =
+            fine.pressed ? play_of(problem, unloaded.shape) : play_about(problem, unloaded.shape, fine.middle);
+        if (play)
+            return torque_continuation(problem, unloaded, *play);
+    } catch (NumericalError const& error) {
+        if (!error.is_infeasible())
+            throw;
+        // There is nothing to compare with.
+    }
+    return std::nullopt;
+}
+
+BranchErrors branch_errors(TorqueContinuation const& coarse, TorqueBranch const& branch, double safety)
+{
+    constexpr double ball_factor = 0.5;  // as of the largest of them
+    constexpr int most_failures = 3;     // torques without an equilibrium, after which no more are tried
+    BranchErrors errors;
+    errors.states.assign(branch.states.size(), std::nullopt);
+    ElasticDrive const& drive = coarse.problem.drive;
+    std::vector<std::size_t> solved;
+    std::vector<double> balls;
+    LoadedDrive at = coarse.start;
+    for (std::size_t i = 0; i < branch.states.size() && i < solved.size() + most_failures; ++i) {
         try {
-            at = advance(*path, at, state.torque);
+            at = advance(coarse, at, branch.states[i].torque);
         } catch (NumericalError const& error) {
             if (!error.is_infeasible())
                 throw;
-            ++failures;
             continue;
         }
-        LoadedState error = error_between(state, loaded_state(problem, at, path->middle), safety);
-        error.twist += state.gap_mismatch / context.geometry.r_m;
-        error.ball_force =
-            std::max(error.ball_force,
-                     safety * ball_distance(curve.bearing[i], bearing_map(drive, at.state), drive.response.sectors()));
-        errors.states[i] = error;
-        if (i == curve.rated)
-            errors.rated_forces = at.forces;
+        errors.coarse.push_back(loaded_state(coarse.problem, at, coarse.middle));
+        solved.push_back(i);
+        balls.push_back(ball_distance(branch.bearing[i], bearing_map(drive, at.state), drive.response.sectors()));
+        if (i + 1 == branch.states.size())
+            errors.last_forces = at.forces;
     }
-    raise_twists_to_median(curve.states, errors.states);
+    if (solved.empty())
+        return errors;
+    enter_stiffness(errors.coarse, free_twist(coarse, branch.states.back().torque));
+    double const half_width = 0.5 * (drive.bearing_z.back() - drive.bearing_z.front());
+    for (std::size_t k = 0; k < solved.size(); ++k) {
+        LoadedState const& state = branch.states[solved[k]];
+        LoadedState error = error_between(state, errors.coarse[k], safety, half_width);
+        error.twist += state.gap_mismatch / coarse.problem.context.geometry.r_m;
+        error.ball_force = std::max(error.ball_force, ball_factor * safety * balls[k]);
+        errors.states[solved[k]] = error;
+    }
+    raise_along_branch(branch.states, errors.states);
     return errors;
 }
 

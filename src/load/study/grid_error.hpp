@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "assembled_drive.hpp"
-#include "torque_continuation.hpp"
+#include "torque_branch.hpp"
 
 namespace hdconj::load {
 
@@ -32,27 +32,22 @@ struct DrivePair
 /// Domain: a pair with a coarse grid.
 void estimate_errors(contact::ContactContext const& context, DrivePair const& drives, AssembledCup& cup);
 
-/// Loading path of one surface on one grid.
-struct LoadedCurve
-{
-    std::vector<LoadedState> states;
-    std::vector<BearingMap> bearing;  ///< of each state
-    std::vector<UnsettledTorque> unsettled;
-    std::size_t rated = 0;  ///< state of the largest torque
-    LoadedDrive at_rated;
-    double play = 0;    ///< width [rad]
-    double middle = 0;  ///< turn from which twists count [rad]
-};
+/// The coarse grid's path with the surface of @p flanks, about the middle of @p fine; nothing where that has no play or
+/// no balance without torque.
+/// @param problem  on the coarse grid
+[[nodiscard]] std::optional<TorqueContinuation> coarse_path(LoadProblem const& problem, LoadedDrive const& unloaded,
+                                                            TorqueContinuation const& fine);
 
-/// Errors of the states of a curve.
-struct CurveErrors
+/// Errors of the states of a branch.
+struct BranchErrors
 {
     std::vector<std::optional<LoadedState>> states;  ///< none where the coarse grid has no equilibrium
-    double play = 0;                                 ///< [rad]
-    Eigen::MatrixXd rated_forces;                    ///< on the coarse cup at the largest torque; empty: unknown
+    std::vector<LoadedState> coarse;                 ///< the equilibria that it has
+    Eigen::MatrixXd last_forces;                     ///< on the coarse cup at the last torque; empty: unknown
 };
-/// @param flanks  of the fine grid
-[[nodiscard]] CurveErrors curve_errors(contact::ContactContext const& context, AssembledDrive const& coarse,
-                                       contact::FlankGrid const& flanks, LoadedCurve const& curve);
+
+/// @param coarse  path on the coarse grid
+/// @param branch  on the fine grid, with stiffness
+[[nodiscard]] BranchErrors branch_errors(TorqueContinuation const& coarse, TorqueBranch const& branch, double safety);
 
 }  // namespace hdconj::load

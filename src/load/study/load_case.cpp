@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "load_case.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <utility>
@@ -82,26 +84,115 @@ LoadCase assembled_case(contact::ContactContext const& context, surface::Surface
     return result;
 }
 
-/// The two stages of the branch from 0 to the largest torque. A slope is as uncertain as the elastic twist that the
-/// branch rises over.
-StiffnessStages stages_of(LoadCase const& solved)
+/// Whether the drive under a torque is the mirror image of itself under the opposite one.
+bool is_mirror_image(contact::ContactContext const& context)
 {
-    std::vector<double> twist, torque;
-    for (std::size_t i = 0; i <= solved.rated && i < solved.curve.size(); ++i)
-        if (solved.curve[i].torque > 0) {
-            twist.push_back(solved.curve[i].twist);
-            torque.push_back(solved.curve[i].torque);
+    return contact::has_mirrored_flanks(context) && context.request.wave_generator == 0 &&
+           context.scene.bearing->ball_phase == 0;
+}
+
+/// A branch with its errors.
+struct BranchWithErrors
+{
+    TorqueBranch branch;
+    BranchErrors errors;  ///< empty without a coarse grid
+};
+
+/// The paths of a case on the grid asked for and on the coarse grid.
+struct PathPair
+{
+    TorqueContinuation const& fine;
+    TorqueContinuation const* coarse;  ///< null: none
+    double safety;                     ///< of errors
+};
+
+BranchWithErrors solved_branch(PathPair const& paths, BranchTorques const& torques,
+                               std::function<void(double)> const& on_state)
+{
+    BranchWithErrors result{torque_branch(paths.fine, torques, on_state), {}};
+    enter_stiffness(result.branch.states, free_twist(paths.fine, torques.given.back()));
+    if (paths.coarse)
+        result.errors = branch_errors(*paths.coarse, result.branch, paths.safety);
+    result.errors.states.resize(result.branch.states.size());
+    return result;
+}
+
+/// The branch of the opposite torques: solved, or the mirror image of @p forth.
+/// @param space_angle  of LoadMap
+BranchWithErrors opposite_branch(contact::ContactContext const& context, PathPair const& paths,
+                                 BranchWithErrors const& forth, std::vector<double> const& space_angle,
+                                 std::function<void(double)> const& on_state)
+{
+    if (!is_mirror_image(context)) {
+        BranchTorques opposite;
+        for (LoadedState const& state : forth.branch.states)
+            if (state.torque != 0)
+                opposite.given.push_back(-state.torque);
+        return opposite.given.empty() ? BranchWithErrors() : solved_branch(paths, opposite, on_state);
+    }
+    double const period = 2 * std::numbers::pi / paths.fine.problem.drive.response.sectors();
+    BranchWithErrors back;
+    for (std::size_t i = 0; i < forth.branch.states.size(); ++i)
+        if (forth.branch.states[i].torque != 0) {
+            back.branch.states.push_back(mirror_image(forth.branch.states[i], space_angle, period));
+            back.errors.states.push_back(forth.errors.states[i]);
         }
-    if (twist.size() < 2)
-        return {};
-    StiffnessStages stages = stiffness_stages(twist, torque);
-    if (!solved.estimated)
-        return stages;
-    double const elastic = std::abs(solved.curve[solved.rated].twist) - solved.backlash / 2;
-    double const relative = elastic > 0 ? (solved.error.twist + solved.backlash_error / 2) / elastic : 0;
-    stages.first_error += relative * stages.first;
-    stages.second_error += relative * stages.second;
-    return stages;
+    for (LoadedState const& state : forth.errors.coarse)
+        back.errors.coarse.push_back(mirror_image(state, space_angle, period));
+    return back;
+}
+
+/// Enters both branches, in order of growing torque.
+void enter_curve(BranchWithErrors const& forth, BranchWithErrors const& back, LoadCase& result)
+{
+    auto const append = [](auto& all, auto const& more) { all.insert(all.end(), more.begin(), more.end()); };
+    result.curve.assign(back.branch.states.rbegin(), back.branch.states.rend());
+    result.curve_error.assign(back.errors.states.rbegin(), back.errors.states.rend());
+    append(result.curve, forth.branch.states);
+    append(result.curve_error, forth.errors.states);
+    result.rated = result.curve.size() - 1;
+    if (result.curve.back().torque < 0) {
+        std::ranges::reverse(result.curve);
+        std::ranges::reverse(result.curve_error);
+        result.rated = 0;
+    }
+    result.unsettled = forth.branch.unsettled;
+    append(result.unsettled, back.branch.unsettled);
+}
+
+/// Enters all torques and what follows from them. @returns the branch of the rated torque
+BranchWithErrors solve_curve(contact::ContactContext const& context, PathPair const& paths, LoadingPath const& torques,
+                             CaseObserver const& observer, LoadCase& result)
+{
+    bool const twice = torques.curve && !is_mirror_image(context);
+    auto const told = [&](double from) {
+        return [&observer, twice, from](double done) {
+            if (observer.on_state)
+                observer.on_state(twice ? from + done / 2 : done);
+        };
+    };
+    BranchWithErrors forth = solved_branch(paths, torques.forth, told(0));
+    result.map = load_map(paths.fine.problem, forth.branch.last);
+    result.bearing = forth.branch.bearing.back();
+    if (!torques.curve) {
+        forth.branch.states.erase(forth.branch.states.begin(), forth.branch.states.end() - 1);
+        forth.errors.states.erase(forth.errors.states.begin(), forth.errors.states.end() - 1);
+        enter_curve(forth, {}, result);
+        return forth;
+    }
+    BranchWithErrors const back = opposite_branch(context, paths, forth, result.map.angle, told(0.5));
+    enter_curve(forth, back, result);
+    double const rated = forth.branch.states.back().torque;
+    CurveBranches const fine{forth.branch.states, back.branch.states, free_twist(paths.fine, rated)};
+    std::optional<CurveBranches> coarse;
+    if (paths.coarse && forth.errors.states.back())
+        coarse.emplace(forth.errors.coarse, back.errors.coarse, free_twist(*paths.coarse, rated));
+    result.stages = stages_of(fine, coarse ? &*coarse : nullptr, paths.safety);
+    LoadedState const& state = forth.branch.states.back();
+    double const relative_twist = coarse ? forth.errors.states.back()->twist / std::abs(state.twist) : 0;
+    result.catalogue = catalogue_figures(catalogue_torques(context.scene, rated), fine, coarse ? &*coarse : nullptr,
+                                         paths.safety, relative_twist);
+    return forth;
 }
 
 /// Enters the largest stress at the largest torque and, where @p coarse_forces are known, its error.
@@ -126,75 +217,43 @@ void enter_stress(contact::ContactContext const& context, DrivePair const& drive
 
 }  // namespace
 
-LoadedCurve loaded_curve(LoadProblem const& problem, LoadedDrive const& unloaded, Play const& play,
-                         std::vector<double> const& torques, std::function<void()> const& on_state)
-{
-    TorqueContinuation const path = torque_continuation(problem, unloaded, play);
-    LoadedCurve curve;
-    curve.play = width_of(play);
-    curve.middle = path.middle;
-    double largest = -1;
-    LoadedDrive at = path.start;
-    std::optional<NumericalError> first;
-    for (double const torque : torques) {
-        try {
-            at = advance(path, at, torque);
-            curve.states.push_back(loaded_state(problem, at, path.middle));
-            curve.bearing.push_back(bearing_map(problem.drive, at.state));
-            if (std::abs(torque) > largest) {
-                largest = std::abs(torque);
-                curve.rated = curve.states.size() - 1;
-                curve.at_rated = at;
-            }
-        } catch (NumericalError const& error) {
-            if (!error.is_infeasible())
-                throw;
-            curve.unsettled.push_back({torque, error.cause()});
-            if (!first)
-                first.emplace(error);
-        }
-        if (on_state)
-            on_state();
-    }
-    if (first && !(largest > 0))
-        throw NumericalError(*first);
-    return curve;
-}
-
 SolvedCase load_case(contact::ContactContext const& context, DrivePair const& drives,
-                     surface::SurfaceSpec const& choice, std::vector<double> const& torques,
-                     CaseObserver const& observer)
+                     surface::SurfaceSpec const& choice, LoadingPath const& torques, CaseObserver const& observer)
 {
     auto const begin = std::chrono::steady_clock::now();
     AssembledDrive const& fine = drives.fine;
     SurfaceWithPlay const assembled = surface_with_play(context, fine, choice);
+    contact::FlankGrid const& flanks = assembled.surface.grid;
     LoadCase result = assembled_case(context, choice, assembled);
     if (observer.on_play)
         observer.on_play(result);
-    LoadProblem const problem = load_problem(context, fine.model.drive, assembled.surface.grid);
-    LoadedCurve const curve = loaded_curve(problem, fine.unloaded, assembled.play, torques, observer.on_state);
-    result.curve = curve.states;
-    result.unsettled = curve.unsettled;
-    result.rated = curve.rated;
-    result.map = load_map(problem, curve.at_rated);
-    result.bearing = curve.bearing[curve.rated];
-    LoadedState const& rated = curve.states[curve.rated];
+    LoadProblem const problem = load_problem(context, fine.model.drive, flanks);
+    TorqueContinuation const path = torque_continuation(problem, fine.unloaded, assembled.play);
+
+    std::optional<contact::FlankGrid> coarse_flanks;
+    std::optional<LoadProblem> coarse_problem;
+    std::optional<TorqueContinuation> coarse;
+    double const safety = grid_safety(flanks.slices());
+    if (drives.coarse) {
+        coarse_flanks = coarsened(flanks, drives.coarse->grid.slices);
+        coarse_problem.emplace(load_problem(context, drives.coarse->model.drive, *coarse_flanks));
+        if (std::optional<TorqueContinuation> found = coarse_path(*coarse_problem, drives.coarse->unloaded, path))
+            coarse.emplace(std::move(*found));
+    }
+    if (coarse)
+        result.backlash_error = safety * std::abs(width_of(path.play) - width_of(coarse->play));
+
+    BranchWithErrors const rated =
+        solve_curve(context, {path, coarse ? &*coarse : nullptr, safety}, torques, observer, result);
+    LoadedState const& state = result.curve[result.rated];
     std::vector<double> const& z = result.map.z;
     result.pressure_at_edge =
-        z.size() > 1 && rated.largest_pressure > 0 && (rated.pressure_z <= z.front() || rated.pressure_z >= z.back());
-    CurveErrors errors;
-    if (drives.coarse)
-        errors = curve_errors(context, *drives.coarse, assembled.surface.grid, curve);
-    result.curve_error = std::move(errors.states);
-    result.backlash_error = errors.play;
-    result.estimated = drives.coarse && result.curve_error[result.rated];
+        z.size() > 1 && state.largest_pressure > 0 && (state.pressure_z <= z.front() || state.pressure_z >= z.back());
+    result.estimated = result.curve_error[result.rated].has_value();
     if (result.estimated)
         result.error = *result.curve_error[result.rated];
-    result.stages = stages_of(result);
-    if (torques.size() > 1)
-        result.catalogue = catalogue_figures(problem, drives, assembled.surface.grid, assembled.play, result);
-    elastic::HarmonicField field = cup_field(fine.model, curve.at_rated.forces, context.threads);
-    enter_stress(context, drives, field, errors.rated_forces, result);
+    elastic::HarmonicField field = cup_field(fine.model, rated.branch.last.forces, context.threads);
+    enter_stress(context, drives, field, rated.errors.last_forces, result);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     return {std::move(result), std::move(field)};
 }

@@ -9,6 +9,7 @@
 #include "elastic/harmonic_field.hpp"
 #include "grid_error.hpp"
 #include "hdconj/load.hpp"
+#include "loaded_scene.hpp"
 
 namespace hdconj::load {
 
@@ -16,7 +17,7 @@ namespace hdconj::load {
 struct CaseObserver
 {
     std::function<void(LoadCase const&)> on_play;  ///< when the play is known, before any torque
-    std::function<void()> on_state;                ///< after each torque
+    std::function<void(double)> on_state;          ///< after each torque: the fraction of the case that is done
 };
 
 /// A case and the displacement of the whole cup at its largest torque.
@@ -26,16 +27,10 @@ struct SolvedCase
     elastic::HarmonicField field;
 };
 
-/// States at all torques that have an equilibrium. After one without, the next torque starts from the last one with.
-/// @throws NumericalError of the first torque without equilibrium where no torque but zero has one
-[[nodiscard]] LoadedCurve loaded_curve(LoadProblem const& problem, LoadedDrive const& unloaded, Play const& play,
-                                       std::vector<double> const& torques, std::function<void()> const& on_state);
-
 /// @param drives   with a coarse grid: errors are estimated
-/// @param torques  in the order of loading [N mm]
-/// @throws NumericalError where the teeth interfere at every turn, or a torque has no equilibrium
+/// @throws NumericalError where the teeth interfere at every turn, or no torque has an equilibrium
 [[nodiscard]] SolvedCase load_case(contact::ContactContext const& context, DrivePair const& drives,
-                                   surface::SurfaceSpec const& choice, std::vector<double> const& torques,
+                                   surface::SurfaceSpec const& choice, LoadingPath const& torques,
                                    CaseObserver const& observer);
 
 }  // namespace hdconj::load

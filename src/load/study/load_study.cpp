@@ -46,16 +46,14 @@ void add_cases(contact::ContactContext const& context, DrivePair const& drives, 
 {
     std::vector<surface::SurfaceSpec> const surfaces =
         contact::surface_choices(context.scene, contact_options(options));
-    std::vector<double> const torques = loading_path(context.scene, options);
-    double const total = static_cast<double>(surfaces.size() * torques.size());
+    LoadingPath const torques = loading_path(context.scene, options);
     std::optional<NumericalError> first;
     for (std::size_t i = 0; i < surfaces.size(); ++i) {
-        std::size_t done = i * torques.size();
         CaseObserver const told{[&](LoadCase const& known) { tell_play(observer, known); },
-                                [&] {
-                                    ++done;
+                                [&](double fraction) {
                                     if (observer.progress)
-                                        observer.progress("load", static_cast<double>(done) / total);
+                                        observer.progress("load", (static_cast<double>(i) + fraction) /
+                                                                      static_cast<double>(surfaces.size()));
                                 }};
         try {
             SolvedCase solved = load_case(context, drives, surfaces[i], torques, told);

@@ -156,19 +156,26 @@ CatalogueTorques catalogue_torques(Scene const& scene, double rated)
             lost_motion * std::abs(rated)};
 }
 
-std::vector<double> loading_path(Scene const& scene, LoadOptions const& options)
+LoadingPath loading_path(Scene const& scene, LoadOptions const& options)
 {
-    constexpr int standard_points = 10;
+    constexpr double below = 31.0 / 32;  // of the torque whose stiffness is the slope from there on
     double const torque = rated_torque(scene, options);
+    if (torque == 0)
+        return {{{0}, false}, options.curve};
     if (!options.curve)
-        return {torque};
-    int const points = options.points.value_or(scene.load ? scene.load->points : standard_points);
-    std::vector<double> result;
-    for (int i = 0; i <= points; ++i)
-        result.push_back(torque * i / points);
-    for (int i = points - 1; i >= -points; --i)
-        result.push_back(torque * i / points);
-    return result;
+        return {{{below * torque, torque}, false}, false};
+    int const points = options.points.value_or(scene.load ? scene.load->points : 0);
+    LoadingPath path{{{0, torque}, points == 0}};
+    for (int i = 1; i < points; ++i)
+        path.forth.given.push_back(torque * i / points);
+    auto const [first, second, lost_motion] = catalogue_torques(scene, torque);
+    for (double const named : {first, second, lost_motion})
+        if (named < std::abs(torque))
+            path.forth.given.push_back(std::copysign(named, torque));
+    std::ranges::sort(path.forth.given, {}, [](double each) { return std::abs(each); });
+    auto const repeated = std::ranges::unique(path.forth.given);
+    path.forth.given.erase(repeated.begin(), repeated.end());
+    return path;
 }
 
 LoadedDriveData contact_data(Scene const& scene, StageObserver const& on_stage)

@@ -7,6 +7,7 @@
 
 #include "contact/study/contact_study_data.hpp"
 #include "hdconj/load.hpp"
+#include "torque_branch.hpp"
 
 namespace hdconj::load {
 
@@ -35,8 +36,15 @@ struct LoadedDriveData
 /// Torques of CatalogueFigures for a rated torque [N mm]: as the scene gives them, or standard fractions of it.
 [[nodiscard]] CatalogueTorques catalogue_torques(Scene const& scene, double rated);
 
-/// Torques in the order of loading [N mm]: from 0 up to the rated one, down again, and to the opposite one; without a
-/// curve the rated one alone. Domain: a checked scene.
-[[nodiscard]] std::vector<double> loading_path(Scene const& scene, LoadOptions const& options);
+/// Torques of a case.
+struct LoadingPath
+{
+    BranchTorques forth;  ///< towards the rated torque
+    bool curve = true;    ///< false: the rated torque only; the others of `forth` tell the stiffness there
+};
+
+/// From zero to the rated torque: as many even steps as asked for, or as the stiffness needs; with the torques of the
+/// catalogue's figures. Without a curve the rated torque and one a little below. Domain: a checked scene.
+[[nodiscard]] LoadingPath loading_path(Scene const& scene, LoadOptions const& options);
 
 }  // namespace hdconj::load

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The keys are an interface, described in docs/reference/json.md.
 #include "figures/load_figures.hpp"
+#include "figures/measured_figures.hpp"
 #include "hdconj/load_files.hpp"
 #include "summary_object.hpp"
 
@@ -32,8 +33,9 @@ Json bearing_object(BearingMap const& bearing, States const& rows)
     return object;
 }
 
-Json load_case_object(LoadCase const& each, States const& rows)
+Json load_case_object(LoadCase const& each, int balls)
 {
+    States const rows = figures::loaded_state_figures(balls);
     Json object = {{"surface", to_string(each.surface)}, {"kind", to_string(each.kind)}};
     add_figures(object, figures::load_case_figures(), each);
     auto const* rated = figures::rated_state(each);
@@ -42,6 +44,7 @@ Json load_case_object(LoadCase const& each, States const& rows)
     auto const backlash = figures::load_case_figures()["backlash"];
     object[backlash.json_key_of_error()] = each.estimated ? error_of(backlash, each) : Json(nullptr);
     object["pressure_at_edge"] = each.pressure_at_edge;
+    object["not_converged"] = figures::unconverged_figures(each, balls);
     object["bearing"] = bearing_object(each.bearing, rows);
     for (auto const& [torque, cause] : each.unsettled)
         object["unsettled"].push_back({{"torque_Nm", number(torque / newton_metre)}, {"cause", cause}});
@@ -108,9 +111,8 @@ std::string summary_json(LoadStudy const& study, std::vector<WrittenFile> const&
 {
     auto load = report::figures_object(figures::load_study_figures(), study);
     load["cup"] = report::cup_object(study.cup, figures::assembled_cup_figures(study.balls));
-    auto const states = figures::loaded_state_figures(study.balls);
     load["cases"] =
-        report::list_of(study.cases, [&](auto const& each) { return report::load_case_object(each, states); });
+        report::list_of(study.cases, [&](auto const& each) { return report::load_case_object(each, study.balls); });
     if (measured != nullptr)
         load["measured"] = report::measured_object(*measured);
     auto summary = report::summary_object(study.solution);

@@ -104,14 +104,14 @@ std::vector<WrittenFile> write_contact_pictures(ContactStudy const& study, std::
 
 LoadPictures load_picture_names(std::filesystem::path const& file)
 {
-    return {picture_part(file, "curve"), picture_part(file, "pressure"), picture_part(file, "cup"),
-            picture_part(file, "stress"), picture_part(file, "balls")};
+    return {picture_part(file, "curve"), picture_part(file, "stiffness"), picture_part(file, "pressure"),
+            picture_part(file, "cup"),   picture_part(file, "stress"),    picture_part(file, "balls")};
 }
 
 void check_load_pictures(std::filesystem::path const& file)
 {
-    auto const [curve, pressure, cup, stress, balls] = load_picture_names(file);
-    report::check_pictures({curve, pressure, cup, stress, balls});
+    auto const [curve, stiffness, pressure, cup, stress, balls] = load_picture_names(file);
+    report::check_pictures({curve, stiffness, pressure, cup, stress, balls});
 }
 
 std::vector<WrittenFile> write_load_pictures(LoadStudy const& study, std::filesystem::path const& file,
@@ -122,6 +122,8 @@ std::vector<WrittenFile> write_load_pictures(LoadStudy const& study, std::filesy
     std::vector<WrittenFile> written;
     if (report::has_curve(study) || measured != nullptr)
         written.push_back(write_drawing("picture_curve", report::load_curve_script(study, measured), names.curve));
+    if (report::has_curve(study))
+        written.push_back(write_drawing("picture_stiffness", report::load_stiffness_script(study), names.stiffness));
     if (auto const* shown = figures::shown_case(study); shown != nullptr && !shown->map.angle.empty())
         written.push_back(write_drawing("picture_pressure", report::load_pressure_script(study), names.pressure));
     if (!study.shape.cells.empty()) {

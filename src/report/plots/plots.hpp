@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "figures/load_figures.hpp"
+#include "figures/measured_figures.hpp"
 #include "hdconj/accuracy_files.hpp"
 #include "hdconj/contact.hpp"
 #include "hdconj/solution.hpp"
@@ -32,6 +33,8 @@ namespace hdconj::report {
 [[nodiscard]] bool has_curve(LoadStudy const& study);
 /// Torque against twist: every case with its play, its two lines, and what was measured. @param measured  null: nothing
 [[nodiscard]] std::string load_curve_script(LoadStudy const& study, Measurement const* measured);
+/// Stiffness against torque: every case with its error, and K1, K2, K3. Needs a curve.
+[[nodiscard]] std::string load_stiffness_script(LoadStudy const& study);
 /// Pressure over tooth space and slice of the case shown, and the force on each tooth. Needs its map.
 [[nodiscard]] std::string load_pressure_script(LoadStudy const& study);
 /// Section of the cup, as it is and deformed, at the major and the minor axis. Needs a shape.

@@ -18,15 +18,10 @@ bool is_changed(LoadCase const& each)
 void write_values(Page& page, LoadStudy const& study, LoadCase const& each)
 {
     ToldLoad const told(figures::load_case_figures(), each);
-    auto const& stages = each.stages;
-    bool const any = stages.first != 0;
-    std::string row = fmt::format("{}{:>8}{}{:>9}{:>9}{:>9}{:>8}", surface_columns(figures::load_case_figures(), each),
-                                  told("backlash_offset"), is_changed(each) ? '*' : ' ', told("backlash"),
-                                  any ? told("first_stage") : "-",
-                                  stages.found ? told("second_stage")
-                                  : any        ? "="
-                                               : "-",
-                                  stages.found ? told("knee") : "-");
+    std::string row = fmt::format("{}{:>8}{}{:>9}", surface_columns(figures::load_case_figures(), each),
+                                  told("backlash_offset"), is_changed(each) ? '*' : ' ', told("backlash"));
+    for (char const* const name : {"K1", "K2", "K3"})
+        row += fmt::format("{:>9}", each.catalogue ? Told(figures::catalogue_rows(), *each.catalogue)(name) : "-");
     if (auto const* state = figures::rated_state(each)) {
         Told const at(figures::loaded_state_figures(study.balls), *state);
         row += fmt::format("{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", at("twist"), at("teeth"), at("contact_fraction"),
@@ -44,15 +39,20 @@ void write_errors_of(Page& page, LoadStudy const& study, LoadCase const& each)
         page.line("    +-     no error estimate: it needs three slices, and equilibrium on a grid half as fine");
         return;
     }
+    auto const names = figures::unconverged_figures(each, study.balls);
+    auto const marked = [&](auto const& told, char const* name) {
+        return told.error(name) + (std::ranges::find(names, name) != names.end() ? "?" : "");
+    };
     ToldLoad const told(figures::load_case_figures(), each);
     Told const at(figures::loaded_state_figures(study.balls), each.error);
-    bool const bend = each.stages.found;
-    page.line("{:<25}{:>8}{:>10}{:>9}{:>9}{:>8}{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", "    +-", "",
-              told.error("backlash"), each.stages.first != 0 ? told.error("first_stage") : "-",
-              bend ? told.error("second_stage") : "", bend ? told.error("knee") : "", at.error("twist"),
-              at.error("teeth"), at.error("contact_fraction"), at.error("fraction_within_gap"),
-              each.pressure_at_edge ? "edge" : at.error("largest_pressure"), at.error("largest_force"),
-              each.error.largest_stress > 0 ? at.error("largest_stress") : "-");
+    std::string row = fmt::format("{:<25}{:>8}{:>10}", "    +-", "", told.error("backlash"));
+    for (char const* const name : {"K1", "K2", "K3"})
+        row +=
+            fmt::format("{:>9}", each.catalogue ? marked(Told(figures::catalogue_rows(), *each.catalogue), name) : "-");
+    page.line("{}{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", row, marked(at, "twist"), at.error("teeth"),
+              marked(at, "contact_fraction"), marked(at, "fraction_within_gap"),
+              each.pressure_at_edge ? "edge" : marked(at, "largest_pressure"), marked(at, "largest_force"),
+              each.error.largest_stress > 0 ? marked(at, "largest_stress") : "-");
 }
 
 /// The surfaces that are not as the scene gives them.
@@ -81,7 +81,9 @@ void write_legend(Page& page, LoadStudy const& study)
         Told(figures::load_study_figures(), study).with_unit("contact_gap"));
     page.line(
         "  +-: four times the difference from a grid half as fine in slices, flank points, circles and harmonics, on "
-        "another mesh (twelve times below nine slices); for the stages with the standard error of their fit");
+        "another mesh (twelve times below nine slices)");
+    if (any([&](auto const& each) { return !figures::unconverged_figures(each, study.balls).empty(); }))
+        page.line("  ?: more than a third of the figure, which has not converged; try slices.count = 17 or 33");
     if (any([](auto const& each) { return each.pressure_at_edge; })) {
         page.line(
             "  edge: the largest pressure is at an end of the face width and grows with the number of slices; forces "
@@ -94,8 +96,6 @@ void write_legend(Page& page, LoadStudy const& study)
     }
     if (any(is_changed))
         write_changed(page, study);
-    if (any([](auto const& each) { return !each.stages.found && each.stages.first != 0; }))
-        page.line("  =: one straight line fits the curve as well as two");
     if (any([](auto const& each) { return each.backlash < 0; }))
         page.line("  backlash below zero: the assembled teeth press on both flanks");
 }
@@ -104,13 +104,13 @@ void write_legend(Page& page, LoadStudy const& study)
 
 void write_load_table(Page& page, LoadStudy const& study)
 {
-    // Tilt ends in column 25; the columns of the stages follow, then those of the largest torque.
-    page.line("\n{:<25}{:>44}   at {}", "", "", rated_torque(study));
-    page.line("  {:<10}{:<7}{:>6}{:>8}{:>10}{:>18}{:>8}{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", "surface", "kind",
-              "tilt", "offset", "backlash", "stiffness: stages", "knee", "twist", "teeth", "contact", "within",
-              "pressure", "force", "stress");
-    page.line("  {:<10}{:<7}{:>6}{:>8}{:>10}{:>9}{:>9}{:>8}{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", "", "", "deg", "um",
-              "arcmin", "N m/deg", "N m/deg", "N m", "arcmin", "", "%", "%", "MPa", "N", "MPa");
+    // Tilt ends in column 25; the columns of the whole curve follow, then those of the largest torque.
+    page.line("\n{:<25}{:>45}   at {}", "", "", rated_torque(study));
+    page.line("  {:<10}{:<7}{:>6}{:>8}{:>10}{:>9}{:>9}{:>9}{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", "surface", "kind",
+              "tilt", "offset", "backlash", "K1", "K2", "K3", "twist", "teeth", "contact", "within", "pressure",
+              "force", "stress");
+    page.line("  {:<10}{:<7}{:>6}{:>8}{:>10}{:>9}{:>9}{:>9}{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", "", "", "deg", "um",
+              "arcmin", "N m/rad", "N m/rad", "N m/rad", "arcmin", "", "%", "%", "MPa", "N", "MPa");
     for (auto const& each : study.cases) {
         write_values(page, study, each);
         write_errors_of(page, study, each);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of a load study, one row for each surface.
+// What a load study prints of its surfaces.
 #pragma once
 
 #include "figures/number_text.hpp"
@@ -9,7 +9,14 @@
 
 namespace hdconj::report {
 
+/// The table, one row for each surface.
 void write_load_table(Page& page, LoadStudy const& study);
+
+/// What K1, K2 and K3 of the table are, and the lost motion.
+void write_catalogue(Page& page, LoadStudy const& study);
+
+/// The slope along each curve, and the two lines of the thesis for comparison.
+void write_stiffness(Page& page, LoadStudy const& study);
 
 /// "28 N m"
 [[nodiscard]] std::string rated_torque(LoadStudy const& study);

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "figures/load_figures.hpp"
+#include "figures/measured_figures.hpp"
 #include "load_table.hpp"
 
 namespace hdconj::report {
@@ -123,26 +124,6 @@ void write_convergence(Page& page, LoadStudy const& study)
         worst.iterations, told.with_unit("gap_mismatch"), told("complementarity"));
 }
 
-/// K1, K2, K3 and lost motion of each case that has them.
-void write_catalogue(Page& page, LoadStudy const& study)
-{
-    bool first = true;
-    for (auto const& each : study.cases) {
-        if (!each.catalogue)
-            continue;
-        Told const told(figures::catalogue_rows(), *each.catalogue);
-        auto const with_error = [&](char const* name) {
-            return told(name) + (each.catalogue->estimated ? " +- " + told.error(name) : "");
-        };
-        if (first)
-            page.line("\nas catalogues state it: T1 {}, T2 {}", told.with_unit("T1"), told.with_unit("T2"));
-        first = false;
-        page.line("  {}: K1 {}, K2 {}, K3 {} N m/rad; lost motion {} arcmin at +-{}", figures::case_name(each),
-                  with_error("K1"), with_error("K2"), with_error("K3"), with_error("lost_motion"),
-                  told.with_unit("lost_motion_torque"));
-    }
-}
-
 void write_load_places(Page& page, LoadStudy const& study)
 {
     write_largest(page, study);
@@ -249,6 +230,7 @@ std::string summary_text(LoadStudy const& study, std::vector<WrittenFile> const&
     report::write_load_setting(page, study);
     report::write_load_table(page, study);
     report::write_catalogue(page, study);
+    report::write_stiffness(page, study);
     report::write_load_places(page, study);
     if (measured != nullptr)
         report::write_measured(page, study, *measured);

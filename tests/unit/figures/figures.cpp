@@ -4,6 +4,7 @@
 
 #include "figures/accuracy_figures.hpp"
 #include "figures/load_figures.hpp"
+#include "figures/measured_figures.hpp"
 #include "figures/summary_figures.hpp"
 #include "figures/wire_figures.hpp"
 #include "support/catch.hpp"

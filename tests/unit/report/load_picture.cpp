@@ -52,8 +52,9 @@ TEST_CASE("pictures of a load study are drawn as SVG and PNG under names of thei
     study.solution.scene.drive.name = "it's <a> \"drive\" & {co} \\n";
     auto const measured = measurement();
     auto const written = write_load_pictures(study, folder / "a.b.svg", &measured);
-    CHECK(names_of(written) == FileNames{"picture_curve: a.b-curve.svg", "picture_pressure: a.b-pressure.svg",
-                                         "picture_cup: a.b-cup.svg", "picture_stress: a.b-stress.svg"});
+    CHECK(names_of(written) == FileNames{"picture_curve: a.b-curve.svg", "picture_stiffness: a.b-stiffness.svg",
+                                         "picture_pressure: a.b-pressure.svg", "picture_cup: a.b-cup.svg",
+                                         "picture_stress: a.b-stress.svg"});
     for (auto const& each : written) {
         auto const svg = content(each.file);
         INFO(each.file);
@@ -65,14 +66,16 @@ TEST_CASE("pictures of a load study are drawn as SVG and PNG under names of thei
                                              ContainsSubstring("measured, 4 cycles:  backlash 6.20 ± 0.00′") &&
                                              ContainsSubstring("98.7 and 182.8 N m/°"));
     CHECK_THAT(content(written[1].file),
-               ContainsSubstring("no force") && ContainsSubstring("1186 MPa") && ContainsSubstring("repeats 2 times"));
+               ContainsSubstring("stiffness [N m/°]") && ContainsSubstring("K1 5.6,  K2 10.5,  K3 12 ·10³ N m/rad"));
     CHECK_THAT(content(written[2].file),
-               ContainsSubstring("minor axis, 90°") && ContainsSubstring("displaced by 2 times"));
+               ContainsSubstring("no force") && ContainsSubstring("1186 MPa") && ContainsSubstring("repeats 2 times"));
     CHECK_THAT(content(written[3].file),
+               ContainsSubstring("minor axis, 90°") && ContainsSubstring("displaced by 2 times"));
+    CHECK_THAT(content(written[4].file),
                ContainsSubstring("largest over all angles") && ContainsSubstring("z = -4.65 mm"));
     for (auto const& each : write_load_pictures(study, folder / "c.PNG", nullptr))
         CHECK(content(each.file).rfind("\x89PNG", 0) == 0);
-    CHECK(folder.names().size() == 8);
+    CHECK(folder.names().size() == 10);
 }
 
 TEST_CASE("forces of single balls are drawn around the whole ring", "[load][picture]")

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One branch of a torque-twist curve: the torques of one sign, from zero on.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "hdconj/load.hpp"
+#include "torque_continuation.hpp"
+
+namespace hdconj::load {
+
+/// Torques of a branch.
+struct BranchTorques
+{
+    std::vector<double> given;  ///< of one sign, in order of growing size [N mm]
+    bool refined = false;       ///< more are put between until the stiffness is known everywhere
+};
+
+/// Equilibria of one sign of torque, in order of growing size.
+struct TorqueBranch
+{
+    std::vector<LoadedState> states;
+    std::vector<BearingMap> bearing;  ///< of each state
+    std::vector<UnsettledTorque> unsettled;
+    LoadedDrive last;  ///< in the last of the states
+};
+
+/// Solves a branch. Where it is refined, each interval between two torques is halved until the mean stiffnesses of its
+/// halves agree within a tenth, or until it is 1/64 of the branch. A torque without equilibrium is left out, and the
+/// next starts from the last one that has one.
+/// @param on_state  is told after each torque which fraction of the branch is done; null: nobody
+/// @throws NumericalError of the first torque without equilibrium where no torque but zero has one
+[[nodiscard]] TorqueBranch torque_branch(TorqueContinuation const& path, BranchTorques const& torques,
+                                         std::function<void(double)> const& on_state);
+
+/// Twist without torque on the side of the backlash where a branch of torques of the sign of @p torque begins [rad].
+[[nodiscard]] double free_twist(TorqueContinuation const& path, double torque);
+
+/// The state at @p torque; null: the branch has none.
+[[nodiscard]] LoadedState const* state_at(std::vector<LoadedState> const& branch, double torque);
+
+/// Enters dT/d(twist) into the states of a branch: the parabola twist(torque) through each state and its neighbours,
+/// the chord at the end. The contacts of a state alone would give too much, because they move along the flanks.
+/// @param free  twist at zero torque, where the branch begins [rad]
+void enter_stiffness(std::vector<LoadedState>& branch, double free);
+
+/// The state under the opposite torque of a drive that is its own mirror image in the major axis.
+/// @param space_angle  of LoadMap
+/// @param period       after which the sectors of the ring repeat [rad]
+[[nodiscard]] LoadedState mirror_image(LoadedState state, std::vector<double> const& space_angle, double period);
+
+}  // namespace hdconj::load

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <utility>
+
+#include "figures/load_figures.hpp"
+#include "hdconj/units.hpp"
+#include "load_table.hpp"
+
+namespace hdconj::report {
+namespace {
+
+/// The stiffness at some torques of a curve, a tenth of the largest apart or more.
+std::string stiffness_along(LoadStudy const& study, LoadCase const& each)
+{
+    constexpr double apart = 0.1;
+    auto const rows = figures::loaded_state_figures(study.balls);
+    double const sign = study.rated_torque < 0 ? -1 : 1;
+    double next = 0;
+    std::string text;
+    for (std::size_t n = 0; n < each.curve.size(); ++n) {
+        std::size_t const i = sign > 0 ? n : each.curve.size() - 1 - n;
+        auto const& state = each.curve[i];
+        if (!(sign * state.torque > 0) || (sign * state.torque < next && i != each.rated))
+            continue;
+        next = sign * state.torque + apart * std::abs(study.rated_torque);
+        Told const told(rows, state);
+        auto const* error = figures::error_of(each, i);
+        text += fmt::format("{}{}{} at {:.4g}", text.empty() ? "" : ", ", told("stiffness"),
+                            error != nullptr ? " +- " + rows["stiffness"].error_text(*error) : "",
+                            state.torque / newton_metre);
+    }
+    return text;
+}
+
+}  // namespace
+
+void write_catalogue(Page& page, LoadStudy const& study)
+{
+    bool first = true;
+    for (auto const& each : study.cases) {
+        if (!each.catalogue)
+            continue;
+        Told const told(figures::catalogue_rows(), *each.catalogue);
+        if (std::exchange(first, false)) {
+            page.line("\nas catalogues state it: K1 from 0 to {}, K2 from there to {}, K3 from there to {}",
+                      told.with_unit("T1"), told.with_unit("T2"), rated_torque(study));
+        }
+        page.line("  {}: lost motion {}{} arcmin at +-{}", figures::case_name(each), told("lost_motion"),
+                  each.catalogue->estimated ? " +- " + told.error("lost_motion") : "",
+                  told.with_unit("lost_motion_torque"));
+    }
+}
+
+void write_stiffness(Page& page, LoadStudy const& study)
+{
+    auto const has_slopes = [](LoadCase const& each) { return each.stages.first != 0 && each.curve.size() > 1; };
+    if (std::ranges::none_of(study.cases, has_slopes))
+        return;
+    page.line("\nstiffness along the curve, N m/deg at N m");
+    for (auto const& each : study.cases)
+        if (has_slopes(each))
+            page.line("  {}: {}", figures::case_name(each), stiffness_along(study, each));
+    for (auto const& each : study.cases) {
+        if (!each.stages.found)
+            continue;
+        Told const told(figures::load_case_figures(), each);
+        auto const with_error = [&](char const* name) {
+            return told(name) + (each.estimated ? " +- " + told.error(name) : "");
+        };
+        page.line(
+            "  {}: two straight lines instead: {} and {} N m/deg, knee at {} N m; they miss the curve by {} (rms)",
+            figures::case_name(each), with_error("first_stage"), with_error("second_stage"), with_error("knee"),
+            told.with_unit("stages_rms"));
+    }
+}
+
+}  // namespace hdconj::report
