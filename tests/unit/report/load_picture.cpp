@@ -66,7 +66,7 @@ TEST_CASE("pictures of a load study are drawn as SVG and PNG under names of thei
                                              ContainsSubstring("measured, 4 cycles:  backlash 6.20 ± 0.00′") &&
                                              ContainsSubstring("98.7 and 182.8 N m/°"));
     CHECK_THAT(content(written[1].file),
-               ContainsSubstring("stiffness [N m/°]") && ContainsSubstring("K1 5.6,  K2 10.5,  K3 12 ·10³ N m/rad"));
+               ContainsSubstring("stiffness [N m/°]") && ContainsSubstring("K1 5.6,  K2 10.5,  K3 12.0 ·10³ N m/rad"));
     CHECK_THAT(content(written[2].file),
                ContainsSubstring("no force") && ContainsSubstring("1186 MPa") && ContainsSubstring("repeats 2 times"));
     CHECK_THAT(content(written[3].file),
