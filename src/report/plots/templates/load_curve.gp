@@ -18,12 +18,12 @@ subject = "torque on the circular spline against its twist, wave generator and c
 measured = |$rig| > 0
 case(i, k) = word($cases[i], k) + 0
 case_words(i) = sprintf("%s:  backlash %.3g′", word($cases[i], 6), case(i, 1)) . (case(i, 5) \
-    ? sprintf(",  %.4g and %.4g N m/°,  bend at %.3g N m", case(i, 2), case(i, 3), case(i, 4)) \
+    ? sprintf(",  %.4g and %.4g N m/°,  knee at %.3g N m", case(i, 2), case(i, 3), case(i, 4)) \
     : case(i, 2) != 0 ? sprintf(",  %.4g N m/°,  no bend", case(i, 2)) : "")
 rig(k) = word($rig[1], k) + 0
 rig_words(i) = sprintf("measured%s, %d cycle%s:  backlash %.2f ± %.2f′", \
     rig(1) ? " at the cup" : "", rig(2), rig(2) == 1 ? "" : "s", rig(3), rig(4)) . (rig(5) == 0 ? "" \
-    : sprintf(",  %.1f ± %.1f and %.1f ± %.1f N m/°,  bend at %.3g N m", rig(6), rig(7), rig(8), rig(9), rig(10)))
+    : sprintf(",  %.1f ± %.1f and %.1f ± %.1f N m/°,  knee at %.3g N m", rig(6), rig(7), rig(8), rig(9), rig(10)))
 
 panel_bottom = 552
 legend_y(i) = panel_bottom + 70 + 25 * i
