@@ -195,7 +195,7 @@ void add_load(CLI::App& program, CommonOptions& common)
     add_strict(verb, common);
     add_option(verb, "--torque", own.torque_nm, "largest torque on the circular spline in N m [the scene's]", "NM",
                positive_number("write a torque in N m such as --torque 28"));
-    add_option(verb, "--points", own.points, "torques on the way up [the scene's]", "N", CLI::Range(1, 1000));
+    add_option(verb, "--points", own.points, "torques on the way up [the scene's]", "N", whole_number(1, 1000));
     add_case_options(verb, own.cases, "tilt angles in degrees, such as 0,0.1,0.2 [the scene's]");
     verb.add_flag("--no-curve", own.no_curve, "the largest torque only: no curve, no stages");
     add_name(verb, "-o,--output", own.output, "result file, HDF5 [the scene file's name and -load.h5, in this folder]",
