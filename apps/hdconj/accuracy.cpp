@@ -221,8 +221,9 @@ void add_accuracy(CLI::App& program, CommonOptions& common)
     add_name(verb, "-o,--output", own.output,
              "folder to make [the scene file's name and -accuracy, in this folder; with --from none]", "DIR");
     add_option(verb, "--sample", own.sample, "random designs around the scene; the worst of them is reported too [64]",
-               "N", CLI::Range(0, 1000));
-    add_option(verb, "--repeats", own.repeats, "runs of each setting; the median counts [5]", "N", CLI::Range(1, 1000));
+               "N", whole_number(0, 1000));
+    add_option(verb, "--repeats", own.repeats, "runs of each setting; the median counts [5]", "N",
+               whole_number(1, 1000));
     verb.add_flag("--quick", own.quick,
                   "short convergence series, one run of each setting, 3 designs: seconds instead of ten minutes");
     add_name(verb, "--from", own.from, "read records that were measured before instead of measuring", "DIR/records.h5");

@@ -62,6 +62,17 @@ Check angle(std::string const& remedy)
     };
 }
 
+CLI::Validator whole_number(int least, int most)
+{
+    std::string const range = fmt::format("{} to {}", least, most);
+    auto const check = [=](std::string const& given) {
+        auto const value = number_of(given);
+        bool const fits = value && *value >= least && *value <= most && std::floor(*value) == *value;
+        return fits ? "" : fmt::format("'{}' is no whole number from {}", given, range);
+    };
+    return {check, range};
+}
+
 Check one_of(std::vector<std::string_view> words)
 {
     return [words = std::move(words)](std::string const& given) -> std::string {

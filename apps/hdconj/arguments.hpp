@@ -24,6 +24,8 @@ using Check = std::function<std::string(std::string const&)>;
 [[nodiscard]] Check positive_number(std::string const& remedy);
 /// An angle in degrees. @param remedy  "an angle in degrees such as 0.2"
 [[nodiscard]] Check angle(std::string const& remedy);
+/// A whole number in a range, which the help names. CLI11's own speaks otherwise from version to version.
+[[nodiscard]] CLI::Validator whole_number(int least, int most);
 [[nodiscard]] Check one_of(std::vector<std::string_view> words);
 
 /// One of the words of an enumeration.

@@ -124,7 +124,7 @@ void add_contact(CLI::App& program, CommonOptions& common)
                   "search the tilt with the largest contact area, and that with the smallest least side clearance");
     add_option(verb, "--revolution", own.revolution,
                "angles of the wave generator over a revolution; the table shows the one with least contact", "N",
-               CLI::Range(1, 10000));
+               whole_number(1, 10000));
     add_name(verb, "-o,--output", own.output,
              "result file, HDF5 [the scene file's name and -contact.h5, in this folder]", "FILE");
     add_name(verb, "--picture", own.picture, "drawings NAME-tilt, NAME-map, NAME-flank; needs gnuplot",

@@ -78,7 +78,7 @@ void add_export(CLI::App& program, CommonOptions& common)
     add_name(verb, "--vtu", own.vtu, "file for ParaView: the cup with displacements and stress");
     verb.add_option("--steps", own.steps,
                     "elements round half a lobe (deck), and twice as many round the whole (vtu) [48]")
-        ->check(CLI::Range(4, 720));
+        ->check(whole_number(4, 720));
     verb.footer(
         "A scene without [coning] has an elastic cup whose teeth stand in the middle of the bearing, as in load.\n"
         "Examples:\n"

@@ -40,7 +40,7 @@ int run_init(CommonOptions const& common, InitArguments const& own)
 void add_init(CLI::App& program, CommonOptions& common)
 {
     auto [verb, own] = add_verb(program, common, "init", "write the built-in scene to edit", run_init);
-    verb.add_option("FILE", own.file, "where to; - for standard output")->check(is_name)->capture_default_str();
+    verb.add_option("FILE", own.file, "where to; - for standard output [hdconj.toml]")->check(is_name);
     verb.add_flag("--force", own.force, "write over a file that is there");
     verb.add_flag("-q,--quiet", common.quiet, "no talk on standard error");
 }

@@ -196,7 +196,8 @@ void add_load(CLI::App& program, CommonOptions& common)
     add_strict(verb, common);
     add_option(verb, "--torque", own.torque_nm, "largest torque on the circular spline in N m [the scene's]", "NM",
                positive_number("write a torque in N m such as --torque 28"));
-    add_option(verb, "--points", own.points, "even torques from 0 to T [as many as needed]", "N", CLI::Range(1, 1000));
+    add_option(verb, "--points", own.points, "even torques from 0 to T [as many as needed]", "N",
+               whole_number(1, 1000));
     add_case_options(verb, own.cases, "tilt angles in degrees, such as 0,0.1,0.2 [the scene's]");
     verb.add_flag("--no-curve", own.no_curve, "the largest torque only: no curve, no K1, K2, K3");
     add_name(verb, "-o,--output", own.output, "result file, HDF5 [the scene file's name and -load.h5, in this folder]",

@@ -3,6 +3,7 @@
 
 #include <iostream>
 
+#include "arguments.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/read_scene.hpp"
 #include "hdconj/scene/schema.hpp"
@@ -33,7 +34,7 @@ void add_scene_options(CLI::App& verb, CommonOptions& common)
         ->take_all()
         ->allow_extra_args(false);
     verb.add_option("--threads", common.threads, "threads; 0: all cores")
-        ->check(CLI::Range(0, scene::bounds::most_threads))
+        ->check(whole_number(0, scene::bounds::most_threads))
         ->type_name("N");
     verb.add_flag("--json", common.json, "one JSON object on standard output");
     verb.add_flag("-q,--quiet", common.quiet, "no summary and no progress");

@@ -144,13 +144,14 @@ std::optional<double> fitting_tolerance(WireInput input, std::vector<std::string
     return {};
 }
 
-/// A dialect that cannot hold the programs is an error where it was asked for by name, else a warning.
+/// A dialect that cannot hold the programs is an error where it was asked for by name, else it is left out.
 void validate_unfit(WireInput const& input, std::vector<std::string> const& dialects, WireSetUps& programs)
 {
     for (auto const& unfit : unfit_dialects(programs, dialects)) {
         if (dialects.empty()) {
-            programs.front().warnings.push_back(
-                fmt::format("dialect {} is left out: {}: {}", unfit.name, unfit.place, unfit.cause));
+            programs.front().left_out.push_back(
+                fmt::format("dialect {}: {}: {}; --dialect {} says which tolerance fits, if one does", unfit.name,
+                            unfit.place, unfit.cause, unfit.name));
             continue;
         }
         auto const tolerance = fitting_tolerance(input, dialects);

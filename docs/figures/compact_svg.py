@@ -4,6 +4,7 @@
 Leaves out empty groups, markers that no point uses, attributes that repeat a default, and line breaks but one for each
 group of the drawing.
 """
+
 import re
 import sys
 
@@ -20,7 +21,7 @@ def compact(text):
         for marker in re.findall(r"id='(gp[A-Za-z]+\d*|textbox)'", text):
             if f"#{marker}'" not in text and f"#{marker})" not in text:
                 text = re.sub(rf"<(\w+)(?=[^<>]* id='{marker}')(?:[^<>]*/>|[^<>]*>.*?</\1>)", "", text, count=1)
-    return re.sub(r"(?=<g |</svg>)", "\n", text.strip()) + "\n"
+    return re.sub(r"\s*(?=<g |</svg>)", "\n", text.strip()) + "\n"
 
 
 for name in sys.argv[1:]:

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws docs/figures/drive-section.svg: a drive in section with cone, tilt and slices, a tooth space, two kinds of tilt.
+"""Draws docs/figures/drive-section.svg: a drive in section with cone, tilt and slices, a tooth space, kinds of tilt.
 
 usage: drive_section.py OUTPUT.svg     (standard library only)
 
 Not to scale: cone, tilt and clearance are enlarged until they can be seen.
 """
+
 import math
 import sys
 
@@ -17,11 +18,13 @@ class Drawing:
 
     def __init__(self, width, height):
         self.height = height
-        self.items = [f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" '
-                      f'font-family="sans-serif" font-size="13">',
-                      f'<rect width="{width}" height="{height}" fill="white"/>',
-                      '<defs><marker id="tip" viewBox="0 0 10 10" refX="9" refY="5" markerWidth="7" markerHeight="7" '
-                      'orient="auto-start-reverse"><path d="M0,1L10,5L0,9z"/></marker></defs>']
+        self.items = [
+            f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width} {height}" '
+            f'font-family="sans-serif" font-size="13">',
+            f'<rect width="{width}" height="{height}" fill="white"/>',
+            '<defs><marker id="tip" viewBox="0 0 10 10" refX="9" refY="5" markerWidth="7" markerHeight="7" '
+            'orient="auto-start-reverse"><path d="M0,1L10,5L0,9z"/></marker></defs>',
+        ]
 
     def at(self, point):
         return f"{point[0]:.1f},{self.height - point[1]:.1f}"
@@ -30,13 +33,17 @@ class Drawing:
         d = "M" + "L".join(self.at(p) for p in points) + ("Z" if closed else "")
         dashes = f' stroke-dasharray="{dash}"' if dash else ""
         ends = {"": "", "end": ' marker-end="url(#tip)"', "both": ' marker-start="url(#tip)" marker-end="url(#tip)"'}
-        self.items.append(f'<path d="{d}" stroke="{stroke}" fill="{fill}" stroke-width="{width}"{dashes}{ends[arrow]}/>')
+        self.items.append(
+            f'<path d="{d}" stroke="{stroke}" fill="{fill}" stroke-width="{width}"{dashes}{ends[arrow]}/>'
+        )
 
     def text(self, point, words, anchor="start", colour=INK, size=13, bold=False):
         x, y = self.at(point).split(",")
         weight = ' font-weight="bold"' if bold else ""
-        self.items.append(f'<text x="{x}" y="{y}" text-anchor="{anchor}" fill="{colour}" font-size="{size}"{weight}>'
-                          f"{words}</text>")
+        self.items.append(
+            f'<text x="{x}" y="{y}" text-anchor="{anchor}" fill="{colour}" font-size="{size}"{weight}>'
+            f"{words}</text>"
+        )
 
     def label(self, words, place, target):
         """Words with a thin line to what they name, from that end of the words which is nearer."""
@@ -70,16 +77,32 @@ def section(d):
     d.text((40, 772), "Section along the axis, at the major axis", bold=True, size=15)
     outer = axis + 318
     d.path([(first, outer), (last, outer), (last, spline(last)), (first, spline(first))], fill=PALE, closed=True)
-    cup = [(bottom, axis + 40), (bottom, wall(bottom, 10)), (first, wall(first, 10)), (first, wall(first, 34)),
-           (last, wall(last, 34)), (last, wall(last, 10)), (rim, wall(rim, 10)), (rim, wall(rim, 0)),
-           (bottom + 14, wall(bottom + 14, 0)), (bottom + 14, axis + 40)]
+    cup = [
+        (bottom, axis + 40),
+        (bottom, wall(bottom, 10)),
+        (first, wall(first, 10)),
+        (first, wall(first, 34)),
+        (last, wall(last, 34)),
+        (last, wall(last, 10)),
+        (rim, wall(rim, 10)),
+        (rim, wall(rim, 0)),
+        (bottom + 14, wall(bottom + 14, 0)),
+        (bottom + 14, axis + 40),
+    ]
     d.path(cup, fill=STEEL, closed=True)
     d.path([(first, spline(first) - 19), (last, spline(last) - 19)], width=0.9, dash="5 3")
-    d.path([(bottom, axis + 160), (rim, axis + 160), (rim, axis + 150), (bottom, axis + 150)], stroke=GREY, dash="4 4",
-           width=1)
+    d.path(
+        [(bottom, axis + 160), (rim, axis + 160), (rim, axis + 150), (bottom, axis + 150)],
+        stroke=GREY,
+        dash="4 4",
+        width=1,
+    )
     top = wall(middle - 44, 0)
-    d.path([(middle - 44, axis + 60), (middle - 44, top), (middle + 44, top), (middle + 44, axis + 60)], fill="#e8e8e8",
-           closed=True)
+    d.path(
+        [(middle - 44, axis + 60), (middle - 44, top), (middle + 44, top), (middle + 44, axis + 60)],
+        fill="#e8e8e8",
+        closed=True,
+    )
     d.path([(middle - 44, top - 16), (middle + 44, top - 16)], width=1)
     d.path([(middle - 44, top - 52), (middle + 44, top - 52)], width=1)
     for x in (middle - 20, middle + 20):
@@ -135,8 +158,10 @@ def tooth(d):
     d.path(outline + [(right, y0 + 150), (left, y0 + 150)], fill=PALE, stroke="none", closed=True)
     d.path(outline)
     inner = [(x0 + 0.82 * x, y0 + y - 18) for x, y in space()[1:-1]]
-    d.path([(x0 - 120, y0 - 52), (inner[0][0] - 4, y0 - 30)] + inner + [(inner[-1][0] + 4, y0 - 30), (x0 + 120, y0 - 52)],
-           fill=STEEL)
+    d.path(
+        [(x0 - 120, y0 - 52), (inner[0][0] - 4, y0 - 30)] + inner + [(inner[-1][0] + 4, y0 - 30), (x0 + 120, y0 - 52)],
+        fill=STEEL,
+    )
     d.path([(left - 8, y0), (right + 8, y0)], width=0.8, dash="6 3", stroke=BLUE)
     d.path([(x0, y0 - 64), (x0, y0 + 160)], width=0.8, dash="12 3 2 3")
     d.path([(x0 - 100, y0 + 30), (x0 + 100, y0 + 30)], width=0.8, dash="2 3", stroke=GREEN)
@@ -147,15 +172,16 @@ def tooth(d):
     d.label("root (bottom of the space)", (290, y0 + 130), (x0 + 20, y0 + 101))
     d.path([(x0 - 45, y0 + 42), (x0 - 53, y0 + 39)], stroke=RED, width=2.4)
     d.label("gap", (36, y0 + 66), (x0 - 52, y0 + 42))
-    d.text((x0, y0 + 8), "flexspline", "middle")
-    d.text((x0, y0 - 10), "tooth", "middle")
+    d.label("flexspline tooth", (318, y0 - 46), (x0 + 62, y0 - 26))
 
 
 def tilts(d):
     """The same outline of z = 0 moved in two ways."""
     d.text((478, 345), "Two kinds of tilt: the outline at z = 0 and at z &gt; 0", bold=True, size=15)
-    for x0, name, words, moved in ((590, "radial", "along the radius", space(shift_up=24)),
-                                   (800, "draft", "along the normal", space(offset=24))):
+    for x0, name, words, moved in (
+        (590, "radial", "along the radius", space(shift_up=24)),
+        (800, "draft", "along the normal", space(offset=24)),
+    ):
         y0 = 165
         d.path([(x0 + x, y0 + y) for x, y in space()])
         d.path([(x0 + x, y0 + y) for x, y in moved], stroke=RED)

@@ -3,6 +3,7 @@
 
 usage: tooth_families.py HDCONJ FOLDER     (needs h5py and gnuplot; run from the project's folder)
 """
+
 import math
 import pathlib
 import subprocess
@@ -31,29 +32,48 @@ class Figure:
         return self.right[-1][0]
 
     def line(self, a, b, colour=GREY, dash=2, width=1):
-        self.lines.append(f"set arrow from {a[0]},{a[1]} to {b[0]},{b[1]} nohead front lw {width} dt {dash} lc rgb '{colour}'")
+        self.lines.append(
+            f"set arrow from {a[0]},{a[1]} to {b[0]},{b[1]} nohead front lw {width} dt {dash} lc rgb '{colour}'"
+        )
 
     def dimension(self, a, b, text, offset=(0.6, 0)):
-        self.lines.append(f"set arrow from {a[0]},{a[1]} to {b[0]},{b[1]} heads front size 0.012,20 filled lw 1 lc rgb 'black'")
+        self.lines.append(
+            f"set arrow from {a[0]},{a[1]} to {b[0]},{b[1]} heads front size 0.012,20 filled lw 1 lc rgb 'black'"
+        )
         self.label(((a[0] + b[0]) / 2, (a[1] + b[1]) / 2), text, offset)
 
     def label(self, p, text, offset=(0.6, 0), colour="black"):
-        self.lines.append(f"set label \"{text}\" at {p[0]},{p[1]} offset {offset[0]},{offset[1]} front tc rgb '{colour}'")
+        self.lines.append(
+            f"set label \"{text}\" at {p[0]},{p[1]} offset {offset[0]},{offset[1]} front tc rgb '{colour}'"
+        )
 
     def curve(self, points, style):
         self.data.append("\n".join(f"{x:.5f} {y:.5f}" for x, y in points))
         self.plots.append(style)
 
     def circle(self, centre, radius, colour=BLUE, dash=2):
-        self.curve([(centre[0] + radius * math.cos(t), centre[1] + radius * math.sin(t)) for t in (math.pi * k / 45 for k in range(91))],
-                   f"with lines lw 1 dt {dash} lc rgb '{colour}'")
+        self.curve(
+            [
+                (centre[0] + radius * math.cos(t), centre[1] + radius * math.sin(t))
+                for t in (math.pi * k / 45 for k in range(91))
+            ],
+            f"with lines lw 1 dt {dash} lc rgb '{colour}'",
+        )
 
     def marks(self, points, colour=BLUE, size=0.6):
         self.curve(points, f"with points pt 7 ps {size} lc rgb '{colour}'")
 
     def arc(self, centre, radius, start, end, text, offset=(0.6, 0)):
-        self.curve([(centre[0] + radius * math.cos(start + (end - start) * k / 20), centre[1] + radius * math.sin(start + (end - start) * k / 20))
-                    for k in range(21)], "with lines lw 1 lc rgb 'black'")
+        self.curve(
+            [
+                (
+                    centre[0] + radius * math.cos(start + (end - start) * k / 20),
+                    centre[1] + radius * math.sin(start + (end - start) * k / 20),
+                )
+                for k in range(21)
+            ],
+            "with lines lw 1 lc rgb 'black'",
+        )
         middle = (start + end) / 2
         self.label((centre[0] + radius * math.cos(middle), centre[1] + radius * math.sin(middle)), text, offset)
 
@@ -121,8 +141,8 @@ def draw_arc_chain(f, p, scene):
     joints, centres = chain(p)
     f.marks(joints)
     for number, (a, b) in enumerate(zip(joints, joints[1:]), 1):
-        middle = ((a[0] + b[0]) / 2, (a[1] + b[1]) / 2)
-        f.label(middle, f"row {number}", (1.2, 0.2), BLUE)
+        y = (a[1] + b[1]) / 2
+        f.label((f.half_width(y) + 0.06, y), f"row {number}", (0, 0.2), BLUE)
     tip, angle = joints[0], math.radians(p["tip_angle_deg"])
     f.line(tip, (tip[0], tip[1] - 0.13))
     f.line(tip, (tip[0] + 0.13 * math.sin(angle), tip[1] - 0.13 * math.cos(angle)), RED)
@@ -134,7 +154,7 @@ def draw_bezier(f, p, scene):
     points = [tuple(q) for q in p["points"]]
     f.curve(points, f"with linespoints pt 7 ps 0.6 lw 1 dt 2 lc rgb '{BLUE}'")
     for i, q in enumerate(points, 1):
-        f.label(q, f"{i}", (0.8, 0.3), BLUE)
+        f.label(q, f"{i}", (1, 0.7), BLUE)
 
 
 def draw_points(f, p, scene):
@@ -164,8 +184,17 @@ def draw_arcs(f, p, scene):
     del joint
 
 
-DRAW = {"straight": draw_straight, "involute": draw_involute, "cycloid": draw_cycloid, "s-tooth": draw_s_tooth, "arc-chain": draw_arc_chain,
-        "bezier": draw_bezier, "b-spline": draw_points, "points": draw_points, "double-circular-arc": draw_arcs}
+DRAW = {
+    "straight": draw_straight,
+    "involute": draw_involute,
+    "cycloid": draw_cycloid,
+    "s-tooth": draw_s_tooth,
+    "arc-chain": draw_arc_chain,
+    "bezier": draw_bezier,
+    "b-spline": draw_points,
+    "points": draw_points,
+    "double-circular-arc": draw_arcs,
+}
 
 
 def thinned(points, tolerance=2e-4):
@@ -203,11 +232,21 @@ def draw(program, scene_name, folder, output):
     shown = thinned(outline)
     data.write_text("\n\n\n".join(["\n".join(f"{x:.5f} {y:.5f}" for x, y in shown)] + f.data) + "\n")
     file = output / f"tooth-{p['family']}.svg"
-    plots = [f"'{data}' index 0 title 'tooth' with filledcurves fc rgb '#e8e6e0'", "'' index 0 with lines lw 2.5 lc rgb 'black'"]
+    plots = [
+        f"'{data}' index 0 title 'tooth' with filledcurves fc rgb '#e8e6e0'",
+        "'' index 0 with lines lw 2.5 lc rgb 'black'",
+    ]
     plots += [f"'' index {i} {style}" for i, style in enumerate(f.plots, 1)]
-    commands = ["set encoding utf8", f"set terminal svg size {int(620 * (wide + 0.5) / 0.97)},480 font 'sans,13' background rgb 'white'", f"set output '{file}'",
-                "unset border; unset tics; set size ratio -1; set key off", f"set xrange [-0.5:{wide}]; set yrange [{bottom - (0.14 if p['family'] == 'cycloid' else 0.06)}:{top + 0.12}]",
-                "set lmargin 1; set rmargin 1; set tmargin 1; set bmargin 1", *f.lines, "plot " + ", ".join(plots)]
+    commands = [
+        "set encoding utf8",
+        f"set terminal svg size {int(620 * (wide + 0.5) / 0.97)},480 font 'sans,13' background rgb 'white'",
+        f"set output '{file}'",
+        "unset border; unset tics; set size ratio -1; set key off",
+        f"set xrange [-0.5:{wide}]; set yrange [{bottom - (0.14 if p['family'] == 'cycloid' else 0.06)}:{top + 0.12}]",
+        "set lmargin 1; set rmargin 1; set tmargin 1; set bmargin 1",
+        *f.lines,
+        "plot " + ", ".join(plots),
+    ]
     subprocess.run(["gnuplot"], input="\n".join(commands).encode(), check=True)
 
 

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Draws docs/figures/wave-generators.svg: neutral curves of the wave generator families, their displacement 20 times enlarged.
+"""Draws docs/figures/wave-generators.svg: neutral curves of the wave generators, displacement 20 times enlarged.
 
 usage: wave_generators.py HDCONJ OUTPUT.svg     (needs h5py and gnuplot; run from the project's folder)
 """
+
 import math
 import pathlib
 import subprocess
@@ -67,8 +68,12 @@ def main(program, output):
         for file, title, extra in FAMILIES:
             data = folder / f"{file}.dat"
             data.write_text("\n\n\n".join(blocks(folder, file, extra, program)))
-            marks = "with lines lw 1.5 lc rgb '#2060c0'" if extra == "cam" else f"with points pt 7 ps {0.35 if extra == 'rows' else 1.0} lc rgb '#2060c0'"
-            lines.append(f"set title \"{title}\" offset 0,-1")
+            marks = (
+                "with lines lw 1.5 lc rgb '#2060c0'"
+                if extra == "cam"
+                else f"with points pt 7 ps {0.35 if extra == 'rows' else 1.0} lc rgb '#2060c0'"
+            )
+            lines.append(f'set title "{title}" offset 0,-1')
             lines.append(
                 f"plot '{data}' index 0 title 'undeformed ring' with lines lw 1 dt 2 lc rgb '#909090', "
                 f"'' index 1 title 'neutral curve' with lines lw 2 lc rgb '#c03020', '' index 2 title 'marks' {marks}"

@@ -5,6 +5,7 @@
 Runs `hdconj accuracy --sample 0`, which takes a minute, or reads the records of a run. Prints what data/reference/
 accuracy.csv holds: the error of each study, method and setting, and the estimate over the error.
 """
+
 import csv
 import os
 import subprocess
@@ -29,7 +30,11 @@ def measured(program):
     """Records of a fresh run."""
     with tempfile.TemporaryDirectory() as folder:
         study = os.path.join(folder, "study")
-        subprocess.run([program, "accuracy", "-o", study, "--sample", "0", "--repeats", "1", "--quiet"], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(
+            [program, "accuracy", "-o", study, "--sample", "0", "--repeats", "1", "--quiet"],
+            check=True,
+            stdout=subprocess.DEVNULL,
+        )
         with open(os.path.join(study, "records.csv")) as file:
             return list(csv.DictReader(file))
 
@@ -49,9 +54,16 @@ def main():
         if record["method"].startswith("reference: harmonics"):
             continue
         error, estimate, unit = error_of(record), number(record["estimate"]), record["unit"]
-        row(record["study"], record["method"].replace(",", ""), "%g" % float(record["value"]), "" if error is None else "%.3g" % error, unit,
-            "%.3g" % (1000 * error) if error is not None and unit == "mm" else "", "%.3g" % (estimate / error) if estimate and error and unit != "1" else "",
-            *[record[key] for key in COUNTS])
+        row(
+            record["study"],
+            record["method"].replace(",", ""),
+            "%g" % float(record["value"]),
+            "" if error is None else "%.3g" % error,
+            unit,
+            "%.3g" % (1000 * error) if error is not None and unit == "mm" else "",
+            "%.3g" % (estimate / error) if estimate and error and unit != "1" else "",
+            *[record[key] for key in COUNTS]
+        )
 
 
 main()

@@ -5,6 +5,7 @@
 TABLE is any of: surfaces, slices, elastic, tilt, gap, best, best-elastic, thesis, liu, effects; all of them
 without one. With --csv a table is comma-separated, as data/reference/contact-TABLE.csv has it, in place of Markdown.
 """
+
 import csv
 import json
 import os
@@ -26,8 +27,16 @@ if CSV:
 def contact(program, scene, *arguments, **keys):
     """The contact object of one run, or what the program says; keys are --set, with __ for the dot."""
     with tempfile.TemporaryDirectory() as folder:
-        command = [program, "contact", os.path.join(ROOT, "data/scenes", scene + ".toml"), "--json", "--quiet",
-                   "-o", os.path.join(folder, "result.h5"), *arguments]
+        command = [
+            program,
+            "contact",
+            os.path.join(ROOT, "data/scenes", scene + ".toml"),
+            "--json",
+            "--quiet",
+            "-o",
+            os.path.join(folder, "result.h5"),
+            *arguments,
+        ]
         for key, value in keys.items():
             command += ["--set", key.replace("__", ".") + "=" + str(value)]
         done = subprocess.run(command, capture_output=True, text=True)
@@ -58,8 +67,22 @@ def head(*cells):
         print("|" + "---|" * len(cells))
 
 
-COLUMNS = ("overlap [um]", "+-", "least side clearance [um]", "+-", "tip circle [mm]", "more root clearance [um]",
-           "+-", "side clearance [um]", "backlash [arcmin]", "+-", "backlash [um]", "teeth", "contact [%]", "+-")
+COLUMNS = (
+    "overlap [um]",
+    "+-",
+    "least side clearance [um]",
+    "+-",
+    "tip circle [mm]",
+    "more root clearance [um]",
+    "+-",
+    "side clearance [um]",
+    "backlash [arcmin]",
+    "+-",
+    "backlash [um]",
+    "teeth",
+    "contact [%]",
+    "+-",
+)
 
 
 def figures(case):
@@ -68,13 +91,23 @@ def figures(case):
         print(case, file=sys.stderr)
         return ["cannot be made"] + [""] * (len(COLUMNS) - 1)
     state, cells = case["state"], []
-    for value, error in ((-case["closest_flank"]["clearance_um"], case["clearance_error_um"]),
-                         (case["least_side_clearance_um"], case["least_side_clearance_error_um"])):
+    for value, error in (
+        (-case["closest_flank"]["clearance_um"], case["clearance_error_um"]),
+        (case["least_side_clearance_um"], case["least_side_clearance_error_um"]),
+    ):
         cells += ["%.2f" % value, "%.1g" % error]
-    cells += ["%.4f" % case["least_tip_radius_mm"], "%.2f" % case["least_root_clearance_um"], "%.1g" % case["least_root_clearance_error_um"],
-              "%.2f" % case["backlash_offset_um"]]
+    cells += [
+        "%.4f" % case["least_tip_radius_mm"],
+        "%.2f" % case["least_root_clearance_um"],
+        "%.1g" % case["least_root_clearance_error_um"],
+        "%.2f" % case["backlash_offset_um"],
+    ]
     cells += ["%.2f" % state["backlash_arcmin"], "%.1g" % state["backlash_error_arcmin"], "%.1f" % state["backlash_um"]]
-    return cells + [state["teeth"], "%.4g" % (100 * state["contact_fraction"]), "%.2g" % (100 * state["contact_fraction_error"])]
+    return cells + [
+        state["teeth"],
+        "%.4g" % (100 * state["contact_fraction"]),
+        "%.2g" % (100 * state["contact_fraction_error"]),
+    ]
 
 
 def table(program, names, runs):
@@ -90,46 +123,115 @@ def surfaces(program):
     for shift in ("none", "mapped"):
         for surface in SURFACES:
             case = one_case(program, LINEAR, "--surface", surface, coning__axial_shift=shift)
-            row(surface, shift, *figures(case), "%.1f" % case["ruled_deviation_um"], "%.1g" % case["ruled_deviation_error_um"])
+            row(
+                surface,
+                shift,
+                *figures(case),
+                "%.1f" % case["ruled_deviation_um"],
+                "%.1g" % case["ruled_deviation_error_um"],
+            )
 
 
 def slices(program):
-    table(program, ("slices",), [((count,), LINEAR, ("--surface", "per-slice"), {"slices__count": count})
-                                 for count in (3, 5, 9, 17, 33, 65)])
+    table(
+        program,
+        ("slices",),
+        [((count,), LINEAR, ("--surface", "per-slice"), {"slices__count": count}) for count in (3, 5, 9, 17, 33, 65)],
+    )
 
 
 def elastic(program):
     """The bent cup: the three surfaces, and one outline with a tilt of 0.2 deg."""
-    table(program, ("surface", "kind", "tilt [deg]"), [
-        ((surface, "radial", 0), ELASTIC, ("--surface", surface), {}) for surface in SURFACES] + [
-        (("tilted", kind, 0.2), ELASTIC, ("--surface", "tilted", "--kind", kind, "--tilt=0.2"), {})
-        for kind in ("radial", "draft")])
+    table(
+        program,
+        ("surface", "kind", "tilt [deg]"),
+        [((surface, "radial", 0), ELASTIC, ("--surface", surface), {}) for surface in SURFACES]
+        + [
+            (("tilted", kind, 0.2), ELASTIC, ("--surface", "tilted", "--kind", kind, "--tilt=0.2"), {})
+            for kind in ("radial", "draft")
+        ],
+    )
 
 
 def tilt(program):
-    table(program, ("surface", "kind", "axial shift", "tilt [deg]"), [
-        ((surface, kind, shift, angle), LINEAR, ("--surface", surface, "--kind", kind, f"--tilt={angle}"), {"coning__axial_shift": shift})
-        for surface, kind in (("tilted", "radial"), ("tilted", "draft"), ("ruled", "radial"), ("per-slice", "radial"))
-        for shift in ("none", "mapped") for angle in COARSE])
+    table(
+        program,
+        ("surface", "kind", "axial shift", "tilt [deg]"),
+        [
+            (
+                (surface, kind, shift, angle),
+                LINEAR,
+                ("--surface", surface, "--kind", kind, f"--tilt={angle}"),
+                {"coning__axial_shift": shift},
+            )
+            for surface, kind in (
+                ("tilted", "radial"),
+                ("tilted", "draft"),
+                ("ruled", "radial"),
+                ("per-slice", "radial"),
+            )
+            for shift in ("none", "mapped")
+            for angle in COARSE
+        ],
+    )
 
 
 def gap(program):
     """Contact area with 1 and 20 um as the limit of the gap, small tilts."""
-    table(program, ("kind", "contact gap [um]", "tilt [deg]"), [
-        ((kind, limit, angle), LINEAR, ("--surface", "tilted", "--kind", kind, f"--tilt={angle}"), {"contact__contact_gap": limit / 1000})
-        for kind in ("radial", "draft") for limit in (1, 20) for angle in (0, 0.1, 0.2, 0.3)])
+    table(
+        program,
+        ("kind", "contact gap [um]", "tilt [deg]"),
+        [
+            (
+                (kind, limit, angle),
+                LINEAR,
+                ("--surface", "tilted", "--kind", kind, f"--tilt={angle}"),
+                {"contact__contact_gap": limit / 1000},
+            )
+            for kind in ("radial", "draft")
+            for limit in (1, 20)
+            for angle in (0, 0.1, 0.2, 0.3)
+        ],
+    )
 
 
 def best_tilts(program, scene):
-    head("kind", "contact gap [um]", "most contact at [deg]", "contact [%]", "+-", "least side clearance at [deg]", "least side clearance [um]", "+-")
+    head(
+        "kind",
+        "contact gap [um]",
+        "most contact at [deg]",
+        "contact [%]",
+        "+-",
+        "least side clearance at [deg]",
+        "least side clearance [um]",
+        "+-",
+    )
     for kind in ("radial", "draft"):
         for limit in (1, 20) if scene == LINEAR else (1,):
-            found = contact(program, scene, "--surface", "tilted", "--kind", kind, "--best", "--tilt=-1,1.2", contact__contact_gap=limit / 1000)
+            found = contact(
+                program,
+                scene,
+                "--surface",
+                "tilted",
+                "--kind",
+                kind,
+                "--best",
+                "--tilt=-1,1.2",
+                contact__contact_gap=limit / 1000,
+            )
             if isinstance(found, str):
                 sys.exit(found)
             area, offset = found["best"]
-            row(kind, limit, "%.3f" % area["tilt_deg"], "%.2g" % (100 * area["contact_fraction"]), "%.1g" % (100 * area["contact_fraction_error"]),
-                "%.3f" % offset["tilt_deg"], "%.2f" % offset["least_side_clearance_um"], "%.1g" % offset["least_side_clearance_error_um"])
+            row(
+                kind,
+                limit,
+                "%.3f" % area["tilt_deg"],
+                "%.2g" % (100 * area["contact_fraction"]),
+                "%.1g" % (100 * area["contact_fraction_error"]),
+                "%.3f" % offset["tilt_deg"],
+                "%.2f" % offset["least_side_clearance_um"],
+                "%.1g" % offset["least_side_clearance_error_um"],
+            )
 
 
 def best(program):
@@ -147,15 +249,35 @@ def thesis(program):
     for kind in ("radial", "draft"):
         for shift in ("none", "mapped"):
             for limit in (1, 5, 10, 20, 25):
-                values = [one_case(program, LINEAR, "--surface", "tilted", "--kind", kind, f"--tilt={angle}", coning__axial_shift=shift,
-                                   contact__contact_gap=limit / 1000, circular_spline__backlash_offset=0.045)["state"]["contact_fraction"] for angle in tilts]
+                values = [
+                    one_case(
+                        program,
+                        LINEAR,
+                        "--surface",
+                        "tilted",
+                        "--kind",
+                        kind,
+                        f"--tilt={angle}",
+                        coning__axial_shift=shift,
+                        contact__contact_gap=limit / 1000,
+                        circular_spline__backlash_offset=0.045,
+                    )["state"]["contact_fraction"]
+                    for angle in tilts
+                ]
                 ranked = sorted(zip(tilts, values), key=lambda pair: pair[1])
                 row(kind, shift, limit, *["%.3g" % (100 * v) for v in values], " < ".join(str(t) for t, _ in ranked))
 
 
 def liu(program):
-    table(program, ("width [mm]", "surface"), [((width, surface), "liu-2025-coned", ("--surface", surface), {"circular_spline__width": float(width)})
-                                               for width in (6, 10, 15) for surface in ("tilted", "per-slice")])
+    table(
+        program,
+        ("width [mm]", "surface"),
+        [
+            ((width, surface), "liu-2025-coned", ("--surface", surface), {"circular_spline__width": float(width)})
+            for width in (6, 10, 15)
+            for surface in ("tilted", "per-slice")
+        ],
+    )
 
 
 def effects(program):
@@ -163,14 +285,30 @@ def effects(program):
     nine = {"slices__count": 9}
     cone = {**nine, "coning__model": "linear", "coning__bottom_to_middle": 9, "coning__apex_height": 0.43}
     leaning = {**nine, "tilt__angle_deg": 0.2}
-    changes = [("none", {}), ("first-order kinematics", {"solver__kinematics": "first-order"}), ("side clearance of 10 um", {"circular_spline__backlash_offset": 0.01}),
-               ("9 equal slices", nine), ("radial tilt of 0.2 deg", {**leaning, "tilt__kind": "radial"}), ("draft of 0.2 deg", {**leaning, "tilt__kind": "draft"}),
-               *((f"cone: {surface}", {**cone, "slices__surface": surface}) for surface in SURFACES)]
+    changes = [
+        ("none", {}),
+        ("first-order kinematics", {"solver__kinematics": "first-order"}),
+        ("side clearance of 10 um", {"circular_spline__backlash_offset": 0.01}),
+        ("9 equal slices", nine),
+        ("radial tilt of 0.2 deg", {**leaning, "tilt__kind": "radial"}),
+        ("draft of 0.2 deg", {**leaning, "tilt__kind": "draft"}),
+        *((f"cone: {surface}", {**cone, "slices__surface": surface}) for surface in SURFACES),
+    ]
     table(program, ("effect",), [((name,), "type-50", (), keys) for name, keys in changes])
 
 
-TABLES = {"surfaces": surfaces, "slices": slices, "elastic": elastic, "tilt": tilt, "gap": gap, "best": best, "best-elastic": best_elastic,
-          "thesis": thesis, "liu": liu, "effects": effects}
+TABLES = {
+    "surfaces": surfaces,
+    "slices": slices,
+    "elastic": elastic,
+    "tilt": tilt,
+    "gap": gap,
+    "best": best,
+    "best-elastic": best_elastic,
+    "thesis": thesis,
+    "liu": liu,
+    "effects": effects,
+}
 LONG = ("tilt", "thesis", "best", "best-elastic", "gap")
 
 
@@ -180,7 +318,11 @@ def make(tables, long, usage):
         sys.exit(usage)
     script = "docs/tables/" + os.path.basename(sys.argv[0])
     for name in sys.argv[2:] or tables:
-        print(f"# made by{' (long)' if name in long else ''}: {script} PROGRAM --csv {name}" if CSV else f"\n<!-- {name} -->\n")
+        print(
+            f"# made by{' (long)' if name in long else ''}: {script} PROGRAM --csv {name}"
+            if CSV
+            else f"\n<!-- {name} -->\n"
+        )
         tables[name](sys.argv[1])
         sys.stdout.flush()
 

@@ -2,9 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Work of whole runs on one thread, and the errors that they state: docs/tables/cost.py PROGRAM [--csv] [TABLE ...]
 
-TABLE is any of: tolerance, errors, verbs; all of them without one. Counts of points and contacts are the same on every machine.
-Instructions are counted by callgrind (valgrind). Memory is the largest resident set.
+TABLE is any of: tolerance, errors, verbs; all of them without one. Counts of points and contacts are the same on every
+machine. Instructions are counted by callgrind (valgrind). Memory is the largest resident set.
 """
+
 import json
 import os
 import re
@@ -32,8 +33,14 @@ RUNS = {
 
 def command(program, words):
     """The command line of a run; a scene is named without folder and ending."""
-    given = [os.path.join(ROOT, "data/scenes", word + ".toml") if os.path.exists(os.path.join(ROOT, "data/scenes", word + ".toml")) else word
-             for word in words]
+    given = [
+        (
+            os.path.join(ROOT, "data/scenes", word + ".toml")
+            if os.path.exists(os.path.join(ROOT, "data/scenes", word + ".toml"))
+            else word
+        )
+        for word in words
+    ]
     threads = ["--quiet", "--threads", "1"] if words[0] not in ("--version", "check") else []
     target = ["-o", "out"] if words[0] in ("solve", "contact", "load", "wedm") else []
     return [program, *given, *threads, *target]
@@ -42,8 +49,12 @@ def command(program, words):
 def million_instructions(program, words):
     """Instructions of a run, by callgrind."""
     with tempfile.TemporaryDirectory() as folder:
-        done = subprocess.run(["valgrind", "--tool=callgrind", "--callgrind-out-file=counts", *command(os.path.abspath(program), words)],
-                              cwd=folder, capture_output=True, text=True)
+        done = subprocess.run(
+            ["valgrind", "--tool=callgrind", "--callgrind-out-file=counts", *command(os.path.abspath(program), words)],
+            cwd=folder,
+            capture_output=True,
+            text=True,
+        )
     found = re.search(r"Collected : (\d+)", done.stderr)
     if done.returncode or not found:
         sys.exit(f"{words}: {done.stderr}")
@@ -72,7 +83,13 @@ def tolerance(program):
     for power in range(3, 12):
         words = ["solve", "--set", f"solver.tolerance=1e-{power}"]
         with tempfile.TemporaryDirectory() as folder:
-            done = subprocess.run([*command(os.path.abspath(program), words), "--json"], cwd=folder, capture_output=True, text=True, check=True)
+            done = subprocess.run(
+                [*command(os.path.abspath(program), words), "--json"],
+                cwd=folder,
+                capture_output=True,
+                text=True,
+                check=True,
+            )
             size = os.path.getsize(os.path.join(folder, "out"))
         found = json.loads(done.stdout)
         row(f"1e-{power}", found["circular_spline"]["points"], found["work"]["envelope_points"], "%.2g" % (size / 1e6))
@@ -81,7 +98,13 @@ def tolerance(program):
 def errors(program):
     """What `solve` states of the errors of the built-in drive. Those that are rounding differ among processors."""
     with tempfile.TemporaryDirectory() as folder:
-        done = subprocess.run([*command(os.path.abspath(program), ["solve"]), "--json"], cwd=folder, capture_output=True, text=True, check=True)
+        done = subprocess.run(
+            [*command(os.path.abspath(program), ["solve"]), "--json"],
+            cwd=folder,
+            capture_output=True,
+            text=True,
+            check=True,
+        )
     head("figure", "value", "+-")
     for key, value in json.loads(done.stdout)["error"].items():
         if value > 0:

@@ -5,6 +5,7 @@
 TABLE is any of: cup, teeth, play, held, fillets; all of them without one. With --csv a table is comma-separated, as
 data/reference/elastic-TABLE.csv has it, in place of Markdown.
 """
+
 import json
 import os
 import re
@@ -28,27 +29,54 @@ def cup(program, *settings):
             sys.exit(done.stderr.strip())
         with open(os.path.join(folder, "cup.vtu")) as file:
             stress = re.search(r'Name="von_mises"[^>]*>\s*([^<]*)<', file.read()).group(1)
-    coning, force = re.search(r"con(?:es by|ing) (\S+)(?: \+- \S+)? degrees.*(?:with|cup) (\S+)(?: \+- \S+)? N", done.stdout).groups()
+    coning, force = re.search(
+        r"con(?:es by|ing) (\S+)(?: \+- \S+)? degrees.*(?:with|cup) (\S+)(?: \+- \S+)? N", done.stdout
+    ).groups()
     gap = re.search(r"balls .*?(\S+) um", done.stdout)
-    return {"coning": "%.3f" % float(coning), "force": "%.0f" % float(force), "gap": "%.1f" % float(gap.group(1)) if gap else "0",
-            "stress": "%.0f" % max(map(float, stress.split()))}
+    return {
+        "coning": "%.3f" % float(coning),
+        "force": "%.0f" % float(force),
+        "gap": "%.1f" % float(gap.group(1)) if gap else "0",
+        "stress": "%.0f" % max(map(float, stress.split())),
+    }
 
 
 def cup_state(program):
     """The cup on its wave generator, without torque, each figure with its stated error."""
     with tempfile.TemporaryDirectory() as folder:
-        command = [program, "load", SCENE, "--surface", "per-slice", "--no-curve", "--json", "--quiet", "-o", os.path.join(folder, "l.h5"),
-                   "--set", "circular_spline.backlash_offset=0.04"]
+        command = [
+            program,
+            "load",
+            SCENE,
+            "--surface",
+            "per-slice",
+            "--no-curve",
+            "--json",
+            "--quiet",
+            "-o",
+            os.path.join(folder, "l.h5"),
+            "--set",
+            "circular_spline.backlash_offset=0.04",
+        ]
         state = json.loads(subprocess.run(command, capture_output=True, text=True, check=True).stdout)["load"]["cup"]
     head("figure", "value", "+-")
-    for key, digits in (("coning_major_deg", 3), ("coning_minor_deg", 3), ("wave_generator_force_N", 0), ("largest_stress_MPa", 0)):
+    for key, digits in (
+        ("coning_major_deg", 3),
+        ("coning_minor_deg", 3),
+        ("wave_generator_force_N", 0),
+        ("largest_stress_MPa", 0),
+    ):
         row(key, "%.*f" % (digits, state[key]), "%.2g" % state["error"][key])
 
 
 def teeth(program):
     head("steel in the layer of teeth", "coning [deg]", "force [N]")
     for share in (None, 0.01, 0.1, 0.3, 0.5, 1.0):
-        found = cup(program) if share is None else cup(program, "flexspline.cup.tooth_layer=0.53", "flexspline.cup.tooth_share=%g" % share)
+        found = (
+            cup(program)
+            if share is None
+            else cup(program, "flexspline.cup.tooth_layer=0.53", "flexspline.cup.tooth_share=%g" % share)
+        )
         row("none" if share is None else "%g" % share, found["coning"], found["force"])
 
 
@@ -73,9 +101,20 @@ def fillets(program):
         for circles in (13, 49):
             settings = ["bearing.circles=%d" % circles, "bearing.angles=48"]
             if radius is not None:
-                settings += ["!flexspline.cup.rear_ramp", "!flexspline.cup.front_ramp", "flexspline.cup.rear_fillet=%g" % radius, "flexspline.cup.front_fillet=%g" % radius]
+                settings += [
+                    "!flexspline.cup.rear_ramp",
+                    "!flexspline.cup.front_ramp",
+                    "flexspline.cup.rear_fillet=%g" % radius,
+                    "flexspline.cup.front_fillet=%g" % radius,
+                ]
             found = cup(program, *settings)
-            row("ramp of 0.4" if radius is None else "arc of %g" % radius, circles, found["coning"], found["force"], found["stress"])
+            row(
+                "ramp of 0.4" if radius is None else "arc of %g" % radius,
+                circles,
+                found["coning"],
+                found["force"],
+                found["stress"],
+            )
 
 
 TABLES = {"cup": cup_state, "teeth": teeth, "play": play, "held": held, "fillets": fillets}

@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of docs/explanation/load.md and docs/explanation/thesis.md, from the program's own JSON: docs/tables/load.py PROGRAM [--csv] [TABLE ...]
+"""Tables of load.md and thesis.md, from the program's own JSON: docs/tables/load.py PROGRAM [--csv] [TABLE ...]
 
-TABLE is any of: stages, curve, prototypes, grid, thesis, tilted, surfaces, bearing, fixed, balls, estimates; all of them
-without one. With --csv a table is comma-separated, as data/reference/load-TABLE.csv has it, in place of Markdown.
+TABLE is any of: stages, curve, prototypes, grid, thesis, tilted, surfaces, bearing, fixed, balls, estimates; all of
+them without one. With --csv a table is comma-separated, as data/reference/load-TABLE.csv has it, in place of Markdown.
 """
+
 import json
 import os
 import random
@@ -14,11 +15,14 @@ import tempfile
 
 from contact import ROOT, head, make, row
 
-ELASTIC = os.path.join(ROOT, "data/scenes/type-50-elastic.toml")  # scene of the tables thesis and surfaces, with 33 slices, and stages
+ELASTIC = os.path.join(
+    ROOT, "data/scenes/type-50-elastic.toml"
+)  # scene of the tables thesis and surfaces, with 33 slices, and stages
 
 
 def load(program, *arguments, **keys):
-    """The load object of one run, on the built-in scene if no other is given, or what the program says; keys are --set, with __ for the dot."""
+    """The load object of one run, on the built-in scene if no other is given, or what the program says; keys are --set,
+    with __ for the dot."""
     with tempfile.TemporaryDirectory() as folder:
         command = [program, "load", "--json", "--quiet", "-o", os.path.join(folder, "result.h5"), *arguments]
         for key, value in keys.items():
@@ -34,13 +38,38 @@ def figures(case):
     def both(key, scale, digits):
         return ["%.*f" % (digits, scale * state[key]), "%.2g" % (scale * error[key])]
 
-    return ["%.1f%s" % (case["backlash_offset_um"], "*" if case["side_clearance_increased"] else ""), "%.3f" % case["tip_radius_mm"], "%.2f" % case["backlash_arcmin"],
-            *both("twist_arcmin", 1, 2), "%.0f" % state["stiffness_Nm_per_deg"], state["teeth"], *both("contact_fraction", 100, 4), *both("fraction_within_gap", 100, 2),
-            *both("largest_force_N", 1, 1), "%.0f" % state["largest_pressure_MPa"], "%.0f" % state["largest_stress_MPa"]]
+    return [
+        "%.1f%s" % (case["backlash_offset_um"], "*" if case["side_clearance_increased"] else ""),
+        "%.3f" % case["tip_radius_mm"],
+        "%.2f" % case["backlash_arcmin"],
+        *both("twist_arcmin", 1, 2),
+        "%.0f" % state["stiffness_Nm_per_deg"],
+        state["teeth"],
+        *both("contact_fraction", 100, 4),
+        *both("fraction_within_gap", 100, 2),
+        *both("largest_force_N", 1, 1),
+        "%.0f" % state["largest_pressure_MPa"],
+        "%.0f" % state["largest_stress_MPa"],
+    ]
 
 
-COLUMNS = ["side clearance [um]", "tip circle [mm]", "backlash [arcmin]", "twist [arcmin]", "+-", "tangent stiffness [N m/deg]", "teeth", "pressed flank [%]", "+-",
-           "gap to 1 um [%]", "+-", "largest force of a tooth [N]", "+-", "pressure [MPa]", "cup [MPa]"]
+COLUMNS = [
+    "side clearance [um]",
+    "tip circle [mm]",
+    "backlash [arcmin]",
+    "twist [arcmin]",
+    "+-",
+    "tangent stiffness [N m/deg]",
+    "teeth",
+    "pressed flank [%]",
+    "+-",
+    "gap to 1 um [%]",
+    "+-",
+    "largest force of a tooth [N]",
+    "+-",
+    "pressure [MPa]",
+    "cup [MPa]",
+]
 
 
 def told(result, *cells):
@@ -56,22 +85,55 @@ def thesis(program):
     head("tilt [deg]", "kind", *COLUMNS)
     for kind in ("radial", "draft"):
         for tilt in (0, 0.1, 0.2, 0.3):
-            told(load(program, ELASTIC, "--surface", "tilted", "--no-curve", f"--tilt={tilt}", "--kind", kind, slices__count=33), tilt, kind)
+            told(
+                load(
+                    program,
+                    ELASTIC,
+                    "--surface",
+                    "tilted",
+                    "--no-curve",
+                    f"--tilt={tilt}",
+                    "--kind",
+                    kind,
+                    slices__count=33,
+                ),
+                tilt,
+                kind,
+            )
 
 
 def stages(program):
     """Two lines through one curve, for different numbers of torques: they are no property of the drive."""
-    head("torques", "surface", "backlash [arcmin]", "first stage [N m/deg]", "+-", "second stage [N m/deg]", "+-", "two lines found", "knee [N m]")
+    head(
+        "torques",
+        "surface",
+        "backlash [arcmin]",
+        "first stage [N m/deg]",
+        "+-",
+        "second stage [N m/deg]",
+        "+-",
+        "two lines found",
+        "knee [N m]",
+    )
     for points in (5, 8, 10, 13, 20):
         for surface in ("tilted", "per-slice"):
-            result = load(program, ELASTIC, "--surface", surface, "--points", str(points), circular_spline__backlash_offset=0.065)
+            result = load(
+                program, ELASTIC, "--surface", surface, "--points", str(points), circular_spline__backlash_offset=0.065
+            )
             stage_row(result["cases"][0], points, surface)
 
 
 def stage_row(case, *cells):
-    row(*cells, "%.2f" % case["backlash_arcmin"], "%.0f" % case["first_stage_Nm_per_deg"], "%.0f" % case["first_stage_error_Nm_per_deg"],
-        "%.0f" % case["second_stage_Nm_per_deg"], "%.0f" % case["second_stage_error_Nm_per_deg"], case["stages_found"],
-        "%.1f" % case["knee_Nm"] if case["stages_found"] else "")
+    row(
+        *cells,
+        "%.2f" % case["backlash_arcmin"],
+        "%.0f" % case["first_stage_Nm_per_deg"],
+        "%.0f" % case["first_stage_error_Nm_per_deg"],
+        "%.0f" % case["second_stage_Nm_per_deg"],
+        "%.0f" % case["second_stage_error_Nm_per_deg"],
+        case["stages_found"],
+        "%.1f" % case["knee_Nm"] if case["stages_found"] else "",
+    )
 
 
 def curve(program):
@@ -80,18 +142,45 @@ def curve(program):
     for surface in ("tilted", "per-slice"):
         result = load(program, ELASTIC, "--surface", surface, "--points", "20", circular_spline__backlash_offset=0.065)
         states = result["cases"][0]["curve"]
-        for state in states[:1 + len(states) // 3]:
-            row(surface, "%.4g" % state["torque_Nm"], "%.2f" % state["twist_arcmin"], "%.2g" % state["error"]["twist_arcmin"], "%.0f" % state["stiffness_Nm_per_deg"])
+        for state in states[: 1 + len(states) // 3]:
+            row(
+                surface,
+                "%.4g" % state["torque_Nm"],
+                "%.2f" % state["twist_arcmin"],
+                "%.2g" % state["error"]["twist_arcmin"],
+                "%.0f" % state["stiffness_Nm_per_deg"],
+            )
 
 
 def prototypes(program):
     """The computed rows beside the two prototypes of the thesis."""
-    head("tilt [deg]", "side clearance [um]", "backlash [arcmin]", "+-", "first stage [N m/deg]", "+-", "second stage [N m/deg]", "+-", "tangent at 28 N m [N m/deg]")
+    head(
+        "tilt [deg]",
+        "side clearance [um]",
+        "backlash [arcmin]",
+        "+-",
+        "first stage [N m/deg]",
+        "+-",
+        "second stage [N m/deg]",
+        "+-",
+        "tangent at 28 N m [N m/deg]",
+    )
     for tilt, clearance in ((0, 0.075), (0.2, "auto")):
-        case = load(program, ELASTIC, "--surface", "tilted", f"--tilt={tilt}", circular_spline__backlash_offset=clearance)["cases"][0]
-        row(tilt, "%.1f" % case["backlash_offset_um"], "%.2f" % case["backlash_arcmin"], "%.1g" % case["backlash_error_arcmin"],
-            *["%.0f" % case[key] for stage in ("first", "second") for key in (stage + "_stage_Nm_per_deg", stage + "_stage_error_Nm_per_deg")],
-            "%.0f" % case["rated"]["stiffness_Nm_per_deg"])
+        case = load(
+            program, ELASTIC, "--surface", "tilted", f"--tilt={tilt}", circular_spline__backlash_offset=clearance
+        )["cases"][0]
+        row(
+            tilt,
+            "%.1f" % case["backlash_offset_um"],
+            "%.2f" % case["backlash_arcmin"],
+            "%.1g" % case["backlash_error_arcmin"],
+            *[
+                "%.0f" % case[key]
+                for stage in ("first", "second")
+                for key in (stage + "_stage_Nm_per_deg", stage + "_stage_error_Nm_per_deg")
+            ],
+            "%.0f" % case["rated"]["stiffness_Nm_per_deg"],
+        )
 
 
 def grid(program):
@@ -104,25 +193,65 @@ def grid(program):
 def tilted(program):
     """One outline with a side clearance of 80 um for all tilts, and with a negative tilt."""
     head("asked [um]", "tilt [deg]", "kind", *COLUMNS)
-    runs = [("least", -0.3, "radial", {})] + [(80, tilt, kind, {"circular_spline__backlash_offset": 0.08}) for kind in ("radial", "draft") for tilt in (0, 0.1, 0.2, 0.3)]
+    runs = [("least", -0.3, "radial", {})] + [
+        (80, tilt, kind, {"circular_spline__backlash_offset": 0.08})
+        for kind in ("radial", "draft")
+        for tilt in (0, 0.1, 0.2, 0.3)
+    ]
     for asked, tilt, kind, keys in runs:
-        told(load(program, ELASTIC, "--surface", "tilted", "--no-curve", f"--tilt={tilt}", "--kind", kind, slices__count=33, **keys), asked, tilt, kind)
+        told(
+            load(
+                program,
+                ELASTIC,
+                "--surface",
+                "tilted",
+                "--no-curve",
+                f"--tilt={tilt}",
+                "--kind",
+                kind,
+                slices__count=33,
+                **keys,
+            ),
+            asked,
+            tilt,
+            kind,
+        )
 
 
 def surfaces(program):
     head("asked [um]", "surface", *COLUMNS)
     for clearance in (0, 40, 65):
         for surface in ("tilted", "ruled", "per-slice"):
-            told(load(program, ELASTIC, "--no-curve", "--surface", surface, slices__count=33, circular_spline__backlash_offset=clearance / 1000), clearance, surface)
+            told(
+                load(
+                    program,
+                    ELASTIC,
+                    "--no-curve",
+                    "--surface",
+                    surface,
+                    slices__count=33,
+                    circular_spline__backlash_offset=clearance / 1000,
+                ),
+                clearance,
+                surface,
+            )
 
 
 def bearing(program):
     head("bearing", "coning [deg]", *COLUMNS)
-    variants = [("ring 1.2 mm", {}), ("ring 0.8 mm", {"bearing__ring_thickness": 0.8}), ("ring 1.6 mm", {"bearing__ring_thickness": 1.6}),
-                ("balls 3000 N/mm^2", {"bearing__radial_stiffness": 3000}), ("balls 1000 N/mm^2", {"bearing__radial_stiffness": 1000}),
-                ("balls 300 N/mm^2", {"bearing__radial_stiffness": 300}), ("balls 100 N/mm^2", {"bearing__radial_stiffness": 100}),
-                ("balls free along the axis", {"bearing__axially": "free"}), ("fit +5 um", {"bearing__fit": 0.005}), ("fit -5 um", {"bearing__fit": -0.005}),
-                ("side clearance 80 um", {"circular_spline__backlash_offset": 0.08})]
+    variants = [
+        ("ring 1.2 mm", {}),
+        ("ring 0.8 mm", {"bearing__ring_thickness": 0.8}),
+        ("ring 1.6 mm", {"bearing__ring_thickness": 1.6}),
+        ("balls 3000 N/mm^2", {"bearing__radial_stiffness": 3000}),
+        ("balls 1000 N/mm^2", {"bearing__radial_stiffness": 1000}),
+        ("balls 300 N/mm^2", {"bearing__radial_stiffness": 300}),
+        ("balls 100 N/mm^2", {"bearing__radial_stiffness": 100}),
+        ("balls free along the axis", {"bearing__axially": "free"}),
+        ("fit +5 um", {"bearing__fit": 0.005}),
+        ("fit -5 um", {"bearing__fit": -0.005}),
+        ("side clearance 80 um", {"circular_spline__backlash_offset": 0.08}),
+    ]
     for name, keys in variants:
         keys = {"circular_spline__backlash_offset": 0.065, **keys}
         result = load(program, "--no-curve", **keys)
@@ -132,38 +261,84 @@ def bearing(program):
 def fixed(program):
     """The bearing's part alone: an outline of the linear cone, which does not follow the bearing."""
     head("bearing", "coning [deg]", *COLUMNS)
-    for name, keys in [("ring 1.2 mm", {}), ("ring 0.8 mm", {"bearing__ring_thickness": 0.8}), ("ring 1.6 mm", {"bearing__ring_thickness": 1.6}),
-                       ("balls 3000 N/mm^2", {"bearing__radial_stiffness": 3000}), ("balls 1000 N/mm^2", {"bearing__radial_stiffness": 1000}),
-                       ("balls free along the axis", {"bearing__axially": "free"}), ("fit +5 um", {"bearing__fit": 0.005}), ("fit -5 um", {"bearing__fit": -0.005}),
-                       ("cam_oversize -5 um", {"bearing__cam_oversize": -0.005}), ("23 balls", {"bearing__balls": 23})]:
-        keys = {"circular_spline__backlash_offset": 0.09, "coning__model": "linear", "coning__bottom_to_middle": 9.0, **keys}
+    for name, keys in [
+        ("ring 1.2 mm", {}),
+        ("ring 0.8 mm", {"bearing__ring_thickness": 0.8}),
+        ("ring 1.6 mm", {"bearing__ring_thickness": 1.6}),
+        ("balls 3000 N/mm^2", {"bearing__radial_stiffness": 3000}),
+        ("balls 1000 N/mm^2", {"bearing__radial_stiffness": 1000}),
+        ("balls free along the axis", {"bearing__axially": "free"}),
+        ("fit +5 um", {"bearing__fit": 0.005}),
+        ("fit -5 um", {"bearing__fit": -0.005}),
+        ("cam_oversize -5 um", {"bearing__cam_oversize": -0.005}),
+        ("23 balls", {"bearing__balls": 23}),
+    ]:
+        keys = {
+            "circular_spline__backlash_offset": 0.09,
+            "coning__model": "linear",
+            "coning__bottom_to_middle": 9.0,
+            **keys,
+        }
         result = load(program, "--no-curve", **keys)
         told(result, name, "" if isinstance(result, str) else "%.3f" % result["cup"]["coning_major_deg"])
 
 
 def balls(program):
-    head("balls", "force on the cup [N]", "coning [deg]", "largest ball assembled", "at 28 N m", "carry", "twist [arcmin]", "pressed flank [%]")
+    head(
+        "balls",
+        "force on the cup [N]",
+        "coning [deg]",
+        "largest ball assembled",
+        "at 28 N m",
+        "carry",
+        "twist [arcmin]",
+        "pressed flank [%]",
+    )
     for count in (None, 200, 100, 50, 22, 23):
         keys = {"circular_spline__backlash_offset": 0.065, **({"bearing__balls": count} if count else {})}
         result = load(program, "--no-curve", **keys)
         if isinstance(result, str):
             sys.exit(result)
         unit, state = "ball_force_N" + ("" if count else "_per_mm"), result["cases"][0]["rated"]
-        row(count or "line", "%.0f" % result["cup"]["wave_generator_force_N"], "%.4f" % result["cup"]["coning_major_deg"], "%.4g" % result["cup"][unit], "%.4g" % state[unit],
-            state["balls"], "%.2f" % state["twist_arcmin"], "%.4f" % (100 * state["contact_fraction"]))
+        row(
+            count or "line",
+            "%.0f" % result["cup"]["wave_generator_force_N"],
+            "%.4f" % result["cup"]["coning_major_deg"],
+            "%.4g" % result["cup"][unit],
+            "%.4g" % state[unit],
+            state["balls"],
+            "%.2f" % state["twist_arcmin"],
+            "%.4f" % (100 * state["contact_fraction"]),
+        )
 
 
 def estimates(program):
     """True distance to a grid twice as fine over the estimate, of random drives: the largest ratio of each figure."""
     wish = random.Random(41)
-    keys_of = ["twist_arcmin", "stiffness_Nm_per_deg", "contact_fraction", "fraction_within_gap", "largest_pressure_MPa", "largest_force_N", "wave_generator_force_N", "lobe_force_N"]
+    keys_of = [
+        "twist_arcmin",
+        "stiffness_Nm_per_deg",
+        "contact_fraction",
+        "fraction_within_gap",
+        "largest_pressure_MPa",
+        "largest_force_N",
+        "wave_generator_force_N",
+        "lobe_force_N",
+    ]
     found = {key: [] for key in keys_of}
     for _ in range(8):
         keys, arguments = random_drive(wish)
         keys["slices__count"] = 9
         torque = "%.6g" % 10 ** wish.uniform(0.5, 1.8)
         here = load(program, "--no-curve", "--torque", torque, *arguments, **keys)
-        fine = load(program, "--no-curve", "--torque", torque, *arguments, **{**keys, "slices__count": 17, "contact__flank_points": 400, "bearing__circles": 25})
+        fine = load(
+            program,
+            "--no-curve",
+            "--torque",
+            torque,
+            *arguments,
+            **{**keys, "slices__count": 17, "contact__flank_points": 400, "bearing__circles": 25},
+        )
         if isinstance(here, str) or isinstance(fine, str):
             print(here if isinstance(here, str) else fine, file=sys.stderr)
             continue
@@ -171,10 +346,23 @@ def estimates(program):
         for key in keys_of:
             if a["rated_error"]:
                 found[key].append(abs(a["rated"][key] - b["rated"][key]) / max(1e-300, a["rated_error"][key]))
-        print(keys, arguments, torque, {key: "%.2f" % found[key][-1] for key in keys_of if found[key]}, file=sys.stderr, flush=True)
+        print(
+            keys,
+            arguments,
+            torque,
+            {key: "%.2f" % found[key][-1] for key in keys_of if found[key]},
+            file=sys.stderr,
+            flush=True,
+        )
     head("figure", "drives", "within the estimate", "largest", "median")
     for key, ratios in found.items():
-        row(key, len(ratios), sum(r <= 1 for r in ratios), "%.2f" % max(ratios), "%.2f" % sorted(ratios)[len(ratios) // 2])
+        row(
+            key,
+            len(ratios),
+            sum(r <= 1 for r in ratios),
+            "%.2f" % max(ratios),
+            "%.2f" % sorted(ratios)[len(ratios) // 2],
+        )
 
 
 def random_drive(wish):
@@ -182,14 +370,29 @@ def random_drive(wish):
     surface = wish.choice(["tilted", "tilted", "tilted", "ruled", "per-slice"])
     tilt = wish.choice([0, 0, 0.1, 0.2, 0.3])
     kind = wish.choice(["radial", "draft"]) if surface == "tilted" else "radial"
-    keys = {"wave_generator__radial_deformation": wish.uniform(0.25, 0.275), "flexspline__wall": wish.uniform(0.45, 0.9),
-            "circular_spline__backlash_offset": wish.choice([0.0, 0.02, 0.04, 0.065, 0.09]), "contact__wave_generator_angle_deg": wish.uniform(0, 1.8),
-            "slices__count": wish.choice([3, 5, 9])}
+    keys = {
+        "wave_generator__radial_deformation": wish.uniform(0.25, 0.275),
+        "flexspline__wall": wish.uniform(0.45, 0.9),
+        "circular_spline__backlash_offset": wish.choice([0.0, 0.02, 0.04, 0.065, 0.09]),
+        "contact__wave_generator_angle_deg": wish.uniform(0, 1.8),
+        "slices__count": wish.choice([3, 5, 9]),
+    }
     return keys, ["--surface", surface] + ([f"--tilt={tilt}", "--kind", kind] if tilt else [])
 
 
-TABLES = {"stages": stages, "curve": curve, "prototypes": prototypes, "grid": grid, "thesis": thesis, "tilted": tilted, "surfaces": surfaces, "bearing": bearing,
-          "fixed": fixed, "balls": balls, "estimates": estimates}
+TABLES = {
+    "stages": stages,
+    "curve": curve,
+    "prototypes": prototypes,
+    "grid": grid,
+    "thesis": thesis,
+    "tilted": tilted,
+    "surfaces": surfaces,
+    "bearing": bearing,
+    "fixed": fixed,
+    "balls": balls,
+    "estimates": estimates,
+}
 
 if __name__ == "__main__":
     make(TABLES, set(TABLES) - {"grid"}, __doc__)

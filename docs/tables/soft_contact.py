@@ -1,12 +1,16 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contact share of type-50 against tilt if the flanks were soft: docs/tables/soft_contact.py PROGRAM [--csv] [CLEARANCE]
+"""Contact of type-50 against tilt if the flanks were soft: docs/tables/soft_contact.py PROGRAM [--csv] [CLEARANCE]
 
-An estimate for docs/explanation/contact.md, not part of the program. The gap map of `hdconj contact` is moved back to a side clearance that the
-thesis' prototypes may have had (0.0225 mm by the play of 6.2 arcmin), which lets the teeth enter each other, and the circular spline is turned until the overlap, taken as the pressure of a bed of springs, makes a given
-moment; what overlaps on the driving side is in contact. Needs h5py and numpy. Simplifications: gaps change by the clearance itself and by
-lever times turn; normals are those of the slice in the middle; the tip circle is the least one. Tilts at which no surface can be made have no area.
+An estimate for docs/explanation/contact.md, not part of the program. The gap map of `hdconj contact` is moved back to a
+side clearance that the thesis' prototypes may have had (0.0225 mm by the backlash of 6.2 arcmin), so that the teeth
+overlap. The circular spline is turned until the overlap, taken as the pressure of a bed of springs, makes a given
+moment. What overlaps on the driving side is in contact.
+
+Simplifications: gaps change by the clearance itself and by lever times turn; normals are those of the slice in the
+middle; the tip circle is the least one. Tilts at which no surface can be made have no area. Needs h5py and numpy.
 """
+
 import json
 import os
 import subprocess
@@ -30,8 +34,25 @@ class Bed:
     def __init__(self, program, clearance, tilt, kind, shift):
         with tempfile.TemporaryDirectory() as folder:
             result = os.path.join(folder, "result.h5")
-            command = [program, "contact", SCENE, "--surface", "tilted", "--kind", kind, f"--tilt={tilt}", "--json", "--quiet", "-o", result]
-            for key in (f"circular_spline.backlash_offset={clearance}", "coning.axial_shift=" + shift, "contact.flank_points=120"):
+            command = [
+                program,
+                "contact",
+                SCENE,
+                "--surface",
+                "tilted",
+                "--kind",
+                kind,
+                f"--tilt={tilt}",
+                "--json",
+                "--quiet",
+                "-o",
+                result,
+            ]
+            for key in (
+                f"circular_spline.backlash_offset={clearance}",
+                "coning.axial_shift=" + shift,
+                "contact.flank_points=120",
+            ):
                 command += ["--set", key]
             done = subprocess.run(command, capture_output=True, text=True)
             self.made = done.returncode == 0
@@ -44,11 +65,23 @@ class Bed:
             kept = np.diff(station, prepend=-1) > 0
             gap, station = np.nan_to_num(gap[..., kept], nan=1), station[kept]
             # the map's stations count along the flank without side clearance, at z = 0 the same for all tilts
-            subprocess.run([program, "solve", PLANE, "--quiet", "-o", result, "--set", f"circular_spline.inner_radius={case['least_tip_radius_mm']}"], check=True)
+            subprocess.run(
+                [
+                    program,
+                    "solve",
+                    PLANE,
+                    "--quiet",
+                    "-o",
+                    result,
+                    "--set",
+                    f"circular_spline.inner_radius={case['least_tip_radius_mm']}",
+                ],
+                check=True,
+            )
             with h5py.File(result) as file:
                 outline = file["/circular_spline/outline"][0]
                 first, last = file["/circular_spline/landmarks"][3:5]
-        flank = outline[first:last + 1][::-1]
+        flank = outline[first : last + 1][::-1]
         length = np.concatenate([[0], np.cumsum(np.hypot(*np.diff(flank, axis=0).T))])
         x, y = (np.interp(station * length[-1], length, flank[:, axis]) for axis in (0, 1))
         along = np.hypot(np.gradient(x), np.gradient(y))
@@ -65,7 +98,9 @@ class Bed:
         """Moment and share of the driving flanks."""
         driving, other = self.driving - turn * self.lever, self.other + turn * self.lever
         pressed = np.maximum(-driving, 0) - np.maximum(-other, 0)
-        return (pressed * self.lever * self.area).sum(), ((driving <= 0) * self.area).sum() / (self.area.sum() * len(driving))
+        return (pressed * self.lever * self.area).sum(), ((driving <= 0) * self.area).sum() / (
+            self.area.sum() * len(driving)
+        )
 
     def share(self, moment):
         low, high = -0.01, 0.01
@@ -88,7 +123,13 @@ def main():
             beds = [Bed(sys.argv[1], clearance, tilt, kind, shift) for tilt in TILTS]
             for moment in MOMENTS:
                 shares = [bed.share(moment) if bed.made else -1 for bed in beds]
-                row(kind, shift, moment, *["%.2f" % (100 * s) if s >= 0 else "-" for s in shares], TILTS[int(np.argmax(shares))])
+                row(
+                    kind,
+                    shift,
+                    moment,
+                    *["%.2f" % (100 * s) if s >= 0 else "-" for s in shares],
+                    TILTS[int(np.argmax(shares))],
+                )
 
 
 main()

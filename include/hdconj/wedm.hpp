@@ -177,6 +177,7 @@ struct WireProgram
     WireFigures figures;                  ///< what a shop wants to know
     Notes judgement;                      ///< of the design, as far as it is known
     std::vector<std::string> warnings;    ///< no failures, but a shop should read them
+    std::vector<std::string> left_out;    ///< dialects that nobody named and that cannot hold the program, and why
 
     /// Whether the wire goes all around in this set-up.
     [[nodiscard]] bool closed() const { return set_up.of == 1; }

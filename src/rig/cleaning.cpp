@@ -1,10 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cleaning.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <numeric>
+#include <utility>
 
 namespace hdconj::rig {
 namespace {
+
+/// The value that a share of the others lie below. Domain: not empty.
+double quantile(std::vector<double> values, double share)
+{
+    auto const at = values.begin() + static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size()));
+    std::ranges::nth_element(values, at);
+    return *at;
+}
+
+/// Standard deviation of normal noise about zero by the upper quartile of its size, on which a fifth of strays has
+/// little influence. The median would be zero for readings in coarse steps.
+double deviation_of(std::vector<double> values)
+{
+    for (double& each : values)
+        each = std::abs(each);
+    constexpr double quartile = 1.1503;  // of |x| for standard normal x
+    return quantile(std::move(values), 0.75) / quartile;
+}
 
 /// Marks the values that leave the run of their neighbours.
 void mark_strays(std::vector<double> const& values, std::vector<bool>& stray)
@@ -77,6 +98,19 @@ std::optional<Found> drift_between(Samples const& samples, LoadBranch const& ear
 }
 
 }  // namespace
+
+double smallest_step(std::vector<double> values)
+{
+    std::ranges::sort(values);
+    double const range = values.back() - values.front();
+    constexpr double rounding = 1e-9;  // of the range: two spellings of one reading
+    double step = range;
+    for (std::size_t i = 1; i < values.size(); ++i) {
+        double const here = values[i] - values[i - 1];
+        step = here > rounding * range ? std::min(step, here) : step;
+    }
+    return step;
+}
 
 std::vector<std::size_t> stray_readings(MeasuredCurve const& curve)
 {

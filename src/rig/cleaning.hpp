@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is wrong with a log before it says anything of a drive: stray readings and drift.
+// What is wrong with a log before it says anything of a drive: coarse steps, stray readings and drift.
 #pragma once
+
+#include <optional>
+#include <vector>
 
 #include "branches.hpp"
 #include "found.hpp"
 
 namespace hdconj::rig {
+
+/// The smallest difference of two values; two that differ by less than 1e-9 of their range are one. Domain: not empty.
+[[nodiscard]] double smallest_step(std::vector<double> values);
 
 /// Positions of the stray readings, ascending: those that leave the run of their neighbours in angle or torque.
 ///

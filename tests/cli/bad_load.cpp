@@ -27,7 +27,7 @@ std::vector<BadCommand> const& load_commands()
         {"--set coning.model=linear --set coning.bottom_to_middle=17.19", "bearing.width", "beyond the straight wall",
          "another coning.bottom_to_middle"},
         {"--points some", "--points", "some", "--help"},
-        {"--points 0", "--points", "not in range 1 to 1000", "--help"},
+        {"--points 0", "--points", "'0' is no whole number from 1 to 1000", "--help"},
         {"--points 5 --no-curve", "--points = 5", "no curve that could have points", "leave one of them out"},
         {"--tilt 45", "--tilt = 45", "not tilted by 45 degrees", "0,0.1,0.2"},
         {"--tilt abc", "--tilt", "'abc' is no angle", "0,0.1,0.2"},

@@ -263,15 +263,16 @@ TEST_CASE("wedm leaves out a dialect with a grid of its own that loses a block u
     REQUIRE(all.status == 0);
     CHECK(all.err.empty());
     auto const summary = json::parse(all.out);
-    REQUIRE(summary.at("warnings").size() == 2);
+    REQUIRE(summary.at("warnings").size() == 1);
     CHECK_THAT(summary.at("warnings")[0].get<std::string>(), ContainsSubstring("shorter than 20 units"));
-    CHECK_THAT(summary.at("warnings")[1].get<std::string>(),
-               ContainsSubstring("dialect 3b is left out: pass 1, block ") &&
+    REQUIRE(summary.at("left_out").size() == 1);
+    CHECK_THAT(summary.at("left_out")[0].get<std::string>(),
+               ContainsSubstring("dialect 3b: pass 1, block ") &&
                    ContainsSubstring("no length in the lower plane when rounded to 0.001 mm"));
     CHECK(summary.at("files").size() == 7);  // of 9
     CHECK(std::filesystem::exists(folder / "a" / "type-50_twoplane_pass1.nc"));
     CHECK_FALSE(std::filesystem::exists(folder / "a" / "type-50_lower_pass1.3b"));
-    CHECK_THAT(content(folder / "a" / "type-50_summary.txt"), ContainsSubstring("WARNING: dialect 3b is left out"));
+    CHECK_THAT(content(folder / "a" / "type-50_summary.txt"), ContainsSubstring("left out: dialect 3b"));
     // by name: an error, and the tolerance that it advises is one that works
     auto const named = wedm(fine + "--dialect csv,3b --quiet -o b", folder);
     CHECK(named.status == 1);
@@ -294,7 +295,9 @@ TEST_CASE("wedm leaves out the dialect whose grid is too coarse for the toleranc
         "rounding to 3 decimals moves a point by up to 0.000707107 mm, more than the tolerance of 0.0005 mm";
     auto const all = wedm("--tilt 0.2 -o a", folder);
     CHECK(all.status == 0);
-    CHECK_THAT(all.out, ContainsSubstring("WARNING: dialect 3b is left out: grid of 0.001 mm: " + cause));
+    CHECK_THAT(all.out, ContainsSubstring("left out: dialect 3b: grid of 0.001 mm: " + cause) &&
+                            ContainsSubstring("--dialect 3b says which tolerance fits"));
+    CHECK(all.out.find("WARNING") == std::string::npos);  // nothing is wrong with the part
     auto const named = wedm("--tilt 0.2 --dialect 3b -o b", folder);
     CHECK(named.status == 1);
     CHECK_THAT(named.err, ContainsSubstring("3b, grid of 0.001 mm: " + cause) &&

@@ -8,23 +8,25 @@
 
 A comment below a paragraph, a list or a table names the source of its figures. Browsers do not show it:
 
-    <!-- from: load-thesis.csv [kind=radial] twist +-, teeth; [tilt=0.3, kind=draft] twist / [tilt=0] twist -->
+    <!-- from: load-thesis.csv [kind=radial] twist +-, teeth; [tilt=0.3, kind=draft] twist / [tilt=0] twist * 100 -->
     <!-- by: tests/cli/cup_export.cpp -->
     <!-- given: table 4-1 of the thesis -->
     <!-- inputs: 0.2°, 28 N m -->
 
 `from` names columns of a file (its folder is data/reference where it has none), of the rows in brackets or of all rows.
 A file that is left out is the one named before, and the end of a column's name may be left out. `+-` after a column is
-its error, the column that follows; a slash is a ratio. Row by row, these values stand in the text in this order, each
-rounded to the digits that the text shows and at most 6 % off. `by` names tests that hold the figures; a test source in
-code, such as `law/union`, does the same. `given` says where figures come from that no run made. `inputs` is for a whole
-page: what its author chose. On the pages of COVERED, and README, each figure has a source. A figure is a number with a
+its error, the column that follows, and `+-` before it the error alone. Signs / * + - between such terms, or numbers,
+compute from left to right. Row by row, these values stand in the text in this order, each rounded to the digits that
+the text shows and at most 6 % off. `by` names sources that hold the figures, tests as a rule; a test source in code,
+such as `law/union`, does the same. `given` says where figures come from that no run made. `inputs` is for a whole page:
+what its author chose. On the pages of COVERED, and README, each figure has a source. A figure is a number with a
 decimal point or a unit, outside of code and headings. A number that chooses a row, as 0.3 above, is an input too.
 
 The head of a file says `# made by: COMMAND`, run in SOURCE_DIR with PROGRAM put in, or `# made by (long): COMMAND`. A
 fresh file may differ by 1 in the last digit of a number, or by the error beside it.
 """
 import csv
+import operator
 import os
 import re
 import shlex
@@ -37,6 +39,7 @@ from run_pages import NUMBER, last_digit
 COVERED = ("docs/explanation",)
 NOT_COVERED = ("docs/explanation/architecture.md",)
 MARK = re.compile(r"<!--\s*(from|by|given|inputs):(.*?)-->", re.S)
+SIGNS = {"/": operator.truediv, "*": operator.mul, "+": operator.add, "-": operator.sub}
 UNIT = re.compile(r"\s?(%|°|'(?![a-z])|um\b|mm\b|deg\b|arcmin|GPa|MPa|N\b|ms\b|s\b|MB\b|ns\b|rad\b|times\b|million\b)")
 TERM = re.compile(r"(?:(?P<file>\S+\.csv)\s*)?(?:\[(?P<rows>[^\]=]+=[^\]]*)\]\s*)?(?P<columns>.+)", re.S)
 
@@ -104,8 +107,9 @@ class Table:
             chosen = [row for row in chosen if any(same_cell(row[at], value) for value in allowed)]
         wanted = []
         for name in columns.split(","):
-            at = self.column(name.strip().removesuffix(" +-"))
-            wanted += [at, at + 1] if name.strip().endswith(" +-") else [at]
+            before, name, behind = re.fullmatch(r"\s*(\+-\s)?(.*?)(\s\+-)?\s*", name, re.S).groups()
+            at = self.column(name)
+            wanted += [at + 1] if before else [at, at + 1] if behind else [at]
         if not chosen:
             raise ValueError(f"no row has {rows}")
         return [(row[at], self.columns[at].startswith("+-")) for row in chosen for at in wanted]
@@ -127,8 +131,11 @@ def expected_values(mark, source):
     """(what, value, whether it is an error) of each value that a `from` mark names."""
     table, name, found = None, "", []
     for part in mark.split(";"):
-        ways = []
-        for term in re.split(r"\s/\s", part):
+        ways, signs = [], re.findall(r"\s([-+*/])\s", part)
+        for term in re.split(r"\s[-+*/]\s", part):
+            if NUMBER.fullmatch(term.strip()):
+                ways.append([(float(term), False)])
+                continue
             match = TERM.fullmatch(term.strip())
             if match["file"]:
                 name = match["file"]
@@ -139,7 +146,11 @@ def expected_values(mark, source):
             ways.append([(value_of(cell), is_error) for cell, is_error in cells])
         if any(value is None for way in ways for value, _ in way):
             raise ValueError(f"a cell of {part.strip()} holds no number")
-        values = [(a / b, False) for (a, _), (b, _) in zip(*ways)] if len(ways) == 2 else ways[0]
+        values = ways[0]
+        for sign, way in zip(signs, ways[1:]):
+            count = max(len(values), len(way))
+            values = [(SIGNS[sign](a, b), False) for (a, _), (b, _) in
+                      zip(values * (count // len(values)), way * (count // len(way)))]
         found += [(f"{name}: {part.strip()}", *value) for value in values]
     return found
 

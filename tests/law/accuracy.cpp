@@ -34,13 +34,13 @@ AccuracyReport measured(std::vector<std::string> const& studies, int sample)
     return measure_accuracy(oracle::type_50(), options);
 }
 
-ConvergenceSeries const& series(std::vector<ConvergenceSeries> const& all, std::string const& method,
-                                std::string const& drive = "type-50")
+ConvergenceSeries const& series(std::vector<ConvergenceSeries> const& all, std::string_view method,
+                                std::string_view drive = "type-50")
 {
     for (auto const& each : all)
         if (each.method == method && each.drive == drive)
             return each;
-    FAIL("no ladder " << method << " of " << drive);
+    FAIL("no series " << method << " of " << drive);
     return all.front();
 }
 

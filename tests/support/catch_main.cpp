@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// main() of the test programs, which Catch2 2 makes here and Catch2 3 brings along, and what is said of tests that
-/// were not tried.
+/// main() of the test programs, for both layouts of Catch2, and what is said of tests that were not tried.
 #if !__has_include(<catch2/catch_all.hpp>)
 #define CATCH_CONFIG_MAIN
 #include <catch2/catch.hpp>
 #else
 #include <catch2/catch_all.hpp>
 #include <catch2/reporters/catch_reporter_registrars.hpp>
+
+int main(int count, char** arguments)
+{
+    return Catch::Session().run(count, arguments);
+}
 #endif
 
 #include <cstdlib>

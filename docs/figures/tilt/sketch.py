@@ -3,6 +3,7 @@
 
 usage: sketch.py HDCONJ OUTPUT.svg     (needs h5py and gnuplot; run from the project's folder)
 """
+
 import pathlib
 import subprocess
 import sys
@@ -18,14 +19,25 @@ def outlines(program, folder, kind):
     """The tilted outline at the rear end, in the middle and at the front end."""
     result = folder / f"{kind}.h5"
     keys = (f"tilt.angle_deg={TILT}", "tilt.kind=" + kind, "slices.count=3", "slices.surface=tilted")
-    subprocess.run([program, "solve", "data/scenes/type-50.toml", "-o", result, "--quiet",
-                    *(part for key in keys for part in ("--set", key))], check=True)
+    subprocess.run(
+        [
+            program,
+            "solve",
+            "data/scenes/type-50.toml",
+            "-o",
+            result,
+            "--quiet",
+            *(part for key in keys for part in ("--set", key)),
+        ],
+        check=True,
+    )
     with h5py.File(result) as file:
         return file["/circular_spline/outline"][:]
 
 
 def section():
     """Blocks of z and radius: wall of the cup, untilted and tilted edge of the circular spline, bearing."""
+
     def moved(z):
         return ENLARGED * 0.25 * (z + 8.57) / 8.57
 
@@ -33,10 +45,14 @@ def section():
     teeth = [(z, 24.7 + moved(z)) for z in (-3.9, 3.9)] + [(z, 25.3 + moved(z)) for z in (3.9, -3.9)]
     ring = [(-3, 23.6 + moved(-3)), (3, 23.6 + moved(3)), (3, 24.05 + moved(3)), (-3, 24.05 + moved(-3))]
     inner, slope = 28.2, ENLARGED * 0.2 * 3.14159265 / 180
-    return [wall, teeth + teeth[:1], ring + ring[:1],
-            [(-3.5, inner), (3.5, inner), (3.5, 29.7), (-3.5, 29.7), (-3.5, inner)],
-            [(-3.5, inner - 3.5 * slope), (3.5, inner + 3.5 * slope)],
-            [(-8.5, 21.5), (-8.5, 24.35)]]
+    return [
+        wall,
+        teeth + teeth[:1],
+        ring + ring[:1],
+        [(-3.5, inner), (3.5, inner), (3.5, 29.7), (-3.5, 29.7), (-3.5, inner)],
+        [(-3.5, inner - 3.5 * slope), (3.5, inner + 3.5 * slope)],
+        [(-8.5, 21.5), (-8.5, 24.35)],
+    ]
 
 
 def main(program, output):

@@ -43,15 +43,17 @@ std::string read_all(std::FILE* file)
     return all;
 }
 
-/// The first line of gnuplot's complaint that says what is wrong: it prints the place first, with a caret.
+/// The first line of gnuplot's complaint that says what is wrong, or else its first warning: version 6 only warns of an
+/// unknown terminal. Gnuplot prints the place first, with a caret.
 std::string first_complaint(std::string const& text)
 {
     std::istringstream lines(text);
     std::string line, said;
     while (std::getline(lines, line)) {
-        if (line.find("line ") != std::string::npos && line.find("warning: ") == std::string::npos)
+        bool const says_what = line.find("line ") != std::string::npos;
+        if (says_what && line.find("warning: ") == std::string::npos)
             return line;
-        if (said.empty())
+        if (said.empty() || (says_what && said.find("line ") == std::string::npos))
             said = line;
     }
     return said;

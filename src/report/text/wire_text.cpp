@@ -178,6 +178,8 @@ std::string summary_text(WireSetUps const& programs, std::vector<WireFile> const
         page.line("  WARNING: {}", warning);
     report::write_judgement(page, first.program.judgement);
     report::write_wire_files_list(page, files);
+    for (auto const& dialect : first.program.left_out)
+        page.line("  left out: {}", dialect);
     return page.text();
 }
 

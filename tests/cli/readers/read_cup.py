@@ -13,12 +13,7 @@ import h5py
 import meshio
 import numpy as np
 
-faults = []
-
-
-def want(condition, text):
-    if not condition:
-        faults.append(text)
+from faults import faults, want
 
 
 def volumes(points, cells):

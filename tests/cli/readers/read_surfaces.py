@@ -17,6 +17,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+from faults import verdict, want
+
 try:
     import meshio
 except ImportError:
@@ -24,13 +26,6 @@ except ImportError:
 
 SINGLE = 4e-6  # mm, rounding of single precision at 25 mm
 TOLERANCE = 1e-4  # mm, what leaving out points may move the surface
-
-faults = []
-
-
-def want(condition, text):
-    if not condition:
-        faults.append(text)
 
 
 def xdmf(name):
@@ -229,9 +224,8 @@ def main(result, tooth, ring):
         )
         want(0 < np.isfinite(found["gap"]).sum() < len(found["gap"]), "no gaps, or gaps off the flanks")
         check_ring_gaps(file, vtk(ring + ".vtk"), columns, teeth)
-    print(*faults, sep="\n", end="\n" if faults else "")
-    print(f"{len(quads)} and {len(all_quads)} quads, {'meshio' if meshio else 'no meshio'}, {len(faults)} faults")
-    return 1 if faults else 0
+    with_meshio = "meshio" if meshio else "no meshio"
+    return verdict(len(quads), f"{len(quads)} and {len(all_quads)} quads, {with_meshio}")
 
 
 def check_stl_corners(name, corners, points):

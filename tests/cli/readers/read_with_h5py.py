@@ -15,6 +15,8 @@ from pathlib import Path
 import h5py
 import numpy as np
 
+from faults import verdict, want
+
 UNITS = {"mm", "mm^2", "rad", "1", "s", "N", "N mm", "N/mm", "N mm/rad", "MPa"}
 ROOT = {
     "format": str,
@@ -39,13 +41,6 @@ BRANCH = {
     "on_boundary": np.integer,
 }
 DXF_ROUNDING = 1e-10  # mm
-
-faults = []
-
-
-def want(condition, text):
-    if not condition:
-        faults.append(text)
 
 
 def check_attributes(place, wanted):
@@ -218,10 +213,7 @@ def main(arguments):
         want("r_0_mm" in file["summary"].attrs, "no summary")
         if len(arguments) > 1:
             check_dxf(arguments[1], file)
-    if faults:
-        print(*faults, sep="\n")
-    print(f"{datasets} datasets, {branches} branches, {len(faults)} faults")
-    return 1 if faults or datasets == 0 else 0
+    return verdict(datasets, f"{datasets} datasets, {branches} branches")
 
 
 if __name__ == "__main__":

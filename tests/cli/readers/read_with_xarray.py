@@ -12,6 +12,8 @@ import warnings
 
 import h5py
 
+from faults import verdict, want
+
 try:
     warnings.simplefilter("ignore")  # those of its own libraries
     import h5netcdf  # noqa: F401
@@ -36,13 +38,6 @@ KNOWN = {
     "load/shape/stress": (("phi", "node"), {"phi"}),
 }
 NOT_A_VARIABLE = b"This is a netCDF dimension but not a netCDF variable."
-
-faults = []
-
-
-def want(condition, text):
-    if not condition:
-        faults.append(text)
 
 
 def check_variable(place, variable, stored):
@@ -76,10 +71,7 @@ def main(names):
             groups = [file]
             file.visititems(lambda _, item: groups.append(item) if isinstance(item, h5py.Group) else None)
             count += sum(check_group(name, group) for group in groups)
-    if faults:
-        print(*faults, sep="\n")
-    print(f"{count} variables, {len(faults)} faults")
-    return 1 if faults or count == 0 else 0
+    return verdict(count, f"{count} variables")
 
 
 if __name__ == "__main__":

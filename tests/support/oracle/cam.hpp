@@ -333,6 +333,7 @@ class Cam
         w0 = T(0);
         for (int i = 0; i < 20000; ++i)
             w0 = std::max(w0, (*this)(period * T(i) / T(20000)).w);
+        using std::floor;
         for (T const& knot : x)
             breaks.push_back(knot - period * floor(knot / period + T(1) / T(2)));
     }

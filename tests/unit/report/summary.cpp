@@ -2,6 +2,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <string>
 
 #include "hdconj/result_files.hpp"
 #include "support/catch.hpp"
@@ -82,7 +83,8 @@ TEST_CASE("text and JSON say whether all roots are certified, and where not")
 
 TEST_CASE("a file name that is not UTF-8 does not break the JSON")
 {
-    CHECK_NOTHROW(nlohmann::json::parse(summary_json(Solution{}, {{"hdf5", "a\xff.h5", 0}})));
+    std::string const text = summary_json(Solution{}, {{"hdf5", "a\xff.h5", 0}});
+    CHECK(nlohmann::json::accept(text));
 }
 
 TEST_CASE("docs/reference/json.md names every key")

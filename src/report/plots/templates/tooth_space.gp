@@ -17,7 +17,7 @@
 
 subject = (reverse ? "flexspline tooth, left free by the circular spline's" \
     : "tooth space of the circular spline, swept by the flexspline") \
-    . sprintf(":  m %g mm,  z_f %d,  z_c %d,  w0 %g mm", module, z_f, z_c, w0)
+    . sprintf(":  module %g mm,  teeth %d/%d,  w0 %g mm", module, z_f, z_c, w0)
 across = reverse ? "x [mm], across the tooth" : "x [mm], across the tooth space"
 upwards = reverse ? "y [mm], from the pitch line" : "y [mm], from the axis of the drive"
 eval window
