@@ -7,6 +7,7 @@ them without one. With --csv a table is comma-separated, as data/reference/load-
 """
 
 import json
+import math
 import os
 import random
 import subprocess
@@ -59,7 +60,7 @@ COLUMNS = [
     "backlash [arcmin]",
     "twist [arcmin]",
     "+-",
-    "tangent stiffness [N m/deg]",
+    "stiffness [N m/deg]",
     "teeth",
     "pressed flank [%]",
     "+-",
@@ -103,53 +104,53 @@ def thesis(program):
 
 
 def stages(program):
-    """Two lines through one curve, for different numbers of torques: they are no property of the drive."""
+    """Two lines through one curve, for different numbers of torques, the last as many as the stiffness needs."""
     head(
         "torques",
         "surface",
         "backlash [arcmin]",
-        "first stage [N m/deg]",
-        "+-",
-        "second stage [N m/deg]",
-        "+-",
-        "two lines found",
+        "K1 [N m/deg]",
+        "K2 [N m/deg]",
+        "K3 [N m/deg]",
+        "first line [N m/deg]",
+        "second line [N m/deg]",
         "knee [N m]",
+        "off the curve [N m]",
     )
-    for points in (5, 8, 10, 13, 20):
+    for points in (5, 8, 10, 13, 20, 0):
         for surface in ("tilted", "per-slice"):
-            result = load(
-                program, ELASTIC, "--surface", surface, "--points", str(points), circular_spline__backlash_offset=0.065
-            )
-            stage_row(result["cases"][0], points, surface)
+            even = ["--points", str(points)] if points else []
+            result = load(program, ELASTIC, "--surface", surface, *even, circular_spline__backlash_offset=0.065)
+            stage_row(result["cases"][0], points or "adaptive", surface)
 
 
 def stage_row(case, *cells):
     row(
         *cells,
         "%.2f" % case["backlash_arcmin"],
+        *("%.0f" % math.radians(case["catalogue"][f"K{i}_Nm_per_rad"]) for i in (1, 2, 3)),
         "%.0f" % case["first_stage_Nm_per_deg"],
-        "%.0f" % case["first_stage_error_Nm_per_deg"],
         "%.0f" % case["second_stage_Nm_per_deg"],
-        "%.0f" % case["second_stage_error_Nm_per_deg"],
-        case["stages_found"],
-        "%.1f" % case["knee_Nm"] if case["stages_found"] else "",
+        "%.1f" % case["knee_Nm"],
+        "%.2g" % case["stages_rms_Nm"],
     )
 
 
 def curve(program):
     """The torque-twist curve of one outline and of an outline per slice, with a side clearance of 65 um."""
-    head("surface", "torque [N m]", "twist [arcmin]", "+-", "tangent stiffness [N m/deg]")
+    head("surface", "torque [N m]", "twist [arcmin]", "+-", "stiffness [N m/deg]", "+-")
     for surface in ("tilted", "per-slice"):
-        result = load(program, ELASTIC, "--surface", surface, "--points", "20", circular_spline__backlash_offset=0.065)
-        states = result["cases"][0]["curve"]
-        for state in states[: 1 + len(states) // 3]:
-            row(
-                surface,
-                "%.4g" % state["torque_Nm"],
-                "%.2f" % state["twist_arcmin"],
-                "%.2g" % state["error"]["twist_arcmin"],
-                "%.0f" % state["stiffness_Nm_per_deg"],
-            )
+        result = load(program, ELASTIC, "--surface", surface, circular_spline__backlash_offset=0.065)
+        for state in result["cases"][0]["curve"]:
+            if state["torque_Nm"] > 0:
+                row(
+                    surface,
+                    "%.4g" % state["torque_Nm"],
+                    "%.2f" % state["twist_arcmin"],
+                    "%.2g" % state["error"]["twist_arcmin"],
+                    "%.0f" % state["stiffness_Nm_per_deg"],
+                    "%.2g" % state["error"]["stiffness_Nm_per_deg"],
+                )
 
 
 def prototypes(program):
@@ -313,56 +314,42 @@ def balls(program):
 
 
 def estimates(program):
-    """True distance to a grid twice as fine over the estimate, of random drives: the largest ratio of each figure."""
-    wish = random.Random(41)
-    keys_of = [
-        "twist_arcmin",
-        "stiffness_Nm_per_deg",
-        "contact_fraction",
-        "fraction_within_gap",
-        "largest_pressure_MPa",
-        "largest_force_N",
-        "wave_generator_force_N",
-        "lobe_force_N",
-    ]
-    found = {key: [] for key in keys_of}
-    for _ in range(8):
+    """Distance to a grid four times finer over the estimate, of twelve random drives that chose no factor."""
+    wish = random.Random(202)
+    found = {}
+    for _ in range(12):
         keys, arguments = random_drive(wish)
         keys["slices__count"] = 9
-        torque = "%.6g" % 10 ** wish.uniform(0.5, 1.8)
-        here = load(program, "--no-curve", "--torque", torque, *arguments, **keys)
-        fine = load(
-            program,
-            "--no-curve",
-            "--torque",
-            torque,
-            *arguments,
-            **{**keys, "slices__count": 17, "contact__flank_points": 400, "bearing__circles": 25},
-        )
-        if isinstance(here, str) or isinstance(fine, str):
-            print(here if isinstance(here, str) else fine, file=sys.stderr)
+        arguments += ["--points", "1", "--torque", "%.6g" % 10 ** wish.uniform(0.7, 1.8)]
+        fine = {**keys, "slices__count": 33, "contact__flank_points": 400, "bearing__circles": 25}
+        here, there = (load(program, *arguments, **grid) for grid in (keys, fine))
+        if isinstance(here, str) or isinstance(there, str):
+            print(here if isinstance(here, str) else there, file=sys.stderr)
             continue
-        a, b = here["cases"][0], fine["cases"][0]
-        for key in keys_of:
-            if a["rated_error"]:
-                found[key].append(abs(a["rated"][key] - b["rated"][key]) / max(1e-300, a["rated_error"][key]))
-        print(
-            keys,
-            arguments,
-            torque,
-            {key: "%.2f" % found[key][-1] for key in keys_of if found[key]},
-            file=sys.stderr,
-            flush=True,
-        )
+        for name, error, value, true in compared(here, there):
+            found.setdefault(name, []).append(abs(value - true) / max(1e-300, error))
+        print(arguments, {name: "%.2f" % ratios[-1] for name, ratios in found.items()}, file=sys.stderr, flush=True)
     head("figure", "drives", "within the estimate", "largest", "median")
-    for key, ratios in found.items():
-        row(
-            key,
-            len(ratios),
-            sum(r <= 1 for r in ratios),
-            "%.2f" % max(ratios),
-            "%.2f" % sorted(ratios)[len(ratios) // 2],
-        )
+    for name, ratios in found.items():
+        middle = sorted(ratios)[len(ratios) // 2]
+        row(name, len(ratios), sum(r <= 1 for r in ratios), "%.2f" % max(ratios), "%.2f" % middle)
+
+
+def compared(here, there):
+    """Name, stated error, value and the finer grid's value of each figure of a drive."""
+    a, b = here["cases"][0], there["cases"][0]
+    for name in a["rated_error"] or {}:
+        if name not in ("teeth", "carrying_fraction", "node_share", "contact_share", "near_share", "balls"):
+            yield name, a["rated_error"][name], a["rated"][name], b["rated"][name]
+    yield "backlash_arcmin", a["backlash_error_arcmin"], a["backlash_arcmin"], b["backlash_arcmin"]
+    if a.get("catalogue") and b.get("catalogue"):
+        for name in ("K1", "K2", "K3"):
+            values = [each["catalogue"][name + "_Nm_per_rad"] for each in (a, b)]
+            yield name, a["catalogue"][name + "_error_Nm_per_rad"], *values
+        values = [each["catalogue"]["lost_motion_arcmin"] for each in (a, b)]
+        yield "lost_motion_arcmin", a["catalogue"]["lost_motion_error_arcmin"], *values
+    for name, error in (here["cup"]["error"] or {}).items():
+        yield "cup_" + name, error, here["cup"][name], there["cup"][name]
 
 
 def random_drive(wish):

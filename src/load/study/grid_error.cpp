@@ -60,7 +60,7 @@ LoadedState error_between(LoadedState const& a, LoadedState const& b, double saf
 }
 
 /// The twist of a branch is an integral over all contacts that have closed: relative to its size, none gets less than
-/// the worst. A stiffness is local: none gets less than the median.
+/// the worst, or than itself where that is smaller. A stiffness is local: none gets less than the median.
 void raise_along_branch(std::vector<LoadedState> const& states, std::vector<std::optional<LoadedState>>& errors)
 {
     for (double LoadedState::*const figure : {&LoadedState::twist, &LoadedState::stiffness}) {
@@ -71,7 +71,8 @@ void raise_along_branch(std::vector<LoadedState> const& states, std::vector<std:
         if (relative.empty())
             continue;
         std::ranges::sort(relative);
-        double const least = figure == &LoadedState::twist ? relative.back() : relative[relative.size() / 2];
+        double const least =
+            figure == &LoadedState::twist ? std::min(relative.back(), 1.0) : relative[relative.size() / 2];
         for (std::size_t i = 0; i < states.size(); ++i)
             if (auto& error = errors[i])
                 (*error).*figure = std::max((*error).*figure, least * std::abs(states[i].*figure));
