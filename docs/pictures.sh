@@ -50,11 +50,12 @@ if [ "$quick" != quick ]; then
   keep c-flank.png contact-flank.png
   run contact $coned --surface tilted --tilt 0.2 --set slices.count=33 --picture "$scratch/t.png"
   keep t-map.png contact-map-tilted.png
-  run load "$scenes/type-50-elastic.toml" --surface tilted,per-slice --points 20 \
+  run load "$scenes/type-50-elastic.toml" --surface tilted,per-slice \
     --set circular_spline.backlash_offset=0.065 --picture "$scratch/l.svg"
   keep l-curve.svg load-curve.svg
+  keep l-stiffness.svg load-stiffness.svg
   keep l-pressure.svg load-pressure.svg
-  run load "$scenes/type-50-elastic.toml" --surface tilted --points 8 --set circular_spline.backlash_offset=0.065 \
+  run load "$scenes/type-50-elastic.toml" --surface tilted --set circular_spline.backlash_offset=0.065 \
     --measured ../data/measured/torque-twist.csv --torque-constant 0.119 --counts-per-turn 2000 --picture "$scratch/m.svg"
   keep m-curve.svg measured-curve.svg
 fi

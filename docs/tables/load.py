@@ -160,27 +160,25 @@ def prototypes(program):
         "side clearance [um]",
         "backlash [arcmin]",
         "+-",
-        "first stage [N m/deg]",
+        *(words for name in ("K1", "K2", "K3") for words in (name + " [N m/deg]", "+-")),
+        "first line [N m/deg]",
         "+-",
-        "second stage [N m/deg]",
+        "second line [N m/deg]",
         "+-",
-        "tangent at 28 N m [N m/deg]",
     )
     for tilt, clearance in ((0, 0.075), (0.2, "auto")):
         case = load(
             program, ELASTIC, "--surface", "tilted", f"--tilt={tilt}", circular_spline__backlash_offset=clearance
         )["cases"][0]
+        slopes = [case["catalogue"][f"K{i}{end}_Nm_per_rad"] for i in (1, 2, 3) for end in ("", "_error")]
+        lines = [case[f"{line}_stage{end}_Nm_per_deg"] for line in ("first", "second") for end in ("", "_error")]
         row(
             tilt,
             "%.1f" % case["backlash_offset_um"],
             "%.2f" % case["backlash_arcmin"],
             "%.1g" % case["backlash_error_arcmin"],
-            *[
-                "%.0f" % case[key]
-                for stage in ("first", "second")
-                for key in (stage + "_stage_Nm_per_deg", stage + "_stage_error_Nm_per_deg")
-            ],
-            "%.0f" % case["rated"]["stiffness_Nm_per_deg"],
+            *("%.0f" % math.radians(each) for each in slopes),
+            *("%.0f" % each for each in lines),
         )
 
 
@@ -339,7 +337,7 @@ def compared(here, there):
     """Name, stated error, value and the finer grid's value of each figure of a drive."""
     a, b = here["cases"][0], there["cases"][0]
     for name in a["rated_error"] or {}:
-        if name not in ("teeth", "carrying_fraction", "node_share", "contact_share", "near_share", "balls"):
+        if name not in ("teeth", "carrying_fraction", "node_share", "contact_share", "near_share", "balls", "stiffness_Nm_per_rad"):
             yield name, a["rated_error"][name], a["rated"][name], b["rated"][name]
     yield "backlash_arcmin", a["backlash_error_arcmin"], a["backlash_arcmin"], b["backlash_arcmin"]
     if a.get("catalogue") and b.get("catalogue"):

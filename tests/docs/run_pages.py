@@ -12,7 +12,6 @@ lines below a command: what it prints is not compared. Words after ```console:
 
     exit=2         the exit status that the commands must have; 0 without it
     needs=h5py     a program or Python module without which the block is not tried
-    long           takes too long for every change: run where HDCONJ_LONG is set
 
 A fenced block marked with a language and file=NAME is written to NAME before the commands that follow it.
 
@@ -35,7 +34,6 @@ NUMBER = re.compile(r"(?<![\w.])[-+]?(?:\d+\.\d*|\.\d+|\d+)(?:e[-+]?\d+)?(?![\w]
 INLINE = re.compile(r"`(hdconj\s+[a-z]+\s[^`]*)`")
 PLACEHOLDER = re.compile(r"\.\.\.|\b[A-Z]{3,}\b")
 TIMEOUT_S = 240
-LONG_TIMEOUT_S = 7200
 
 
 class Block:
@@ -204,12 +202,11 @@ def environment(folder, program):
 
 def run_command(command, status, shown, folder, env):
     """Runs one command; what is wrong with it, or None."""
-    limit = LONG_TIMEOUT_S if os.environ.get("HDCONJ_LONG") else TIMEOUT_S
     try:
-        done = subprocess.run(["/bin/sh", "-c", command], cwd=folder, env=env, timeout=limit, text=True,
+        done = subprocess.run(["/bin/sh", "-c", command], cwd=folder, env=env, timeout=TIMEOUT_S, text=True,
                               stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
     except subprocess.TimeoutExpired:
-        return f"takes more than {limit} s"
+        return f"takes more than {TIMEOUT_S} s"
     if done.returncode != status:
         return f"exit status {done.returncode}, not {status}:\n{done.stdout[-2000:]}"
     return first_difference(shown, done.stdout.splitlines()) if any(line.strip() for line in shown) else None
@@ -225,7 +222,7 @@ def run_page(name, text, program, source):
         for block in blocks_of(text):
             if "file" in block.options:
                 (folder / block.options["file"]).write_text("\n".join(block.lines) + "\n")
-            if block.language != "console" or ("long" in block.options and not os.environ.get("HDCONJ_LONG")):
+            if block.language != "console":
                 continue
             need = block.options.get("needs")
             if need and not is_there(need):

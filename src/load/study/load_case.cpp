@@ -58,7 +58,7 @@ SurfaceWithPlay surface_with_play(contact::ContactContext const& context, Assemb
     if (!automatic && !(play && width_of(*play) >= 0)) {
         double const given = surface.offset;
         surface = contact::flank_surface(context, choice, true);
-        side_clearance_increased = surface.offset > given;
+        side_clearance_increased = surface.offset > given + context.tolerance.length;
         play = play_in(surface);
     }
     if (!play)
@@ -78,8 +78,9 @@ LoadCase assembled_case(contact::ContactContext const& context, surface::Surface
     result.side_clearance_increased = assembled.side_clearance_increased;
     result.backlash_offset = assembled.surface.offset;
     result.tip = assembled.surface.tip;
-    if (!context.scene.circular_spline.automatic_backlash)
-        result.tip_radius_increase = assembled.surface.tip - context.maker.nominal_tip(choice).radius;
+    if (double const increase = assembled.surface.tip - context.maker.nominal_tip(choice).radius;
+        !context.scene.circular_spline.automatic_backlash && increase > context.tolerance.length)
+        result.tip_radius_increase = increase;
     result.backlash = width_of(assembled.play);
     return result;
 }
