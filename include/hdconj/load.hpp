@@ -74,6 +74,20 @@ struct LoadMap
     }
 };
 
+/// A contact of a flank that carries force, in the plane of a slice. Places and directions are those of the tooth
+/// space: y along its centre line, outward.
+struct ContactForce
+{
+    int space = 0;               ///< index into LoadMap::angle
+    int flank = 0;               ///< as in GapMap
+    int slice = 0;               ///< index into LoadMap::z
+    Vec2 place = Vec2::Zero();   ///< on the flank of the circular spline [mm]
+    Vec2 normal = Vec2::Zero();  ///< of the force on the circular spline
+    double lever = 0;            ///< clockwise torque of a unit force on the circular spline: normal x place [mm]
+    double force = 0;            ///< [N]
+    double half_width = 0;       ///< of its Hertz strip [mm]
+};
+
 /// Forces of the bearing at one torque over one sector of the ring.
 struct BearingMap
 {
@@ -162,6 +176,7 @@ struct LoadCase
     std::vector<UnsettledTorque> unsettled;  ///< torques of the path that are missing in curve
     std::size_t rated = 0;                   ///< index of the largest torque in curve
     LoadMap map;                             ///< at that torque
+    std::vector<ContactForce> contacts;      ///< at that torque, of one sector: sectors sum(lever force) = torque
     BearingMap bearing;                      ///< at that torque
     /// Estimated discretisation error of curve[rated]: four times the difference to a grid half as fine in slices,
     /// flank points, circles of the bearing and harmonics (numbers of teeth and balls: once). Not a bound where a

@@ -27,6 +27,8 @@ FlankContact contact_at(FlankView const& view, FlankCurve::Place const& place, c
     c.gap = touch.nearest.distance - view.radius;
     Vec2 const& normal = touch.normal;
     Vec2 const p = view.curve.point(place);
+    c.point = p - view.radius * normal;
+    c.normal = normal;
     c.lever = cross(normal, p);
     // the circular spline stands turned back by `turn` against the wave generator
     double const phi = 2 * std::numbers::pi * touch.tooth / view.search.flexspline_teeth + view.search.phase;

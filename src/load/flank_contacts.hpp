@@ -19,12 +19,14 @@ struct FlankContact
     std::size_t space = 0;  ///< of the GapField
     int flank = 0;          ///< as in GapMap
     std::size_t slice = 0;
-    int tooth = 0;            ///< number as in ToothPoses
-    double arc_fraction = 0;  ///< place along the flank, 0 at the land corner ... 1 at the flank end
-    double arc_length = 0;    ///< the same [mm], on the line of circles' centres where edges are round
-    double gap = 0;           ///< [mm]
-    double c_r = 0, c_t = 0;  ///< normal in the undeformed ring's directions at the tooth, into the circular spline
-    double c_turn = 0;        ///< [mm]
+    int tooth = 0;               ///< number as in ToothPoses
+    double arc_fraction = 0;     ///< place along the flank, 0 at the land corner ... 1 at the flank end
+    double arc_length = 0;       ///< the same [mm], on the line of circles' centres where edges are round
+    Vec2 point = Vec2::Zero();   ///< of the flank, in the frame of its space [mm]
+    Vec2 normal = Vec2::Zero();  ///< into the circular spline, in that frame
+    double gap = 0;              ///< [mm]
+    double c_r = 0, c_t = 0;     ///< normal in the undeformed ring's directions at the tooth, into the circular spline
+    double c_turn = 0;           ///< [mm]
     double lever = 0;        ///< clockwise torque of a unit force on the circular spline: positive on right flanks [mm]
     double curvature = 0;    ///< of the gap along the flank: relative curvature of the line contact [1/mm]
     double tooth_y = 0;      ///< height of the nearest point of the tooth, tooth frame [mm]

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hdconj/load_files.hpp"
+#include "hdconj_run.hpp"
 #include "support/catch.hpp"
 #include "support/not_tried.hpp"
 #include "support/rig_loop.hpp"
@@ -66,6 +67,30 @@ TEST_CASE("h5py reads a load result and finds the documented layout", "[load]")
     auto const read = run(python + "'" HDCONJ_SOURCE_DIR "/tests/cli/readers/read_with_h5py.py' a.h5", folder.path());
     CHECK_THAT(read.out + read.err, ContainsSubstring(", 2 branches, 0 faults\n"));
     CHECK(read.status == 0);
+}
+
+TEST_CASE("the balance of loaded teeth is checked from the file alone", "[load]")
+{
+    if (is_missing("h5py"))
+        return;
+    TemporaryFolder const folder;
+    std::string const run_load = "load --no-curve --quiet --set slices.count=3 --set bearing.circles=5 -o ";
+    for (auto const* scene :
+         {"a.h5 --set circular_spline.backlash_offset=0.09 --surface tilted,per-slice",
+          "b.h5 --set contact.wave_generator_angle_deg=0.4 --torque 3", "c.h5 --set bearing.balls=22 --torque 10"})
+        REQUIRE(hdconj_run(run_load + scene, folder.path()).status == 0);
+    std::string const reader = python + "'" HDCONJ_SOURCE_DIR "/tests/cli/readers/check_equilibrium.py' ";
+    auto const read = run(reader + "a.h5 b.h5 c.h5", folder.path());
+    CHECK(read.err.empty());
+    CHECK(read.status == 0);
+    CHECK_THAT(read.out, ContainsSubstring("case_001: ") && ContainsSubstring("balance of 3 N m to"));
+    // One force a thousandth larger is found.
+    REQUIRE(run(python + "-c 'import h5py; h5py.File(\"a.h5\", \"r+\")[\"load/case_000/contacts/force\"][0] *= 1.001'",
+                folder.path())
+                .status == 0);
+    auto const broken = run(reader + "a.h5", folder.path());
+    CHECK(broken.status == 1);
+    CHECK_THAT(broken.err, ContainsSubstring("torques add up to"));
 }
 
 TEST_CASE("meshio reads the cup and it is the shape of the result", "[load][vtu]")

@@ -105,6 +105,7 @@ inline LoadCase load_case(ToothSurface surface, std::optional<TiltKind> kind, do
     run(0, rated_torque, 1);
     result.rated = result.curve.size() - 1;
     result.map = load_map(z, 101);
+    result.contacts = {{0, 1, 0, Vec2(-0.1, 25), Vec2(1, 0), 25, 3, 0.01}};
     result.stages = {
         stages.first, stages.second, stages.knee, stages.twist(stages.knee), 0.4 * nm_per_degree, 0.6 * nm_per_degree,
         0.1 * nm,     0.05 * nm,     true};

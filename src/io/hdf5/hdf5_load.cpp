@@ -48,6 +48,32 @@ void write_load_map(Writer const& place, LoadMap const& map)
     });
 }
 
+void write_contacts(Writer const& place, double torque, std::vector<ContactForce> const& contacts)
+{
+    auto const numbers = [&](char const* name, double ContactForce::*value, char const* unit, char const* meaning) {
+        place.numbers(name, column(contacts, value), {unit, meaning, {"contact"}});
+    };
+    auto const vectors = [&](char const* name, Vec2 ContactForce::*value, char const* unit, char const* meaning) {
+        std::vector<double> flat;
+        for (auto const& each : contacts)
+            flat.insert(flat.end(), {(each.*value).x(), (each.*value).y()});
+        place.array(name, {contacts.size(), 2}, flat.data(), {unit, meaning, {"contact", "xy"}});
+    };
+    auto const indices = [&](char const* name, int ContactForce::*value, char const* meaning) {
+        place.integers(name, column(contacts, value), {"1", meaning, {"contact"}});
+    };
+    hdf5::write_flanks(place);
+    place.attribute("torque_Nmm", torque);
+    indices("space", &ContactForce::space, "number in map/angle");
+    indices("flank_number", &ContactForce::flank, "number in the attribute flanks");
+    indices("slice", &ContactForce::slice, "number in map/z");
+    vectors("place", &ContactForce::place, "mm", "on the flank, y along the centre line of the tooth space");
+    vectors("normal", &ContactForce::normal, "1", "direction of the force on the circular spline");
+    numbers("lever", &ContactForce::lever, "mm", "clockwise torque of a unit force on the circular spline");
+    numbers("force", &ContactForce::force, "N", "force along the normal");
+    numbers("half_width", &ContactForce::half_width, "mm", "half the width of the Hertz strip");
+}
+
 void write_bearing(Writer const& place, BearingMap const& bearing, int balls)
 {
     place.numbers("angle", bearing.angle, {"rad", "angles of the nodes of the bearing", {"angle"}});
@@ -94,6 +120,8 @@ void write_load_case(Writer const& place, LoadCase const& each, int balls)
     }
     if (!each.bearing.angle.empty())
         place.group("bearing", [&](Writer const& bearing) { write_bearing(bearing, each.bearing, balls); });
+    if (!each.contacts.empty())
+        place.group("contacts", [&](Writer const& group) { write_contacts(group, each.map.torque, each.contacts); });
     if (!each.map.angle.empty())
         place.group("map", [&](Writer const& map) { write_load_map(map, each.map); });
 }

@@ -174,6 +174,7 @@ BranchWithErrors solve_curve(contact::ContactContext const& context, PathPair co
     };
     BranchWithErrors forth = solved_branch(paths, torques.forth, told(0));
     result.map = load_map(paths.fine.problem, forth.branch.last);
+    result.contacts = contact_forces(paths.fine.problem, forth.branch.last);
     result.bearing = forth.branch.bearing.back();
     if (!torques.curve) {
         forth.branch.states.erase(forth.branch.states.begin(), forth.branch.states.end() - 1);

@@ -66,4 +66,7 @@ struct LoadedDrive
 /// Its forces on the flanks, by tooth space, flank and slice.
 [[nodiscard]] LoadMap load_map(LoadProblem const& problem, LoadedDrive const& loaded);
 
+/// Its contacts that carry force.
+[[nodiscard]] std::vector<ContactForce> contact_forces(LoadProblem const& problem, LoadedDrive const& loaded);
+
 }  // namespace hdconj::load

@@ -230,6 +230,21 @@ LoadMap load_map(LoadProblem const& problem, LoadedDrive const& loaded)
     return map;
 }
 
+std::vector<ContactForce> contact_forces(LoadProblem const& problem, LoadedDrive const& loaded)
+{
+    std::vector<ContactForce> result;
+    std::size_t const first = flank_search(problem, 0, 0).first_space;
+    for (std::size_t i = 0; i < loaded.contacts.size(); ++i) {
+        FlankContact const& c = loaded.contacts[i];
+        double const force = loaded.state.flank[i];
+        if (force > 0)
+            result.push_back({static_cast<int>(c.space - first), c.flank, static_cast<int>(c.slice), c.point, c.normal,
+                              c.lever, force,
+                              half_width(problem.drive.line_contact(c), force / problem.drive.slice_width[c.slice])});
+    }
+    return result;
+}
+
 LoadedState loaded_state(LoadProblem const& problem, LoadedDrive const& loaded, double middle)
 {
     LoadedState state;
