@@ -59,4 +59,4 @@ if [ "$quick" != quick ]; then
     --measured ../data/measured/torque-twist.csv --torque-constant 0.119 --counts-per-turn 2000 --picture "$scratch/m.svg"
   keep m-curve.svg measured-curve.svg
 fi
-"$python" figures/compact_svg.py figures/*.svg gallery/*.svg
+"$python" compact_svg.py figures/*.svg gallery/*.svg

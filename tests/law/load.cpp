@@ -244,7 +244,8 @@ TEST_CASE("torques beyond what the teeth can carry are marked, and the others st
     LoadStudy const study = study_load(quick(), options);
     LoadCase const& found = study.cases.front();
     REQUIRE_FALSE(found.unsettled.empty());
-    CHECK(found.curve.size() + found.unsettled.size() == 13);  // 0 to T, back, to -T
+    // 0, quarters of T, and those of the catalogue, of both signs
+    CHECK(found.curve.size() + found.unsettled.size() == 15);
     CHECK(study.missing.size() == found.unsettled.size());
     for (auto const& each : found.unsettled) {
         CHECK(std::abs(each.torque) > found.curve[found.rated].torque);

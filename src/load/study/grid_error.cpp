@@ -51,6 +51,12 @@ LoadedState error_between(LoadedState const& a, LoadedState const& b, double saf
     raise(&LoadedState::wave_generator_force, bearing);
     raise(&LoadedState::lobe_force, bearing);
     d.lobe_z = std::max(d.lobe_z, bearing * half_width);
+    for (double LoadedState::*const area : {&LoadedState::contact_area, &LoadedState::contact_fraction,
+                                            &LoadedState::fraction_within_gap, &LoadedState::carrying_fraction})
+        raise(area, relative(&LoadedState::largest_pressure));
+    // Forces on single slices have no strip between slices: what is under pressure lies within the gap.
+    if (a.contact_fraction == 0 && a.teeth > 0)
+        d.contact_fraction = std::max(d.contact_fraction, a.fraction_within_gap);
     raise(&LoadedState::largest_pressure, relative(&LoadedState::contact_fraction) / 2);
     raise(&LoadedState::largest_force, relative(&LoadedState::twist));
     raise(&LoadedState::wave_generator_torque, relative(&LoadedState::twist) / 4);
@@ -140,7 +146,10 @@ BranchErrors branch_errors(TorqueContinuation const& coarse, TorqueBranch const&
     }
     if (solved.empty())
         return errors;
-    enter_stiffness(errors.coarse, free_twist(coarse, branch.states.back().torque));
+    if (branch.states.size() == 1)
+        errors.coarse.back().stiffness = stiffness_at(coarse, at);
+    else
+        enter_stiffness(errors.coarse, free_twist(coarse, branch.states.back().torque));
     double const half_width = 0.5 * (drive.bearing_z.back() - drive.bearing_z.front());
     for (std::size_t k = 0; k < solved.size(); ++k) {
         LoadedState const& state = branch.states[solved[k]];

@@ -111,7 +111,10 @@ BranchWithErrors solved_branch(PathPair const& paths, BranchTorques const& torqu
                                std::function<void(double)> const& on_state)
 {
     BranchWithErrors result{torque_branch(paths.fine, torques, on_state), {}};
-    enter_stiffness(result.branch.states, free_twist(paths.fine, torques.given.back()));
+    if (torques.given.size() == 1)
+        result.branch.states.back().stiffness = stiffness_at(paths.fine, result.branch.last);
+    else
+        enter_stiffness(result.branch.states, free_twist(paths.fine, torques.given.back()));
     if (paths.coarse)
         result.errors = branch_errors(*paths.coarse, result.branch, paths.safety);
     result.errors.states.resize(result.branch.states.size());
@@ -138,6 +141,8 @@ BranchWithErrors opposite_branch(contact::ContactContext const& context, PathPai
             back.branch.states.push_back(mirror_image(forth.branch.states[i], space_angle, period));
             back.errors.states.push_back(forth.errors.states[i]);
         }
+    for (UnsettledTorque const& each : forth.branch.unsettled)
+        back.branch.unsettled.push_back({-each.torque, each.cause});
     for (LoadedState const& state : forth.errors.coarse)
         back.errors.coarse.push_back(mirror_image(state, space_angle, period));
     return back;
@@ -177,8 +182,6 @@ BranchWithErrors solve_curve(contact::ContactContext const& context, PathPair co
     result.contacts = contact_forces(paths.fine.problem, forth.branch.last);
     result.bearing = forth.branch.bearing.back();
     if (!torques.curve) {
-        forth.branch.states.erase(forth.branch.states.begin(), forth.branch.states.end() - 1);
-        forth.errors.states.erase(forth.errors.states.begin(), forth.errors.states.end() - 1);
         enter_curve(forth, {}, result);
         return forth;
     }
@@ -251,7 +254,9 @@ SolvedCase load_case(contact::ContactContext const& context, DrivePair const& dr
     std::vector<double> const& z = result.map.z;
     result.pressure_at_edge =
         z.size() > 1 && state.largest_pressure > 0 && (state.pressure_z <= z.front() || state.pressure_z >= z.back());
-    result.estimated = result.curve_error[result.rated].has_value();
+    if (!drives.coarse)
+        result.curve_error.clear();
+    result.estimated = drives.coarse && result.curve_error[result.rated];
     if (result.estimated)
         result.error = *result.curve_error[result.rated];
     elastic::HarmonicField field = cup_field(fine.model, rated.branch.last.forces, context.threads);

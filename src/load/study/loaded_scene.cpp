@@ -158,12 +158,9 @@ CatalogueTorques catalogue_torques(Scene const& scene, double rated)
 
 LoadingPath loading_path(Scene const& scene, LoadOptions const& options)
 {
-    constexpr double below = 31.0 / 32;  // of the torque whose stiffness is the slope from there on
     double const torque = rated_torque(scene, options);
-    if (torque == 0)
-        return {{{0}, false}, options.curve};
-    if (!options.curve)
-        return {{{below * torque, torque}, false}, false};
+    if (torque == 0 || !options.curve)
+        return {{{torque}, false}, options.curve};
     int const points = options.points.value_or(scene.load ? scene.load->points : 0);
     LoadingPath path{{{0, torque}, points == 0}};
     for (int i = 1; i < points; ++i)

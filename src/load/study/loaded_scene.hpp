@@ -40,11 +40,11 @@ struct LoadedDriveData
 struct LoadingPath
 {
     BranchTorques forth;  ///< towards the rated torque
-    bool curve = true;    ///< false: the rated torque only; the others of `forth` tell the stiffness there
+    bool curve = true;    ///< false: the rated torque only
 };
 
 /// From zero to the rated torque: as many even steps as asked for, or as the stiffness needs; with the torques of the
-/// catalogue's figures. Without a curve the rated torque and one a little below. Domain: a checked scene.
+/// catalogue's figures. Without a curve the rated torque alone. Domain: a checked scene.
 [[nodiscard]] LoadingPath loading_path(Scene const& scene, LoadOptions const& options);
 
 }  // namespace hdconj::load

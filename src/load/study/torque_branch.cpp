@@ -144,6 +144,22 @@ void enter_stiffness(std::vector<LoadedState>& branch, double free)
     }
 }
 
+double stiffness_at(TorqueContinuation const& path, LoadedDrive const& drive)
+{
+    constexpr double smaller = 31.0 / 32;
+    if (drive.torque == 0)
+        return 0;
+    try {
+        LoadedDrive const below = advance(path, drive, smaller * drive.torque);
+        double const twist = drive.state.turn - below.state.turn;
+        return twist * drive.torque > 0 ? (drive.torque - below.torque) / twist : 0;
+    } catch (NumericalError const& error) {
+        if (!error.is_infeasible())
+            throw;
+        return 0;
+    }
+}
+
 LoadedState mirror_image(LoadedState state, std::vector<double> const& space_angle, double period)
 {
     auto const wrapped = [&](double angle) { return angle - period * std::floor(angle / period); };

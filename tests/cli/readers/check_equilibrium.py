@@ -4,8 +4,8 @@
 
     check_equilibrium.py FILE.h5...
 
-For each case: no force is negative, each normal has the length 1, each lever is the moment of its normal about the axis,
-and the torques of all sectors add up to the torque.
+For each case: no force is negative, each normal has the length 1, each lever is the moment of its normal about the
+axis, and the torques of all sectors add up to the torque.
 """
 import sys
 
