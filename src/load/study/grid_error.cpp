@@ -51,9 +51,6 @@ LoadedState error_between(LoadedState const& a, LoadedState const& b, double saf
     raise(&LoadedState::wave_generator_force, bearing);
     raise(&LoadedState::lobe_force, bearing);
     d.lobe_z = std::max(d.lobe_z, bearing * half_width);
-    for (double LoadedState::*const area : {&LoadedState::contact_area, &LoadedState::contact_fraction,
-                                            &LoadedState::fraction_within_gap, &LoadedState::carrying_fraction})
-        raise(area, relative(&LoadedState::largest_pressure));
     // Forces on single slices have no strip between slices: what is under pressure lies within the gap.
     if (a.contact_fraction == 0 && a.teeth > 0)
         d.contact_fraction = std::max(d.contact_fraction, a.fraction_within_gap);
