@@ -15,7 +15,8 @@ Rows<MeasuredStiffness> measured_curve_figures()
     static constexpr std::array rows = {
         figure<&T::cycles>("cycles", one, "load cycles", {"cycles", whole}),
         figure<&T::straight>("straight_branches", one, "loading branches without a second stage", {"straight", whole}),
-        json_only(figure<&T::largest_torque>("largest_torque", newton_metre, "largest torque of the curve"))
+        figure<&T::largest_torque>("largest_torque", newton_metre, "largest torque of the curve")
+            .without(hdf5)
             .printed({"up to", significant<4>}),
         figure<&T::angle_step>("angle_step", arcmin, "smallest difference of two angles",
                                {"in steps of", significant<3>}),

@@ -191,7 +191,7 @@ BranchWithErrors solve_curve(contact::ContactContext const& context, PathPair co
     CurveBranches const fine{forth.branch.states, back.branch.states, free_twist(paths.fine, rated)};
     std::optional<CurveBranches> coarse;
     if (paths.coarse && forth.errors.states.back())
-        coarse.emplace(forth.errors.coarse, back.errors.coarse, free_twist(*paths.coarse, rated));
+        coarse.emplace(CurveBranches{forth.errors.coarse, back.errors.coarse, free_twist(*paths.coarse, rated)});
     result.stages = stages_of(fine, coarse ? &*coarse : nullptr, paths.safety);
     LoadedState const& state = forth.branch.states.back();
     double const relative_twist = coarse ? forth.errors.states.back()->twist / std::abs(state.twist) : 0;

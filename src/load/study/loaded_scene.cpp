@@ -170,8 +170,7 @@ LoadingPath loading_path(Scene const& scene, LoadOptions const& options)
         if (named < std::abs(torque))
             path.forth.given.push_back(std::copysign(named, torque));
     std::ranges::sort(path.forth.given, {}, [](double each) { return std::abs(each); });
-    auto const repeated = std::ranges::unique(path.forth.given);
-    path.forth.given.erase(repeated.begin(), repeated.end());
+    path.forth.given.erase(std::unique(path.forth.given.begin(), path.forth.given.end()), path.forth.given.end());
     return path;
 }
 

@@ -151,13 +151,14 @@ double stiffness_at(TorqueContinuation const& path, LoadedDrive const& drive)
         return 0;
     try {
         LoadedDrive const below = advance(path, drive, smaller * drive.torque);
-        double const twist = drive.state.turn - below.state.turn;
-        return twist * drive.torque > 0 ? (drive.torque - below.torque) / twist : 0;
+        double const twist = std::copysign(1, drive.torque) * (drive.state.turn - below.state.turn);
+        if (twist * path.problem.context.geometry.r_m > gap_tolerance(path.problem))
+            return std::abs(drive.torque - below.torque) / twist;
     } catch (NumericalError const& error) {
         if (!error.is_infeasible())
             throw;
-        return 0;
     }
+    return drive.state.stiffness;
 }
 
 LoadedState mirror_image(LoadedState state, std::vector<double> const& space_angle, double period)

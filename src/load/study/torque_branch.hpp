@@ -46,7 +46,8 @@ struct TorqueBranch
 /// @param free  twist at zero torque, where the branch begins [rad]
 void enter_stiffness(std::vector<LoadedState>& branch, double free);
 
-/// dT/d(twist) at the torque of @p drive alone: the chord from a torque a little smaller [N mm/rad]. 0: unknown.
+/// dT/d(twist) at the torque of @p drive alone: the chord from a torque a little smaller [N mm/rad]. Where
+/// that twist is lost in the tolerance of the gaps, or that torque has no equilibrium: of the contacts at rest.
 [[nodiscard]] double stiffness_at(TorqueContinuation const& path, LoadedDrive const& drive);
 
 /// The state under the opposite torque of a drive that is its own mirror image in the major axis.
