@@ -82,25 +82,17 @@ def told(result, *cells):
         row(*cells, *figures(case))
 
 
+def one_outline(program, tilt, kind, **keys):
+    """One outline at the rated torque, on 33 slices."""
+    arguments = ["--surface", "tilted", "--no-curve", f"--tilt={tilt}", "--kind", kind]
+    return load(program, ELASTIC, *arguments, slices__count=33, **keys)
+
+
 def thesis(program):
     head("tilt [deg]", "kind", *COLUMNS)
     for kind in ("radial", "draft"):
         for tilt in (0, 0.1, 0.2, 0.3):
-            told(
-                load(
-                    program,
-                    ELASTIC,
-                    "--surface",
-                    "tilted",
-                    "--no-curve",
-                    f"--tilt={tilt}",
-                    "--kind",
-                    kind,
-                    slices__count=33,
-                ),
-                tilt,
-                kind,
-            )
+            told(one_outline(program, tilt, kind), tilt, kind)
 
 
 def stages(program):
@@ -198,23 +190,7 @@ def tilted(program):
         for tilt in (0, 0.1, 0.2, 0.3)
     ]
     for asked, tilt, kind, keys in runs:
-        told(
-            load(
-                program,
-                ELASTIC,
-                "--surface",
-                "tilted",
-                "--no-curve",
-                f"--tilt={tilt}",
-                "--kind",
-                kind,
-                slices__count=33,
-                **keys,
-            ),
-            asked,
-            tilt,
-            kind,
-        )
+        told(one_outline(program, tilt, kind, **keys), asked, tilt, kind)
 
 
 def surfaces(program):
@@ -333,11 +309,15 @@ def estimates(program):
         row(name, len(ratios), sum(r <= 1 for r in ratios), "%.2f" % max(ratios), "%.2f" % middle)
 
 
+# Counts, and figures that stand twice, in another unit or under a former name.
+NOT_COMPARED = "teeth balls carrying_fraction node_share contact_share near_share stiffness_Nm_per_rad".split()
+
+
 def compared(here, there):
     """Name, stated error, value and the finer grid's value of each figure of a drive."""
     a, b = here["cases"][0], there["cases"][0]
     for name in a["rated_error"] or {}:
-        if name not in ("teeth", "carrying_fraction", "node_share", "contact_share", "near_share", "balls", "stiffness_Nm_per_rad"):
+        if name not in NOT_COMPARED:
             yield name, a["rated_error"][name], a["rated"][name], b["rated"][name]
     yield "backlash_arcmin", a["backlash_error_arcmin"], a["backlash_arcmin"], b["backlash_arcmin"]
     if a.get("catalogue") and b.get("catalogue"):

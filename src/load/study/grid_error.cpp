@@ -15,7 +15,9 @@ namespace {
 struct ErrorRule
 {
     double LoadedState::*figure;
-    double factor;  ///< times grid_safety(): as many grids of seeded drives needed, see docs/explanation/load.md
+    /// Times grid_safety(). Chosen so that no estimate of twelve random drives was too small
+    /// (docs/explanation/load.md).
+    double factor;
 };
 
 constexpr ErrorRule error_rules[] = {{&LoadedState::twist, 1},
