@@ -32,8 +32,8 @@ struct Attempt
 /// Where two strips of a flank are about to merge, or one of two minima to vanish, the iteration alternates between one
 /// contact and two; it does not where contacts are held, or with another depth. Mixing leads back to an unstable
 /// equilibrium for ever; without it the next stable one is reached.
-constexpr Attempt attempts[] = {{1, 3, 25}, {1, 3, 40, true}, {0.5, 3, 25},      {1, 40, 60},
-                                {2, 3, 25}, {0.25, 3, 25},    {0.5, 3, 40, true}};
+constexpr Attempt attempts[] = {{1, 3, 25}, {0.5, 3, 25},  {1, 3, 40, true},  {1, 40, 60},
+                                {2, 3, 25}, {0.25, 3, 25}, {0.5, 3, 40, true}};
 
 std::string place_of(double torque)
 {
@@ -184,7 +184,10 @@ AttemptResult attempted(LoadProblem const& problem, double torque, Attempt const
     constexpr double near_tolerance = 3;    // multiple of the tolerance
     constexpr double growth = 3;            // of the mismatch: contacts have changed, and the history misleads
     constexpr int first_check_of_turn = 6;  // iteration; earlier ones may overshoot, with few contacts
-    double last = std::numeric_limits<double>::infinity();
+    constexpr double progress = 0.7;        // of the least mismatch, within
+    constexpr int patience = 6;             // iterations
+    double last = std::numeric_limits<double>::infinity(), least = last;
+    int at_least = 0;  // iteration of the least mismatch
     bool mixed = false;
     std::vector<MixingStep> history;
     for (int iteration = 0; iteration <= attempt.most_iterations; ++iteration) {
@@ -201,6 +204,11 @@ AttemptResult attempted(LoadProblem const& problem, double torque, Attempt const
             if (mismatch > last * growth)
                 history.clear();
             last = mismatch;
+            if (mismatch < progress * least) {
+                least = mismatch;
+                at_least = iteration;
+            } else if (iteration >= attempt.first_mixing + patience && iteration - at_least > patience)
+                break;
         }
         now.state = solved_linear(problem, now, torque, at);
         if (iteration >= first_check_of_turn)
