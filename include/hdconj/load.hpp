@@ -23,18 +23,22 @@ namespace hdconj {
 /// (docs/explanation/theory.md). A positive torque loads the right flanks of the tooth spaces (GapMap::right).
 struct LoadedState
 {
-    double torque = 0;                 ///< on the circular spline [N mm]
-    double twist = 0;                  ///< of the circular spline [rad]
-    double stiffness = 0;              ///< dT/d(twist) of the curve [N mm/rad]
-    int teeth = 0;                     ///< tooth spaces that carry force
-    double contact_area = 0;           ///< of Hertz strips, cut where the force becomes zero between slices [mm^2]
-    double contact_fraction = 0;       ///< the same as a fraction of the area of all flanks on the loaded side
-    double fraction_within_gap = 0;    ///< fraction of that area with gap <= contact_gap in the loaded shape
-    double carrying_fraction = 0;      ///< fraction of the (space, slice) nodes of that side that carry force
-    double largest_pressure = 0;       ///< Hertz [MPa]
-    int pressure_space = 0;            ///< its tooth space, an index into LoadMap::angle
-    double pressure_z = 0;             ///< its slice [mm]
-    double largest_force = 0;          ///< on one tooth [N]
+    double torque = 0;               ///< on the circular spline [N mm]
+    double twist = 0;                ///< of the circular spline [rad]
+    double stiffness = 0;            ///< dT/d(twist) of the curve [N mm/rad]
+    int teeth = 0;                   ///< tooth spaces that carry force
+    double contact_area = 0;         ///< of Hertz strips, cut where the force becomes zero between slices [mm^2]
+    double contact_fraction = 0;     ///< the same as a fraction of the area of all flanks on the loaded side
+    double fraction_within_gap = 0;  ///< fraction of that area with gap <= contact_gap in the loaded shape
+    double carrying_fraction = 0;    ///< fraction of the (space, slice) nodes of that side that carry force
+    double largest_pressure = 0;     ///< Hertz, of edges with their radius [MPa]
+    int pressure_space = 0;          ///< its tooth space, an index into LoadMap::angle
+    double pressure_z = 0;           ///< its slice [mm]
+    double largest_force = 0;        ///< on one tooth [N]
+    double largest_line_load = 0;    ///< mean over half a millimetre of width of one flank [N/mm]
+    double flank_pressure = 0;       ///< largest Hertz pressure, edges and half a millimetre at each end left out [MPa]
+    double edge_force = 0;           ///< largest that edges and these ends of one flank carry [N]
+    double edge_fraction = 0;        ///< fraction of all flank forces on edges and these ends
     double wave_generator_force = 0;   ///< sum of the forces between wave generator and cup, without direction [N]
     double wave_generator_torque = 0;  ///< that the wave generator feels [N mm]
     double lobe_force = 0;             ///< resultant on the cup over the lobe at the major axis, along that axis [N]
@@ -239,7 +243,7 @@ struct LoadStudy
     AssembledCup cup;   ///< on its wave generator, without torque
     std::vector<LoadCase> cases;       ///< in the order asked for, without those that are missing
     std::vector<std::string> missing;  ///< as in ContactStudy; and torques without an equilibrium
-    std::size_t written_case = 0;      ///< case of least largest pressure, which `shape` is of
+    std::size_t written_case = 0;      ///< case of least line load, which `shape` is of
     CupShape shape;                    ///< of the cup at the largest torque
     int harmonics = 0;                 ///< largest circumferential harmonic
     int sectors = 1;                   ///< how often the solved sector repeats around the ring

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "load_figures.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "number_text.hpp"
@@ -29,7 +30,16 @@ constexpr Text general(char const* label)
     return {label, table_number, two_digits};
 }
 
-constexpr auto teeth_figures(Unit const& ball)
+template <class Row, std::size_t n, std::size_t m, std::size_t l>
+constexpr auto joined(std::array<Row, n> const& first, std::array<Row, m> const& second,
+                      std::array<Row, l> const& third)
+{
+    std::array<Row, n + m + l> all{};
+    std::ranges::copy(third, std::ranges::copy(second, std::ranges::copy(first, all.begin()).out).out);
+    return all;
+}
+
+constexpr auto twist_figures()
 {
     using T = LoadedState;
     return std::array{
@@ -49,12 +59,35 @@ constexpr auto teeth_figures(Unit const& ball)
             .formerly("near_share"),
         estimated<&T::carrying_fraction>("carrying_fraction", one,
                                          "fraction of the pairs of tooth space and slice that carry")
-            .formerly("node_share"),
-        estimated<&T::largest_pressure>("largest_pressure", megapascal, "largest Hertz pressure",
+            .formerly("node_share")};
+}
+
+constexpr auto force_figures()
+{
+    using T = LoadedState;
+    return std::array{
+        estimated<&T::largest_pressure>("largest_pressure", megapascal,
+                                        "largest Hertz pressure, of edges with their radius",
                                         {"pressure", table_number, table_number}),
         figure<&T::pressure_z>("pressure_z", mm, "slice of the largest pressure", {"z", fixed<3>}),
         estimated<&T::largest_force>("largest_force", newton, "largest force on one tooth",
                                      {"force", table_number, significant<2>}),
+        estimated<&T::largest_line_load>("largest_line_load", newton_per_mm,
+                                         "largest mean line load over half a millimetre of a flank's width",
+                                         {"line load", table_number, significant<2>}),
+        estimated<&T::flank_pressure>("flank_pressure", megapascal,
+                                      "largest Hertz pressure away from edges and ends of the face width",
+                                      {"pressure", table_number, significant<2>}),
+        estimated<&T::edge_force>("edge_force", newton, "largest force that edges and ends of one flank carry",
+                                  {"edges", table_number, significant<2>}),
+        estimated<&T::edge_fraction>("edge_fraction", one, "fraction of the force of all flanks on edges and ends",
+                                     {"edges", significant<3>, significant<2>, &percent})};
+}
+
+constexpr auto bearing_figures(Unit const& ball)
+{
+    using T = LoadedState;
+    return std::array{
         estimated<&T::wave_generator_force>("wave_generator_force", newton,
                                             "sum of the bearing's forces on the cup, without direction"),
         estimated<&T::wave_generator_torque>("wave_generator_torque", newton_metre, "torque on the wave generator",
@@ -130,7 +163,7 @@ Rows<LoadStudy> load_study_figures()
         figure<&T::pitch_radius>("pitch_radius", mm, "half the module times the flexspline's teeth"),
         figure<&T::harmonics>("harmonics", one, "largest circumferential harmonic of the cup", {"harmonics", whole}),
         figure<&T::sectors>("sectors", one, "how often the solved sector repeats around the ring"),
-        figure<&T::written_case>("written_case", one, "number of the case with the least pressure").formerly("shown"),
+        figure<&T::written_case>("written_case", one, "number of the case with the least line load").formerly("shown"),
         figure<&T::edge_radius>("edge_radius", um, "radius of the edges where teeth touch",
                                 {"edges of the teeth", significant<4>}),
         json_only(figure<&T::standard_tip_increase>("standard_tip_increase", um,
@@ -145,7 +178,8 @@ Rows<LoadStudy> load_study_figures()
 
 Rows<LoadedState> loaded_state_figures(int balls)
 {
-    static constexpr auto single = teeth_figures(newton), line = teeth_figures(newton_per_mm);
+    static constexpr auto single = joined(twist_figures(), force_figures(), bearing_figures(newton)),
+                          line = joined(twist_figures(), force_figures(), bearing_figures(newton_per_mm));
     return Rows<LoadedState>(balls > 0 ? single : line);
 }
 

@@ -63,6 +63,7 @@ StripContact contact_of(FlankView const& view, GapMinimum const& at, contact::Ga
     FlankContact c = contact_at(view, middle, on_edge ? touch : view.touch(view.curve.point(middle)));
     c.gap = touch.nearest.distance - view.radius;
     c.curvature = 2 * view.search.strip_depth / (half * half);
+    c.on_edge = on_edge;
     return {c, place - strip.behind, place + strip.ahead};
 }
 
@@ -139,6 +140,7 @@ void hold_contacts(contact::GapField const& field, FlankSearch const& search, st
         FlankCurve::Place const place = curve.place(old.arc_length);
         FlankContact c = contact_at(view, place, view.touch(curve.point(place)));
         c.curvature = old.curvature;
+        c.on_edge = old.on_edge;
         held.push_back(c);
     }
     contacts.insert(contacts.end(), held.begin(), held.end());

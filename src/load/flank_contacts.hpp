@@ -30,6 +30,7 @@ struct FlankContact
     double lever = 0;        ///< clockwise torque of a unit force on the circular spline: positive on right flanks [mm]
     double curvature = 0;    ///< of the gap along the flank: relative curvature of the line contact [1/mm]
     double tooth_y = 0;      ///< height of the nearest point of the tooth, tooth frame [mm]
+    bool on_edge = false;    ///< on a rounded edge, whose radius alone decides its curvature
     double inclination = 0;  ///< sine of the angle between normal and tooth's x axis: share of the force along it
 };
 

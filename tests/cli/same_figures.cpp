@@ -328,12 +328,13 @@ TEST_CASE("load: text, JSON and HDF5 have the same figures and errors", "[load][
         {number(each, "backlash_offset_um"), number(each, "backlash_arcmin"), number(catalogue, "K1_Nm_per_rad"),
          number(catalogue, "K2_Nm_per_rad"), number(catalogue, "K3_Nm_per_rad"), number(rated, "twist_arcmin"),
          number(rated, "teeth"), number(rated, "contact_fraction") * 100, number(rated, "fraction_within_gap") * 100,
-         number(rated, "largest_pressure_MPa"), number(rated, "largest_force_N"), number(rated, "largest_stress_MPa")});
+         number(rated, "largest_line_load_N_per_mm"), number(rated, "largest_force_N"),
+         number(rated, "largest_stress_MPa")});
     check_cells({rows[1].begin() + 2, rows[1].end()},
                 {number(each, "backlash_error_arcmin"), number(catalogue, "K1_error_Nm_per_rad"),
                  number(catalogue, "K2_error_Nm_per_rad"), number(catalogue, "K3_error_Nm_per_rad"),
                  number(error, "twist_arcmin"), number(error, "teeth"), number(error, "contact_fraction") * 100,
-                 number(error, "fraction_within_gap") * 100, number(error, "largest_pressure_MPa"),
+                 number(error, "fraction_within_gap") * 100, number(error, "largest_line_load_N_per_mm"),
                  number(error, "largest_force_N"), number(error, "largest_stress_MPa")});
     // The figures of which the text says with "?" that they have not converged.
     auto const marked = each.at("not_converged").get<std::set<std::string>>();

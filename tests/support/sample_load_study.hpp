@@ -48,6 +48,10 @@ inline LoadedState loaded_state(TwoStages const& stages, double torque, double s
     state.pressure_space = 61;
     state.pressure_z = -half_width;
     state.largest_force = 31.5 * share;
+    state.largest_line_load = 24 * share;
+    state.flank_pressure = 850 * std::sqrt(share);
+    state.edge_force = 8 * share;
+    state.edge_fraction = 0.4;
     state.wave_generator_force = 3992 + 1800 * share;
     state.wave_generator_torque = torque / 100;
     state.largest_stress = 454 + 40 * share;

@@ -24,9 +24,9 @@ void tell_play(LoadObserver const& observer, LoadCase const& known)
                                   per_um * known.backlash_offset, 60 * to_deg(known.backlash)));
 }
 
-double rated_pressure(LoadCase const& each)
+double rated_line_load(LoadCase const& each)
 {
-    return each.curve[each.rated].largest_pressure;
+    return each.curve[each.rated].largest_line_load;
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ void add_cases(contact::ContactContext const& context, DrivePair const& drives, 
                                                     contact::spec_words(surfaces[i]), cause));
             study.cases.push_back(std::move(solved.result));
             std::size_t const last = study.cases.size() - 1;
-            if (last == 0 || rated_pressure(study.cases[last]) < rated_pressure(study.cases[study.written_case])) {
+            if (last == 0 || rated_line_load(study.cases[last]) < rated_line_load(study.cases[study.written_case])) {
                 study.written_case = last;
                 study.shape = cup_shape(drives.fine.model, solved.field, context.threads);
             }

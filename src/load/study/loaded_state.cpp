@@ -3,106 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "bearing_map.hpp"
 #include "contact/contact_area.hpp"
+#include "flank_table.hpp"
 #include "hdconj/base/parallel.hpp"
-#include "hdconj/base/tolerance.hpp"
+#include "line_load.hpp"
 
 namespace hdconj::load {
 namespace {
-
-/// Values over (space, flank, slice) of one sector, all contacts of a flank and slice together.
-struct FlankTable
-{
-    std::size_t slices = 0;
-    std::vector<double> force;       ///< [N]
-    std::vector<double> line_load;   ///< [N/mm]
-    std::vector<double> pressure;    ///< largest [MPa]
-    std::vector<double> gap;         ///< smallest [mm]; of a loaded contact minus its approach; infinite: none is near
-    std::vector<double> height;      ///< of that contact along the flank, 0 at the land corner ... 1 at the flank end
-    std::vector<double> half_width;  ///< of the strips under pressure [mm]
-
-    [[nodiscard]] std::size_t index(std::size_t space, std::size_t flank, std::size_t slice) const
-    {
-        return (2 * space + flank) * slices + slice;
-    }
-};
-
-/// Area of the strip under pressure between two slices: line loads q0 and q1, half widths c0 sqrt(q0) and c1 sqrt(q1).
-double strip_area(double q0, double q1, double c0, double c1, double length)
-{
-    double const c = 0.5 * (c0 + c1);
-    double const difference = q1 - q0;
-    if (std::abs(difference) <= 1e3 * unit_roundoff * (q0 + q1))
-        return 2 * c * std::sqrt(0.5 * (q0 + q1)) * length;
-    return 2 * c * length * (2.0 / 3) * (q1 * std::sqrt(q1) - q0 * std::sqrt(q0)) / difference;
-}
-
-/// Area of the strip between the entries @p a and @p b of neighbouring slices.
-double area_between(FlankTable const& t, std::size_t a, std::size_t b, double length)
-{
-    auto const scale = [&](std::size_t i) { return t.half_width[i] / std::sqrt(t.line_load[i]); };
-    bool const a_loaded = t.line_load[a] > 0, b_loaded = t.line_load[b] > 0;
-    if (a_loaded && b_loaded)
-        return strip_area(t.line_load[a], t.line_load[b], scale(a), scale(b), length);
-    if (!a_loaded && !b_loaded)
-        return 0;
-    std::size_t const on = a_loaded ? a : b, off = a_loaded ? b : a;
-    double const approach = -t.gap[on];
-    double const fraction = std::isfinite(t.gap[off]) ? approach / (approach + std::max(0.0, t.gap[off])) : 0;
-    return strip_area(t.line_load[on], 0, scale(on), scale(on), fraction * length);
-}
-
-FlankTable flank_table(LoadProblem const& problem, LoadedDrive const& loaded)
-{
-    FlankTable table;
-    table.slices = problem.flanks.slices();
-    std::size_t const size = 2 * spaces_of(problem) * table.slices;
-    for (auto* v : {&table.force, &table.line_load, &table.pressure, &table.height, &table.half_width})
-        v->assign(size, 0);
-    table.gap.assign(size, std::numeric_limits<double>::infinity());
-    std::size_t const first = flank_search(problem, 0, 0).first_space;
-    std::vector<double> const approach =
-        local_compliance(problem.drive, loaded.contacts, loaded.state.flank)(loaded.state.flank);
-    for (std::size_t i = 0; i < loaded.contacts.size(); ++i) {
-        FlankContact const& c = loaded.contacts[i];
-        double const f = loaded.state.flank[i];
-        std::size_t const at = table.index(c.space - first, static_cast<std::size_t>(c.flank), c.slice);
-        double const q = f / problem.drive.slice_width[c.slice];
-        LineContact const line = problem.drive.line_contact(c);
-        double const gap = f > 0 ? -approach[i] : c.gap;
-        if (gap < table.gap[at]) {
-            table.gap[at] = gap;
-            table.height[at] = c.arc_fraction;
-        }
-        table.force[at] += f;
-        table.line_load[at] += q;
-        table.pressure[at] = std::max(table.pressure[at], largest_pressure(line, q));
-        table.half_width[at] += half_width(line, q);
-    }
-    return table;
-}
-
-/// Area under pressure on the flanks of one side [mm^2]: Hertz strips. Between two loaded slices the strip has the
-/// widths of both; from a loaded slice to an unloaded one it reaches as far as the force, which falls linearly through
-/// the gap there.
-double pressed_area(LoadProblem const& problem, FlankTable const& table, std::size_t flank)
-{
-    double area = 0;
-    std::vector<double> const& z = problem.flanks.z;
-    std::size_t const spaces = spaces_of(problem);
-    for (std::size_t s = 0; s < spaces; ++s) {
-        if (table.slices == 1)
-            area += 2 * table.half_width[table.index(s, flank, 0)] * problem.drive.slice_width[0];
-        for (std::size_t k = 0; k + 1 < table.slices; ++k)
-            area += area_between(table, table.index(s, flank, k), table.index(s, flank, k + 1), z[k + 1] - z[k]);
-    }
-    return area * problem.drive.response.sectors();
-}
 
 /// Area of all flanks of one side [mm^2].
 double flank_area(LoadProblem const& problem, std::size_t flank)
@@ -156,6 +67,29 @@ double fraction_within_gap(LoadProblem const& problem, LoadedDrive const& loaded
     return whole > 0 ? contact / (whole * static_cast<double>(search.spaces)) : 0;
 }
 
+/// What is determined of the pressure: line loads, and pressures away from edges and ends; forces of these.
+void enter_line_loads(LoadProblem const& problem, FlankTable const& t, LoadedState& state)
+{
+    constexpr double width = 0.5;  // of a mean, and of an end [mm]
+    std::vector<double> const& z = problem.flanks.z;
+    double all = 0, on_edges = 0;
+    for (std::size_t first = 0; first < t.force.size(); first += t.slices) {  // slices of a flank follow each other
+        double edge_force = 0;
+        for (std::size_t k = 0; k < t.slices; ++k) {
+            bool const at_end = t.slices > 1 && (z[k] - z.front() < width || z.back() - z[k] < width);
+            if (!at_end)
+                state.flank_pressure = std::max(state.flank_pressure, t.off_edges[first + k]);
+            edge_force += at_end ? t.force[first + k] : t.on_edges[first + k];
+            all += t.force[first + k];
+        }
+        on_edges += edge_force;
+        state.edge_force = std::max(state.edge_force, edge_force);
+        state.largest_line_load =
+            std::max(state.largest_line_load, largest_mean(z, {t.line_load.data() + first, t.slices}, width));
+    }
+    state.edge_fraction = all > 0 ? on_edges / all : 0;
+}
+
 /// Teeth, pressures, areas and gaps of the flanks.
 void enter_flanks(LoadProblem const& problem, LoadedDrive const& loaded, LoadedState& state)
 {
@@ -180,6 +114,7 @@ void enter_flanks(LoadProblem const& problem, LoadedDrive const& loaded, LoadedS
         carrying += on_tooth[0] > 0 || on_tooth[1] > 0 ? 1 : 0;
         state.largest_force = std::max({state.largest_force, on_tooth[0], on_tooth[1]});
     }
+    enter_line_loads(problem, t, state);
     state.teeth = static_cast<int>(carrying) * problem.drive.response.sectors();
     state.carrying_fraction = static_cast<double>(nodes) / static_cast<double>(spaces * t.slices);
     state.contact_area = pressed_area(problem, t, side);

@@ -58,34 +58,33 @@ std::string load_pressure_script(LoadStudy const& study)
     auto const angle = cell_borders(middles, middles.front() - half_pitch, middles.back() + half_pitch);
     double const half = map.z.size() > 1 ? 0 : study.solution.scene.circular_spline.width.value_or(1) / 2;
     auto const z = cell_borders(map.z, map.z.front() - half, map.z.back() + half);
-    auto const pressure = [&](std::size_t s, std::size_t k) { return map.pressure[map.index(s, flank, k)]; };
+    auto const line_load = [&](std::size_t s, std::size_t k) { return map.line_load[map.index(s, flank, k)]; };
     std::size_t space = 0, slice = 0;  // of the largest
     for (std::size_t s = 0; s < map.angle.size(); ++s) {
         for (std::size_t k = 0; k < map.z.size(); ++k) {
-            if (pressure(s, k) > pressure(space, slice)) {
+            if (line_load(s, k) > line_load(space, slice)) {
                 space = s;
                 slice = k;
             }
         }
     }
-    ColourScale const scale(pressure(space, slice));
+    ColourScale const scale(line_load(space, slice));
     PlotColumns peak;
-    if (pressure(space, slice) > 0)
-        peak.row(middles[space], (z[slice] + z[slice + 1]) / 2, pressure(space, slice));
+    if (line_load(space, slice) > 0)
+        peak.row(middles[space], (z[slice] + z[slice + 1]) / 2, line_load(space, slice));
     PlotData data(shown_load(study));
     data.set("right_flank", flank == GapMap::right);
-    data.set("at_edge", shown.pressure_at_edge);
     data.set("sectors", study.sectors);
     data.set("angle_low", angle.front());
     data.set("angle_high", angle.back());
     data.set("z_low", z.front());
     data.set("z_high", z.back());
     data.set("cells", merged_cells(angle, z, [&](std::size_t s, std::size_t k) {
-                 return scale.colour(scale.band_of(pressure(s, k)));
+                 return scale.colour(scale.band_of(line_load(s, k)));
              }));
     data.set("peak", peak);
     set_forces(data, map, flank, angle);
-    scale.set_in(data, "pressure [MPa]", "no force");
+    scale.set_in(data, "line load [N/mm]", "no force");
     return plot_script("load_pressure", data);
 }
 

@@ -25,7 +25,7 @@ void write_values(Page& page, LoadStudy const& study, LoadCase const& each)
     if (auto const* state = figures::rated_state(each)) {
         Told const at(figures::loaded_state_figures(study.balls), *state);
         row += fmt::format("{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", at("twist"), at("teeth"), at("contact_fraction"),
-                           at("fraction_within_gap"), at("largest_pressure"), at("largest_force"),
+                           at("fraction_within_gap"), at("largest_line_load"), at("largest_force"),
                            state->largest_stress > 0 ? at("largest_stress") : "-");
     } else {
         row += "   not computed";
@@ -50,9 +50,8 @@ void write_errors_of(Page& page, LoadStudy const& study, LoadCase const& each)
         row +=
             fmt::format("{:>9}", each.catalogue ? marked(Told(figures::catalogue_rows(), *each.catalogue), name) : "-");
     page.line("{}{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", row, marked(at, "twist"), at.error("teeth"),
-              marked(at, "contact_fraction"), marked(at, "fraction_within_gap"),
-              each.pressure_at_edge ? "edge" : marked(at, "largest_pressure"), marked(at, "largest_force"),
-              each.error.largest_stress > 0 ? marked(at, "largest_stress") : "-");
+              marked(at, "contact_fraction"), marked(at, "fraction_within_gap"), marked(at, "largest_line_load"),
+              marked(at, "largest_force"), each.error.largest_stress > 0 ? marked(at, "largest_stress") : "-");
 }
 
 /// The surfaces that are not as the scene gives them.
@@ -79,16 +78,12 @@ void write_legend(Page& page, LoadStudy const& study)
         "  offset: side clearance; contact: flank under pressure; within: flank with a gap up to {}; both of the area "
         "of all flanks on the loaded side",
         Told(figures::load_study_figures(), study).with_unit("contact_gap"));
+    page.line("  line load: largest mean over half a millimetre of the face width");
     page.line(
         "  +-: four times the difference from a grid half as fine in slices, flank points, circles and harmonics, on "
         "another mesh (twelve times below nine slices)");
     if (any([&](auto const& each) { return !figures::unconverged_figures(each, study.balls).empty(); }))
         page.line("  ?: more than a third of the figure, which has not converged; try slices.count = 17 or 33");
-    if (any([](auto const& each) { return each.pressure_at_edge; })) {
-        page.line(
-            "  edge: the largest pressure is at an end of the face width and grows with the number of slices; forces "
-            "converge");
-    }
     if (study.sharp_steps) {
         page.line(
             "  stress: largest in the sharp corners between barrel and toothed ring, where it grows with a finer mesh; "
@@ -107,10 +102,10 @@ void write_load_table(Page& page, LoadStudy const& study)
     // Tilt ends in column 25; the columns of the whole curve follow, then those of the largest torque.
     page.line("\n{:<25}{:>45}   at {}", "", "", rated_torque(study));
     page.line("  {:<10}{:<7}{:>6}{:>8}{:>10}{:>9}{:>9}{:>9}{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", "surface", "kind",
-              "tilt", "offset", "backlash", "K1", "K2", "K3", "twist", "teeth", "contact", "within", "pressure",
+              "tilt", "offset", "backlash", "K1", "K2", "K3", "twist", "teeth", "contact", "within", "line load",
               "force", "stress");
     page.line("  {:<10}{:<7}{:>6}{:>8}{:>10}{:>9}{:>9}{:>9}{:>10}{:>7}{:>9}{:>9}{:>10}{:>8}{:>9}", "", "", "deg", "um",
-              "arcmin", "N m/rad", "N m/rad", "N m/rad", "arcmin", "", "%", "%", "MPa", "N", "MPa");
+              "arcmin", "N m/rad", "N m/rad", "N m/rad", "arcmin", "", "%", "%", "N/mm", "N", "MPa");
     for (auto const& each : study.cases) {
         write_values(page, study, each);
         write_errors_of(page, study, each);

@@ -47,13 +47,21 @@ void write_load_setting(Page& page, LoadStudy const& study)
                 study.sectors > 1 ? fmt::format("the solved sector repeats {} times", study.sectors) : "");
 }
 
-std::string place_of_pressure(LoadCase const& each, LoadedState const& state)
+/// Pressure of the flanks where it is determined, and what edges and ends carry.
+std::string pressure_words(LoadStudy const& study, LoadCase const& each, LoadedState const& state)
 {
-    auto const space = static_cast<std::size_t>(state.pressure_space);
-    return space < each.map.angle.size()
-               ? fmt::format("tooth space at {} deg, ",
-                             figures::fixed<2>(figures::unit::degree.shown(each.map.angle[space])))
-               : "";
+    Told const told(figures::loaded_state_figures(study.balls), state);
+    Told const errors(figures::loaded_state_figures(study.balls), each.error);
+    auto const with_error = [&](char const* name) {
+        return told(name) + (each.estimated ? " +- " + errors.error(name) : "");
+    };
+    bool const determined = each.estimated && !figures::is_unconverged(state.flank_pressure, each.error.flank_pressure);
+    std::string const pressure =
+        state.flank_pressure == 0 ? "no force"
+        : determined              ? with_error("flank_pressure") + " MPa"
+                                  : fmt::format("pressure not determined (about {})", told.with_unit("flank_pressure"));
+    return fmt::format("{} away from edges and ends, which carry {} of all force, up to {} N of a flank", pressure,
+                       told.with_unit("edge_fraction"), with_error("edge_force"));
 }
 
 void write_largest(Page& page, LoadStudy const& study)
@@ -64,15 +72,16 @@ void write_largest(Page& page, LoadStudy const& study)
         if (state == nullptr)
             continue;
         Told const told(figures::loaded_state_figures(study.balls), *state);
-        std::string text = fmt::format("  {}: pressure {} in the {}slice z = {}", figures::case_name(each),
-                                       told.with_unit("largest_pressure"), place_of_pressure(each, *state),
-                                       told.with_unit("pressure_z"));
+        std::string text = fmt::format("  {}: {}", figures::case_name(each), pressure_words(study, each, *state));
         if (state->largest_stress > 0) {
             text += fmt::format("; stress {} at z = {}, r = {}, {}", told.with_unit("largest_stress"),
                                 told.with_unit("stress_z"), told.with_unit("stress_r"), told.with_unit("stress_phi"));
         }
         page.line("{}", text);
     }
+    page.line(
+        "  edges and ends: rounded edges of the teeth, and half a millimetre at each end of the face width; the "
+        "pressure there is not determined");
 }
 
 void write_bearing(Page& page, LoadStudy const& study, LoadCase const& each, LoadedState const& state)

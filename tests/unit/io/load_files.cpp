@@ -94,6 +94,10 @@ TEST_CASE("load numbers come back from HDF5 bit for bit", "[load]")
                             {"largest_pressure", [](auto const& s) { return s.largest_pressure; }},
                             {"pressure_z", [](auto const& s) { return s.pressure_z; }},
                             {"largest_force", [](auto const& s) { return s.largest_force; }},
+                            {"largest_line_load", [](auto const& s) { return s.largest_line_load; }},
+                            {"flank_pressure", [](auto const& s) { return s.flank_pressure; }},
+                            {"edge_force", [](auto const& s) { return s.edge_force; }},
+                            {"edge_fraction", [](auto const& s) { return s.edge_fraction; }},
                             {"wave_generator_force", [](auto const& s) { return s.wave_generator_force; }},
                             {"wave_generator_torque", [](auto const& s) { return s.wave_generator_torque; }},
                             {"largest_stress", [](auto const& s) { return s.largest_stress; }},
@@ -181,9 +185,9 @@ TEST_CASE("a row of the load table is in the units of its heading", "[load]")
           "over 212 contact points", "at 28 N m",
           "  tilted    radial    0.2    9.00      6.20     5600    10500    12000     15.65     58      2.3       11   "
           " "
-          "  1210    31.5      494\n",
+          "  24.0    31.5      494\n",
           "two straight lines instead: 98.7 and 183 N m/deg, knee at 12.0 N m",
-          "  tilted    -           0    9.00*     7.80        -", "tooth space at 19.60 deg",
+          "  tilted    -           0    9.00*     7.80        -", "carry 40 % of all force, up to 8.00 N of a flank",
           "stress 494 MPa at z = -4.40 mm, r = 24.40 mm, 5.7 deg", "within: flank with a gap up to 1 um",
           "*: with the side clearance and tip circle of the scene", "tip circle 25.107695 mm, enlarged by 0.00 um",
           "tip circle 25.030000 mm, enlarged by 82.70 um",
@@ -282,6 +286,9 @@ TEST_CASE("JSON of a load study has the figures of the solution and of each case
     CHECK(rated.at("twist_arcmin").get<double>() == Approx(study.cases[1].curve[study.cases[1].rated].twist / minute));
     CHECK(rated.at("stiffness_Nm_per_deg").get<double>() == Approx(182.8));
     CHECK(rated.at("largest_pressure_MPa").get<double>() == Approx(1210));
+    CHECK(rated.at("largest_line_load_N_per_mm").get<double>() == Approx(24));
+    CHECK(rated.at("flank_pressure_MPa").get<double>() == Approx(850));
+    CHECK(rated.at("edge_fraction").get<double>() == Approx(0.4));
     CHECK_FALSE(load.contains("measured"));
 }
 
@@ -305,6 +312,9 @@ TEST_CASE("estimates and balls stand in text and JSON and HDF5 alike", "[load][e
     each.curve_error[2].emplace().twist = 0.75 * minute;
     each.curve_error[2]->teeth = 3;
     each.error.largest_force = 1.5;
+    each.error.largest_line_load = 3;
+    each.error.flank_pressure = 75;
+    each.error.edge_force = 2;
     each.error.teeth = 6;
     each.error.lobe_force = 11;
     each.curve[each.rated].lobe_force = 1640;
@@ -312,10 +322,12 @@ TEST_CASE("estimates and balls stand in text and JSON and HDF5 alike", "[load][e
     each.curve[each.rated].balls = 3;
     each.bearing = {{0.0, 1.0}, {-3.0, 3.0}, {10, 20, 30, 40}, {0.0, 0.5}, {313, 12.5}};
     auto const text = summary_text(study);
-    for (auto const* part : {"1.2440 deg   +- 0.013 deg; slope", "    +-                                 0.25",
-                             "       0.5      6", "      edge     1.5", "lobe at the major axis 1640 +- 11 N",
-                             "balls up to 313", "3 of 4 carry", "313.0 at 0.0, 12.5 at 28.6",
-                             "10 um   radius under load", "edge: the largest pressure", "sharp corners", "77.0 N"}) {
+    for (auto const* part :
+         {"1.2440 deg   +- 0.013 deg; slope", "    +-                                 0.25", "       0.5      6",
+          "         3     1.5", "lobe at the major axis 1640 +- 11 N", "balls up to 313", "3 of 4 carry",
+          "313.0 at 0.0, 12.5 at 28.6", "10 um   radius under load",
+          "850 +- 75 MPa away from edges and ends, which carry 40 % of all force, up to 8.00 +- 2 N of a flank",
+          "pressure not determined (about 850 MPa)", "sharp corners", "77.0 N"}) {
         INFO(part << "\n" << text);
         CHECK_THAT(text, ContainsSubstring(part));
     }

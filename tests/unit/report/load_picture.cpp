@@ -68,7 +68,7 @@ TEST_CASE("pictures of a load study are drawn as SVG and PNG under names of thei
     CHECK_THAT(content(written[1].file),
                ContainsSubstring("stiffness [N m/°]") && ContainsSubstring("K1 5.6,  K2 10.5,  K3 12.0 ·10³ N m/rad"));
     CHECK_THAT(content(written[2].file),
-               ContainsSubstring("no force") && ContainsSubstring("1186 MPa") && ContainsSubstring("repeats 2 times"));
+               ContainsSubstring("no force") && ContainsSubstring("6.11 N/mm") && ContainsSubstring("repeats 2 times"));
     CHECK_THAT(content(written[3].file),
                ContainsSubstring("minor axis, 90°") && ContainsSubstring("displaced by 2 times"));
     CHECK_THAT(content(written[4].file),
@@ -188,7 +188,7 @@ TEST_CASE("the drawn curve is level over the play and its two lines are those of
     CHECK(plot_rows(report::load_curve_script(study, nullptr), "measured").empty());
 }
 
-TEST_CASE("the pressure's cells cover the sector and the width once", "[load][picture]")
+TEST_CASE("the line load's cells cover the sector and the width once", "[load][picture]")
 {
     for (int const slices : {1, 5}) {
         auto const study = sample::load_study(slices);
@@ -208,7 +208,7 @@ TEST_CASE("the pressure's cells cover the sector and the width once", "[load][pi
         for (std::size_t s = 0; s < map.angle.size(); ++s) {
             for (std::size_t k = 0; k < map.z.size(); ++k) {
                 double const width = slices == 1 ? 7 : 7.0 / 4 * (k == 0 || k + 1 == map.z.size() ? 0.5 : 1);
-                carries += map.pressure[map.index(s, GapMap::right, k)] > 0 ? 180.0 / 101 * width : 0;
+                carries += map.line_load[map.index(s, GapMap::right, k)] > 0 ? 180.0 / 101 * width : 0;
             }
         }
         CHECK(carries > 0);

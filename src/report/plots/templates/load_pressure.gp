@@ -1,16 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Largest pressure over tooth space and slice on the flanks that carry more, and the force on each tooth.
+# Line load over tooth space and slice on the flanks that carry more, and the force on each tooth.
 #
 # Columns:
 #   $cells   rectangles: left, right [deg], low, high [mm], colour
 #   $forces  angle of the tooth space [deg], force on these flanks, on the others (not positive) [N], width [deg]
-#   $peak    angle [deg], z [mm], pressure [MPa]: the largest; no rows where there is none
+#   $peak    angle [deg], z [mm], line load [N/mm]: the largest; no rows where there is none
 #   $bands, $band_ends, $band_words, and the variable quantity: the legend of colours, see common.gp
 # Variables: angle_low, angle_high [deg]; z_low, z_high [mm]; most, least [N]: largest force up and down;
-# right_flank: 1 where the right flanks carry more, else 0; at_edge: 1 where the largest pressure is at an end of the
-# face width, else 0; sectors: how often the pattern repeats around the ring
+# right_flank: 1 where the right flanks carry more, else 0; sectors: how often the pattern repeats around the ring
 
-subject = sprintf("largest pressure on the %s flanks, and the force on each tooth", right_flank ? "right" : "left") \
+subject = sprintf("line load on the %s flanks, and the force on each tooth", right_flank ? "right" : "left") \
     . (sectors > 1 ? sprintf("; it repeats %d times around the ring", sectors) : "")
 height = 714
 eval page
@@ -27,7 +26,7 @@ if (|$peak| > 0) {
   at = word($peak[1], 1) + 0
   set arrow from first at, graph 1.06 to first at, graph 1.0 head filled size screen 0.006,25 linewidth 1.2 \
       linecolor rgb ink front
-  words = sprintf("%.0f MPa", word($peak[1], 3) + 0) . (at_edge ? ", at an end of the face width: not converged" : "")
+  words = sprintf("%.3g N/mm", word($peak[1], 3) + 0)
   if (2 * at > angle_low + angle_high) {
     set label words at first at, graph 1.10 right noenhanced
   } else {

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "line_load.hpp"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace hdconj::load {
+namespace {
+
+/// Integral from z.front() to @p at.
+double integral(std::span<double const> z, std::span<double const> value, double at)
+{
+    double sum = 0;
+    for (std::size_t k = 0; k + 1 < z.size() && z[k] < at; ++k) {
+        double const length = std::min(at, z[k + 1]) - z[k];
+        double const slope = (value[k + 1] - value[k]) / (z[k + 1] - z[k]);
+        sum += length * (value[k] + 0.5 * slope * length);
+    }
+    return sum;
+}
+
+}  // namespace
+
+double largest_mean(std::span<double const> z, std::span<double const> value, double width)
+{
+    if (z.size() < 2)
+        return value.front();
+    if (width >= z.back() - z.front())
+        return integral(z, value, z.back()) / (z.back() - z.front());
+    double largest = 0;
+    auto const look_at = [&](double begin) {
+        begin = std::clamp(begin, z.front(), z.back() - width);
+        largest = std::max(largest, (integral(z, value, begin + width) - integral(z, value, begin)) / width);
+    };
+    for (std::size_t k = 0; k < z.size(); ++k) {
+        look_at(z[k]);
+        look_at(z[k] - width);
+        if (k == 0 || k + 1 == z.size())
+            continue;
+        double const rise = (value[k] - value[k - 1]) / (z[k] - z[k - 1]);
+        double const fall = (value[k] - value[k + 1]) / (z[k + 1] - z[k]);
+        if (rise > 0 && fall > 0)  // equal values at both ends of the interval
+            look_at(z[k] - width * fall / (rise + fall));
+    }
+    return largest;
+}
+
+}  // namespace hdconj::load
