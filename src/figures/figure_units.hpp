@@ -38,6 +38,7 @@ inline constexpr Unit mm2{"mm^2", "mm2", "mm^2"};
 inline constexpr Unit second{"s", "s", "s"};
 inline constexpr Unit newton{"N", "N", "N"};
 inline constexpr Unit newton_per_mm{"N/mm", "N_per_mm", "N/mm"};
+inline constexpr Unit newton_per_mm_to_3_2{"N/mm^(3/2)", "N_per_mm3_2", "N/mm^1.5"};
 inline constexpr Unit megapascal{"MPa", "MPa", "MPa"};
 inline constexpr Unit megabyte{"MB", "mb", "MB"};
 inline constexpr Unit mm_per_rad{"mm/rad", "mm_per_rad", "mm/rad"};
