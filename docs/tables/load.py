@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of load.md and thesis.md, from the program's own JSON: docs/tables/load.py PROGRAM [--csv] [TABLE ...]
+"""Tables of load.md, stiffness.md and thesis.md, from the program's own JSON: docs/tables/load.py PROGRAM [--csv] [TABLE ...]
 
-TABLE is any of: stages, curve, prototypes, grid, thesis, tilted, surfaces, bearing, fixed, balls, estimates; all of
-them without one. With --csv a table is comma-separated, as data/reference/load-TABLE.csv has it, in place of Markdown.
+TABLE is any of: stages, curve, prototypes, members, shares, grid, thesis, tilted, surfaces, bearing, fixed, balls,
+estimates; all of them without one. With --csv a table is comma-separated, as data/reference/load-TABLE.csv has it, in
+place of Markdown.
 """
 
 import json
@@ -172,6 +173,61 @@ def prototypes(program):
             *("%.0f" % math.radians(each) for each in slopes),
             *("%.0f" % each for each in lines),
         )
+
+
+# What a drive has beside rigid balls, each on top of those before. No maker's data: the page stiffness.md says where
+# each value comes from.
+MEMBERS = [
+    ("teeth and cup", {}),
+    ("22 rigid balls", {"bearing__balls": 22}),
+    ("balls by Hertz", {"bearing__ball_diameter": 4.762}),
+    ("bearing clearance", {"bearing__clearance": 0.01}),
+    ("body of the circular spline", {"compliance__outer_radius": 35}),
+    ("flange", {"compliance__flange": 200000}),
+    ("hub", {"compliance__hub": 300000}),
+    ("shaft", {"compliance__shaft": 25000}),
+]
+
+
+def members(program):
+    """Stiffness with one member of the drive after the other, side clearance 65 um."""
+    slopes = [words for name in ("K1", "K2", "K3") for words in (name + " [N m/rad]", "+-")]
+    lines = ["first line [N m/deg]", "second line [N m/deg]"]
+    head("surface", "with", "backlash [arcmin]", "twist [arcmin]", "+-", *slopes, "lost motion [arcmin]", "+-", *lines)
+    for surface in ("tilted", "per-slice"):
+        keys = {"circular_spline__backlash_offset": 0.065}
+        for name, more in MEMBERS:
+            keys.update(more)
+            case = load(program, ELASTIC, "--surface", surface, **keys)["cases"][0]
+            found = case["catalogue"]
+            row(
+                surface,
+                name,
+                "%.2f" % case["backlash_arcmin"],
+                "%.2f" % case["rated"]["twist_arcmin"],
+                "%.2g" % case["rated_error"]["twist_arcmin"],
+                *("%.4g" % found[f"K{i}{end}_Nm_per_rad"] for i in (1, 2, 3) for end in ("", "_error")),
+                "%.2f" % found["lost_motion_arcmin"],
+                "%.2g" % found["lost_motion_error_arcmin"],
+                *("%.0f" % case[f"{line}_stage_Nm_per_deg"] for line in ("first", "second")),
+            )
+
+
+def shares(program):
+    """What the twist at 28 N m consists of with all of them."""
+    head("surface", "member", "stiffness [N m/rad]", "twist [arcmin]", "share [%]")
+    keys = {"circular_spline__backlash_offset": 0.065}
+    for _, more in MEMBERS:
+        keys.update(more)
+    for surface in ("tilted", "per-slice"):
+        for each in load(program, ELASTIC, "--surface", surface, "--no-curve", **keys)["cases"][0]["members"]:
+            row(
+                surface,
+                each["name"],
+                "%.4g" % each["stiffness_Nm_per_rad"] if each["stiffness_Nm_per_rad"] else "-",
+                "%.2f" % each["twist_arcmin"],
+                "%.1f" % (100 * each["fraction"]),
+            )
 
 
 def grid(program):
@@ -349,6 +405,8 @@ TABLES = {
     "stages": stages,
     "curve": curve,
     "prototypes": prototypes,
+    "members": members,
+    "shares": shares,
     "grid": grid,
     "thesis": thesis,
     "tilted": tilted,

@@ -12,6 +12,7 @@
 
 #include "hdconj/contact.hpp"
 #include "hdconj/solution.hpp"
+#include "hdconj/twist_member.hpp"
 
 namespace hdconj {
 
@@ -194,6 +195,7 @@ struct LoadCase
     std::vector<std::optional<LoadedState>> curve_error;
     /// The largest pressure is at an end of the face width, where it grows with the number of slices.
     bool pressure_at_edge = false;
+    std::vector<TwistMember> members;           ///< in series, at that torque: their twists add up
     StiffnessStages stages;                     ///< of the curve from 0 to the rated torque, at even torques
     std::optional<CatalogueFigures> catalogue;  ///< with a curve only; none where T2 is not below its largest torque,
                                                 ///< or one of its torques has no equilibrium
@@ -254,6 +256,7 @@ struct LoadStudy
     double standard_tip_increase = 0;  ///< by how much the tip circle exceeds the standard one, which leaves no land
                                        ///< [mm]; 0 where the scene gives it
     int balls = 0;                     ///< of the bearing; 0: a line, or a rigid bearing
+    double ball_constant = 0;          ///< k of F = k d^1.5 of each ball [N/mm^1.5]; 0: not by Hertz
     bool sharp_steps = false;  ///< the wall grows to the tooth ring in ramps, whose corners have no largest stress
 };
 

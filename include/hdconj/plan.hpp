@@ -32,6 +32,7 @@ enum class Stage
     contact,         ///< first contact, contact area, backlash
     influence,       ///< what the elastic wall gives way by, harmonic by harmonic
     assembly,        ///< the cup on its wave generator, without torque
+    compliance,      ///< torsional stiffnesses in series with the teeth
     load             ///< teeth and wave generator in equilibrium, torque by torque
 };
 

@@ -108,9 +108,27 @@ struct BearingChoice
     bool axially_held = true;                ///< whether the groove keeps the line of balls from moving along the axis
     std::optional<int> balls;                ///< how many, each a force of its own under load; absent: a line
     double ball_phase = 0;                   ///< angle of one of them from the major axis, clockwise [rad]
+    std::optional<double> ball_diameter;     ///< effect: each ball yields by Hertz; absent: by radial_stiffness
+    double inner_conformity = 0.52;          ///< radius of the groove of the inner ring over the ball diameter
+    double outer_conformity = 0.52;          ///< the same of the outer ring
+    double clearance = 0;                    ///< diametral, under load only
+    double youngs_modulus = 206e3;           ///< of both rings [MPa]
+    double poissons_ratio = 0.3;             ///< of both rings
+    double ball_youngs_modulus = 206e3;      ///< of the balls [MPa]
+    double ball_poissons_ratio = 0.3;        ///< of the balls
     int angles = 0;                          ///< points of contact in a lobe
     int circles = 0;                         ///< and over the width
     int line = 0;                            ///< of the table in the scene file, 1-based; 0: by --set
+};
+
+/// Effect: members in series with the teeth that yield in torsion, as the circular spline feels them. Absent: rigid.
+struct Compliance
+{
+    std::optional<double> flange;        ///< torsional stiffness of the cup's flange and its screws [N mm/rad]
+    std::optional<double> hub;           ///< of the hub behind it [N mm/rad]
+    std::optional<double> shaft;         ///< of the shaft that carries the torque on [N mm/rad]
+    std::optional<double> outer_radius;  ///< where the body of the circular spline is held [mm]
+    int line = 0;                        ///< of the table in the scene file, 1-based; 0: by --set
 };
 
 /// Effect: tilted circular-spline teeth.
@@ -195,6 +213,7 @@ struct Scene
     Solver solver;                          ///< table [solver]
     std::optional<Coning> coning;           ///< effect [coning]
     std::optional<BearingChoice> bearing;   ///< effect [wave_generator.bearing]
+    std::optional<Compliance> compliance;   ///< effect [compliance]
     std::optional<Tilt> tilt;               ///< effect [tilt]
     std::optional<Slices> slices;           ///< effect [slices]
     std::optional<ContactRequest> contact;  ///< table [contact]

@@ -12,6 +12,7 @@
 #include "hdconj/profile/registry.hpp"
 #include "hdconj/units.hpp"
 #include "scene/usual_drive.hpp"
+#include "yielding_faults.hpp"
 
 namespace hdconj::drive {
 
@@ -278,6 +279,7 @@ Faults check_scene(Scene const& scene)
     if (faults.empty()) {
         drive::validate_geometry(scene, tooth, drive::pair_geometry(scene, tooth, shape.amplitude()), faults);
         drive::say_likely_cause(scene, shape.amplitude(), true, faults);
+        drive::validate_yielding(scene, tooth, drive::pair_geometry(scene, tooth, shape.amplitude()), faults);
     }
     return faults;
 }

@@ -47,8 +47,10 @@ elastic::Bearing bearing_of(Scene const& scene)
     elastic::Bearing bearing{*scene.coning->bottom_to_middle, choice.width, choice.fit, choice.cam_oversize,
                              std::nullopt};
     if (choice.elastic)
-        bearing.ring = elastic::BearingRing{*choice.ring_thickness, choice.axially_held, choice.radial_stiffness,
-                                            elastic::BearingRing{}.material};
+        bearing.ring = elastic::BearingRing{*choice.ring_thickness,
+                                            choice.axially_held,
+                                            choice.radial_stiffness,
+                                            {choice.youngs_modulus, choice.poissons_ratio}};
     return bearing;
 }
 

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <cmath>
+#include <optional>
 #include <vector>
 
 #include "numeric/complementarity.hpp"
@@ -28,6 +29,8 @@ struct BallLine
     Eigen::VectorXd held;       ///< P_0: of the unloaded ring, held on the cam [N]
     Eigen::MatrixXd stiffness;  ///< K [N/mm]: symmetric, positive but for motions of the whole ring
     Eigen::MatrixXd lift;       ///< E: (contacts, points), the surface's rise for 1 mm of h
+    /// k of balls that yield, P = k d^1.5 [N/mm^1.5]: where one is pressed, h = -d. Absent: balls are rigid.
+    std::optional<double> hertz = {};
 };
 
 /// Where bearing and cup may touch: the force there acts evenly over `spread`, and gaps are means over it.
@@ -49,20 +52,21 @@ struct BallContact
 {
     numeric::ComplementaritySolution contacts;
     Eigen::VectorXd force;  ///< P [N]
-    Eigen::VectorXd gap;    ///< h [mm]
+    Eigen::VectorXd gap;    ///< between ring and balls [mm]: h where no ball is pressed, else 0
     int rounds = 0;         ///< complementarity problems solved: 1 where no ball would have to pull
 };
 
 /// Solves @p problem, that of a ring held on the cam, with balls that push only: points are released and caught again
-/// until those that touch push and those that do not stand off.
+/// until those that touch push and those that do not stand off. Balls that yield are springs whose stiffness is the
+/// secant of their law, found again until the approaches agree with the law to 1e-7 of the largest.
 /// @param first    contact of @p problem that is the first of @p line; they follow each other
-/// @param start    points to begin with as released, of a neighbouring problem; empty: none
-/// @param problem  on return: compliance and approach with the ring free at the points where h > 0
+/// @param start    forces of the points in a neighbouring problem to begin with; empty: none are known
+/// @param problem  on return: compliance and approach with the ring free where no ball is pressed, or balls yield
 /// @throws NumericalError as solve_complementarity does, where no such set of points is found, and for a ring that can
 /// move as a whole
 [[nodiscard]] BallContact solve_on_balls(numeric::Complementarity& problem, Eigen::Index first, BallLine const& line,
                                          numeric::ComplementarityOptions options = {},
-                                         std::vector<bool> const& start = {});
+                                         std::vector<double> const& start = {});
 
 /// Mean of cos(n phi) over @p spread [rad] about phi = 0.
 inline double mean_of_cosine(double n, double spread)

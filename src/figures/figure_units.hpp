@@ -25,7 +25,8 @@ struct Unit
     [[nodiscard]] double shown_error(double error) const { return error * shown_per_stored; }
     /// What a key in JSON ends in, "_mm".
     [[nodiscard]] std::string suffix() const { return *key == '\0' ? "" : std::string("_") + key; }
-    /// What the name of an attribute in HDF5 ends in, "_Nmm".
+    /// What the name of an attribute in HDF5 ends in, "_Nmm"; of a quotient, which has the same unit in JSON, that of
+    /// JSON: "_N_per_mm".
     [[nodiscard]] std::string attribute_suffix() const;
 };
 
@@ -38,6 +39,7 @@ inline constexpr Unit mm2{"mm^2", "mm2", "mm^2"};
 inline constexpr Unit second{"s", "s", "s"};
 inline constexpr Unit newton{"N", "N", "N"};
 inline constexpr Unit newton_per_mm{"N/mm", "N_per_mm", "N/mm"};
+inline constexpr Unit newton_per_mm_to_3_2{"N/mm^(3/2)", "N_per_mm3_2", "N/mm^1.5"};
 inline constexpr Unit megapascal{"MPa", "MPa", "MPa"};
 inline constexpr Unit megabyte{"MB", "mb", "MB"};
 inline constexpr Unit mm_per_rad{"mm/rad", "mm_per_rad", "mm/rad"};

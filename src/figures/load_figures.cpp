@@ -171,6 +171,9 @@ Rows<LoadStudy> load_study_figures()
             .formerly("tip_widened")
             .printed({"tip circle", decimals<1>}),
         figure<&T::balls>("balls", one, "balls of the bearing; 0: a continuous row, or a rigid bearing"),
+        figure<&T::ball_constant>("ball_constant", newton_per_mm_to_3_2,
+                                  "k of a ball in its grooves, F = k d^1.5 (Hertz); 0: not by Hertz",
+                                  {"balls by Hertz", table_number}),
         json_only(figure<&T::sharp_steps>("sharp_steps", one,
                                           "whether the wall has sharp steps, where stress grows with the mesh"))};
     return Rows<T>(rows);
@@ -256,6 +259,17 @@ Rows<CatalogueFigures> catalogue_rows()
         pair<&T::lost_motion, &T::lost_motion_error>("lost_motion", arcmin, "turn between both signs of that torque",
                                                      {"lost motion", fixed<2>, significant<2>}),
         figure<&T::estimated>("estimated", one, "whether the errors are estimates")};
+    return Rows<T>(rows);
+}
+
+Rows<TwistMember> twist_member_rows()
+{
+    using T = TwistMember;
+    static constexpr std::array rows = {
+        figure<&T::stiffness>("stiffness", newton_metre_per_rad, "torque over its twist; 0: it has none",
+                              {"stiffness", table_number}),
+        figure<&T::twist>("twist", arcmin, "its part of the twist", {"twist", fixed<2>}),
+        figure<&T::fraction>("fraction", one, "of the whole twist", {"share", significant<3>, nullptr, &percent})};
     return Rows<T>(rows);
 }
 

@@ -30,6 +30,9 @@ inline constexpr Name flank_position_of_gap{flank_position.now, "height"};
 /// Stiffness and lost motion of a case by the definitions of catalogues.
 [[nodiscard]] Rows<CatalogueFigures> catalogue_rows();
 
+/// What the twist at the largest torque consists of, one record for each member in series.
+[[nodiscard]] Rows<TwistMember> twist_member_rows();
+
 [[nodiscard]] inline std::string case_name(LoadCase const& each)
 {
     return surface_name(each.surface, each.kind, each.tilt);

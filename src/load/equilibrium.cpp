@@ -130,7 +130,7 @@ Equilibrium equilibrium(ElasticDrive const& drive, LinearGaps const& gaps, std::
     numeric::ComplementaritySolution solved;
     if (drive.balls) {
         elastic::BallContact balls =
-            elastic::solve_on_balls(problem, static_cast<Index>(flanks), *drive.balls, options, start.off);
+            elastic::solve_on_balls(problem, static_cast<Index>(flanks), *drive.balls, options, start.balls);
         result.balls.assign(balls.force.begin(), balls.force.end());
         solved = std::move(balls.contacts);
     } else

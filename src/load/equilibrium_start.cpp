@@ -109,7 +109,8 @@ Start coarse_start(numeric::Complementarity const& problem, std::optional<elasti
     numeric::Complementarity part = part_of(problem, thin.kept, threads);
     std::optional<elastic::BallLine> balls;
     if (line)
-        balls = elastic::BallLine{line->phi, line->held, line->stiffness, line->lift(thin.of_bearing, Eigen::all)};
+        balls = elastic::BallLine{line->phi, line->held, line->stiffness, line->lift(thin.of_bearing, Eigen::all),
+                                  line->hertz};
     Start result = coarse_start(part, balls, thin.layout, turn, threads);
     numeric::ComplementarityOptions const options{
         .start = std::move(result.contacts), .scalar = turn, .threads = threads};
@@ -117,11 +118,9 @@ Start coarse_start(numeric::Complementarity const& problem, std::optional<elasti
     try {
         if (balls) {
             elastic::BallContact const found =
-                elastic::solve_on_balls(part, static_cast<Index>(thin.layout.flanks), *balls, options, result.off);
+                elastic::solve_on_balls(part, static_cast<Index>(thin.layout.flanks), *balls, options, result.balls);
             closed = found.contacts.contacts;
-            result.off.clear();
-            for (double const force : found.force)
-                result.off.push_back(!(force > 0));
+            result.balls.assign(found.force.begin(), found.force.end());
         } else
             closed = numeric::solve_complementarity(part, options).contacts;
     } catch (NumericalError const& error) {
@@ -145,8 +144,7 @@ Start active_set_of(ElasticDrive const& drive, Equilibrium const& guess, std::si
     for (std::size_t i = 0; i < nodes.size(); ++i)
         if (guess.bearing(static_cast<Index>(nodes[i].height), static_cast<Index>(nodes[i].angle)) > 0)
             start.contacts.push_back(static_cast<int>(flanks + i));
-    for (double const force : guess.balls)
-        start.off.push_back(!(force > 0));
+    start.balls = guess.balls;
     return start;
 }
 

@@ -13,7 +13,7 @@ namespace hdconj::load {
 struct Start
 {
     std::vector<int> contacts;  ///< that are closed
-    std::vector<bool> off;      ///< points of the line of balls that the ring stands off
+    std::vector<double> balls;  ///< forces of the points of the line of balls; empty: unknown
 };
 
 /// @param flanks  number of contacts of the problem that are not the bearing's; they come first

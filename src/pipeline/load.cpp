@@ -5,6 +5,7 @@
 
 #include "load/study/load_study.hpp"
 #include "load/study/loaded_scene.hpp"
+#include "load/study/twist_members.hpp"
 
 namespace hdconj {
 namespace {
@@ -24,6 +25,7 @@ void describe_drive(contact::ContactStudyData const& data, load::ElasticDrive co
     study.pitch_radius = scene.drive.module * scene.drive.flexspline_teeth / 2;
     study.edge_radius = load::edge_radius(scene);
     study.balls = scene.bearing->balls.value_or(0);
+    study.ball_constant = drive.balls ? drive.balls->hertz.value_or(0) : 0;
     Cup const& cup = *scene.flexspline.cup;
     study.sharp_steps = scene.flexspline.wall != cup.barrel_wall && !(cup.rear_fillet && cup.front_fillet);
 }
@@ -42,11 +44,17 @@ LoadStudy study_load(Scene const& scene, LoadOptions const& options, StageObserv
     LoadStudy study;
     load::DrivePair drives = clock.value_of(Stage::assembly, [&] {
         load::LoadedDrive unloaded = load::assembly(context, model.drive);
-        load::DrivePair assembled{{grid, std::move(model), std::move(unloaded)}, std::nullopt};
+        load::DrivePair assembled{{grid, std::move(model), std::move(unloaded)}, std::nullopt, {}};
         study.cup = load::assembled_cup(context, assembled.fine);
         return assembled;
     });
     load::tell_assembly(observer, study.cup);
+    if (data->plan.has(Stage::compliance)) {
+        PairGeometry const& g = context.geometry;
+        drives.series = clock.value_of(Stage::compliance, [&] {
+            return load::series_members(context.scene, g.circular_spline_inner_radius + g.space_depth);
+        });
+    }
     clock.run(Stage::load, [&] {
         drives.coarse = load::coarse_drive(context);
         if (drives.coarse)

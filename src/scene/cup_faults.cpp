@@ -46,6 +46,44 @@ void check_elastic(SceneReading const& reading, Faults& faults)
                "the elastic cup tells where its apex is", "remove the key, or write model = \"linear\"");
 }
 
+/// Keys of single balls without what they belong to, and two keys that say how the balls yield.
+void check_balls(SceneReading const& reading, Faults& faults)
+{
+    auto const& given = reading.scene.given;
+    auto const has = [&](std::string const& key) { return given.contains("bearing." + key); };
+    auto const refuse = [&](std::string const& key, std::string const& reason, std::string const& remedy) {
+        if (has(key))
+            add_at(faults, "bearing." + key, "", reason, remedy);
+    };
+    if (!has("balls")) {
+        refuse("ball_phase_deg", "without the key balls they are a continuous row, which has no first ball",
+               "write balls = 23 too, or remove the key");
+        refuse("ball_diameter", "without the key balls they are a continuous row, to which Hertz' law does not apply",
+               "write balls = 23 too, or remove the key");
+    }
+    if (!has("ball_diameter"))
+        for (char const* const key :
+             {"inner_conformity", "outer_conformity", "ball_youngs_modulus", "ball_poissons_ratio"})
+            refuse(key, "without ball_diameter no ball has a groove to yield in",
+                   "write ball_diameter = 3.0, a length in mm, or remove the key");
+    else
+        refuse("radial_stiffness", "ball_diameter says already how the balls yield",
+               "remove one of ball_diameter and radial_stiffness");
+}
+
+/// A table that makes nothing yield.
+void check_compliance(SceneReading const& reading, Faults& faults)
+{
+    auto const& scene = reading.scene;
+    bool yields = false;
+    for (char const* const key : {"flange", "hub", "shaft", "outer_radius"})
+        yields = yields || scene.given.contains(std::string("compliance.") + key);
+    if (scene.compliance && !yields)
+        faults.push_back({"compliance", scene.compliance->line, "", "none of its keys is there, and nothing yields",
+                          "write outer_radius = 35.0, in mm, or shaft = 60000, in N m/rad, or remove the table",
+                          scene.compliance->line > 0 ? "" : "--set"});
+}
+
 void check_bearing(SceneReading const& reading, Faults& faults)
 {
     auto const& scene = reading.scene;
@@ -61,15 +99,16 @@ void check_bearing(SceneReading const& reading, Faults& faults)
                           "write ring_thickness = 1.2, a length in mm, or type = \"rigid\""});
     if (bearing.elastic && knows(reading, {"bearing.width"}) && bearing.width <= 0)
         refuse("width", "an outer ring that bends has a width above 0", "write width = 6.0, or type = \"rigid\"");
-    for (std::string const key : {"ring_thickness", "radial_stiffness", "axially", "balls", "ball_phase_deg"})
+    for (std::string const key : {"ring_thickness", "radial_stiffness", "axially", "balls", "ball_phase_deg",
+                                  "ball_diameter", "inner_conformity", "outer_conformity", "clearance",
+                                  "youngs_modulus", "poissons_ratio", "ball_youngs_modulus", "ball_poissons_ratio"})
         if (!bearing.elastic && scene.given.contains("bearing." + key))
             refuse(key, "type \"rigid\" has no outer ring and no balls", "remove the key, or write type = \"elastic\"");
     if (bearing.balls && *bearing.balls < 2)
         refuse("balls", "one ball leaves the ring free to move across it",
                "write as many as the bearing has, such as 23, or leave the key out for a continuous row of balls");
-    if (!bearing.balls && scene.given.contains("bearing.ball_phase_deg"))
-        refuse("ball_phase_deg", "without the key balls they are a continuous row, which has no first ball",
-               "write balls = 23 too, or remove the key");
+    if (bearing.elastic)
+        check_balls(reading, faults);
     if (knows(reading, {"bearing.angles"}) && bearing.angles % 2 != 0)
         refuse("angles", "is odd", "write an even number such as 48");
     if (knows(reading, {"bearing.angles", "bearing.circles"}) &&
@@ -125,6 +164,7 @@ void add_cup_faults(SceneReading const& reading, Faults& faults)
     check_coning(reading, faults);
     check_bearing(reading, faults);
     check_cup(reading, faults);
+    check_compliance(reading, faults);
 }
 
 }  // namespace hdconj::scene

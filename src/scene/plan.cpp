@@ -74,9 +74,38 @@ std::vector<AbsentEffect> absent_effects(Scene const& scene, Verb verb)
               "where coning changes nothing");
     add(scene.tilt && !has_slices(scene), "tilt of the surface",
         "[slices] with count above 1: at z = 0 the tilt moves nothing");
+    if (verb == Verb::load) {
+        add(!scene.compliance, "members in series", "a table [compliance]");
+        add(!scene.bearing || !scene.bearing->ball_diameter, "yielding balls",
+            "bearing.ball_diameter, with bearing.balls");
+        add(!scene.bearing || scene.bearing->clearance <= 0, "bearing clearance", "bearing.clearance above 0");
+    }
     add(verb != Verb::contact, "contact", "the verb contact");
     add(verb != Verb::load, "load", "the verb load");
     return absent;
+}
+
+/// What the bearing does beside pushing.
+std::string bearing_effects(Scene const& scene)
+{
+    if (!scene.bearing)
+        return "";
+    BearingChoice const& bearing = *scene.bearing;
+    return (bearing.ball_diameter ? ", bearing.ball_diameter = " + in_mm(*bearing.ball_diameter) : "") +
+           (bearing.clearance > 0 ? ", bearing.clearance = " + in_mm(bearing.clearance) : "");
+}
+
+/// The keys that [compliance] has.
+std::string members_in_series(Compliance const& compliance)
+{
+    std::string keys;
+    for (auto const& [key, given] :
+         {std::pair("flange", compliance.flange.has_value()), std::pair("hub", compliance.hub.has_value()),
+          std::pair("shaft", compliance.shaft.has_value()),
+          std::pair("outer_radius", compliance.outer_radius.has_value())})
+        if (given)
+            keys += (keys.empty() ? "compliance." : ", ") + std::string(key);
+    return keys;
 }
 
 /// Two columns; an empty string for no rows.
@@ -100,10 +129,10 @@ bool Plan::has(Stage stage) const
 
 std::string to_string(Stage stage)
 {
-    constexpr std::array names{"profile", "cup",       "neutral_curve",  "motion",    "envelope",
-                               "region",  "backlash",  "root_clearance", "outline",   "interference",
-                               "coning",  "surface",   "tilt",           "clearance", "gap_map",
-                               "contact", "influence", "assembly",       "load"};
+    constexpr std::array names{"profile", "cup",       "neutral_curve",  "motion",     "envelope",
+                               "region",  "backlash",  "root_clearance", "outline",    "interference",
+                               "coning",  "surface",   "tilt",           "clearance",  "gap_map",
+                               "contact", "influence", "assembly",       "compliance", "load"};
     return names.at(static_cast<std::size_t>(stage));
 }
 
@@ -140,7 +169,9 @@ Plan make_plan(Scene const& scene, Verb verb)
     }
     if (verb == Verb::load) {
         add(Stage::influence, "load: deformation of the cup by unit forces");
-        add(Stage::assembly, "load: the cup on its wave generator, without torque");
+        add(Stage::assembly, "load: the cup on its wave generator, without torque" + bearing_effects(scene));
+        if (scene.compliance)
+            add(Stage::compliance, members_in_series(*scene.compliance) + ": in series with the teeth");
         add(Stage::load, "load: torque on the teeth");
     }
     return plan;

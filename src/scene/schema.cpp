@@ -264,6 +264,44 @@ std::vector<KeySpec> coning()
              "\"mapped\"", to<&Scene::coning, &Coning::axial_shift>, "mapped"}};
 }
 
+std::vector<KeySpec> joined(std::vector<KeySpec> keys, std::vector<KeySpec> const& more)
+{
+    keys.insert(keys.end(), more.begin(), more.end());
+    return keys;
+}
+
+/// Keys of the balls and their grooves.
+std::vector<KeySpec> ball_contact()
+{
+    return {{optional("ball_diameter", Q::positive_length,
+                      "effect: each ball yields by Hertz between its grooves, F = k d^1.5; for the verb load, with "
+                      "balls; absent: as radial_stiffness says"),
+             "3.0", to<&Scene::bearing, &BearingChoice::ball_diameter>},
+            {optional("inner_conformity", Q::number,
+                      "radius of the groove in the inner ring over the ball diameter; with ball_diameter only",
+                      bounds::least_conformity, bounds::largest_conformity),
+             "0.52", to<&Scene::bearing, &BearingChoice::inner_conformity>, 0.52},
+            {optional("outer_conformity", Q::number, "the same of the outer ring; with ball_diameter only",
+                      bounds::least_conformity, bounds::largest_conformity),
+             "0.52", to<&Scene::bearing, &BearingChoice::outer_conformity>, 0.52},
+            {optional("clearance", Q::nonnegative_length,
+                      "effect: diametral play of the bearing by itself, as ISO 5753 counts it; for the verb load; "
+                      "type \"elastic\" only"),
+             "0.005", to<&Scene::bearing, &BearingChoice::clearance>, 0.0},
+            {optional("youngs_modulus", Q::number, "of the steel of both rings, in MPa; type \"elastic\" only",
+                      bounds::least_modulus, bounds::largest_modulus),
+             "206000", to<&Scene::bearing, &BearingChoice::youngs_modulus>, 206000.0},
+            {optional("poissons_ratio", Q::number, "of the steel of both rings; type \"elastic\" only", 0,
+                      bounds::largest_poissons_ratio),
+             "0.3", to<&Scene::bearing, &BearingChoice::poissons_ratio>, 0.3},
+            {optional("ball_youngs_modulus", Q::number, "of the balls, in MPa; with ball_diameter only",
+                      bounds::least_modulus, bounds::largest_modulus),
+             "206000", to<&Scene::bearing, &BearingChoice::ball_youngs_modulus>, 206000.0},
+            {optional("ball_poissons_ratio", Q::number, "of the balls; with ball_diameter only", 0,
+                      bounds::largest_poissons_ratio),
+             "0.3", to<&Scene::bearing, &BearingChoice::ball_poissons_ratio>, 0.3}};
+}
+
 std::vector<KeySpec> bearing()
 {
     return {{choice("type", "surface of the cam's shape, or outer ring that bends on its balls", {"rigid", "elastic"},
@@ -299,6 +337,30 @@ std::vector<KeySpec> bearing()
             {optional("circles", Q::count, "circles of such points over the width, its edges included",
                       bounds::fewest_circles, bounds::most_circles),
              "13", to<&Scene::bearing, &BearingChoice::circles>, 13.0}};
+}
+
+/// A torsional stiffness in series with the teeth.
+template <auto member_of_compliance>
+KeySpec in_series(std::string_view key, std::string_view meaning, std::string_view example)
+{
+    return {optional(key, Q::number, meaning, bounds::least_torsional_stiffness, bounds::largest_torsional_stiffness),
+            example,
+            [](Scene& s, Parameter const& p) { (*s.compliance).*member_of_compliance = number(p) * newton_metre; }};
+}
+
+std::vector<KeySpec> compliance()
+{
+    return {
+        in_series<&Compliance::flange>(
+            "flange", "torsional stiffness of the cup's flange and its screws, in N m/rad; absent: rigid", "200000"),
+        in_series<&Compliance::hub>("hub", "of the hub that the flange is fixed to, in N m/rad; absent: rigid",
+                                    "300000"),
+        in_series<&Compliance::shaft>("shaft", "of the shaft that carries the torque on, in N m/rad; absent: rigid",
+                                      "60000"),
+        {optional("outer_radius", Q::positive_length,
+                  "where the circular spline is held: its body yields as a disc from the root circle to there; absent: "
+                  "rigid"),
+         "35.0", to<&Scene::compliance, &Compliance::outer_radius>}};
 }
 
 std::vector<KeySpec> tilt()
@@ -453,7 +515,9 @@ std::vector<TableSpec> const& scene_schema()
         {"solver", "how to compute", optional, FamilyKind::none, nullptr, solver()},
         {"coning", "effect: the cup cones along the axis", effect, FamilyKind::none, begin<&Scene::coning>, coning()},
         {"bearing", "the bearing between wave generator and cup, for [coning] model \"elastic\"", effect,
-         FamilyKind::none, begin<&Scene::bearing>, bearing()},
+         FamilyKind::none, begin<&Scene::bearing>, joined(bearing(), ball_contact())},
+        {"compliance", "effect: members in series with the teeth that yield in torsion, for the verb load", effect,
+         FamilyKind::none, begin<&Scene::compliance>, compliance()},
         {"tilt", "effect: tilted teeth of the circular spline", effect, FamilyKind::none, begin<&Scene::tilt>, tilt()},
         {"slices", "effect: slices across the face width", effect, FamilyKind::none, begin<&Scene::slices>, slices()},
         {"contact", "settings of the verb contact", effect, FamilyKind::none, begin<&Scene::contact>, contact()},

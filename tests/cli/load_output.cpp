@@ -94,6 +94,36 @@ TEST_CASE("load: the curve is run as asked and JSON and HDF5 say the same", "[lo
     CHECK(*std::max_element(map.begin(), map.end()) == Approx(rated.at("largest_pressure_MPa").get<double>()));
 }
 
+TEST_CASE("load: the members in series add up to the twist, in text, JSON and HDF5 alike", "[load][compliance]")
+{
+    TemporaryFolder const folder;
+    std::string const keys = one_torque + "-o a.h5 --set compliance.shaft=25000 --set compliance.outer_radius=35 ";
+    auto const done = load(keys + "--json --quiet", folder);
+    INFO(done.err);
+    REQUIRE(done.status == 0);
+    json const only = json::parse(done.out).at("load").at("cases")[0];
+    json const& members = only.at("members");
+    std::vector<std::string> const names{"half of the backlash", "teeth and bearing", "cup in torsion",
+                                         "body of the circular spline", "shaft"};
+    REQUIRE(members.size() == names.size());
+    auto const file = hdconj::test::open_file(folder / "a.h5");
+    auto const twist = hdconj::test::read(file, "/load/case_000/members/twist").values,
+               stiffness = hdconj::test::read(file, "/load/case_000/members/stiffness").values;
+    auto const text = load(keys, folder);
+    double sum = 0, fractions = 0;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        CHECK(members[i].at("name") == names[i]);
+        CHECK(members[i].at("stiffness_Nm_per_rad").get<double>() == Approx(stiffness[i] / 1000));
+        CHECK(members[i].at("twist_arcmin").get<double>() == Approx(twist[i] * 60 * 180 / std::numbers::pi));
+        CHECK_THAT(text.out, ContainsSubstring("\n  " + names[i] + "  "));
+        sum += members[i].at("twist_arcmin").get<double>();
+        fractions += members[i].at("fraction").get<double>();
+    }
+    CHECK(stiffness.back() == 25e6);
+    CHECK(sum == Approx(only.at("rated").at("twist_arcmin").get<double>()).epsilon(1e-12));
+    CHECK(fractions == Approx(1).epsilon(1e-12));
+}
+
 TEST_CASE("load lays a measured curve over the simulation", "[load][measured]")
 {
     TemporaryFolder const folder;

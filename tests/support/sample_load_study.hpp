@@ -188,6 +188,8 @@ inline LoadStudy load_study(int slice_count = 9)
                                                 .lost_motion = 7 * minute,
                                                 .lost_motion_error = 0.3 * minute,
                                                 .estimated = true};
+    study.cases[1].members = {{"half of the backlash", 0, 3.1 * minute, 0.3},
+                              {"shaft", 13.3e3 * nm_per_rad, 7.23 * minute, 0.7}};
     study.written_case = 1;
     study.shape = cup_shape();
     auto& cup = study.cup;

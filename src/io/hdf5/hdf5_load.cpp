@@ -111,6 +111,11 @@ void write_load_case(Writer const& place, LoadCase const& each, int balls)
         place.group("catalogue", [&](Writer const& group) {
             hdf5::write_attributes(group, figures::catalogue_rows(), *each.catalogue);
         });
+    if (!each.members.empty())
+        place.group("members", [&](Writer const& group) {
+            group.texts("name", column(each.members, &TwistMember::name), "members in series", "member");
+            write_columns(group, "member", figures::twist_member_rows(), each.members);
+        });
     if (auto const names = figures::unconverged_figures(each, balls); !names.empty())
         place.texts("not_converged", names, "figures whose error exceeds a third of them", "figure");
     if (!each.unsettled.empty()) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "drive/elastic_cup.hpp"
+#include "elastic/ball_contact.hpp"
 #include "elastic/discrete_balls.hpp"
 #include "elastic/wave_generator_contact.hpp"
 
@@ -75,6 +76,7 @@ void add_ring(ElasticDrive& drive, PlacedBearing const& placed, elastic::Bearing
             placed.ball_stiffness);
         drive.needed -= Eigen::Map<Eigen::MatrixXd>(single.sag.data(), drive.needed.rows(), drive.needed.cols());
         drive.balls = std::move(single.balls);
+        drive.balls->hertz = placed.ball_constant;
         drive.between_balls = std::move(single.between);
     } else {
         drive.balls = elastic::ball_line(surface, sectors, contacts, points, false, threads);
@@ -99,13 +101,23 @@ std::vector<HarmonicResponse> responses(elastic::Influence const& influence)
 PlacedBearing placed_bearing(contact::ContactContext const& context, int circles, RingGrid const& around)
 {
     Scene const& scene = context.scene;
-    PlacedBearing result{drive::bearing_of(scene), {}, 2 * std::numbers::pi / around.sectors / around.angles(), {}};
-    if (scene.bearing->balls) {
+    PlacedBearing result{drive::bearing_of(scene), {}, 2 * std::numbers::pi / around.sectors / around.angles(), {}, {}};
+    BearingChoice const& choice = *scene.bearing;
+    result.bearing.cam_oversize -= choice.clearance / 2;  // of radii
+    if (choice.ball_diameter)
+        result.ball_constant =
+            elastic::ball_constant({*choice.ball_diameter,
+                                    context.geometry.flexspline_inner_radius - result.bearing.ring->thickness,
+                                    choice.inner_conformity,
+                                    choice.outer_conformity,
+                                    {choice.ball_youngs_modulus, choice.ball_poissons_ratio},
+                                    result.bearing.ring->material});
+    if (choice.balls) {
         // the part of a line's stiffness that one ball has
         if (auto const line = std::exchange(result.bearing.ring->radial_stiffness, std::nullopt))
             result.ball_stiffness = *line * 2 * std::numbers::pi *
                                     (context.geometry.flexspline_inner_radius - result.bearing.ring->thickness) /
-                                    *scene.bearing->balls;
+                                    *choice.balls;
     }
     result.circles = elastic::bearing_circles(result.bearing, circles);
     return result;

@@ -37,6 +37,7 @@ struct PlacedBearing
     std::vector<double> circles;           ///< heights of its contacts above the cup's bottom [mm]
     double spread;                         ///< angle over which one of its forces acts: a step of the grid [rad]
     std::optional<double> ball_stiffness;  ///< of a single ball without its ring [N/mm]
+    std::optional<double> ball_constant;   ///< k of F = k d^1.5 of a ball in its grooves [N/mm^1.5]
 };
 
 [[nodiscard]] PlacedBearing placed_bearing(contact::ContactContext const& context, int circles, RingGrid const& around);

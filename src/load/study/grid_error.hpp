@@ -11,11 +11,12 @@
 
 namespace hdconj::load {
 
-/// The grid asked for and a coarser one.
+/// The grid asked for and a coarser one, with what yields in series with either.
 struct DrivePair
 {
     AssembledDrive fine;
     std::optional<AssembledDrive> coarse;
+    std::vector<TwistMember> series = {};  ///< with their stiffness
 };
 
 /// Estimated error over the difference to a grid half as fine: two grids, first order, safety 3 of Roache's index (J.

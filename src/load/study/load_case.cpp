@@ -16,6 +16,7 @@
 #include "hdconj/error.hpp"
 #include "load/model/cup_shape.hpp"
 #include "load_problem.hpp"
+#include "twist_members.hpp"
 
 namespace hdconj::load {
 namespace {
@@ -105,6 +106,7 @@ struct PathPair
     TorqueContinuation const& fine;
     TorqueContinuation const* coarse;  ///< null: none
     double safety;                     ///< of errors
+    double series;                     ///< compliance in series with the teeth [rad/(N mm)]; 0: none
 };
 
 BranchWithErrors solved_branch(PathPair const& paths, BranchTorques const& torques,
@@ -118,6 +120,8 @@ BranchWithErrors solved_branch(PathPair const& paths, BranchTorques const& torqu
     if (paths.coarse)
         result.errors = branch_errors(*paths.coarse, result.branch, paths.safety);
     result.errors.states.resize(result.branch.states.size());
+    if (paths.series > 0)
+        add_in_series(paths.series, result.branch.states, result.errors);
     return result;
 }
 
@@ -248,9 +252,11 @@ SolvedCase load_case(contact::ContactContext const& context, DrivePair const& dr
     if (coarse)
         result.backlash_error = safety * std::abs(width_of(path.play) - width_of(coarse->play));
 
-    BranchWithErrors const rated =
-        solve_curve(context, {path, coarse ? &*coarse : nullptr, safety}, torques, observer, result);
+    BranchWithErrors const rated = solve_curve(
+        context, {path, coarse ? &*coarse : nullptr, safety, compliance_of(drives.series)}, torques, observer, result);
     LoadedState const& state = result.curve[result.rated];
+    result.members = twist_members(state, free_twist(path, state.torque),
+                                   cup_in_torsion(fine.model.drive, fine.model.radius), drives.series);
     std::vector<double> const& z = result.map.z;
     result.pressure_at_edge =
         z.size() > 1 && state.largest_pressure > 0 && (state.pressure_z <= z.front() || state.pressure_z >= z.back());

@@ -50,6 +50,11 @@ Json load_case_object(LoadCase const& each, int balls)
         object["unsettled"].push_back({{"torque_Nm", number(torque / newton_metre)}, {"cause", cause}});
     if (each.catalogue)
         object["catalogue"] = figures_object(figures::catalogue_rows(), *each.catalogue);
+    object["members"] = Json::array();
+    for (TwistMember const& member : each.members) {
+        object["members"].push_back({{"name", member.name}});
+        add_figures(object["members"].back(), figures::twist_member_rows(), member);
+    }
     object["curve"] = Json::array();
     for (std::size_t i = 0; i < each.curve.size(); ++i) {
         Json state = figures_object(rows, each.curve[i]);

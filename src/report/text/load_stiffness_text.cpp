@@ -51,6 +51,22 @@ void write_catalogue(Page& page, LoadStudy const& study)
     }
 }
 
+void write_members(Page& page, LoadStudy const& study)
+{
+    auto const rows = figures::twist_member_rows();
+    for (auto const& each : study.cases) {
+        if (each.members.empty())
+            continue;
+        page.line("\ntwist at {} of {}, member by member", rated_torque(study), figures::case_name(each));
+        page.line("  {:<28}{:>12}{:>10}{:>9}", "", "N m/rad", "arcmin", "%");
+        for (TwistMember const& member : each.members) {
+            Told const told(rows, member);
+            page.line("  {:<28}{:>12}{:>10}{:>9}", member.name, member.stiffness != 0 ? told("stiffness") : "-",
+                      told("twist"), told("fraction"));
+        }
+    }
+}
+
 void write_stiffness(Page& page, LoadStudy const& study)
 {
     auto const has_slopes = [](LoadCase const& each) { return each.stages.first != 0 && each.curve.size() > 1; };

@@ -18,6 +18,9 @@ void write_catalogue(Page& page, LoadStudy const& study);
 /// The slope along each curve, and the two lines of the thesis for comparison.
 void write_stiffness(Page& page, LoadStudy const& study);
 
+/// What the twist at the largest torque consists of.
+void write_members(Page& page, LoadStudy const& study);
+
 /// "28 N m"
 [[nodiscard]] std::string rated_torque(LoadStudy const& study);
 

@@ -32,9 +32,11 @@ void write_load_setting(Page& page, LoadStudy const& study)
              single ? fmt::format("at {}; {} of {} balls carry", told.with_unit("ball_phi"), told("balls"), study.balls)
                     : "balls as a continuous row, at " + told.with_unit("ball_phi"));
     }
+    auto const of_study = figures::load_study_figures();
+    if (study.ball_constant > 0)
+        page.figure(of_study["ball_constant"], study, "k of F = k d^1.5, both grooves");
     if (cup.largest_stress > 0)
         line("largest_stress", rows["largest_stress"].text.label, "von Mises, inside the elements");
-    auto const of_study = figures::load_study_figures();
     Told const whole(of_study, study);
     page.figure(of_study["edge_radius"], study, "radius under load");
     if (study.standard_tip_increase > 0) {
@@ -240,6 +242,7 @@ std::string summary_text(LoadStudy const& study, std::vector<WrittenFile> const&
     report::write_load_table(page, study);
     report::write_catalogue(page, study);
     report::write_stiffness(page, study);
+    report::write_members(page, study);
     report::write_load_places(page, study);
     if (measured != nullptr)
         report::write_measured(page, study, *measured);

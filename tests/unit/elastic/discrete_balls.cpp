@@ -231,9 +231,9 @@ TEST_CASE("the iterations of releasing balls end, with the answer of the one way
         CHECK(largest_of(force.cwiseMin(found.gap)) <= 1e-8 * scale);
         CHECK(largest_of(gap.cwiseMin(found.contacts.force)) <= 1e-8 * scale);
         // whatever is released to begin with
-        std::vector<bool> start;
+        std::vector<double> start;
         for (Index m = 0; m < balls; ++m)
-            start.push_back(normal(random) > 0);
+            start.push_back(std::max(0.0, normal(random)));
         numeric::Complementarity again = held;
         elastic::BallContact const other = solve_on_balls(again, 0, line, {}, start);
         CHECK(largest_of(other.force - found.force) <= 1e-7 * scale);

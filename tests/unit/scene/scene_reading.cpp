@@ -228,6 +228,34 @@ TEST_CASE("an elastic cup with keys that say nothing together is refused with th
     refused({"flexspline.cup.poissons_ratio=0.5"}, "flexspline.cup.poissons_ratio", "at most 0.499");
     refused({"bearing.friction=0.08"}, "bearing.friction", "unknown key");
     refused({"circular_spline.width=9", "slices.count=3"}, "circular_spline.width", "beyond the flexspline's teeth");
+    refused({"bearing.ball_diameter=3"}, "bearing.ball_diameter", "continuous row");
+    refused({"bearing.balls=22", "bearing.inner_conformity=0.52"}, "bearing.inner_conformity", "without ball_diameter");
+    refused({"bearing.balls=22", "bearing.ball_youngs_modulus=3e5"}, "bearing.ball_youngs_modulus",
+            "without ball_diameter");
+    refused({"bearing.balls=22", "bearing.ball_diameter=3", "bearing.radial_stiffness=2000"},
+            "bearing.radial_stiffness", "says already how the balls yield");
+    refused({"bearing.type=rigid", "!bearing.ring_thickness", "!bearing.axially", "bearing.clearance=0.01"},
+            "bearing.clearance", "no outer ring");
+    refused({"bearing.balls=23", "bearing.ball_diameter=6"}, "bearing.ball_diameter", "do not fit");
+}
+
+TEST_CASE("members in series and balls are read in their units", "[scene]")
+{
+    Scene const scene = parse_scene(with(elastic), "scene", {},
+                                    {"compliance.flange=200000", "compliance.outer_radius=35", "bearing.balls=23",
+                                     "bearing.ball_diameter=3", "bearing.clearance=0.005"});
+    REQUIRE(scene.compliance);
+    CHECK(scene.compliance->flange == 200e6);
+    CHECK_FALSE(scene.compliance->hub);
+    CHECK_FALSE(scene.compliance->shaft);
+    CHECK(scene.compliance->outer_radius == 35);
+    REQUIRE(scene.bearing);
+    CHECK(scene.bearing->ball_diameter == 3);
+    CHECK(scene.bearing->inner_conformity == 0.52);
+    CHECK(scene.bearing->outer_conformity == 0.52);
+    CHECK(scene.bearing->clearance == 0.005);
+    CHECK(scene.bearing->youngs_modulus == 206e3);
+    CHECK(scene.bearing->ball_poissons_ratio == 0.3);
 }
 
 TEST_CASE("a scene read from a file knows its folder", "[scene]")
