@@ -30,6 +30,8 @@ enum class Stage
     clearance,       ///< every slice over a full turn: least side clearance, tip circle and root
     gap_map,         ///< gaps of all teeth at an angle of the wave generator
     contact,         ///< first contact, contact area, backlash
+    tip_relief,      ///< flanks of the flexspline stand back towards the tips
+    end_relief,      ///< flanks stand back towards the ends of the face width
     influence,       ///< what the elastic wall gives way by, harmonic by harmonic
     assembly,        ///< the cup on its wave generator, without torque
     compliance,      ///< torsional stiffnesses in series with the teeth

@@ -147,6 +147,22 @@ struct Slices
     int line = 0;                                 ///< of the table in the scene file, 1-based; 0: by --set
 };
 
+/// Effect: the flexspline's flanks stand back towards the tips. Only the verb `load` reads it.
+struct TipRelief
+{
+    double amount = 0;       ///< at the tip, along the flank's normal [mm]
+    double from_height = 0;  ///< height above the pitch line at which it begins [mm]
+    int line = 0;            ///< of the table in the scene file, 1-based; 0: by --set
+};
+
+/// Effect: the flanks stand back towards both ends of the face width. Only the verb `load` reads it.
+struct EndRelief
+{
+    double amount = 0;  ///< at the ends, along the flank's normal [mm]
+    double length = 0;  ///< along the face width over which it grows [mm]
+    int line = 0;       ///< of the table in the scene file, 1-based; 0: by --set
+};
+
 /// What contact is asked for. Only the verb `contact` reads it.
 struct ContactRequest
 {
@@ -216,6 +232,8 @@ struct Scene
     std::optional<Compliance> compliance;   ///< effect [compliance]
     std::optional<Tilt> tilt;               ///< effect [tilt]
     std::optional<Slices> slices;           ///< effect [slices]
+    std::optional<TipRelief> tip_relief;    ///< effect [tip_relief]
+    std::optional<EndRelief> end_relief;    ///< effect [end_relief]
     std::optional<ContactRequest> contact;  ///< table [contact]
     std::optional<LoadRequest> load;        ///< table [load]
     std::optional<WireRequest> wedm;        ///< table [wedm]

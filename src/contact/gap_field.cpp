@@ -38,8 +38,12 @@ std::array<int, 2> teeth_needed(int flexspline_teeth, int circular_spline_teeth,
 }
 
 GapField::GapField(profile::Profile const& tooth, FlankGrid const& grid, ToothPoses const& places, int flexspline_teeth,
-                   int circular_spline_teeth, double phase)
-    : distance_(tooth), grid_(&grid), places_(&places), pitch_(2 * std::numbers::pi / circular_spline_teeth)
+                   int circular_spline_teeth, double phase, FlankDeviation const* deviation)
+    : distance_(tooth),
+      grid_(&grid),
+      places_(&places),
+      deviation_(deviation),
+      pitch_(2 * std::numbers::pi / circular_spline_teeth)
 {
     int const first = first_space(circular_spline_teeth);
     double const k = static_cast<double>(flexspline_teeth) / circular_spline_teeth;
@@ -84,10 +88,24 @@ double GapField::nearest(Candidates const& teeth, Vec2 const& q) const
     double best = std::numeric_limits<double>::infinity();
     for (Placement const& tooth : teeth) {
         Vec2 const x = tooth(q);
-        if (distance_.lower_bound(x) < best)
-            best = std::min(best, distance_(x).distance);
+        if (!(distance_.lower_bound(x) < best))
+            continue;
+        distance::NearestPoint const found = distance_(x);
+        best = std::min(best, has_heights() ? found.distance + deviation_->height(found.point.y()) : found.distance);
     }
     return best;
+}
+
+/// Gradient of distance and deviation at @p x, whose distance has the gradient @p normal. Along the normal the nearest
+/// point stays.
+Vec2 GapField::deviating_normal(Vec2 const& x, Vec2 const& normal) const
+{
+    // of the pitch: the truncation goes with its square, the rounding with its inverse
+    constexpr double step = 1e-5;
+    double const h = step * pitch_ * reach_;
+    Vec2 const along = left_of(normal);
+    auto const at = [&](double way) { return deviation_->height(distance_(x + way * along).point.y()); };
+    return (normal + (at(h) - at(-h)) / (2 * h) * along).normalized();
 }
 
 double GapField::radius(int flank, std::size_t slice) const
@@ -100,18 +118,18 @@ double GapField::gap(Index const& i, double turn) const
 {
     return nearest(candidates_of(i.space, i.slice, turn),
                    grid_->point[static_cast<std::size_t>(i.flank)][i.slice][i.point]) -
-           radius(i.flank, i.slice);
+           deduction(i.flank, i.slice);
 }
 
 double GapField::gap_between(std::size_t space, int flank, std::size_t slice, double s, double turn) const
 {
-    return nearest(candidates_of(space, slice, turn), grid_->between(flank, slice, s)) - radius(flank, slice);
+    return nearest(candidates_of(space, slice, turn), grid_->between(flank, slice, s)) - deduction(flank, slice);
 }
 
 double GapField::lowest_about(Index const& i, double gap, double turn, double enough) const
 {
     Candidates const teeth = candidates_of(i.space, i.slice, turn);
-    double const less = radius(i.flank, i.slice);
+    double const less = deduction(i.flank, i.slice);
     auto const gap_at = [&](double s) { return nearest(teeth, grid_->between(i.flank, i.slice, s)) - less; };
     double const here = grid_->place(i.flank, i.point);
     double lowest = gap;
@@ -128,7 +146,7 @@ void GapField::along(std::size_t space, int flank, std::size_t slice, double tur
 {
     Candidates const teeth = candidates_of(space, slice, turn);
     auto const& line = grid_->point[static_cast<std::size_t>(flank)][slice];
-    double const less = radius(flank, slice);
+    double const less = deduction(flank, slice);
     for (std::size_t i = 0; i < line.size(); ++i)
         out[i] = nearest(teeth, line[i]) - less;
 }
@@ -148,10 +166,15 @@ GapField::Touch GapField::touch(std::size_t space, std::size_t slice, Vec2 const
         Vec2 const x = tooth(q);
         if (!(distance_.lower_bound(x) < best.nearest.distance))
             continue;
-        distance::NearestPoint const found = distance_(x);
+        distance::NearestPoint found = distance_(x);
+        if (has_heights()) {
+            found.distance += deviation_->height(found.point.y());
+            found.normal = deviating_normal(x, found.normal);
+        }
         if (found.distance < best.nearest.distance)
             best = {candidate(space, c), found, tooth.rotate_back(found.normal)};
     }
+    best.nearest.distance += opening(slice);
     return best;
 }
 
@@ -170,7 +193,7 @@ GapMap GapField::map(double turn, int threads) const
             for (int flank = 0; flank < 2; ++flank) {
                 double* const row = result.gap.data() + result.index(space, flank, k, 0);
                 auto const& line = grid_->point[static_cast<std::size_t>(flank)][k];
-                double const less = radius(flank, k);
+                double const less = deduction(flank, k);
                 for (std::size_t i = 0; i < points; ++i)
                     row[i] = nearest(teeth, line[i]) - less;
             }

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "flank_deviation.hpp"
 #include "flank_grid.hpp"
 #include "hdconj/base/rigid_motion.hpp"
 #include "hdconj/contact.hpp"
@@ -43,9 +44,10 @@ class GapField
         std::size_t point;
     };
 
-    /// @param phase  undeformed angle of tooth 0 [rad]
+    /// @param phase      undeformed angle of tooth 0 [rad]
+    /// @param deviation  of the flanks from those of @p tooth and @p grid; null: none
     GapField(profile::Profile const& tooth, FlankGrid const& grid, ToothPoses const& places, int flexspline_teeth,
-             int circular_spline_teeth, double phase);
+             int circular_spline_teeth, double phase, FlankDeviation const* deviation = nullptr);
     GapField(GapField const&) = delete;
     GapField& operator=(GapField const&) = delete;
 
@@ -66,7 +68,8 @@ class GapField
     /// Gaps of all points of one flank and slice at @p turn, into @p out, which holds as many.
     void along(std::size_t space, int flank, std::size_t slice, double turn, double* out) const;
 
-    /// The tooth that is nearest to a flank point, and its nearest point in its own frame.
+    /// The tooth that is nearest to a flank point, and its nearest point in its own frame. Where flanks deviate, the
+    /// distance contains the deviation and the normal is its gradient: that of the flank that is made.
     struct Touch
     {
         int tooth = 0;  ///< number as in ToothPoses
@@ -110,11 +113,21 @@ class GapField
     using Candidates = std::array<Placement, candidates>;
     [[nodiscard]] Candidates candidates_of(std::size_t space, std::size_t slice, double turn) const;
     [[nodiscard]] double nearest(Candidates const& teeth, Vec2 const& q) const;
+    /// What is less than the distance of a point of the flank, for its gap.
+    [[nodiscard]] double deduction(int flank, std::size_t slice) const { return radius(flank, slice) - opening(slice); }
+    /// By how much all gaps of a slice are larger.
+    [[nodiscard]] double opening(std::size_t slice) const
+    {
+        return deviation_ && !deviation_->slice.empty() ? deviation_->slice[slice] : 0;
+    }
+    [[nodiscard]] bool has_heights() const { return deviation_ && deviation_->height; }
+    [[nodiscard]] Vec2 deviating_normal(Vec2 const& x, Vec2 const& normal) const;
     [[nodiscard]] int candidate(std::size_t space, int c) const;
 
     distance::ToothDistance distance_;
     FlankGrid const* grid_;
     ToothPoses const* places_;
+    FlankDeviation const* deviation_;
     std::vector<double> space_angle_;
     std::vector<int> space_number_;
     std::vector<int> nearest_tooth_;

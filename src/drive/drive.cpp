@@ -147,6 +147,16 @@ void validate_tip_circle(Scene const& scene, PairGeometry const& g, Faults& faul
                           remedy, "", set});
 }
 
+void validate_tip_relief(Scene const& scene, profile::Profile const& tooth, Faults& faults)
+{
+    double const from = scene.tip_relief->from_height;
+    if (!scene.is_reverse() && !(from < tooth.addendum && from >= -tooth.dedendum))
+        faults.push_back({"tip_relief.from_height", scene.tip_relief->line, short_number(from),
+                          "no height of the tooth, which reaches from " + short_number(-tooth.dedendum) + " to " +
+                              short_number(tooth.addendum) + " mm above its pitch line",
+                          "write a height below the tip, such as " + short_number(tooth.addendum / 2)});
+}
+
 /// What only the assembled dimensions show: tooth against pitch, tips of either member against roots of the other.
 void validate_geometry(Scene const& scene, profile::Profile const& tooth, PairGeometry const& g, Faults& faults)
 {
@@ -165,6 +175,8 @@ void validate_geometry(Scene const& scene, profile::Profile const& tooth, PairGe
         if (scene.is_reverse())
             validate_space_depth(tooth, g, faults);
     }
+    if (scene.tip_relief)
+        validate_tip_relief(scene, tooth, faults);
     bool has_tip = false;
     for (std::size_t i = 0; i < tooth.pieces.size(); ++i)
         has_tip = has_tip || profile::is_tip(tooth, static_cast<int>(i));

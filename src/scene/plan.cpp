@@ -80,6 +80,12 @@ std::vector<AbsentEffect> absent_effects(Scene const& scene, Verb verb)
             "bearing.ball_diameter, with bearing.balls");
         add(!scene.bearing || scene.bearing->clearance <= 0, "bearing clearance", "bearing.clearance above 0");
     }
+    // what the verb load alone reads
+    auto const add_for_load = [&](bool is_there, char const* name, char const* table) {
+        add((verb == Verb::load) != is_there, name, is_there ? "the verb load" : table);
+    };
+    add_for_load(scene.tip_relief.has_value(), "tip relief", "a table [tip_relief]");
+    add_for_load(scene.end_relief.has_value(), "end relief", "a table [end_relief]");
     add(verb != Verb::contact, "contact", "the verb contact");
     add(verb != Verb::load, "load", "the verb load");
     return absent;
@@ -129,10 +135,11 @@ bool Plan::has(Stage stage) const
 
 std::string to_string(Stage stage)
 {
-    constexpr std::array names{"profile", "cup",       "neutral_curve",  "motion",     "envelope",
-                               "region",  "backlash",  "root_clearance", "outline",    "interference",
-                               "coning",  "surface",   "tilt",           "clearance",  "gap_map",
-                               "contact", "influence", "assembly",       "compliance", "load"};
+    constexpr std::array names{"profile",    "cup",        "neutral_curve",  "motion",    "envelope",
+                               "region",     "backlash",   "root_clearance", "outline",   "interference",
+                               "coning",     "surface",    "tilt",           "clearance", "gap_map",
+                               "contact",    "tip_relief", "end_relief",     "influence", "assembly",
+                               "compliance", "load"};
     return names.at(static_cast<std::size_t>(stage));
 }
 
@@ -168,6 +175,12 @@ Plan make_plan(Scene const& scene, Verb verb)
         add(Stage::contact, "contact: first contact, contact area, backlash");
     }
     if (verb == Verb::load) {
+        if (scene.tip_relief)
+            add(Stage::tip_relief, "tip_relief.amount = " + in_mm(scene.tip_relief->amount) +
+                                       ", from_height = " + in_mm(scene.tip_relief->from_height));
+        if (scene.end_relief)
+            add(Stage::end_relief, "end_relief.amount = " + in_mm(scene.end_relief->amount) +
+                                       ", length = " + in_mm(scene.end_relief->length));
         add(Stage::influence, "load: deformation of the cup by unit forces");
         add(Stage::assembly, "load: the cup on its wave generator, without torque" + bearing_effects(scene));
         if (scene.compliance)

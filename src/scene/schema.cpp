@@ -379,6 +379,25 @@ std::vector<KeySpec> slices()
              to<&Scene::slices, &Slices::surface>, "tilted"}};
 }
 
+std::vector<KeySpec> tip_relief()
+{
+    return {{required("amount", Q::nonnegative_length, "at the tip, along the normal of the flank"), "0.004",
+             to<&Scene::tip_relief, &TipRelief::amount>},
+            {required("from_height", Q::length,
+                      "height above the pitch line at which it begins; from there it grows with the square"),
+             "0.1", to<&Scene::tip_relief, &TipRelief::from_height>}};
+}
+
+std::vector<KeySpec> end_relief()
+{
+    return {{required("amount", Q::nonnegative_length, "at both ends, along the normal of the flank"), "0.004",
+             to<&Scene::end_relief, &EndRelief::amount>},
+            {required("length", Q::positive_length,
+                      "of the face width at each end over which it grows with the square; at most half the width",
+                      bounds::least_length),
+             "2.0", to<&Scene::end_relief, &EndRelief::length>}};
+}
+
 std::vector<KeySpec> contact()
 {
     return {{optional("contact_gap", Q::positive_length, "gap up to which flanks count as in contact",
@@ -520,6 +539,10 @@ std::vector<TableSpec> const& scene_schema()
          FamilyKind::none, begin<&Scene::compliance>, compliance()},
         {"tilt", "effect: tilted teeth of the circular spline", effect, FamilyKind::none, begin<&Scene::tilt>, tilt()},
         {"slices", "effect: slices across the face width", effect, FamilyKind::none, begin<&Scene::slices>, slices()},
+        {"tip_relief", "effect: the flexspline's flanks stand back towards the tips; for the verb load", effect,
+         FamilyKind::none, begin<&Scene::tip_relief>, tip_relief()},
+        {"end_relief", "effect: flanks stand back towards both ends of the face width; for the verb load", effect,
+         FamilyKind::none, begin<&Scene::end_relief>, end_relief()},
         {"contact", "settings of the verb contact", effect, FamilyKind::none, begin<&Scene::contact>, contact()},
         {"load", "settings of the verb load", effect, FamilyKind::none, begin<&Scene::load>, load()},
         {"wedm", "settings of the verb wedm: a part cut by wire", effect, FamilyKind::none, begin<&Scene::wedm>,

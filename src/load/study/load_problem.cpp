@@ -3,6 +3,7 @@
 
 #include <numbers>
 
+#include "flank_deviation.hpp"
 #include "load/round_edges.hpp"
 
 namespace hdconj::load {
@@ -12,7 +13,8 @@ LoadProblem load_problem(contact::ContactContext const& context, ElasticDrive co
 {
     Scene const& scene = context.scene;
     return {context, drive, flanks,
-            with_round_edges(flanks, edge_radius(scene), std::numbers::pi / scene.drive.circular_spline_teeth)};
+            with_round_edges(flanks, edge_radius(scene), std::numbers::pi / scene.drive.circular_spline_teeth),
+            flank_deviation(context, flanks.z)};
 }
 
 double edge_radius(Scene const& scene)
@@ -58,8 +60,13 @@ FlankSearch flank_search(LoadProblem const& problem, double turn, double limit, 
 contact::GapField gap_field(LoadProblem const& problem, LoadedShape const& shape, contact::FlankGrid const& flanks)
 {
     auto const& drive = problem.context.scene.drive;
-    return {problem.context.tooth, flanks, shape.places, drive.flexspline_teeth, drive.circular_spline_teeth,
-            problem.drive.phase};
+    return {problem.context.tooth,
+            flanks,
+            shape.places,
+            drive.flexspline_teeth,
+            drive.circular_spline_teeth,
+            problem.drive.phase,
+            problem.deviation ? &*problem.deviation : nullptr};
 }
 
 }  // namespace hdconj::load

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
+#include "contact/flank_deviation.hpp"
 #include "contact/flank_grid.hpp"
 #include "contact/gap_field.hpp"
 #include "contact/study/contact_context.hpp"
@@ -22,6 +24,7 @@ struct LoadProblem
     ElasticDrive const& drive;
     contact::FlankGrid const& flanks;  ///< with sharp edges: areas are taken from these
     contact::FlankGrid edges;          ///< with round edges: contacts are looked for on these
+    std::optional<contact::FlankDeviation> deviation = std::nullopt;  ///< of flanks from their nominal form
 };
 
 [[nodiscard]] LoadProblem load_problem(contact::ContactContext const& context, ElasticDrive const& drive,

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The deviations of flanks that a scene gives.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "contact/flank_deviation.hpp"
+#include "contact/study/contact_context.hpp"
+
+namespace hdconj::load {
+
+/// Reliefs of @p context in the planes @p z; nothing where its scene has none.
+///
+/// Both grow with the square of the distance from where they begin. The flank goes on smoothly there, so that the
+/// relief makes no edge of its own.
+[[nodiscard]] std::optional<contact::FlankDeviation> flank_deviation(contact::ContactContext const& context,
+                                                                     std::vector<double> const& z);
+
+}  // namespace hdconj::load
