@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hdconj/contact.hpp"
+#include "hdconj/pitch_errors.hpp"
 #include "hdconj/solution.hpp"
 #include "hdconj/twist_member.hpp"
 
@@ -255,6 +256,7 @@ struct LoadStudy
     double edge_radius = 0;            ///< of the edges where teeth touch, given or standard [mm]
     double standard_tip_increase = 0;  ///< by how much the tip circle exceeds the standard one, which leaves no land
                                        ///< [mm]; 0 where the scene gives it
+    PitchErrors pitch_errors;          ///< that the scene gives, or random ones
     int balls = 0;                     ///< of the bearing; 0: a line, or a rigid bearing
     double ball_constant = 0;          ///< k of F = k d^1.5 of each ball [N/mm^1.5]; 0: not by Hertz
     bool sharp_steps = false;  ///< the wall grows to the tooth ring in ramps, whose corners have no largest stress

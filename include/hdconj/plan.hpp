@@ -32,6 +32,7 @@ enum class Stage
     contact,         ///< first contact, contact area, backlash
     tip_relief,      ///< flanks of the flexspline stand back towards the tips
     end_relief,      ///< flanks stand back towards the ends of the face width
+    errors,          ///< errors of making and assembly
     influence,       ///< what the elastic wall gives way by, harmonic by harmonic
     assembly,        ///< the cup on its wave generator, without torque
     compliance,      ///< torsional stiffnesses in series with the teeth

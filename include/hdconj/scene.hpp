@@ -163,6 +163,25 @@ struct EndRelief
     int line = 0;       ///< of the table in the scene file, 1-based; 0: by --set
 };
 
+/// Errors of one ring of teeth: how it is made and how it sits on its axis.
+struct RingErrors
+{
+    double pitch_deviation = 0;     ///< standard deviation of the places of teeth along the pitch circle [mm]
+    std::vector<double> pitch;      ///< the place of each, clockwise [mm]; empty: random ones, by pitch_deviation
+    double eccentricity = 0;        ///< of the ring against the axis [mm]
+    double eccentricity_phase = 0;  ///< where the ring stands out, clockwise from its tooth or space 0 [rad]
+    int line = 0;                   ///< of the table in the scene file, 1-based; 0: by --set
+};
+
+/// Effect: errors of making and assembly. Only the verb `load` reads it.
+struct Errors
+{
+    std::optional<RingErrors> flexspline;       ///< effect [errors.flexspline]
+    std::optional<RingErrors> circular_spline;  ///< effect [errors.circular_spline]
+    int seed = 0;                               ///< of random places of teeth
+    int line = 0;                               ///< of the table in the scene file, 1-based; 0: by --set
+};
+
 /// What contact is asked for. Only the verb `contact` reads it.
 struct ContactRequest
 {
@@ -234,6 +253,7 @@ struct Scene
     std::optional<Slices> slices;           ///< effect [slices]
     std::optional<TipRelief> tip_relief;    ///< effect [tip_relief]
     std::optional<EndRelief> end_relief;    ///< effect [end_relief]
+    std::optional<Errors> errors;           ///< effect [errors]
     std::optional<ContactRequest> contact;  ///< table [contact]
     std::optional<LoadRequest> load;        ///< table [load]
     std::optional<WireRequest> wedm;        ///< table [wedm]

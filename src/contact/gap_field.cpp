@@ -67,6 +67,13 @@ int GapField::candidate(std::size_t space, int c) const
     return nearest_tooth_[space] + (c == 0 ? 0 : c == 1 ? -1 : 1);
 }
 
+double GapField::turn_between(std::size_t space, int tooth, double turn) const
+{
+    return deviation_ ? turn + displacement_at(deviation_->teeth, tooth).turn -
+                            displacement_at(deviation_->spaces, space_number_[space]).turn
+                      : turn;
+}
+
 GapField::Candidates GapField::candidates_of(std::size_t space, std::size_t slice, double turn) const
 {
     Candidates teeth;
@@ -74,11 +81,15 @@ GapField::Candidates GapField::candidates_of(std::size_t space, std::size_t slic
         int const tooth = candidate(space, c);
         Pose const& pose = places_->at(tooth, slice);
         // into the frame of the tooth's own space, then back by the flexspline's turn, then into the tooth's frame
-        double const angle = (space_number_[space] - tooth) * pitch_ - turn;
+        double const angle = (space_number_[space] - tooth) * pitch_ - turn_between(space, tooth, turn);
         double const c0 = std::cos(angle);
         double const s0 = std::sin(angle);
-        teeth[static_cast<std::size_t>(c)] = {c0 * pose.cosine + s0 * pose.sine, s0 * pose.cosine - c0 * pose.sine,
-                                              pose.rotate_back(pose.origin)};
+        Placement& placement = teeth[static_cast<std::size_t>(c)];
+        placement = {c0 * pose.cosine + s0 * pose.sine, s0 * pose.cosine - c0 * pose.sine,
+                     pose.rotate_back(pose.origin)};
+        if (deviation_)  // a point goes with its space, and the tooth away from it
+            placement.shift = displacement_at(deviation_->teeth, tooth).shift -
+                              placement(displacement_at(deviation_->spaces, space_number_[space]).shift);
     }
     return teeth;
 }
@@ -172,9 +183,10 @@ GapField::Touch GapField::touch(std::size_t space, std::size_t slice, Vec2 const
             found.normal = deviating_normal(x, found.normal);
         }
         if (found.distance < best.nearest.distance)
-            best = {candidate(space, c), found, tooth.rotate_back(found.normal)};
+            best = {candidate(space, c), found, tooth.rotate_back(found.normal), turn};
     }
     best.nearest.distance += opening(slice);
+    best.turn = turn_between(space, best.tooth, turn);
     return best;
 }
 

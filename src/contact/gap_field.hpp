@@ -75,11 +75,18 @@ class GapField
         int tooth = 0;  ///< number as in ToothPoses
         distance::NearestPoint nearest;
         Vec2 normal = Vec2::Zero();  ///< outward from the tooth, in the frame of the space
+        double turn = 0;             ///< of the tooth against the space, clockwise [rad]
     };
     [[nodiscard]] Touch touch(Index const& i, double turn) const;
 
     /// The same of any point of the frame of @p space, in the plane of @p slice.
     [[nodiscard]] Touch touch(std::size_t space, std::size_t slice, Vec2 const& q, double turn) const;
+
+    /// A point of the frame of @p space where the displacement of the space puts it.
+    [[nodiscard]] Vec2 placed(std::size_t space, Vec2 const& q) const
+    {
+        return deviation_ ? Vec2(q + displacement_at(deviation_->spaces, space_number_[space]).shift) : q;
+    }
 
     /// All gaps at @p turn. Same bits for any number of threads.
     [[nodiscard]] GapMap map(double turn, int threads) const;
@@ -123,6 +130,8 @@ class GapField
     [[nodiscard]] bool has_heights() const { return deviation_ && deviation_->height; }
     [[nodiscard]] Vec2 deviating_normal(Vec2 const& x, Vec2 const& normal) const;
     [[nodiscard]] int candidate(std::size_t space, int c) const;
+    /// Turn of a tooth against a space, where the flexspline is turned by @p turn.
+    [[nodiscard]] double turn_between(std::size_t space, int tooth, double turn) const;
 
     distance::ToothDistance distance_;
     FlankGrid const* grid_;

@@ -26,13 +26,14 @@ FlankContact contact_at(FlankView const& view, FlankCurve::Place const& place, c
     c.arc_fraction = c.arc_length / view.curve.arc_length().back();
     c.gap = touch.nearest.distance - view.radius;
     Vec2 const& normal = touch.normal;
-    Vec2 const p = view.curve.point(place);
+    Vec2 const p = view.field.placed(view.space, view.curve.point(place));
     c.point = p - view.radius * normal;
     c.normal = normal;
     c.lever = cross(normal, p);
-    // the circular spline stands turned back by `turn` against the wave generator
+    // the circular spline stands turned back by this turn against the wave generator, and teeth beside their places
+    // keep their direction from the axis
     double const phi = 2 * std::numbers::pi * touch.tooth / view.search.flexspline_teeth + view.search.phase;
-    Vec2 const n = turned_clockwise(normal, view.field.space_angle(view.space) - view.search.turn - phi);
+    Vec2 const n = turned_clockwise(normal, view.field.space_angle(view.space) - touch.turn - phi);
     c.c_t = n.x();
     c.c_r = n.y();
     // arm in the tooth's frame: turns against the ring by less than a degree do not change it

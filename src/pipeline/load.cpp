@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "load/model/ring_errors.hpp"
 #include "load/study/load_study.hpp"
 #include "load/study/loaded_scene.hpp"
 #include "load/study/twist_members.hpp"
@@ -24,6 +25,7 @@ void describe_drive(contact::ContactStudyData const& data, load::ElasticDrive co
     study.contact_gap = data.context->request.gap;
     study.pitch_radius = scene.drive.module * scene.drive.flexspline_teeth / 2;
     study.edge_radius = load::edge_radius(scene);
+    study.pitch_errors = load::pitch_errors(scene);
     study.balls = scene.bearing->balls.value_or(0);
     study.ball_constant = drive.balls ? drive.balls->hertz.value_or(0) : 0;
     Cup const& cup = *scene.flexspline.cup;

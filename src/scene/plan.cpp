@@ -86,6 +86,7 @@ std::vector<AbsentEffect> absent_effects(Scene const& scene, Verb verb)
     };
     add_for_load(scene.tip_relief.has_value(), "tip relief", "a table [tip_relief]");
     add_for_load(scene.end_relief.has_value(), "end relief", "a table [end_relief]");
+    add_for_load(scene.errors.has_value(), "errors", "a table [errors]");
     add(verb != Verb::contact, "contact", "the verb contact");
     add(verb != Verb::load, "load", "the verb load");
     return absent;
@@ -114,6 +115,22 @@ std::string members_in_series(Compliance const& compliance)
     return keys;
 }
 
+/// Which errors there are.
+std::string errors_reason(Errors const& errors)
+{
+    std::string text = "errors.seed = " + std::to_string(errors.seed);
+    auto const add = [&](std::string const& ring, std::optional<RingErrors> const& of) {
+        if (!of)
+            return;
+        text += "; " + ring + ": " +
+                (of->pitch.empty() ? "pitch_deviation = " + in_mm(of->pitch_deviation) : "pitch of each tooth") +
+                ", eccentricity = " + in_mm(of->eccentricity);
+    };
+    add("flexspline", errors.flexspline);
+    add("circular_spline", errors.circular_spline);
+    return text;
+}
+
 /// Two columns; an empty string for no rows.
 std::string in_columns(std::vector<std::pair<std::string, std::string>> const& rows)
 {
@@ -135,11 +152,11 @@ bool Plan::has(Stage stage) const
 
 std::string to_string(Stage stage)
 {
-    constexpr std::array names{"profile",    "cup",        "neutral_curve",  "motion",    "envelope",
-                               "region",     "backlash",   "root_clearance", "outline",   "interference",
-                               "coning",     "surface",    "tilt",           "clearance", "gap_map",
-                               "contact",    "tip_relief", "end_relief",     "influence", "assembly",
-                               "compliance", "load"};
+    constexpr std::array names{
+        "profile",        "cup",     "neutral_curve", "motion",     "envelope", "region",    "backlash",
+        "root_clearance", "outline", "interference",  "coning",     "surface",  "tilt",      "clearance",
+        "gap_map",        "contact", "tip_relief",    "end_relief", "errors",   "influence", "assembly",
+        "compliance",     "load"};
     return names.at(static_cast<std::size_t>(stage));
 }
 
@@ -181,6 +198,8 @@ Plan make_plan(Scene const& scene, Verb verb)
         if (scene.end_relief)
             add(Stage::end_relief, "end_relief.amount = " + in_mm(scene.end_relief->amount) +
                                        ", length = " + in_mm(scene.end_relief->length));
+        if (scene.errors)
+            add(Stage::errors, errors_reason(*scene.errors));
         add(Stage::influence, "load: deformation of the cup by unit forces");
         add(Stage::assembly, "load: the cup on its wave generator, without torque" + bearing_effects(scene));
         if (scene.compliance)

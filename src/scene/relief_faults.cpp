@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reliefs: how far flanks stand back from their nominal form.
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "base/text.hpp"
@@ -15,8 +16,32 @@ void check_amount(SceneReading const& reading, std::string const& key, double am
     constexpr double largest = 0.1;  // of the module
     double const module = reading.scene.drive.module;
     if (knows(reading, {key, "drive.module"}) && amount > largest * module)
-        add_at(faults, key, number_text(amount), "a relief of more than a tenth of the module makes another tooth",
+        add_at(faults, key, number_text(amount), "more than a tenth of the module makes another drive",
                "write at most " + at_most_text(largest * module) + ", such as " + number_text(0.016 * module));
+}
+
+/// Errors of one ring. Its pitches stand in one list, or are random.
+void check_ring(SceneReading const& reading, std::string const& ring, std::optional<RingErrors> const& errors,
+                int teeth, Faults& faults)
+{
+    if (!errors)
+        return;
+    std::string const path = "errors." + ring + ".";
+    check_amount(reading, path + "pitch_deviation", errors->pitch_deviation, faults);
+    check_amount(reading, path + "eccentricity", errors->eccentricity, faults);
+    if (!knows(reading, {path + "pitch", "drive." + ring + "_teeth"}))
+        return;
+    auto const count = static_cast<int>(errors->pitch.size());
+    if (count != teeth)
+        add_at(faults, path + "pitch", "", std::to_string(count) + " places for " + std::to_string(teeth) + " teeth",
+               "write one number for each tooth, in mm");
+    if (reading.scene.given.contains(path + "pitch_deviation"))
+        add_at(faults, path + "pitch_deviation", "", "the list pitch says where each tooth stands",
+               "remove one of pitch and pitch_deviation");
+    double largest = 0;
+    for (double const place : errors->pitch)
+        largest = std::max(largest, std::abs(place));
+    check_amount(reading, path + "pitch", largest, faults);
 }
 
 }  // namespace
@@ -26,6 +51,11 @@ void add_relief_faults(SceneReading const& reading, Faults& faults)
     Scene const& scene = reading.scene;
     if (scene.tip_relief)
         check_amount(reading, "tip_relief.amount", scene.tip_relief->amount, faults);
+    if (scene.errors) {
+        check_ring(reading, "flexspline", scene.errors->flexspline, scene.drive.flexspline_teeth, faults);
+        check_ring(reading, "circular_spline", scene.errors->circular_spline, scene.drive.circular_spline_teeth,
+                   faults);
+    }
     if (!scene.end_relief)
         return;
     check_amount(reading, "end_relief.amount", scene.end_relief->amount, faults);

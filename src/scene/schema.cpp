@@ -398,6 +398,34 @@ std::vector<KeySpec> end_relief()
              "2.0", to<&Scene::end_relief, &EndRelief::length>}};
 }
 
+std::vector<KeySpec> errors()
+{
+    return {{optional("seed", Q::count, "of the random places of teeth", 0, bounds::largest_seed), "1",
+             to<&Scene::errors, &Errors::seed>, 0.0}};
+}
+
+template <auto ring>
+std::vector<KeySpec> ring_errors()
+{
+    return {{optional("pitch_deviation", Q::nonnegative_length,
+                      "standard deviation of the random places of teeth along the pitch circle"),
+             "0.002", to<&Scene::errors, ring, &RingErrors::pitch_deviation>, 0.0},
+            {with_words(optional("pitch", Q::rows,
+                                 "the place of each tooth along the pitch circle, clockwise, from tooth 0 on; in place "
+                                 "of pitch_deviation",
+                                 1, bounds::most_rows),
+                        {"[place]"}),
+             "[0.001, -0.002]",
+             [](Scene& s, Parameter const& p) {
+                 for (auto const& row : std::get<NumberRows>(p.value))
+                     ((*s.errors).*ring)->pitch.push_back(row.front());
+             }},
+            {optional("eccentricity", Q::nonnegative_length, "of the ring of teeth against its axis"), "0.005",
+             to<&Scene::errors, ring, &RingErrors::eccentricity>, 0.0},
+            {optional("eccentricity_phase_deg", Q::angle_deg, "where the ring stands out, clockwise from its tooth 0"),
+             "30", to_rad<&Scene::errors, ring, &RingErrors::eccentricity_phase>, 0.0}};
+}
+
 std::vector<KeySpec> contact()
 {
     return {{optional("contact_gap", Q::positive_length, "gap up to which flanks count as in contact",
@@ -543,6 +571,12 @@ std::vector<TableSpec> const& scene_schema()
          FamilyKind::none, begin<&Scene::tip_relief>, tip_relief()},
         {"end_relief", "effect: flanks stand back towards both ends of the face width; for the verb load", effect,
          FamilyKind::none, begin<&Scene::end_relief>, end_relief()},
+        {"errors", "effect: errors of making and assembly; for the verb load", effect, FamilyKind::none,
+         begin<&Scene::errors>, errors()},
+        {"errors.flexspline", "effect: errors of the flexspline's ring of teeth", effect, FamilyKind::none,
+         begin<&Scene::errors, &Errors::flexspline>, ring_errors<&Errors::flexspline>()},
+        {"errors.circular_spline", "effect: errors of the circular spline's ring of teeth", effect, FamilyKind::none,
+         begin<&Scene::errors, &Errors::circular_spline>, ring_errors<&Errors::circular_spline>()},
         {"contact", "settings of the verb contact", effect, FamilyKind::none, begin<&Scene::contact>, contact()},
         {"load", "settings of the verb load", effect, FamilyKind::none, begin<&Scene::load>, load()},
         {"wedm", "settings of the verb wedm: a part cut by wire", effect, FamilyKind::none, begin<&Scene::wedm>,

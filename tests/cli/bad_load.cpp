@@ -26,6 +26,8 @@ std::vector<BadCommand> const& load_commands()
         {"--torque=-28", "--torque", "'-28' is not above 0", "such as --torque 28"},
         {"--set coning.model=linear --set coning.bottom_to_middle=17.19", "bearing.width", "beyond the straight wall",
          "another coning.bottom_to_middle"},
+        {"--set errors.flexspline.pitch=[0.001,0.002]", "errors.flexspline.pitch", "2 places for 200 teeth",
+         "one number for each tooth"},
         {"--points some", "--points", "some", "--help"},
         {"--points 0", "--points", "'0' is no whole number from 1 to 1000", "--help"},
         {"--points 5 --no-curve", "--points = 5", "no curve that could have points", "leave one of them out"},

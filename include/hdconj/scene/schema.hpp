@@ -88,6 +88,7 @@ inline constexpr int most_circles = 101;
 inline constexpr double least_torque = 1e-9;   ///< [N m]
 inline constexpr double largest_torque = 1e9;  ///< [N m]
 inline constexpr int most_torques = 1000;
+inline constexpr int largest_seed = 1000000;  ///< of random numbers
 inline constexpr int fewest_harmonics = 8;
 inline constexpr int most_harmonics = 400;
 inline constexpr int most_passes = 20;     ///< of the wire

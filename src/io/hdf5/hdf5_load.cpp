@@ -202,6 +202,17 @@ void write_shape(Writer const& place, CupShape const& shape)
         write_checked(place, "stress", size, shape.stress, {"MPa", "von Mises stress", dims});
 }
 
+void write_pitch_errors(Writer const& place, PitchErrors const& errors)
+{
+    auto const write = [&](std::string const& ring, std::vector<double> const& places, char const* dimension) {
+        if (!places.empty())
+            place.numbers(ring + "_pitch_errors", places,
+                          {"mm", "how far each stands clockwise of its place on the pitch circle", {dimension}});
+    };
+    write("flexspline", errors.flexspline, "flexspline_tooth");
+    write("circular_spline", errors.circular_spline, "tooth_space");
+}
+
 void write_measured(Writer const& place, Measurement const& measured)
 {
     auto const& [curve, found] = measured;
@@ -248,6 +259,7 @@ void write_hdf5(LoadStudy const& study, std::filesystem::path const& file, Measu
             load.group("cup", [&](Writer const& cup) { io::write_cup(cup, study.cup, study.balls); });
             if (!study.shape.r.empty())
                 load.group("shape", [&](Writer const& shape) { io::write_shape(shape, study.shape); });
+            io::write_pitch_errors(load, study.pitch_errors);
             if (measured != nullptr)
                 load.group("measured", [&](Writer const& place) { io::write_measured(place, *measured); });
         });

@@ -11,6 +11,7 @@
 #include "elastic/ball_contact.hpp"
 #include "elastic/discrete_balls.hpp"
 #include "elastic/wave_generator_contact.hpp"
+#include "ring_errors.hpp"
 
 namespace hdconj::load {
 namespace {
@@ -147,7 +148,8 @@ RingGrid ring_grid(Scene const& scene)
     constexpr int fewest_angles = 96;  // of the wave generator's contact in one sector
     int const teeth = scene.drive.flexspline_teeth;
     int const lobes = std::gcd(teeth, scene.wave_generator.waves);
-    int const sectors = scene.bearing && scene.bearing->balls ? std::gcd(lobes, *scene.bearing->balls) : lobes;
+    int const repeats = errors_repeat(scene, lobes) ? lobes : 1;
+    int const sectors = scene.bearing && scene.bearing->balls ? std::gcd(repeats, *scene.bearing->balls) : repeats;
     int const per_sector = teeth / sectors;
     return {lobes, sectors, per_sector, (fewest_angles + per_sector - 1) / per_sector};
 }

@@ -19,7 +19,7 @@ namespace hdconj::load {
 struct RingGrid
 {
     int lobes;       ///< how often teeth and lobes repeat around the ring
-    int sectors;     ///< and single balls with them
+    int sectors;     ///< and single balls and errors of the teeth with them
     int per_sector;  ///< teeth
     int steps;       ///< from tooth to tooth
 

@@ -3,6 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
+
+#include "load/model/ring_errors.hpp"
 
 namespace hdconj::load {
 namespace {
@@ -14,25 +18,34 @@ double parabola(double amount, double length, double along)
     return amount * share * share;
 }
 
+/// How far the flexspline's flanks stand back at a height of the tooth frame [mm].
+std::function<double(double)> tip_relief(TipRelief const& relief, profile::Profile const& tooth)
+{
+    double const amount = relief.amount, begin = tooth.pitch_line + relief.from_height;
+    double const length = tooth.addendum - relief.from_height;
+    return [=](double y) { return parabola(amount, length, y - begin); };
+}
+
 }  // namespace
 
 std::optional<contact::FlankDeviation> flank_deviation(contact::ContactContext const& context,
                                                        std::vector<double> const& z)
 {
     Scene const& scene = context.scene;
-    if (!scene.tip_relief && !scene.end_relief)
+    if (!scene.tip_relief && !scene.end_relief && !scene.errors)
         return std::nullopt;
     contact::FlankDeviation result;
-    context.clock.run(Stage::tip_relief, [&] {
-        double const amount = scene.tip_relief->amount, from = scene.tip_relief->from_height;
-        double const begin = context.tooth.pitch_line + from, length = context.tooth.addendum - from;
-        result.height = [=](double y) { return parabola(amount, length, y - begin); };
-    });
+    context.clock.run(Stage::tip_relief, [&] { result.height = tip_relief(*scene.tip_relief, context.tooth); });
     context.clock.run(Stage::end_relief, [&] {
         EndRelief const& relief = *scene.end_relief;
         for (double const at : z)
             result.slice.push_back(
                 parabola(relief.amount, relief.length, std::abs(at) - (context.width / 2 - relief.length)));
+    });
+    context.clock.run(Stage::errors, [&] {
+        RingDisplacements rings = ring_displacements(scene);
+        result.teeth = std::move(rings.teeth);
+        result.spaces = std::move(rings.spaces);
     });
     return result;
 }

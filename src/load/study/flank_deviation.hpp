@@ -10,9 +10,9 @@
 
 namespace hdconj::load {
 
-/// Reliefs of @p context in the planes @p z; nothing where its scene has none.
+/// Reliefs and errors of @p context in the planes @p z; nothing where its scene has none.
 ///
-/// Both grow with the square of the distance from where they begin. The flank goes on smoothly there, so that the
+/// Reliefs grow with the square of the distance from where they begin. The flank goes on smoothly there, so that the
 /// relief makes no edge of its own.
 [[nodiscard]] std::optional<contact::FlankDeviation> flank_deviation(contact::ContactContext const& context,
                                                                      std::vector<double> const& z);

@@ -15,6 +15,7 @@
 #include "contact/study/contact_case.hpp"
 #include "hdconj/error.hpp"
 #include "load/model/cup_shape.hpp"
+#include "load/model/ring_errors.hpp"
 #include "load_problem.hpp"
 #include "twist_members.hpp"
 
@@ -89,8 +90,8 @@ LoadCase assembled_case(contact::ContactContext const& context, surface::Surface
 /// Whether the drive under a torque is the mirror image of itself under the opposite one.
 bool is_mirror_image(contact::ContactContext const& context)
 {
-    return contact::has_mirrored_flanks(context) && context.request.wave_generator == 0 &&
-           context.scene.bearing->ball_phase == 0;
+    return contact::has_mirrored_flanks(context) && !has_ring_errors(context.scene) &&
+           context.request.wave_generator == 0 && context.scene.bearing->ball_phase == 0;
 }
 
 /// A branch with its errors.

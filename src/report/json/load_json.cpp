@@ -118,6 +118,12 @@ std::string summary_json(LoadStudy const& study, std::vector<WrittenFile> const&
     load["cup"] = report::cup_object(study.cup, figures::assembled_cup_figures(study.balls));
     load["cases"] =
         report::list_of(study.cases, [&](auto const& each) { return report::load_case_object(each, study.balls); });
+    auto const add_pitch_errors = [&](char const* key, std::vector<double> const& places) {
+        if (!places.empty())
+            load[key] = report::list_of(places, [](double place) { return report::number(per_um * place); });
+    };
+    add_pitch_errors("flexspline_pitch_errors_um", study.pitch_errors.flexspline);
+    add_pitch_errors("circular_spline_pitch_errors_um", study.pitch_errors.circular_spline);
     if (measured != nullptr)
         load["measured"] = report::measured_object(*measured);
     auto summary = report::summary_object(study.solution);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <vector>
 
 #include "contact/gap_field.hpp"
@@ -130,6 +131,68 @@ TEST_CASE("gaps with a tip relief are distances to the relieved tooth, and their
                 CHECK(after.normal.norm() == Approx(1));
             }
     CHECK(compared > 100);
+}
+
+TEST_CASE("rings that are turned as a whole are a turn of the flexspline", "[gap_field]")
+{
+    Flanks const flanks;
+    constexpr double turn = 2e-4, beside = 1.3e-4;
+    contact::GapField const plain = flanks.field(nullptr);
+    auto const check = [&](contact::FlankDeviation const& deviation, double same_turn) {
+        contact::GapField const turned = flanks.field(&deviation);
+        std::vector<double> const a = turned.map(turn, 1).gap, b = plain.map(same_turn, 1).gap;
+        double worst = 0;
+        for (std::size_t i = 0; i < a.size(); ++i)
+            worst = std::max(worst, std::abs(a[i] - b[i]));
+        CHECK(worst < 1e-13);
+        CHECK(turned.touch({3, 0, 1, 10}, turn).turn == Approx(same_turn).epsilon(1e-14));
+    };
+    contact::FlankDeviation teeth, spaces;
+    teeth.teeth.assign(static_cast<std::size_t>(flanks.drive.z_f()), {beside, Vec2::Zero()});
+    spaces.spaces.assign(static_cast<std::size_t>(flanks.drive.z_c()), {beside, Vec2::Zero()});
+    check(teeth, turn + beside);
+    check(spaces, turn - beside);
+}
+
+TEST_CASE("an eccentric ring changes gaps in opposite zones by opposite amounts", "[gap_field]")
+{
+    Flanks const flanks;
+    constexpr double e = 1e-4, direction = 0.4;
+    // flanks and teeth are no more curved than their radii of 0.1 mm tell
+    constexpr double second_order = e * e / 0.1;
+    contact::GapField const plain = flanks.field(nullptr);
+    auto const ring = [&](int count) {
+        std::vector<contact::Displacement> all;
+        for (int i = 0; i < count; ++i) {
+            double const angle = direction - 2 * std::numbers::pi * i / count;
+            all.push_back({0, e * Vec2(std::sin(angle), std::cos(angle))});
+        }
+        return all;
+    };
+    contact::FlankDeviation teeth, spaces;
+    teeth.teeth = ring(flanks.drive.z_f());
+    spaces.spaces = ring(flanks.drive.z_c());
+    std::size_t const middle = plain.spaces() / 2, half = middle;
+    for (std::size_t const space : {std::size_t{2}, std::size_t{5}, std::size_t{12}})
+        for (int const flank : {0, 1})
+            for (std::size_t i = 0; i < flanks.grid.points(); i += 9)
+                for (contact::FlankDeviation const* const deviation : {&teeth, &spaces}) {
+                    contact::GapField const made = flanks.field(deviation);
+                    double change[2];
+                    for (std::size_t zone = 0; zone < 2; ++zone) {
+                        contact::GapField::Index const at{space + zone * half, flank, 1, i};
+                        auto const touch = plain.touch(at, 0);
+                        change[zone] = made.gap(at, 0) - plain.gap(at, 0);
+                        int const number = static_cast<int>(at.space) - static_cast<int>(middle) + 1;
+                        Vec2 const shift = contact::displacement_at(spaces.spaces, number).shift;
+                        double const expected =
+                            deviation == &spaces
+                                ? touch.normal.dot(shift)
+                                : -touch.nearest.normal.dot(contact::displacement_at(teeth.teeth, touch.tooth).shift);
+                        CHECK(change[zone] == Approx(expected).margin(second_order));
+                    }
+                    CHECK(change[0] == Approx(-change[1]).margin(2 * second_order));
+                }
 }
 
 }  // namespace hdconj::test::flank_deviation_cases

@@ -298,6 +298,7 @@ TEST_CASE("estimates and balls stand in text and JSON and HDF5 alike", "[load][e
     study.balls = 4;
     study.sectors = 2;
     study.edge_radius = 0.01;
+    study.pitch_errors.flexspline = {0.001, -0.002};
     study.sharp_steps = true;
     study.cup.estimated = true;
     study.cup.coning_major_error = 0.0125 * sample::degree;
@@ -337,6 +338,8 @@ TEST_CASE("estimates and balls stand in text and JSON and HDF5 alike", "[load][e
     CHECK(load.at("cases").at(0).at("rated_error").is_null());
     CHECK(load.at("cases").at(0).at("backlash_error_arcmin").is_null());
     CHECK(load.at("edge_radius_um").get<double>() == Approx(10));
+    CHECK(load.at("flexspline_pitch_errors_um").get<std::vector<double>>() == std::vector<double>{1, -2});
+    CHECK_FALSE(load.contains("circular_spline_pitch_errors_um"));
     CHECK(load.at("cup").at("error").at("coning_major_deg").get<double>() == Approx(0.0125));
     CHECK(second.at("rated_error").at("twist_arcmin").get<double>() == Approx(0.5));
     CHECK(second.at("backlash_error_arcmin").get<double>() == Approx(0.25));
@@ -359,6 +362,8 @@ TEST_CASE("estimates and balls stand in text and JSON and HDF5 alike", "[load][e
         estimated[2] = 1;
         CHECK(read(file, "/load/case_001/curve/error/twist").values == twist);
         CHECK(read(file, "/load/case_001/curve/error/estimated").values == estimated);
+        CHECK(read(file, "/load/flexspline_pitch_errors").values == study.pitch_errors.flexspline);
+        CHECK_FALSE(has_link(file, "/load/circular_spline_pitch_errors"));
         CHECK(read(file, "/load/case_001/bearing/force").shape == std::vector<hsize_t>{2, 2});
         CHECK(read(file, "/load/case_001/bearing/ball_force").values == each.bearing.ball_force);
         CHECK_FALSE(has_link(file, "/load/case_000/bearing"));
@@ -387,7 +392,9 @@ TEST_CASE("docs name every key and every dataset of a load study", "[load]")
     auto const measured = measurement(true);
     auto const document = content(HDCONJ_SOURCE_DIR "/docs/reference/json.md");
     std::set<std::string> keys;
-    collect_keys(nlohmann::json::parse(summary_json(sample::load_study(), {{"vtu", "a", 0}}, &measured)), keys);
+    LoadStudy study = sample::load_study();
+    study.pitch_errors = {{0.001}, {0.002}};
+    collect_keys(nlohmann::json::parse(summary_json(study, {{"vtu", "a", 0}}, &measured)), keys);
     CHECK(keys.size() > 120);
     auto const names = test::renamed("load");
     for (auto const& key : keys)

@@ -61,6 +61,32 @@ TEST_CASE("an effect that is there is not absent", "[scene]")
     CHECK(std::find(absent.begin(), absent.end(), "tilt") == absent.end());
 }
 
+TEST_CASE("reliefs and errors are effects of a load alone", "[scene]")
+{
+    std::vector<std::string> const effects{"tip relief", "end relief", "errors"};
+    auto const is_absent = [](Plan const& plan, std::string const& name) {
+        auto const absent = absent_in(plan);
+        return std::find(absent.begin(), absent.end(), name) != absent.end();
+    };
+    Scene const plain = builtin_scene();
+    Scene const made =
+        builtin_scene({"tip_relief.amount=0.003", "tip_relief.from_height=0.1", "end_relief.amount=0.002",
+                       "end_relief.length=2", "errors.flexspline.pitch_deviation=0.002"});
+    Plan const load = make_plan(made, Verb::load);
+    for (Stage const stage : {Stage::tip_relief, Stage::end_relief, Stage::errors}) {
+        CHECK(load.has(stage));
+        CHECK_FALSE(make_plan(made, Verb::contact).has(stage));
+        CHECK_FALSE(make_plan(plain, Verb::load).has(stage));
+    }
+    for (std::string const& name : effects) {
+        CHECK_FALSE(is_absent(load, name));
+        CHECK(is_absent(make_plan(plain, Verb::load), name));
+        CHECK(is_absent(make_plan(made, Verb::contact), name));
+        CHECK_FALSE(is_absent(make_plan(plain, Verb::contact), name));
+    }
+    CHECK(describe(load).find("flexspline: pitch_deviation = 0.002 mm") != std::string::npos);
+}
+
 TEST_CASE("the plan says every stage and every absent effect in words", "[scene]")
 {
     auto const plan = make_plan(builtin_scene({"circular_spline.backlash_offset=0.02"}));

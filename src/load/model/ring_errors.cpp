@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ring_errors.hpp"
+
+#include <boost/random/normal_distribution.hpp>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <random>
+
+namespace hdconj::load {
+namespace {
+
+/// @param stream  the rings have random numbers of their own
+std::vector<double> places_of(Errors const& errors, std::optional<RingErrors> const& ring, int teeth, int stream)
+{
+    if (!ring || !ring->pitch.empty() || ring->pitch_deviation == 0)
+        return ring ? ring->pitch : std::vector<double>();
+    std::seed_seq seed{errors.seed, stream};
+    std::mt19937_64 random(seed);
+    boost::random::normal_distribution<double> normal(0, ring->pitch_deviation);
+    std::vector<double> places;
+    for (int i = 0; i < teeth; ++i)
+        places.push_back(normal(random));
+    return places;
+}
+
+/// @param places  of the teeth on the pitch circle of a ring with as many teeth
+std::vector<contact::Displacement> displacements_of(std::optional<RingErrors> const& ring,
+                                                    std::vector<double> const& places, int teeth, double module)
+{
+    if (!ring)
+        return {};
+    std::vector<contact::Displacement> result(static_cast<std::size_t>(teeth));
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        double const angle = ring->eccentricity_phase - 2 * std::numbers::pi * static_cast<double>(i) / teeth;
+        result[i].shift = ring->eccentricity * Vec2(std::sin(angle), std::cos(angle));
+        if (i < places.size())
+            result[i].turn = places[i] / (module * teeth / 2);
+    }
+    return result;
+}
+
+}  // namespace
+
+PitchErrors pitch_errors(Scene const& scene)
+{
+    if (!scene.errors)
+        return {};
+    Errors const& errors = *scene.errors;
+    return {places_of(errors, errors.flexspline, scene.drive.flexspline_teeth, 0),
+            places_of(errors, errors.circular_spline, scene.drive.circular_spline_teeth, 1)};
+}
+
+RingDisplacements ring_displacements(Scene const& scene)
+{
+    if (!scene.errors)
+        return {};
+    PitchErrors const places = pitch_errors(scene);
+    Drive const& drive = scene.drive;
+    return {displacements_of(scene.errors->flexspline, places.flexspline, drive.flexspline_teeth, drive.module),
+            displacements_of(scene.errors->circular_spline, places.circular_spline, drive.circular_spline_teeth,
+                             drive.module)};
+}
+
+bool errors_repeat(Scene const& scene, int parts)
+{
+    RingDisplacements const all = ring_displacements(scene);
+    auto const repeat = [&](std::vector<contact::Displacement> const& ring) {
+        std::size_t const step = ring.size() / static_cast<std::size_t>(parts);
+        for (std::size_t i = 0; i + step < ring.size(); ++i)
+            if (ring[i].turn != ring[i + step].turn || ring[i].shift != ring[i + step].shift)
+                return false;
+        return true;
+    };
+    return parts == 1 || (repeat(all.teeth) && repeat(all.spaces));
+}
+
+}  // namespace hdconj::load

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Laws of a loaded drive whose rings of teeth have errors.
+#include <algorithm>
+#include <cmath>
+#include <random>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "hdconj/load.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/units.hpp"
+#include "support/catch.hpp"
+
+namespace hdconj::test::load_error_cases {
+
+namespace {
+
+using Keys = std::vector<std::string>;
+
+/// Few enough slices, points and harmonics that a torque of the whole ring takes a second. The bearing presses at twice
+/// as many even angles as there are harmonics: with 50 at every second tooth, a grid that is its own mirror image.
+LoadStudy at_torque(double torque, Keys const& more = {})
+{
+    Keys keys{"slices.count=3", "contact.flank_points=80", "circular_spline.backlash_offset=0.09", "bearing.circles=5",
+              "load.harmonics=50"};
+    keys.insert(keys.end(), more.begin(), more.end());
+    LoadOptions options;
+    options.torque = torque * newton_metre;
+    options.curve = false;
+    return study_load(builtin_scene(keys), options);
+}
+
+LoadedState const& only(LoadStudy const& study)
+{
+    return study.cases.front().curve.front();
+}
+
+constexpr int z_f = 200, z_c = 202;
+
+std::string list(std::vector<double> const& places)
+{
+    std::string text;
+    for (double const place : places)
+        text += (text.empty() ? "[" : ", ") + std::to_string(place);
+    return text + "]";
+}
+
+std::string pitch(char const* ring, std::vector<double> const& places)
+{
+    return std::string("errors.") + ring + ".pitch=" + list(places);
+}
+
+/// Random places within 2 um, which come again after @p period teeth.
+std::vector<double> repeated(int teeth, int period)
+{
+    std::mt19937 random(7);
+    std::uniform_int_distribution<int> nanometres(-2000, 2000);
+    std::vector<double> places;
+    for (int i = 0; i < teeth; ++i)
+        places.push_back(i < period ? 1e-6 * nanometres(random) : places[static_cast<std::size_t>(i - period)]);
+    return places;
+}
+
+void check_same(LoadedState const& a, LoadedState const& b, double same = 1e-4)
+{
+    CHECK(a.twist == Approx(b.twist).epsilon(same));
+    CHECK(a.largest_force == Approx(b.largest_force).epsilon(10 * same));
+    CHECK(a.wave_generator_force == Approx(b.wave_generator_force).epsilon(same));
+    CHECK(a.wave_generator_torque == Approx(b.wave_generator_torque).epsilon(10 * same));
+    CHECK(a.teeth == b.teeth);
+}
+
+}  // namespace
+
+TEST_CASE("errors of nothing on the whole ring are those of one lobe", "[load][errors]")
+{
+    LoadStudy const plain = at_torque(15);
+    REQUIRE(plain.sectors == 2);
+    // 1 nm on one space, which touches nothing, is enough to make the lobes differ
+    std::vector<double> places(z_c, 0);
+    places[z_c / 4] = 1e-6;
+    LoadStudy const whole = at_torque(15, {pitch("circular_spline", places)});
+    CHECK(whole.sectors == 1);
+    check_same(only(whole), only(plain));
+    CHECK(whole.cases.front().backlash == Approx(plain.cases.front().backlash).epsilon(1e-6));
+    // a list of nothing leaves the lobes alike, and every bit as it is
+    LoadStudy const zero = at_torque(15, {pitch("circular_spline", std::vector<double>(z_c, 0))});
+    CHECK(zero.sectors == 2);
+    CHECK(zero.cases.front().map.force == plain.cases.front().map.force);
+}
+
+TEST_CASE("errors that both lobes have are those of one lobe", "[load][errors]")
+{
+    Keys both{pitch("flexspline", repeated(z_f, z_f / 2)), pitch("circular_spline", repeated(z_c, z_c / 2))};
+    LoadStudy const half = at_torque(15, both);
+    CHECK(half.sectors == 2);
+    std::vector<double> places = repeated(z_c, z_c / 2);
+    places[z_c / 4] += 1e-6;
+    both.back() = pitch("circular_spline", places);
+    LoadStudy const whole = at_torque(15, both);
+    CHECK(whole.sectors == 1);
+    check_same(only(whole), only(half));
+    CHECK(std::abs(only(half).twist / only(at_torque(15)).twist - 1) > 1e-3);
+}
+
+TEST_CASE("a ring whose teeth all stand beside their places is turned, and nothing else", "[load][errors]")
+{
+    LoadStudy const plain = at_torque(15);
+    for (auto const& [ring, teeth] : {std::pair("flexspline", z_f), std::pair("circular_spline", z_c)}) {
+        CAPTURE(ring);
+        LoadStudy const turned =
+            at_torque(15, {pitch(ring, std::vector<double>(static_cast<std::size_t>(teeth), 4e-3))});
+        CHECK(turned.sectors == 2);
+        CHECK(turned.cases.front().backlash == Approx(plain.cases.front().backlash).epsilon(1e-6));
+        check_same(only(turned), only(plain));
+    }
+}
+
+TEST_CASE("a tooth that stands ahead carries more, and a space that stands ahead less", "[load][errors]")
+{
+    LoadStudy const plain = at_torque(15);
+    LoadMap const& map = plain.cases.front().map;
+    auto const force_in = [](LoadMap const& of, double angle) {
+        double force = 0;
+        for (std::size_t s = 0; s < of.angle.size(); ++s)
+            for (std::size_t k = 0; k < of.z.size() && std::abs(of.angle[s] - angle) < 1e-9; ++k)
+                force += of.force[of.index(s, GapMap::right, k)];
+        return force;
+    };
+    // the space that carries most stands at the angle of the tooth of the same number
+    double const pitch_angle = map.angle[1] - map.angle[0];
+    double angle = 0;
+    for (double const each : map.angle)
+        angle = force_in(map, each) > force_in(map, angle) ? each : angle;
+    auto const number = static_cast<int>(std::lround(angle / pitch_angle));
+    double const base = force_in(map, angle);
+    REQUIRE(base > 0);
+    for (auto const& [ring, teeth, more] :
+         {std::tuple("flexspline", z_f, true), std::tuple("circular_spline", z_c, false)}) {
+        CAPTURE(ring);
+        std::vector<double> places(static_cast<std::size_t>(teeth), 0);
+        places[static_cast<std::size_t>((number + teeth) % teeth)] = 5e-4;
+        LoadStudy const one = at_torque(15, {pitch(ring, places)});
+        CHECK(one.sectors == 1);
+        double const force = force_in(one.cases.front().map, angle);
+        CHECK((more ? force > base : force < base));
+        CHECK((more ? only(one).twist < only(plain).twist : only(one).twist > only(plain).twist));
+    }
+}
+
+TEST_CASE("errors in a mirror under the opposite torque are the mirror image", "[load][errors]")
+{
+    auto const mirrored = [](std::vector<double> const& places) {
+        std::vector<double> result(places.size());
+        for (std::size_t i = 0; i < places.size(); ++i)
+            result[(places.size() - i) % places.size()] = -places[i];
+        return result;
+    };
+    std::vector<double> const teeth = repeated(z_f, z_f), spaces = repeated(z_c, z_c);
+    LoadStudy const forth = at_torque(15, {pitch("flexspline", teeth), pitch("circular_spline", spaces)});
+    LoadStudy const back =
+        at_torque(-15, {pitch("flexspline", mirrored(teeth)), pitch("circular_spline", mirrored(spaces))});
+    CHECK(forth.sectors == 1);
+    CHECK(only(back).twist == Approx(-only(forth).twist).epsilon(1e-4));
+    CHECK(only(back).largest_force == Approx(only(forth).largest_force).epsilon(1e-3));
+    CHECK(back.cases.front().backlash == Approx(forth.cases.front().backlash).epsilon(1e-6));
+    // the drive itself is not
+    LoadStudy const other = at_torque(-15, {pitch("flexspline", teeth), pitch("circular_spline", spaces)});
+    CHECK(std::abs(-only(other).twist / only(forth).twist - 1) > 1e-4);
+}
+
+TEST_CASE("a seed gives the same random places again, and another seed others", "[load][errors]")
+{
+    auto const twist = [](char const* seed) {
+        return only(at_torque(15, {std::string("errors.seed=") + seed, "errors.flexspline.pitch_deviation=0.002"}))
+            .twist;
+    };
+    double const first = twist("1");
+    CHECK(twist("1") == first);
+    CHECK(twist("2") != first);
+}
+
+TEST_CASE("an eccentric ring that is turned by half a turn is the same drive", "[load][errors]")
+{
+    LoadStudy const plain = at_torque(15);
+    for (char const* ring : {"flexspline", "circular_spline"}) {
+        CAPTURE(ring);
+        std::string const key = std::string("errors.") + ring + ".eccentricity";
+        auto const eccentric = [&](char const* phase) {
+            return at_torque(15, {key + "=0.004", key + "_phase_deg=" + phase});
+        };
+        LoadStudy const one = eccentric("70"), other = eccentric("250");
+        CHECK(one.sectors == 1);
+        check_same(only(one), only(other));
+        CHECK(std::abs(only(one).largest_force / only(plain).largest_force - 1) > 0.01);
+    }
+}
+
+}  // namespace hdconj::test::load_error_cases
