@@ -179,6 +179,8 @@ struct Errors
     std::optional<RingErrors> flexspline;       ///< effect [errors.flexspline]
     std::optional<RingErrors> circular_spline;  ///< effect [errors.circular_spline]
     int seed = 0;                               ///< of random places of teeth
+    double profile_slope = 0;                   ///< of the flexspline's flanks: excess at the tip over the root [mm]
+    scene::NumberRows profile_form;             ///< rows of height above the pitch line and excess [mm]
     int line = 0;                               ///< of the table in the scene file, 1-based; 0: by --set
 };
 

@@ -99,7 +99,7 @@ double GapField::nearest(Candidates const& teeth, Vec2 const& q) const
     double best = std::numeric_limits<double>::infinity();
     for (Placement const& tooth : teeth) {
         Vec2 const x = tooth(q);
-        if (!(distance_.lower_bound(x) < best))
+        if (!(distance_.lower_bound(x) < best + excess()))
             continue;
         distance::NearestPoint const found = distance_(x);
         best = std::min(best, has_heights() ? found.distance + deviation_->height(found.point.y()) : found.distance);
@@ -175,7 +175,7 @@ GapField::Touch GapField::touch(std::size_t space, std::size_t slice, Vec2 const
     for (int c = 0; c < candidates; ++c) {
         Placement const& tooth = teeth[static_cast<std::size_t>(c)];
         Vec2 const x = tooth(q);
-        if (!(distance_.lower_bound(x) < best.nearest.distance))
+        if (!(distance_.lower_bound(x) < best.nearest.distance + excess()))
             continue;
         distance::NearestPoint found = distance_(x);
         if (has_heights()) {

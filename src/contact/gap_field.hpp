@@ -127,6 +127,8 @@ class GapField
     {
         return deviation_ && !deviation_->slice.empty() ? deviation_->slice[slice] : 0;
     }
+    /// How far a gap may be below the distance of the nominal tooth.
+    [[nodiscard]] double excess() const { return deviation_ ? deviation_->excess : 0; }
     [[nodiscard]] bool has_heights() const { return deviation_ && deviation_->height; }
     [[nodiscard]] Vec2 deviating_normal(Vec2 const& x, Vec2 const& normal) const;
     [[nodiscard]] int candidate(std::size_t space, int c) const;

@@ -44,6 +44,21 @@ void check_ring(SceneReading const& reading, std::string const& ring, std::optio
     check_amount(reading, path + "pitch", largest, faults);
 }
 
+void check_profile(SceneReading const& reading, Errors const& errors, Faults& faults)
+{
+    double largest = 0;
+    bool rising = true;
+    for (std::size_t i = 0; i < errors.profile_form.size(); ++i) {
+        rising = rising && (i == 0 || errors.profile_form[i][0] > errors.profile_form[i - 1][0]);
+        largest = std::max(largest, std::abs(errors.profile_form[i][1]));
+    }
+    if (!rising)
+        add_at(faults, "errors.profile_form", "", "heights do not grow from row to row",
+               "write each height once, from the root to the tip");
+    check_amount(reading, "errors.profile_form", largest, faults);
+    check_amount(reading, "errors.profile_slope", std::abs(errors.profile_slope), faults);
+}
+
 }  // namespace
 
 void add_relief_faults(SceneReading const& reading, Faults& faults)
@@ -52,6 +67,7 @@ void add_relief_faults(SceneReading const& reading, Faults& faults)
     if (scene.tip_relief)
         check_amount(reading, "tip_relief.amount", scene.tip_relief->amount, faults);
     if (scene.errors) {
+        check_profile(reading, *scene.errors, faults);
         check_ring(reading, "flexspline", scene.errors->flexspline, scene.drive.flexspline_teeth, faults);
         check_ring(reading, "circular_spline", scene.errors->circular_spline, scene.drive.circular_spline_teeth,
                    faults);

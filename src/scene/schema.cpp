@@ -401,7 +401,18 @@ std::vector<KeySpec> end_relief()
 std::vector<KeySpec> errors()
 {
     return {{optional("seed", Q::count, "of the random places of teeth", 0, bounds::largest_seed), "1",
-             to<&Scene::errors, &Errors::seed>, 0.0}};
+             to<&Scene::errors, &Errors::seed>, 0.0},
+            {optional("profile_slope", Q::length,
+                      "of the flexspline's flanks: how much more material the tip has than the root; none at the pitch "
+                      "line"),
+             "0.002", to<&Scene::errors, &Errors::profile_slope>, 0.0},
+            {with_words(optional("profile_form", Q::rows,
+                                 "of the flexspline's flanks: heights above the pitch line and the material there "
+                                 "beyond the slope",
+                                 bounds::fewest_form_rows, bounds::most_rows),
+                        {"[height, excess]"}),
+             "[[-0.3, 0], [-0.1, 0.001], [0.1, 0.001], [0.2, 0]]",
+             [](Scene& s, Parameter const& p) { s.errors->profile_form = std::get<NumberRows>(p.value); }}};
 }
 
 template <auto ring>

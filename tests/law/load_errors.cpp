@@ -199,4 +199,37 @@ TEST_CASE("an eccentric ring that is turned by half a turn is the same drive", "
     }
 }
 
+TEST_CASE("a profile with more material everywhere is a smaller side clearance", "[load][errors]")
+{
+    std::string const form = "errors.profile_form=[[-0.3, 0.003], [-0.1, 0.003], [0.1, 0.003], [0.2, 0.003]]";
+    LoadStudy const thick = at_torque(15, {form}), close = at_torque(15, {"circular_spline.backlash_offset=0.087"});
+    CHECK(thick.sectors == 2);
+    // the land is cut at another place of the flank
+    CHECK(thick.cases.front().backlash == Approx(close.cases.front().backlash).epsilon(1e-3));
+    check_same(only(thick), only(close), 1e-3);
+}
+
+TEST_CASE("a slope of the profile is the form of a straight line", "[load][errors]")
+{
+    // -0.303 and 0.225 mm are the root and the tip
+    constexpr double slope = 0.002 / 0.528;
+    std::string rows;
+    for (double const y : {-0.303, -0.1, 0.05, 0.225})
+        rows += (rows.empty() ? "[" : ", ") + ("[" + std::to_string(y) + ", ") + std::to_string(slope * y) + "]";
+    LoadStudy const straight = at_torque(15, {"errors.profile_slope=0.002"}),
+                    form = at_torque(15, {"errors.profile_form=" + rows + "]"});
+    check_same(only(straight), only(form), 1e-3);
+    CHECK(std::abs(only(straight).twist / only(at_torque(15)).twist - 1) > 1e-3);
+}
+
+TEST_CASE("a form of the profile that is a tip relief does what that does", "[load][errors]")
+{
+    std::string rows = "[[-0.303, 0], [0.05, 0]";
+    for (double y = 0.06; y < 0.23; y += 0.005)
+        rows +=
+            ", [" + std::to_string(y) + ", " + std::to_string(-0.003 * std::pow((y - 0.05) / (0.225 - 0.05), 2)) + "]";
+    check_same(only(at_torque(15, {"errors.profile_form=" + rows + "]"})),
+               only(at_torque(15, {"tip_relief.amount=0.003", "tip_relief.from_height=0.05"})), 2e-3);
+}
+
 }  // namespace hdconj::test::load_error_cases

@@ -87,6 +87,7 @@ inline constexpr int fewest_circles = 2;
 inline constexpr int most_circles = 101;
 inline constexpr double least_torque = 1e-9;   ///< [N m]
 inline constexpr double largest_torque = 1e9;  ///< [N m]
+inline constexpr int fewest_form_rows = 4;     ///< of a profile: a cubic goes through that many
 inline constexpr int most_torques = 1000;
 inline constexpr int largest_seed = 1000000;  ///< of random numbers
 inline constexpr int fewest_harmonics = 8;

@@ -2,6 +2,8 @@
 #include "flank_deviation.hpp"
 
 #include <algorithm>
+#include <boost/math/interpolators/pchip.hpp>
+#include <boost/math/special_functions/fpclassify.hpp>  // pchip of Boost 1.74 leaves it out
 #include <cmath>
 #include <functional>
 #include <utility>
@@ -26,6 +28,29 @@ std::function<double(double)> tip_relief(TipRelief const& relief, profile::Profi
     return [=](double y) { return parabola(amount, length, y - begin); };
 }
 
+/// Adds the deviation of the flexspline's profile to that of a tip relief.
+void add_profile(Errors const& errors, profile::Profile const& tooth, contact::FlankDeviation& result)
+{
+    if (errors.profile_slope == 0 && errors.profile_form.empty())
+        return;
+    double const slope = errors.profile_slope / (tooth.addendum + tooth.dedendum), pitch_line = tooth.pitch_line;
+    result.excess = std::max(slope * tooth.addendum, -slope * tooth.dedendum);
+    auto const before = result.height;
+    result.height = [=](double y) { return (before ? before(y) : 0) - slope * (y - pitch_line); };
+    if (errors.profile_form.empty())
+        return;
+    std::vector<double> height, excess;
+    for (auto const& row : errors.profile_form) {
+        height.push_back(row[0]);
+        excess.push_back(row[1]);
+    }
+    double const low = height.front(), high = height.back();
+    result.excess += std::max(0.0, *std::ranges::max_element(excess));
+    boost::math::interpolators::pchip<std::vector<double>> const form(std::move(height), std::move(excess));
+    auto const straight = result.height;
+    result.height = [=](double y) { return straight(y) - form(std::clamp(y - pitch_line, low, high)); };
+}
+
 }  // namespace
 
 std::optional<contact::FlankDeviation> flank_deviation(contact::ContactContext const& context,
@@ -46,6 +71,7 @@ std::optional<contact::FlankDeviation> flank_deviation(contact::ContactContext c
         RingDisplacements rings = ring_displacements(scene);
         result.teeth = std::move(rings.teeth);
         result.spaces = std::move(rings.spaces);
+        add_profile(*scene.errors, context.tooth, result);
     });
     return result;
 }
