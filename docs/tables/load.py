@@ -3,7 +3,7 @@
 """Tables of load.md, stiffness.md and thesis.md, from the program's own JSON: docs/tables/load.py PROGRAM [--csv] [TABLE ...]
 
 TABLE is any of: stages, curve, prototypes, members, shares, grid, thesis, tilted, surfaces, bearing, fixed, balls,
-estimates; all of them without one. With --csv a table is comma-separated, as data/reference/load-TABLE.csv has it, in
+reliefs, errors, estimates; all of them without one. With --csv a table is comma-separated, as data/reference/load-TABLE.csv has it, in
 place of Markdown.
 """
 
@@ -343,6 +343,87 @@ def balls(program):
         )
 
 
+TIP = {"tip_relief__amount": 0.004, "tip_relief__from_height": 0.1}
+RELIEFS = {
+    "none": {},
+    "tip 4 um": TIP,
+    "ends 2 um": {"end_relief__amount": 0.002, "end_relief__length": 2},
+    "ends 4 um": {"end_relief__amount": 0.004, "end_relief__length": 2},
+    "tip and ends 4 um": {**TIP, "end_relief__amount": 0.004, "end_relief__length": 2},
+}
+
+
+def reliefs(program):
+    """What reliefs do to force and pressure at edges and ends, on 33 slices: tips from 0.1 mm on, ends over 2 mm."""
+    head(
+        "surface",
+        "relief",
+        "backlash [arcmin]",
+        "twist [arcmin]",
+        "+-",
+        "teeth",
+        "largest force of a tooth [N]",
+        "+-",
+        "pressure [MPa]",
+        "+-",
+        "at z [mm]",
+        "at an end",
+    )
+    for surface, clearance in (("per-slice", 0.04), ("tilted", 0.065)):
+        for name, keys in RELIEFS.items():
+            keys = {"slices__count": 33, "circular_spline__backlash_offset": clearance, **keys}
+            result = load(program, ELASTIC, "--no-curve", "--surface", surface, **keys)
+            if isinstance(result, str):
+                print(result, file=sys.stderr)
+                row(surface, name, "no result", *[""] * 9)
+                continue
+            case = result["cases"][0]
+            state, error = case["rated"], case["rated_error"]
+            row(
+                surface,
+                name,
+                "%.2f" % case["backlash_arcmin"],
+                "%.2f" % state["twist_arcmin"],
+                "%.2g" % error["twist_arcmin"],
+                state["teeth"],
+                "%.1f" % state["largest_force_N"],
+                "%.2g" % error["largest_force_N"],
+                "%.0f" % state["largest_pressure_MPa"],
+                "%.2g" % error["largest_pressure_MPa"],
+                "%.2f" % state["pressure_z_mm"],
+                "yes" if case["pressure_at_edge"] else "no",
+            )
+
+
+def errors(program):
+    """What errors of making and assembly do to twist and forces, with one outline."""
+    head("errors", "backlash [arcmin]", "twist [arcmin]", "+-", "stiffness [N m/deg]", "+-", "teeth", "force [N]", "+-")
+    both = {f"errors__{ring}__pitch_deviation": 0.002 for ring in ("flexspline", "circular_spline")}
+    variants = [
+        ("none", {}),
+        *((f"pitch 2 um, seed {seed}", {**both, "errors__seed": seed}) for seed in (1, 2, 3)),
+        ("flexspline 5 um eccentric", {"errors__flexspline__eccentricity": 0.005}),
+        ("circular spline 5 um eccentric", {"errors__circular_spline__eccentricity": 0.005}),
+        ("profile slope +3 um", {"errors__profile_slope": 0.003}),
+        ("profile slope -3 um", {"errors__profile_slope": -0.003}),
+    ]
+    for name, keys in variants:
+        keys = {"circular_spline__backlash_offset": 0.08, **keys}
+        case = load(program, ELASTIC, "--no-curve", "--surface", "tilted", **keys)["cases"][0]
+        state, error = case["rated"], case["rated_error"]
+        row(
+            name,
+            "%.2f" % case["backlash_arcmin"],
+            "%.2f" % state["twist_arcmin"],
+            "%.2g" % error["twist_arcmin"],
+            "%.0f" % state["stiffness_Nm_per_deg"],
+            "%.2g" % error["stiffness_Nm_per_deg"],
+            state["teeth"],
+            "%.1f" % state["largest_force_N"],
+            "%.2g" % error["largest_force_N"],
+        )
+
+
 def estimates(program):
     """Distance to a grid four times finer over the estimate, of twelve random drives that chose no factor."""
     wish = random.Random(202)
@@ -414,6 +495,8 @@ TABLES = {
     "bearing": bearing,
     "fixed": fixed,
     "balls": balls,
+    "reliefs": reliefs,
+    "errors": errors,
     "estimates": estimates,
 }
 
