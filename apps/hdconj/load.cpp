@@ -12,6 +12,7 @@
 #include "hdconj/load_files.hpp"
 #include "hdconj/measured.hpp"
 #include "hdconj/units.hpp"
+#include "interrupt.hpp"
 #include "run_verb.hpp"
 
 namespace hdconj::cli {
@@ -119,7 +120,8 @@ int run_load(CommonOptions const& common, LoadArguments const& own)
 {
     auto const reading = examine(common);
     Scene const& scene = reading.scene;
-    LoadOptions const options = options_of(own);
+    LoadOptions options = options_of(own);
+    options.stop = is_stopped;
     Faults faults = reading.faults;
     if (faults.empty())
         append(faults, check_load(scene, options));
@@ -133,8 +135,15 @@ int run_load(CommonOptions const& common, LoadArguments const& own)
     append(work.inputs, input_of("--measured", own.measured));
     add_files(work, common, own, scene, measured);
     work.compute = [&](ProgressLine const& progress) {
-        return study_load(scene, options, progress.stages(), progress.shares(),
-                          [&](std::string const& line) { progress.keep(line); });
+        stop_at_interrupt();
+        try {
+            return study_load(scene, options, progress.stages(), progress.shares(),
+                              [&](std::string const& line) { progress.keep(line); });
+        } catch (NumericalError const& error) {
+            if (error.code() == ErrorCode::stopped)
+                end_by_interrupt();
+            throw;
+        }
     };
     work.text = [&](LoadStudy const& study, Written const& written) { return summary_text(study, written, measured); };
     work.json = [&](LoadStudy const& study, Written const& written) { return summary_json(study, written, measured); };
@@ -160,6 +169,7 @@ constexpr char const* load_footer =
     "  current [A], position [counts]        a motor with --torque-constant, its encoder with --counts-per-turn\n"
     "with one or more cycles 0, T, 0, -T, 0. Its backlash is the width of the loop at zero torque. Two lines are "
     "fitted to each loading branch.\n"
+    "Ctrl-C stops after the torque that is computed and keeps what is there; once more ends the run.\n"
     "A surface, kind or tilt that has no result is named with its cause. The others are written, and the exit status "
     "is 1.\n"
     "Examples:\n"

@@ -63,7 +63,8 @@ enum class ErrorCode
     unsuitable_body,  ///< dimensions of cup or bearing do not make a body that can be meshed and held
     no_reference,     ///< the accuracy study has nothing to compare with
     no_room,          ///< a dialect of the wire machine cannot hold the program
-    failed_check      ///< a result does not pass the program's own check of it
+    failed_check,     ///< a result does not pass the program's own check of it
+    stopped           ///< who asked for it wants no more
 };
 
 /// The code as JSON writes it: "not-converged", "no-land" ...

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hdconj/contact.hpp"
+#include "hdconj/loaded_cup.hpp"
 #include "hdconj/pitch_errors.hpp"
 #include "hdconj/solution.hpp"
 #include "hdconj/twist_member.hpp"
@@ -203,42 +204,6 @@ struct LoadCase
     double seconds = 0;                         ///< wall time [s]
 };
 
-/// The cup in the section plane with its harmonics summed at the angles that are drawn.
-struct CupShape
-{
-    std::vector<double> r;                ///< (p) radii of the nodes of the section [mm]
-    std::vector<double> z;                ///< (p) their heights above the middle of the bearing [mm]
-    std::vector<std::vector<int>> cells;  ///< corner nodes of each element, counter-clockwise
-    std::vector<double> phi;              ///< (a) angles [rad]
-    std::vector<double> u_r;              ///< (a,p) radial displacement at the largest torque of that case [mm]
-    std::vector<double> u_t;              ///< (a,p) tangential displacement [mm]
-    std::vector<double> u_z;              ///< (a,p) axial displacement [mm]
-    std::vector<double> stress;           ///< (a,p) von Mises [MPa]; empty: not computed
-};
-
-/// The cup on the wave generator without torque.
-struct AssembledCup
-{
-    double coning_major = 0;  ///< slope of the radial displacement over the toothed width at the major axis, by least
-                              ///< squares [rad]
-    double coning_minor = 0;  ///< at the minor axis [rad]
-    std::vector<double> z;    ///< (k) slices [mm]
-    std::vector<double> w_major;            ///< (k) radial displacement at the major axis [mm]
-    std::vector<double> w_minor;            ///< (k) radial displacement at the minor axis [mm]
-    double wave_generator_force = 0;        ///< [N]
-    int contacts = 0;                       ///< nodes of the bearing that carry force
-    double largest_stress = 0;              ///< von Mises [MPa]; 0: not computed
-    double ball_force = 0;                  ///< largest of a ball [N], of a line [N/mm]; 0: a rigid bearing
-    double ball_phi = 0;                    ///< its angle [rad]
-    int balls = 0;                          ///< single balls that carry force
-    bool estimated = false;                 ///< the following errors are estimated, as those of a LoadCase
-    double coning_major_error = 0;          ///< [rad]
-    double coning_minor_error = 0;          ///< [rad]
-    double wave_generator_force_error = 0;  ///< [N]
-    double largest_stress_error = 0;        ///< [MPa]
-    double ball_force_error = 0;            ///< [N], [N/mm]
-};
-
 /// All cases of a drive under load.
 struct LoadStudy
 {
@@ -271,6 +236,7 @@ struct LoadOptions
     std::optional<double> torque;        ///< rated torque [N mm]
     std::optional<int> points;           ///< even torques on the way up, beside those of the catalogue's figures
     bool curve = true;                   ///< false: the rated torque only
+    std::function<bool()> stop;          ///< asked before each torque; true: what is there is the result. Null: never
 };
 
 /// Scene and options against each other.

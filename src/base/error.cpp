@@ -58,9 +58,9 @@ void sort_by_place(Faults& faults)
 
 std::string_view code_word(ErrorCode code)
 {
-    static constexpr std::array<std::string_view, 12> words{
+    static constexpr std::array<std::string_view, 13> words{
         "not-converged", "not-smooth", "no-solution",     "no-land",      "no-outline", "interference",
-        "no-contact",    "overload",   "unsuitable-body", "no-reference", "no-room",    "failed-check"};
+        "no-contact",    "overload",   "unsuitable-body", "no-reference", "no-room",    "failed-check", "stopped"};
     return words.at(static_cast<std::size_t>(code));
 }
 
@@ -78,7 +78,8 @@ NumericalError::NumericalError(ErrorCode code, std::string stage, std::string pl
 
 bool NumericalError::is_infeasible() const
 {
-    return code_ != ErrorCode::no_reference && code_ != ErrorCode::no_room && code_ != ErrorCode::failed_check;
+    return code_ != ErrorCode::no_reference && code_ != ErrorCode::no_room && code_ != ErrorCode::failed_check &&
+           code_ != ErrorCode::stopped;
 }
 
 NumericalError NumericalError::inside(std::string stage, std::string place) const

@@ -141,6 +141,41 @@ TEST_CASE("two lines do not depend on the torques that a curve is computed at", 
     CHECK(refined.stages.first_error > 0);
 }
 
+TEST_CASE("a run that is stopped keeps the torques that it has", "[load]")
+{
+    Scene const scene = quick();
+    LoadOptions options;
+    options.torque = 20 * newton_metre;
+    options.points = 4;
+    options.surfaces = {ToothSurface::tilted, ToothSurface::ruled};
+    LoadStudy const whole = study_load(scene, options);
+    std::vector<LoadedState> const& curve = whole.cases.front().curve;
+    int asked = 0;
+    options.stop = [&] { return ++asked > 6; };  // once for the surface, then before each torque
+    LoadStudy const part = study_load(scene, options);
+    REQUIRE(part.cases.size() == 1);
+    LoadCase const& kept = part.cases.front();
+    REQUIRE(kept.curve.size() > 1);
+    REQUIRE(kept.curve.size() < curve.size());
+    for (LoadedState const& state : kept.curve) {
+        auto const same = std::ranges::find(curve, state.torque, &LoadedState::torque);
+        REQUIRE(same != curve.end());
+        CHECK(same->twist == state.twist);
+    }
+    CHECK_FALSE(kept.catalogue);
+    CHECK(kept.unsettled.size() + kept.curve.size() == curve.size());
+    CHECK(part.missing.size() == kept.unsettled.size() + 1);  // and the other surface
+    for (std::string const& missing : part.missing)
+        CHECK(missing.find("the run was stopped before") != std::string::npos);
+    options.stop = [] { return true; };
+    try {
+        (void)study_load(scene, options);
+        FAIL("a stopped run has a result");
+    } catch (NumericalError const& error) {
+        CHECK(error.code() == ErrorCode::stopped);
+    }
+}
+
 TEST_CASE("the stiffness is the slope of the curve where contacts move too", "[load]")
 {
     LoadOptions options;

@@ -54,7 +54,8 @@ Count check_drives(unsigned drives, int torques, bool all_surfaces)
     for (unsigned seed = 1; seed <= drives; ++seed) {
         INFO("seed " << seed);
         designs::ElasticDrive const drive = designs::elastic_drive(seed);
-        scene::SceneReading const reading = examine_scene(drive.scene, "seed");
+        scene::SceneReading reading = examine_scene(drive.scene, "seed");
+        examine_geometry(reading);
         LoadOptions options;
         options.torque = drive.torque * newton_metre;
         options.points = torques;

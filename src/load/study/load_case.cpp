@@ -126,18 +126,25 @@ BranchWithErrors solved_branch(PathPair const& paths, BranchTorques const& torqu
     return result;
 }
 
-/// The branch of the opposite torques: solved, or the mirror image of @p forth.
+/// The branch of the opposite torques, as far as the run is not stopped before: solved, or the mirror image of
+/// @p forth.
 /// @param space_angle  of LoadMap
 BranchWithErrors opposite_branch(contact::ContactContext const& context, PathPair const& paths,
                                  BranchWithErrors const& forth, std::vector<double> const& space_angle,
-                                 std::function<void(double)> const& on_state)
+                                 std::function<bool()> const& stop, std::function<void(double)> const& on_state)
 {
     if (!is_mirror_image(context)) {
-        BranchTorques opposite;
+        BranchTorques opposite{.given = {}, .stop = stop};
         for (LoadedState const& state : forth.branch.states)
             if (state.torque != 0)
                 opposite.given.push_back(-state.torque);
-        return opposite.given.empty() ? BranchWithErrors() : solved_branch(paths, opposite, on_state);
+        try {
+            return opposite.given.empty() ? BranchWithErrors() : solved_branch(paths, opposite, on_state);
+        } catch (NumericalError const& error) {
+            if (error.code() != ErrorCode::stopped)
+                throw;
+            return {};
+        }
     }
     double const period = 2 * std::numbers::pi / paths.fine.problem.drive.response.sectors();
     BranchWithErrors back;
@@ -190,7 +197,8 @@ BranchWithErrors solve_curve(contact::ContactContext const& context, PathPair co
         enter_curve(forth, {}, result);
         return forth;
     }
-    BranchWithErrors const back = opposite_branch(context, paths, forth, result.map.angle, told(0.5));
+    BranchWithErrors const back =
+        opposite_branch(context, paths, forth, result.map.angle, torques.forth.stop, told(0.5));
     enter_curve(forth, back, result);
     double const rated = forth.branch.states.back().torque;
     CurveBranches const fine{forth.branch.states, back.branch.states, free_twist(paths.fine, rated)};
@@ -200,8 +208,9 @@ BranchWithErrors solve_curve(contact::ContactContext const& context, PathPair co
     result.stages = stages_of(fine, coarse ? &*coarse : nullptr, paths.safety);
     LoadedState const& state = forth.branch.states.back();
     double const relative_twist = coarse ? forth.errors.states.back()->twist / std::abs(state.twist) : 0;
-    result.catalogue = catalogue_figures(catalogue_torques(context.scene, rated), fine, coarse ? &*coarse : nullptr,
-                                         paths.safety, relative_twist);
+    if (rated == torques.forth.given.back())
+        result.catalogue = catalogue_figures(catalogue_torques(context.scene, rated), fine, coarse ? &*coarse : nullptr,
+                                             paths.safety, relative_twist);
     return forth;
 }
 

@@ -56,9 +56,11 @@ void add_cases(contact::ContactContext const& context, DrivePair const& drives, 
                                                                       static_cast<double>(surfaces.size()));
                                 }};
         try {
+            if (torques.forth.is_stopped())
+                throw NumericalError(ErrorCode::stopped, "load", "torques", "the run was stopped before");
             SolvedCase solved = load_case(context, drives, surfaces[i], torques, told);
             for (auto const& [torque, cause] : solved.result.unsettled)
-                study.missing.push_back(fmt::format("no equilibrium at {:g} N m for {}: {}", torque / newton_metre,
+                study.missing.push_back(fmt::format("no result at {:g} N m for {}: {}", torque / newton_metre,
                                                     contact::spec_words(surfaces[i]), cause));
             study.cases.push_back(std::move(solved.result));
             std::size_t const last = study.cases.size() - 1;

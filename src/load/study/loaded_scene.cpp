@@ -160,9 +160,9 @@ LoadingPath loading_path(Scene const& scene, LoadOptions const& options)
 {
     double const torque = rated_torque(scene, options);
     if (torque == 0 || !options.curve)
-        return {{{torque}, false}, options.curve};
+        return {{{torque}, false, options.stop}, options.curve};
     int const points = options.points.value_or(scene.load ? scene.load->points : 0);
-    LoadingPath path{{{0, torque}, points == 0}};
+    LoadingPath path{{{0, torque}, points == 0, options.stop}};
     for (int i = 1; i < points; ++i)
         path.forth.given.push_back(torque * i / points);
     auto const [first, second, lost_motion] = catalogue_torques(scene, torque);

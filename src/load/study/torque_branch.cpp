@@ -15,8 +15,9 @@ namespace {
 class BranchSolver
 {
   public:
-    BranchSolver(TorqueContinuation const& path, double largest, std::function<void(double)> const& on_state)
-        : path_(path), largest_(largest), on_state_(on_state)
+    BranchSolver(TorqueContinuation const& path, BranchTorques const& torques,
+                 std::function<void(double)> const& on_state)
+        : path_(path), torques_(torques), largest_(torques.given.back()), on_state_(on_state)
     {
     }
 
@@ -25,9 +26,11 @@ class BranchSolver
     {
         std::optional<LoadedDrive> drive;
         try {
+            if (torques_.is_stopped())
+                throw NumericalError(ErrorCode::stopped, "load", "torques", "the run was stopped before");
             drive = advance(path_, from, torque);
         } catch (NumericalError const& error) {
-            if (!error.is_infeasible())
+            if (!error.is_infeasible() && error.code() != ErrorCode::stopped)
                 throw;
             branch_.unsettled.push_back({torque, error.cause()});
             if (!first_)
@@ -51,7 +54,7 @@ class BranchSolver
         constexpr double widest = 1.0 / 8;      // of the branch: wider intervals may hide a bend
         constexpr double narrowest = 1.0 / 64;  // of the branch
         double const width = (b.torque - a.torque) / largest_;
-        if (width < 2 * narrowest)
+        if (width < 2 * narrowest || torques_.is_stopped())
             return;
         std::optional<LoadedDrive> const middle = solved(a, 0.5 * (a.torque + b.torque));
         if (!middle)
@@ -77,6 +80,7 @@ class BranchSolver
 
   private:
     TorqueContinuation const& path_;
+    BranchTorques const& torques_;
     double largest_;
     std::function<void(double)> const& on_state_;
     TorqueBranch branch_;
@@ -97,7 +101,7 @@ class BranchSolver
 TorqueBranch torque_branch(TorqueContinuation const& path, BranchTorques const& torques,
                            std::function<void(double)> const& on_state)
 {
-    BranchSolver solver(path, torques.given.back(), on_state);
+    BranchSolver solver(path, torques, on_state);
     LoadedDrive at = path.start;
     for (double const torque : torques.given) {
         std::optional<LoadedDrive> next = solver.solved(at, torque);

@@ -14,8 +14,11 @@ namespace hdconj::load {
 /// Torques of a branch.
 struct BranchTorques
 {
-    std::vector<double> given;  ///< of one sign, in order of growing size [N mm]
-    bool refined = false;       ///< more are put between until the stiffness is known everywhere
+    std::vector<double> given;        ///< of one sign, in order of growing size [N mm]
+    bool refined = false;             ///< more are put between until the stiffness is known everywhere
+    std::function<bool()> stop = {};  ///< LoadOptions::stop
+
+    [[nodiscard]] bool is_stopped() const { return stop && stop(); }
 };
 
 /// Equilibria of one sign of torque, in order of growing size.
@@ -31,7 +34,7 @@ struct TorqueBranch
 /// halves agree within a tenth, or until it is 1/64 of the branch. A torque without equilibrium is left out, and the
 /// next starts from the last one that has one.
 /// @param on_state  is told after each torque which fraction of the branch is done; null: nobody
-/// @throws NumericalError of the first torque without equilibrium where no torque but zero has one
+/// @throws NumericalError of the first torque without equilibrium, or for a stop, where no torque but zero has one
 [[nodiscard]] TorqueBranch torque_branch(TorqueContinuation const& path, BranchTorques const& torques,
                                          std::function<void(double)> const& on_state);
 
