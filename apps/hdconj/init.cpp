@@ -24,11 +24,7 @@ int run_init(CommonOptions const& common, InitArguments const& own)
         std::cout << builtin_scene_text();
         return exit_done;
     }
-    std::error_code ignored;
-    if (std::filesystem::is_directory(own.file, ignored))
-        throw InputError(Fault{own.file, 0, "", "this is a folder", "name a file in it"});
-    if (!own.force && std::filesystem::exists(std::filesystem::symlink_status(own.file, ignored)))
-        throw InputError(Fault{own.file, 0, "", "this file is there already", "use --force to write over it"});
+    refuse(occupied(own.file, own.force));
     file::write_text_atomically(own.file, builtin_scene_text());
     if (!common.quiet)
         std::cerr << "wrote " << own.file << "; next: hdconj check " << own.file << '\n';

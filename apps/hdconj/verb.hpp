@@ -79,6 +79,9 @@ void add_strict(CLI::App& verb, CommonOptions& common);
 /// @throws InputError with @p faults, if there are any
 void refuse(Faults faults);
 
+/// A fault where @p file is a folder, or without @p force there already: for verbs that write a file to be edited.
+[[nodiscard]] Faults occupied(std::string const& file, bool force);
+
 /// Appends @p more to @p all.
 template <class Item>
 void append(std::vector<Item>& all, std::vector<Item> const& more)
@@ -87,6 +90,7 @@ void append(std::vector<Item>& all, std::vector<Item> const& more)
 }
 
 void add_init(CLI::App& program, CommonOptions& common);
+void add_design(CLI::App& program, CommonOptions& common);
 void add_check(CLI::App& program, CommonOptions& common);
 void add_solve(CLI::App& program, CommonOptions& common);
 void add_contact(CLI::App& program, CommonOptions& common);
