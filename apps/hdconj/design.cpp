@@ -88,7 +88,8 @@ void add_wishes(CLI::App& verb, DesignArguments& own)
     number("--module", own.module, "in mm [the standard one nearest to the diameter]", "MM", "0.25");
     number("--length-ratio", wishes.length_ratio, "length of the cup over the pitch diameter, 0.2 to 1 [0.25]", "L/D",
            "0.25");
-    number("--torque", own.torque, "rated torque on the circular spline in N m [none]", "NM", "28");
+    number("--torque", own.torque, "rated torque on the circular spline in N m, for which the wall is chosen [none]",
+           "NM", "28");
     verb.add_option("--family", wishes.family, "of the flexspline's tooth [double-circular-arc]")->type_name("WORD");
     verb.add_option("--material", wishes.material, "of the flexspline [30CrMnSiA]")->type_name("WORD");
     number("--land", wishes.land, "least tip land in modules [0.4]", "M", "0.4");
@@ -118,6 +119,7 @@ void add_design(CLI::App& program, CommonOptions& common)
     verb.add_flag("-q,--quiet", common.quiet, "no summary and no progress");
     verb.footer(
         "Dimensions follow the thesis' rules. Radial deformation and tip circle are searched by `solve`.\n"
+        "With a torque the wall is searched by `load`, which takes some seconds for each.\n"
         "The table says of each dimension its range, rule and source.\n"
         "Example:\n"
         "  hdconj design --ratio 100 --diameter 50 --length-ratio 0.25 --torque 28 -o drive.toml");

@@ -25,6 +25,7 @@ _hdconj()
         --dialect)
             COMPREPLY=($(compgen -W "dxf xyuv-guide xyuv-face csv relative-uv two-plane 3b iso-2d" -- "$current"))
             return ;;
+        --like) COMPREPLY=($(compgen -W "size-14 size-17 size-20 size-25 size-32" -- "$current")); return ;;
         --family)
             COMPREPLY=($(compgen -W "double-circular-arc straight involute cycloid s-tooth arc-chain bezier b-spline" \
                 -- "$current"))
@@ -34,7 +35,7 @@ _hdconj()
 
     local options
     case ${COMP_WORDS[1]} in
-        init) options="--help --force --quiet" ;;
+        init) options="--help --like --force --quiet" ;;
         design)
             options="--help --ratio --diameter --module --length-ratio --torque --family --material --land --clearance"
             options="$options --safety --output --force --json --quiet" ;;

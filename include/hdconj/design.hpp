@@ -85,10 +85,12 @@ struct MeshTrial
 /// A wall under the teeth that was tried under torque.
 struct WallTrial
 {
-    double wall = 0;       ///< [mm]
-    double assembled = 0;  ///< largest von Mises stress in the cup on its wave generator, without torque [MPa]
-    double loaded = 0;     ///< the same at the rated torque [MPa]
-    std::string refusal;   ///< why it is not taken; empty: it works
+    double wall = 0;            ///< [mm]
+    double assembled = 0;       ///< largest von Mises stress in the cup on its wave generator, without torque [MPa]
+    double loaded = 0;          ///< the same at the rated torque [MPa]
+    double error = 0;           ///< estimated discretisation error of that; 0: not estimated [MPa]
+    double side_clearance = 0;  ///< with which the teeth of the coned cup are clear [mm]
+    std::string refusal;        ///< why it is not taken; empty: it works
 };
 
 /// A key in which the design differs from the built-in type-50.
@@ -146,5 +148,9 @@ struct ReadyDrive
 
 /// Drives that `init --like` writes: the sizes that catalogues have, with dimensions of our own by these rules.
 [[nodiscard]] std::vector<ReadyDrive> const& ready_drives();
+
+/// The wishes of the ready drive @p name: ratio 100, a cup half as long as the pitch diameter.
+/// @throws std::logic_error where no ready drive has that name
+[[nodiscard]] DesignWishes ready_wishes(std::string_view name);
 
 }  // namespace hdconj

@@ -81,7 +81,7 @@ double fillet_radius(double length, double step)
 class Body
 {
   public:
-    Body(Sheet& sheet, double wall) : sheet_(sheet), wall_(wall) {}
+    Body(Sheet& sheet, double wall, bool searched) : sheet_(sheet), wall_(wall), searched_(searched) {}
 
     void operator()()
     {
@@ -110,6 +110,8 @@ class Body
             row.remark = broken_by_thesis(rule);
         if (rule.low == rule.high)
             row.range.reset();
+        if (row.symbol == "delta" && searched_)
+            row.origin = DesignOrigin::computed;
         limit(row);
         sheet_.add(std::move(row));
     }
@@ -142,6 +144,7 @@ class Body
 
     Sheet& sheet_;
     double wall_;
+    bool searched_;  ///< the wall is a result of a search
 };
 
 DesignRow equation(std::string name, std::string symbol, std::string key, std::string rule, double value,
@@ -236,7 +239,7 @@ void add_bearing_rows(Sheet& sheet)
 
 void add_body_rows(Sheet& sheet, DesignWishes const& wishes, double wall)
 {
-    Body(sheet, wall)();
+    Body(sheet, wall, wishes.torque.has_value())();
     DesignRow inner =
         equation("inner diameter of the flexspline", "d_rn", "", "d_rf - 2 delta, d_rf = d_r - 2 h_f", 0, table_4_1);
     inner.value = rounded(sheet["d_r"] - 2 * sheet["h_f"] - 2 * sheet["delta"], six_digits);

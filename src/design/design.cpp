@@ -2,21 +2,18 @@
 #include "hdconj/design.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <stdexcept>
 
 #include "base/text.hpp"
-#include "mesh_search.hpp"
 #include "nearest_wishes.hpp"
-#include "sheet.hpp"
+#include "wall_search.hpp"
 #include "wishes.hpp"
 
 namespace hdconj {
 namespace design {
 namespace {
 
-/// Rules that are broken, and a pitch diameter that is not as asked for.
+/// A pitch diameter that is not as asked for, and what the rows remark.
 std::vector<std::string> remarks_on(Design const& made)
 {
     std::vector<std::string> remarks;
@@ -32,32 +29,41 @@ std::vector<std::string> remarks_on(Design const& made)
     return remarks;
 }
 
+/// Adds what was computed with the scene.
+void add_results(Design& design, MeshedSheet const& made)
+{
+    double const open = DesignRange().high;
+    auto const add = [&](std::string name, std::string rule, DesignRange range, double value, std::string unit,
+                         std::string source, std::string remark = {}) {
+        constexpr int digits = 4;
+        design.rows.push_back({std::move(name), "", "", std::move(rule), range, rounded(value, digits), std::move(unit),
+                               std::move(source), DesignOrigin::figure, std::move(remark)});
+    };
+    MeshTrial const& mesh = made.mesh.trials[*made.mesh.best];
+    add("tip land of the circular spline", "as asked for", {design.wishes.land, open}, mesh.land, "m", "solve");
+    add("teeth of a lobe in flank contact", "at least 1, usually 2", {1, open}, mesh.flank_contact, "1", "solve");
+    add("angle lost before a cusp over angle used", "at most 0.1", {0, 0.1}, mesh.lost, "1", "solve");
+    if (made.walls.empty())
+        return;
+    WallTrial const& wall = made.walls.back();
+    double const fatigue = material_of(design.wishes).fatigue;
+    constexpr double unconverged = 3;  // such an error says that the figure is not known, as in figures::is_unconverged
+    std::string const error =
+        wall.error <= 0 ? ""
+                        : "+- " + short_number(wall.error, 2) + " MPa by the grid" +
+                              (unconverged * wall.error > wall.loaded ? ", not converged: try more slices" : "");
+    add("largest stress of the assembled cup", "sigma_-1/S", {0, allowed_stress(design.wishes)}, wall.assembled, "MPa",
+        "load");
+    add("the same at the rated torque", "sigma_-1/S", {0, allowed_stress(design.wishes)}, wall.loaded, "MPa", "load",
+        error);
+    if (wall.side_clearance > design.wishes.clearance)
+        add("side clearance that the cone needs", "teeth clear over a turn", {0, open}, wall.side_clearance, "mm",
+            "load", "more than --clearance: `hdconj load` adds it");
+    add("safety against fatigue", "sigma_-1 over that, as asked for", {design.wishes.safety, open},
+        fatigue / std::max(wall.assembled, wall.loaded), "1", "load");
+}
+
 }  // namespace
-
-Sheet sheet_of(DesignWishes const& wishes, double wall)
-{
-    Sheet sheet = drive_rows(wishes);
-    add_tooth_rows(sheet, wishes);
-    add_body_rows(sheet, wishes, wall);
-    return sheet;
-}
-
-MeshedSheet mesh_with_wall(DesignWishes const& wishes)
-{
-    constexpr std::array walls{0.014, 0.013, 0.012, 0.011, 0.01};  // over the pitch diameter; the first is type-50's
-    MeshedSheet made;
-    for (double const wall : walls) {
-        made.sheet = sheet_of(wishes, wall);
-        made.mesh = search_mesh(made.sheet, wishes);
-        auto const& trials = made.mesh.trials;
-        bool const thinner_may_do =
-            std::any_of(trials.begin(), trials.end(), [](MeshTrial const& trial) { return trial.wall_stress; });
-        if (made.mesh.best || !thinner_may_do)
-            break;
-    }
-    return made;
-}
-
 }  // namespace design
 
 DesignRow const& Design::row(std::string_view key) const
@@ -74,26 +80,41 @@ Design design_drive(DesignWishes const& wishes, std::function<void(std::string c
         throw InputError(std::move(faults));
     if (talk)
         talk("radial deformation and tip circle");
-    design::MeshedSheet made = design::mesh_with_wall(wishes);
-    if (!made.mesh.best)
-        throw InputError(design::nearest_wishes(wishes, made.mesh));
+    design::MeshedSheet const made = design::mesh_under_torque(wishes, talk);
+    if (!made.works())
+        throw InputError(design::nearest_wishes(wishes, made));
     Design result;
     result.wishes = wishes;
-    result.rows = made.sheet.rows();
-    result.rows.insert(result.rows.end(), made.mesh.rows.begin(), made.mesh.rows.end());
+    result.rows = made.rows();
     result.mesh = made.mesh.trials;
+    result.walls = made.walls;
     result.scene = design::scene_of(result.rows);
-    design::add_mesh_figures(result, made.mesh.trials[*made.mesh.best]);
+    design::add_results(result, made);
     result.remarks = design::remarks_on(result);
     return result;
 }
 
 std::vector<ReadyDrive> const& ready_drives()
 {
-    // the pitch diameters that circulate with these sizes, rounded to standard modules by the rules
+    // pitch diameters that go with these sizes; the rules round them to standard modules
     static std::vector<ReadyDrive> const drives{
         {"size-14", 35}, {"size-17", 43}, {"size-20", 51}, {"size-25", 63}, {"size-32", 82}};
     return drives;
+}
+
+DesignWishes ready_wishes(std::string_view name)
+{
+    for (auto const& drive : ready_drives()) {
+        if (drive.name != name)
+            continue;
+        DesignWishes wishes;
+        wishes.name = name;
+        wishes.diameter = drive.diameter;
+        constexpr double half = 0.5;
+        wishes.length_ratio = half;
+        return wishes;
+    }
+    throw std::logic_error("no ready drive is called " + std::string(name));
 }
 
 }  // namespace hdconj

@@ -6,7 +6,9 @@
 #include <numbers>
 
 #include "base/text.hpp"
+#include "hdconj/base/parallel.hpp"
 #include "hdconj/solve.hpp"
+#include "judgement/checks.hpp"
 #include "scene/usual_drive.hpp"
 #include "wishes.hpp"
 
@@ -14,6 +16,7 @@ namespace hdconj::design {
 namespace {
 
 constexpr int digits_of_radii = 6;
+constexpr double drawn = 1e-4;  // chords of the outlines that are tried, in modules
 
 /// A tip circle tried with a radial deformation.
 struct Attempt
@@ -22,8 +25,8 @@ struct Attempt
     bool too_small = false;  ///< a larger tip circle may work
 };
 
-/// Whether @p note keeps a design from being taken. Lands and stress are compared with the wishes. Straight and
-/// involute flanks touch over little more than a pitch, and cannot do more.
+/// Whether @p note keeps a design from being taken. The land of the circular spline and the stress of the ring are
+/// compared with the wishes elsewhere. Straight and involute flanks touch over little more than a pitch at best.
 bool blocks(Note const& note, DesignWishes const& wishes)
 {
     switch (note.code) {
@@ -31,11 +34,10 @@ bool blocks(Note const& note, DesignWishes const& wishes)
         case NoteCode::tooth_difference:
         case NoteCode::sharp_corner:
         case NoteCode::narrow_space:
+        case NoteCode::wall_stress:
             return false;
         case NoteCode::tip_land:
             return note.figure < wishes.land;
-        case NoteCode::wall_stress:
-            return note.figure > material_of(wishes).fatigue / wishes.safety;
         case NoteCode::flank_contact:
             return note.severity == Severity::warning;
         default:
@@ -100,12 +102,16 @@ class MeshSearch
         trial.w0 = rounded(ratio * sheet_["m"], digits_of_radii);
         trial.tip_radius = rounded(tip_radius, digits_of_radii);
         try {
-            judge_pair(solve(scene_of(sheet_.rows(), mesh_rows(sheet_, wishes_, ratio, tip_radius))), made);
+            Scene scene = scene_of(sheet_.rows(), mesh_rows(sheet_, wishes_, ratio, tip_radius));
+            // each ratio has a thread; lands and contacts do not depend on how finely the outline is drawn
+            scene.solver.threads = 1;
+            scene.solver.tolerance = drawn * scene.drive.module;
+            judge_pair(solve(scene), made);
         } catch (NumericalError const& error) {
             if (!error.is_infeasible())
                 throw;
             made.too_small = error.code() == ErrorCode::no_land || error.code() == ErrorCode::interference;
-            trial.refusal = error.what();
+            trial.refusal = error.cause();
         } catch (InputError const& error) {
             trial.refusal = error.what();
         }
@@ -123,10 +129,14 @@ class MeshSearch
             if (!blocks(note, wishes_))
                 continue;
             made.too_small = made.too_small || note.code == NoteCode::late_mesh;
-            trial.wall_stress = trial.wall_stress || note.code == NoteCode::wall_stress;
             if (trial.refusal.empty())
                 trial.refusal = note.cause;
         }
+        double const stress = judgement::bending_stress(solution.scene, g);
+        trial.wall_stress = stress > allowed_stress(wishes_);
+        if (trial.wall_stress)
+            trial.refusal = "bending the ring stresses it by " + short_number(stress, 3) + " MPa, and " +
+                            short_number(allowed_stress(wishes_), 3) + " MPa are allowed";
         if (trial.land < wishes_.land) {
             made.too_small = true;
             trial.refusal = "the land of the circular spline is " + short_number(trial.land, 3) + " m";
@@ -187,11 +197,10 @@ MeshChoice search_mesh(Sheet const& sheet, DesignWishes const& wishes)
     MeshChoice choice;
     choice.trials.resize(steps + 1);
     MeshSearch const search(sheet, wishes);
-    for (int i = 0; i <= steps; ++i) {
-        double const ratio =
-            scene::least_usual_ratio + i * (scene::largest_usual_ratio - scene::least_usual_ratio) / steps;
-        choice.trials[static_cast<std::size_t>(i)] = search(rounded(ratio));
-    }
+    parallel_for(choice.trials.size(), 0, 1, [&](std::size_t i) {
+        double const step = (scene::largest_usual_ratio - scene::least_usual_ratio) / steps;
+        choice.trials[i] = search(rounded(scene::least_usual_ratio + static_cast<double>(i) * step));
+    });
     choice.best = best_of(choice.trials);
     if (choice.best) {
         MeshTrial const& best = choice.trials[*choice.best];

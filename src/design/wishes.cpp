@@ -104,7 +104,8 @@ class WishFaults
                       " mm, and the rules hold from 10 to 400 mm",
                   "the nearest that works is " +
                       short_number(std::clamp(*wishes_.module * teeth, diameters.low, diameters.high) / teeth));
-        else if (has_diameter && !has_module && !modules.contains(*wishes_.diameter / teeth))
+        else if (has_diameter && !has_module && diameters.contains(*wishes_.diameter) &&
+                 !modules.contains(*wishes_.diameter / teeth))
             fault("--diameter", short_number(*wishes_.diameter),
                   "the module d_r/z_f would be " + short_number(*wishes_.diameter / teeth) +
                       " mm, and standard ones run from 0.05 mm on",
@@ -164,6 +165,11 @@ bool agree(double a, double b)
 {
     constexpr double resolved = 1e-6;  // of numbers with six digits
     return std::abs(a - b) <= resolved * std::abs(b);
+}
+
+double allowed_stress(DesignWishes const& wishes)
+{
+    return material_of(wishes).fatigue / wishes.safety;
 }
 
 int teeth_of(DesignWishes const& wishes)

@@ -25,6 +25,9 @@ struct Material
 /// That of the wishes. @pre check_design() finds no fault with it
 [[nodiscard]] Material const& material_of(DesignWishes const& wishes);
 
+/// The largest stress that the wishes allow: fatigue strength over safety [MPa].
+[[nodiscard]] double allowed_stress(DesignWishes const& wishes);
+
 /// Waves of the wave generator, and teeth that the circular spline has more.
 inline constexpr int waves = 2;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The keys are an interface, described in docs/reference/json.md.
 #include "hdconj/design_files.hpp"
+#include "hdconj/version.hpp"
 #include "summary_object.hpp"
 
 namespace hdconj::report {
@@ -42,6 +43,8 @@ Json wall_object(WallTrial const& trial)
     return {{"wall_mm", number(trial.wall)},
             {"stress_assembled_MPa", number(trial.assembled)},
             {"stress_loaded_MPa", number(trial.loaded)},
+            {"stress_loaded_error_MPa", number(trial.error)},
+            {"side_clearance_mm", number(trial.side_clearance)},
             {"refusal", trial.refusal}};
 }
 
@@ -58,7 +61,12 @@ namespace hdconj {
 std::string summary_json(Design const& design, std::vector<WrittenFile> const& written)
 {
     using report::Json;
-    Json object = {{"name", design.wishes.name},
+    constexpr int format_version = 1;
+    Json object = {{"format", "hdconj-design"},
+                   {"format_version", format_version},
+                   {"program_version", program_version()},
+                   {"git_revision", git_revision()},
+                   {"name", design.wishes.name},
                    {"rows", report::list_of(design.rows, report::row_object)},
                    {"mesh", report::list_of(design.mesh, report::trial_object)},
                    {"walls", report::list_of(design.walls, report::wall_object)},

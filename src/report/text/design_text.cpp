@@ -43,10 +43,10 @@ void write_walls(Page& page, Design const& design)
     if (design.walls.empty())
         return;
     page.line("\nwalls tried, with the largest von Mises stress in the cup");
-    page.line("  {:>9}{:>16}{:>14}  {}", "delta mm", "assembled MPa", "loaded MPa", "why not");
+    page.line("  {:>9}{:>16}{:>14}{:>8}  {}", "delta mm", "assembled MPa", "loaded MPa", "+-", "why not");
     for (WallTrial const& trial : design.walls)
-        page.line("  {:>9}{:>16}{:>14}  {}", short_number(trial.wall), figures::fixed(trial.assembled, 1),
-                  figures::fixed(trial.loaded, 1), trial.refusal);
+        page.line("  {:>9}{:>16}{:>14}{:>8}  {}", short_number(trial.wall), figures::fixed(trial.assembled, 1),
+                  figures::fixed(trial.loaded, 1), short_number(trial.error, 2), trial.refusal);
 }
 
 void write_differences(Page& page, Design const& design)

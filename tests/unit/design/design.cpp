@@ -2,10 +2,13 @@
 // A drive from wishes: rules, the scene, what is printed.
 #include "hdconj/design.hpp"
 
+#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "hdconj/design_files.hpp"
 #include "hdconj/read_scene.hpp"
+#include "hdconj/solve.hpp"
 #include "support/catch.hpp"
 
 namespace hdconj::test::design_cases {
@@ -92,6 +95,35 @@ TEST_CASE("dimensions of a design obey the thesis' equations", "[design]")
             INFO(row.symbol);
             CHECK(row.range->contains(row.number()));
         }
+}
+
+TEST_CASE("the page of design rules states the rules of the program", "[design]")
+{
+    std::ifstream file(HDCONJ_SOURCE_DIR "/docs/reference/design.md");
+    std::string const page{std::istreambuf_iterator<char>(file), {}};
+    int stated = 0;
+    for (auto const& row : designed_50().rows)
+        if (row.range && row.origin != DesignOrigin::figure && row.source.starts_with("thesis")) {
+            INFO(row.symbol);
+            std::string const rule = row.symbol == "d_gw" ? "at least 1.4 d_r" : row.rule;
+            CHECK_THAT(page, ContainsSubstring("| " + row.symbol + " | " + row.name + " | " + rule + " |"));
+            ++stated;
+        }
+    CHECK(stated == 12);
+}
+
+TEST_CASE("ready drives keep the rules and solve without a note", "[design]")
+{
+    for (auto const& each : ready_drives()) {
+        Design const made = design_drive(ready_wishes(each.name));
+        INFO(each.name);
+        CHECK(made.scene.drive.name == each.name);
+        CHECK(solve(made.scene).judgement.empty());
+        for (auto const& row : made.rows)
+            if (row.origin == DesignOrigin::limited)  // a cup half as long as its diameter leaves the rules alone
+                CHECK(row.key == "flexspline.profile.concave_offset");
+    }
+    CHECK_THROWS_AS(ready_wishes("size-21"), std::logic_error);
 }
 
 TEST_CASE("the scene of a design read back is the same scene", "[design]")
