@@ -112,6 +112,7 @@ Faults occupied(std::string const& file, bool force)
 void add_design(CLI::App& program, CommonOptions& common)
 {
     auto [verb, own] = add_verb(program, common, "design", "a whole scene from a few wishes", run_design);
+    verb.preparse_callback([&common](std::size_t) { common.subject = "the wishes"; });
     add_wishes(verb, own);
     add_name(verb, "-o,--output", own.output, "the scene to write, TOML [none]", "FILE");
     verb.add_flag("--force", own.force, "write over a file that is there");

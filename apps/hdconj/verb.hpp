@@ -37,6 +37,7 @@ enum ExitStatus : int
 struct CommonOptions
 {
     std::string scene;                   ///< scene file, "-" for standard input; empty: the built-in scene
+    std::string subject;                 ///< what faults are of where the verb reads no scene; empty: it does
     std::vector<std::string> overrides;  ///< "key.path=value" of --set, in order
     bool json = false;                   ///< one JSON object on standard output instead of text
     bool quiet = false;                  ///< no messages on standard error, no summary

@@ -195,10 +195,8 @@ void add_spline_rows(Sheet& sheet, DesignWishes const& wishes)
     sheet.add({"width of the circular spline", "b_g", "", "L_2 + (2 ... 3) mm",
                DesignRange{teeth + wider_from, teeth + wider_to}, rounded(teeth + wider_from), "mm", "thesis (4-5)",
                DesignOrigin::rule, "type-50 has L_2 - 1, against the rule"});
-    DesignRow width =
-        equation("width of its toothing", "", "circular_spline.width", "7/8 L_2", share_of_teeth * teeth, "type-50");
-    width.remark = "inside the flexspline's teeth, as the model of the cup asks for";
-    sheet.add(std::move(width));
+    sheet.add(equation("width of its toothing", "", "circular_spline.width", "7/8 L_2, inside the flexspline's teeth",
+                       share_of_teeth * teeth, "type-50"));
     sheet.add({"side clearance",
                "",
                "circular_spline.backlash_offset",
@@ -251,7 +249,7 @@ void add_body_rows(Sheet& sheet, DesignWishes const& wishes, double wall)
     add_spline_rows(sheet, wishes);
     add_bearing_rows(sheet);
     if (wishes.torque)
-        sheet.add({"rated torque",
+        sheet.add({"rated torque on the circular spline",
                    "T",
                    "load.torque",
                    "as asked for",
@@ -260,7 +258,7 @@ void add_body_rows(Sheet& sheet, DesignWishes const& wishes, double wall)
                    "N m",
                    "wish",
                    DesignOrigin::wish,
-                   "on the circular spline"});
+                   ""});
 }
 
 }  // namespace hdconj::design

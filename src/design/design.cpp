@@ -40,7 +40,7 @@ void add_results(Design& design, MeshedSheet const& made)
                                std::move(source), DesignOrigin::figure, std::move(remark)});
     };
     MeshTrial const& mesh = made.mesh.trials[*made.mesh.best];
-    add("tip land of the circular spline", "as asked for", {design.wishes.land, open}, mesh.land, "m", "solve");
+    add("tip land of the circular spline", "as asked for", {design.wishes.land, open}, mesh.land, "modules", "solve");
     add("teeth of a lobe in flank contact", "at least 1, usually 2", {1, open}, mesh.flank_contact, "1", "solve");
     add("angle lost before a cusp over angle used", "at most 0.1", {0, 0.1}, mesh.lost, "1", "solve");
     if (made.walls.empty())

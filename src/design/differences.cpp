@@ -23,12 +23,12 @@ std::string list_text(scene::NumberRows const& rows)
     return "[" + text + "]";
 }
 
-/// Whether two values of a scene mean the same: 7 and 7.0 do.
+/// Whether two values of a scene mean the same: 7 and 7.0 do. Long lists are compared as far as messages hold them.
 bool same(std::string const& a, std::string const& b)
 {
     auto const number_a = leading_number(a), number_b = leading_number(b);
     bool const numbers = number_a && number_b && number_a->rest.empty() && number_b->rest.empty();
-    return numbers ? number_a->value == number_b->value : a == b;
+    return numbers ? number_a->value == number_b->value : printable(a) == printable(b);
 }
 
 /// Whether @p written is what the scene's schema takes when the key @p path is absent.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Wrong wishes of `hdconj design` and `hdconj init --like`: place, reason, remedy, exit status, and no file.
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "bad_commands.hpp"
 
@@ -80,6 +81,17 @@ TEST_CASE("design refuses wishes with place, reason and the nearest that works",
     REQUIRE(design_commands().size() >= 40);
     for (auto const& row : design_commands())
         check_refused("design", row, folder);
+}
+
+TEST_CASE("with JSON refused wishes are one object with every fault", "[cli][design]")
+{
+    TemporaryFolder folder;
+    auto const refused = hdconj_run("design --ratio 100.5 --length-ratio 3 --json", folder.path());
+    CHECK(refused.status == 2);
+    auto const json = nlohmann::json::parse(refused.out);
+    CHECK(json.at("scene") == "the wishes");
+    REQUIRE(json.at("faults").size() == 3);
+    CHECK(json.at("faults")[0].at("path") == "--ratio");
 }
 
 TEST_CASE("init refuses a drive that it does not have", "[cli][design]")

@@ -12,11 +12,11 @@ namespace {
 
 void write_dimensions(Page& page, Design const& design)
 {
-    page.line("{:<42}{:<9}{:>14} {:<5}{:<18}{:<11}{}", "dimension", "symbol", "value", "", "range", "from",
+    page.line("{:<42}{:<9}{:>14} {:<8}{:<18}{:<11}{}", "dimension", "symbol", "value", "", "range", "from",
               "rule; source");
     for (auto const& row : design.rows) {
         bool const list = std::holds_alternative<scene::NumberRows>(row.value);
-        page.line("{:<42}{:<9}{:>14} {:<5}{:<18}{:<11}{}{}", row.name, row.symbol, list ? "" : row.written(),
+        page.line("{:<42}{:<9}{:>14} {:<8}{:<18}{:<11}{}{}", row.name, row.symbol, list ? "" : row.written(),
                   row.unit == "1" ? "" : row.unit, row.range_text(), to_string(row.origin), row.rule,
                   row.source == "wish" ? "" : "; " + row.source);
         if (list)

@@ -138,6 +138,22 @@ TEST_CASE("the scene of a design read back is the same scene", "[design]")
         CHECK((line.find(" = ") == std::string::npos || line.find('#') != std::string::npos));
 }
 
+TEST_CASE("every family's tooth is read back to the last digit", "[design]")
+{
+    for (char const* const family : {"straight", "cycloid", "s-tooth", "arc-chain", "bezier", "b-spline"}) {
+        DesignWishes wishes = type_50();
+        wishes.family = family;
+        wishes.module = 0.23;
+        wishes.diameter.reset();
+        Design const made = design_drive(wishes);
+        Scene const again = parse_scene(scene_text(made), "designed");
+        INFO(family);
+        CHECK(differences(made, again).empty());
+        for (auto const& [key, parameter] : made.scene.flexspline.profile.given)
+            CHECK(again.flexspline.profile.given.at(key).value == parameter.value);
+    }
+}
+
 TEST_CASE("text and JSON of a design say the same", "[design]")
 {
     Design const& made = designed_50();
