@@ -28,6 +28,8 @@ namespace {
 constexpr char const* examples =
     "Examples:\n"
     "  hdconj init                      write the built-in drive to hdconj.toml\n"
+    "  hdconj design --ratio 100 --diameter 50 -o drive.toml\n"
+    "                                   a drive by rules and by computation\n"
     "  hdconj check hdconj.toml         is it right, and what will be computed?\n"
     "  hdconj solve hdconj.toml         the conjugate circular spline\n"
     "  hdconj contact hdconj.toml       how much flank touches, and what tilt does to it\n"
@@ -180,7 +182,8 @@ int run(int argc, char** argv)
         "circular spline that meshes with it without interference."};
     describe_program(program);
     CommonOptions common;
-    for (auto const add : {add_init, add_check, add_solve, add_contact, add_load, add_wedm, add_accuracy, add_export})
+    for (auto const add :
+         {add_init, add_design, add_check, add_solve, add_contact, add_load, add_wedm, add_accuracy, add_export})
         add(program, common);
     std::vector<std::string> words = command_line(argc, argv);
     if (words.empty()) {

@@ -69,7 +69,7 @@ Scene load_scene(CommonOptions const& common)
 std::string scene_name(CommonOptions const& common)
 {
     if (common.scene.empty())
-        return "the built-in scene";
+        return common.subject.empty() ? "the built-in scene" : common.subject;
     return common.scene == "-" ? "standard input" : common.scene;
 }
 

@@ -37,6 +37,7 @@ enum ExitStatus : int
 struct CommonOptions
 {
     std::string scene;                   ///< scene file, "-" for standard input; empty: the built-in scene
+    std::string subject;                 ///< what faults are of where the verb reads no scene; empty: it does
     std::vector<std::string> overrides;  ///< "key.path=value" of --set, in order
     bool json = false;                   ///< one JSON object on standard output instead of text
     bool quiet = false;                  ///< no messages on standard error, no summary
@@ -79,6 +80,9 @@ void add_strict(CLI::App& verb, CommonOptions& common);
 /// @throws InputError with @p faults, if there are any
 void refuse(Faults faults);
 
+/// A fault where @p file is a folder, or without @p force there already: for verbs that write a file to be edited.
+[[nodiscard]] Faults occupied(std::string const& file, bool force);
+
 /// Appends @p more to @p all.
 template <class Item>
 void append(std::vector<Item>& all, std::vector<Item> const& more)
@@ -87,6 +91,7 @@ void append(std::vector<Item>& all, std::vector<Item> const& more)
 }
 
 void add_init(CLI::App& program, CommonOptions& common);
+void add_design(CLI::App& program, CommonOptions& common);
 void add_check(CLI::App& program, CommonOptions& common);
 void add_solve(CLI::App& program, CommonOptions& common);
 void add_contact(CLI::App& program, CommonOptions& common);

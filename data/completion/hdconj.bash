@@ -6,7 +6,7 @@ _hdconj()
 {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
     local common="--help --set --threads --json --quiet"
-    local verbs="init check solve contact load wedm accuracy export help version"
+    local verbs="init design check solve contact load wedm accuracy export help version"
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
         case $current in
@@ -25,12 +25,20 @@ _hdconj()
         --dialect)
             COMPREPLY=($(compgen -W "dxf xyuv-guide xyuv-face csv relative-uv two-plane 3b iso-2d" -- "$current"))
             return ;;
+        --like) COMPREPLY=($(compgen -W "size-14 size-17 size-20 size-25 size-32" -- "$current")); return ;;
+        --family)
+            COMPREPLY=($(compgen -W "double-circular-arc straight involute cycloid s-tooth arc-chain bezier b-spline" \
+                -- "$current"))
+            return ;;
         --for) COMPREPLY=($(compgen -W "solve contact load" -- "$current")); return ;;
     esac
 
     local options
     case ${COMP_WORDS[1]} in
-        init) options="--help --force --quiet" ;;
+        init) options="--help --like --force --quiet" ;;
+        design)
+            options="--help --ratio --diameter --module --length-ratio --torque --family --material --land --clearance"
+            options="$options --safety --output --force --json --quiet" ;;
         check) options="$common --strict --plan --for" ;;
         solve) options="$common --strict --output --dxf --picture --verbose" ;;
         contact)

@@ -14,11 +14,13 @@ namespace hdconj::judgement {
 [[nodiscard]] std::optional<Note> tooth_difference(UnsolvedPair const& pair);
 /// Tip land of the flexspline; nothing where the tip is round.
 [[nodiscard]] std::optional<Note> tip_land(UnsolvedPair const& pair);
-/// Bending stress of the ring by sigma = E c w0 (n^2 - 1)/r_m^2.
+/// Bending stress of the ring by sigma = E c w0 (n^2 - 1)/r_m^2 [MPa].
 ///
 /// The curvature of an inextensional ring changes by (w + w'')/r_m^2, at most w0 (n^2 - 1)/r_m^2 for w = w0 cos(n phi).
 /// Source: S. Timoshenko, Strength of Materials, part II (thin ring). Accuracy: first order in w0/r_m; teeth, cup and
 /// edges are left out. The verb `load` computes the stress of the cup.
+[[nodiscard]] double bending_stress(Scene const& scene, PairGeometry const& geometry);
+/// That stress against its limits.
 [[nodiscard]] std::optional<Note> wall_stress(UnsolvedPair const& pair);
 /// Where along a lobe the flexspline's tips leave the circular spline's tip circle.
 [[nodiscard]] std::optional<Note> late_mesh(UnsolvedPair const& pair);

@@ -14,14 +14,20 @@ constexpr double steel = 206e3;  // [MPa] of 30CrMnSiA, where the scene has no c
 
 }  // namespace
 
+double bending_stress(Scene const& scene, PairGeometry const& g)
+{
+    Flexspline const& flexspline = scene.flexspline;
+    double const modulus = flexspline.cup ? flexspline.cup->youngs_modulus : steel;
+    double const waves = scene.wave_generator.waves;
+    double const depth = flexspline.wall / 2 + std::abs(flexspline.neutral_offset);
+    return modulus * depth * g.w0 * (waves * waves - 1) / (g.r_m * g.r_m);
+}
+
 std::optional<Note> wall_stress(UnsolvedPair const& pair)
 {
     Flexspline const& flexspline = pair.scene.flexspline;
     PairGeometry const& g = pair.geometry;
-    double const modulus = flexspline.cup ? flexspline.cup->youngs_modulus : steel;
-    double const waves = pair.scene.wave_generator.waves;
-    double const depth = flexspline.wall / 2 + std::abs(flexspline.neutral_offset);
-    double const stress = modulus * depth * g.w0 * (waves * waves - 1) / (g.r_m * g.r_m);
+    double const stress = bending_stress(pair.scene, g);
     auto note = note_on(NoteCode::wall_stress, stress);
     if (!note)
         return note;

@@ -49,10 +49,15 @@ std::optional<double> usual_tip_radius(Scene const& scene, double w0)
     auto const dedendum = scene.flexspline_dedendum();
     if (scene.is_reverse() || !addendum || !dedendum || scene.flexspline.inner_radius)
         return std::nullopt;
+    return usual_tip_radius(scene.drive, *addendum, *dedendum, w0);
+}
+
+double usual_tip_radius(Drive const& drive, double addendum, double dedendum, double w0)
+{
     constexpr double parting = 0.8, rim = 0.05;  // of the deformation; modules
-    double const radius = flexspline_pitch_radius(scene.drive);
-    return std::max({radius + w0 - *addendum, radius + *addendum - parting * w0,
-                     radius + w0 - *dedendum + rim * scene.drive.module});
+    double const radius = flexspline_pitch_radius(drive);
+    return std::max(
+        {radius + w0 - addendum, radius + addendum - parting * w0, radius + w0 - dedendum + rim * drive.module});
 }
 
 Advice usual_pair(Scene const& scene, std::optional<double> kept)

@@ -42,6 +42,8 @@ struct Advice
 /// The tip circle that suits the radial deformation @p w0: that of the default, further out where the tips would not
 /// leave it in time or would reach the flexspline's rim; nothing where addendum or dedendum is not a key. [mm]
 [[nodiscard]] std::optional<double> usual_tip_radius(Scene const& scene, double w0);
+/// The same of a tooth with these heights.
+[[nodiscard]] double usual_tip_radius(Drive const& drive, double addendum, double dedendum, double w0);
 
 /// What makes @p scene a usual drive: two waves for two teeth more, else one more tooth for each wave, and the radial
 /// deformation and tip circle that go with them. @param kept  a radial deformation that stays where it is usual

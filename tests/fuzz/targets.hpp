@@ -30,6 +30,10 @@ void scene_text(Bytes input);
 /// and then the file. The family is built, nothing is solved.
 void csv_profile(Bytes input);
 
+/// Wishes of a designer, a line "wish value" each: judged, and without a fault made into a scene that is read back.
+/// Nothing is searched or solved.
+void design_wishes(Bytes input);
+
 /// A drive (drive_text.hpp) through `solve`.
 void scene_solve(Bytes input);
 

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "mesh_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "base/text.hpp"
+#include "hdconj/base/parallel.hpp"
+#include "hdconj/solve.hpp"
+#include "judgement/checks.hpp"
+#include "scene/usual_drive.hpp"
+#include "wishes.hpp"
+
+namespace hdconj::design {
+namespace {
+
+constexpr int digits_of_radii = 6;
+constexpr double drawn = 1e-4;  // chords of the outlines that are tried, in modules
+
+/// A tip circle tried with a radial deformation.
+struct Attempt
+{
+    MeshTrial trial;
+    bool too_small = false;  ///< a larger tip circle may work
+};
+
+/// Whether @p note keeps a design from being taken. The land of the circular spline and the stress of the ring are
+/// compared with the wishes elsewhere. Straight and involute flanks touch over little more than a pitch at best.
+bool blocks(Note const& note, DesignWishes const& wishes)
+{
+    switch (note.code) {
+        case NoteCode::land:
+        case NoteCode::tooth_difference:
+        case NoteCode::sharp_corner:
+        case NoteCode::narrow_space:
+        case NoteCode::wall_stress:
+            return false;
+        case NoteCode::tip_land:
+            return note.figure < wishes.land;
+        case NoteCode::flank_contact:
+            return note.severity == Severity::warning;
+        default:
+            return true;
+    }
+}
+
+/// The trial to take: close to the ratio 1, with which both pitch circles touch at the major axis, where that costs
+/// little of the largest flank contact.
+std::optional<std::size_t> best_of(std::vector<MeshTrial> const& trials)
+{
+    constexpr double enough = 0.95;
+    double most = 0;
+    for (MeshTrial const& trial : trials)
+        if (trial.refusal.empty())
+            most = std::max(most, trial.flank_contact);
+    std::optional<std::size_t> best;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+        bool const taken = trials[i].refusal.empty() && trials[i].flank_contact >= enough * most;
+        if (taken && (!best || std::abs(trials[i].ratio - 1) < std::abs(trials[*best].ratio - 1)))
+            best = i;
+    }
+    return best;
+}
+
+class MeshSearch
+{
+  public:
+    MeshSearch(Sheet const& sheet, DesignWishes const& wishes) : sheet_(sheet), wishes_(wishes) {}
+
+    /// The least tip circle that works with the deformation ratio @p ratio.
+    [[nodiscard]] MeshTrial operator()(double ratio) const
+    {
+        double const m = sheet_["m"], w0 = rounded(ratio * m, digits_of_radii);
+        Drive drive;
+        drive.module = m;
+        drive.flexspline_teeth = static_cast<int>(sheet_["z_f"]);
+        double low = scene::usual_tip_radius(drive, sheet_["h_a"], sheet_["h_f"], w0);
+        Attempt best = attempt(ratio, low);
+        if (!best.too_small)
+            return best.trial;
+        // where a third of the tooth is left there is no mesh to speak of
+        double high = low + 2 * sheet_["h_a"] / 3;
+        best = attempt(ratio, high);
+        constexpr double resolved = 0.01;  // modules
+        while (!best.too_small && high - low > resolved * m) {
+            double const middle = (low + high) / 2;
+            Attempt const between = attempt(ratio, middle);
+            (between.too_small ? low : high) = middle;
+            if (!between.too_small)
+                best = between;
+        }
+        return best.trial;
+    }
+
+  private:
+    [[nodiscard]] Attempt attempt(double ratio, double tip_radius) const
+    {
+        Attempt made;
+        MeshTrial& trial = made.trial;
+        trial.ratio = ratio;
+        trial.w0 = rounded(ratio * sheet_["m"], digits_of_radii);
+        trial.tip_radius = rounded(tip_radius, digits_of_radii);
+        try {
+            Scene scene = scene_of(sheet_.rows(), mesh_rows(sheet_, wishes_, ratio, tip_radius));
+            // each ratio has a thread; lands and contacts do not depend on how finely the outline is drawn
+            scene.solver.threads = 1;
+            scene.solver.tolerance = drawn * scene.drive.module;
+            judge_pair(solve(scene), made);
+        } catch (NumericalError const& error) {
+            if (!error.is_infeasible())
+                throw;
+            made.too_small = error.code() == ErrorCode::no_land || error.code() == ErrorCode::interference;
+            trial.refusal = error.cause();
+        } catch (InputError const& error) {
+            trial.refusal = error.what();
+        }
+        return made;
+    }
+
+    void judge_pair(Solution const& solution, Attempt& made) const
+    {
+        MeshTrial& trial = made.trial;
+        PairGeometry const& g = solution.geometry;
+        trial.land = 2 * g.land_half_angle * g.circular_spline_inner_radius / sheet_["m"];
+        trial.flank_contact = sheet_["z_f"] * solution.flank_contact.angle / (2 * std::numbers::pi);
+        trial.lost = solution.flank_contact.used > 0 ? solution.flank_contact.lost / solution.flank_contact.used : 0;
+        for (Note const& note : solution.judgement) {
+            if (!blocks(note, wishes_))
+                continue;
+            made.too_small = made.too_small || note.code == NoteCode::late_mesh;
+            if (trial.refusal.empty())
+                trial.refusal = note.cause;
+        }
+        double const stress = judgement::bending_stress(solution.scene, g);
+        trial.wall_stress = stress > allowed_stress(wishes_);
+        if (trial.wall_stress)
+            trial.refusal = "bending the ring stresses it by " + short_number(stress, 3) + " MPa, and " +
+                            short_number(allowed_stress(wishes_), 3) + " MPa are allowed";
+        if (trial.land < wishes_.land) {
+            made.too_small = true;
+            trial.refusal = "the land of the circular spline is " + short_number(trial.land, 3) + " m";
+        }
+    }
+
+    Sheet const& sheet_;
+    DesignWishes const& wishes_;
+};
+
+}  // namespace
+
+std::vector<DesignRow> mesh_rows(Sheet const& sheet, DesignWishes const& wishes, double ratio, double tip_radius)
+{
+    double const m = sheet["m"];
+    std::vector<DesignRow> rows;
+    if (wishes.family == "s-tooth")
+        rows.push_back({"deflection coefficient",
+                        "kappa",
+                        "flexspline.profile.deflection",
+                        "2 w0/(m (z_c - z_f))",
+                        {},
+                        rounded(ratio, digits_of_radii),
+                        "1",
+                        "EP 0266972",
+                        DesignOrigin::computed,
+                        ""});
+    rows.push_back({"wave generator",
+                    "",
+                    "wave_generator.family",
+                    "cosine cam",
+                    {},
+                    std::string("cosine"),
+                    "",
+                    "thesis 4.2",
+                    DesignOrigin::rule,
+                    ""});
+    rows.push_back({"radial deformation", "w_0", "wave_generator.radial_deformation",
+                    "(0.8 ... 1.2) m (z_c - z_f)/2, near 1 with 95 % of the most flank contact",
+                    DesignRange{scene::least_usual_ratio * m, scene::largest_usual_ratio * m},
+                    rounded(ratio * m, digits_of_radii), "mm", "solve", DesignOrigin::computed, ""});
+    rows.push_back({"tip radius of the circular spline",
+                    "r_a",
+                    "circular_spline.inner_radius",
+                    "least with lands as asked and tips that part",
+                    {},
+                    rounded(tip_radius, digits_of_radii),
+                    "mm",
+                    "solve",
+                    DesignOrigin::computed,
+                    ""});
+    return rows;
+}
+
+MeshChoice search_mesh(Sheet const& sheet, DesignWishes const& wishes)
+{
+    constexpr int steps = 20;
+    MeshChoice choice;
+    choice.trials.resize(steps + 1);
+    MeshSearch const search(sheet, wishes);
+    parallel_for(choice.trials.size(), 0, 1, [&](std::size_t i) {
+        double const step = (scene::largest_usual_ratio - scene::least_usual_ratio) / steps;
+        choice.trials[i] = search(rounded(scene::least_usual_ratio + static_cast<double>(i) * step));
+    });
+    choice.best = best_of(choice.trials);
+    if (choice.best) {
+        MeshTrial const& best = choice.trials[*choice.best];
+        choice.rows = mesh_rows(sheet, wishes, best.ratio, best.tip_radius);
+    }
+    return choice;
+}
+
+}  // namespace hdconj::design

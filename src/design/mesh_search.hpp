@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Radial deformation and tip circle by computation.
+#pragma once
+
+#include <functional>
+
+#include "sheet.hpp"
+
+namespace hdconj::design {
+
+/// The mesh of a drive: what was tried, and what is taken.
+struct MeshChoice
+{
+    std::vector<MeshTrial> trials;
+    std::optional<std::size_t> best;  ///< nothing: none of them works
+    std::vector<DesignRow> rows;      ///< of the best: wave generator, tip circle, and what they depend on
+};
+
+/// Tries radial deformations of 0.8 to 1.2 times m (z_c - z_f)/2, each with the least tip circle that leaves a land as
+/// wide as asked and tips that part.
+/// @param sheet  teeth and body
+[[nodiscard]] MeshChoice search_mesh(Sheet const& sheet, DesignWishes const& wishes);
+
+/// The rows of the wave generator at the deformation ratio @p ratio with the tip circle @p tip_radius.
+[[nodiscard]] std::vector<DesignRow> mesh_rows(Sheet const& sheet, DesignWishes const& wishes, double ratio,
+                                               double tip_radius);
+
+}  // namespace hdconj::design

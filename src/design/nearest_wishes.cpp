@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "nearest_wishes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "hdconj/units.hpp"
+#include "wishes.hpp"
+
+namespace hdconj::design {
+namespace {
+
+/// Why the trial nearest to the usual deformation is refused.
+std::string why(MeshChoice const& failed)
+{
+    auto const nearest = std::min_element(
+        failed.trials.begin(), failed.trials.end(),
+        [](MeshTrial const& a, MeshTrial const& b) { return std::abs(a.ratio - 1) < std::abs(b.ratio - 1); });
+    return "no radial deformation from 0.8 to 1.2 m (z_c - z_f)/2 makes a mesh; with " + short_number(nearest->w0) +
+           " mm " + nearest->refusal;
+}
+
+bool has_mesh(DesignWishes const& wishes)
+{
+    return check_design(wishes).empty() && mesh_with_wall(wishes).mesh.best.has_value();
+}
+
+/// The value nearest to @p asked with which there is a mesh, between it and @p easiest, by a sixteenth of their
+/// distance; nothing where not even that does.
+template <class Enter>
+std::optional<double> nearest_value(DesignWishes wishes, double asked, double easiest, Enter enter)
+{
+    constexpr int halvings = 4;
+    auto const works = [&](double value) {
+        enter(wishes, value);
+        return has_mesh(wishes);
+    };
+    if (asked == easiest || !works(easiest))
+        return std::nullopt;
+    double refused = asked, accepted = easiest;
+    for (int i = 0; i < halvings; ++i) {
+        double const middle = rounded((refused + accepted) / 2);
+        (works(middle) ? accepted : refused) = middle;
+    }
+    return accepted;
+}
+
+Fault fault_of(char const* option, std::string asked, std::string const& reason, std::string const& nearest)
+{
+    return {option, 0, std::move(asked), reason, "the nearest that works is " + nearest};
+}
+
+Faults nearest_mesh(DesignWishes const& wishes, MeshChoice const& failed)
+{
+    Faults faults;
+    std::string const reason = why(failed);
+    auto const try_between = [&](char const* option, double asked, double easiest, auto enter) {
+        if (auto const value = nearest_value(wishes, asked, easiest, enter))
+            faults.push_back(fault_of(option, short_number(asked), reason, short_number(*value)));
+    };
+    constexpr double accepted_land = 0.2;
+    try_between("--land", wishes.land, std::min(wishes.land, accepted_land),
+                [](DesignWishes& changed, double value) { changed.land = value; });
+    try_between("--clearance", wishes.clearance, 0.0,
+                [](DesignWishes& changed, double value) { changed.clearance = value; });
+    try_between("--safety", wishes.safety, 1.0, [](DesignWishes& changed, double value) { changed.safety = value; });
+    DesignWishes other = wishes;
+    other.family = DesignWishes().family;
+    if (other.family != wishes.family && has_mesh(other))
+        faults.push_back(fault_of("--family", wishes.family, reason, other.family));
+    if (!faults.empty())
+        return faults;
+    for (auto const& [option, value] :
+         {std::pair{"--ratio", wishes.ratio}, std::pair{"--land", wishes.land},
+          std::pair{"--clearance", wishes.clearance}, std::pair{"--safety", wishes.safety}})
+        faults.push_back({option, 0, short_number(value), reason,
+                          "change it together with the others; `hdconj design --ratio 100 --diameter 50` works"});
+    return faults;
+}
+
+/// The torque nearest to the one asked for that the cup of @p failed stands; nothing where a sixteenth is too much.
+std::optional<double> nearest_torque(DesignWishes wishes, MeshedSheet const& failed)
+{
+    WallTrial const& last = failed.walls.back();
+    double const asked = *wishes.torque, allowed = allowed_stress(wishes);
+    if (last.assembled > allowed)
+        return std::nullopt;
+    std::vector<double> candidates;
+    constexpr double margin = 0.95;
+    if (last.loaded > allowed)
+        candidates.push_back(margin * asked * (allowed - last.assembled) / (last.loaded - last.assembled));
+    for (double const share : {0.5, 0.25, 0.125, 0.0625})
+        if (candidates.empty() || share * asked < candidates.front())
+            candidates.push_back(share * asked);
+    for (double const torque : candidates) {
+        constexpr int two = 2;
+        wishes.torque = rounded(torque, two);
+        if (stress_of(failed, wishes).refusal.empty())
+            return wishes.torque;
+    }
+    return std::nullopt;
+}
+
+Faults nearest_load(DesignWishes const& wishes, MeshedSheet const& failed)
+{
+    WallTrial const& last = failed.walls.back();
+    std::string const reason = "with the best wall, " + short_number(last.wall) + " mm: " + last.refusal;
+    Faults faults;
+    if (auto const torque = nearest_torque(wishes, failed))
+        faults.push_back(fault_of("--torque", short_number(*wishes.torque / newton_metre), reason,
+                                  short_number(*torque / newton_metre)));
+    constexpr double hundredths = 100;
+    double const most = std::max(last.assembled, last.loaded);
+    double const safety = std::floor(hundredths * material_of(wishes).fatigue / most) / hundredths;
+    if (most > 0 && safety >= 1 && safety < wishes.safety)
+        faults.push_back(fault_of("--safety", short_number(wishes.safety), reason, short_number(safety)));
+    if (faults.empty())
+        faults.push_back({"--torque", 0, short_number(*wishes.torque / newton_metre), reason,
+                          "write a larger --diameter or a larger --ratio, which bend the wall less"});
+    return faults;
+}
+
+}  // namespace
+
+Faults nearest_wishes(DesignWishes const& wishes, MeshedSheet const& failed)
+{
+    return failed.mesh.best ? nearest_load(wishes, failed) : nearest_mesh(wishes, failed.mesh);
+}
+
+}  // namespace hdconj::design

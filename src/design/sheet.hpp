@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The dimensions of a drive as rows, and the scene that they make.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hdconj/design.hpp"
+
+namespace hdconj::design {
+
+/// @p value with three significant digits, as a drawing has it.
+[[nodiscard]] double rounded(double value, int digits = 3);
+
+/// Dimensions so far; later rows take earlier ones by their symbols.
+class Sheet
+{
+  public:
+    Sheet() = default;
+    explicit Sheet(std::vector<DesignRow> rows) : rows_(std::move(rows)) {}
+
+    void add(DesignRow row) { rows_.push_back(std::move(row)); }
+    [[nodiscard]] std::vector<DesignRow> const& rows() const { return rows_; }
+    /// The value called @p symbol. @throws std::logic_error where there is none
+    [[nodiscard]] double operator[](std::string_view symbol) const;
+
+  private:
+    std::vector<DesignRow> rows_;
+};
+
+/// The scene of the rows with a key, and of @p changes, which take the place of rows of the same key.
+/// @throws InputError with every fault, those of geometry among them
+[[nodiscard]] Scene scene_of(std::vector<DesignRow> const& rows, std::vector<DesignRow> const& changes = {});
+
+/// What follows from the wishes alone: teeth, module, pitch diameter.
+[[nodiscard]] Sheet drive_rows(DesignWishes const& wishes);
+/// The tooth of the family that is asked for.
+void add_tooth_rows(Sheet& sheet, DesignWishes const& wishes);
+/// The body of flexspline, circular spline and bearing. @param wall  of the ring, over the pitch diameter
+void add_body_rows(Sheet& sheet, DesignWishes const& wishes, double wall);
+
+}  // namespace hdconj::design

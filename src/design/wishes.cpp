@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "wishes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/text.hpp"
+#include "hdconj/base/suggest.hpp"
+#include "hdconj/profile/registry.hpp"
+#include "hdconj/units.hpp"
+
+namespace hdconj {
+namespace design {
+namespace {
+
+/// DIN 780-1, both series [mm].
+constexpr std::array standard_modules{0.05, 0.055, 0.06, 0.07, 0.08, 0.09,  0.1,  0.11,  0.12, 0.14, 0.16, 0.18, 0.2,
+                                      0.22, 0.25,  0.28, 0.3,  0.35, 0.4,   0.45, 0.5,   0.55, 0.6,  0.65, 0.7,  0.75,
+                                      0.8,  0.85,  0.9,  0.95, 1.0,  1.125, 1.25, 1.375, 1.5,  1.75, 2.0,  2.25, 2.5,
+                                      2.75, 3.0,   3.5,  4.0,  4.5,  5.0,   5.5,  6.0,   7.0,  8.0,  9.0,  10.0};
+
+double nearest_module(double wanted)
+{
+    return *std::min_element(standard_modules.begin(), standard_modules.end(), [&](double a, double b) {
+        return std::abs(std::log(a / wanted)) < std::abs(std::log(b / wanted));
+    });
+}
+
+class WishFaults
+{
+  public:
+    explicit WishFaults(DesignWishes const& wishes) : wishes_(wishes) {}
+
+    Faults operator()()
+    {
+        ratio();
+        size();
+        within("--length-ratio", wishes_.length_ratio, length_ratios, "a cup's length is 0.2 to 1 pitch diameters");
+        within("--land", wishes_.land, {0, 0.8}, "a tip land is at most half a pitch less the flanks, in modules");
+        within("--safety", wishes_.safety, {1, 10}, "below 1 the cup breaks, above 10 no wall is thin enough");
+        if (wishes_.torque)
+            positive("--torque", *wishes_.torque / newton_metre, "write a torque in N m such as 28");
+        if (!(wishes_.clearance >= 0) || !std::isfinite(wishes_.clearance))
+            fault("--clearance", short_number(wishes_.clearance), "no side clearance", "write 0 or a length in mm");
+        words();
+        return std::move(faults_);
+    }
+
+  private:
+    void fault(std::string path, std::string value, std::string reason, std::string remedy)
+    {
+        faults_.push_back({std::move(path), 0, std::move(value), std::move(reason), std::move(remedy)});
+    }
+    bool positive(char const* path, double value, char const* remedy)
+    {
+        bool const fine = value > 0 && std::isfinite(value);
+        if (!fine)
+            fault(path, short_number(value), "not a number above 0", remedy);
+        return fine;
+    }
+    void within(char const* path, double value, DesignRange const& range, char const* reason)
+    {
+        if (!range.contains(value))
+            fault(path, short_number(value), reason,
+                  "the nearest that works is " + short_number(value > range.high ? range.high : range.low));
+    }
+    void ratio()
+    {
+        std::size_t const before = faults_.size();
+        within("--ratio", wishes_.ratio, ratios, "one stage has a ratio from 30 to 320");
+        has_ratio_ = faults_.size() == before;
+        if (has_ratio_ && wishes_.ratio != std::round(wishes_.ratio))
+            fault("--ratio", short_number(wishes_.ratio),
+                  "two waves need even numbers of teeth, z_f = 2 i and z_c = z_f + 2, so that i is a whole number",
+                  "the nearest that works is " + short_number(std::round(wishes_.ratio)));
+    }
+    void size()
+    {
+        constexpr DesignRange diameters{10, 400}, modules{0.05, 10};  // [mm]
+        if (!wishes_.diameter && !wishes_.module)
+            return fault("--diameter", "", "neither a pitch diameter nor a module is given",
+                         "write --diameter 50, or --module 0.25");
+        bool const has_diameter =
+            wishes_.diameter && positive("--diameter", *wishes_.diameter, "write a length in mm such as 50");
+        bool const has_module =
+            wishes_.module && positive("--module", *wishes_.module, "write a length in mm such as 0.25");
+        if (has_diameter)
+            within("--diameter", *wishes_.diameter, diameters, "the rules hold for pitch diameters from 10 to 400 mm");
+        if (has_module)
+            within("--module", *wishes_.module, modules, "standard modules run from 0.05 to 10 mm");
+        if (!has_ratio_)
+            return;
+        int const teeth = teeth_of(wishes_);
+        if (has_module && has_diameter && !agree(*wishes_.module * teeth, *wishes_.diameter))
+            fault("--module", short_number(*wishes_.module),
+                  "d_r = m z_f would be " + short_number(*wishes_.module * teeth) + " mm with " +
+                      std::to_string(teeth) + " teeth, but --diameter is " + short_number(*wishes_.diameter),
+                  "the nearest that works is --module " + short_number(*wishes_.diameter / teeth) + ", or --diameter " +
+                      short_number(*wishes_.module * teeth) + ", or leave one of them out");
+        else if (has_module && !has_diameter && !diameters.contains(*wishes_.module * teeth))
+            fault("--module", short_number(*wishes_.module),
+                  "d_r = m z_f would be " + short_number(*wishes_.module * teeth) +
+                      " mm, and the rules hold from 10 to 400 mm",
+                  "the nearest that works is " +
+                      short_number(std::clamp(*wishes_.module * teeth, diameters.low, diameters.high) / teeth));
+        else if (has_diameter && !has_module && diameters.contains(*wishes_.diameter) &&
+                 !modules.contains(*wishes_.diameter / teeth))
+            fault("--diameter", short_number(*wishes_.diameter),
+                  "the module d_r/z_f would be " + short_number(*wishes_.diameter / teeth) +
+                      " mm, and standard ones run from 0.05 mm on",
+                  "the nearest that works is " + short_number(modules.low * teeth));
+    }
+    void words()
+    {
+        std::vector<std::string_view> families, materials;
+        for (auto const& family : profile::profile_families())
+            if (family.name != "points")
+                families.push_back(family.name);
+        for (auto const& material : flexspline_materials())
+            materials.push_back(material.name);
+        if (wishes_.family == "points")
+            fault("--family", wishes_.family, "points come from a measured tooth, and no rule gives them",
+                  "write --family b-spline, a tooth by points of the scene");
+        else
+            one_of("--family", wishes_.family, families);
+        one_of("--material", wishes_.material, materials);
+    }
+    void one_of(char const* path, std::string const& word, std::vector<std::string_view> const& words)
+    {
+        if (std::find(words.begin(), words.end(), word) != words.end())
+            return;
+        auto const meant = nearest(word, words);
+        fault(path, printable(word), "not known: there is " + plain_list(words),
+              "write " + std::string(meant.value_or(words.front())));
+    }
+
+    DesignWishes const& wishes_;
+    Faults faults_;
+    bool has_ratio_ = false;
+};
+
+}  // namespace
+
+std::vector<Material> const& flexspline_materials()
+{
+    static std::vector<Material> const materials{
+        {"30CrMnSiA", 1800, 1600, 670, 206e3, 0.3, "thesis 3.3 and Table 4-2"}};
+    return materials;
+}
+
+Material const& spline_material()
+{
+    static constexpr Material steel_45{"45", 700, 500, 340, 210e3, 0.31, "thesis 3.3 and Table 4-3"};
+    return steel_45;
+}
+
+Material const& material_of(DesignWishes const& wishes)
+{
+    auto const& all = flexspline_materials();
+    return *std::find_if(all.begin(), all.end(), [&](Material const& each) { return each.name == wishes.material; });
+}
+
+bool agree(double a, double b)
+{
+    constexpr double resolved = 1e-6;  // of numbers with six digits
+    return std::abs(a - b) <= resolved * std::abs(b);
+}
+
+double allowed_stress(DesignWishes const& wishes)
+{
+    return material_of(wishes).fatigue / wishes.safety;
+}
+
+int teeth_of(DesignWishes const& wishes)
+{
+    return static_cast<int>(std::lround(wishes.ratio)) * waves;
+}
+
+double module_of(DesignWishes const& wishes)
+{
+    return wishes.module ? *wishes.module : nearest_module(*wishes.diameter / teeth_of(wishes));
+}
+
+}  // namespace design
+
+Faults check_design(DesignWishes const& wishes)
+{
+    return design::WishFaults(wishes)();
+}
+
+}  // namespace hdconj

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Seeded wishes of a designer: each gives a scene that solve, contact and load take, or a refusal that names a wish.
+#include <array>
+#include <cmath>
+
+#include "hdconj/contact.hpp"
+#include "hdconj/design_files.hpp"
+#include "hdconj/load.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/solve.hpp"
+#include "support/catch.hpp"
+#include "support/draws.hpp"
+
+namespace hdconj::test::design_wishes_cases {
+namespace {
+
+DesignWishes drawn(unsigned seed)
+{
+    constexpr std::array families{"double-circular-arc", "straight", "involute", "cycloid", "s-tooth",
+                                  "arc-chain",           "bezier",   "b-spline"};
+    designs::Draws draws(seed);
+    DesignWishes wishes;
+    wishes.ratio = draws.whole(30, 320);
+    wishes.diameter = draws.between(20, 200);
+    wishes.length_ratio = draws.between(0.2, 1);
+    wishes.family = families.at(seed % families.size());
+    if (draws.chance(0.3))
+        wishes.clearance = draws.between(0, 0.2) * *wishes.diameter / (2 * wishes.ratio);
+    if (draws.chance(0.3))
+        wishes.land = draws.between(0.2, 0.8);
+    if (draws.chance(0.3))
+        wishes.safety = draws.between(1.5, 3);
+    return wishes;
+}
+
+/// A torque that such a cup carries: half of type-50's 28 N m at its diameter, which grows with the volume.
+double usual_torque(Scene const& scene)
+{
+    double const scale = scene.drive.module * scene.drive.flexspline_teeth / 50;
+    return 14 * newton_metre * scale * scale * scale;
+}
+
+/// What solve, contact and, if @p loaded, load make of @p design.
+void check_design_works(Design const& design, bool loaded)
+{
+    Scene const scene = parse_scene(scene_text(design), "designed");
+    Solution const solution = solve(scene);
+    CHECK(warnings_of(solution.judgement) == 0);
+    CHECK(solution.certificate.certified());
+    CHECK_FALSE(study_contact(scene).cases.empty());
+    if (!loaded)
+        return;
+    LoadOptions options;
+    options.curve = false;
+    options.torque = usual_torque(scene);
+    CHECK(study_load(scene, options).cup.largest_stress > 0);
+}
+
+/// Designs with the seeds below @p count, every @p loaded_each -th with a load.
+/// @return how many were designed
+int designed(unsigned count, unsigned loaded_each)
+{
+    int made = 0;
+    for (unsigned seed = 0; seed < count; ++seed) {
+        INFO("seed " << seed);
+        std::optional<Design> design;
+        try {
+            design = design_drive(drawn(seed));
+        } catch (InputError const& error) {
+            INFO(error.what());
+            for (Fault const& fault : error.faults()) {
+                CHECK(fault.path.starts_with("--"));
+                CHECK_FALSE(fault.remedy.empty());
+            }
+        }
+        if (design)
+            check_design_works(*design, seed % loaded_each == 0);
+        made += design ? 1 : 0;
+    }
+    return made;
+}
+
+}  // namespace
+
+TEST_CASE("wishes give a scene that solve, contact and load take, or a refusal that names one", "[design]")
+{
+    constexpr unsigned wishes = 12, loaded_each = 6;
+    CHECK(designed(wishes, loaded_each) >= 9);
+}
+
+TEST_CASE("the same of two hundred wishes", "[.][design-of-200]")
+{
+    constexpr unsigned wishes = 200, loaded_each = 5;
+    CHECK(designed(wishes, loaded_each) >= 120);
+}
+
+TEST_CASE("the nearest side clearance that is named works, and the asked one does not", "[design]")
+{
+    for (char const* const family : {"double-circular-arc", "s-tooth"}) {
+        DesignWishes wishes;
+        wishes.diameter = 50;
+        wishes.family = family;
+        wishes.clearance = 0.15;
+        std::string remedy;
+        try {
+            (void)design_drive(wishes);
+        } catch (InputError const& error) {
+            for (Fault const& fault : error.faults())
+                if (fault.path == "--clearance")
+                    remedy = fault.remedy;
+        }
+        INFO(family << ": " << remedy);
+        REQUIRE_FALSE(remedy.empty());
+        wishes.clearance = std::stod(remedy.substr(remedy.rfind(' ')));
+        CHECK(wishes.clearance > 0);
+        CHECK_NOTHROW(design_drive(wishes));
+    }
+}
+
+TEST_CASE("with a torque the wall keeps the safety, and a larger torque is refused with one that works", "[design]")
+{
+    DesignWishes wishes;
+    wishes.diameter = 50;
+    wishes.torque = 28 * newton_metre;
+    Design const made = design_drive(wishes);
+    REQUIRE_FALSE(made.walls.empty());
+    // the wall's stress is what load says of the scene
+    LoadOptions options;
+    options.curve = false;
+    LoadStudy const study = study_load(parse_scene(scene_text(made), "designed"), options);
+    double const stress = study.cases.front().curve.back().largest_stress;
+    CHECK(stress == made.walls.back().loaded);
+    CHECK(stress <= 670 / wishes.safety);
+    wishes.torque = 100 * newton_metre;
+    try {
+        (void)design_drive(wishes);
+        FAIL("100 N m are too much for this cup");
+    } catch (InputError const& error) {
+        REQUIRE(error.faults().front().path == "--torque");
+        std::string const remedy = error.faults().front().remedy;
+        wishes.torque = std::stod(remedy.substr(remedy.rfind(' '))) * newton_metre;
+        CHECK(*wishes.torque > 28 * newton_metre);
+        CHECK_NOTHROW(design_drive(wishes));
+    }
+}
+
+}  // namespace hdconj::test::design_wishes_cases

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A drive from wishes: rules, the scene, what is printed.
+#include "hdconj/design.hpp"
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "hdconj/design_files.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/solve.hpp"
+#include "support/catch.hpp"
+
+namespace hdconj::test::design_cases {
+namespace {
+
+DesignWishes type_50()
+{
+    DesignWishes wishes;
+    wishes.ratio = 100;
+    wishes.diameter = 50;
+    wishes.length_ratio = 0.3;
+    return wishes;
+}
+
+Design const& designed_50()
+{
+    static Design const design = design_drive(type_50());
+    return design;
+}
+
+/// The value called @p symbol.
+double value(Design const& design, std::string_view symbol)
+{
+    for (auto const& row : design.rows)
+        if (row.symbol == symbol)
+            return row.number();
+    FAIL("no row is called " << symbol);
+    return 0;
+}
+
+}  // namespace
+
+TEST_CASE("the wishes of type-50 make its teeth, its wave generator and its tip circle", "[design]")
+{
+    Scene const& scene = designed_50().scene;
+    Scene const there = builtin_scene();
+    CHECK(scene.drive.module == there.drive.module);
+    CHECK(scene.drive.flexspline_teeth == there.drive.flexspline_teeth);
+    CHECK(scene.drive.circular_spline_teeth == there.drive.circular_spline_teeth);
+    for (auto const& [key, parameter] : there.flexspline.profile.given)
+        CHECK(scene.flexspline.profile.given.at(key).value == parameter.value);
+    CHECK(scene.wave_generator.shape.number("radial_deformation") ==
+          there.wave_generator.shape.number("radial_deformation"));
+    CHECK(scene.circular_spline.inner_radius == there.circular_spline.inner_radius);
+    CHECK(scene.flexspline.wall == there.flexspline.wall);
+    CHECK(scene.flexspline.cup->length == there.flexspline.cup->length);
+    CHECK(scene.flexspline.cup->tooth_width == there.flexspline.cup->tooth_width);
+}
+
+TEST_CASE("what a design differs in from type-50 is named with its rule", "[design]")
+{
+    std::vector<std::string> keys;
+    for (auto const& each : differences(designed_50(), builtin_scene())) {
+        CHECK_FALSE(each.why.empty());
+        keys.push_back(each.key);
+    }
+    CHECK(keys == std::vector<std::string>{"flexspline.cup.bottom", "flexspline.cup.front_fillet",
+                                           "flexspline.cup.rear_fillet", "flexspline.cup.corner_radius",
+                                           "flexspline.cup.front_ramp", "flexspline.cup.rear_ramp", "load.torque",
+                                           "wedm.spark_gap", "wedm.wire_diameter"});
+    CHECK(differences(designed_50(), designed_50().scene).empty());
+}
+
+TEST_CASE("the rules that the thesis breaks are named", "[design]")
+{
+    std::string all;
+    for (auto const& remark : designed_50().remarks)
+        all += remark + "\n";
+    for (char const* const symbol : {"l_f:", "delta_2:", "L_2:", "R_3:", "t:", "d_2:", "d_rn:", "b_g:"})
+        CHECK_THAT(all, ContainsSubstring(symbol));
+}
+
+TEST_CASE("dimensions of a design obey the thesis' equations", "[design]")
+{
+    Design const& made = designed_50();
+    // (4-1), (4-2), Table 4-1 by hand
+    CHECK(value(made, "z_f") == 100 * 2);
+    CHECK(value(made, "z_c") == 200 * (1 + 1. / 100));
+    CHECK(value(made, "d_r") == 0.25 * 200);
+    CHECK(value(made, "d_rn") == 47.994);  // 50 - 2 * 0.303 - 2 * 0.7
+    CHECK(value(made, "d_gw") >= 1.4 * 50);
+    for (auto const& row : made.rows)
+        if (row.range && row.origin == DesignOrigin::rule) {
+            INFO(row.symbol);
+            CHECK(row.range->contains(row.number()));
+        }
+}
+
+TEST_CASE("the page of design rules states the rules of the program", "[design]")
+{
+    std::ifstream file(HDCONJ_SOURCE_DIR "/docs/reference/design.md");
+    std::string const page{std::istreambuf_iterator<char>(file), {}};
+    int stated = 0;
+    for (auto const& row : designed_50().rows)
+        if (row.range && row.origin != DesignOrigin::figure && row.source.starts_with("thesis")) {
+            INFO(row.symbol);
+            std::string const rule = row.symbol == "d_gw" ? "at least 1.4 d_r" : row.rule;
+            CHECK_THAT(page, ContainsSubstring("| " + row.symbol + " | " + row.name + " | " + rule + " |"));
+            ++stated;
+        }
+    CHECK(stated == 12);
+}
+
+TEST_CASE("ready drives keep the rules and solve without a note", "[design]")
+{
+    for (auto const& each : ready_drives()) {
+        Design const made = design_drive(ready_wishes(each.name));
+        INFO(each.name);
+        CHECK(made.scene.drive.name == each.name);
+        CHECK(solve(made.scene).judgement.empty());
+        for (auto const& row : made.rows)
+            if (row.origin == DesignOrigin::limited)  // a cup half as long as its diameter leaves the rules alone
+                CHECK(row.key == "flexspline.profile.concave_offset");
+    }
+    CHECK_THROWS_AS(ready_wishes("size-21"), std::logic_error);
+}
+
+TEST_CASE("the scene of a design read back is the same scene", "[design]")
+{
+    Scene const again = parse_scene(scene_text(designed_50()), "designed");
+    Design other = designed_50();
+    CHECK(differences(other, again).empty());
+    CHECK(again.given.size() == designed_50().scene.given.size());
+    // every key has a comment
+    std::istringstream lines(scene_text(designed_50()));
+    for (std::string line; std::getline(lines, line);)
+        CHECK((line.find(" = ") == std::string::npos || line.find('#') != std::string::npos));
+}
+
+TEST_CASE("every family's tooth is read back to the last digit", "[design]")
+{
+    for (char const* const family : {"straight", "cycloid", "s-tooth", "arc-chain", "bezier", "b-spline"}) {
+        DesignWishes wishes = type_50();
+        wishes.family = family;
+        wishes.module = 0.23;
+        wishes.diameter.reset();
+        Design const made = design_drive(wishes);
+        Scene const again = parse_scene(scene_text(made), "designed");
+        INFO(family);
+        CHECK(differences(made, again).empty());
+        for (auto const& [key, parameter] : made.scene.flexspline.profile.given)
+            CHECK(again.flexspline.profile.given.at(key).value == parameter.value);
+    }
+}
+
+TEST_CASE("text and JSON of a design say the same", "[design]")
+{
+    Design const& made = designed_50();
+    std::string const text = summary_text(made);
+    auto const json = nlohmann::json::parse(summary_json(made));
+    REQUIRE(json["rows"].size() == made.rows.size());
+    for (std::size_t i = 0; i < made.rows.size(); ++i) {
+        auto const& row = json["rows"][i];
+        CHECK_THAT(text, ContainsSubstring(row["name"].get<std::string>()) &&
+                             ContainsSubstring(row["rule"].get<std::string>()));
+        if (row["value"].is_number())
+            CHECK(row["value"].get<double>() == made.rows[i].number());
+    }
+    CHECK(json["mesh"].size() == made.mesh.size());
+}
+
+TEST_CASE("a module that no standard has is taken where it is asked for", "[design]")
+{
+    DesignWishes wishes = type_50();
+    wishes.diameter = 47;
+    Design const nearest = design_drive(wishes);
+    CHECK(nearest.scene.drive.module == 0.25);
+    REQUIRE_FALSE(nearest.remarks.empty());
+    CHECK_THAT(nearest.remarks.front(), ContainsSubstring("--module 0.235"));
+    wishes.module = 0.235;
+    CHECK(design_drive(wishes).scene.drive.module == 0.235);
+}
+
+TEST_CASE("wishes that no design meets are all named with the nearest that works", "[design]")
+{
+    DesignWishes wishes = type_50();
+    wishes.ratio = 100.4;
+    wishes.length_ratio = 0.1;
+    wishes.family = "involut";
+    Faults const faults = check_design(wishes);
+    REQUIRE(faults.size() == 3);
+    CHECK_THAT(faults[0].remedy, ContainsSubstring("100"));
+    CHECK_THAT(faults[1].remedy, ContainsSubstring("0.2"));
+    CHECK_THAT(faults[2].remedy, ContainsSubstring("involute"));
+    wishes = type_50();
+    wishes.clearance = 0.2;  // nearly a module: no land is left
+    try {
+        (void)design_drive(wishes);
+        FAIL("such a side clearance leaves no land");
+    } catch (InputError const& error) {
+        REQUIRE(error.faults().size() == 1);
+        CHECK(error.faults().front().path == "--clearance");
+    }
+}
+
+}  // namespace hdconj::test::design_cases
