@@ -43,7 +43,7 @@ _hdconj()
         wedm) options="$common --strict --part --tilt --output --from --dialect --decimals --picture" ;;
         accuracy)
             options="$common --study --output --sample --repeats --quick --from --budget --error --page" ;;
-        inspect) options="$common --part --plane --probe --register --deviations" ;;
+        inspect) options="$common --part --plane --probe --register --deviations --output --picture --as-tooth" ;;
         export) options="$common --calculix --contact --vtu --steps" ;;
     esac
     case $current in

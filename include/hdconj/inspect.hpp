@@ -73,7 +73,8 @@ struct PointReading
 };
 
 /// Reads measured points: a CSV file whose first line names the columns x, y and, where they are known, z, tooth and
-/// flank (left, right). Lengths are in mm unless a heading says otherwise: "x [inch]".
+/// flank (left, right). Lengths are in mm unless a heading says otherwise: "x [inch]". Or a DXF file (ending .dxf): its
+/// points and the vertices of its polylines.
 [[nodiscard]] PointReading examine_points(std::filesystem::path const& file);
 
 /// What is asked of an inspection.
@@ -199,23 +200,23 @@ struct PartPlacement
 /// Result of inspect_points().
 struct Inspection
 {
-    Scene scene;                           ///< of the drive
-    InspectOptions options;                ///< as asked
-    std::string file;                      ///< of the points
-    std::vector<NominalFigures> nominal;   ///< by plane
-    PartPlacement placement;               ///< of the part
-    double noise = 0;                      ///< standard deviation of a point, from second differences along the flanks
-    double freedom = 0;                    ///< degrees of freedom of that estimate; 0: no estimate
-    std::vector<PointDeviation> points;    ///< every point of the planes, in the order of the file
-    std::vector<FlankFigures> flanks;      ///< by plane, tooth, left before right
-    std::vector<ToothFigures> teeth;       ///< by plane and tooth
-    std::vector<SideFigures> sides;        ///< by plane, left before right
-    std::vector<PlaneFigures> planes;      ///< those with a tooth of two flanks
-    std::vector<std::vector<Vec2>> tooth;  ///< in the first plane: mean flanks, left and right, of the measured part,
-                                           ///< from root to tip, in the frame of a tooth, y from its pitch line
-    std::size_t beside = 0;                ///< points on no flank
-    std::size_t strays = 0;                ///< points left out
-    std::vector<std::string> notes;        ///< what a reader should know
+    Scene scene;                          ///< of the drive
+    InspectOptions options;               ///< as asked
+    std::string file;                     ///< of the points
+    std::vector<NominalFigures> nominal;  ///< by plane
+    PartPlacement placement;              ///< of the part
+    double noise = 0;                     ///< standard deviation of a point, from second differences along the flanks
+    double freedom = 0;                   ///< degrees of freedom of that estimate; 0: no estimate
+    std::vector<PointDeviation> points;   ///< every point of the planes, in the order of the file
+    std::vector<FlankFigures> flanks;     ///< by plane, tooth, left before right
+    std::vector<ToothFigures> teeth;      ///< by plane and tooth
+    std::vector<SideFigures> sides;       ///< by plane, left before right
+    std::vector<PlaneFigures> planes;     ///< those with a tooth of two flanks
+    std::vector<Vec2> mean_flank;    ///< of the flexspline's teeth in the first plane: right flank from tip to root,
+                                     ///< y from the pitch line; empty where a side has no flank
+    std::size_t beside = 0;          ///< points on no flank
+    std::size_t strays = 0;          ///< points left out
+    std::vector<std::string> notes;  ///< what a reader should know
 };
 
 /// Lays @p measured on the nominal outline of a part and evaluates its flanks, their pitch, runout and thickness.

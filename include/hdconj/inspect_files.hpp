@@ -23,4 +23,20 @@ namespace hdconj {
 /// @throws FileError where it cannot be written
 void write_deviations(Inspection const& inspection, std::filesystem::path const& file);
 
+/// All figures and points, layout in docs/reference/hdf5.md.
+/// @throws FileError where it cannot be written
+void write_hdf5(Inspection const& inspection, std::filesystem::path const& file);
+
+/// The chart, one page: deviations along the flanks, positions and radial shifts round the ring. NAME.svg or NAME.png,
+/// drawn by gnuplot.
+void write_chart(Inspection const& inspection, std::filesystem::path const& file);
+
+/// The file of points that write_measured_tooth() writes beside @p scene_file: NAME-tooth.csv.
+[[nodiscard]] std::filesystem::path measured_tooth_points(std::filesystem::path const& scene_file);
+
+/// The scene with the mean measured tooth in place of its own: family "points", with the points beside it. For `solve`,
+/// `contact` and `load`.
+/// @throws FileError where there is no mean tooth, or a file cannot be written
+void write_measured_tooth(Inspection const& inspection, std::filesystem::path const& scene_file);
+
 }  // namespace hdconj

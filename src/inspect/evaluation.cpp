@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "base/text.hpp"
+#include "mean_flank.hpp"
 #include "registration.hpp"
 #include "ring_figures.hpp"
 
@@ -276,6 +277,8 @@ Inspection evaluated(Scene const& scene, NominalPart const& part, std::vector<do
     result.teeth = tooth_figures(data, intervals);
     result.sides = side_figures(data, result.flanks, intervals);
     result.planes = plane_figures(data, intervals);
+    if (!part.space)
+        result.mean_flank = mean_flank(data, part.pitch_line);
     add_notes(result, groups_of(on.points, found.views, found.used).size());
     return result;
 }

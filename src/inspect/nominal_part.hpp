@@ -26,9 +26,10 @@ struct NominalPlane
 struct NominalPart
 {
     int teeth = 0;
-    bool space = false;  ///< whether the flanks bound a tooth space
-    double seat = 0;     ///< from the axis to the origin of a tooth's frame [mm]
-    double scale = 0;    ///< largest radius [mm]
+    bool space = false;     ///< whether the flanks bound a tooth space
+    double seat = 0;        ///< from the axis to the origin of a tooth's frame [mm]
+    double pitch_line = 0;  ///< of a tooth of the flexspline, in its frame [mm]
+    double scale = 0;       ///< largest radius [mm]
     std::vector<NominalPlane> planes;
 
     [[nodiscard]] double pitch() const;  ///< angle from tooth to tooth [rad]

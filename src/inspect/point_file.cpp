@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/text.hpp"
+#include "dxf_points.hpp"
 #include "file/csv.hpp"
 #include "hdconj/inspect.hpp"
 #include "point_columns.hpp"
@@ -106,21 +107,12 @@ bool add_point_of_line(PointColumns const& columns, PointLine const& line, Point
     double const x = length_in(line, columns.x), y = length_in(line, columns.y);
     measured.points.push_back({Vec2(x, y), length_in(line, columns.z), tooth_in(line, columns.tooth),
                                flank_in(line, columns.flank), line.number});
-    if (measured.points.size() > most_part_points) {
-        line.faults.push_back(point_file_fault(line.file, fmt::format("holds more than {} points", most_part_points),
-                                               "keep every tenth point or so"));
-        return false;
-    }
-    return line.faults.size() < most_point_faults;
+    return line.faults.size() < most_point_faults && measured.points.size() <= most_part_points;
 }
 
-}  // namespace
-
-PointReading examine_points(std::filesystem::path const& file)
+std::optional<file::Unreadable> read_csv_points(std::filesystem::path const& file, PointReading& result)
 {
-    PointReading result;
     PointFile& measured = result.measured;
-    measured.file = file.string();
     std::optional<PointColumns> columns;
     auto const unreadable = file::read_csv(file, largest_point_file, [&](std::string_view text, int number) {
         if (!columns) {
@@ -131,12 +123,30 @@ PointReading examine_points(std::filesystem::path const& file)
         PointLine const line{file::fields_of(text, columns->separator), number, measured.file, result.faults};
         return add_point_of_line(*columns, line, measured);
     });
-    if (unreadable)
-        result.faults.push_back(fault_of_points(*unreadable, measured.file));
-    else if (result.faults.empty() && measured.points.empty())
+    if (!unreadable && result.faults.empty() && measured.points.empty())
         result.faults.push_back(point_file_fault(measured.file,
                                                  columns ? "has a header and no points" : "has no header and no points",
                                                  columns ? "write one point a line" : inspect::first_line));
+    return unreadable;
+}
+
+}  // namespace
+
+PointReading examine_points(std::filesystem::path const& file)
+{
+    PointReading result;
+    PointFile const& measured = result.measured;
+    result.measured.file = file.string();
+    bool const drawing = file::lower_case(file.extension().string()) == ".dxf";
+    auto const unreadable = drawing ? inspect::read_dxf_points(file, result) : read_csv_points(file, result);
+    if (unreadable)
+        result.faults.push_back(fault_of_points(*unreadable, measured.file));
+    else if (result.faults.empty() && measured.points.empty())
+        result.faults.push_back(point_file_fault(measured.file, "has no POINT and no polyline",
+                                                 "draw the points as points or as vertices of a polyline"));
+    else if (measured.points.size() > most_part_points)
+        result.faults.push_back(point_file_fault(
+            measured.file, fmt::format("holds more than {} points", most_part_points), "keep every tenth point or so"));
     return result;
 }
 

@@ -5,11 +5,14 @@
 #include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hdconj/base/rigid_motion.hpp"
 
 namespace hdconj::inspect {
 namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 double position_of(RingData const& data, FlankFit const& fit)
 {
@@ -78,8 +81,11 @@ void add_eccentricity(PlaneFigures& plane, std::vector<Candidate> const& radial,
     }
     Eigen::ColPivHouseholderQR<Eigen::MatrixX3d> qr(basis);
     qr.setThreshold(least_spread);
-    if (radial.size() < fewest_teeth || qr.rank() < 3)
+    if (radial.size() < fewest_teeth || qr.rank() < 3) {
+        plane.eccentricity = {unknown, unknown};
+        plane.direction = unknown;
         return;
+    }
     Eigen::Vector3d const harmonic = qr.solve(value);
     Eigen::Matrix3d const inverse = (basis.transpose() * basis).inverse();
     double const size = harmonic.tail<2>().norm();
@@ -148,8 +154,10 @@ SideFigures figures_of_side(RingData const& data, std::vector<FlankFigures> cons
     found.crowning = mean_of(crownings, crowning_variance, intervals);
     auto const pitches = pitches_of(data, side);
     found.pitches = pitches.size();
-    if (pitches.empty())
+    if (pitches.empty()) {
+        found.single_pitch = found.total_pitch = {unknown, unknown};
         return found;
+    }
     LargestFigure const single = largest_of(pitches, intervals);
     FigureRange const whole = range_of(positions, intervals);
     found.single_pitch = single.figure;

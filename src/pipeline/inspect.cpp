@@ -74,6 +74,7 @@ void add_flexspline_planes(NominalPart& part, Scene const& scene, std::vector<do
     Faults faults;
     profile::Profile const tooth = drive::given_tooth(scene, faults);
     part.seat = drive::ring_geometry(scene, tooth).r_m;
+    part.pitch_line = tooth.pitch_line;
     for (std::size_t i = 0; i < z.size(); ++i)
         part.planes.push_back(inspect::plane_of_profile(tooth, part.seat));
 }

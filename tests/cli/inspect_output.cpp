@@ -5,6 +5,7 @@
 
 #include "bad_commands.hpp"
 #include "support/not_tried.hpp"
+#include "support/read_hdf5.hpp"
 
 namespace hdconj::test::inspect_output_cases {
 
@@ -71,6 +72,34 @@ TEST_CASE("inspect with one thread and with two prints the same bits", "[inspect
     CHECK(one.out == hdconj_run("inspect " + ring + "--probe 0.05 --json --threads 2").out);
 }
 
+TEST_CASE("inspect writes result, chart and a scene of the measured tooth that solve takes", "[inspect]")
+{
+    TemporaryFolder const folder;
+    bool const draws = !is_missing("gnuplot");
+    auto const done = hdconj_run("inspect " + type50 + ring + "--probe 0.05 --json -o a.h5 --as-tooth cut.toml" +
+                                     (draws ? " --picture a.svg" : ""),
+                                 folder.path());
+    INFO(done.err);
+    REQUIRE(done.status == 0);
+    auto const found = json::parse(done.out);
+    auto const file = open_file(folder / "a.h5");
+    auto const slopes = read(file, "/inspection/flanks/profile_slope").values;
+    REQUIRE(slopes.size() == found.at("flanks").size());
+    for (std::size_t i = 0; i < slopes.size(); ++i)
+        CHECK(slopes[i] * 1e3 == Approx(found.at("flanks")[i].at("profile_slope_um").get<double>()).margin(1e-9));
+    CHECK(read(file, "/inspection/points/deviation").values.size() == 448);
+    if (draws)
+        CHECK_THAT(content(folder / "a.svg"), ContainsSubstring("</svg>") && ContainsSubstring("runout"));
+    CHECK(std::filesystem::exists(folder / "cut-tooth.csv"));
+    auto const solved = hdconj_run("solve cut.toml --json -o cut.h5", folder.path());
+    INFO(solved.err);
+    REQUIRE(solved.status == 0);
+    // a cut tooth that is some micrometres off makes a space that is as much off
+    auto const nominal = hdconj_run("solve " + type50 + "--json -o b.h5", folder.path());
+    double const depth = json::parse(solved.out).at("geometry").at("space_depth_mm");
+    CHECK(std::abs(depth - json::parse(nominal.out).at("geometry").at("space_depth_mm").get<double>()) < 0.01);
+}
+
 TEST_CASE("inspect refuses what it cannot follow", "[inspect]")
 {
     TemporaryFolder const folder;
@@ -98,6 +127,11 @@ TEST_CASE("inspect refuses what it cannot follow", "[inspect]")
         {"two.csv --deviations -", "--deviations", "do not go to standard output", "a file name"},
         {"two.csv --deviations no/d.csv", "no/d.csv", "", "", 1},
         {"two.csv --set flexspline.wall=-1", "flexspline.wall", "-1", "write"},
+        {"two.csv --as-tooth no/t.toml", "no/t.toml", "", "", 1},
+        {"two.csv --part circular-spline --as-tooth t.toml", "--as-tooth", "only a flexspline", "leave it out"},
+        {"two.csv --as-tooth two.toml --deviations two-tooth.csv", "--deviations", "is written by --as-tooth",
+         "another"},
+        {"two.csv --picture a.pdf", "--picture", "only .svg and .png", "NAME.svg"},
         {"two.csv --regster turn", "--regster", "", "--register"}};
     for (auto const& row : table)
         check_refused("inspect", row, folder);

@@ -56,6 +56,11 @@ TEST_CASE("CSV profiles: stored inputs of the fuzzer", "[fuzz]")
     replay("csv_profile", fuzz::csv_profile);
 }
 
+TEST_CASE("measured points: stored inputs of the fuzzer", "[fuzz]")
+{
+    replay("point_file", fuzz::point_file);
+}
+
 TEST_CASE("scene to solution: stored inputs of the fuzzer", "[fuzz]")
 {
     replay("scene_solve", fuzz::scene_solve);

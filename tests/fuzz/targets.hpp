@@ -30,6 +30,9 @@ void scene_text(Bytes input);
 /// and then the file. The family is built, nothing is solved.
 void csv_profile(Bytes input);
 
+/// A file of measured points, as CSV and as DXF: read, and laid on the built-in flexspline by each registration.
+void point_file(Bytes input);
+
 /// A drive (drive_text.hpp) through `solve`.
 void scene_solve(Bytes input);
 

@@ -100,6 +100,44 @@ TEST_CASE("a bad file of points is refused with place, reason and remedy", "[ins
     CHECK_THAT(describe(examine_points("no such file").faults), ContainsSubstring("cannot be read"));
 }
 
+TEST_CASE("points and polylines of a drawing are read, in the unit of the drawing", "[inspect]")
+{
+    TemporaryFolder const folder;
+    auto const read_drawing = [&](std::string const& text) {
+        write(folder / "points.DXF", text);
+        return examine_points(folder / "points.DXF");
+    };
+    std::string const head = "0\nSECTION\n2\nHEADER\n9\n$INSUNITS\n70\n1\n0\nENDSEC\n0\nSECTION\n2\nENTITIES\n";
+    auto const found = read_drawing(head +
+                                    "0\nPOINT\n8\n\n10\n1\n20\n2\n30\n0\n0\nLINE\n10\n7\n20\n7\n11\n8\n21\n8\n"
+                                    "0\nPOLYLINE\n66\n1\n10\n9\n20\n9\n0\nVERTEX\n10\n3\n20\n4\n0\nSEQEND\n"
+                                    "0\nLWPOLYLINE\n38\n0.1\n10\n5\n20\n6\n10\n7\n20\n8\n0\nENDSEC\n0\nEOF\n");
+    REQUIRE(found.faults.empty());
+    REQUIRE(found.measured.points.size() == 4);
+    double next = 1;
+    for (PartPoint const& point : found.measured.points) {
+        CHECK((point.where - 25.4 * Vec2(next, next + 1)).norm() < 1e-12);
+        next += 2;
+    }
+    CHECK(found.measured.has_z);
+    CHECK(found.measured.points[1].z == 0);
+    CHECK(found.measured.points[3].z == Approx(2.54));
+
+    std::string const begin = "0\nSECTION\n2\nENTITIES\n0\nPOINT\n10\n";
+    for (auto const& [text, reason] :
+         std::vector<std::pair<std::string, std::string>>{{"", "no POINT and no polyline"},
+                                                          {"0\nEOF\n", "no POINT and no polyline"},
+                                                          {"x\n0\n", "is no group code"},
+                                                          {begin + "one\n", "is no finite number"},
+                                                          {begin + "1e9\n", "is no coordinate of a gear"},
+                                                          {"9\n$INSUNITS\n70\n20\n", "is no $INSUNITS of a gear"}}) {
+        CAPTURE(text);
+        auto const refused = read_drawing(text);
+        REQUIRE_FALSE(refused.faults.empty());
+        CHECK_THAT(describe(refused.faults), ContainsSubstring(reason));
+    }
+}
+
 TEST_CASE("one report holds every fault of a file of points, up to twenty", "[inspect]")
 {
     std::string text = "x,y\n";
