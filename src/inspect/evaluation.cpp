@@ -18,8 +18,6 @@
 namespace hdconj::inspect {
 namespace {
 
-/// Heights that differ by less are one plane [mm]: a probe's path is no plane to the last micrometre.
-constexpr double plane_thickness = 0.02;
 /// Registrations, the later ones without the strays that the fits before have found.
 constexpr int most_rounds = 4;
 
@@ -202,8 +200,28 @@ void add_nominal(Inspection& result, NominalPart const& part, std::vector<double
     }
 }
 
+/// Whether all points lie off the flanks to one side, as centres of a ball do whose radius is not given.
+void add_note_of_probe(Inspection& result)
+{
+    constexpr double far = 4;  // in standard deviations: errors of a part go to both sides
+    double sum = 0, squares = 0, count = 0;
+    for (PointDeviation const& point : result.points)
+        if (point.fate == PointFate::used) {
+            sum += point.deviation;
+            squares += point.deviation * point.deviation;
+            ++count;
+        }
+    double const mean = count > 0 ? sum / count : 0;
+    double const deviation = count > 0 ? std::sqrt(std::max(0.0, squares / count - mean * mean)) : 0;
+    if (std::abs(mean) > far * deviation && std::abs(mean) > plane_thickness)
+        result.notes.push_back(fmt::format(
+            "all points lie about {} mm {} the material: is the probe's radius missing, or of the other sign?",
+            short_number(std::abs(mean), 2), mean > 0 ? "outside" : "inside"));
+}
+
 void add_notes(Inspection& result, std::size_t groups)
 {
+    add_note_of_probe(result);
     if (result.flanks.empty())
         result.notes.push_back(fmt::format(
             "no flank has {} points over {:g} % of its length: there are deviations, but no figures of flanks",
@@ -216,35 +234,6 @@ void add_notes(Inspection& result, std::size_t groups)
 }
 
 }  // namespace
-
-std::vector<double> planes_of(PointFile const& measured, InspectOptions const& options)
-{
-    if (!measured.has_z)
-        return {options.plane.value_or(0)};
-    std::vector<double> heights;
-    for (PartPoint const& point : measured.points)
-        heights.push_back(point.z);
-    std::sort(heights.begin(), heights.end());
-    std::vector<double> planes;
-    for (std::size_t first = 0; first < heights.size();) {
-        std::size_t last = first;
-        while (last + 1 < heights.size() && heights[last + 1] - heights[last] <= plane_thickness)
-            ++last;
-        planes.push_back(heights[first + (last - first) / 2]);
-        first = last + 1;
-    }
-    if (!options.plane)
-        return planes;
-    auto const chosen = std::find_if(planes.begin(), planes.end(),
-                                     [&](double z) { return std::abs(z - *options.plane) <= plane_thickness; });
-    if (chosen != planes.end())
-        return {*chosen};
-    std::string known;
-    for (double const z : planes)
-        known += (known.empty() ? "" : ", ") + short_number(z);
-    throw InputError(Fault{"--plane", 0, short_number(*options.plane),
-                           "the file has no points there; it has planes at " + known + " mm", "write one of them"});
-}
 
 Inspection evaluated(Scene const& scene, NominalPart const& part, std::vector<double> const& z,
                      PointFile const& measured, InspectOptions const& options)

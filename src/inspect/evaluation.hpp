@@ -9,6 +9,9 @@
 
 namespace hdconj::inspect {
 
+/// Heights that differ by less are one plane [mm]: a probe's path is no plane to the last micrometre.
+inline constexpr double plane_thickness = 0.02;
+
 /// The planes of a file: heights that differ by less than a plane's thickness are one.
 [[nodiscard]] std::vector<double> planes_of(PointFile const& measured, InspectOptions const& options);
 

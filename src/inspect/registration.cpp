@@ -14,7 +14,7 @@ namespace hdconj::inspect {
 namespace {
 
 constexpr int settled_after = 12;             // steps in which points may come to a flank or leave it
-constexpr int most_registration_steps = 100;  // each gains digits; a registration that needs more does not end
+constexpr int most_registration_steps = 300;  // far from the flanks a step gains little more than half a digit
 constexpr double least_rank = 1e-7;           // of a column's pivot: a tooth alone fixes its lean to some 1e-2
 
 /// The sum of squares that the search within a pitch compares; a point on no flank counts as one a module away.
@@ -139,7 +139,8 @@ Placement registered(Registered const& what)
             return what.registration == Registration::minimum_zone ? minimum_zone(used, placement) : placement;
     }
     throw NumericalError(ErrorCode::not_converged, "registration", std::string(to_string(what.registration)),
-                         "the steps do not come to an end", "write --register datum to see how the points lie");
+                         "the steps do not come to an end",
+                         "write the radius of the ball by --probe, or --register datum to see how the points lie");
 }
 
 }  // namespace hdconj::inspect

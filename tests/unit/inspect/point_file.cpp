@@ -155,6 +155,14 @@ TEST_CASE("points that are none of the part are refused", "[inspect]")
         far.points.push_back({Vec2(3.0 + 0.1 * i, 2), 0, 0, std::nullopt, i});
     CHECK_THROWS_WITH(inspect_points(scene, far, options), ContainsSubstring("0 of 50 points stand on a flank"));
 
+    MeasuredRing balls;
+    balls.measured = {0, 40, 90, 150};
+    balls.probe = 0.05;
+    designs::Draws of_balls(2);
+    Inspection const found = inspect_points(scene, points_of(balls, of_balls), options);
+    REQUIRE(found.notes.size() == 1);
+    CHECK_THAT(found.notes.front(), ContainsSubstring("all points lie about 0.05 mm outside the material"));
+
     MeasuredRing ring;
     ring.measured = {0};
     designs::Draws draws(1);
