@@ -27,6 +27,8 @@ for scene in straight involute cycloid s-tooth s-tooth-deviated arc-chain bezier
 done
 run wedm "$scenes/type-50.toml" --tilt 0.2 --picture "$scratch/w.svg"
 keep w-tooth.svg wedm-tooth.svg
+(cd .. && "$program" inspect data/scenes/type-50.toml data/measured/flexspline-teeth.csv --probe 0.05 --quiet \
+  --picture docs/figures/inspect/teeth.svg)
 (cd .. && gnuplot docs/figures/rounding.gp && gnuplot docs/figures/tilt/loaded.gp && gnuplot docs/figures/load/members.gp)
 "$python" figures/drive_section.py figures/drive-section.svg
 if "$python" -c 'import h5py, tomllib' 2>/dev/null; then
@@ -59,4 +61,4 @@ if [ "$quick" != quick ]; then
     --measured ../data/measured/torque-twist.csv --torque-constant 0.119 --counts-per-turn 2000 --picture "$scratch/m.svg"
   keep m-curve.svg measured-curve.svg
 fi
-"$python" compact_svg.py figures/*.svg figures/load/*.svg gallery/*.svg
+"$python" compact_svg.py figures/*.svg figures/inspect/*.svg figures/load/*.svg gallery/*.svg

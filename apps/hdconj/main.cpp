@@ -36,6 +36,8 @@ constexpr char const* examples =
     "  hdconj load hdconj.toml          the elastic cup, and the teeth under torque\n"
     "  hdconj wedm hdconj.toml          files to cut it by wire\n"
     "  hdconj accuracy hdconj.toml      what accuracy costs in time\n"
+    "  hdconj inspect hdconj.toml points.csv\n"
+    "                                   measured points against the nominal outline\n"
     "  hdconj export hdconj.toml --calculix deck\n"
     "                                   the elastic cup for CalculiX\n"
     "  hdconj solve --set wave_generator.radial_deformation=0.26\n"
@@ -182,8 +184,8 @@ int run(int argc, char** argv)
         "circular spline that meshes with it without interference."};
     describe_program(program);
     CommonOptions common;
-    for (auto const add :
-         {add_init, add_design, add_check, add_solve, add_contact, add_load, add_wedm, add_accuracy, add_export})
+    for (auto const add : {add_init, add_design, add_check, add_solve, add_contact, add_load, add_wedm, add_accuracy,
+                           add_inspect, add_export})
         add(program, common);
     std::vector<std::string> words = command_line(argc, argv);
     if (words.empty()) {

@@ -98,6 +98,7 @@ void add_contact(CLI::App& program, CommonOptions& common);
 void add_load(CLI::App& program, CommonOptions& common);
 void add_wedm(CLI::App& program, CommonOptions& common);
 void add_accuracy(CLI::App& program, CommonOptions& common);
+void add_inspect(CLI::App& program, CommonOptions& common);
 void add_export(CLI::App& program, CommonOptions& common);
 
 }  // namespace hdconj::cli

@@ -6,7 +6,7 @@ _hdconj()
 {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
     local common="--help --set --threads --json --quiet"
-    local verbs="init design check solve contact load wedm accuracy export help version"
+    local verbs="init design check solve contact load wedm accuracy inspect export help version"
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
         case $current in
@@ -30,6 +30,7 @@ _hdconj()
             COMPREPLY=($(compgen -W "double-circular-arc straight involute cycloid s-tooth arc-chain bezier b-spline" \
                 -- "$current"))
             return ;;
+        --register) COMPREPLY=($(compgen -W "datum turn least-squares minimum-zone" -- "$current")); return ;;
         --for) COMPREPLY=($(compgen -W "solve contact load" -- "$current")); return ;;
     esac
 
@@ -50,6 +51,7 @@ _hdconj()
         wedm) options="$common --strict --part --tilt --output --from --dialect --decimals --picture" ;;
         accuracy)
             options="$common --study --output --sample --repeats --quick --from --budget --error --page" ;;
+        inspect) options="$common --part --plane --probe --register --deviations --output --picture --as-tooth" ;;
         export) options="$common --calculix --contact --vtu --steps" ;;
     esac
     case $current in

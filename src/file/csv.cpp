@@ -9,8 +9,8 @@
 
 namespace hdconj::file {
 
-std::optional<Unreadable> read_csv(std::filesystem::path const& file, std::uintmax_t largest,
-                                   std::function<bool(std::string_view line, int number)> const& take)
+std::optional<Unreadable> read_lines(std::filesystem::path const& file, std::uintmax_t largest,
+                                     std::function<bool(std::string_view line, int number)> const& take)
 {
     std::error_code ignored;
     if (std::filesystem::is_directory(file, ignored))
@@ -28,13 +28,19 @@ std::optional<Unreadable> read_csv(std::filesystem::path const& file, std::uintm
         std::string_view text = line;
         if (number == 1 && text.starts_with(byte_order_mark))
             text.remove_prefix(byte_order_mark.size());
-        std::string_view const content = trimmed(text);
-        if (content.empty() || content.front() == '#')
-            continue;
         if (!take(text, number))
             break;
     }
     return std::nullopt;
+}
+
+std::optional<Unreadable> read_csv(std::filesystem::path const& file, std::uintmax_t largest,
+                                   std::function<bool(std::string_view line, int number)> const& take)
+{
+    return read_lines(file, largest, [&](std::string_view line, int number) {
+        std::string_view const content = trimmed(line);
+        return content.empty() || content.front() == '#' || take(line, number);
+    });
 }
 
 std::string_view trimmed(std::string_view text, std::string_view blanks)

@@ -21,10 +21,14 @@ enum class Unreadable
     too_large
 };
 
-/// Passes every line that is neither blank nor a comment (first character '#') to @p take, with its number from 1.
-/// A byte order mark at the beginning of the file is removed. Reading stops where @p take returns false.
+/// Passes every line of a text file to @p take, with its number from 1. A byte order mark at the beginning is removed.
+/// Reading stops where @p take returns false.
 /// @param largest  size above which the file is refused unread [bytes]
 /// @returns nothing where the file was read
+std::optional<Unreadable> read_lines(std::filesystem::path const& file, std::uintmax_t largest,
+                                     std::function<bool(std::string_view line, int number)> const& take);
+
+/// The same of every line that is neither blank nor a comment (first character '#').
 std::optional<Unreadable> read_csv(std::filesystem::path const& file, std::uintmax_t largest,
                                    std::function<bool(std::string_view line, int number)> const& take);
 

@@ -63,6 +63,11 @@ TEST_CASE("wishes of a design: stored inputs of the fuzzer", "[fuzz]")
     replay("design_wishes", fuzz::design_wishes);
 }
 
+TEST_CASE("measured points: stored inputs of the fuzzer", "[fuzz]")
+{
+    replay("point_file", fuzz::point_file);
+}
+
 TEST_CASE("scene to solution: stored inputs of the fuzzer", "[fuzz]")
 {
     replay("scene_solve", fuzz::scene_solve);

@@ -11,7 +11,7 @@ HDCONJ_PRESET=fuzz
 
 seconds=${1:?"seconds per target"}
 shift
-[ $# -gt 0 ] || set -- scene_text csv_profile design_wishes scene_solve
+[ $# -gt 0 ] || set -- scene_text csv_profile design_wishes point_file scene_solve
 
 need_packages build test
 configure -DHDCONJ_BUILD_FUZZ=ON

@@ -34,6 +34,9 @@ void csv_profile(Bytes input);
 /// Nothing is searched or solved.
 void design_wishes(Bytes input);
 
+/// A file of measured points, as CSV and as DXF: read, and laid on the built-in flexspline by each registration.
+void point_file(Bytes input);
+
 /// A drive (drive_text.hpp) through `solve`.
 void scene_solve(Bytes input);
 

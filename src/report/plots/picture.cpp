@@ -9,6 +9,7 @@
 #include "hdconj/contact_files.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/file/atomic_file.hpp"
+#include "hdconj/inspect_files.hpp"
 #include "hdconj/load_files.hpp"
 #include "hdconj/wire_files.hpp"
 #include "plots.hpp"
@@ -75,6 +76,12 @@ void write_picture(Solution const& solution, std::filesystem::path const& file)
 {
     check_picture(file);
     write_drawing("picture", report::tooth_space_script(solution), file);
+}
+
+void write_chart(Inspection const& inspection, std::filesystem::path const& file)
+{
+    check_picture(file);
+    write_drawing("picture", report::inspect_chart_script(inspection), file);
 }
 
 ContactPictures contact_picture_names(std::filesystem::path const& file)

@@ -10,6 +10,7 @@
 #include "figures/measured_figures.hpp"
 #include "hdconj/accuracy_files.hpp"
 #include "hdconj/contact.hpp"
+#include "hdconj/inspect.hpp"
 #include "hdconj/solution.hpp"
 #include "hdconj/wedm.hpp"
 
@@ -53,6 +54,9 @@ namespace hdconj::report {
 [[nodiscard]] std::string wire_ring_script(WireProgram const& program);
 /// Height of what the last pass leaves, around the part, of all set-ups. Needs residuals.
 [[nodiscard]] std::string wire_residual_script(WireSetUps const& programs);
+
+/// Deviations along the flanks, positions and radial shifts round the ring.
+[[nodiscard]] std::string inspect_chart_script(Inspection const& inspection);
 
 /// What the picture of a study shows: error against time, or time against threads.
 [[nodiscard]] std::string picture_words(std::vector<ConvergenceSeries> const& series_list, std::string const& name);

@@ -3,6 +3,7 @@
 #include <set>
 
 #include "figures/accuracy_figures.hpp"
+#include "figures/inspect_figures.hpp"
 #include "figures/load_figures.hpp"
 #include "figures/measured_figures.hpp"
 #include "figures/summary_figures.hpp"
@@ -68,6 +69,15 @@ TEST_CASE("docs/reference/json.md and docs/reference/hdf5.md name every figure o
     collect(figures::pass_figures(), keys, none);
     collect(figures::residual_figures(), keys, none);
     collect(figures::wire_file_figures(), keys, none);
+    collect(figures::inspection_figures(), keys, columns);
+    collect(figures::placement_figures(), keys, columns);
+    collect(figures::nominal_figures(), keys, columns);
+    collect(figures::flank_rows(), keys, columns);
+    collect(figures::tooth_rows(), keys, columns);
+    collect(figures::side_rows(), keys, columns);
+    collect(figures::pitch_rows(), keys, columns);
+    collect(figures::plane_rows(), keys, columns);
+    collect(figures::eccentricity_rows(), keys, columns);
     collect(figures::level_figures(), keys, none);
     collect(figures::advice_figures(), keys, none);
     keys.merge(std::set<std::string>(summary));

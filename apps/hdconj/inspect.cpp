@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The verb `inspect`: measured points of a part against its nominal outline.
+#include "hdconj/inspect.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "arguments.hpp"
+#include "hdconj/error.hpp"
+#include "hdconj/inspect_files.hpp"
+#include "hdconj/result_files.hpp"
+#include "run_verb.hpp"
+
+namespace hdconj::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct InspectArguments
+{
+    std::string points;  ///< file; empty: the first word is it
+    std::string part = std::string(to_string(InspectedPart::flexspline));
+    std::string registration = std::string(to_string(Registration::least_squares));
+    std::optional<double> plane;
+    double probe = 0;
+    std::string output, deviations, picture, as_tooth;
+};
+
+/// Options with their values, whose words have been checked.
+InspectOptions options_of(InspectArguments const& own)
+{
+    return {from_word<InspectedPart>(own.part).value(), own.plane, own.probe,
+            from_word<Registration>(own.registration).value()};
+}
+
+/// A ball as large as the space between two teeth has touched no flank.
+void check_probe(Scene const& scene, double probe, Faults& faults)
+{
+    double const largest = scene.drive.module;
+    if (std::abs(probe) > largest)
+        faults.push_back({"--probe", 0, std::to_string(probe),
+                          "is larger than the module, and no such ball reaches a flank",
+                          "write the radius of the ball in mm, such as --probe 0.1"});
+}
+
+/// The measured tooth takes the place of the flexspline's, which the scene must give.
+void check_as_tooth(Scene const& scene, InspectArguments const& own, Faults& faults)
+{
+    if (!own.as_tooth.empty() && (scene.is_reverse() || own.part != to_string(InspectedPart::flexspline)))
+        faults.push_back({"--as-tooth", 0, own.as_tooth,
+                          "only a flexspline whose tooth the scene gives can have the measured one in its place",
+                          "leave it out, or inspect such a flexspline"});
+}
+
+int run_inspect(CommonOptions const& given, InspectArguments const& asked)
+{
+    CommonOptions common = given;
+    InspectArguments own = asked;
+    if (own.points.empty())
+        std::swap(own.points, common.scene);  // one word is the file of points: the drive is the built-in one
+    if (own.points.empty())
+        throw InputError(
+            Fault{"POINTS", 0, "", "no file of measured points is given", "write hdconj inspect SCENE POINTS"});
+    auto const reading = examine(common);
+    Faults faults = reading.faults;
+    sort_by_place(faults);
+    auto measured = examine_points(own.points);
+    append(faults, measured.faults);
+    check_probe(reading.scene, own.probe, faults);
+    check_as_tooth(reading.scene, own, faults);
+    refuse(std::move(faults));
+    Work<Inspection> work;
+    work.inputs = inputs_of(common, reading.scene);
+    append(work.inputs, input_of("POINTS", own.points));
+    add_file(work, "hdf5", "--output", own.output,
+             [](Inspection const& result, fs::path const& file) { write_hdf5(result, file); });
+    add_file(work, "deviations", "--deviations", own.deviations, write_deviations);
+    add_file(work, "picture", "--picture", own.picture, write_chart, check_picture);
+    add_file(work, "scene", "--as-tooth", own.as_tooth, write_measured_tooth);
+    if (!own.as_tooth.empty())
+        work.outputs.back().target.members = {measured_tooth_points(own.as_tooth)};
+    work.compute = [&](ProgressLine const& progress) {
+        return inspect_points(reading.scene, measured.measured, options_of(own), progress.stages());
+    };
+    work.text = [](Inspection const& result, Written const& written) { return summary_text(result, written); };
+    work.json = [](Inspection const& result, Written const& written) { return summary_json(result, written); };
+    return run_verb(common, work);
+}
+
+constexpr char const* inspect_footer =
+    "POINTS is a CSV file whose first line names the columns x, y and, where they are known, z, tooth and flank, such\n"
+    "as\n"
+    "  x [mm], y [mm], z [mm], tooth, flank\n"
+    "  0.1203, 25.0871, 0, 1, right\n"
+    "or a DXF file (ending .dxf), of which the points and the vertices of polylines are taken.\n"
+    "The axis of the part is at (0, 0); the middle of tooth 1 (of a space of the circular spline) is on +y, teeth are\n"
+    "counted clockwise. The flexspline is measured before assembly, when it is round. With one file name, that is\n"
+    "POINTS, and the drive is the built-in one.\n"
+    "Registrations: datum takes the points as they are; turn turns them about the axis; least-squares turns and "
+    "shifts\n"
+    "them, with the least sum of squared deviations; minimum-zone with the least largest deviation.\n"
+    "A deviation is positive outside the material. A ball's centre is --probe outside the material; write a negative\n"
+    "radius where centres lie inside it, as after a wrong compensation.\n"
+    "Examples:\n"
+    "  hdconj inspect drive.toml points.csv\n"
+    "  hdconj inspect drive.toml centres.csv --probe 0.1 --register turn --json\n"
+    "  hdconj inspect drive.toml points.csv --as-tooth cut.toml --picture chart.svg\n"
+    "  hdconj inspect drive.toml ring.csv --part circular-spline --deviations deviations.csv";
+
+}  // namespace
+
+void add_inspect(CLI::App& program, CommonOptions& common)
+{
+    auto [verb, own] =
+        add_verb(program, common, "inspect", "measured points of a part against its nominal outline", run_inspect);
+    add_scene_options(verb, common);
+    add_name(verb, "POINTS", own.points, "file of measured points, CSV or DXF");
+    add_option(verb, "--part", own.part, "that was measured: flexspline, circular-spline [flexspline]", "WORD",
+               one_of<InspectedPart>());
+    add_option(verb, "--plane", own.plane, "height in mm, 0 in the middle of the bearing [all of the file]", "Z",
+               finite_number("write a height in mm such as --plane 0"));
+    add_option(verb, "--probe", own.probe, "radius in mm of the ball whose centres are given; negative: inside [0]",
+               "R", finite_number("write a radius in mm such as --probe 0.1"));
+    add_option(verb, "--register", own.registration, "datum, turn, least-squares, minimum-zone [least-squares]", "WORD",
+               one_of<Registration>());
+    add_name(verb, "--deviations", own.deviations, "every point with its deviation", "FILE.csv");
+    add_name(verb, "-o,--output", own.output, "result file, HDF5 [none]", "FILE.h5");
+    add_name(verb, "--picture", own.picture, "chart of one page, needs gnuplot", "FILE.svg|FILE.png");
+    add_name(verb, "--as-tooth", own.as_tooth, "the scene with the mean measured tooth; its points in NAME-tooth.csv",
+             "NAME.toml");
+    verb.footer(inspect_footer);
+}
+
+}  // namespace hdconj::cli

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "evaluation.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "base/text.hpp"
+#include "mean_flank.hpp"
+#include "registration.hpp"
+#include "ring_figures.hpp"
+
+namespace hdconj::inspect {
+namespace {
+
+/// Registrations, the later ones without the strays that the fits before have found.
+constexpr int most_rounds = 4;
+
+/// The points of the planes that are evaluated, and where each stands in the file.
+struct PlanePoints
+{
+    std::vector<PlanePoint> points;
+    std::vector<std::size_t> origin;
+};
+
+PlanePoints points_on(std::vector<double> const& z, PointFile const& measured)
+{
+    PlanePoints on;
+    for (std::size_t i = 0; i < measured.points.size(); ++i) {
+        PartPoint const& point = measured.points[i];
+        auto const near = std::min_element(
+            z.begin(), z.end(), [&](double a, double b) { return std::abs(a - point.z) < std::abs(b - point.z); });
+        if (measured.has_z && std::abs(*near - point.z) > plane_thickness)
+            continue;
+        on.points.push_back({point.where, static_cast<std::size_t>(near - z.begin()), point.right});
+        on.origin.push_back(i);
+    }
+    return on;
+}
+
+/// Most points must stand on flanks: those of another part, of another unit or about another axis do not.
+void refuse_foreign_points(PlanePoints const& on, std::vector<PointView> const& views, NominalPart const& part,
+                           std::string const& file)
+{
+    double const near = part.pitch() * part.planes.front().reference_radius / 4;
+    auto const count = std::count_if(views.begin(), views.end(),
+                                     [&](PointView const& view) { return view.on && std::abs(view.deviation) < near; });
+    if (2 * count >= std::ptrdiff_t(views.size()))
+        return;
+    double low = on.points.front().where.norm(), high = low;
+    for (PlanePoint const& point : on.points) {
+        low = std::min(low, point.where.norm());
+        high = std::max(high, point.where.norm());
+    }
+    throw InputError(Fault{"POINTS", 0, file,
+                           fmt::format("{} of {} points stand on a flank of the part: they lie {} ... {} mm from the "
+                                       "axis, the middle of the nominal flanks {} mm",
+                                       count, views.size(), short_number(low), short_number(high),
+                                       short_number(part.planes.front().reference_radius)),
+                           "give points in mm about the axis of the part, and the part by --part"});
+}
+
+/// The flanks that have points, by plane, tooth, left before right.
+std::vector<FlankGroup> groups_of(std::vector<PlanePoint> const& points, std::vector<PointView> const& views,
+                                  std::vector<bool> const& used)
+{
+    std::map<std::tuple<std::size_t, int, bool>, FlankGroup> groups;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        if (!used[i] || !views[i].on)
+            continue;
+        auto& group = groups[{points[i].plane, views[i].tooth, views[i].right}];
+        group.plane = points[i].plane;
+        group.tooth = views[i].tooth;
+        group.right = views[i].right;
+        group.points.push_back(i);
+    }
+    std::vector<FlankGroup> all;
+    for (auto& [key, group] : groups)
+        all.push_back(std::move(group));
+    return all;
+}
+
+/// Registration and fits that agree on the strays.
+struct Fitted
+{
+    Placement placement;
+    std::vector<PointView> views;
+    std::vector<FlankFit> fits;
+    std::vector<bool> used;  ///< whether a point is no stray
+};
+
+Fitted fitted(PointReader const& read, PlanePoints const& on, PointFile const& measured, InspectOptions const& options,
+              int threads)
+{
+    Fitted found;
+    found.used.assign(on.points.size(), true);
+    for (int round = 0; round < most_rounds; ++round) {
+        Registered what{read, {}, options.registration, threads};
+        for (std::size_t i = 0; i < on.points.size(); ++i)
+            if (found.used[i])
+                what.points.push_back(on.points[i]);
+        if (round == 0)
+            refuse_foreign_points(on, views_of(read, on.points, {near_turn(what), Vec2::Zero()}, threads), read.part(),
+                                  measured.file);
+        found.placement = registered(what);
+        found.views = views_of(read, on.points, found.placement, threads);
+        found.fits.clear();
+        std::vector<bool> used(on.points.size(), true);
+        for (FlankGroup& group : groups_of(on.points, found.views, used)) {
+            auto fit = flank_fit(read, on.points, std::move(group), found.placement);
+            if (!fit)
+                continue;
+            for (std::size_t const stray : fit->strays)
+                used[stray] = false;
+            found.fits.push_back(std::move(*fit));
+        }
+        if (std::exchange(found.used, used) == used)
+            break;
+    }
+    return found;
+}
+
+/// Number of the tooth of each fit: that of the file where it names one, the place on the ring else.
+std::vector<int> numbers_of(Fitted const& found, PlanePoints const& on, PointFile const& measured)
+{
+    std::vector<int> numbers;
+    for (FlankFit const& fit : found.fits) {
+        int const named = measured.points[on.origin[fit.group.points.front()]].tooth;
+        numbers.push_back(named > 0 ? named : fit.group.tooth + 1);
+    }
+    return numbers;
+}
+
+void add_points(Inspection& result, Fitted const& found, PlanePoints const& on, PointFile const& measured,
+                NominalPart const& part, std::vector<double> const& z)
+{
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < on.points.size(); ++i) {
+        PointView const& view = found.views[i];
+        PartPoint const& origin = measured.points[on.origin[i]];
+        PointFate const fate = !found.used[i] ? PointFate::stray : view.on ? PointFate::used : PointFate::beside;
+        std::size_t const plane = on.points[i].plane;
+        result.points.push_back({origin.line, z[plane], origin.tooth > 0 ? origin.tooth : view.tooth + 1, view.right,
+                                 part.planes[plane].flank(view.right).arc_length(view.foot), view.deviation, fate});
+        result.strays += fate == PointFate::stray ? 1U : 0U;
+        result.beside += fate == PointFate::beside ? 1U : 0U;
+        if (fate != PointFate::used)
+            continue;
+        PartPlacement& placement = result.placement;
+        placement.least = count == 0 ? view.deviation : std::min(placement.least, view.deviation);
+        placement.largest = count == 0 ? view.deviation : std::max(placement.largest, view.deviation);
+        sum += view.deviation * view.deviation;
+        ++count;
+    }
+    result.placement.rms = count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0;
+}
+
+/// Turn and shift with what noise makes of them; of the minimum zone by the bound that both have in common.
+void add_placement(Inspection& result, Fitted const& found, NominalPart const& part, Intervals const& intervals)
+{
+    int const unknowns = unknowns_of(result.options.registration);
+    PartPlacement& placement = result.placement;
+    Placement const& at = found.placement;
+    placement.deviation_error = intervals.half_width(1);
+    placement.turn.value = at.turn;
+    placement.shift_x.value = at.shift.x();
+    placement.shift_y.value = at.shift.y();
+    if (unknowns == 0)
+        return;
+    std::vector<PointView> used;
+    for (std::size_t i = 0; i < found.views.size(); ++i)
+        if (found.used[i] && found.views[i].on)
+            used.push_back(found.views[i]);
+    Eigen::MatrixXd const rows = jacobian(used, at, part, unknowns);
+    Eigen::MatrixXd const inverse = (rows.transpose() * rows).inverse();
+    bool const least_squares = result.options.registration != Registration::minimum_zone;
+    auto const error = [&](Eigen::Index i) {
+        double const all = static_cast<double>(used.size());
+        return intervals.half_width(inverse(i, i) * (least_squares ? 1 : all));
+    };
+    placement.turn.error = error(0) / part.planes.front().reference_radius;
+    if (unknowns == most_unknowns) {
+        placement.shift_x.error = error(1);
+        placement.shift_y.error = error(2);
+    }
+}
+
+void add_nominal(Inspection& result, NominalPart const& part, std::vector<double> const& z)
+{
+    for (std::size_t i = 0; i < z.size(); ++i) {
+        NominalPlane const& plane = part.planes[i];
+        result.nominal.push_back({z[i], 0.5 * (plane.left.length() + plane.right.length()), plane.reference_radius,
+                                  plane.thickness(), plane.error});
+    }
+}
+
+/// Whether all points lie off the flanks to one side, as centres of a ball do whose radius is not given.
+void add_note_of_probe(Inspection& result)
+{
+    constexpr double far = 4;  // in standard deviations: errors of a part go to both sides
+    double sum = 0, squares = 0, count = 0;
+    for (PointDeviation const& point : result.points)
+        if (point.fate == PointFate::used) {
+            sum += point.deviation;
+            squares += point.deviation * point.deviation;
+            ++count;
+        }
+    double const mean = count > 0 ? sum / count : 0;
+    double const deviation = count > 0 ? std::sqrt(std::max(0.0, squares / count - mean * mean)) : 0;
+    if (std::abs(mean) > far * deviation && std::abs(mean) > plane_thickness)
+        result.notes.push_back(fmt::format(
+            "all points lie about {} mm {} the material: is the probe's radius missing, or of the other sign?",
+            short_number(std::abs(mean), 2), mean > 0 ? "outside" : "inside"));
+}
+
+void add_notes(Inspection& result, std::size_t groups)
+{
+    add_note_of_probe(result);
+    if (result.flanks.empty())
+        result.notes.push_back(fmt::format(
+            "no flank has {} points over {:g} % of its length: there are deviations, but no figures of flanks",
+            fewest_points, 100 * least_cover));
+    else if (groups > result.flanks.size())
+        result.notes.push_back(
+            fmt::format("{} of {} flanks have fewer than {} points, or points over less than {:g} % "
+                        "of their length: they have no figures",
+                        groups - result.flanks.size(), groups, fewest_points, 100 * least_cover));
+}
+
+}  // namespace
+
+Inspection evaluated(Scene const& scene, NominalPart const& part, std::vector<double> const& z,
+                     PointFile const& measured, InspectOptions const& options)
+{
+    Inspection result;
+    result.scene = scene;
+    result.options = options;
+    result.file = measured.file;
+    add_nominal(result, part, z);
+    PlanePoints const on = points_on(z, measured);
+    PointReader const read(part, options.probe);
+    Fitted const found = fitted(read, on, measured, options, scene.solver.threads);
+    NoiseSum sum;
+    for (FlankFit const& fit : found.fits) {
+        NoiseSum const each = noise_of(fit.parabola);
+        sum.squares += each.squares;
+        sum.differences += each.differences;
+    }
+    double error = 0;
+    for (NominalPlane const& plane : part.planes)
+        error = std::max(error, plane.error);
+    Intervals const intervals(sum.squares, sum.differences, error + part.tolerance().roundoff());
+    result.noise = intervals.noise();
+    result.freedom = intervals.freedom();
+    add_points(result, found, on, measured, part, z);
+    add_placement(result, found, part, intervals);
+    RingData data{read, on.points, z, found.placement, found.fits, numbers_of(found, on, measured), {}};
+    data.teeth = tooth_fits(data);
+    result.flanks = flank_figures(data, intervals);
+    result.teeth = tooth_figures(data, intervals);
+    result.sides = side_figures(data, result.flanks, intervals);
+    result.planes = plane_figures(data, intervals);
+    if (!part.space)
+        result.mean_flank = mean_flank(data, part.pitch_line);
+    add_notes(result, groups_of(on.points, found.views, found.used).size());
+    return result;
+}
+
+}  // namespace hdconj::inspect

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "intervals.hpp"
+
+#include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
+#include <limits>
+
+namespace hdconj::inspect {
+namespace {
+
+constexpr double outside = 0.05;  // of 95 %
+/// Second differences of white noise overlap: n of them are worth n / (1 + 2 (16 + 1)/36) degrees of freedom (von
+/// Neumann 1941 for first differences).
+constexpr double differences_per_freedom = 35.0 / 18;
+
+}  // namespace
+
+Intervals::Intervals(double squares, std::size_t differences, double systematic) : systematic_(systematic)
+{
+    freedom_ = static_cast<double>(differences) / differences_per_freedom;
+    noise_ = differences > 0 ? std::sqrt(squares / static_cast<double>(differences)) : 0;
+}
+
+double Intervals::half_width(double variance, std::size_t rivals) const
+{
+    if (!(freedom_ > 0))
+        return std::numeric_limits<double>::quiet_NaN();
+    boost::math::students_t_distribution<double> const student(freedom_);
+    double const tail = outside / 2 / static_cast<double>(rivals);
+    return systematic_ + noise_ * std::sqrt(variance) * boost::math::quantile(boost::math::complement(student, tail));
+}
+
+LargestFigure largest_of(std::vector<Candidate> const& candidates, Intervals const& intervals)
+{
+    auto const largest = std::max_element(candidates.begin(), candidates.end(),
+                                          [](Candidate const& a, Candidate const& b) { return a.value < b.value; });
+    double const least = largest->value - intervals.half_width(largest->variance);
+    auto const rivals = std::count_if(candidates.begin(), candidates.end(), [&](Candidate const& each) {
+        return each.value + intervals.half_width(each.variance) > least;
+    });
+    auto const count = static_cast<std::size_t>(std::max<std::ptrdiff_t>(1, rivals));
+    return {{largest->value, intervals.half_width(largest->variance, count)}, largest->tooth};
+}
+
+FigureRange range_of(std::vector<Candidate> const& candidates, Intervals const& intervals)
+{
+    auto const [low, high] = std::minmax_element(candidates.begin(), candidates.end(),
+                                                 [](auto const& a, auto const& b) { return a.value < b.value; });
+    double const variance = low == high ? 0 : low->variance + high->variance;
+    double const range = high->value - low->value, single = intervals.half_width(variance);
+    // pairs are counted by their ends, each against the other extreme
+    std::size_t below = 0, above = 0;
+    for (Candidate const& each : candidates) {
+        double const reach = single + intervals.half_width(each.variance + std::max(low->variance, high->variance));
+        below += high->value - each.value > range - reach ? 1U : 0U;
+        above += each.value - low->value > range - reach ? 1U : 0U;
+    }
+    std::size_t const pairs = std::max<std::size_t>(1, below) * std::max<std::size_t>(1, above);
+    return {{range, intervals.half_width(variance, pairs)}, low->tooth, high->tooth};
+}
+
+}  // namespace hdconj::inspect

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The registration of least largest deviation.
+//
+// Near a placement the deviations are linear in the step x of the unknowns, and the least largest deviation t is the
+// solution of a linear program: minimise t where s (d + J x) <= t for every row, s = 1 and -1. The dual simplex method
+// solves it. Its basis is one constraint more than there are unknowns, the references, on which the deviations are
+// equal in size. The constraint that is violated most replaces the reference whose multiplier falls to 0 first, so that
+// t grows with each exchange. Placement by placement the program is solved again until its steps are roundings.
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hdconj/error.hpp"
+#include "registration.hpp"
+
+namespace hdconj::inspect {
+namespace {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// One constraint s (d + J x) <= t.
+struct Reference
+{
+    Index row;
+    double sign;
+};
+
+[[noreturn]] void refuse_endless(char const* what)
+{
+    throw NumericalError(ErrorCode::not_converged, "registration", "minimum zone", what,
+                         "write --register least-squares");
+}
+
+/// As a row (s J, -1) of the matrix of constraints.
+VectorXd constraint_of(MatrixXd const& rows, Reference const& at)
+{
+    VectorXd constraint(rows.cols() + 1);
+    constraint << at.sign * rows.row(at.row).transpose(), -1;
+    return constraint;
+}
+
+/// References with multipliers that are not negative: rows of full rank and one more, with the signs of the weights
+/// that sum them to 0.
+std::vector<Reference> first_references(MatrixXd const& rows)
+{
+    Index const n = rows.cols();
+    Eigen::ColPivHouseholderQR<MatrixXd> const qr(rows.transpose());
+    MatrixXd chosen(n, n + 1);
+    for (Index i = 0; i <= n; ++i)
+        chosen.col(i) = rows.row(qr.colsPermutation().indices()[i]).transpose();
+    VectorXd const weight = Eigen::FullPivLU<MatrixXd>(chosen).kernel().col(0);
+    std::vector<Reference> first;
+    for (Index i = 0; i <= n; ++i)
+        first.push_back({qr.colsPermutation().indices()[i], weight[i] < 0 ? -1.0 : 1.0});
+    return first;
+}
+
+/// The reference that leaves when @p entering becomes one.
+std::size_t leaving(Eigen::PartialPivLU<MatrixXd> const& transposed, VectorXd const& entering)
+{
+    Index const size = entering.size();
+    VectorXd const multiplier = transposed.solve(-VectorXd::Unit(size, size - 1));
+    VectorXd const rate = transposed.solve(entering);
+    std::size_t leaves = 0;
+    double least = std::numeric_limits<double>::infinity();
+    for (Index i = 0; i < size; ++i) {
+        double const ratio = std::max(0.0, multiplier[i]) / rate[i];
+        if (rate[i] > 64 * unit_roundoff && ratio < least) {
+            least = ratio;
+            leaves = static_cast<std::size_t>(i);
+        }
+    }
+    return leaves;
+}
+
+double largest_size(std::vector<PointView> const& views)
+{
+    double largest = 0;
+    for (PointView const& view : views)
+        largest = std::max(largest, std::abs(view.deviation));
+    return largest;
+}
+
+VectorXd deviations_of(std::vector<PointView> const& views)
+{
+    VectorXd deviations(static_cast<Index>(views.size()));
+    for (std::size_t i = 0; i < views.size(); ++i)
+        deviations[static_cast<Index>(i)] = views[i].deviation;
+    return deviations;
+}
+
+}  // namespace
+
+VectorXd chebyshev_step(MatrixXd const& rows, VectorXd const& deviations)
+{
+    constexpr int most_exchanges = 1000;
+    Index const n = rows.cols();
+    if (rows.rows() <= n)
+        return rows.fullPivLu().solve(-deviations);
+    std::vector<Reference> at = first_references(rows);
+    double const rounding = 64 * unit_roundoff * deviations.cwiseAbs().maxCoeff();
+    for (int exchange = 0; exchange < most_exchanges; ++exchange) {
+        MatrixXd transposed(n + 1, n + 1);
+        VectorXd right(n + 1);
+        for (Index i = 0; i <= n; ++i) {
+            Reference const& each = at[static_cast<std::size_t>(i)];
+            transposed.col(i) = constraint_of(rows, each);
+            right[i] = -each.sign * deviations[each.row];
+        }
+        VectorXd const solution = transposed.transpose().partialPivLu().solve(right);
+        VectorXd const left_over = deviations + rows * solution.head(n);
+        Index worst = 0;
+        double const largest = left_over.cwiseAbs().maxCoeff(&worst);
+        if (largest <= solution[n] + rounding)
+            return solution.head(n);
+        Reference const entering{worst, left_over[worst] < 0 ? -1.0 : 1.0};
+        at[leaving(transposed.partialPivLu(), constraint_of(rows, entering))] = entering;
+    }
+    refuse_endless("the exchange of references does not end");
+}
+
+Placement minimum_zone(Registered const& what, Placement near)
+{
+    constexpr int most_programs = 100, most_halvings = 40;
+    NominalPart const& part = what.read.part();
+    std::vector<PointView> views = views_of(what.read, what.points, near, what.threads);
+    double largest = largest_size(views);
+    for (int program = 0; program < most_programs; ++program) {
+        VectorXd step = chebyshev_step(jacobian(views, near, part, most_unknowns), deviations_of(views));
+        bool lower = false;
+        for (int halving = 0; halving < most_halvings && !lower; ++halving) {
+            if (step.norm() <= part.tolerance().roundoff())
+                return near;
+            Placement const next = moved(near, step, part);
+            auto next_views = views_of(what.read, what.points, next, what.threads);
+            lower = largest_size(next_views) < largest;
+            if (lower) {
+                near = next;
+                views = std::move(next_views);
+                largest = largest_size(views);
+            }
+            step /= 2;
+        }
+        if (!lower)
+            return near;
+    }
+    refuse_endless("the steps do not come to an end");
+}
+
+}  // namespace hdconj::inspect

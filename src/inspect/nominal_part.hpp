@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The nominal part: its two flanks in each measured plane, and where they stand on the ring.
+#pragma once
+
+#include <vector>
+
+#include "hdconj/solution.hpp"
+#include "nominal_flank.hpp"
+
+namespace hdconj::inspect {
+
+/// The nominal outline in one plane. Frame of a tooth: y outward, the axis of the part `seat` below its origin.
+struct NominalPlane
+{
+    NominalFlank left, right;
+    double reference_radius = 0;  ///< of the circle through the middles of the flanks [mm]
+    double half_angle = 0;        ///< from the middle of the right flank to that of the left one, half [rad]
+    double error = 0;             ///< of the outline [mm]
+
+    /// Of the tooth, or width of the space, along the reference circle [mm].
+    [[nodiscard]] double thickness() const { return 2 * half_angle * reference_radius; }
+    [[nodiscard]] NominalFlank const& flank(bool is_right) const { return is_right ? right : left; }
+};
+
+/// A ring of equal teeth, or of equal tooth spaces.
+struct NominalPart
+{
+    int teeth = 0;
+    bool space = false;     ///< whether the flanks bound a tooth space
+    double seat = 0;        ///< from the axis to the origin of a tooth's frame [mm]
+    double pitch_line = 0;  ///< of a tooth of the flexspline, in its frame [mm]
+    double scale = 0;       ///< largest radius [mm]
+    std::vector<NominalPlane> planes;
+
+    [[nodiscard]] double pitch() const;  ///< angle from tooth to tooth [rad]
+    /// Rounding of a deviation [mm].
+    [[nodiscard]] Tolerance tolerance() const { return {0, scale}; }
+};
+
+/// The flanks of a tooth that is given exactly: the pieces from the root to the tip land on either side.
+/// @param seat  as of the part
+[[nodiscard]] NominalPlane plane_of_profile(profile::Profile const& tooth, double seat);
+
+/// The flanks of an outline: a cubic spline through the points of each piece that is a flank or a corner. The error is
+/// what the spline through every second point misses of the others, divided by 2^4, and @p point_error.
+/// @param tooth  kinds of the pieces and their points, in the frame of the tooth or space
+/// @param seat   as of the part
+[[nodiscard]] NominalPlane plane_of_outline(std::vector<Vec2> const& outline, std::vector<OutlinePiece> const& pieces,
+                                            double seat, bool space, double point_error);
+
+}  // namespace hdconj::inspect

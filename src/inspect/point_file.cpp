@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "base/text.hpp"
+#include "dxf_points.hpp"
+#include "file/csv.hpp"
+#include "hdconj/inspect.hpp"
+#include "point_columns.hpp"
+
+namespace hdconj {
+namespace {
+
+using inspect::PointColumn;
+using inspect::PointColumns;
+
+constexpr std::size_t most_point_faults = 20;  // of one file: further ones are of the same sort
+constexpr double farthest = 1e5;               // [mm] a coordinate beyond 100 m is none of a gear
+constexpr double most_tooth_number = 1e6;
+
+Fault point_file_fault(std::string const& file, std::string reason, std::string remedy)
+{
+    return {"POINTS", 0, file, std::move(reason), std::move(remedy)};
+}
+
+Fault fault_of_points(file::Unreadable cause, std::string const& file)
+{
+    using enum file::Unreadable;
+    if (cause == too_large)
+        return point_file_fault(file, fmt::format("is larger than {} MiB", largest_point_file >> 20),
+                                "keep every tenth point or so");
+    return point_file_fault(file,
+                            cause == is_folder    ? "is a folder"
+                            : cause == not_opened ? "cannot be read"
+                                                  : "is no file that ends",
+                            cause == not_opened ? "write the name of a file of points that is there"
+                                                : "write the name of a file of points");
+}
+
+/// One line of the file, and where its faults go.
+struct PointLine
+{
+    std::vector<std::string_view> fields;
+    int number;
+    std::string const& file;
+    Faults& faults;
+
+    [[nodiscard]] std::string_view field(PointColumn const& column) const
+    {
+        return column.at < fields.size() ? fields[column.at] : std::string_view();
+    }
+    void refuse_field(PointColumn const& column, std::string reason, std::string remedy) const
+    {
+        faults.push_back({fmt::format("column {}, {}", column.at + 1, column.heading), number, printable(field(column)),
+                          std::move(reason), std::move(remedy), file});
+    }
+};
+
+double length_in(PointLine const& line, PointColumn const& column)
+{
+    if (!column.given())
+        return 0;
+    std::string_view const text = line.field(column);
+    auto const value = file::number_in(text);
+    if (!value)
+        line.refuse_field(column, text.empty() ? "is missing" : "is no finite number",
+                          text.find(',') != std::string_view::npos ? "write a point in place of the decimal comma"
+                                                                   : "write a number such as 12.5");
+    else if (std::abs(*value * column.factor) > farthest)
+        line.refuse_field(column, "is no coordinate of a gear", "write lengths in mm, or the unit after the heading");
+    return value.value_or(0) * column.factor;
+}
+
+int tooth_in(PointLine const& line, PointColumn const& column)
+{
+    if (!column.given())
+        return 0;
+    auto const value = file::number_in(line.field(column));
+    if (value && *value == std::floor(*value) && *value >= 1 && *value <= most_tooth_number)
+        return static_cast<int>(*value);
+    line.refuse_field(column, "is no number of a tooth", "write a whole number from 1 on");
+    return 0;
+}
+
+std::optional<bool> flank_in(PointLine const& line, PointColumn const& column)
+{
+    if (!column.given())
+        return std::nullopt;
+    std::string const word = file::lower_case(line.field(column));
+    if (word == "right" || word == "r")
+        return true;
+    if (word == "left" || word == "l")
+        return false;
+    line.refuse_field(column, "is no flank", "write left or right");
+    return std::nullopt;
+}
+
+/// Adds the point of one line. @returns whether to read on
+bool add_point_of_line(PointColumns const& columns, PointLine const& line, PointFile& measured)
+{
+    double const x = length_in(line, columns.x), y = length_in(line, columns.y);
+    measured.points.push_back({Vec2(x, y), length_in(line, columns.z), tooth_in(line, columns.tooth),
+                               flank_in(line, columns.flank), line.number});
+    return line.faults.size() < most_point_faults && measured.points.size() <= most_part_points;
+}
+
+std::optional<file::Unreadable> read_csv_points(std::filesystem::path const& file, PointReading& result)
+{
+    PointFile& measured = result.measured;
+    std::optional<PointColumns> columns;
+    auto const unreadable = file::read_csv(file, largest_point_file, [&](std::string_view text, int number) {
+        if (!columns) {
+            columns = inspect::point_columns(file::trimmed(text), number, measured.file, result.faults);
+            measured.has_z = columns->z.given();
+            return result.faults.empty();
+        }
+        PointLine const line{file::fields_of(text, columns->separator), number, measured.file, result.faults};
+        return add_point_of_line(*columns, line, measured);
+    });
+    if (!unreadable && result.faults.empty() && measured.points.empty())
+        result.faults.push_back(point_file_fault(measured.file,
+                                                 columns ? "has a header and no points" : "has no header and no points",
+                                                 columns ? "write one point a line" : inspect::first_line));
+    return unreadable;
+}
+
+}  // namespace
+
+PointReading examine_points(std::filesystem::path const& file)
+{
+    PointReading result;
+    PointFile const& measured = result.measured;
+    result.measured.file = file.string();
+    bool const drawing = file::lower_case(file.extension().string()) == ".dxf";
+    auto const unreadable = drawing ? inspect::read_dxf_points(file, result) : read_csv_points(file, result);
+    if (unreadable)
+        result.faults.push_back(fault_of_points(*unreadable, measured.file));
+    else if (result.faults.empty() && measured.points.empty())
+        result.faults.push_back(point_file_fault(measured.file, "has no POINT and no polyline",
+                                                 "draw the points as points or as vertices of a polyline"));
+    else if (measured.points.size() > most_part_points)
+        result.faults.push_back(point_file_fault(
+            measured.file, fmt::format("holds more than {} points", most_part_points), "keep every tenth point or so"));
+    return result;
+}
+
+}  // namespace hdconj

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "registration.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hdconj/error.hpp"
+
+namespace hdconj::inspect {
+namespace {
+
+constexpr int settled_after = 12;             // steps in which points may come to a flank or leave it
+constexpr int most_registration_steps = 300;  // far from the flanks a step gains little more than half a digit
+constexpr double least_rank = 1e-7;           // of a column's pivot: a tooth alone fixes its lean to some 1e-2
+
+/// The sum of squares that the search within a pitch compares; a point on no flank counts as one a module away.
+double search_cost(Registered const& what, double turn)
+{
+    constexpr std::size_t most_probes = 600;
+    std::size_t const step = what.points.size() / most_probes + 1;
+    NominalPart const& part = what.read.part();
+    double const cap = part.pitch() * part.planes.front().reference_radius / 4;
+    double sum = 0;
+    for (std::size_t i = 0; i < what.points.size(); i += step) {
+        PointView const view = what.read(what.points[i], {turn, Vec2::Zero()});
+        double const size = view.on ? std::min(std::abs(view.deviation), cap) : cap;
+        sum += size * size;
+    }
+    return sum;
+}
+
+[[noreturn]] void refuse_loose(Registration registration, std::size_t points)
+{
+    throw InputError(Fault{"--register", 0, std::string(to_string(registration)),
+                           fmt::format("the {} points on flanks do not fix it", points),
+                           registration == Registration::turn ? "write --register datum, or measure more of the flank"
+                                                              : "write --register turn, or measure both flanks"});
+}
+
+/// One Gauss-Newton step.
+Eigen::VectorXd least_squares_step(std::vector<PointView> const& views, Placement const& placement,
+                                   Registered const& what, int unknowns)
+{
+    Eigen::MatrixXd const rows = jacobian(views, placement, what.read.part(), unknowns);
+    Eigen::VectorXd deviations(static_cast<Eigen::Index>(views.size()));
+    for (std::size_t i = 0; i < views.size(); ++i)
+        deviations[static_cast<Eigen::Index>(i)] = -views[i].deviation;
+    if (rows.rows() < unknowns)
+        refuse_loose(what.registration, views.size());
+    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(rows);
+    qr.setThreshold(least_rank);
+    if (qr.rank() < unknowns)
+        refuse_loose(what.registration, views.size());
+    return qr.solve(deviations);
+}
+
+/// Keeps the views on a flank, and the same points.
+void keep_settled(std::vector<PointView>& views, std::vector<PlanePoint>* points)
+{
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        if (!views[i].on)
+            continue;
+        views[kept] = views[i];
+        if (points != nullptr)
+            (*points)[kept] = (*points)[i];
+        ++kept;
+    }
+    views.resize(kept);
+    if (points != nullptr)
+        points->resize(kept);
+}
+
+}  // namespace
+
+double near_turn(Registered const& what)
+{
+    if (what.registration == Registration::datum)
+        return 0;
+    constexpr int turns = 24;          // of half a pitch to either side
+    constexpr double much_better = 4;  // in the sum of squares
+    double best = 0, least = search_cost(what, 0) / much_better;
+    for (int i = 1; i <= turns; ++i)
+        for (int const sign : {1, -1}) {
+            double const turn = sign * i * what.read.part().pitch() / (2 * turns);
+            double const cost = search_cost(what, turn);
+            best = cost < least ? turn : best;
+            least = std::min(least, cost);
+        }
+    return best;
+}
+
+int unknowns_of(Registration registration)
+{
+    return registration == Registration::datum ? 0 : registration == Registration::turn ? 1 : most_unknowns;
+}
+
+Eigen::MatrixXd jacobian(std::vector<PointView> const& views, Placement const& placement, NominalPart const& part,
+                         int unknowns)
+{
+    Eigen::MatrixXd rows(static_cast<Eigen::Index>(views.size()), unknowns);
+    double const radius = part.planes.front().reference_radius;
+    for (std::size_t i = 0; i < views.size(); ++i) {
+        auto row = rows.row(static_cast<Eigen::Index>(i));
+        if (unknowns > 0)
+            row[0] = views[i].by_turn() / radius;
+        if (unknowns == most_unknowns)
+            row.tail<2>() = by_shift(views[i], placement).transpose();
+    }
+    return rows;
+}
+
+Placement moved(Placement placement, Eigen::VectorXd const& step, NominalPart const& part)
+{
+    placement.turn += step[0] / part.planes.front().reference_radius;
+    if (step.size() == most_unknowns)
+        placement.shift += step.tail<2>();
+    return placement;
+}
+
+Placement registered(Registered const& what)
+{
+    int const unknowns = unknowns_of(what.registration);
+    if (unknowns == 0)
+        return {};
+    NominalPart const& part = what.read.part();
+    Placement placement{near_turn(what), Vec2::Zero()};
+    Registered used = what;
+    for (int step = 0; step < most_registration_steps; ++step) {
+        std::vector<PointView> views = views_of(used.read, used.points, placement, used.threads);
+        keep_settled(views, step == settled_after ? &used.points : nullptr);
+        Eigen::VectorXd const by = least_squares_step(views, placement, what, unknowns);
+        placement = moved(placement, by, part);
+        if (step > settled_after && by.norm() <= part.tolerance().roundoff())
+            return what.registration == Registration::minimum_zone ? minimum_zone(used, placement) : placement;
+    }
+    throw NumericalError(ErrorCode::not_converged, "registration", std::string(to_string(what.registration)),
+                         "the steps do not come to an end",
+                         "write the radius of the ball by --probe, or --register datum to see how the points lie");
+}
+
+}  // namespace hdconj::inspect

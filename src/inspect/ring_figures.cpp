@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ring_figures.hpp"
+
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hdconj/base/rigid_motion.hpp"
+
+namespace hdconj::inspect {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+double position_of(RingData const& data, FlankFit const& fit)
+{
+    return data.radius(fit) * fit.turn;
+}
+
+double position_variance(RingData const& data, FlankFit const& fit)
+{
+    return data.radius(fit) * data.radius(fit) * fit.covariance(0, 0);
+}
+
+/// The range of values along a flank: each point has the variance 1.
+Uncertain range_along(std::vector<double> const& values, Intervals const& intervals)
+{
+    std::vector<Candidate> candidates;
+    for (double const value : values)
+        candidates.push_back({value, 1, 0});
+    return range_of(candidates, intervals).figure;
+}
+
+/// Completes @p tooth. @returns whether its parabolas can be taken through 0
+bool find_radial_shift(RingData const& data, ToothFit& tooth)
+{
+    FlankGroup const &left_group = data.fits[tooth.left].group, &right_group = data.fits[tooth.right].group;
+    constexpr int most_steps = 60;
+    double const rounding = data.part().tolerance().roundoff();
+    Placement at = data.placement;
+    Vec2 shift = Vec2::Zero();
+    for (int step = 0; step < most_steps; ++step) {
+        auto const left = flank_parabola(data.read, data.points, left_group, at);
+        auto const right = flank_parabola(data.read, data.points, right_group, at);
+        if (!left || !right)
+            return false;
+        Eigen::Matrix2d slopes;
+        slopes << left->by_shift.row(0), right->by_shift.row(0);
+        Eigen::Matrix2d const inverse = slopes.inverse();
+        Vec2 const by = -inverse * Vec2(left->coefficient[0], right->coefficient[0]);
+        if (!by.allFinite())
+            return false;
+        shift += by;
+        at.shift =
+            data.placement.shift + turned_clockwise(data.read.from_tooth(shift, left_group.tooth), data.placement.turn);
+        if (by.norm() <= rounding || step + 1 == most_steps) {
+            Vec2 const row = inverse.row(1).transpose().cwiseAbs2();
+            tooth.radial = shift.y();
+            tooth.radial_variance = row.x() * left->covariance(0, 0) + row.y() * right->covariance(0, 0);
+            return true;
+        }
+    }
+    return false;
+}
+
+/// Amplitude and direction of the first harmonic of radial shifts round the ring.
+void add_eccentricity(PlaneFigures& plane, std::vector<Candidate> const& radial, std::vector<double> const& angle,
+                      Intervals const& intervals)
+{
+    constexpr std::size_t fewest_teeth = 4;  // one more than a mean and a harmonic have coefficients
+    constexpr double least_spread = 1e-3;    // of the pivots: some eighth of a turn
+    auto const n = static_cast<Eigen::Index>(radial.size());
+    Eigen::MatrixX3d basis(n, 3);
+    Eigen::VectorXd value(n);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        auto const k = static_cast<std::size_t>(i);
+        basis.row(i) << 1, std::sin(angle[k]), std::cos(angle[k]);
+        value[i] = radial[k].value;
+    }
+    Eigen::ColPivHouseholderQR<Eigen::MatrixX3d> qr(basis);
+    qr.setThreshold(least_spread);
+    if (radial.size() < fewest_teeth || qr.rank() < 3) {
+        plane.eccentricity = {unknown, unknown};
+        plane.direction = unknown;
+        return;
+    }
+    Eigen::Vector3d const harmonic = qr.solve(value);
+    Eigen::Matrix3d const inverse = (basis.transpose() * basis).inverse();
+    double const size = harmonic.tail<2>().norm();
+    Vec2 const along = size > 0 ? Vec2(harmonic.tail<2>() / size) : Vec2(0, 1);
+    double variance = 0;
+    for (Candidate const& each : radial)
+        variance += each.variance / static_cast<double>(radial.size());
+    plane.circle = true;
+    plane.eccentricity = intervals.figure(size, variance * along.dot(inverse.bottomRightCorner<2, 2>() * along));
+    plane.direction = std::atan2(harmonic[1], harmonic[2]);
+}
+
+/// Pitches between neighbours of one side, as sizes; the wrap from the last tooth to the first among them.
+std::vector<Candidate> pitches_of(RingData const& data, std::vector<std::size_t> const& side)
+{
+    std::vector<Candidate> pitches;
+    for (std::size_t k = 0; k < side.size(); ++k) {
+        FlankFit const& before = data.fits[side[k]];
+        FlankFit const& after = data.fits[side[(k + 1) % side.size()]];
+        int const step = (after.group.tooth - before.group.tooth + data.part().teeth) % data.part().teeth;
+        if (step != 1 || side.size() < 2)
+            continue;
+        pitches.push_back({std::abs(position_of(data, after) - position_of(data, before)),
+                           position_variance(data, after) + position_variance(data, before),
+                           data.number[side[(k + 1) % side.size()]]});
+    }
+    return pitches;
+}
+
+Uncertain mean_of(std::vector<Uncertain const*> const& each, double variance, Intervals const& intervals)
+{
+    double sum = 0;
+    for (auto const* one : each)
+        sum += one->value;
+    auto const n = static_cast<double>(each.size());
+    return intervals.figure(sum / n, variance / (n * n));
+}
+
+SideFigures figures_of_side(RingData const& data, std::vector<FlankFigures> const& flanks,
+                            std::vector<std::size_t> const& side, Intervals const& intervals)
+{
+    SideFigures found;
+    found.z = flanks[side.front()].z;
+    found.right = flanks[side.front()].right;
+    found.flanks = side.size();
+    std::vector<Uncertain const*> slopes, crownings;
+    std::vector<Candidate> positions;
+    double slope_variance = 0, crowning_variance = 0;
+    for (std::size_t const i : side) {
+        FlankFigures const& each = flanks[i];
+        slopes.push_back(&each.slope);
+        crownings.push_back(&each.crowning);
+        slope_variance += 4 * data.fits[i].covariance(1, 1);
+        crowning_variance += data.fits[i].covariance(2, 2);
+        positions.push_back({each.position.value, position_variance(data, data.fits[i]), each.tooth});
+        if (each.form.value > found.form.value || found.form_tooth == 0) {
+            found.form = each.form;
+            found.form_tooth = each.tooth;
+        }
+        if (each.total.value > found.total.value || found.total_tooth == 0) {
+            found.total = each.total;
+            found.total_tooth = each.tooth;
+        }
+    }
+    found.slope = mean_of(slopes, slope_variance, intervals);
+    found.crowning = mean_of(crownings, crowning_variance, intervals);
+    auto const pitches = pitches_of(data, side);
+    found.pitches = pitches.size();
+    if (pitches.empty()) {
+        found.single_pitch = found.total_pitch = {unknown, unknown};
+        return found;
+    }
+    LargestFigure const single = largest_of(pitches, intervals);
+    FigureRange const whole = range_of(positions, intervals);
+    found.single_pitch = single.figure;
+    found.pitch_tooth = single.tooth;
+    found.total_pitch = whole.figure;
+    found.from_tooth = whole.from;
+    found.to_tooth = whole.to;
+    return found;
+}
+
+}  // namespace
+
+std::vector<ToothFit> tooth_fits(RingData const& data)
+{
+    std::vector<ToothFit> teeth;
+    for (std::size_t i = 1; i < data.fits.size(); ++i) {
+        FlankGroup const &a = data.fits[i - 1].group, &b = data.fits[i].group;
+        ToothFit tooth{i - 1, i};
+        if (a.plane == b.plane && a.tooth == b.tooth && !a.right && b.right && find_radial_shift(data, tooth))
+            teeth.push_back(tooth);
+    }
+    return teeth;
+}
+
+std::vector<FlankFigures> flank_figures(RingData const& data, Intervals const& intervals)
+{
+    std::vector<FlankFigures> figures;
+    for (std::size_t i = 0; i < data.fits.size(); ++i) {
+        FlankFit const& fit = data.fits[i];
+        FlankParabola const& parabola = fit.parabola;
+        figures.push_back({data.z[fit.group.plane], data.number[i], fit.group.right, parabola.points.size(),
+                           intervals.figure(position_of(data, fit), position_variance(data, fit)),
+                           range_along(parabola.deviation, intervals),
+                           intervals.figure(2 * parabola.coefficient[1], 4 * fit.covariance(1, 1)),
+                           intervals.figure(-parabola.coefficient[2], fit.covariance(2, 2)),
+                           range_along(parabola.remainder, intervals)});
+    }
+    return figures;
+}
+
+std::vector<ToothFigures> tooth_figures(RingData const& data, Intervals const& intervals)
+{
+    std::vector<ToothFigures> figures;
+    for (ToothFit const& tooth : data.teeth) {
+        FlankFit const &left = data.fits[tooth.left], &right = data.fits[tooth.right];
+        NominalPlane const& plane = data.part().planes[left.group.plane];
+        figures.push_back({data.z[left.group.plane], data.number[tooth.left],
+                           intervals.figure(plane.thickness() + position_of(data, right) - position_of(data, left),
+                                            position_variance(data, right) + position_variance(data, left)),
+                           intervals.figure(tooth.radial, tooth.radial_variance)});
+    }
+    return figures;
+}
+
+std::vector<SideFigures> side_figures(RingData const& data, std::vector<FlankFigures> const& flanks,
+                                      Intervals const& intervals)
+{
+    std::vector<SideFigures> figures;
+    for (std::size_t plane = 0; plane < data.z.size(); ++plane)
+        for (bool const right : {false, true}) {
+            std::vector<std::size_t> side;
+            for (std::size_t i = 0; i < data.fits.size(); ++i)
+                if (data.fits[i].group.plane == plane && data.fits[i].group.right == right)
+                    side.push_back(i);
+            if (!side.empty())
+                figures.push_back(figures_of_side(data, flanks, side, intervals));
+        }
+    return figures;
+}
+
+std::vector<PlaneFigures> plane_figures(RingData const& data, Intervals const& intervals)
+{
+    std::vector<PlaneFigures> figures;
+    for (std::size_t plane = 0; plane < data.z.size(); ++plane) {
+        std::vector<Candidate> radial;
+        std::vector<double> angle;
+        double wider = 0, variance = 0;
+        for (ToothFit const& tooth : data.teeth) {
+            FlankFit const &left = data.fits[tooth.left], &right = data.fits[tooth.right];
+            if (left.group.plane != plane)
+                continue;
+            radial.push_back({tooth.radial, tooth.radial_variance, data.number[tooth.left]});
+            angle.push_back(left.group.tooth * data.part().pitch());
+            wider += position_of(data, right) - position_of(data, left);
+            variance += position_variance(data, right) + position_variance(data, left);
+        }
+        if (radial.empty())
+            continue;
+        auto const n = static_cast<double>(radial.size());
+        PlaneFigures found;
+        found.z = data.z[plane];
+        found.teeth = radial.size();
+        found.thickness = intervals.figure(data.part().planes[plane].thickness() + wider / n, variance / (n * n));
+        FigureRange const runout = range_of(radial, intervals);
+        found.runout = runout.figure;
+        found.near_tooth = runout.from;
+        found.far_tooth = runout.to;
+        add_eccentricity(found, radial, angle, intervals);
+        figures.push_back(found);
+    }
+    return figures;
+}
+
+}  // namespace hdconj::inspect
