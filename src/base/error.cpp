@@ -59,8 +59,8 @@ void sort_by_place(Faults& faults)
 std::string_view code_word(ErrorCode code)
 {
     static constexpr std::array<std::string_view, 13> words{
-        "not-converged", "not-smooth", "no-solution",     "no-land",      "no-outline", "interference",
-        "no-contact",    "overload",   "unsuitable-body", "no-reference", "no-room",    "failed-check", "stopped"};
+        "not-converged", "not-smooth",      "no-solution",  "no-land", "no-outline",   "interference", "no-contact",
+        "overload",      "unsuitable-body", "no-reference", "no-room", "failed-check", "stopped"};
     return words.at(static_cast<std::size_t>(code));
 }
 
