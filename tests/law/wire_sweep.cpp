@@ -9,6 +9,7 @@
 #include <polyclipping/clipper.hpp>
 
 #include "hdconj/read_scene.hpp"
+#include "hdconj/solve.hpp"
 #include "hdconj/wedm.hpp"
 #include "support/catch.hpp"
 #include "wedm/faces.hpp"
