@@ -25,8 +25,7 @@ struct Unit
     [[nodiscard]] double shown_error(double error) const { return error * shown_per_stored; }
     /// What a key in JSON ends in, "_mm".
     [[nodiscard]] std::string suffix() const { return *key == '\0' ? "" : std::string("_") + key; }
-    /// What the name of an attribute in HDF5 ends in, "_Nmm"; of a quotient, which has the same unit in JSON, that of
-    /// JSON: "_N_per_mm".
+    /// What the name of an attribute in HDF5 ends in, "_Nmm".
     [[nodiscard]] std::string attribute_suffix() const;
 };
 

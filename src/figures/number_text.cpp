@@ -76,8 +76,6 @@ double degrees_of(double angle)
 
 std::string Unit::attribute_suffix() const
 {
-    if (std::string_view(stored).find('/') != std::string_view::npos)
-        return this->suffix();
     std::string suffix;
     for (char const c : std::string_view(stored))
         if (c != ' ' && c != '1')
