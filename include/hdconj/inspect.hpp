@@ -227,6 +227,8 @@ struct Inspection
 /// points without noise; the nominal outline of a member that is solved for is a cubic spline through its points, whose
 /// error NominalFigures::error says.
 /// @param scene     of the drive; is solved where the part's tooth is not given
+/// @param measured  points of one tooth, of several, or of a whole ring [mm]
+/// @param options   part, planes, registration and probe
 /// @param on_stage  of the solution
 /// @throws InputError where the points do not belong to the part or do not fix the registration; NumericalError
 [[nodiscard]] Inspection inspect_points(Scene const& scene, PointFile const& measured, InspectOptions const& options,
