@@ -7,12 +7,12 @@ set datafile separator ","
 set title "stiffness of type-50, one outline, with one member after the other, 1000 N m/rad"
 set style fill solid
 set boxwidth 0.26
-set yrange [0:40]
+set yrange [0:42]
 set xrange [-0.6:8.9]
 set ytics 10 nomirror
 set grid ytics lc rgb "#dddddd"
 set border 3 lc rgb "#666666"
-set key top right
+set key top right horizontal
 set samples 2
 set bmargin 4
 set xtics nomirror scale 0 ("teeth\nand cup" 0, "22 rigid\nballs" 1, "balls by\nHertz" 2, "bearing\nclearance" 3, \
