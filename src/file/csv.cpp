@@ -59,6 +59,12 @@ std::string lower_case(std::string_view text, std::string_view without)
     return result;
 }
 
+char separator_of(std::string_view line)
+{
+    auto const found = line.find(';') != std::string_view::npos ? line.find(';') : line.find('\t');
+    return found != std::string_view::npos ? line[found] : ',';
+}
+
 std::vector<std::string_view> fields_of(std::string_view line, char separator)
 {
     std::vector<std::string_view> fields;

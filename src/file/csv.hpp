@@ -38,6 +38,9 @@ std::optional<Unreadable> read_csv(std::filesystem::path const& file, std::uintm
 /// @p text with the letters A to Z in lower case, without the characters @p without.
 [[nodiscard]] std::string lower_case(std::string_view text, std::string_view without = "");
 
+/// What separates the fields of a line: the semicolon or the tab where it has one, else the comma.
+[[nodiscard]] char separator_of(std::string_view line);
+
 /// Fields between separators, trimmed; one more than there are separators.
 [[nodiscard]] std::vector<std::string_view> fields_of(std::string_view line, char separator);
 

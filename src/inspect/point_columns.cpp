@@ -91,9 +91,7 @@ void require(Header const& header, Content const& content, PointColumns const& c
 PointColumns point_columns(std::string_view text, int line, std::string const& name, Faults& faults)
 {
     PointColumns columns;
-    columns.separator = text.find(';') != std::string_view::npos    ? ';'
-                        : text.find('\t') != std::string_view::npos ? '\t'
-                                                                    : ',';
+    columns.separator = file::separator_of(text);
     Header const header{line, name, faults};
     auto const headings = file::fields_of(text, columns.separator);
     if (std::all_of(headings.begin(), headings.end(),

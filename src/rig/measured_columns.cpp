@@ -118,9 +118,7 @@ void require_one(HeaderReading const& reading, Quantity const& read, Quantity co
 MeasuredColumns measured_columns(std::string_view text, int line, std::string const& name, Faults& faults)
 {
     MeasuredColumns columns;
-    columns.separator = text.find(';') != std::string_view::npos    ? ';'
-                        : text.find('\t') != std::string_view::npos ? '\t'
-                                                                    : ',';
+    columns.separator = file::separator_of(text);
     HeaderReading const reading{line, name, columns, faults};
     auto const headings = file::fields_of(text, columns.separator);
     std::vector<std::string_view> unknown;
