@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables of load.md, stiffness.md and thesis.md, from the program's own JSON: docs/tables/load.py PROGRAM [--csv] [TABLE ...]
+"""Tables of load.md, load-errors.md, stiffness.md and thesis.md, from the program's own JSON.
+
+  docs/tables/load.py PROGRAM [--csv] [TABLE ...]
 
 TABLE is any of: stages, curve, prototypes, members, shares, grid, thesis, tilted, surfaces, bearing, fixed, balls,
-reliefs, errors, estimates; all of them without one. With --csv a table is comma-separated, as data/reference/load-TABLE.csv has it, in
-place of Markdown.
+reliefs, errors, estimates; all of them without one. With --csv a table is comma-separated, as
+data/reference/load-TABLE.csv has it, in place of Markdown.
 """
 
 import json
