@@ -230,8 +230,7 @@ BallContact solve_on_balls(numeric::Complementarity& problem, Index first, BallL
     }
     throw NumericalError(ErrorCode::not_converged, "bearing", "balls",
                          "in " + std::to_string(most_secants) +
-                             " iterations the balls did not come to the law of "
-                             "Hertz");
+                             " iterations forces and approaches of the balls did not come to Hertz' law");
 }
 
 }  // namespace hdconj::elastic
