@@ -18,6 +18,10 @@ struct ExportArguments
     bool contact = false;
 };
 
+/// Elements round half a lobe below which CalculiX's test for convergence, that the number of closed contact points no
+/// longer changes, is met by chance.
+constexpr int fewest_contact_steps = 12;
+
 /// What the contact deck has no elements for.
 void refuse_contact(BearingChoice const& bearing)
 {
@@ -39,6 +43,11 @@ int run_export(CommonOptions const& common, ExportArguments const& own)
         throw InputError(Fault{"export", 0, "", "nothing is asked for", "write --calculix DIR or --vtu FILE"});
     if (own.contact && own.calculix.empty())
         throw InputError(Fault{"--contact", 0, "", "is a deck for CalculiX", "write --calculix DIR too"});
+    if (own.contact && own.steps < fewest_contact_steps)
+        throw InputError(Fault{"--steps", 0, std::to_string(own.steps),
+                               "with few contact points CalculiX may end in a state in which some still change between "
+                               "open and closed",
+                               "write --steps 16, or at least " + std::to_string(fewest_contact_steps)});
     Scene const scene = loaded_scene(load_scene(common));
     if (own.contact && scene.bearing)
         refuse_contact(*scene.bearing);
@@ -77,13 +86,14 @@ void add_export(CLI::App& program, CommonOptions& common)
     verb.add_flag("--contact", own.contact, "with --calculix: a second deck, cup and bearing as two bodies in contact");
     add_name(verb, "--vtu", own.vtu, "file for ParaView: the cup with displacements and stress");
     verb.add_option("--steps", own.steps,
-                    "elements round half a lobe (deck), and twice as many round the whole (vtu) [48]")
+                    "elements round half a lobe (deck; at least 12 with --contact), and twice as many round the whole "
+                    "(vtu) [48]")
         ->check(whole_number(4, 720));
     verb.footer(
         "A scene without [coning] has an elastic cup whose teeth stand in the middle of the bearing, as in load.\n"
         "Examples:\n"
-        "  hdconj export --calculix deck && cd deck && ccx linear\n"
-        "  hdconj export --calculix deck --contact --steps 24 && cd deck && ccx contact\n"
+        "  hdconj export --calculix deck && cd deck && ccx linear && python3 compare.py linear\n"
+        "  hdconj export --calculix deck --contact --steps 16 && cd deck && ccx contact && python3 compare.py contact\n"
         "  hdconj export drive.toml --vtu cup.vtu\n"
         "Exit status: 0 done, 1 failed, 2 bad scene or bad command line.");
 }

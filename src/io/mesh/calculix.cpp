@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "calculix_deck.hpp"
+#include "compare_script.hpp"
 #include "file/atomic_folder.hpp"
 #include "hdconj/mesh_files.hpp"
 #include "hdconj/units.hpp"
@@ -35,7 +36,7 @@ std::string linear_deck(elastic::BentCup const& cup, io::DeckBody const& body, s
     auto const loads = bearing_loads(cup, body, steps);
     std::string deck = fmt::format(
         "** The cup of a harmonic drive under the forces of its wave generator's bearing, linear. mm, N, MPa.\n"
-        "** {} of it. Displacements must come to expected.csv: run ccx linear, then compare linear.dat.\n",
+        "** {} of it. Displacements must come to expected.csv: run ccx linear, then python3 compare.py linear.\n",
         body.half ? "Half a lobe, between two planes of symmetry," : "All");
     auto const out = std::back_inserter(deck);
     io::put_nodes(deck, body, "NALL");
@@ -88,9 +89,11 @@ void write_calculix(elastic::BentCup const& cup, std::filesystem::path const& fo
     file::AtomicFolder made(folder, file::AtomicFolder::calculix_deck);
     std::vector<std::pair<std::string, std::string>> list{
         {"linear.inp", "cup under the forces of its bearing, geometrically linear: run ccx linear"},
-        {"expected.csv", "what linear.dat must say of the nodes NWATCH: displacements in mm"}};
+        {"expected.csv", "what linear.dat must say of the nodes NWATCH: displacements in mm"},
+        {"compare.py", "compares them: python3 compare.py linear"}};
     made.write("linear.inp", deck);
     made.write("expected.csv", expected);
+    made.write("compare.py", std::string(io::compare_script));
     if (contact) {
         io::ContactDeck const two = io::contact_deck(cup, body);
         made.write("contact.inp", two.deck);
@@ -99,7 +102,8 @@ void write_calculix(elastic::BentCup const& cup, std::filesystem::path const& fo
             "contact.inp",
             "cup and bearing in unilateral contact: run ccx contact; displacements of NWATCH again as in expected.csv");
         list.emplace_back("expected_contact.csv",
-                          "what contact.dat must say of the surfaces' total force, but for its sign");
+                          "what contact.dat must say of the surfaces' total force, but for its sign: python3 "
+                          "compare.py contact");
     }
     made.publish(list);
 }
