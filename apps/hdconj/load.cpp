@@ -26,6 +26,7 @@ struct LoadArguments
     std::optional<int> points;
     CaseArguments cases;
     bool no_curve = false;
+    bool no_errors = false;
     std::string output;  ///< result file; empty: named after the scene file
     std::string picture;
     std::string vtu;
@@ -61,6 +62,7 @@ LoadOptions options_of(LoadArguments const& own)
         options.torque = *own.torque_nm * newton_metre;
     options.points = own.points;
     options.curve = !own.no_curve;
+    options.errors = !own.no_errors;
     return options;
 }
 
@@ -147,7 +149,7 @@ int run_load(CommonOptions const& common, LoadArguments const& own)
     };
     work.text = [&](LoadStudy const& study, Written const& written) { return summary_text(study, written, measured); };
     work.json = [&](LoadStudy const& study, Written const& written) { return summary_json(study, written, measured); };
-    work.status = [](LoadStudy const& study) { return status_of_cases(study.missing, study.cases.size()); };
+    work.status = [](LoadStudy const& study) { return status_of_missing(study.missing); };
     work.judgement = [](LoadStudy const& study) { return study.solution.judgement; };
     return run_verb(common, work);
 }
@@ -210,6 +212,7 @@ void add_load(CLI::App& program, CommonOptions& common)
                whole_number(1, 1000));
     add_case_options(verb, own.cases, "tilt angles in degrees, such as 0,0.1,0.2 [the scene's]");
     verb.add_flag("--no-curve", own.no_curve, "the largest torque only: no curve, no K1, K2, K3");
+    verb.add_flag("--no-errors", own.no_errors, "no second grid: the same figures without their errors, in less time");
     add_name(verb, "-o,--output", own.output, "result file, HDF5 [the scene file's name and -load.h5, in this folder]",
              "FILE");
     add_name(

@@ -46,8 +46,9 @@ _hdconj()
             options="$common --strict --tilt --surface --kind --best --revolution --output --picture"
             options="$options --xdmf --stl --vtk --ring" ;;
         load)
-            options="$common --strict --torque --points --tilt --surface --kind --no-curve --output --picture --vtu"
-            options="$options --measured --torque-constant --counts-per-turn --ratio --efficiency --output-member" ;;
+            options="$common --strict --torque --points --tilt --surface --kind --no-curve --no-errors --output"
+            options="$options --picture --vtu --measured --torque-constant --counts-per-turn --ratio --efficiency"
+            options="$options --output-member" ;;
         wedm) options="$common --strict --part --tilt --output --from --dialect --decimals --picture" ;;
         accuracy)
             options="$common --study --output --sample --repeats --quick --from --budget --error --page" ;;

@@ -190,10 +190,11 @@ struct LoadCase
     /// figure does not converge: pressure_at_edge, LoadStudy::sharp_steps.
     LoadedState error;
     double backlash_error = 0;  ///< the same of the backlash [rad]
-    /// False: fewer than three slices, or no equilibrium on the coarse grid; the errors are 0 and mean nothing.
+    /// False: errors are not asked for, fewer than three slices, or no equilibrium on the coarse grid; the errors are 0
+    /// and mean nothing.
     bool estimated = false;
     /// The error of each state of the curve; none where the coarse grid has no equilibrium. Empty: fewer than three
-    /// slices.
+    /// slices, or errors are not asked for.
     std::vector<std::optional<LoadedState>> curve_error;
     /// The largest pressure is at an end of the face width, where it grows with the number of slices.
     bool pressure_at_edge = false;
@@ -236,6 +237,7 @@ struct LoadOptions
     std::optional<double> torque;        ///< rated torque [N mm]
     std::optional<int> points;           ///< even torques on the way up, beside those of the catalogue's figures
     bool curve = true;                   ///< false: the rated torque only
+    bool errors = true;                  ///< false: no second grid, and no estimated errors
     std::function<bool()> stop;          ///< asked before each torque; true: what is there is the result. Null: never
 };
 

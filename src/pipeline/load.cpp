@@ -58,7 +58,8 @@ LoadStudy study_load(Scene const& scene, LoadOptions const& options, StageObserv
         });
     }
     clock.run(Stage::load, [&] {
-        drives.coarse = load::coarse_drive(context);
+        if (options.errors)
+            drives.coarse = load::coarse_drive(context);
         if (drives.coarse)
             load::estimate_errors(context, drives, study.cup);
         load::add_cases(context, drives, options, observer, study);

@@ -36,7 +36,9 @@ void write_values(Page& page, LoadStudy const& study, LoadCase const& each)
 void write_errors_of(Page& page, LoadStudy const& study, LoadCase const& each)
 {
     if (!each.estimated) {
-        page.line("    +-     no error estimate: it needs three slices, and equilibrium on a grid half as fine");
+        page.line(
+            "    +-     no error estimate: it needs three slices, equilibrium on a grid half as fine, and no "
+            "--no-errors");
         return;
     }
     auto const names = figures::unconverged_figures(each, study.balls);
