@@ -79,7 +79,7 @@ std::optional<CatalogueFigures> catalogue_figures(CatalogueTorques const& torque
     if (!other)
         return result;
     // Two grids may agree by chance in one of them: relative to its size, none gets less than the worst.
-    constexpr double slopes = 1.25, lost_motion = 2;  // times the safety, see grid_error.cpp
+    constexpr double slopes = 1.25, lost_motion = 2.4;  // times the safety, see grid_error.cpp
     double relative = 0;
     for (std::size_t i = 0; i < found->k.size(); ++i)
         relative = std::max(relative, slopes * safety * std::abs(found->k[i] - other->k[i]) / found->k[i]);

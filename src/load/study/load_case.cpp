@@ -230,7 +230,7 @@ void enter_stress(contact::ContactContext const& context, DrivePair const& drive
     LoadModel const& coarse = drives.coarse->model;
     CupStress const other = cup_stress(coarse, cup_field(coarse, coarse_forces, context.threads), context.threads);
     result.error.largest_stress =
-        grid_safety(model.drive.slice_z.size()) * std::abs(stress.peak.stress - other.peak.stress) + stress.at_corners;
+        stress_error(stress.peak.stress, other.peak.stress, stress.at_corners, grid_safety(model.drive.slice_z.size()));
     result.curve_error[result.rated]->largest_stress = result.error.largest_stress;
 }
 
@@ -259,8 +259,11 @@ SolvedCase load_case(contact::ContactContext const& context, DrivePair const& dr
         if (std::optional<TorqueContinuation> found = coarse_path(*coarse_problem, drives.coarse->unloaded, path))
             coarse.emplace(std::move(*found));
     }
-    if (coarse)
-        result.backlash_error = safety * std::abs(width_of(path.play) - width_of(coarse->play));
+    if (coarse) {
+        // Teeth that press on both flanks are a balance, whose error varies more than that of a gap.
+        double const pressed = result.backlash < 0 ? 3 : 1;
+        result.backlash_error = pressed * safety * std::abs(width_of(path.play) - width_of(coarse->play));
+    }
 
     BranchWithErrors const rated = solve_curve(
         context, {path, coarse ? &*coarse : nullptr, safety, compliance_of(drives.series)}, torques, observer, result);

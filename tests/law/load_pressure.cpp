@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Pressures and forces on edges of a loaded drive, from the contacts alone; and a load without error estimates.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "hdconj/load.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/units.hpp"
+#include "support/catch.hpp"
+
+namespace hdconj::test::load_pressure_cases {
+
+namespace {
+
+LoadStudy study(std::vector<std::string> const& more, bool errors = true)
+{
+    std::vector<std::string> keys{"slices.count=9", "contact.flank_points=80", "bearing.circles=5"};
+    keys.insert(keys.end(), more.begin(), more.end());
+    LoadOptions options;
+    options.torque = 20 * newton_metre;
+    options.curve = false;
+    options.errors = errors;
+    return study_load(builtin_scene(keys), options);
+}
+
+/// 1/E* of two bodies of 30CrMnSiA [1/MPa]
+double const compliance = 2 * (1 - 0.3 * 0.3) / 206000;
+
+struct Pressed
+{
+    double flank_pressure = 0, edge_force = 0, edge_fraction = 0, largest_pressure = 0;
+};
+
+/// From force and half width of each contact: by Hertz, the relative curvature is 4 q/(pi E* a^2) and the pressure
+/// 2 q/(pi a). A contact is on an edge where its curvature is at least half that of the edge radius.
+Pressed pressed(LoadStudy const& of)
+{
+    LoadCase const& each = of.cases.front();
+    LoadMap const& map = each.map;
+    Pressed result;
+    std::map<std::pair<int, int>, double> on_edges;
+    double all = 0, edges = 0;
+    for (ContactForce const& c : each.contacts) {
+        auto const node = map.index(static_cast<std::size_t>(c.space), c.flank, static_cast<std::size_t>(c.slice));
+        double const q = c.force * map.line_load[node] / map.force[node];
+        double const curvature = 4 * q * compliance / (std::numbers::pi * c.half_width * c.half_width);
+        double const pressure = 2 * q / (std::numbers::pi * c.half_width), z = map.z[static_cast<std::size_t>(c.slice)];
+        bool const at_end = z - map.z.front() < 0.5 || map.z.back() - z < 0.5;
+        bool const on_edge = curvature > 0.5 / of.edge_radius;
+        result.largest_pressure = std::max(result.largest_pressure, pressure);
+        all += c.force;
+        if (!at_end && !on_edge)
+            result.flank_pressure = std::max(result.flank_pressure, pressure);
+        else
+            edges += c.force, on_edges[{c.space, c.flank}] += c.force;
+    }
+    for (auto const& [flank, force] : on_edges)
+        result.edge_force = std::max(result.edge_force, force);
+    result.edge_fraction = edges / all;
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("edges and ends carry what their contacts carry, and the flank's pressure is that of the others",
+          "[load][pressure]")
+{
+    // both: nearly all on edges of lands, and nearly all on flanks
+    auto const [surface, clearance, on_edges] =
+        GENERATE(std::tuple("tilted", "0.09", true), std::tuple("per-slice", "0.04", false));
+    CAPTURE(surface);
+    LoadStudy const solved =
+        study({std::string("slices.surface=") + surface, std::string("circular_spline.backlash_offset=") + clearance});
+    LoadedState const& state = solved.cases.front().curve.front();
+    Pressed const found = pressed(solved);
+    constexpr double rounding = 1e-9;  // of sums
+    CHECK(state.largest_pressure == Approx(found.largest_pressure).epsilon(rounding));
+    CHECK(state.flank_pressure == Approx(found.flank_pressure).epsilon(rounding));
+    CHECK(state.edge_force == Approx(found.edge_force).epsilon(rounding));
+    CHECK(state.edge_fraction == Approx(found.edge_fraction).epsilon(rounding));
+    CHECK((state.edge_fraction > 0.5) == on_edges);
+    CHECK(state.edge_force > 0);
+    if (!on_edges)
+        CHECK(state.flank_pressure > 0);
+}
+
+TEST_CASE("a load without errors has the same figures, bit for bit", "[load][errors]")
+{
+    LoadStudy const with = study({"circular_spline.backlash_offset=0.09"}),
+                    without = study({"circular_spline.backlash_offset=0.09"}, false);
+    LoadCase const &a = with.cases.front(), &b = without.cases.front();
+    CHECK(a.estimated);
+    CHECK_FALSE(b.estimated);
+    CHECK(b.curve_error.empty());
+    CHECK(with.cup.estimated);
+    CHECK_FALSE(without.cup.estimated);
+    CHECK(a.map.force == b.map.force);
+    CHECK(a.curve.front().twist == b.curve.front().twist);
+    CHECK(a.curve.front().largest_stress == b.curve.front().largest_stress);
+    CHECK(a.backlash == b.backlash);
+    CHECK(b.backlash_error == 0);
+}
+
+}  // namespace hdconj::test::load_pressure_cases
