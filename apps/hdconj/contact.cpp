@@ -90,7 +90,7 @@ int run_contact(CommonOptions const& common, ContactArguments const& own)
     };
     work.text = [](ContactStudy const& study, Written const& written) { return summary_text(study, written); };
     work.json = [](ContactStudy const& study, Written const& written) { return summary_json(study, written); };
-    work.status = [](ContactStudy const& study) { return status_of_cases(study.missing, study.cases.size()); };
+    work.status = [](ContactStudy const& study) { return status_of_missing(study.missing); };
     work.judgement = [](ContactStudy const& study) { return study.solution.judgement; };
     return run_verb(common, work);
 }

@@ -68,12 +68,12 @@ std::vector<std::string> names_of(Written const& written)
     return names;
 }
 
-int status_of_cases(std::vector<std::string> const& missing, std::size_t computed)
+int status_of_missing(std::vector<std::string> const& missing)
 {
     if (missing.empty())
         return exit_done;
-    std::cerr << "hdconj: " << missing.size() << " of " << missing.size() + computed
-              << " cases could not be computed; the others are written\n";
+    std::cerr << "hdconj: " << missing.size() << (missing.size() == 1 ? " result is" : " results are")
+              << " missing; what could be computed is written\n";
     for (auto const& each : missing)
         std::cerr << "  " << each << '\n';
     return exit_failed;

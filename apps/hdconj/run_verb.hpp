@@ -75,10 +75,9 @@ struct Work
 /// Names of the files.
 [[nodiscard]] std::vector<std::string> names_of(Written const& written);
 
-/// What a verb with several cases ends with: done, or failed where some are @p missing, which is said on standard
+/// What a verb with several results ends with: done, or failed where some are @p missing, which is said on standard
 /// error.
-/// @param computed  number of cases that are written by now
-[[nodiscard]] int status_of_cases(std::vector<std::string> const& missing, std::size_t computed);
+[[nodiscard]] int status_of_missing(std::vector<std::string> const& missing);
 
 /// Adds the file @p name to @p work; none where the name is empty.
 /// @param option  that names it

@@ -71,15 +71,15 @@ constexpr auto force_figures()
                                         {"pressure", table_number, table_number}),
         figure<&T::pressure_z>("pressure_z", mm, "slice of the largest pressure", {"z", fixed<3>}),
         estimated<&T::largest_force>("largest_force", newton, "largest force on one tooth",
-                                     {"force", table_number, significant<2>}),
+                                     {"force", table_number, two_digits}),
         estimated<&T::largest_line_load>("largest_line_load", newton_per_mm,
                                          "largest mean line load over half a millimetre of a flank's width",
-                                         {"line load", table_number, significant<2>}),
+                                         {"line load", table_number, two_digits}),
         estimated<&T::flank_pressure>("flank_pressure", megapascal,
                                       "largest Hertz pressure away from edges and ends of the face width",
-                                      {"pressure", table_number, significant<2>}),
+                                      {"pressure", table_number, two_digits}),
         estimated<&T::edge_force>("edge_force", newton, "largest force that edges and ends of one flank carry",
-                                  {"edges", table_number, significant<2>}),
+                                  {"edges", table_number, two_digits}),
         estimated<&T::edge_fraction>("edge_fraction", one, "fraction of the force of all flanks on edges and ends",
                                      {"edges", significant<3>, significant<2>, &percent})};
 }
@@ -210,20 +210,20 @@ Rows<LoadCase> load_case_figures()
             .printed({"backlash", fixed<2>, significant<2>}),
         figure<&T::stages, &Stages::first>("first_stage", newton_metre_per_rad,
                                            "slope of the first of two lines through the curve",
-                                           {"first", table_number, significant<2>, &newton_metre_per_degree})
+                                           {"first", table_number, two_digits, &newton_metre_per_degree})
             .with_error<&T::stages, &Stages::first_error>()
             .without(json_error),
         json_only(figure<&T::stages, &Stages::first>("first_stage", newton_metre_per_degree, "the same")
                       .with_error<&T::stages, &Stages::first_error>()),
         figure<&T::stages, &Stages::second>("second_stage", newton_metre_per_rad,
                                             "slope of the second of two lines through the curve",
-                                            {"second", table_number, significant<2>, &newton_metre_per_degree})
+                                            {"second", table_number, two_digits, &newton_metre_per_degree})
             .with_error<&T::stages, &Stages::second_error>()
             .without(json_error),
         json_only(figure<&T::stages, &Stages::second>("second_stage", newton_metre_per_degree, "the same")
                       .with_error<&T::stages, &Stages::second_error>()),
         figure<&T::stages, &Stages::knee>("knee", newton_metre, "torque where the lines meet",
-                                          {"knee", table_number, significant<2>})
+                                          {"knee", table_number, two_digits})
             .with_error<&T::stages, &Stages::knee_error>(),
         figure<&T::stages, &Stages::knee_twist>("knee_twist", arcmin, "twist where the lines meet"),
         figure<&T::stages, &Stages::rms>("stages_rms", newton_metre,

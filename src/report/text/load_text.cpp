@@ -11,6 +11,37 @@
 namespace hdconj::report {
 namespace {
 
+/// What the scene says of reliefs and errors; nothing where it gives none.
+void write_deviations(Page& page, Scene const& scene)
+{
+    auto const in_um = [](double length) { return fmt::format("{:g} um", figures::unit::um.shown(length)); };
+    if (scene.tip_relief)
+        page.figure("tip relief", in_um(scene.tip_relief->amount),
+                    fmt::format("at the tip, from {:g} mm above the pitch line on", scene.tip_relief->from_height));
+    if (scene.end_relief)
+        page.figure("end relief", in_um(scene.end_relief->amount),
+                    fmt::format("at both ends, over {:g} mm", scene.end_relief->length));
+    if (!scene.errors)
+        return;
+    auto const of_ring = [&](char const* name, std::optional<RingErrors> const& ring) {
+        if (!ring)
+            return;
+        if (!ring->pitch.empty())
+            page.figure("pitch errors", fmt::format("{} teeth", ring->pitch.size()), name);
+        else if (ring->pitch_deviation != 0)
+            page.figure("pitch errors", in_um(ring->pitch_deviation),
+                        fmt::format("{}, standard deviation, seed {}", name, scene.errors->seed));
+        if (ring->eccentricity != 0)
+            page.figure("eccentricity", in_um(ring->eccentricity), name);
+    };
+    of_ring("flexspline", scene.errors->flexspline);
+    of_ring("circular spline", scene.errors->circular_spline);
+    if (scene.errors->profile_slope != 0)
+        page.figure("profile slope", in_um(scene.errors->profile_slope), "flexspline, tip over root");
+    if (!scene.errors->profile_form.empty())
+        page.figure("profile form", fmt::format("{} rows", scene.errors->profile_form.size()), "flexspline");
+}
+
 void write_load_setting(Page& page, LoadStudy const& study)
 {
     auto const& cup = study.cup;
@@ -39,6 +70,7 @@ void write_load_setting(Page& page, LoadStudy const& study)
         line("largest_stress", rows["largest_stress"].text.label, "von Mises, inside the elements");
     Told const whole(of_study, study);
     page.figure(of_study["edge_radius"], study, "radius under load");
+    write_deviations(page, study.solution.scene);
     if (study.standard_tip_increase > 0) {
         auto const tip = figures::geometry_figures()["tip_radius"];
         page.figure("tip circle", fmt::format("{:.4f} mm", tip.value(study.solution)),
