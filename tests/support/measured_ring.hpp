@@ -12,6 +12,7 @@
 
 #include "hdconj/base/rigid_motion.hpp"
 #include "hdconj/inspect.hpp"
+#include "hdconj/read_scene.hpp"
 #include "support/draws.hpp"
 
 namespace hdconj::test {
@@ -164,6 +165,25 @@ inline PointFile points_of(MeasuredRing& ring, designs::Draws& draws)
     for (std::size_t i = 0; i < file.points.size(); ++i)
         file.points[i].line = static_cast<int>(i) + 2;
     return file;
+}
+
+/// What a figure of a ring without noise may be off by [mm].
+inline constexpr double exact = 1e-9;
+
+/// A drive with the flexspline of @p ring.
+inline Scene scene_of(MeasuredRing const& ring)
+{
+    return builtin_scene({"drive.flexspline_teeth=" + std::to_string(ring.teeth),
+                          "drive.circular_spline_teeth=" + std::to_string(ring.teeth + 2),
+                          "circular_spline.inner_radius=" + std::to_string(ring.pitch_radius() + 0.025),
+                          "solver.threads=1"});
+}
+
+/// The points of @p ring on its nominal part.
+inline Inspection inspected(MeasuredRing& ring, designs::Draws& draws, Registration registration)
+{
+    PointFile const file = points_of(ring, draws);
+    return inspect_points(scene_of(ring), file, {InspectedPart::flexspline, std::nullopt, ring.probe, registration});
 }
 
 }  // namespace hdconj::test

@@ -7,37 +7,19 @@
 
 #include "hdconj/inspect.hpp"
 #include "hdconj/read_scene.hpp"
-#include "hdconj/solve.hpp"
-#include "inspect/nominal_part.hpp"
 #include "support/catch.hpp"
 #include "support/measured_ring.hpp"
-#include "support/type50.hpp"
 
 namespace hdconj::test::inspect_rings_cases {
 
 namespace {
 
-constexpr double exact = 1e-9;  // mm
 constexpr int small_ring = 60;
 
 /// Rings of each kind: few, or with HDCONJ_FULL all of them.
 int rings_of_kind(int full)
 {
     return std::getenv("HDCONJ_FULL") != nullptr ? full : 2;
-}
-
-Scene scene_of(MeasuredRing const& ring)
-{
-    return builtin_scene({"drive.flexspline_teeth=" + std::to_string(ring.teeth),
-                          "drive.circular_spline_teeth=" + std::to_string(ring.teeth + 2),
-                          "circular_spline.inner_radius=" + std::to_string(ring.pitch_radius() + 0.025),
-                          "solver.threads=1"});
-}
-
-Inspection inspected(MeasuredRing& ring, designs::Draws& draws, Registration registration)
-{
-    PointFile const file = points_of(ring, draws);
-    return inspect_points(scene_of(ring), file, {InspectedPart::flexspline, std::nullopt, ring.probe, registration});
 }
 
 void give_errors(MeasuredRing& ring, designs::Draws& draws, double form)
@@ -133,6 +115,44 @@ TEST_CASE("slope, crowning, form, pitch and thickness of a ring without noise co
     }
 }
 
+TEST_CASE("planes of one file have their own figures, whatever the order of the points", "[inspect]")
+{
+    std::vector<double> const heights{-3, 0.5, 2.75};
+    std::vector<MeasuredRing> rings;
+    PointFile file{"planes", {}, true};
+    designs::Draws draws(1500);
+    for (double const z : heights) {
+        MeasuredRing& ring = rings.emplace_back();
+        ring.teeth = small_ring;
+        ring.points = 14;
+        give_errors(ring, draws, 1e-3);
+        for (PartPoint point : points_of(ring, draws).points) {
+            point.z = z + draws.between(-1e-4, 1e-4);  // as a machine holds it
+            file.points.push_back(point);
+        }
+    }
+    for (std::size_t i = file.points.size(); i-- > 1;)
+        std::swap(file.points[i], file.points[static_cast<std::size_t>(draws.whole(0, static_cast<int>(i)))]);
+    InspectOptions options{InspectedPart::flexspline, std::nullopt, 0, Registration::datum};
+    Inspection const all = inspect_points(scene_of(rings[0]), file, options);
+    REQUIRE(all.nominal.size() == heights.size());
+    for (std::size_t k = 0; k < heights.size(); ++k) {
+        CAPTURE(heights[k]);
+        auto const elsewhere = [&](auto const& each) { return std::abs(each.z - heights[k]) > 1e-3; };
+        Inspection of_plane = all;
+        std::erase_if(of_plane.flanks, elsewhere);
+        std::erase_if(of_plane.teeth, elsewhere);
+        std::erase_if(of_plane.sides, elsewhere);
+        check_flanks(of_plane, rings[k]);
+        check_pitch(of_plane, rings[k]);
+        options.plane = heights[k];
+        Inspection const alone = inspect_points(scene_of(rings[k]), file, options);
+        CHECK(alone.nominal.size() == 1);
+        check_flanks(alone, rings[k]);
+        check_pitch(alone, rings[k]);
+    }
+}
+
 TEST_CASE("points that stand off are left out, and the figures are exact without them", "[inspect]")
 {
     for (int i = 0; i < rings_of_kind(12); ++i) {
@@ -194,57 +214,6 @@ TEST_CASE("an eccentric ring gives its eccentricity, runout, turn and shift back
             CHECK(found.placement.rms < exact);
         }
     }
-}
-
-TEST_CASE("the mean flank is the nominal one with the deviations that all flanks have", "[inspect]")
-{
-    designs::Draws draws(5000);
-    MeasuredRing ring;
-    ring.measured = {0, 1, 50, 120};
-    FlankErrors const same{0, 3e-3, -2e-3, 0};
-    ring.left.assign(4, same);
-    ring.right.assign(4, same);
-    Inspection const found = inspected(ring, draws, Registration::datum);
-    REQUIRE(found.mean_flank.size() > 100);
-    profile::Profile const tooth = type50_tooth();
-    inspect::NominalPlane const nominal = inspect::plane_of_profile(tooth, type50_r_m);
-    for (Vec2 const& p : found.mean_flank) {
-        Vec2 const in_frame = p + Vec2(0, tooth.pitch_line);
-        auto const foot = nominal.right(in_frame);
-        double const xi = 2 * nominal.right.arc_length(foot.point) / nominal.right.length() - 1;
-        if (foot.on)
-            CHECK(std::abs(foot.distance - (same.slope / 2 * xi - same.crowning * xi * xi)) < exact);
-    }
-    CHECK(std::abs(found.mean_flank.front().y() - tooth.addendum) < 1e-12);
-    CHECK(std::abs(found.mean_flank.back().y() + tooth.dedendum) < 1e-12);
-}
-
-TEST_CASE("points of the solved circular spline lie on it, those of a wider space beside it", "[inspect]")
-{
-    Scene scene = builtin_scene({"solver.threads=1"});
-    Scene fine = scene;
-    fine.solver.tolerance = 1e-8;
-    CircularSplineOutline const spline = solve(fine).circular_spline;
-    PointFile file{"spline", {}, false};
-    double const pitch = 2 * std::numbers::pi / scene.drive.circular_spline_teeth, wider = 8e-5;  // rad
-    for (int const space : {0, 1, 2, 70})
-        for (OutlinePiece const& piece : spline.pieces)
-            for (std::size_t i = piece.first; piece.kind == "flank" && i <= piece.last; i += 40) {
-                Vec2 const& p = spline.outline.front()[i];
-                double const out = (p.x() > 0 ? 1 : -1) * wider / 2;
-                file.points.push_back({turned_clockwise(p, space * pitch + out), 0, 0, std::nullopt, 0});
-            }
-    Inspection const found =
-        inspect_points(scene, file, {InspectedPart::circular_spline, std::nullopt, 0, Registration::datum});
-    REQUIRE(found.teeth.size() == 4);
-    // the points are right to 1e-8 mm, the nominal outline of the coarser solution to its own error
-    double const known = found.nominal.front().error + 2e-8;
-    CHECK(known < 1e-6);
-    double const arc = wider * found.nominal.front().reference_radius;
-    for (ToothFigures const& space : found.teeth)
-        CHECK(std::abs(space.thickness.value - found.nominal.front().thickness - arc) < 4 * known);
-    for (FlankFigures const& flank : found.flanks)
-        CHECK(flank.total.value < 4 * known);
 }
 
 TEST_CASE("the intervals of a noisy ring hold the figures of the same ring without noise", "[inspect]")
