@@ -42,6 +42,7 @@ struct LoadedState
     double flank_pressure = 0;       ///< largest Hertz pressure, edges and half a millimetre at each end left out [MPa]
     double edge_force = 0;           ///< largest that edges and these ends of one flank carry [N]
     double edge_fraction = 0;        ///< fraction of all flank forces on edges and these ends
+    double flowing_fraction = 0;     ///< fraction of all flank forces where the steel flows; 0 without [flow]
     double wave_generator_force = 0;   ///< sum of the forces between wave generator and cup, without direction [N]
     double wave_generator_torque = 0;  ///< that the wave generator feels [N mm]
     double lobe_force = 0;             ///< resultant on the cup over the lobe at the major axis, along that axis [N]

@@ -163,6 +163,13 @@ struct EndRelief
     int line = 0;       ///< of the table in the scene file, 1-based; 0: by --set
 };
 
+/// Effect: the steel of the flanks flows under a contact pressure. Only the verb `load` reads it.
+struct Flow
+{
+    double pressure = 0;  ///< mean over the strip in contact, about three times the yield strength [MPa]
+    int line = 0;         ///< of the table in the scene file, 1-based; 0: by --set
+};
+
 /// Errors of one ring of teeth: how it is made and how it sits on its axis.
 struct RingErrors
 {
@@ -255,6 +262,7 @@ struct Scene
     std::optional<Slices> slices;           ///< effect [slices]
     std::optional<TipRelief> tip_relief;    ///< effect [tip_relief]
     std::optional<EndRelief> end_relief;    ///< effect [end_relief]
+    std::optional<Flow> flow;               ///< effect [flow]
     std::optional<Errors> errors;           ///< effect [errors]
     std::optional<ContactRequest> contact;  ///< table [contact]
     std::optional<LoadRequest> load;        ///< table [load]

@@ -81,7 +81,10 @@ constexpr auto force_figures()
         estimated<&T::edge_force>("edge_force", newton, "largest force that edges and ends of one flank carry",
                                   {"edges", table_number, two_digits}),
         estimated<&T::edge_fraction>("edge_fraction", one, "fraction of the force of all flanks on edges and ends",
-                                     {"edges", significant<3>, significant<2>, &percent})};
+                                     {"edges", significant<3>, significant<2>, &percent}),
+        estimated<&T::flowing_fraction>("flowing_fraction", one,
+                                        "fraction of the force of all flanks where the steel flows",
+                                        {"flows", significant<3>, significant<2>, &percent})};
 }
 
 constexpr auto bearing_figures(Unit const& ball)

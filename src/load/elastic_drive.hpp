@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -55,10 +56,11 @@ struct ElasticDrive
     std::vector<double> slice_z = {};    ///< (slices) above the middle of the bearing [mm]
     /// Value of bearing_compliance(), which no torque changes [mm/N].
     Eigen::MatrixXd bearing_compliance = {};
+    double flow_pressure = std::numeric_limits<double>::infinity();  ///< of flanks [MPa]; infinite: they stay elastic
 
     [[nodiscard]] LineContact line_contact(FlankContact const& c) const
     {
-        return {flexspline, circular_spline, c.curvature, contact_depth};
+        return {flexspline, circular_spline, c.curvature, contact_depth, flow_pressure};
     }
 };
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "elastic/elasticity.hpp"
@@ -22,6 +23,8 @@ struct LineContact
     elastic::Elasticity first, second;
     double curvature = 0;  ///< relative: 1/R_1 + 1/R_2 [1/mm], positive
     double depth = 0;      ///< below the surface at which the approach is taken [mm]
+    /// Mean over the strip under which the softer body flows [MPa]; infinite: it never does.
+    double flow_pressure = std::numeric_limits<double>::infinity();
 };
 
 /// 1/E* = 1/E'_1 + 1/E'_2.
@@ -30,20 +33,37 @@ struct LineContact
     return 1 / (1 / plane_strain_modulus(c.first) + 1 / plane_strain_modulus(c.second));
 }
 
-/// Half width of the strip under pressure, a = sqrt(4 q/(pi E* kappa)) [mm], at a line load @p q [N/mm] (Hertz).
-[[nodiscard]] inline double half_width(LineContact const& c, double q)
+/// Half width of the strip of elastic bodies, a = sqrt(4 q/(pi E* kappa)) [mm], at a line load @p q [N/mm] (Hertz).
+[[nodiscard]] inline double elastic_half_width(LineContact const& c, double q)
 {
     return q <= 0 ? 0 : std::sqrt(4 * q / (std::numbers::pi * contact_modulus(c) * c.curvature));
 }
 
-/// Largest pressure, 2 q/(pi a) [MPa].
+/// Half width of the strip under pressure [mm]: that of elastic bodies or, where their mean pressure would exceed the
+/// flow pressure p, q/(2 p).
+[[nodiscard]] inline double half_width(LineContact const& c, double q)
+{
+    return std::max(elastic_half_width(c, q), 0.5 * std::max(q, 0.0) / c.flow_pressure);
+}
+
+/// Whether a body flows under the line load @p q, from 16 p^2/(pi E* kappa) on.
+[[nodiscard]] inline bool flows(LineContact const& c, double q)
+{
+    return half_width(c, q) > elastic_half_width(c, q);
+}
+
+/// Largest pressure, 2 q/(pi a) [MPa] with a by Hertz; not above the flow pressure.
 [[nodiscard]] inline double largest_pressure(LineContact const& c, double q)
 {
-    return q <= 0 ? 0 : 2 * q / (std::numbers::pi * half_width(c, q));
+    return q <= 0 ? 0 : std::min(2 * q / (std::numbers::pi * elastic_half_width(c, q)), c.flow_pressure);
 }
 
 /// Approach of the points `depth` below the surfaces [mm]: q/(pi E') (2 ln(2 d/a) - nu/(1 - nu)) of each body (Johnson,
 /// Contact Mechanics, 5.58 with both half-spaces cut at the depth d).
+///
+/// Where a body flows, its surface gives way by as much as parabolas of the relative curvature overlap between the
+/// strip's own half width and the elastic one, kappa (a^2 - a_el^2)/2: continuous with its first load, and quadratic in
+/// q. The loading is the first; what is left after it is not told.
 ///
 /// Where the strip grows as wide as the depth the formula has left its domain (a << d); a is not taken above d/2 there,
 /// so that the approach goes on growing. Accuracy of the law itself: a few per cent for a < d/4.
@@ -51,12 +71,14 @@ struct LineContact
 {
     if (q <= 0)
         return 0;
-    double const a = std::min(half_width(c, q), 0.5 * c.depth);
+    double const elastic = elastic_half_width(c, q), flown = half_width(c, q);
+    double const a = std::min(elastic, 0.5 * c.depth);
+    double const indentation = 0.5 * c.curvature * (flown * flown - elastic * elastic);
     auto const of = [&](elastic::Elasticity const& body) {
         double const nu = body.poissons_ratio;
         return q / (std::numbers::pi * plane_strain_modulus(body)) * (2 * std::log(2 * c.depth / a) - nu / (1 - nu));
     };
-    return of(c.first) + of(c.second);
+    return of(c.first) + of(c.second) + indentation;
 }
 
 /// What one N/mm lets a point of the surfaces approach at the distance @p x beside its line [mm per N/mm]: 1/(pi E')

@@ -86,6 +86,7 @@ std::vector<AbsentEffect> absent_effects(Scene const& scene, Verb verb)
     };
     add_for_load(scene.tip_relief.has_value(), "tip relief", "a table [tip_relief]");
     add_for_load(scene.end_relief.has_value(), "end relief", "a table [end_relief]");
+    add_for_load(scene.flow.has_value(), "flow of the flanks", "a table [flow]");
     add_for_load(scene.errors.has_value(), "errors", "a table [errors]");
     add(verb != Verb::contact, "contact", "the verb contact");
     add(verb != Verb::load, "load", "the verb load");
@@ -204,7 +205,8 @@ Plan make_plan(Scene const& scene, Verb verb)
         add(Stage::assembly, "load: the cup on its wave generator, without torque" + bearing_effects(scene));
         if (scene.compliance)
             add(Stage::compliance, members_in_series(*scene.compliance) + ": in series with the teeth");
-        add(Stage::load, "load: torque on the teeth");
+        add(Stage::load, "load: torque on the teeth" +
+                             (scene.flow ? ", flow.pressure = " + number_text(scene.flow->pressure) + " MPa" : ""));
     }
     return plan;
 }

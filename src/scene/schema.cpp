@@ -388,6 +388,15 @@ std::vector<KeySpec> tip_relief()
              "0.1", to<&Scene::tip_relief, &TipRelief::from_height>}};
 }
 
+std::vector<KeySpec> flow()
+{
+    return {
+        {required("pressure", Q::number,
+                  "mean over the strip in contact, in MPa: about three times the yield strength of the softer flank",
+                  bounds::least_flow_pressure, bounds::largest_flow_pressure),
+         "2700", to<&Scene::flow, &Flow::pressure>}};
+}
+
 std::vector<KeySpec> end_relief()
 {
     return {{required("amount", Q::nonnegative_length, "at both ends, along the normal of the flank"), "0.004",
@@ -582,6 +591,8 @@ std::vector<TableSpec> const& scene_schema()
          FamilyKind::none, begin<&Scene::tip_relief>, tip_relief()},
         {"end_relief", "effect: flanks stand back towards both ends of the face width; for the verb load", effect,
          FamilyKind::none, begin<&Scene::end_relief>, end_relief()},
+        {"flow", "effect: the steel of the flanks flows under a contact pressure; for the verb load", effect,
+         FamilyKind::none, begin<&Scene::flow>, flow()},
         {"errors", "effect: errors of making and assembly; for the verb load", effect, FamilyKind::none,
          begin<&Scene::errors>, errors()},
         {"errors.flexspline", "effect: errors of the flexspline's ring of teeth", effect, FamilyKind::none,

@@ -91,6 +91,31 @@ TEST_CASE("edges and ends carry what their contacts carry, and the flank's press
         CHECK(state.flank_pressure > 0);
 }
 
+TEST_CASE("steel that flows lets more teeth carry, at no more than the flow pressure", "[load][pressure]")
+{
+    std::string const clearance = "circular_spline.backlash_offset=0.09";
+    LoadStudy const elastic = study({clearance}), soft = study({clearance, "flow.pressure=3000"}),
+                    softer = study({clearance, "flow.pressure=2000"}), hard = study({clearance, "flow.pressure=1e5"});
+    auto const state = [](LoadStudy const& of) -> LoadedState const& { return of.cases.front().curve.front(); };
+    // a pressure that is never reached leaves every bit
+    CHECK(hard.cases.front().map.force == elastic.cases.front().map.force);
+    CHECK(state(hard).flowing_fraction == 0);
+    CHECK(state(elastic).largest_pressure > 3000);
+    CHECK(state(soft).largest_pressure == 3000);
+    CHECK(state(softer).largest_pressure == 2000);
+    CHECK(state(soft).flowing_fraction > 0);
+    CHECK(state(softer).flowing_fraction >= state(soft).flowing_fraction);
+    CHECK(state(soft).twist > state(elastic).twist);
+    CHECK(state(softer).twist > state(soft).twist);
+    CHECK(state(softer).contact_area > state(elastic).contact_area);
+    for (LoadStudy const* each : {&soft, &softer}) {
+        double torque = 0;
+        for (ContactForce const& c : each->cases.front().contacts)
+            torque += each->sectors * c.lever * c.force;
+        CHECK(torque == Approx(state(*each).torque).epsilon(1e-9));
+    }
+}
+
 TEST_CASE("a load without errors has the same figures, bit for bit", "[load][errors]")
 {
     LoadStudy const with = study({"circular_spline.backlash_offset=0.09"}),

@@ -52,6 +52,7 @@ inline LoadedState loaded_state(TwoStages const& stages, double torque, double s
     state.flank_pressure = 850 * std::sqrt(share);
     state.edge_force = 8 * share;
     state.edge_fraction = 0.4;
+    state.flowing_fraction = 0.15;
     state.wave_generator_force = 3992 + 1800 * share;
     state.wave_generator_torque = torque / 100;
     state.largest_stress = 454 + 40 * share;

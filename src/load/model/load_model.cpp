@@ -129,6 +129,8 @@ LoadModel load_model(contact::ContactContext const& context, LoadGrid const& res
         .bending = ToothBending(context.tooth, section.material, context.tolerance.length),
         .bearing_z = above_middle(placed.circles, middle),
         .slice_z = z};
+    if (scene.flow)
+        drive.flow_pressure = scene.flow->pressure;
     add_wave_generator(drive, placed, context, around, highest);
     drive.bearing_compliance = bearing_compliance(drive, context.threads);
     return {std::move(solid), std::move(unit), context.geometry.r_m, middle, std::move(drive)};

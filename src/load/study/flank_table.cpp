@@ -42,8 +42,8 @@ FlankTable flank_table(LoadProblem const& problem, LoadedDrive const& loaded)
     FlankTable table;
     table.slices = problem.flanks.slices();
     std::size_t const size = 2 * spaces_of(problem) * table.slices;
-    for (auto* v : {&table.force, &table.line_load, &table.pressure, &table.off_edges, &table.on_edges, &table.height,
-                    &table.half_width})
+    for (auto* v : {&table.force, &table.line_load, &table.pressure, &table.off_edges, &table.on_edges, &table.flowing,
+                    &table.height, &table.half_width})
         v->assign(size, 0);
     table.gap.assign(size, std::numeric_limits<double>::infinity());
     std::size_t const first = flank_search(problem, 0, 0).first_space;
@@ -64,6 +64,8 @@ FlankTable flank_table(LoadProblem const& problem, LoadedDrive const& loaded)
         table.line_load[at] += q;
         double const pressure = largest_pressure(line, q);
         table.pressure[at] = std::max(table.pressure[at], pressure);
+        if (flows(line, q))
+            table.flowing[at] += f;
         if (c.on_edge)
             table.on_edges[at] += f;
         else

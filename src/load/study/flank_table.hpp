@@ -18,6 +18,7 @@ struct FlankTable
     std::vector<double> pressure;    ///< largest [MPa]
     std::vector<double> off_edges;   ///< the same of contacts that lie on no edge [MPa]
     std::vector<double> on_edges;    ///< force of those that do [N]
+    std::vector<double> flowing;     ///< force of those where the steel flows [N]
     std::vector<double> gap;         ///< smallest [mm]; of a loaded contact minus its approach; infinite: none is near
     std::vector<double> height;      ///< of that contact along the flank, 0 at the land corner ... 1 at the flank end
     std::vector<double> half_width;  ///< of the strips under pressure [mm]

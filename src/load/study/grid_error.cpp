@@ -32,6 +32,7 @@ constexpr ErrorRule error_rules[] = {{&LoadedState::twist, 1},
                                      {&LoadedState::flank_pressure, 1},
                                      {&LoadedState::edge_force, 0.5},
                                      {&LoadedState::edge_fraction, 1},
+                                     {&LoadedState::flowing_fraction, 1},
                                      {&LoadedState::wave_generator_force, 1},
                                      {&LoadedState::wave_generator_torque, 1.25},
                                      {&LoadedState::lobe_force, 1},
@@ -62,6 +63,8 @@ LoadedState error_between(LoadedState const& a, LoadedState const& b, double saf
         d.contact_fraction = std::max(d.contact_fraction, a.fraction_within_gap);
     raise(&LoadedState::largest_pressure, relative(&LoadedState::contact_fraction) / 2);
     raise(&LoadedState::largest_force, relative(&LoadedState::twist));
+    for (double LoadedState::*const figure : {&LoadedState::largest_line_load, &LoadedState::edge_force})
+        raise(figure, relative(&LoadedState::largest_force));
     raise(&LoadedState::wave_generator_torque, relative(&LoadedState::twist) / 4);
     // Both grids may have all forces on edges where a finer one has some beside them.
     raise(&LoadedState::edge_fraction, std::min(1.0, relative(&LoadedState::twist)));
@@ -112,7 +115,7 @@ void estimate_errors(contact::ContactContext const& context, DrivePair const& dr
                       bearing_map(coarse_drive, drives.coarse->unloaded.state), fine_drive.response.sectors());
     cup.coning_major_error = safety * std::abs(cup.coning_major - coarse.coning_major);
     cup.coning_minor_error = safety * std::abs(cup.coning_minor - coarse.coning_minor);
-    constexpr double force = 0.3, ball = 0.15;  // they converge faster than the shape
+    constexpr double force = 0.4, ball = 0.15;  // they converge faster than the shape
     cup.wave_generator_force_error = force * safety * std::abs(cup.wave_generator_force - coarse.wave_generator_force);
     cup.ball_force_error = ball * safety * std::max(balls, std::abs(cup.ball_force - coarse.ball_force));
     cup.largest_stress_error =

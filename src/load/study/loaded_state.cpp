@@ -72,7 +72,7 @@ void enter_line_loads(LoadProblem const& problem, FlankTable const& t, LoadedSta
 {
     constexpr double width = 0.5;  // of a mean, and of an end [mm]
     std::vector<double> const& z = problem.flanks.z;
-    double all = 0, on_edges = 0;
+    double all = 0, on_edges = 0, flowing = 0;
     for (std::size_t first = 0; first < t.force.size(); first += t.slices) {  // slices of a flank follow each other
         double edge_force = 0;
         for (std::size_t k = 0; k < t.slices; ++k) {
@@ -81,6 +81,7 @@ void enter_line_loads(LoadProblem const& problem, FlankTable const& t, LoadedSta
                 state.flank_pressure = std::max(state.flank_pressure, t.off_edges[first + k]);
             edge_force += at_end ? t.force[first + k] : t.on_edges[first + k];
             all += t.force[first + k];
+            flowing += t.flowing[first + k];
         }
         on_edges += edge_force;
         state.edge_force = std::max(state.edge_force, edge_force);
@@ -88,6 +89,7 @@ void enter_line_loads(LoadProblem const& problem, FlankTable const& t, LoadedSta
             std::max(state.largest_line_load, largest_mean(z, {t.line_load.data() + first, t.slices}, width));
     }
     state.edge_fraction = all > 0 ? on_edges / all : 0;
+    state.flowing_fraction = all > 0 ? flowing / all : 0;
 }
 
 /// Teeth, pressures, areas and gaps of the flanks.

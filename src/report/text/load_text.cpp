@@ -21,6 +21,8 @@ void write_deviations(Page& page, Scene const& scene)
     if (scene.end_relief)
         page.figure("end relief", in_um(scene.end_relief->amount),
                     fmt::format("at both ends, over {:g} mm", scene.end_relief->length));
+    if (scene.flow)
+        page.figure("flow pressure", fmt::format("{:g} MPa", scene.flow->pressure), "of the flanks");
     if (!scene.errors)
         return;
     auto const of_ring = [&](char const* name, std::optional<RingErrors> const& ring) {
@@ -94,8 +96,11 @@ std::string pressure_words(LoadStudy const& study, LoadCase const& each, LoadedS
         state.flank_pressure == 0 ? "no force"
         : determined              ? with_error("flank_pressure") + " MPa"
                                   : fmt::format("pressure not determined (about {})", told.with_unit("flank_pressure"));
-    return fmt::format("{} away from edges and ends, which carry {} of all force, up to {} N of a flank", pressure,
-                       told.with_unit("edge_fraction"), with_error("edge_force"));
+    return fmt::format("{} away from edges and ends, which carry {} of all force, up to {} N of a flank{}", pressure,
+                       told.with_unit("edge_fraction"), with_error("edge_force"),
+                       study.solution.scene.flow
+                           ? fmt::format("; steel flows under {} of all force", told.with_unit("flowing_fraction"))
+                           : "");
 }
 
 void write_largest(Page& page, LoadStudy const& study)

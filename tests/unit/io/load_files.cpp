@@ -98,6 +98,7 @@ TEST_CASE("load numbers come back from HDF5 bit for bit", "[load]")
                             {"flank_pressure", [](auto const& s) { return s.flank_pressure; }},
                             {"edge_force", [](auto const& s) { return s.edge_force; }},
                             {"edge_fraction", [](auto const& s) { return s.edge_fraction; }},
+                            {"flowing_fraction", [](auto const& s) { return s.flowing_fraction; }},
                             {"wave_generator_force", [](auto const& s) { return s.wave_generator_force; }},
                             {"wave_generator_torque", [](auto const& s) { return s.wave_generator_torque; }},
                             {"largest_stress", [](auto const& s) { return s.largest_stress; }},

@@ -139,4 +139,32 @@ TEST_CASE("line contact by Hertz", "[load]")
     CHECK(half_width(c, -1) == 0);
 }
 
+TEST_CASE("a line contact whose steel flows", "[load]")
+{
+    elastic::Elasticity const steel{210e3, 0.3};
+    load::LineContact const elastic{steel, steel, 0.2, 5};
+    load::LineContact soft = elastic;
+    soft.flow_pressure = 1500;
+    // the mean pressure q/(2 a) reaches the flow pressure at 16 p^2/(pi E* kappa)
+    double const first = 16 * 1500 * 1500.0 / (pi * contact_modulus(elastic) * 0.2);
+    CHECK(first / (2 * half_width(elastic, first)) == Approx(1500));
+    CHECK_FALSE(flows(soft, 0.999 * first));
+    CHECK(flows(soft, 1.001 * first));
+    for (double const share : {0.01, 0.5, 0.999}) {
+        CHECK(half_width(soft, share * first) == half_width(elastic, share * first));
+        CHECK(approach(soft, share * first) == approach(elastic, share * first));
+    }
+    double last = 0;
+    for (double q = first / 4; q < 20 * first; q *= 1.1) {
+        CHECK(q / (2 * half_width(soft, q)) <= 1500 * (1 + 1e-12));
+        CHECK(largest_pressure(soft, q) <= 1500);
+        CHECK(approach(soft, q) > last);
+        CHECK(approach(soft, q) >= approach(elastic, q));
+        last = approach(soft, q);
+    }
+    // far beyond it the surface gives way as the overlap of parabolas whose strip carries p: kappa (q/(2 p))^2/2
+    double const far = 1e4 * first, strip = far / (2 * 1500);
+    CHECK(approach(soft, far) == Approx(0.2 * strip * strip / 2).epsilon(1e-3));
+}
+
 }  // namespace hdconj::test::ring_response_cases

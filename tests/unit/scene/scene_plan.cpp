@@ -63,7 +63,7 @@ TEST_CASE("an effect that is there is not absent", "[scene]")
 
 TEST_CASE("reliefs and errors are effects of a load alone", "[scene]")
 {
-    std::vector<std::string> const effects{"tip relief", "end relief", "errors"};
+    std::vector<std::string> const effects{"tip relief", "end relief", "errors", "flow of the flanks"};
     auto const is_absent = [](Plan const& plan, std::string const& name) {
         auto const absent = absent_in(plan);
         return std::find(absent.begin(), absent.end(), name) != absent.end();
@@ -71,7 +71,7 @@ TEST_CASE("reliefs and errors are effects of a load alone", "[scene]")
     Scene const plain = builtin_scene();
     Scene const made =
         builtin_scene({"tip_relief.amount=0.003", "tip_relief.from_height=0.1", "end_relief.amount=0.002",
-                       "end_relief.length=2", "errors.flexspline.pitch_deviation=0.002"});
+                       "end_relief.length=2", "errors.flexspline.pitch_deviation=0.002", "flow.pressure=2700"});
     Plan const load = make_plan(made, Verb::load);
     for (Stage const stage : {Stage::tip_relief, Stage::end_relief, Stage::errors}) {
         CHECK(load.has(stage));
@@ -84,6 +84,7 @@ TEST_CASE("reliefs and errors are effects of a load alone", "[scene]")
         CHECK(is_absent(make_plan(made, Verb::contact), name));
         CHECK_FALSE(is_absent(make_plan(plain, Verb::contact), name));
     }
+    CHECK(describe(load).find("flow.pressure = 2700 MPa") != std::string::npos);
     CHECK(describe(load).find("flexspline: pitch_deviation = 0.002 mm") != std::string::npos);
 }
 
