@@ -6,7 +6,7 @@ from __future__ import annotations
 import html
 import json
 import os
-from typing import Any
+from typing import Any, Self
 
 from . import _core, _hdf5
 from ._scene import Scene
@@ -19,23 +19,23 @@ class Result(Group):
     Nothing is copied until it is asked for. A result does not change.
     """
 
-    __slots__ = ("_core", "_scene", "_words")
-    _core: _core.Result | None
+    __slots__ = ("_made", "_scene", "_words")
+    _made: _core.Result | None
     _scene: Scene
     _words: tuple[str, str, tuple[str, ...]] | None
     _main = ""  # group that holds the figures of the verb itself
 
     @classmethod
-    def _computed(cls, core: _core.Result, scene: Scene) -> Any:
+    def _computed(cls, made: _core.Result, scene: Scene) -> Self:
         result = cls()
-        for name, value in (("_core", core), ("_scene", scene), ("_words", None)):
+        for name, value in (("_made", made), ("_scene", scene), ("_words", None)):
             object.__setattr__(result, name, value)
         return result
 
     @classmethod
-    def _restored(cls, layout: tuple[Any, ...], scene: Scene, words: tuple[str, str, tuple[str, ...]]) -> Any:
+    def _restored(cls, layout: tuple[Any, ...], scene: Scene, words: tuple[str, str, tuple[str, ...]]) -> Self:
         result = cls()
-        for name, value in (("_core", None), ("_scene", scene), ("_words", words)):
+        for name, value in (("_made", None), ("_scene", scene), ("_words", words)):
             object.__setattr__(result, name, value)
         result._fill(layout)
         return result
@@ -47,8 +47,8 @@ class Result(Group):
     def _parts(self) -> Parts:
         if self._held is not None:
             return self._held
-        assert self._core is not None
-        return self._fill(self._core.layout())
+        assert self._made is not None
+        return self._fill(self._made.layout())
 
     @property
     def scene(self) -> Scene:
@@ -57,11 +57,11 @@ class Result(Group):
 
     def json(self) -> str:
         """The summary as ``--json`` of the program prints it (docs/reference/json.md)."""
-        return self._core.json() if self._core is not None else self._words[0]  # type: ignore[index]
+        return self._made.json() if self._made is not None else self._words[0]  # type: ignore[index]
 
     def text(self) -> str:
         """The summary as the program prints it."""
-        return self._core.text() if self._core is not None else self._words[1]  # type: ignore[index]
+        return self._made.text() if self._made is not None else self._words[1]  # type: ignore[index]
 
     def to_dict(self) -> dict[str, Any]:
         """:meth:`json` as dictionaries."""
@@ -71,7 +71,7 @@ class Result(Group):
     @property
     def missing(self) -> tuple[str, ...]:
         """Cases that have no result, each with its cause."""
-        return tuple(self._core.missing) if self._core is not None else self._words[2]  # type: ignore[index]
+        return tuple(self._made.missing) if self._made is not None else self._words[2]  # type: ignore[index]
 
     @property
     def figures(self) -> dict[str, Figure]:

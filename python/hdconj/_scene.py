@@ -10,10 +10,12 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, Union
 
+import numpy as np
+
 from . import _core
 from ._errors import Fault
 
-Value = Union[bool, int, float, str, Sequence[Any], Mapping[str, Any], None]
+Value = Union[bool, int, float, str, np.generic, Sequence[Any], "np.ndarray[Any, Any]", Mapping[str, Any], None]
 
 
 def _toml_value(value: Value) -> str:
@@ -24,7 +26,7 @@ def _toml_value(value: Value) -> str:
         return json.dumps(value)
     if isinstance(value, Mapping):
         return "{" + ", ".join(f"{json.dumps(str(key))} = {_toml_value(item)}" for key, item in value.items()) + "}"
-    if hasattr(value, "tolist"):  # numbers and arrays of NumPy
+    if isinstance(value, (np.generic, np.ndarray)):
         return _toml_value(value.tolist())
     if isinstance(value, Sequence):
         return "[" + ", ".join(_toml_value(item) for item in value) + "]"

@@ -88,7 +88,8 @@ class Group(Mapping[str, Member]):
         attrs, datasets, links, groups, figures = layout
         own = {name: dataset(*entry) for name, entry in datasets.items()}
         inner = {name: Group._from_layout(entry, self) for name, entry in groups.items()}
-        parts = Parts(*map(MappingProxyType, (attrs, own, links, inner)), tuple(figures))  # type: ignore[arg-type]
+        view = MappingProxyType
+        parts = Parts(view(attrs), view(own), view(links), view(inner), tuple(figures))
         object.__setattr__(self, "_held", parts)
         return parts
 

@@ -21,7 +21,7 @@ def _calling(progress: Progress) -> Iterator[tuple[Callable[[str, float | None],
     is_main = threading.current_thread() is threading.main_thread()
     if progress is True:
         try:
-            from tqdm.auto import tqdm
+            from tqdm.auto import tqdm  # type: ignore[import-untyped]
         except ImportError:
             yield None, is_main
             return

@@ -92,7 +92,6 @@ void add_scene(nb::module_& module)
         .def_static("load", &SceneHandle::load, "file"_a, "overrides"_a)
         .def_static("parse", &SceneHandle::parse, "text"_a, "name"_a, "folder"_a, "overrides"_a)
         .def_prop_ro("faults", [](SceneHandle const& scene) { return faults_tuple(scene.faults()); })
-        .def_prop_ro("fault_text", [](SceneHandle const& scene) { return text_of(describe(scene.faults())); })
         .def_prop_ro("text", [](SceneHandle const& scene) { return text_of(scene.as_read().text); })
         .def_prop_ro("name", [](SceneHandle const& scene) { return text_of(scene.as_read().drive.name); })
         .def("check_json", check_text, "name"_a, "verb"_a);
