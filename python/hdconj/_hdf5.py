@@ -91,7 +91,8 @@ def _plain(value: Any) -> Any:
 
 
 def _read_dataset(stored: Any) -> Dataset:
-    values: Array = stored.asstr(errors="surrogateescape")[...] if h5py.check_string_dtype(stored.dtype) else stored[...]
+    is_text = h5py.check_string_dtype(stored.dtype) is not None
+    values: Array = stored.asstr(errors="surrogateescape")[...] if is_text else stored[...]
     dims = []
     for i, scales in enumerate(stored.dims):
         dims.append(scales[0].name.rsplit("/", 1)[-1] if len(scales) else stored.name.rsplit("/", 1)[-1])
@@ -118,7 +119,6 @@ def _derived(attrs: dict[str, Any], datasets: dict[str, Dataset], apart: Any) ->
 def _read_group(place: Any) -> tuple[Any, ...]:
     attrs = {name: _plain(value) for name, value in place.attrs.items()}
     datasets: dict[str, Dataset] = {}
-    links: dict[str, str] = {}
     groups = {}
     first: dict[Any, str] = {}
     for name in place:
@@ -129,12 +129,9 @@ def _read_group(place: Any) -> tuple[Any, ...]:
         if bytes(member.attrs.get("NAME", b"")).startswith(b"This is a netCDF dimension but not"):
             continue
         same = first.setdefault(h5py.h5o.get_info(member.id).addr, name)
-        if same != name:
-            links[name] = same
-        else:
-            datasets[name] = _read_dataset(member)
+        datasets[name] = datasets[same] if same != name else _read_dataset(member)
     figures = list(_derived(attrs, datasets, place.get("error")))
-    return attrs, datasets, links, groups, figures
+    return attrs, datasets, {}, groups, figures
 
 
 def read(file: str | os.PathLike[str]) -> Group:

@@ -45,14 +45,14 @@ nb::object array_of(Number const* values, io::layout::Shape const& shape, io::la
     return nb::cast(Array(first, shape.size(), shape.data(), keeper));
 }
 
-class ObjectPlace final : public io::layout::Place
+class ObjectGroup final : public io::layout::GroupSink
 {
   public:
-    explicit ObjectPlace(nb::handle result) : result_(result) {}
+    explicit ObjectGroup(nb::handle result) : result_(result) {}
 
-    void group(std::string const& name, std::function<void(io::layout::Place&)> const& fill) override
+    void group(std::string const& name, std::function<void(io::layout::GroupSink&)> const& fill) override
     {
-        ObjectPlace inner(result_);
+        ObjectGroup inner(result_);
         fill(inner);
         groups_[text_of(name)] = inner.object();
     }
@@ -108,7 +108,7 @@ class ObjectPlace final : public io::layout::Place
 
 nb::object layout_of(Result const& result, nb::handle owner)
 {
-    ObjectPlace root(owner);
+    ObjectGroup root(owner);
     result.write(io::layout::Writer(root));
     return root.object();
 }

@@ -8,11 +8,9 @@
 #include "hdconj/result_files.hpp"
 #include "hdf5_writer.hpp"
 
-namespace hdconj {
+namespace hdconj::io {
 
-using io::layout::Writer;
-
-std::string io::hdf5::accuracy_bytes(StoredAccuracy const& study)
+std::string hdf5::accuracy_bytes(StoredAccuracy const& study)
 {
     Silence const silence;
     Sink sink;
@@ -21,6 +19,12 @@ std::string io::hdf5::accuracy_bytes(StoredAccuracy const& study)
     made.flush();
     return sink.bytes();
 }
+
+}  // namespace hdconj::io
+
+namespace hdconj {
+
+using io::layout::Writer;
 
 void write_hdf5(Solution const& solution, std::filesystem::path const& file)
 {

@@ -98,15 +98,15 @@ std::optional<hobj_ref_t> Dimensions::scale_of(std::string const& name, hsize_t 
     return outer_ != nullptr ? outer_->scale_of(name, size) : std::nullopt;
 }
 
-void FilePlace::group(std::string const& name, std::function<void(layout::Place&)> const& fill)
+void FileGroup::group(std::string const& name, std::function<void(layout::GroupSink&)> const& fill)
 {
     Group const made(H5Gcreate2(place_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), "create group");
     Dimensions inner(dimensions_);
-    FilePlace place(made, *tools_, inner);
+    FileGroup place(made, *tools_, inner);
     fill(place);
 }
 
-void FilePlace::dataset(std::string const& name, layout::Shape const& shape, layout::Values const& values,
+void FileGroup::dataset(std::string const& name, layout::Shape const& shape, layout::Values const& values,
                         layout::About const& about)
 {
     struct Transfer
@@ -129,7 +129,7 @@ void FilePlace::dataset(std::string const& name, layout::Shape const& shape, lay
         },
         values);
     Dataset const made = bare_dataset(name, shape, transfer.stored);
-    FilePlace of_dataset(made, *tools_, *dimensions_);
+    FileGroup of_dataset(made, *tools_, *dimensions_);
     of_dataset.attribute("units", std::string(about.units));
     of_dataset.attribute("long_name", about.meaning);
     attach(made, name, shape, about.dims);
@@ -138,7 +138,7 @@ void FilePlace::dataset(std::string const& name, layout::Shape const& shape, lay
                 "write dataset");
 }
 
-Dataset FilePlace::bare_dataset(std::string const& name, layout::Shape const& shape, hid_t stored) const
+Dataset FileGroup::bare_dataset(std::string const& name, layout::Shape const& shape, hid_t stored) const
 {
     return {H5Dcreate2(place_, name.c_str(), stored, simple(shape), H5P_DEFAULT, tools_->timeless, H5P_DEFAULT),
             "create dataset"};
@@ -146,7 +146,7 @@ Dataset FilePlace::bare_dataset(std::string const& name, layout::Shape const& sh
 
 /// Names the dimensions of a dataset as the library's H5DSattach_scale() does, but for the list at the scale of all
 /// that refer to it: a list that grows with each, and that no reader needs.
-void FilePlace::attach(hid_t dataset, std::string const& name, layout::Shape const& shape,
+void FileGroup::attach(hid_t dataset, std::string const& name, layout::Shape const& shape,
                        layout::Dims const& dims) const
 {
     if (dims.size() != shape.size())
@@ -168,7 +168,7 @@ void FilePlace::attach(hid_t dataset, std::string const& name, layout::Shape con
 }
 
 /// The scale of a dimension; where it has none yet, one without numbers in this group, as netCDF-4 makes it.
-hobj_ref_t FilePlace::scale_for(char const* dim, hsize_t size) const
+hobj_ref_t FileGroup::scale_for(char const* dim, hsize_t size) const
 {
     if (auto const known = dimensions_->scale_of(dim, size))
         return *known;
@@ -178,7 +178,7 @@ hobj_ref_t FilePlace::scale_for(char const* dim, hsize_t size) const
     return register_scale(made, dim, size);
 }
 
-hobj_ref_t FilePlace::register_scale(hid_t dataset, std::string const& name, hsize_t size) const
+hobj_ref_t FileGroup::register_scale(hid_t dataset, std::string const& name, hsize_t size) const
 {
     write_scalar(dataset, tools_->scalar, "CLASS", {tools_->scale_class, tools_->scale_class, dimension_scale});
     hobj_ref_t scale = 0;
@@ -187,12 +187,12 @@ hobj_ref_t FilePlace::register_scale(hid_t dataset, std::string const& name, hsi
     return scale;
 }
 
-void FilePlace::link(std::string const& name, std::string const& other)
+void FileGroup::link(std::string const& name, std::string const& other)
 {
     checked(H5Lcreate_hard(place_, name.c_str(), place_, other.c_str(), H5P_DEFAULT, H5P_DEFAULT), "link a dataset");
 }
 
-void FilePlace::attribute(std::string const& name, layout::AttributeValue const& value)
+void FileGroup::attribute(std::string const& name, layout::AttributeValue const& value)
 {
     auto const scalar = [&](hid_t stored, hid_t given, void const* from) {
         write_scalar(place_, tools_->scalar, name, {stored, given, from});

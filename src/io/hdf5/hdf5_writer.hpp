@@ -54,18 +54,18 @@ struct Tools
 };
 
 /// A group or the root of a @ref NewFile.
-class FilePlace final : public layout::Place
+class FileGroup final : public layout::GroupSink
 {
   public:
     /// @param place       open file or group
     /// @param tools       both must outlive the object's last call
     /// @param dimensions  of the group, with those that its datasets make; outlives it too
-    FilePlace(hid_t place, Tools const& tools, Dimensions& dimensions)
+    FileGroup(hid_t place, Tools const& tools, Dimensions& dimensions)
         : place_(place), tools_(&tools), dimensions_(&dimensions)
     {
     }
 
-    void group(std::string const& name, std::function<void(layout::Place&)> const& fill) override;
+    void group(std::string const& name, std::function<void(layout::GroupSink&)> const& fill) override;
     void dataset(std::string const& name, layout::Shape const& shape, layout::Values const& values,
                  layout::About const& about) override;
     /// At no cost: a hard link.
@@ -98,7 +98,7 @@ class NewFile
     Tools tools_;
     Dimensions dimensions_;
     File file_;
-    FilePlace root_;
+    FileGroup root_;
 };
 
 /// Writes a file: @p fill is called with the writer of its root.

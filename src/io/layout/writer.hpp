@@ -55,16 +55,16 @@ struct FigurePlace
 };
 
 /// A group of a result that is being written.
-class Place
+class GroupSink
 {
   public:
-    Place() = default;
-    Place(Place const&) = delete;
-    Place& operator=(Place const&) = delete;
-    virtual ~Place() = default;
+    GroupSink() = default;
+    GroupSink(GroupSink const&) = delete;
+    GroupSink& operator=(GroupSink const&) = delete;
+    virtual ~GroupSink() = default;
 
     /// Makes the group @p name; @p fill is called with it.
-    virtual void group(std::string const& name, std::function<void(Place&)> const& fill) = 0;
+    virtual void group(std::string const& name, std::function<void(GroupSink&)> const& fill) = 0;
     /// A dataset of one dimension that has the dimension's name holds its coordinates, and is written before all others
     /// that have this dimension.
     virtual void dataset(std::string const& name, Shape const& shape, Values const& values, About const& about) = 0;
@@ -83,13 +83,13 @@ class Writer
 {
   public:
     /// @param place  must outlive the writer's last call
-    explicit Writer(Place& place) : place_(&place) {}
+    explicit Writer(GroupSink& place) : place_(&place) {}
 
     /// Makes the group @p name and fills it: @p fill is called with its writer.
     template <class Fill>
     void group(std::string const& name, Fill fill) const
     {
-        place_->group(name, [&](Place& made) { fill(Writer(made)); });
+        place_->group(name, [&](GroupSink& made) { fill(Writer(made)); });
     }
     /// A group for each of @p items, @p name with its number behind it: @p write is called with its writer and the
     /// item.
@@ -134,7 +134,7 @@ class Writer
     void figure(FigurePlace const& which) const { place_->figure(which); }
 
   private:
-    Place* place_;
+    GroupSink* place_;
 };
 
 }  // namespace hdconj::io::layout
