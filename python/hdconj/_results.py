@@ -22,7 +22,7 @@ class Result(Group):
     __slots__ = ("_made", "_scene", "_words")
     _made: _core.Result | None
     _scene: Scene
-    _words: tuple[str, str, tuple[str, ...]] | None
+    _words: tuple[str, str, tuple[str, ...], float] | None
     _main = ""  # group that holds the figures of the verb itself
 
     @classmethod
@@ -33,7 +33,7 @@ class Result(Group):
         return result
 
     @classmethod
-    def _restored(cls, layout: tuple[Any, ...], scene: Scene, words: tuple[str, str, tuple[str, ...]]) -> Self:
+    def _restored(cls, layout: tuple[Any, ...], scene: Scene, words: tuple[str, str, tuple[str, ...], float]) -> Self:
         result = cls()
         for name, value in (("_made", None), ("_scene", scene), ("_words", words)):
             object.__setattr__(result, name, value)
@@ -41,7 +41,8 @@ class Result(Group):
         return result
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return type(self)._restored, (self._plain(), self._scene, (self.json(), self.text(), self.missing))
+        words = (self.json(), self.text(), self.missing, self.wall_seconds)
+        return type(self)._restored, (self._plain(), self._scene, words)
 
     @property
     def _parts(self) -> Parts:
@@ -72,6 +73,11 @@ class Result(Group):
     def missing(self) -> tuple[str, ...]:
         """Cases that have no result, each with its cause."""
         return tuple(self._made.missing) if self._made is not None else self._words[2]  # type: ignore[index]
+
+    @property
+    def wall_seconds(self) -> float:
+        """Wall time of the computation in s."""
+        return self._made.seconds if self._made is not None else self._words[3]  # type: ignore[index]
 
     @property
     def figures(self) -> dict[str, Figure]:

@@ -44,6 +44,10 @@ def _toml(tables: Mapping[str, Any], path: tuple[str, ...] = ()) -> str:
     return text
 
 
+def _bytes(text: str) -> bytes:
+    return text.encode("utf-8", "surrogateescape")
+
+
 class Scene:
     """A drive and what is asked of it: immutable, sound or not.
 
@@ -61,7 +65,8 @@ class Scene:
         self._read((_core.builtin_scene_text(), "the built-in scene", ""), ())
 
     def _read(self, source: tuple[str, str, str], overrides: tuple[str, ...]) -> None:
-        object.__setattr__(self, "_core", _core.Scene.parse(*source, list(overrides)))
+        text, name, folder = map(_bytes, source)
+        object.__setattr__(self, "_core", _core.Scene.parse(text, name, folder, [_bytes(each) for each in overrides]))
         object.__setattr__(self, "_source", source)
         object.__setattr__(self, "_overrides", overrides)
 
@@ -80,7 +85,7 @@ class Scene:
         file : path
             File names in it are relative to its folder.
         """
-        read = _core.Scene.load(os.fspath(file), [])
+        read = _core.Scene.load(os.fsencode(file))
         scene = cls._of((read.text, os.fspath(file), str(Path(file).parent)))
         object.__setattr__(scene, "_core", read)  # with the faults of the file itself
         return scene

@@ -5,6 +5,7 @@
 #include <nanobind/nanobind.h>
 
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <optional>
 #include <string>
@@ -60,7 +61,11 @@ auto run(nanobind::handle function, bool is_main_thread, Compute const& compute)
         InterruptWatch const watch(asked, is_main_thread);
         StopScope const scope(&asked);
         nanobind::gil_scoped_release const unlocked;
-        return compute(observer);
+        auto const begin = std::chrono::steady_clock::now();
+        auto result = compute(observer);
+        if constexpr (requires { result->seconds; })
+            result->seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        return result;
     } catch (Stopped const&) {
         observer.rethrow();
         if (PyErr_CheckSignals() != 0)  // by default KeyboardInterrupt

@@ -89,7 +89,7 @@ void add_errors(nb::module_&)
 void add_scene(nb::module_& module)
 {
     nb::class_<SceneHandle>(module, "Scene")
-        .def_static("load", &SceneHandle::load, "file"_a, "overrides"_a)
+        .def_static("load", &SceneHandle::load, "file"_a)
         .def_static("parse", &SceneHandle::parse, "text"_a, "name"_a, "folder"_a, "overrides"_a)
         .def_prop_ro("faults", [](SceneHandle const& scene) { return faults_tuple(scene.faults()); })
         .def_prop_ro("text", [](SceneHandle const& scene) { return text_of(scene.as_read().text); })

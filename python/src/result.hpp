@@ -26,6 +26,8 @@ class Result
     [[nodiscard]] virtual std::string text() const = 0;
     /// Cases that have no result, each with its cause.
     [[nodiscard]] virtual std::vector<std::string> missing() const = 0;
+
+    double seconds = 0;  ///< wall time of the computation [s]
 };
 
 /// A load study and the measured curve that it is compared with.

@@ -6,6 +6,14 @@
 #include "hdconj/read_scene.hpp"
 
 namespace hdconj::python {
+namespace {
+
+std::string text_of(nanobind::bytes const& bytes)
+{
+    return {bytes.c_str(), bytes.size()};
+}
+
+}  // namespace
 
 SceneHandle::SceneHandle(scene::SceneReading reading) : reading_(std::move(reading))
 {
@@ -13,15 +21,18 @@ SceneHandle::SceneHandle(scene::SceneReading reading) : reading_(std::move(readi
     sort_by_place(reading_.faults);
 }
 
-SceneHandle SceneHandle::load(std::string const& file, std::vector<std::string> const& overrides)
+SceneHandle SceneHandle::load(nanobind::bytes const& file)
 {
-    return SceneHandle(examine_scene_file(file, overrides));
+    return SceneHandle(examine_scene_file(text_of(file)));
 }
 
-SceneHandle SceneHandle::parse(std::string const& text, std::string const& name, std::string const& folder,
-                               std::vector<std::string> const& overrides)
+SceneHandle SceneHandle::parse(nanobind::bytes const& text, nanobind::bytes const& name, nanobind::bytes const& folder,
+                               std::vector<nanobind::bytes> const& overrides)
 {
-    return SceneHandle(examine_scene(text, name, folder, overrides));
+    std::vector<std::string> changes;
+    for (auto const& each : overrides)
+        changes.push_back(text_of(each));
+    return SceneHandle(examine_scene(text_of(text), text_of(name), text_of(folder), changes));
 }
 
 Scene const& SceneHandle::sound() const

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include <nanobind/nanobind.h>
+
 #include "hdconj/scene/reading.hpp"
 
 namespace hdconj::python {
@@ -12,11 +14,12 @@ namespace hdconj::python {
 class SceneHandle
 {
   public:
-    /// Reads @p file with the overrides of --set.
-    [[nodiscard]] static SceneHandle load(std::string const& file, std::vector<std::string> const& overrides);
-    /// Reads @p text, called @p name; relative file names start at @p folder.
-    [[nodiscard]] static SceneHandle parse(std::string const& text, std::string const& name, std::string const& folder,
-                                           std::vector<std::string> const& overrides);
+    /// Reads @p file. Texts come as bytes, which need not be UTF-8.
+    [[nodiscard]] static SceneHandle load(nanobind::bytes const& file);
+    /// Reads @p text, called @p name, with the overrides of --set; relative file names start at @p folder.
+    [[nodiscard]] static SceneHandle parse(nanobind::bytes const& text, nanobind::bytes const& name,
+                                           nanobind::bytes const& folder,
+                                           std::vector<nanobind::bytes> const& overrides);
 
     /// Every fault, in order of place.
     [[nodiscard]] Faults const& faults() const { return reading_.faults; }

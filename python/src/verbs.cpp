@@ -310,7 +310,8 @@ void add_verbs(nb::module_& module)
         .def("layout", [](nb::handle_t<Result> self) { return layout_of(nb::cast<Result const&>(self), self); })
         .def("json", [](Result const& result) { return text_of(result.json()); })
         .def("text", [](Result const& result) { return text_of(result.text()); })
-        .def_prop_ro("missing", &Result::missing);
+        .def_prop_ro("missing", &Result::missing)
+        .def_ro("seconds", &Result::seconds);
     module.def("solve", run_solve, "scene"_a, "observer"_a.none(), "is_main"_a);
     module.def("contact", run_contact, "scene"_a, "tilts_deg"_a, "surfaces"_a, "kinds"_a, "best_deg"_a.none(),
                "revolution"_a, "observer"_a.none(), "is_main"_a);

@@ -20,7 +20,8 @@ CHANGING = {"date", "seconds", "timing"}
 
 def run_program(*words, status=0, **options):
     """Runs the program, which is expected to end with @p status."""
-    done = subprocess.run([PROGRAM, *map(str, words)], capture_output=True, text=True, timeout=600, **options)
+    done = subprocess.run([PROGRAM, *map(str, words)], capture_output=True, encoding="utf-8", errors="surrogateescape",
+                          timeout=600, **options)  # a fault may quote what is no UTF-8
     assert done.returncode == status, done.stderr
     return done
 
