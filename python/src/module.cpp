@@ -106,6 +106,7 @@ void add_scene(nb::module_& module)
 NB_MODULE(_core, module)
 {
     module.doc() = "The library behind the package hdconj; not for use by itself.";
+    nanobind::set_leak_warnings(false);  // what a program holds when it ends is no leak
     hdconj::python::add_errors(module);
     hdconj::python::add_scene(module);
     hdconj::python::add_verbs(module);
