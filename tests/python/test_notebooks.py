@@ -15,7 +15,8 @@ NOTEBOOKS = sorted((SOURCE / "docs/tutorials/notebooks").glob("*.ipynb"))
 
 
 @pytest.mark.parametrize("notebook", NOTEBOOKS, ids=lambda notebook: notebook.stem)
-def test_notebook(notebook):
+def test_notebook(notebook, monkeypatch):
+    monkeypatch.setenv("MPLBACKEND", "module://matplotlib_inline.backend_inline")
     pages = nbformat.read(notebook, as_version=4)
     nbclient.NotebookClient(pages, timeout=600, resources={"metadata": {"path": str(SOURCE)}}).execute()
     shown = [output for cell in pages.cells if cell.cell_type == "code" for output in cell.outputs]
