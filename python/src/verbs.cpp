@@ -22,6 +22,7 @@
 #include "hdconj/solve.hpp"
 #include "hdconj/units.hpp"
 #include "layout.hpp"
+#include "result_of.hpp"
 #include "scene.hpp"
 
 namespace nb = nanobind;
@@ -32,97 +33,6 @@ namespace {
 
 using ResultPointer = std::unique_ptr<Result>;
 using Words = std::vector<std::string>;
-
-/// What differs between the results: overloads where the library's own do not fit.
-void write_value(io::layout::Writer const& root, auto const& value)
-{
-    io::layout::write_result(root, value);
-}
-void write_value(io::layout::Writer const& root, LoadedDrive const& value)
-{
-    io::layout::write_result(root, value.study, value.measurement());
-}
-void write_value(io::layout::Writer const& root, WireCut const& value)
-{
-    io::layout::write_result(root, value.programs);
-}
-void write_value(io::layout::Writer const&, Design const&) {}
-
-std::string json_of(auto const& value)
-{
-    return summary_json(value);
-}
-std::string json_of(LoadedDrive const& value)
-{
-    return summary_json(value.study, {}, value.measurement());
-}
-std::string json_of(StoredAccuracy const& value)
-{
-    return summary_json(value, AccuracyAdvice{}, {});
-}
-std::string json_of(WireCut const& value)
-{
-    return summary_json(value.programs, value.files, value.folder);
-}
-std::string json_of(Measurement const&)
-{
-    return "{}";
-}
-
-std::string summary_of(auto const& value)
-{
-    return summary_text(value);
-}
-std::string summary_of(LoadedDrive const& value)
-{
-    return summary_text(value.study, {}, value.measurement());
-}
-std::string summary_of(StoredAccuracy const& value)
-{
-    return summary_text(value, AccuracyAdvice{});
-}
-std::string summary_of(WireCut const& value)
-{
-    return summary_text(value.programs, value.files);
-}
-std::string summary_of(Measurement const&)
-{
-    return "";
-}
-
-Words missing_of(auto const&)
-{
-    return {};
-}
-Words missing_of(ContactStudy const& value)
-{
-    return value.missing;
-}
-Words missing_of(LoadedDrive const& value)
-{
-    return value.study.missing;
-}
-
-template <class Value>
-class ResultOf final : public Result
-{
-  public:
-    explicit ResultOf(Value value) : value_(std::move(value)) {}
-
-    void write(io::layout::Writer const& root) const override { write_value(root, value_); }
-    [[nodiscard]] std::string json() const override { return json_of(value_); }
-    [[nodiscard]] std::string text() const override { return summary_of(value_); }
-    [[nodiscard]] Words missing() const override { return missing_of(value_); }
-
-  private:
-    Value value_;
-};
-
-template <class Value>
-ResultPointer result_of(Value value)
-{
-    return std::make_unique<ResultOf<Value>>(std::move(value));
-}
 
 /// The value of @p word; where it is none, a fault of @p argument.
 template <Worded Enumeration>
