@@ -8,7 +8,9 @@ root=$(CDPATH= cd -- "$(dirname -- "$0")" && pwd)
 . "$root/cmake/bootstrap.sh"
 
 need_packages build test
-configure -DHDCONJ_BUILD_TESTS=ON
+if [ -n "${HDCONJ_TARGETS:-}" ]; then configure -DHDCONJ_BUILD_TESTS=ON; else
+  configure -DHDCONJ_BUILD_TESTS=ON -DHDCONJ_BUILD_PYTHON=ON
+fi
 build_targets ${HDCONJ_TARGETS:-all}
 
 exec ctest --test-dir "$build" --output-on-failure --no-tests=error --parallel "${HDCONJ_JOBS:-$(nproc)}" "$@"

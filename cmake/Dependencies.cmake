@@ -58,7 +58,10 @@ endif()
 if(IS_ABSOLUTE "${hdconj_openmp_file}" AND EXISTS "${hdconj_openmp_file}")
   find_package(Threads REQUIRED)
   target_compile_options(hdconj_openmp INTERFACE ${OpenMP_CXX_FLAGS})
-  target_link_libraries(hdconj_openmp INTERFACE "${hdconj_openmp_file}" Threads::Threads ${CMAKE_DL_LIBS})
+  # A module that Python loads cannot take the archive, whose code is that of programs.
+  target_link_libraries(hdconj_openmp INTERFACE
+    "$<IF:$<STREQUAL:$<TARGET_PROPERTY:TYPE>,MODULE_LIBRARY>,gomp,${hdconj_openmp_file}>"
+    Threads::Threads ${CMAKE_DL_LIBS})
 else()
   target_link_libraries(hdconj_openmp INTERFACE OpenMP::OpenMP_CXX)
 endif()

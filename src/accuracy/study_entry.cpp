@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "accuracy/reference/reference_contact.hpp"
+#include "hdconj/base/stop.hpp"
 #include "polyline_tree.hpp"
 #include "study_drive.hpp"
 
@@ -142,6 +143,7 @@ double entry_of(StudyDrive const& drive, ReferenceCurve const& reference, int sa
     else
         teeth.emplace_back(tooth, ReferenceView<double>(held), half, positions);
     auto const nearest_to = [&](Vec2 const& p) {
+        end_if_stopped();
         double nearest = far_away;
         if (drive.reverse())
             for (MovingTooth const& each : teeth)

@@ -14,6 +14,8 @@
 #include "separate_processors.hpp"
 #endif
 
+#include "hdconj/base/stop.hpp"
+
 namespace hdconj {
 
 int thread_count(int requested)
@@ -70,13 +72,17 @@ struct Worker
     std::size_t failed_at = 0;
     std::exception_ptr thrown;
 
-    void run(Blocks& blocks, std::function<void(std::size_t)> const& body) noexcept
+    void run(Blocks& blocks, std::function<void(std::size_t)> const& body, std::atomic<bool> const* stop_asked) noexcept
     {
         std::size_t i = 0;
+        StopScope const scope(stop_asked);
         try {
             for (auto [begin, end] = blocks.take(); begin < end; std::tie(begin, end) = blocks.take())
-                for (i = begin; i < end; ++i)
+                for (i = begin; i < end; ++i) {
+                    if (stop_asked != nullptr)
+                        end_if_stopped();
                     body(i);
+                }
         } catch (...) {
             thrown = std::current_exception();
             failed_at = i;
@@ -114,8 +120,9 @@ void parallel_for(std::size_t count, int threads, std::size_t grain, std::functi
     std::size_t const team = std::min(static_cast<std::size_t>(thread_count(threads)), worth);
     std::vector<Worker> workers(team);
     Blocks blocks(count, team);
+    auto const* const stop_asked = StopScope::of_this_thread();
     if (team == 1) {
-        workers[0].run(blocks, body);
+        workers[0].run(blocks, body, stop_asked);
     } else {
         auto const n = static_cast<int>(team);
 #ifdef _OPENMP
@@ -128,7 +135,7 @@ void parallel_for(std::size_t count, int threads, std::size_t grain, std::functi
             if (k > 0 && k == omp_get_thread_num())
                 begin_thread(processors);
 #endif
-            workers[static_cast<std::size_t>(k)].run(blocks, body);
+            workers[static_cast<std::size_t>(k)].run(blocks, body, stop_asked);
         }
     }
     Worker const* first = nullptr;

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "accuracy_figures.hpp"
 
-#include <hdf5.h>
-
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
@@ -15,12 +13,10 @@ namespace hdconj {
 
 AccuracyOrigin this_program()
 {
-    unsigned int major = 0, minor = 0, release = 0;
-    H5get_libversion(&major, &minor, &release);
     return {std::string(program_version()), std::string(git_revision()), std::string(build_description()),
-            fmt::format("CGAL {}; GSL {}; Eigen {}.{}.{}; Boost {}.{}; HDF5 {}.{}.{}; fmt {}", HDCONJ_CGAL_VERSION,
+            fmt::format("CGAL {}; GSL {}; Eigen {}.{}.{}; Boost {}.{}; HDF5 {}; fmt {}", HDCONJ_CGAL_VERSION,
                         HDCONJ_GSL_VERSION, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION,
-                        BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, major, minor, release, FMT_VERSION)};
+                        BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, HDCONJ_HDF5_VERSION, FMT_VERSION)};
 }
 
 }  // namespace hdconj

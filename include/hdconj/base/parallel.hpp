@@ -16,7 +16,7 @@ void at_thread_start(void (*prepare)() noexcept);
 
 /// Calls @p body(i) for i = 0 ... count - 1. Slot i belongs to iteration i: a body that writes only there gives the
 /// same bits for any number of threads. Exceptions do not cross the parallel region: the one of the lowest i is
-/// thrown again after the loop.
+/// thrown again after the loop. Ends with Stopped where the calling thread is asked to (StopScope).
 /// @param grain  fewest iterations worth a thread: about a millisecond of work. Waking a thread is cheap, but on a
 ///               machine that has other work its share may wait for a time slice, and everybody waits for it.
 void parallel_for(std::size_t count, int threads, std::size_t grain, std::function<void(std::size_t)> const& body);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "hdconj/base/stop.hpp"
 #include "reference_integral.hpp"
 
 namespace hdconj::accuracy {
@@ -114,6 +115,7 @@ ReferenceCurve::Foot ReferenceCurve::refined(long double x, long double y, std::
 
 ReferenceCurve::Foot ReferenceCurve::foot(long double x, long double y, std::size_t& near) const
 {
+    end_if_stopped();
     PolylineTree::Nearest const found = tree_.nearest({static_cast<double>(x), static_cast<double>(y)}, near);
     near = found.segment;
     std::size_t const patch = std::min(found.segment / patch_steps, patches_.size() - 1);

@@ -5,6 +5,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "hdconj/base/stop.hpp"
 #include "hdconj/error.hpp"
 
 namespace hdconj::accuracy {
@@ -60,6 +61,7 @@ ReferenceContact<Fifty> ReferenceDrive::on_tooth(conjugate::BoundaryPiece const&
 
 ReferenceContact<Fifty> ReferenceDrive::contact(conjugate::BoundaryPiece const& piece, Fifty const& u) const
 {
+    end_if_stopped();
     ReferenceContact<Fifty> found = on_tooth(piece, views_[drive_.tooth_of(piece)].at(u), u);
     if (drive_.reverse()) {
         found.point.y -= Fifty(drive_.geometry.pitch_line);

@@ -11,6 +11,7 @@
 
 #include "base/deferred_tasks.hpp"
 #include "hdconj/base/parallel.hpp"
+#include "hdconj/base/stop.hpp"
 #include "hdconj/envelope/any_envelope.hpp"
 #include "records.hpp"
 #include "tooth_outline.hpp"
@@ -68,6 +69,7 @@ template <class Beside>
     }
     std::vector<std::size_t> const order = largest_first(chords);
     DeferredTasks jobs;
+    StopScope const whole(nullptr);  // threads wait for the tasks that the first iteration makes: it is not left out
     std::atomic<std::size_t> next_shown = 0;
     parallel_for(1 + order.size() + team, static_cast<int>(team), 1, [&](std::size_t k) {
         if (k == 0)

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdf5_writer.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <type_traits>
+#include <variant>
 
 #include "file/atomic_file_posix.hpp"
 #include "hdconj/error.hpp"
@@ -14,19 +17,16 @@ namespace {
 /// For texts, which HDF5 converts one by one. Its own choice of 1 MB costs a millisecond to clear for every dataset.
 constexpr std::size_t conversion_buffer = std::size_t{1} << 12;
 
-static_assert(sizeof(Vec2) == 2 * sizeof(double) && std::is_standard_layout_v<Vec2>,
-              "points are written as they lie in memory");
-
-Space simple(Shape const& shape)
+Space simple(layout::Shape const& shape)
 {
-    return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), "create dataspace"};
+    std::vector<hsize_t> const sizes(shape.begin(), shape.end());
+    return {H5Screate_simple(static_cast<int>(sizes.size()), sizes.data(), nullptr), "create dataspace"};
 }
 
-std::vector<char const*> pointers(std::vector<std::string> const& texts)
+std::vector<char const*> pointers(std::string const* texts, std::size_t count)
 {
-    std::vector<char const*> result;
-    for (auto const& text : texts)
-        result.push_back(text.c_str());
+    std::vector<char const*> result(count);
+    std::transform(texts, texts + count, result.begin(), [](std::string const& text) { return text.c_str(); });
     return result;
 }
 
@@ -40,6 +40,20 @@ Type text_of_length(std::size_t length)
     Type type(H5Tcopy(H5T_C_S1), "copy string type");
     checked(H5Tset_size(type, length), "set string length");
     return type;
+}
+
+/// One value: its types in the file and in memory, and where it is.
+struct Scalar
+{
+    hid_t stored, given;
+    void const* value;
+};
+
+void write_scalar(hid_t place, hid_t space, std::string const& name, Scalar const& scalar)
+{
+    Attribute const made(H5Acreate2(place, name.c_str(), scalar.stored, space, H5P_DEFAULT, H5P_DEFAULT),
+                         "create attribute");
+    checked(H5Awrite(made, scalar.given, scalar.value), "write attribute");
 }
 
 /// Keeps the innermost description: H5Ewalk goes from the outermost call inwards.
@@ -84,52 +98,47 @@ std::optional<hobj_ref_t> Dimensions::scale_of(std::string const& name, hsize_t 
     return outer_ != nullptr ? outer_->scale_of(name, size) : std::nullopt;
 }
 
-void Writer::numbers(std::string const& name, std::vector<double> const& values, About const& about) const
+void FileGroup::group(std::string const& name, std::function<void(layout::GroupSink&)> const& fill)
 {
-    array(name, {values.size()}, values.data(), about);
+    Group const made(H5Gcreate2(place_, name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), "create group");
+    Dimensions inner(dimensions_);
+    FileGroup place(made, *tools_, inner);
+    fill(place);
 }
 
-void Writer::integers(std::string const& name, std::vector<int> const& values, About const& about) const
+void FileGroup::dataset(std::string const& name, layout::Shape const& shape, layout::Values const& values,
+                        layout::About const& about)
 {
-    array(name, {values.size()}, values.data(), about);
-}
-
-void Writer::points(std::string const& name, std::vector<Vec2> const& points, char const* meaning,
-                    char const* dim) const
-{
-    array(name, {points.size(), 2}, points.empty() ? nullptr : points.front().data(), {"mm", meaning, {dim, "xy"}});
-}
-
-void Writer::array(std::string const& name, Shape const& shape, double const* values, About const& about) const
-{
-    dataset(name, shape, {H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, H5P_DEFAULT}, values, about);
-}
-
-void Writer::array(std::string const& name, Shape const& shape, int const* values, About const& about) const
-{
-    dataset(name, shape, {H5T_STD_I32LE, H5T_NATIVE_INT, H5P_DEFAULT}, values, about);
-}
-
-void Writer::texts(std::string const& name, std::vector<std::string> const& values, char const* meaning,
-                   char const* dim) const
-{
-    dataset(name, {values.size()}, {tools_->text, tools_->text, tools_->frugal}, pointers(values).data(),
-            {"1", meaning, {dim}});
-}
-
-void Writer::dataset(std::string const& name, Shape const& shape, Transfer const& transfer, void const* values,
-                     About const& about) const
-{
+    struct Transfer
+    {
+        hid_t stored, given, properties;
+        void const* values;
+    };
+    std::vector<char const*> texts;
+    auto const transfer = std::visit(
+        [&](auto const* first) -> Transfer {
+            using Value = std::remove_const_t<std::remove_pointer_t<decltype(first)>>;
+            if constexpr (std::is_same_v<Value, double>)
+                return {H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, H5P_DEFAULT, first};
+            if constexpr (std::is_same_v<Value, int>)
+                return {H5T_STD_I32LE, H5T_NATIVE_INT, H5P_DEFAULT, first};
+            if constexpr (std::is_same_v<Value, std::string>) {
+                texts = pointers(first, shape.front());
+                return {tools_->text, tools_->text, tools_->frugal, texts.data()};
+            }
+        },
+        values);
     Dataset const made = bare_dataset(name, shape, transfer.stored);
-    Writer const of_dataset(made, *tools_, *dimensions_);
+    FileGroup of_dataset(made, *tools_, *dimensions_);
     of_dataset.attribute("units", std::string(about.units));
     of_dataset.attribute("long_name", about.meaning);
     attach(made, name, shape, about.dims);
-    if (std::find(shape.begin(), shape.end(), hsize_t{0}) == shape.end())
-        checked(H5Dwrite(made, transfer.given, H5S_ALL, H5S_ALL, transfer.properties, values), "write dataset");
+    if (std::find(shape.begin(), shape.end(), std::size_t{0}) == shape.end())
+        checked(H5Dwrite(made, transfer.given, H5S_ALL, H5S_ALL, transfer.properties, transfer.values),
+                "write dataset");
 }
 
-Dataset Writer::bare_dataset(std::string const& name, Shape const& shape, hid_t stored) const
+Dataset FileGroup::bare_dataset(std::string const& name, layout::Shape const& shape, hid_t stored) const
 {
     return {H5Dcreate2(place_, name.c_str(), stored, simple(shape), H5P_DEFAULT, tools_->timeless, H5P_DEFAULT),
             "create dataset"};
@@ -137,7 +146,8 @@ Dataset Writer::bare_dataset(std::string const& name, Shape const& shape, hid_t 
 
 /// Names the dimensions of a dataset as the library's H5DSattach_scale() does, but for the list at the scale of all
 /// that refer to it: a list that grows with each, and that no reader needs.
-void Writer::attach(hid_t dataset, std::string const& name, Shape const& shape, Dims const& dims) const
+void FileGroup::attach(hid_t dataset, std::string const& name, layout::Shape const& shape,
+                       layout::Dims const& dims) const
 {
     if (dims.size() != shape.size())
         throw std::logic_error("dataset " + name + " has not one name for each dimension");
@@ -158,76 +168,68 @@ void Writer::attach(hid_t dataset, std::string const& name, Shape const& shape, 
 }
 
 /// The scale of a dimension; where it has none yet, one without numbers in this group, as netCDF-4 makes it.
-hobj_ref_t Writer::scale_for(char const* dim, hsize_t size) const
+hobj_ref_t FileGroup::scale_for(char const* dim, hsize_t size) const
 {
     if (auto const known = dimensions_->scale_of(dim, size))
         return *known;
     Dataset const made = bare_dataset(dim, {size}, H5T_STD_I32LE);
     std::string const text = fmt::format("This is a netCDF dimension but not a netCDF variable.{:10}", size);
-    Writer(made, *tools_, *dimensions_).scalar("NAME", tools_->scale_name, tools_->scale_name, text.c_str());
+    write_scalar(made, tools_->scalar, "NAME", {tools_->scale_name, tools_->scale_name, text.c_str()});
     return register_scale(made, dim, size);
 }
 
-hobj_ref_t Writer::register_scale(hid_t dataset, std::string const& name, hsize_t size) const
+hobj_ref_t FileGroup::register_scale(hid_t dataset, std::string const& name, hsize_t size) const
 {
-    Writer(dataset, *tools_, *dimensions_).scalar("CLASS", tools_->scale_class, tools_->scale_class, dimension_scale);
+    write_scalar(dataset, tools_->scalar, "CLASS", {tools_->scale_class, tools_->scale_class, dimension_scale});
     hobj_ref_t scale = 0;
     checked(H5Rcreate(&scale, dataset, ".", H5R_OBJECT, H5I_INVALID_HID), "refer to a dataset");
     dimensions_->add(name, size, scale);
     return scale;
 }
 
-void Writer::link(std::string const& name, std::string const& other) const
+void FileGroup::link(std::string const& name, std::string const& other)
 {
     checked(H5Lcreate_hard(place_, name.c_str(), place_, other.c_str(), H5P_DEFAULT, H5P_DEFAULT), "link a dataset");
 }
 
-void Writer::attribute(std::string const& name, std::string const& text) const
+void FileGroup::attribute(std::string const& name, layout::AttributeValue const& value)
 {
-    char const* const pointer = text.c_str();
-    scalar(name, tools_->text, tools_->text, &pointer);
+    auto const scalar = [&](hid_t stored, hid_t given, void const* from) {
+        write_scalar(place_, tools_->scalar, name, {stored, given, from});
+    };
+    std::visit(
+        [&](auto const& given) {
+            using Value = std::decay_t<decltype(given)>;
+            if constexpr (std::is_same_v<Value, double>) {
+                scalar(H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, &given);
+            } else if constexpr (std::is_same_v<Value, int>) {
+                scalar(H5T_STD_I32LE, H5T_NATIVE_INT, &given);
+            } else if constexpr (std::is_same_v<Value, bool>) {
+                unsigned char const byte = given ? 1 : 0;
+                scalar(H5T_STD_U8LE, H5T_NATIVE_UCHAR, &byte);
+            } else if constexpr (std::is_same_v<Value, std::string>) {
+                char const* const pointer = given.c_str();
+                scalar(tools_->text, tools_->text, &pointer);
+            } else {
+                Space const space = simple({given.size()});
+                Attribute const made(H5Acreate2(place_, name.c_str(), tools_->text, space, H5P_DEFAULT, H5P_DEFAULT),
+                                     "create attribute");
+                if (!given.empty())
+                    checked(H5Awrite(made, tools_->text, pointers(given.data(), given.size()).data()),
+                            "write attribute");
+            }
+        },
+        value);
 }
 
-void Writer::attribute(std::string const& name, std::vector<std::string> const& texts) const
-{
-    Space const space = simple({texts.size()});
-    Attribute const made(H5Acreate2(place_, name.c_str(), tools_->text, space, H5P_DEFAULT, H5P_DEFAULT),
-                         "create attribute");
-    if (!texts.empty())
-        checked(H5Awrite(made, tools_->text, pointers(texts).data()), "write attribute");
-}
-
-void Writer::attribute(std::string const& name, double value) const
-{
-    scalar(name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, &value);
-}
-
-void Writer::attribute(std::string const& name, int value) const
-{
-    scalar(name, H5T_STD_I32LE, H5T_NATIVE_INT, &value);
-}
-
-void Writer::flag(std::string const& name, bool value) const
-{
-    unsigned char const byte = value ? 1 : 0;
-    scalar(name, H5T_STD_U8LE, H5T_NATIVE_UCHAR, &byte);
-}
-
-void Writer::scalar(std::string const& name, hid_t stored, hid_t given, void const* value) const
-{
-    Attribute const made(H5Acreate2(place_, name.c_str(), stored, tools_->scalar, H5P_DEFAULT, H5P_DEFAULT),
-                         "create attribute");
-    checked(H5Awrite(made, given, value), "write attribute");
-}
-
-NewFile::NewFile(Sink& sink) : file_(create_in(sink)) {}
+NewFile::NewFile(Sink& sink) : file_(create_in(sink)), root_(file_, tools_, dimensions_) {}
 
 void NewFile::flush() const
 {
     checked(H5Fflush(file_, H5F_SCOPE_GLOBAL), "flush");
 }
 
-void write_file(std::filesystem::path const& file, std::function<void(Writer const&)> const& fill)
+void write_file(std::filesystem::path const& file, std::function<void(layout::Writer const&)> const& fill)
 {
     file::write_atomically(file, [&](std::filesystem::path const& place) {
         bool const goes_back = !file::posix::status_of(place).is_device();

@@ -5,7 +5,8 @@
 
 #include "hdconj/error.hpp"
 #include "hdconj/file/atomic_file.hpp"
-#include "io/hdf5/hdf5_layout.hpp"
+#include "io/hdf5/hdf5_writer.hpp"
+#include "io/layout/results.hpp"
 #include "spline_surface.hpp"
 
 namespace hdconj {
@@ -74,8 +75,8 @@ void write_xdmf(Solution const& solution, std::filesystem::path const& file, Sur
     auto heavy = file;
     heavy += ".h5";
     auto const text = document(solution.scene.drive.name, relative_name(heavy, file), "/surface", surface);
-    io::hdf5::write_file(heavy, [&](io::hdf5::Writer const& root) {
-        root.group("surface", [&](io::hdf5::Writer const& place) { io::hdf5::write_surface(place, surface); });
+    io::hdf5::write_file(heavy, [&](io::layout::Writer const& root) {
+        root.group("surface", [&](io::layout::Writer const& place) { io::layout::write_surface(place, surface); });
     });
     file::write_text_atomically(file, text);
 }

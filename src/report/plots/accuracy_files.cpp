@@ -6,7 +6,7 @@
 #include "gnuplot.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/file/atomic_file.hpp"
-#include "io/hdf5/hdf5_layout.hpp"
+#include "io/hdf5/hdf5_files.hpp"
 #include "plots.hpp"
 
 namespace hdconj {
@@ -62,11 +62,6 @@ std::vector<WrittenFile> write_accuracy_folder(StoredAccuracy const& study, fs::
     }
     made.publish(lines);
     return files;
-}
-
-fs::path accuracy_figure(fs::path const& page, std::string const& study)
-{
-    return page.parent_path() / "figures" / (page.stem().string() + "-" + study + ".svg");
 }
 
 std::vector<WrittenFile> write_accuracy_page(StoredAccuracy const& study, fs::path const& page)

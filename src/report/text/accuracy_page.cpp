@@ -80,6 +80,11 @@ std::string link_to(std::string const& file)
 
 }  // namespace
 
+std::filesystem::path accuracy_figure(std::filesystem::path const& page, std::string const& study)
+{
+    return page.parent_path() / "figures" / (page.stem().string() + "-" + study + ".svg");
+}
+
 std::string accuracy_page(StoredAccuracy const& study, std::filesystem::path const& page_file, bool pictures)
 {
     auto const& report = study.report;

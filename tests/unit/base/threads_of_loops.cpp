@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Threads of loops: what each does first, and the processors they run on.
+// Threads of loops: what each does first, the processors they run on, and how they are stopped.
 #include <atomic>
 #include <chrono>
 #include <set>
@@ -12,6 +12,7 @@
 
 #include "base/separate_processors.hpp"
 #include "hdconj/base/parallel.hpp"
+#include "hdconj/base/stop.hpp"
 #include "support/catch.hpp"
 
 namespace hdconj::test::threads_of_loops_cases {
@@ -110,5 +111,31 @@ TEST_CASE("a thread that its user has bound stays", "[numeric][parallel]")
 }
 
 #endif
+
+TEST_CASE("a loop that is asked to stop ends, with any number of threads and loops within", "[numeric][parallel]")
+{
+    constexpr int enough = 100;
+    for (int const threads : {1, 2, 4}) {
+        std::atomic<bool> asked = false;
+        std::atomic<int> runs = 0;
+        auto const loop = [&] {
+            parallel_for(1000000, threads, 1, [&](std::size_t) {
+                parallel_for(2, 1, 1, [](std::size_t) {});
+                if (++runs == enough)
+                    asked = true;
+            });
+        };
+        {
+            StopScope const scope(&asked);
+            CHECK_THROWS_AS(loop(), Stopped);
+            CHECK(runs < enough + 2 * threads);
+            CHECK_THROWS_AS(end_if_stopped(), Stopped);
+            StopScope const inner(nullptr);  // nobody can ask
+            CHECK_NOTHROW(parallel_for(2, threads, 1, [](std::size_t) {}));
+        }
+        CHECK_NOTHROW(end_if_stopped());
+        CHECK_NOTHROW(parallel_for(2, threads, 1, [](std::size_t) {}));
+    }
+}
 
 }  // namespace hdconj::test::threads_of_loops_cases

@@ -5,27 +5,27 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "columns.hpp"
 #include "figures/load_figures.hpp"
 #include "figures/measured_figures.hpp"
-#include "hdconj/load_files.hpp"
-#include "hdf5_columns.hpp"
-#include "hdf5_layout.hpp"
+#include "results.hpp"
 
 namespace hdconj::io {
 namespace {
 
-using hdf5::About;
-using hdf5::column;
-using hdf5::Shape;
-using hdf5::write_columns;
-using hdf5::write_error_columns;
-using hdf5::Writer;
+using layout::About;
+using layout::column;
+using layout::Owner;
+using layout::Shape;
+using layout::write_columns;
+using layout::write_error_columns;
+using layout::Writer;
 
 /// Values of which there are as many as @p shape says.
 void write_checked(Writer const& place, std::string const& name, Shape const& shape, std::vector<double> const& values,
                    About const& about)
 {
-    if (values.size() != std::accumulate(shape.begin(), shape.end(), hsize_t{1}, std::multiplies<>()))
+    if (values.size() != std::accumulate(shape.begin(), shape.end(), std::size_t{1}, std::multiplies<>()))
         throw std::logic_error(name + " does not match what it is a function of");
     place.array(name, shape, values.data(), about);
 }
@@ -33,16 +33,17 @@ void write_checked(Writer const& place, std::string const& name, Shape const& sh
 void write_load_map(Writer const& place, LoadMap const& map)
 {
     Shape const shape = {map.angle.size(), 2, map.z.size()};
-    hdf5::Dims const dims = {"angle", "flank", "z"};
-    hdf5::write_flanks(place);
+    layout::Dims const dims = {"angle", "flank", "z"};
+    layout::write_flanks(place);
     place.attribute("torque_Nmm", map.torque);
     place.numbers("z", map.z, {"mm", "slices", {"z"}});
     place.numbers("angle", map.angle, {"rad", "centre lines of the tooth spaces", {"angle"}});
-    write_checked(place, "force", shape, map.force, {"N", "force along the normal", dims});
-    write_checked(place, "line_load", shape, map.line_load, {"N/mm", "force per length along the axis", dims});
-    write_checked(place, "pressure", shape, map.pressure, {"MPa", "Hertz pressure", dims});
-    write_checked(place, "gap", shape, map.gap, {"mm", "smallest gap of the loaded shape", dims});
-    hdf5::write_named(place, figures::flank_position_of_gap, [&](char const* name) {
+    write_checked(place, "force", shape, map.force, {"N", "force along the normal", dims, Owner::result});
+    write_checked(place, "line_load", shape, map.line_load,
+                  {"N/mm", "force per length along the axis", dims, Owner::result});
+    write_checked(place, "pressure", shape, map.pressure, {"MPa", "Hertz pressure", dims, Owner::result});
+    write_checked(place, "gap", shape, map.gap, {"mm", "smallest gap of the loaded shape", dims, Owner::result});
+    layout::write_named(place, figures::flank_position_of_gap, [&](char const* name) {
         write_checked(place, name, shape, map.height,
                       {"1", "place of that gap, 0 at the land corner to 1 at the flank end", dims});
     });
@@ -62,7 +63,7 @@ void write_contacts(Writer const& place, double torque, std::vector<ContactForce
     auto const indices = [&](char const* name, int ContactForce::*value, char const* meaning) {
         place.integers(name, column(contacts, value), {"1", meaning, {"contact"}});
     };
-    hdf5::write_flanks(place);
+    layout::write_flanks(place);
     place.attribute("torque_Nmm", torque);
     indices("space", &ContactForce::space, "number in map/angle");
     indices("flank_number", &ContactForce::flank, "number in the attribute flanks");
@@ -109,7 +110,7 @@ void write_load_case(Writer const& place, LoadCase const& each, int balls)
     place.group("curve", [&](Writer const& curve) { write_curve(curve, each, figures::loaded_state_figures(balls)); });
     if (each.catalogue)
         place.group("catalogue", [&](Writer const& group) {
-            hdf5::write_attributes(group, figures::catalogue_rows(), *each.catalogue);
+            layout::write_attributes(group, figures::catalogue_rows(), *each.catalogue);
         });
     if (!each.members.empty())
         place.group("members", [&](Writer const& group) {
@@ -139,7 +140,7 @@ void write_errors(Writer const& place, std::vector<LoadCase> const& cases, int b
                    {"1", "whether the errors were estimated", {"case"}});
     place.integers("pressure_at_edge", column(cases, &LoadCase::pressure_at_edge),
                    {"1", "whether the largest pressure is at an end of the face width", {"case"}});
-    place.numbers(backlash.name, column(cases, backlash.error), hdf5::about_error(backlash, "", "case"));
+    place.numbers(backlash.name, column(cases, backlash.error), layout::about_error(backlash, "", "case"));
     write_error_columns(place, "case", figures::loaded_state_figures(balls), column(cases, &LoadCase::error));
 }
 
@@ -152,7 +153,7 @@ void write_load_cases(Writer const& place, std::vector<LoadCase> const& cases, i
             throw std::logic_error("a load case without a state at its largest torque");
         rated.push_back(*state);
     }
-    hdf5::write_surface_names(place, cases);
+    layout::write_surface_names(place, cases);
     write_columns(place, "case", figures::load_case_figures(), cases);
     write_columns(place, "case", figures::loaded_state_figures(balls), rated);
     place.group("error", [&](Writer const& group) { write_errors(group, cases, balls); });
@@ -162,7 +163,7 @@ void write_load_cases(Writer const& place, std::vector<LoadCase> const& cases, i
 
 void write_cup(Writer const& place, AssembledCup const& cup, int balls)
 {
-    hdf5::write_attributes(place, figures::assembled_cup_figures(balls), cup);
+    layout::write_attributes(place, figures::assembled_cup_figures(balls), cup);
     place.attribute("ball_force", cup.ball_force);
     place.attribute("estimated", cup.estimated ? 1 : 0);
     place.numbers("z", cup.z, {"mm", "slices", {"z"}});
@@ -188,18 +189,18 @@ std::vector<int> four_corners(std::vector<std::vector<int>> const& cells)
 void write_shape(Writer const& place, CupShape const& shape)
 {
     Shape const size = {shape.phi.size(), shape.r.size()};
-    hdf5::Dims const dims = {"phi", "node"};
+    layout::Dims const dims = {"phi", "node"};
     place.numbers("r", shape.r, {"mm", "radius of the nodes of the section", {"node"}});
     write_checked(place, "z", {shape.r.size()}, shape.z, {"mm", "height of the nodes of the section", {"node"}});
     auto const corners = four_corners(shape.cells);
     place.array("cells", {shape.cells.size(), 4}, corners.data(),
                 {"1", "nodes at the corners of an element, counter-clockwise", {"cell", "corner"}});
     place.numbers("phi", shape.phi, {"rad", "angles, clockwise from the major axis", {"phi"}});
-    write_checked(place, "u_r", size, shape.u_r, {"mm", "radial displacement", dims});
-    write_checked(place, "u_t", size, shape.u_t, {"mm", "tangential displacement", dims});
-    write_checked(place, "u_z", size, shape.u_z, {"mm", "axial displacement", dims});
+    write_checked(place, "u_r", size, shape.u_r, {"mm", "radial displacement", dims, Owner::result});
+    write_checked(place, "u_t", size, shape.u_t, {"mm", "tangential displacement", dims, Owner::result});
+    write_checked(place, "u_z", size, shape.u_z, {"mm", "axial displacement", dims, Owner::result});
     if (!shape.stress.empty())
-        write_checked(place, "stress", size, shape.stress, {"MPa", "von Mises stress", dims});
+        write_checked(place, "stress", size, shape.stress, {"MPa", "von Mises stress", dims, Owner::result});
 }
 
 void write_pitch_errors(Writer const& place, PitchErrors const& errors)
@@ -223,14 +224,14 @@ void write_measured(Writer const& place, Measurement const& measured)
     place.attribute("ratio", curve.rig.ratio);
     place.attribute("efficiency", curve.rig.efficiency);
     place.attribute("angle_per_spline", curve.rig.angle_per_spline);
-    hdf5::write_attributes(place, figures::measured_curve_figures(), found);
+    layout::write_attributes(place, figures::measured_curve_figures(), found);
     place.numbers("twist", curve.twist, {"rad", "twist of the samples at the output", {"sample"}});
     place.numbers("torque", curve.torque, {"N mm", "torque of the samples at the output", {"sample"}});
     for (auto const& figure : figures::measured_figures()) {
         Estimate const& estimate = figure.value(found);
         if (estimate.count == 0)
             continue;
-        hdf5::write_named(place, figure.name, [&](char const* name) {
+        layout::write_named(place, figure.name, [&](char const* name) {
             place.numbers(name, {estimate.value, estimate.error},
                           {figure.unit.stored, std::string(figure.words) + ": value and standard error", {"estimate"}});
         });
@@ -242,28 +243,26 @@ void write_measured(Writer const& place, Measurement const& measured)
 }
 
 }  // namespace
-}  // namespace hdconj::io
 
-namespace hdconj {
-
-void write_hdf5(LoadStudy const& study, std::filesystem::path const& file, Measurement const* measured)
+void layout::write_result(Writer const& root, Measurement const& measured)
 {
-    using io::hdf5::Writer;
-    io::hdf5::write_file(file, [&](Writer const& root) {
-        io::hdf5::write_solution(root, study.solution);
-        root.group("circular_spline",
-                   [&](Writer const& place) { io::hdf5::write_spline_and_surface(place, study.solution); });
-        root.group("load", [&](Writer const& load) {
-            io::hdf5::write_attributes(load, figures::load_study_figures(), study);
-            io::write_load_cases(load, study.cases, study.balls);
-            load.group("cup", [&](Writer const& cup) { io::write_cup(cup, study.cup, study.balls); });
-            if (!study.shape.r.empty())
-                load.group("shape", [&](Writer const& shape) { io::write_shape(shape, study.shape); });
-            io::write_pitch_errors(load, study.pitch_errors);
-            if (measured != nullptr)
-                load.group("measured", [&](Writer const& place) { io::write_measured(place, *measured); });
-        });
+    write_measured(root, measured);
+}
+
+void layout::write_result(Writer const& root, LoadStudy const& study, Measurement const* measured)
+{
+    write_solution(root, study.solution);
+    root.group("circular_spline", [&](Writer const& place) { write_spline_and_surface(place, study.solution); });
+    root.group("load", [&](Writer const& load) {
+        write_attributes(load, figures::load_study_figures(), study);
+        write_load_cases(load, study.cases, study.balls);
+        load.group("cup", [&](Writer const& cup) { write_cup(cup, study.cup, study.balls); });
+        if (!study.shape.r.empty())
+            load.group("shape", [&](Writer const& shape) { write_shape(shape, study.shape); });
+        write_pitch_errors(load, study.pitch_errors);
+        if (measured != nullptr)
+            load.group("measured", [&](Writer const& place) { write_measured(place, *measured); });
     });
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::io

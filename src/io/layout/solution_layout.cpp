@@ -4,15 +4,14 @@
 #include <cstdlib>
 #include <ctime>
 
+#include "columns.hpp"
 #include "figures/summary_figures.hpp"
-#include "hdconj/result_files.hpp"
 #include "hdconj/version.hpp"
-#include "hdf5_columns.hpp"
-#include "hdf5_layout.hpp"
+#include "results.hpp"
 
 namespace hdconj::io {
 
-std::string hdf5::date_text()
+std::string layout::date_text()
 {
     char const* const given = std::getenv("SOURCE_DATE_EPOCH");
     std::time_t const seconds =
@@ -26,8 +25,9 @@ std::string hdf5::date_text()
 
 namespace {
 
-using hdf5::column;
-using hdf5::Writer;
+using layout::column;
+using layout::Owner;
+using layout::Writer;
 
 /// Number of this layout; goes up when a reader of the old one would misread the new one.
 constexpr int format_version = 2;
@@ -39,7 +39,7 @@ void write_provenance(Writer const& root, Solution const& solution)
     root.attribute("program_version", std::string(program_version()));
     root.attribute("git_revision", std::string(git_revision()));
     root.attribute("build", std::string(build_description()));
-    root.attribute("date", hdf5::date_text());
+    root.attribute("date", layout::date_text());
     root.attribute("drive", solution.scene.drive.name);
     root.attribute("given", figures::given_member(solution));
     root.attribute("scene", solution.scene.text);
@@ -62,13 +62,14 @@ void write_branch(Writer const& branch, BranchRecord const& record, bool reverse
     branch.flag("on_boundary", record.on_boundary);
     if (reverse)
         branch.attribute("tooth", record.tooth);
-    branch.numbers("u", record.u, {"rad", "polar angle of the tooth on the deformed neutral curve", {"u"}});
-    branch.numbers("phi", record.phi, {"rad", "angle of the tooth on the undeformed ring", {"u"}});
-    branch.numbers("t", record.t, {"1", "profile parameter, 0 to 1 along the segment", {"u"}});
+    branch.numbers("u", record.u,
+                   {"rad", "polar angle of the tooth on the deformed neutral curve", {"u"}, Owner::result});
+    branch.numbers("phi", record.phi, {"rad", "angle of the tooth on the undeformed ring", {"u"}, Owner::result});
+    branch.numbers("t", record.t, {"1", "profile parameter, 0 to 1 along the segment", {"u"}, Owner::result});
     branch.points(
         "point", record.point,
-        reverse ? "contact, in the frame of the flexspline tooth" : "contact, in the frame of the circular spline",
-        "u");
+        reverse ? "contact, in the frame of the flexspline tooth" : "contact, in the frame of the circular spline", "u",
+        Owner::result);
 }
 
 void write_envelope(Writer const& root, Solution const& solution)
@@ -98,7 +99,7 @@ void write_zones(Writer const& root, std::vector<ConjugateZone> const& zones)
         place.integers("branch", column(zones, [](auto const& zone) { return static_cast<int>(zone.branch); }),
                        {"1", "number of the branch", {"zone"}});
         place.integers("segment", column(zones, &ConjugateZone::segment), {"1", "number in segments", {"zone"}});
-        hdf5::write_columns(place, "zone", figures::zone_figures(), zones);
+        layout::write_columns(place, "zone", figures::zone_figures(), zones);
         write_intervals(place, "u", zones, &ConjugateZone::u_begin, &ConjugateZone::u_end, "rad",
                         "polar angle of the tooth at begin and end");
         write_intervals(place, "phi", zones, &ConjugateZone::phi_begin, &ConjugateZone::phi_end, "rad",
@@ -114,7 +115,7 @@ void write_certificate(Writer const& root, std::vector<UndecidedPlace> const& pl
     root.group("undecided", [&](Writer const& place) {
         place.texts("what", column(places, &UndecidedPlace::what), "what happens there", "place");
         place.texts("segment_name", column(places, &UndecidedPlace::segment_name), "segment of the profile", "place");
-        hdf5::write_columns(place, "place", figures::undecided_figures(), places);
+        layout::write_columns(place, "place", figures::undecided_figures(), places);
     });
 }
 
@@ -136,9 +137,12 @@ void write_summary(Writer const& root, Solution const& solution)
 {
     auto const write = [&](Writer const& summary, figures::Rows<Solution> const& rows) {
         for (auto const& figure : rows) {
+            bool const estimated = figure.error != nullptr;
             summary.attribute(figure.json_key(), figure.unit.shown(figure.value(solution)));
-            if (figure.error != nullptr)
+            if (estimated)
                 summary.attribute(figure.json_key_of_error(), figure.unit.shown_error(figure.error(solution)));
+            summary.figure({figure.key_stem(), figure.json_key(), estimated ? figure.json_key_of_error() : "",
+                            figure.unit.text, figure.meaning, true});
         }
     };
     root.group("summary", [&](Writer const& summary) {
@@ -182,19 +186,19 @@ void write_timing(Writer const& root, std::vector<StageTime> const& timing)
 
 }  // namespace
 
-void hdf5::write_solution(hdf5::Writer const& root, Solution const& solution)
+void layout::write_solution(layout::Writer const& root, Solution const& solution)
 {
     write_provenance(root, solution);
     root.texts("xy", {"x", "y"}, "coordinate of a point", "xy");
     root.texts("end", {"begin", "end"}, "end of an interval", "end");
-    root.group("flexspline", [&](hdf5::Writer const& place) {
-        place.points("outline", solution.flexspline_outline, "one tooth, left to right, y from the pitch line",
-                     "point");
+    root.group("flexspline", [&](layout::Writer const& place) {
+        place.points("outline", solution.flexspline_outline, "one tooth, left to right, y from the pitch line", "point",
+                     Owner::result);
         if (solution.scene.is_reverse())
             write_pieces(place, solution.flexspline_pieces);
     });
     root.points("neutral_curve", solution.neutral_curve, "deformed neutral curve in the fixed frame, closed",
-                "neutral_point");
+                "neutral_point", Owner::result);
     write_envelope(root, solution);
     write_zones(root, solution.zones);
     write_certificate(root, solution.certificate.undecided);
@@ -203,7 +207,7 @@ void hdf5::write_solution(hdf5::Writer const& root, Solution const& solution)
     write_timing(root, solution.timing);
 }
 
-void hdf5::write_circular_spline(hdf5::Writer const& place, CircularSplineOutline const& outline)
+void layout::write_circular_spline(layout::Writer const& place, CircularSplineOutline const& outline)
 {
     std::size_t const slices = outline.outline.size();
     std::size_t const points = slices == 0 ? 0 : outline.outline.front().size();
@@ -216,26 +220,21 @@ void hdf5::write_circular_spline(hdf5::Writer const& place, CircularSplineOutlin
             flat.insert(flat.end(), slice.front().data(), slice.front().data() + 2 * points);
     }
     double const* const first = slices == 1 && points > 0 ? outline.outline.front().front().data() : flat.data();
-    place.numbers("z", outline.z, {"mm", "slices, 0 in the middle of the bearing", {"z"}});
+    place.numbers("z", outline.z, {"mm", "slices, 0 in the middle of the bearing", {"z"}, Owner::result});
     place.array("outline", {slices, points, 2}, first,
-                {"mm", "one pitch from mid-land to mid-land, x increasing", {"z", "point", "xy"}});
+                {"mm",
+                 "one pitch from mid-land to mid-land, x increasing",
+                 {"z", "point", "xy"},
+                 slices == 1 ? Owner::result : Owner::writer});
     place.integers("landmarks", outline.landmarks,
                    {"1", "points at land corners, flank ends and the middle", {"landmarks"}});
     write_pieces(place, outline.pieces);
 }
 
-}  // namespace hdconj::io
-
-namespace hdconj {
-
-void write_hdf5(Solution const& solution, std::filesystem::path const& file)
+void layout::write_result(Writer const& root, Solution const& solution)
 {
-    io::hdf5::write_file(file, [&](io::hdf5::Writer const& root) {
-        io::hdf5::write_solution(root, solution);
-        root.group("circular_spline", [&](io::hdf5::Writer const& place) {
-            io::hdf5::write_circular_spline(place, solution.circular_spline);
-        });
-    });
+    write_solution(root, solution);
+    root.group("circular_spline", [&](Writer const& place) { write_circular_spline(place, solution.circular_spline); });
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::io

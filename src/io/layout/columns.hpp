@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "figures/figure_of.hpp"
-#include "hdf5_writer.hpp"
+#include "writer.hpp"
 
-namespace hdconj::io::hdf5 {
+namespace hdconj::io::layout {
 
 /// Values of @p take over all records.
 template <class Records, class Take>
@@ -49,6 +49,19 @@ void write_column(Writer const& place, figures::FigureOf<Record> const& figure, 
         place.link(name, prefix + name_of(figure.under_former_name()));
 }
 
+/// Says where value and error of a figure stand. @param suffix  of both names
+template <class Record>
+void write_figure(Writer const& place, figures::FigureOf<Record> const& figure, std::string const& prefix,
+                  std::string const& suffix, bool is_attribute)
+{
+    std::string error;
+    if (figure.is_in(figures::hdf5_error))
+        error = (figure.apart ? "error/" : "") + prefix +
+                (is_attribute ? std::string(figure.name) + "_error" : figure.column_of_error()) + suffix;
+    place.figure(
+        {prefix + figure.name, prefix + figure.name + suffix, error, figure.unit.stored, figure.meaning, is_attribute});
+}
+
 /// A column of the values, or of the errors.
 template <class Record>
 void write_value_column(Writer const& place, char const* dim, figures::FigureOf<Record> const& figure,
@@ -82,8 +95,10 @@ void write_columns(Writer const& place, char const* dim, figures::Rows<Record> c
                    std::vector<Record> const& records, std::string const& prefix = "")
 {
     for (auto const& figure : rows) {
-        if (figure.is_in(figures::hdf5_value))
+        if (figure.is_in(figures::hdf5_value)) {
             write_value_column(place, dim, figure, records, prefix);
+            write_figure(place, figure, prefix, "", false);
+        }
         if (figure.is_in(figures::hdf5_error) && !figure.apart)
             write_error_column(place, dim, figure, records, prefix);
     }
@@ -102,6 +117,10 @@ void write_attributes(Writer const& place, figures::Rows<Record> const& rows, Re
         if (figure.is_in(figures::hdf5_error))
             place.attribute(std::string(figure.name) + "_error" + suffix, figure.error(record));
     });
+    for (auto const& figure : rows)
+        if (figure.is_in(figures::hdf5_value))
+            write_figure(place, figure, "", figure.kind == figures::Kind::number ? figure.unit.attribute_suffix() : "",
+                         true);
 }
 
 /// A dataset made by @p write, which takes its name; its former name is a link to it.
@@ -113,4 +132,4 @@ void write_named(Writer const& place, figures::Name const& name, Write write)
         place.link(name.now, name.former);
 }
 
-}  // namespace hdconj::io::hdf5
+}  // namespace hdconj::io::layout

@@ -3,18 +3,17 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "columns.hpp"
 #include "figures/contact_figures.hpp"
-#include "hdconj/contact_files.hpp"
-#include "hdf5_columns.hpp"
-#include "hdf5_layout.hpp"
+#include "results.hpp"
 
 namespace hdconj::io {
 namespace {
 
-using hdf5::column;
-using hdf5::Shape;
-using hdf5::write_columns;
-using hdf5::Writer;
+using layout::column;
+using layout::Shape;
+using layout::write_columns;
+using layout::Writer;
 
 /// Columns of the places where flanks or roots come closest.
 void write_closest(Writer const& place, char const* dim, std::string const& prefix,
@@ -47,7 +46,7 @@ void write_contact_cases(Writer const& place, std::vector<ContactCase> const& ca
 {
     if (std::any_of(cases.begin(), cases.end(), [](auto const& each) { return each.slices.empty(); }))
         throw std::logic_error("a contact case without slices");
-    hdf5::write_surface_names(place, cases);
+    layout::write_surface_names(place, cases);
     write_columns(place, "case", figures::case_figures(), cases);
     write_closest(place, "case", "flank_", column(cases, [](auto const& each) {
                       return figures::ClosestPlace{each.closest_flank(), each.clearance_error};
@@ -81,28 +80,29 @@ void write_gap_map(Writer const& place, GapMap const& map)
     Shape const shape = {map.angle.size(), 2, map.z.size(), map.station.size()};
     if (map.gap.size() != shape[0] * shape[1] * shape[2] * shape[3])
         throw std::logic_error("the gaps of a map do not match its spaces, slices and stations");
-    hdf5::write_flanks(place);
+    layout::write_flanks(place);
     place.numbers("z", map.z, {"mm", "slices", {"z"}});
-    hdf5::write_named(place, figures::flank_position, [&](char const* name) {
+    layout::write_named(place, figures::flank_position, [&](char const* name) {
         place.numbers(name, map.station, {"1", "place along the flank, 0 at the land corner", {name}});
     });
     place.numbers("angle", map.angle, {"rad", "centre line of the space, clockwise from the major axis", {"angle"}});
     place.array("gap", shape, map.gap.data(),
                 {"mm",
                  "gap in the plane of the slice; negative: interference",
-                 {"angle", "flank", "z", figures::flank_position.now}});
+                 {"angle", "flank", "z", figures::flank_position.now},
+                 layout::Owner::result});
 }
 
 }  // namespace
 
-void hdf5::write_flanks(hdf5::Writer const& place)
+void layout::write_flanks(layout::Writer const& place)
 {
     std::vector<std::string> const flanks = {"left", "right"};
     place.attribute("flanks", flanks);
     place.texts("flank", flanks, "flank of the tooth space", "flank");
 }
 
-void hdf5::write_surface(hdf5::Writer const& place, Surface const& surface)
+void layout::write_surface(layout::Writer const& place, Surface const& surface)
 {
     place.array("points", {surface.points.size(), 3}, surface.points.empty() ? nullptr : surface.points.front().data(),
                 {"mm", "points of the mesh, slice by slice", {"node", "xyz"}});
@@ -111,35 +111,29 @@ void hdf5::write_surface(hdf5::Writer const& place, Surface const& surface)
     place.integers("part", surface.part, {"1", "0 land, 1 left flank, 2 root, 3 right flank", {"cell"}});
 }
 
-void hdf5::write_spline_and_surface(hdf5::Writer const& place, Solution const& solution)
+void layout::write_spline_and_surface(layout::Writer const& place, Solution const& solution)
 {
     write_circular_spline(place, solution.circular_spline);
     if (has_surface(solution))
-        place.group("surface", [&](hdf5::Writer const& mesh) { hdf5::write_surface(mesh, tooth_surface(solution)); });
+        place.group("surface",
+                    [&](layout::Writer const& mesh) { layout::write_surface(mesh, tooth_surface(solution)); });
 }
 
-}  // namespace hdconj::io
-
-namespace hdconj {
-
-void write_hdf5(ContactStudy const& study, std::filesystem::path const& file)
+void layout::write_result(Writer const& root, ContactStudy const& study)
 {
-    using io::hdf5::Writer;
-    io::hdf5::write_file(file, [&](Writer const& root) {
-        io::hdf5::write_solution(root, study.solution);
-        root.group("circular_spline", [&](Writer const& place) {
-            io::hdf5::write_spline_and_surface(place, study.solution);
-            place.attribute("side_clearance_mm", study.side_clearance);
-        });
-        root.group("contact", [&](Writer const& contact) {
-            io::hdf5::write_attributes(contact, figures::contact_study_figures(), study);
-            io::write_contact_cases(contact, study.cases);
-            if (!study.best.empty())
-                contact.group("best", [&](Writer const& best) { io::write_best(best, study.best); });
-            if (!study.map.gap.empty())
-                contact.group("map", [&](Writer const& map) { io::write_gap_map(map, study.map); });
-        });
+    write_solution(root, study.solution);
+    root.group("circular_spline", [&](Writer const& place) {
+        write_spline_and_surface(place, study.solution);
+        place.attribute("side_clearance_mm", study.side_clearance);
+    });
+    root.group("contact", [&](Writer const& contact) {
+        write_attributes(contact, figures::contact_study_figures(), study);
+        write_contact_cases(contact, study.cases);
+        if (!study.best.empty())
+            contact.group("best", [&](Writer const& best) { write_best(best, study.best); });
+        if (!study.map.gap.empty())
+            contact.group("map", [&](Writer const& map) { write_gap_map(map, study.map); });
     });
 }
 
-}  // namespace hdconj
+}  // namespace hdconj::io

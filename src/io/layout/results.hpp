@@ -1,13 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The parts of the result file that every verb writes, and the records of a study.
+// The layout of each result, docs/reference/hdf5.md, and the parts that several of them share.
 #pragma once
 
+#include "columns.hpp"
 #include "hdconj/accuracy_files.hpp"
+#include "hdconj/contact.hpp"
+#include "hdconj/inspect.hpp"
+#include "hdconj/load.hpp"
+#include "hdconj/measured.hpp"
 #include "hdconj/solution.hpp"
-#include "hdf5_columns.hpp"
+#include "hdconj/wedm.hpp"
 #include "io/mesh/spline_surface.hpp"
 
-namespace hdconj::io::hdf5 {
+namespace hdconj::io::layout {
+
+/// What the file of records of a study says it is.
+inline constexpr char const* accuracy_format = "hdconj-accuracy";
+inline constexpr int accuracy_version = 2;
 
 /// Now, or SOURCE_DATE_EPOCH where that is set (reproducible files): ISO 8601, UTC.
 [[nodiscard]] std::string date_text();
@@ -38,10 +47,15 @@ void write_flanks(Writer const& place);
 /// The datasets of a mesh.
 void write_surface(Writer const& place, Surface const& surface);
 
-/// Records of a study as the bytes of a file. @throws Failure
-[[nodiscard]] std::string accuracy_bytes(StoredAccuracy const& study);
+/// All of a result, into the root. @throws std::logic_error where its sizes contradict each other
+void write_result(Writer const& root, Solution const& solution);
+void write_result(Writer const& root, ContactStudy const& study);
+/// @param measured  written beside the simulation; null: none
+void write_result(Writer const& root, LoadStudy const& study, Measurement const* measured = nullptr);
+void write_result(Writer const& root, Inspection const& inspection);
+/// What `/load/measured` holds.
+void write_result(Writer const& root, Measurement const& measured);
+void write_result(Writer const& root, StoredAccuracy const& study);
+void write_result(Writer const& root, WireSetUps const& programs);
 
-/// The drive whose records @p file holds. @throws InputError as read_accuracy() does
-[[nodiscard]] std::string stored_drive(std::filesystem::path const& file);
-
-}  // namespace hdconj::io::hdf5
+}  // namespace hdconj::io::layout

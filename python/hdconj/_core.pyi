@@ -1,0 +1,94 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The extension module; not for use by itself."""
+
+from collections.abc import Callable
+from typing import Any
+
+version: str
+revision: str
+build: str
+
+_Observer = Callable[[str, float | None], None] | None
+_RawFault = tuple[str, int, str, str, str, str, tuple[str, ...]]
+
+class Scene:
+    @staticmethod
+    def load(file: bytes) -> Scene: ...
+    @staticmethod
+    def parse(text: bytes, name: bytes, folder: bytes, overrides: list[bytes]) -> Scene: ...
+    @property
+    def faults(self) -> tuple[_RawFault, ...]: ...
+    @property
+    def text(self) -> str: ...
+    @property
+    def name(self) -> str: ...
+    def check_json(self, name: str, verb: str) -> str: ...
+
+class Result:
+    def layout(self) -> tuple[Any, ...]: ...
+    def json(self) -> str: ...
+    def text(self) -> str: ...
+    @property
+    def missing(self) -> list[str]: ...
+    @property
+    def seconds(self) -> float: ...
+
+class DesignWishes:
+    ratio: float
+    diameter: float | None
+    module: float | None
+    length_ratio: float
+    torque: float | None
+    family: str
+    material: str
+    land: float
+    clearance: float
+    safety: float
+    name: str
+
+def builtin_scene_text() -> str: ...
+def solve(scene: Scene, observer: _Observer, is_main: bool) -> Result: ...
+def contact(
+    scene: Scene,
+    tilts_deg: list[float],
+    surfaces: list[str],
+    kinds: list[str],
+    best_deg: tuple[float, float] | None,
+    revolution: int,
+    observer: _Observer,
+    is_main: bool,
+) -> Result: ...
+def load(
+    scene: Scene,
+    torque: float | None,
+    points: int | None,
+    tilts_deg: list[float],
+    surfaces: list[str],
+    kinds: list[str],
+    curve: bool,
+    observer: _Observer,
+    is_main: bool,
+) -> Result: ...
+def wedm(scene: Scene, folder: str, dialects: list[str], observer: _Observer, is_main: bool) -> Result: ...
+def accuracy(
+    scene: Scene, studies: list[str], sample: int, repeats: int, quick: bool, observer: _Observer, is_main: bool
+) -> Result: ...
+def inspect(
+    scene: Scene,
+    points: str,
+    part: str,
+    plane: float | None,
+    probe: float,
+    register: str,
+    observer: _Observer,
+    is_main: bool,
+) -> Result: ...
+def read_measured(
+    scene: Scene,
+    file: str,
+    torque_constant: float | None,
+    counts_per_turn: float | None,
+    ratio: float | None,
+    efficiency: float | None,
+) -> Result: ...
+def design(wishes: DesignWishes, observer: _Observer, is_main: bool) -> tuple[str, Result]: ...

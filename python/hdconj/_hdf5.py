@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Result files by h5py, in the layout of docs/reference/hdf5.md."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import h5py  # type: ignore[import-untyped]
+import numpy as np
+
+from ._tree import Array, Dataset, Group, dataset
+
+_TEXT = h5py.string_dtype("utf-8")
+
+
+def _write_attributes(place: Any, attrs: Any) -> None:
+    for name, value in attrs.items():
+        if isinstance(value, bool):
+            place.attrs.create(name, value, dtype=np.uint8)
+        elif isinstance(value, int):
+            place.attrs.create(name, value, dtype=np.int32)
+        elif isinstance(value, float):
+            place.attrs.create(name, value, dtype=np.float64)
+        elif isinstance(value, str):
+            place.attrs.create(name, value, dtype=_TEXT)
+        else:
+            place.attrs.create(name, list(value), shape=(len(value),), dtype=_TEXT)
+
+
+def _write_group(group: Group, place: Any, outer: dict[str, Any]) -> None:
+    scales = dict(outer)
+
+    def scale_of(dim: str, size: int) -> Any:
+        if dim not in scales:  # a dimension without numbers, as netCDF-4 has it
+            made = place.create_dataset(dim, shape=(size,), dtype=np.int32, track_times=False)
+            made.make_scale(f"This is a netCDF dimension but not a netCDF variable.{size:10}")
+            scales[dim] = made
+        return scales[dim]
+
+    _write_attributes(place, group.attrs)
+    for name, entry in group.datasets.items():
+        is_text = entry.values.dtype == object
+        made = place.create_dataset(
+            name, shape=entry.values.shape, dtype=_TEXT if is_text else entry.values.dtype, track_times=False
+        )
+        if entry.values.size:
+            made[...] = entry.values
+        _write_attributes(made, {"units": entry.units, "long_name": entry.meaning})
+        if entry.dims == (name,):
+            made.make_scale(name)
+            scales[name] = made
+            continue
+        for i, dim in enumerate(entry.dims):
+            made.dims[i].attach_scale(scale_of(dim, entry.values.shape[i]))
+    for other, name in group._parts.links.items():
+        place[other] = place[name]
+    for name, inner in group.groups.items():
+        _write_group(inner, place.create_group(name), scales)
+
+
+def write(group: Group, file: str | os.PathLike[str]) -> None:
+    """Write a result, whole or not at all."""
+    target = Path(file)
+    handle, name = tempfile.mkstemp(suffix=".h5", prefix=f".{target.name}.", dir=target.parent)
+    os.close(handle)
+    try:
+        with h5py.File(name, "w") as made:
+            _write_group(group, made, {})
+        mask = os.umask(0)
+        os.umask(mask)
+        os.chmod(name, 0o666 & ~mask)
+        os.replace(name, target)
+    except BaseException:
+        os.unlink(name)
+        raise
+
+
+def _plain(value: Any) -> Any:
+    """An attribute as a result has it."""
+    if isinstance(value, bytes):
+        return value.decode("utf-8", "surrogateescape")
+    if isinstance(value, np.ndarray) and value.dtype == object:
+        return [_plain(item) for item in value]
+    if isinstance(value, np.uint8):
+        return bool(value)
+    return value.item() if isinstance(value, np.generic) else value
+
+
+def _read_dataset(stored: Any) -> Dataset:
+    is_text = h5py.check_string_dtype(stored.dtype) is not None
+    values: Array = stored.asstr(errors="surrogateescape")[...] if is_text else stored[...]
+    dims = []
+    for i, scales in enumerate(stored.dims):
+        dims.append(scales[0].name.rsplit("/", 1)[-1] if len(scales) else stored.name.rsplit("/", 1)[-1])
+    about = [_plain(stored.attrs.get(name, "")) for name in ("units", "long_name")]
+    return dataset(values, about[0], about[1], tuple(dims))
+
+
+def _derived(attrs: dict[str, Any], datasets: dict[str, Dataset], apart: Any) -> Iterator[tuple[Any, ...]]:
+    """Figures by their names: NAME with NAME_error, or with NAME in the group `error`."""
+    for name, entry in datasets.items():
+        if name.endswith("_error") or entry.values.dtype == object:
+            continue
+        if f"{name}_error" in datasets:
+            yield name, name, f"{name}_error", entry.units, entry.meaning, False
+        elif apart is not None and name in apart:
+            yield name, name, f"error/{name}", entry.units, entry.meaning, False
+    for name in attrs:
+        words = name.split("_")
+        for i in range(1, len(words) + 1):
+            if (error := "_".join([*words[:i], "error", *words[i:]])) in attrs:
+                yield "_".join(words[:i]), name, error, "_".join(words[i:]), "", True
+
+
+def _read_group(place: Any) -> tuple[Any, ...]:
+    attrs = {name: _plain(value) for name, value in place.attrs.items()}
+    datasets: dict[str, Dataset] = {}
+    groups = {}
+    first: dict[Any, str] = {}
+    for name in place:
+        member = place[name]
+        if isinstance(member, h5py.Group):
+            groups[name] = _read_group(member)
+            continue
+        if bytes(member.attrs.get("NAME", b"")).startswith(b"This is a netCDF dimension but not"):
+            continue
+        same = first.setdefault(h5py.h5o.get_info(member.id).addr, name)
+        datasets[name] = datasets[same] if same != name else _read_dataset(member)
+    figures = list(_derived(attrs, datasets, place.get("error")))
+    return attrs, datasets, {}, groups, figures
+
+
+def read(file: str | os.PathLike[str]) -> Group:
+    """Read a result file of the program or of :meth:`Result.to_hdf5`.
+
+    Parameters
+    ----------
+    file : path
+        HDF5, in the layout of docs/reference/hdf5.md.
+
+    Returns
+    -------
+    Group
+        The root, with the arrays in memory.
+    """
+    with h5py.File(file, "r") as stored:
+        return Group._from_layout(_read_group(stored))

@@ -1,0 +1,212 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What the verbs return."""
+
+from __future__ import annotations
+
+import html
+import json
+import os
+from typing import Any, Self
+
+from . import _core, _hdf5
+from ._scene import Scene
+from ._tree import Figure, Group, Parts
+
+
+class Result(Group):
+    """Result of a verb: the groups and arrays of its file (docs/reference/hdf5.md), and its figures.
+
+    Nothing is copied until it is asked for. A result does not change.
+    """
+
+    __slots__ = ("_made", "_scene", "_words")
+    _made: _core.Result | None
+    _scene: Scene
+    _words: tuple[str, str, tuple[str, ...], float] | None
+    _main = ""  # group that holds the figures of the verb itself
+
+    @classmethod
+    def _computed(cls, made: _core.Result, scene: Scene) -> Self:
+        result = cls()
+        for name, value in (("_made", made), ("_scene", scene), ("_words", None)):
+            object.__setattr__(result, name, value)
+        return result
+
+    @classmethod
+    def _restored(cls, layout: tuple[Any, ...], scene: Scene, words: tuple[str, str, tuple[str, ...], float]) -> Self:
+        result = cls()
+        for name, value in (("_made", None), ("_scene", scene), ("_words", words)):
+            object.__setattr__(result, name, value)
+        result._fill(layout)
+        return result
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        words = (self.json(), self.text(), self.missing, self.wall_seconds)
+        return type(self)._restored, (self._plain(), self._scene, words)
+
+    @property
+    def _parts(self) -> Parts:
+        if self._held is not None:
+            return self._held
+        assert self._made is not None
+        return self._fill(self._made.layout())
+
+    @property
+    def scene(self) -> Scene:
+        """The scene that was computed."""
+        return self._scene
+
+    def json(self) -> str:
+        """The summary as ``--json`` of the program prints it (docs/reference/json.md)."""
+        return self._made.json() if self._made is not None else self._words[0]  # type: ignore[index]
+
+    def text(self) -> str:
+        """The summary as the program prints it."""
+        return self._made.text() if self._made is not None else self._words[1]  # type: ignore[index]
+
+    def to_dict(self) -> dict[str, Any]:
+        """:meth:`json` as dictionaries."""
+        summary: dict[str, Any] = json.loads(self.json())
+        return summary
+
+    @property
+    def missing(self) -> tuple[str, ...]:
+        """Cases that have no result, each with its cause."""
+        return tuple(self._made.missing) if self._made is not None else self._words[2]  # type: ignore[index]
+
+    @property
+    def wall_seconds(self) -> float:
+        """Wall time of the computation in s."""
+        return self._made.seconds if self._made is not None else self._words[3]  # type: ignore[index]
+
+    @property
+    def figures(self) -> dict[str, Figure]:
+        """Figures of the drive and of the verb, each with its error."""
+        found = dict(super().figures)
+        for name in ("summary", self._main):
+            if name in self.groups:
+                found.update(self.groups[name].figures)
+        return found
+
+    def to_hdf5(self, file: str | os.PathLike[str]) -> None:
+        """Write the result file that the program would write, by h5py."""
+        _hdf5.write(self, file)
+
+    def to_xarray(self) -> Any:
+        """All groups as an ``xarray.DataTree``."""
+        import xarray
+
+        def walk(group: Group, path: str) -> Any:
+            own = Group.to_xarray(group) if isinstance(group, Result) else group.to_xarray()
+            yield path, own
+            for name, inner in group.groups.items():
+                yield from walk(inner, f"{path.rstrip('/')}/{name}")
+
+        return xarray.DataTree.from_dict(dict(walk(self, "/")))
+
+    def to_pandas(self, dim: str | None = None) -> Any:
+        """The main table of the verb as a ``pandas.DataFrame``; units are in its ``attrs``."""
+        group = self[self._main] if self._main else self
+        assert isinstance(group, Group)
+        return Group.to_pandas(group, dim)
+
+    def plot(self, ax: Any = None) -> Any:
+        """Draw the result with matplotlib.
+
+        Parameters
+        ----------
+        ax : matplotlib.axes.Axes, optional
+            Axes to draw into; default new ones.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+        """
+        from . import _plot
+
+        return _plot.draw(self, ax)
+
+    def __repr__(self) -> str:
+        return f"<hdconj.{type(self).__name__} of {self._scene.name!r}>"
+
+    def _repr_html_(self) -> str:
+        rows = []
+        for name, figure in self.figures.items():
+            if getattr(figure.value, "ndim", 0):
+                continue
+            error = "" if figure.error is None else f"&plusmn; {figure.error:.2g}"
+            unit = "" if figure.unit == "1" else html.escape(figure.unit)
+            rows.append(
+                f"<tr><td>{html.escape(name)}</td><td>{figure.value:.9g}</td><td>{error}</td><td>{unit}</td>"
+                f"<td>{html.escape(figure.meaning)}</td></tr>"
+            )
+        head = "<tr><th>figure</th><th>value</th><th>error</th><th>unit</th><th>meaning</th></tr>"
+        return f"<p>{html.escape(repr(self))}</p><table>{head}{''.join(rows)}</table>"
+
+    def _repr_svg_(self) -> str | None:
+        from . import _plot
+
+        return _plot.outline_svg(self)
+
+
+class Solution(Result):
+    """Result of :func:`hdconj.solve`: the conjugate circular spline."""
+
+    __slots__ = ()
+
+    def to_pandas(self, dim: str | None = None) -> Any:
+        """The conjugate zones as a ``pandas.DataFrame``."""
+        return Group.to_pandas(self.groups["conjugate_zones"], dim or "zone")
+
+
+class ContactStudy(Result):
+    """Result of :func:`hdconj.contact`: one column entry for each surface, kind and tilt."""
+
+    __slots__ = ()
+    _main = "contact"
+
+
+class LoadStudy(Result):
+    """Result of :func:`hdconj.load`: the drive under torque."""
+
+    __slots__ = ()
+    _main = "load"
+
+
+class WireProgram(Result):
+    """Result of :func:`hdconj.wedm`: paths of the wire in both faces, set-up by set-up."""
+
+    __slots__ = ()
+    _main = "set_up_1"
+
+
+class Accuracy(Result):
+    """Result of :func:`hdconj.accuracy`: one record for each run."""
+
+    __slots__ = ()
+    _main = "records"
+
+
+class Inspection(Result):
+    """Result of :func:`hdconj.inspect`: measured points against the nominal outline."""
+
+    __slots__ = ()
+    _main = "inspection"
+
+    def to_pandas(self, dim: str | None = None) -> Any:
+        """The measured points and their deviations as a ``pandas.DataFrame``."""
+        points = self["inspection/points"]
+        assert isinstance(points, Group)
+        return points.to_pandas(dim)
+
+
+class Measurement(Result):
+    """Result of :func:`hdconj.read_measured`: a torque-twist curve and what it says."""
+
+    __slots__ = ()
+
+
+class Design(Result):
+    """Result of :func:`hdconj.design`; the drive is :attr:`scene`, its rows are in :meth:`to_dict`."""
+
+    __slots__ = ()

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Scenes: what is to be computed."""
+
+from __future__ import annotations
+
+import json
+import os
+import tomllib
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import Any, Union
+
+import numpy as np
+
+from . import _core
+from ._errors import Fault
+
+Value = Union[bool, int, float, str, np.generic, Sequence[Any], "np.ndarray[Any, Any]", Mapping[str, Any], None]
+
+
+def _toml_value(value: Value) -> str:
+    """A value as TOML writes it."""
+    if isinstance(value, bool):
+        return "true" if value else "false"
+    if isinstance(value, str):
+        return json.dumps(value)
+    if isinstance(value, Mapping):
+        return "{" + ", ".join(f"{json.dumps(str(key))} = {_toml_value(item)}" for key, item in value.items()) + "}"
+    if isinstance(value, (np.generic, np.ndarray)):
+        return _toml_value(value.tolist())
+    if isinstance(value, Sequence):
+        return "[" + ", ".join(_toml_value(item) for item in value) + "]"
+    return repr(value)
+
+
+def _toml(tables: Mapping[str, Any], path: tuple[str, ...] = ()) -> str:
+    """Nested dictionaries as the tables of TOML."""
+    own = {key: item for key, item in tables.items() if not isinstance(item, Mapping)}
+    text = f"[{'.'.join(path)}]\n" if path and (own or not tables) else ""
+    text += "".join(f"{key} = {_toml_value(item)}\n" for key, item in own.items() if item is not None)
+    for key, item in tables.items():
+        if isinstance(item, Mapping):
+            text += _toml(item, (*path, key))
+    return text
+
+
+def _bytes(text: str) -> bytes:
+    return text.encode("utf-8", "surrogateescape")
+
+
+class Scene:
+    """A drive and what is asked of it: immutable, sound or not.
+
+    A scene with faults exists, so that :meth:`check` can name all of them. Every verb refuses it with
+    :class:`InputError`. Keys, units and limits are those of docs/reference/scene.md.
+    """
+
+    __slots__ = ("_core", "_source", "_overrides")
+    _core: _core.Scene
+    _source: tuple[str, str, str]  # text, name, folder
+    _overrides: tuple[str, ...]
+
+    def __init__(self) -> None:
+        """The built-in scene: the type-50 drive of the thesis."""
+        self._read((_core.builtin_scene_text(), "the built-in scene", ""), ())
+
+    def _read(self, source: tuple[str, str, str], overrides: tuple[str, ...]) -> None:
+        text, name, folder = map(_bytes, source)
+        object.__setattr__(self, "_core", _core.Scene.parse(text, name, folder, [_bytes(each) for each in overrides]))
+        object.__setattr__(self, "_source", source)
+        object.__setattr__(self, "_overrides", overrides)
+
+    @classmethod
+    def _of(cls, source: tuple[str, str, str], overrides: tuple[str, ...] = ()) -> Scene:
+        scene = cls.__new__(cls)
+        scene._read(source, overrides)
+        return scene
+
+    @classmethod
+    def load(cls, file: str | os.PathLike[str]) -> Scene:
+        """Read a scene file in TOML.
+
+        Parameters
+        ----------
+        file : path
+            File names in it are relative to its folder.
+        """
+        read = _core.Scene.load(os.fsencode(file))
+        scene = cls._of((read.text, os.fspath(file), str(Path(file).parent)))
+        object.__setattr__(scene, "_core", read)  # with the faults of the file itself
+        return scene
+
+    @classmethod
+    def from_toml(cls, text: str, name: str = "text", folder: str | os.PathLike[str] = "") -> Scene:
+        """Read a scene from text.
+
+        Parameters
+        ----------
+        text : str
+            TOML.
+        name : str
+            How messages call it.
+        folder : path
+            Where relative file names start; empty: the working directory.
+        """
+        return cls._of((text, name, os.fspath(folder)))
+
+    @classmethod
+    def from_dict(cls, tables: Mapping[str, Any], name: str = "dictionary") -> Scene:
+        """Read a scene from nested dictionaries, the tables of TOML; a key with None is left out."""
+        return cls.from_toml(_toml(tables), name)
+
+    def with_(self, changes: Mapping[str, Value]) -> Scene:
+        """The same scene with some keys changed, as ``--set`` of the program does.
+
+        Parameters
+        ----------
+        changes : mapping
+            From paths such as ``"flexspline.wall"`` to values; None removes a key or a table.
+        """
+        more = tuple(f"!{key}" if value is None else f"{key}={_toml_value(value)}" for key, value in changes.items())
+        return self._of(self._source, self._overrides + more)
+
+    def check(self) -> tuple[Fault, ...]:
+        """Every fault, in order of place; empty where the scene can be computed."""
+        return tuple(Fault(*fault) for fault in self._core.faults)
+
+    def plan(self, verb: str = "solve") -> dict[str, Any]:
+        """Stages that "solve", "contact" or "load" would run and why, as ``hdconj check --json``."""
+        plan: dict[str, Any] = json.loads(self._core.check_json(self._source[1], verb))
+        return plan
+
+    def to_toml(self) -> str:
+        """The scene as text, changes included."""
+        return self._core.text
+
+    def to_dict(self) -> dict[str, Any]:
+        """The scene as nested dictionaries, changes included."""
+        return tomllib.loads(self._core.text)
+
+    @property
+    def name(self) -> str:
+        """Name of the drive."""
+        return self._core.name
+
+    def __setattr__(self, name: str, value: object) -> None:
+        raise AttributeError("a scene does not change; with_() makes another")
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Scene) and self._key() == other._key()
+
+    def __hash__(self) -> int:
+        return hash(self._key())
+
+    def _key(self) -> tuple[str, str]:
+        return self._core.text, self._source[2]
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Scene._of, (self._source, self._overrides)
+
+    def __repr__(self) -> str:
+        faults = len(self._core.faults)
+        return f"<hdconj.Scene {self.name!r}{f', {faults} faults' if faults else ''}>"
+
+
+SceneLike = Union[Scene, str, "os.PathLike[str]", Mapping[str, Any], None]
+
+
+def scene_of(given: SceneLike) -> Scene:
+    """The scene that an argument means: a scene, the name of a file, dictionaries, or None for the built-in one."""
+    if given is None:
+        return Scene()
+    if isinstance(given, Scene):
+        return given
+    if isinstance(given, Mapping):
+        return Scene.from_dict(given)
+    return Scene.load(given)

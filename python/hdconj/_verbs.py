@@ -1,0 +1,319 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The verbs of the program as functions."""
+
+from __future__ import annotations
+
+import os
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from typing import Any, Optional, Union
+
+from . import _core, _results
+from ._scene import Scene, SceneLike, scene_of
+
+Progress = Union[bool, Callable[[str, Optional[float]], None]]
+
+
+@contextmanager
+def _calling(progress: Progress) -> Iterator[tuple[Callable[[str, float | None], None] | None, bool]]:
+    """The observer of a call, and whether Ctrl-C arrives in this thread."""
+    is_main = threading.current_thread() is threading.main_thread()
+    if progress is True:
+        try:
+            from tqdm.auto import tqdm  # type: ignore[import-untyped]
+        except ImportError:
+            yield None, is_main
+            return
+        with tqdm(total=1.0, bar_format="{desc} {percentage:3.0f}%|{bar}| {elapsed}", leave=False) as bar:
+
+            def show(what: str, share: float | None) -> None:
+                bar.set_description(what, refresh=False)
+                bar.n = bar.n if share is None else share
+                bar.refresh()
+
+            yield show, is_main
+    else:
+        yield (progress or None), is_main
+
+
+def _words(given: str | Sequence[str]) -> list[str]:
+    return [given] if isinstance(given, str) else list(given)
+
+
+def solve(scene: SceneLike = None, *, progress: Progress = False) -> _results.Solution:
+    """Solve for the circular spline that is conjugate to the flexspline's tooth.
+
+    Parameters
+    ----------
+    scene : Scene, path, mapping or None
+        The drive; None: the built-in one.
+    progress : bool or callable
+        True: a bar of tqdm where that is installed. A function is called with the stage that begins and None. What it
+        throws ends the computation.
+
+    Returns
+    -------
+    Solution
+        Lengths in mm, angles in rad. The same bits for any number of threads, and as the program writes them.
+
+    Raises
+    ------
+    InputError
+        The scene has faults.
+    NumericalError
+        A stage failed.
+    """
+    asked = scene_of(scene)
+    with _calling(progress) as call:
+        return _results.Solution._computed(_core.solve(asked._core, *call), asked)
+
+
+def contact(
+    scene: SceneLike = None,
+    *,
+    tilts_deg: Sequence[float] = (),
+    surfaces: str | Sequence[str] = (),
+    kinds: str | Sequence[str] = (),
+    best_deg: tuple[float, float] | None = None,
+    revolution: int = 0,
+    progress: Progress = False,
+) -> _results.ContactStudy:
+    """Compute contact area, clearance and backlash against tilt and surface.
+
+    Parameters
+    ----------
+    scene : Scene, path, mapping or None
+        The drive; None: the built-in one.
+    tilts_deg : sequence of float
+        Tilts in degrees; empty: the scene's.
+    surfaces : str or sequence of str
+        "tilted", "ruled", "per-slice"; empty: the scene's.
+    kinds : str or sequence of str
+        "radial", "draft"; empty: the scene's.
+    best_deg : (float, float), optional
+        Interval in degrees in which the best tilt is searched; None: no search.
+    revolution : int
+        Angles of the wave generator over a revolution; 0: the scene's only.
+    progress : bool or callable
+        As for :func:`solve`; the second argument is the share that is done, or None.
+
+    Returns
+    -------
+    ContactStudy
+    """
+    asked = scene_of(scene)
+    options = (list(tilts_deg), _words(surfaces), _words(kinds), best_deg, revolution)
+    with _calling(progress) as call:
+        return _results.ContactStudy._computed(_core.contact(asked._core, *options, *call), asked)
+
+
+def load(
+    scene: SceneLike = None,
+    *,
+    torque: float | None = None,
+    points: int | None = None,
+    tilts_deg: Sequence[float] = (),
+    surfaces: str | Sequence[str] = (),
+    kinds: str | Sequence[str] = (),
+    curve: bool = True,
+    progress: Progress = False,
+) -> _results.LoadStudy:
+    """Load the drive: torque-twist curve, stiffness, pressure and stress.
+
+    Parameters
+    ----------
+    scene : Scene, path, mapping or None
+        The drive; None: the built-in one.
+    torque : float, optional
+        Largest torque on the circular spline in N m; None: the scene's.
+    points : int, optional
+        Even torques from 0 to the largest; None: as many as the stiffness needs.
+    tilts_deg, surfaces, kinds
+        As for :func:`contact`.
+    curve : bool
+        False: the largest torque only.
+    progress : bool or callable
+        As for :func:`contact`.
+
+    Returns
+    -------
+    LoadStudy
+        Torques in N mm, twists in rad, stresses in MPa.
+    """
+    asked = scene_of(scene)
+    options = (torque, points, list(tilts_deg), _words(surfaces), _words(kinds), curve)
+    with _calling(progress) as call:
+        return _results.LoadStudy._computed(_core.load(asked._core, *options, *call), asked)
+
+
+def wedm(
+    scene: SceneLike = None,
+    *,
+    folder: str | os.PathLike[str] = "",
+    dialects: str | Sequence[str] = (),
+    progress: Progress = False,
+) -> _results.WireProgram:
+    """Make the paths for cutting by wire.
+
+    Parameters
+    ----------
+    scene : Scene, path, mapping or None
+        The drive, with a table ``[wedm]``.
+    folder : path
+        Where the files of the machines are written, whole or not at all; empty: nowhere.
+    dialects : str or sequence of str
+        Of the files; empty: all that fit.
+    progress : bool or callable
+        As for :func:`solve`.
+
+    Returns
+    -------
+    WireProgram
+        Coordinates in mm of the wire's centre in the lower and the upper face.
+    """
+    asked = scene_of(scene)
+    with _calling(progress) as call:
+        made = _core.wedm(asked._core, os.fspath(folder), _words(dialects), *call)
+    return _results.WireProgram._computed(made, asked)
+
+
+def accuracy(
+    scene: SceneLike = None,
+    *,
+    studies: str | Sequence[str] = (),
+    sample: int = 64,
+    repeats: int = 5,
+    quick: bool = False,
+    progress: Progress = False,
+) -> _results.Accuracy:
+    """Measure what accuracy costs in time.
+
+    Parameters
+    ----------
+    scene : Scene, path, mapping or None
+        The drive; None: the built-in one.
+    studies : str or sequence of str
+        Names as ``hdconj accuracy --help`` lists them; empty: all.
+    sample : int
+        Random designs around the scene.
+    repeats : int
+        Runs of each setting.
+    quick : bool
+        Short series, one run of each setting.
+    progress : bool or callable
+        As for :func:`contact`.
+
+    Returns
+    -------
+    Accuracy
+        Errors in mm, times in s.
+    """
+    asked = scene_of(scene)
+    with _calling(progress) as call:
+        made = _core.accuracy(asked._core, _words(studies), sample, repeats, quick, *call)
+    return _results.Accuracy._computed(made, asked)
+
+
+def inspect(
+    scene: SceneLike,
+    points: str | os.PathLike[str],
+    *,
+    part: str = "flexspline",
+    plane: float | None = None,
+    probe: float = 0,
+    register: str = "least-squares",
+    progress: Progress = False,
+) -> _results.Inspection:
+    """Compare measured points with the nominal outline.
+
+    Parameters
+    ----------
+    scene : Scene, path, mapping or None
+        The drive; None: the built-in one.
+    points : path
+        CSV or DXF file of points in mm.
+    part : str
+        "flexspline" or "circular-spline".
+    plane : float, optional
+        Height in mm; None: all planes of the file.
+    probe : float
+        Radius in mm of the ball whose centres are given; negative: inside the material.
+    register : str
+        "datum", "turn", "least-squares" or "minimum-zone".
+    progress : bool or callable
+        As for :func:`solve`.
+
+    Returns
+    -------
+    Inspection
+        Deviations in mm, positive outside the material.
+    """
+    asked = scene_of(scene)
+    with _calling(progress) as call:
+        made = _core.inspect(asked._core, os.fspath(points), part, plane, probe, register, *call)
+    return _results.Inspection._computed(made, asked)
+
+
+def read_measured(
+    file: str | os.PathLike[str],
+    scene: SceneLike = None,
+    *,
+    torque_constant: float | None = None,
+    counts_per_turn: float | None = None,
+    ratio: float | None = None,
+    efficiency: float | None = None,
+) -> _results.Measurement:
+    """Read a torque-angle curve of a test rig; evaluate its backlash and stiffness.
+
+    Parameters
+    ----------
+    file : path
+        CSV; its columns are described in docs/how-to/measured-curve.md.
+    scene : Scene, path, mapping or None
+        Whose ratio is used where none is given.
+    torque_constant : float, optional
+        Of the rig's motor in N m/A.
+    counts_per_turn : float, optional
+        Of the encoder on the motor.
+    ratio : float, optional
+        Motor turns per turn of the output.
+    efficiency : float, optional
+        Between motor and output, 0 to 1.
+
+    Returns
+    -------
+    Measurement
+        Torques in N mm, angles in rad, at the output.
+    """
+    asked = scene_of(scene)
+    made = _core.read_measured(asked._core, os.fspath(file), torque_constant, counts_per_turn, ratio, efficiency)
+    return _results.Measurement._computed(made, asked)
+
+
+def design(ratio: float, *, progress: Progress = False, **wishes: Any) -> _results.Design:
+    """Design a whole drive from a few wishes.
+
+    Parameters
+    ----------
+    ratio : float
+        i = z_f/(z_c - z_f), circular spline held.
+    progress : bool or callable
+        As for :func:`solve`.
+    **wishes
+        diameter [mm], module [mm], length_ratio, torque [N m], family, material, land [modules], clearance [mm],
+        safety, name; as the options of ``hdconj design``.
+
+    Returns
+    -------
+    Design
+        Its drive is :attr:`Design.scene`.
+    """
+    asked = _core.DesignWishes()
+    for name, value in {"ratio": ratio, **wishes}.items():
+        if name.startswith("_") or not hasattr(asked, name):
+            raise TypeError(f"design() knows no wish {name!r}")
+        setattr(asked, name, value)
+    with _calling(progress) as call:
+        text, made = _core.design(asked, *call)
+    return _results.Design._computed(made, Scene.from_toml(text, "the designed scene"))

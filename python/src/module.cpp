@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// hdconj._core: scenes, errors and the module itself.
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <exception>
+
+#include "hdconj/base/stop.hpp"
+#include "hdconj/error.hpp"
+#include "hdconj/judgement.hpp"
+#include "hdconj/load.hpp"
+#include "hdconj/plan.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/scene/schema.hpp"
+#include "hdconj/version.hpp"
+#include "layout.hpp"
+#include "scene.hpp"
+#include "verbs.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace hdconj::python {
+namespace {
+
+nb::tuple texts(std::vector<std::string> const& of)
+{
+    nb::list list;
+    for (auto const& each : of)
+        list.append(text_of(each));
+    return nb::tuple(list);
+}
+
+nb::tuple faults_tuple(Faults const& faults)
+{
+    nb::list list;
+    for (auto const& each : faults)
+        list.append(fault_tuple(each));
+    return nb::tuple(list);
+}
+
+void raise(char const* name, nb::handle arguments)
+{
+    nb::object const type = nb::module_::import_("hdconj._errors").attr(name);
+    PyErr_SetObject(type.ptr(), arguments.ptr());
+}
+
+void translate(std::exception_ptr const& thrown, void*)
+{
+    try {
+        std::rethrow_exception(thrown);
+    } catch (InputError const& error) {
+        raise("InputError", nb::make_tuple(faults_tuple(error.faults()), text_of(error.what())));
+    } catch (NumericalError const& error) {
+        std::string const code(code_word(error.code()));
+        raise("NumericalError", nb::make_tuple(code, text_of(error.stage()), text_of(error.place()),
+                                               text_of(error.cause()), text_of(error.remedy()), texts(error.set())));
+    } catch (FileError const& error) {
+        raise("FileError", nb::make_tuple(text_of(error.what())));
+    } catch (Stopped const& stopped) {
+        raise("StoppedError", nb::make_tuple(stopped.what()));
+    }
+}
+
+/// As `hdconj check --json`.
+nb::str check_text(SceneHandle const& scene, std::string const& name, std::string const& verb)
+{
+    auto const kind = verb == "load" ? Verb::load : verb == "contact" ? Verb::contact : Verb::solve;
+    if (!scene.faults().empty())
+        return text_of(check_json(name, scene.faults(), nullptr));
+    Plan const plan = make_plan(verb == "load" ? loaded_scene(scene.sound()) : scene.sound(), kind);
+    return text_of(check_json(name, {}, &plan, judge(scene.sound())));
+}
+
+}  // namespace
+
+nb::tuple fault_tuple(Fault const& fault)
+{
+    return nb::make_tuple(text_of(fault.path), fault.line, text_of(fault.value), text_of(fault.reason),
+                          text_of(fault.remedy), text_of(fault.origin), texts(fault.set));
+}
+
+void add_errors(nb::module_&)
+{
+    nb::register_exception_translator(translate);
+}
+
+void add_scene(nb::module_& module)
+{
+    nb::class_<SceneHandle>(module, "Scene")
+        .def_static("load", &SceneHandle::load, "file"_a)
+        .def_static("parse", &SceneHandle::parse, "text"_a, "name"_a, "folder"_a, "overrides"_a)
+        .def_prop_ro("faults", [](SceneHandle const& scene) { return faults_tuple(scene.faults()); })
+        .def_prop_ro("text", [](SceneHandle const& scene) { return text_of(scene.as_read().text); })
+        .def_prop_ro("name", [](SceneHandle const& scene) { return text_of(scene.as_read().drive.name); })
+        .def("check_json", check_text, "name"_a, "verb"_a);
+    module.def("builtin_scene_text", [] { return std::string(builtin_scene_text()); });
+    module.attr("version") = std::string(program_version());
+    module.attr("revision") = std::string(git_revision());
+    module.attr("build") = std::string(build_description());
+}
+
+}  // namespace hdconj::python
+
+NB_MODULE(_core, module)
+{
+    module.doc() = "The library behind the package hdconj; not for use by itself.";
+    nanobind::set_leak_warnings(false);  // what a program holds when it ends is no leak
+    hdconj::python::add_errors(module);
+    hdconj::python::add_scene(module);
+    hdconj::python::add_verbs(module);
+}

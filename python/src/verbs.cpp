@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "verbs.hpp"
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/unique_ptr.h>
+#include <nanobind/stl/vector.h>
+
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "call.hpp"
+#include "hdconj/accuracy_files.hpp"
+#include "hdconj/contact_files.hpp"
+#include "hdconj/design_files.hpp"
+#include "hdconj/inspect_files.hpp"
+#include "hdconj/measured.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/result_files.hpp"
+#include "hdconj/solve.hpp"
+#include "hdconj/units.hpp"
+#include "layout.hpp"
+#include "result_of.hpp"
+#include "scene.hpp"
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+namespace hdconj::python {
+namespace {
+
+using ResultPointer = std::unique_ptr<Result>;
+using Words = std::vector<std::string>;
+
+/// The value of @p word; where it is none, a fault of @p argument.
+template <Worded Enumeration>
+std::optional<Enumeration> value_of(std::string const& word, char const* argument, Faults& faults)
+{
+    auto const value = from_word<Enumeration>(word);
+    if (!value) {
+        std::string known;
+        for (auto const each : words_of<Enumeration>)
+            known += (known.empty() ? "" : ", ") + std::string(each);
+        faults.push_back({argument, 0, word, "is no word that this argument takes", "write one of " + known});
+    }
+    return value;
+}
+
+template <Worded Enumeration>
+std::vector<Enumeration> values_of(Words const& words, char const* argument, Faults& faults)
+{
+    std::vector<Enumeration> values;
+    for (auto const& word : words)
+        if (auto const value = value_of<Enumeration>(word, argument, faults))
+            values.push_back(*value);
+    return values;
+}
+
+/// Tilts, surfaces and kinds, which contact and load share.
+void enter_cases(auto& options, std::vector<double> const& tilts_deg, Words const& surfaces, Words const& kinds)
+{
+    Faults faults;
+    for (double const tilt : tilts_deg)
+        options.tilts.push_back(tilt * deg);
+    options.surfaces = values_of<ToothSurface>(surfaces, "surfaces", faults);
+    options.kinds = values_of<TiltKind>(kinds, "kinds", faults);
+    refuse(faults);
+}
+
+ResultPointer run_solve(SceneHandle const& handle, nb::handle observer, bool is_main)
+{
+    Scene const& scene = handle.sound();
+    return run(observer, is_main, [&](Observer const& told) { return result_of(solve(scene, told.stages())); });
+}
+
+ResultPointer run_contact(SceneHandle const& handle, std::vector<double> const& tilts_deg, Words const& surfaces,
+                          Words const& kinds, std::optional<std::pair<double, double>> const& best_deg, int revolution,
+                          nb::handle observer, bool is_main)
+{
+    Scene const& scene = handle.sound();
+    ContactOptions options;
+    enter_cases(options, tilts_deg, surfaces, kinds);
+    options.revolution = revolution;
+    if (best_deg) {
+        options.best = true;
+        options.best_from = best_deg->first * deg;
+        options.best_to = best_deg->second * deg;
+    }
+    refuse(check_contact(scene, options));
+    return run(observer, is_main, [&](Observer const& told) {
+        return result_of(study_contact(scene, options, told.stages(), told.shares()));
+    });
+}
+
+ResultPointer run_load(SceneHandle const& handle, std::optional<double> torque, std::optional<int> points,
+                       std::vector<double> const& tilts_deg, Words const& surfaces, Words const& kinds, bool curve,
+                       nb::handle observer, bool is_main)
+{
+    Scene const& scene = handle.sound();
+    LoadOptions options;
+    enter_cases(options, tilts_deg, surfaces, kinds);
+    if (torque)
+        options.torque = *torque * newton_metre;
+    options.points = points;
+    options.curve = curve;
+    refuse(check_load(scene, options));
+    return run(observer, is_main, [&](Observer const& told) {
+        return result_of(LoadedDrive{study_load(scene, options, told.stages(), told.shares()), {}});
+    });
+}
+
+ResultPointer run_wedm(SceneHandle const& handle, std::string const& folder, Words const& dialects, nb::handle observer,
+                       bool is_main)
+{
+    Scene const& scene = handle.sound();
+    refuse(check_wedm(scene));
+    if (!folder.empty())
+        check_wire_files(folder, dialects, "dialects");
+    return run(observer, is_main, [&](Observer const& told) {
+        WireCut cut{wire_set_ups(scene, told.stages()), {}, folder};
+        if (!dialects.empty())
+            for (auto const& unfit : unfit_dialects(cut.programs, dialects))
+                throw NumericalError(ErrorCode::no_room, "wire files", unfit.name + ", " + unfit.place, unfit.cause,
+                                     "write another dialect or a larger wedm.tolerance");
+        if (!folder.empty())
+            cut.files = write_wire_files(cut.programs, folder, dialects);
+        return result_of(std::move(cut));
+    });
+}
+
+ResultPointer run_accuracy(SceneHandle const& handle, Words const& studies, int sample, int repeats, bool quick,
+                           nb::handle observer, bool is_main)
+{
+    Scene const& scene = handle.sound();
+    AccuracyOptions options;
+    options.studies = studies;
+    options.sample = sample;
+    options.repeats = repeats;
+    options.quick = quick;
+    refuse(check_studies(options));
+    refuse(check_accuracy(scene, options));
+    return run(observer, is_main, [&](Observer const& told) {
+        return result_of(StoredAccuracy{measure_accuracy(scene, options, told.shares()), this_program()});
+    });
+}
+
+ResultPointer run_inspect(SceneHandle const& handle, std::string const& points, std::string const& part,
+                          std::optional<double> plane, double probe, std::string const& registration,
+                          nb::handle observer, bool is_main)
+{
+    Faults faults = handle.faults();
+    auto measured = examine_points(points);
+    faults.insert(faults.end(), measured.faults.begin(), measured.faults.end());
+    auto const which = value_of<InspectedPart>(part, "part", faults);
+    auto const how = value_of<Registration>(registration, "register", faults);
+    refuse(faults);
+    InspectOptions const options{*which, plane, probe, *how};
+    return run(observer, is_main, [&](Observer const& told) {
+        return result_of(inspect_points(handle.as_read(), measured.measured, options, told.stages()));
+    });
+}
+
+ResultPointer read_measured(SceneHandle const& handle, std::string const& file, std::optional<double> torque_constant,
+                            std::optional<double> counts_per_turn, std::optional<double> ratio,
+                            std::optional<double> efficiency)
+{
+    auto const& drive = handle.sound().drive;
+    double const scene_ratio =
+        std::abs(static_cast<double>(drive.flexspline_teeth) / (drive.circular_spline_teeth - drive.flexspline_teeth));
+    auto reading = examine_measured(file, {torque_constant, counts_per_turn, ratio, efficiency}, scene_ratio);
+    refuse(reading.faults);
+    auto const found = measured_stiffness(reading.curve);
+    return result_of(Measurement{std::move(reading.curve), found});
+}
+
+nb::tuple run_design(DesignWishes const& wishes, nb::handle observer, bool is_main)
+{
+    refuse(check_design(wishes));
+    Design design = run(observer, is_main, [&](Observer const& told) {
+        Design made = design_drive(wishes, [&](std::string const& what) { told.tell(what, std::nullopt); });
+        Scene const type_50 = builtin_scene();
+        if (is_like(made, type_50))
+            made.differences = differences(made, type_50);
+        return made;
+    });
+    nb::str const scene = text_of(scene_text(design));
+    return nb::make_tuple(scene, result_of(std::move(design)));
+}
+
+void add_wishes(nb::module_& module)
+{
+    nb::class_<DesignWishes>(module, "DesignWishes")
+        .def(nb::init<>())
+        .def_rw("ratio", &DesignWishes::ratio)
+        .def_rw("diameter", &DesignWishes::diameter, nb::none())
+        .def_rw("module", &DesignWishes::module, nb::none())
+        .def_rw("length_ratio", &DesignWishes::length_ratio)
+        .def_prop_rw(
+            "torque", [](DesignWishes const& wishes) { return wishes.torque; },
+            [](DesignWishes& wishes, std::optional<double> torque_nm) {
+                wishes.torque = torque_nm ? std::optional(*torque_nm * newton_metre) : std::nullopt;
+            },
+            nb::none())
+        .def_rw("family", &DesignWishes::family)
+        .def_rw("material", &DesignWishes::material)
+        .def_rw("land", &DesignWishes::land)
+        .def_rw("clearance", &DesignWishes::clearance)
+        .def_rw("safety", &DesignWishes::safety)
+        .def_rw("name", &DesignWishes::name);
+    module.def("design", run_design, "wishes"_a, "observer"_a.none(), "is_main"_a);
+}
+
+}  // namespace
+
+void add_verbs(nb::module_& module)
+{
+    nb::class_<Result>(module, "Result")
+        .def("layout", [](nb::handle_t<Result> self) { return layout_of(nb::cast<Result const&>(self), self); })
+        .def("json", [](Result const& result) { return text_of(result.json()); })
+        .def("text", [](Result const& result) { return text_of(result.text()); })
+        .def_prop_ro("missing", &Result::missing)
+        .def_ro("seconds", &Result::seconds);
+    module.def("solve", run_solve, "scene"_a, "observer"_a.none(), "is_main"_a);
+    module.def("contact", run_contact, "scene"_a, "tilts_deg"_a, "surfaces"_a, "kinds"_a, "best_deg"_a.none(),
+               "revolution"_a, "observer"_a.none(), "is_main"_a);
+    module.def("load", run_load, "scene"_a, "torque"_a.none(), "points"_a.none(), "tilts_deg"_a, "surfaces"_a,
+               "kinds"_a, "curve"_a, "observer"_a.none(), "is_main"_a);
+    module.def("wedm", run_wedm, "scene"_a, "folder"_a, "dialects"_a, "observer"_a.none(), "is_main"_a);
+    module.def("accuracy", run_accuracy, "scene"_a, "studies"_a, "sample"_a, "repeats"_a, "quick"_a,
+               "observer"_a.none(), "is_main"_a);
+    module.def("inspect", run_inspect, "scene"_a, "points"_a, "part"_a, "plane"_a.none(), "probe"_a, "register"_a,
+               "observer"_a.none(), "is_main"_a);
+    module.def("read_measured", read_measured, "scene"_a, "file"_a, "torque_constant"_a.none(),
+               "counts_per_turn"_a.none(), "ratio"_a.none(), "efficiency"_a.none());
+    add_wishes(module);
+}
+
+}  // namespace hdconj::python

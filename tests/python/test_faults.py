@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Bad input is refused with the faults of the program, word by word."""
+
+import json
+import os
+import subprocess
+
+import pytest
+from conftest import SOURCE, run_program
+
+import hdconj
+
+
+@pytest.fixture(scope="session")
+def bad_scenes(tmp_path_factory):
+    """The tables of bad scenes of the program's own tests, a file for each."""
+    folder = tmp_path_factory.mktemp("bad")
+    writer = os.environ["HDCONJ_CLI_TESTS"]
+    environment = {**os.environ, "HDCONJ_BAD_SCENES": str(folder)}
+    subprocess.run([writer, "[write-bad-scenes]"], env=environment, check=True, capture_output=True)
+    return sorted(folder.iterdir())
+
+
+def as_json(item):
+    """JSON has no tuples and no bytes that are no UTF-8."""
+    if isinstance(item, tuple):
+        return list(item)
+    return item.encode("utf-8", "surrogateescape").decode("utf-8", "replace") if isinstance(item, str) else item
+
+
+def test_same_faults_with_the_same_text(bad_scenes):
+    assert len(bad_scenes) > 100
+    for file in bad_scenes:
+        scene = hdconj.Scene.load(file)
+        said = run_program("check", file, "--json", status=2)
+        faults = json.loads(said.stdout)["faults"]
+        ours = [fault._asdict() for fault in scene.check()]
+        assert [{name: fault[name] for name in ours[0]} for fault in faults] == [
+            {name: as_json(item) for name, item in fault.items()} for fault in ours
+        ], file.name
+        with pytest.raises(hdconj.InputError) as refused:
+            hdconj.solve(scene)
+        assert refused.value.faults == scene.check()
+        assert str(refused.value) == said.stderr.split("\n", 1)[1].rstrip("\n"), file.name
+
+
+def test_changes_are_those_of_set():
+    scene = hdconj.Scene().with_({"flexspline.wall": -1, "drive.modul": 0.25, "solver.kinematics": "exactly"})
+    said = run_program(
+        "check", "--set=flexspline.wall=-1", "--set=drive.modul=0.25", "--set=solver.kinematics=exactly", status=2
+    )
+    with pytest.raises(hdconj.InputError) as refused:
+        hdconj.solve(scene)
+    assert str(refused.value) == said.stderr.split("\n", 1)[1].rstrip("\n")
+    assert {fault.origin for fault in scene.check()} == {"--set"}
+
+
+def test_numerical_failure():
+    said = run_program("solve", "--set=wave_generator.radial_deformation=0.05", status=1)
+    with pytest.raises(hdconj.NumericalError) as failed:
+        hdconj.solve(hdconj.Scene().with_({"wave_generator.radial_deformation": 0.05}))
+    assert failed.value.code == "no-land" and failed.value.stage == "region"
+    assert failed.value.set[0].startswith("wave_generator.radial_deformation=")
+    assert f"hdconj: {failed.value}\n" in said.stderr
+
+
+def test_missing_file():
+    assert "nowhere.toml" in hdconj.Scene.load("nowhere.toml").check()[0].path
+    with pytest.raises(hdconj.InputError, match="nowhere.toml"):
+        hdconj.solve("nowhere.toml")
+
+
+def test_wrong_words_are_faults():
+    with pytest.raises(hdconj.InputError, match="write one of tilted, ruled, per-slice"):
+        hdconj.contact(surfaces=["level"])
+
+
+def test_scene_goes_through_text_and_dictionaries():
+    scene = hdconj.Scene.load(SOURCE / "data/scenes/arc-chain.toml")
+    assert scene.check() == ()
+    again = hdconj.Scene.from_dict(scene.to_dict())
+    assert again.check() == ()
+    assert again.to_dict() == scene.to_dict()
+    bits = [hdconj.solve(each).circular_spline.outline.tobytes() for each in (scene, again)]
+    assert bits[0] == bits[1]
+    assert hdconj.Scene.from_toml(scene.to_toml()).to_toml() == scene.to_toml()
+
+
+def test_change_and_removal_of_a_key():
+    scene = hdconj.Scene().with_({"tilt.angle_deg": 0.2, "tilt.kind": "radial"})
+    assert scene.to_dict()["tilt"] == {"angle_deg": 0.2, "kind": "radial"}
+    assert "tilt" not in scene.with_({"tilt": None}).to_dict()
+    assert scene == hdconj.Scene().with_({"tilt.angle_deg": 0.2}).with_({"tilt.kind": "radial"})
+    with pytest.raises(AttributeError):
+        scene.name = "other"

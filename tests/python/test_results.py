@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Results as objects: figures, files, tables, pictures, pickles."""
+
+import inspect
+import os
+import pickle
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from conftest import SOURCE, run_program
+
+import hdconj
+
+
+@pytest.fixture(scope="module")
+def study(coned):
+    return hdconj.contact(coned, tilts_deg=[0, 0.1])
+
+
+def same(first, second):
+    assert set(first) | set(first._parts.links) == set(second) | set(second._parts.links)
+    assert dict(first.attrs) == dict(second.attrs)
+    for name in first.datasets:
+        a, b = first.datasets[name], second.datasets[name]
+        assert a[1:] == b[1:], name
+        assert a.values.tolist() == b.values.tolist() or a.values.tobytes() == b.values.tobytes()
+    for name in first.groups:
+        same(first.groups[name], second.groups[name])
+
+
+def test_figures_are_those_of_json(solution):
+    geometry = solution.to_dict()["geometry"]
+    figures = solution.figures
+    for name in ("r_m", "r_0", "space_depth"):
+        assert figures[name].value == geometry[f"{name}_mm"]
+        assert figures[name].unit == "mm"
+        assert figures[name].meaning
+    assert figures["space_depth"].error > 0
+    assert figures["ratio"].unit == "" and figures["ratio"].error is None
+
+
+def test_figures_of_columns(study):
+    area = study.figures["contact_area"]
+    assert area.value is study.contact.contact_area
+    assert (area.error >= 0).all() and area.unit == "mm^2"
+
+
+def test_results_do_not_change(solution):
+    with pytest.raises(AttributeError):
+        solution.outline = 1
+    with pytest.raises(TypeError):
+        solution.attrs["drive"] = "other"
+    with pytest.raises(KeyError):
+        solution["circular_spline/nothing"]
+    assert solution["circular_spline/z"] is solution.circular_spline.z
+
+
+@pytest.mark.parametrize("which", ["solution", "study"])
+def test_file_of_python_is_read_back_by_python_and_the_program(which, request, tmp_path):
+    result = request.getfixturevalue(which)
+    result.to_hdf5(tmp_path / "result.h5")
+    again = hdconj.read(tmp_path / "result.h5")
+    same(result, again)
+    for name, figure in result.groups.get("contact", result.groups["summary"]).figures.items():
+        if figure.error is not None and name in again.groups.get("contact", again.groups["summary"]).figures:
+            other = again.groups.get("contact", again.groups["summary"]).figures[name]
+            assert np.array_equal(other.value, figure.value) and np.array_equal(other.error, figure.error)
+
+
+def test_the_program_cuts_what_python_wrote(tmp_path):
+    scene = hdconj.Scene.load(SOURCE / "data/scenes/type-50.toml")
+    hdconj.solve(scene).to_hdf5(tmp_path / "python.h5")
+    run_program("solve", SOURCE / "data/scenes/type-50.toml", "-o", tmp_path / "program.h5")
+    for name in ("python", "program"):
+        run_program("wedm", "--from", tmp_path / f"{name}.h5", "--dialect=csv", "-o", tmp_path / name)
+    for file in (tmp_path / "program").glob("*.csv"):
+        assert file.read_bytes() == (tmp_path / "python" / file.name).read_bytes()
+
+
+def test_a_file_that_cannot_be_written_is_not_begun(solution, tmp_path):
+    with pytest.raises(OSError):
+        solution.to_hdf5(tmp_path / "nowhere" / "result.h5")
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("which", ["solution", "study"])
+def test_pickle(which, request):
+    result = request.getfixturevalue(which)
+    again = pickle.loads(pickle.dumps(result))
+    assert type(again) is type(result)
+    same(result, again)
+    assert again.json() == result.json() and again.scene == result.scene
+    assert set(again.figures) == set(result.figures)
+    with pytest.raises(ValueError):
+        again.circular_spline.z[0] = 1
+
+
+def test_pickled_errors():
+    with pytest.raises(hdconj.InputError) as refused:
+        hdconj.solve(hdconj.Scene().with_({"drive.module": -1}))
+    again = pickle.loads(pickle.dumps(refused.value))
+    assert again.faults == refused.value.faults and str(again) == str(refused.value)
+
+
+def test_xarray(study):
+    pytest.importorskip("xarray")
+    tree = study.to_xarray()
+    gaps = tree["contact/map"].to_dataset()["gap"]
+    assert gaps.dims == ("angle", "flank", "z", "flank_position")
+    assert gaps.attrs["units"] == "mm"
+    assert np.array_equal(gaps.sel(flank="left").values, study.contact.map.gap[:, 0])
+    assert np.array_equal(gaps["z"], study.contact.map.z)
+
+
+def test_pandas(study, solution):
+    pytest.importorskip("pandas")
+    table = study.to_pandas()
+    assert len(table) == 2 and table.attrs["units"]["contact_area"] == "mm^2"
+    assert list(table["contact_area"]) == list(study.contact.contact_area)
+    assert len(solution.to_pandas()) == len(solution.conjugate_zones.u)
+
+
+@pytest.mark.parametrize("which", ["solution", "study"])
+def test_plot(which, request):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("agg")
+    result = request.getfixturevalue(which)
+    ax = result.plot()
+    assert ax.get_lines() and ax.get_xlabel() and ax.get_title() == result.scene.name
+    assert result.plot(ax=ax) is ax
+
+
+def test_pages_of_a_notebook(solution):
+    page = solution._repr_html_()
+    assert "space_depth" in page and "&plusmn;" in page
+    drawing = solution._repr_svg_()
+    assert drawing.count("<polyline") == len(solution.circular_spline.z)
+
+
+def test_every_function_is_documented_with_its_units():
+    for name in hdconj.__all__:
+        assert inspect.getdoc(getattr(hdconj, name)), name
+    for name in ("solve", "contact", "load", "wedm", "accuracy", "inspect", "read_measured", "design"):
+        text = inspect.getdoc(getattr(hdconj, name))
+        for argument in inspect.signature(getattr(hdconj, name)).parameters:
+            assert argument in text, (name, argument)
+        assert "Returns\n-------" in text
+
+
+def test_types():
+    pytest.importorskip("mypy")
+    checked = subprocess.run(
+        [sys.executable, "-m", "mypy", "--strict", "--cache-dir", os.devnull, SOURCE / "python/hdconj"],
+        capture_output=True,
+        text=True,
+    )
+    assert checked.returncode == 0, checked.stdout
+
+
+@pytest.mark.parametrize("first, second", [("h5py", "hdconj"), ("hdconj", "h5py")])
+def test_no_second_hdf5(first, second, tmp_path):
+    code = (
+        f"import {first}, {second}\n"
+        f"hdconj.solve().to_hdf5({str(tmp_path / 'a.h5')!r})\n"
+        f"print(len(h5py.File({str(tmp_path / 'a.h5')!r})['neutral_curve']))\n"
+        "print(sorted({line.split('/')[-1].strip() for line in open('/proc/self/maps') if 'libhdf5' in line\n"
+        "              and 'libhdf5_hl' not in line}))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=True)
+    lines = done.stdout.splitlines()
+    assert lines[0] == "720"
+    assert lines[1].count("libhdf5") == 1
+    linked = subprocess.run(["ldd", hdconj._core.__file__], capture_output=True, text=True, check=True)
+    assert "hdf5" not in linked.stdout

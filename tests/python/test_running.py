@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How computations run: threads, Ctrl-C, progress, memory, and what a call costs."""
+
+import os
+import signal
+import statistics
+import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
+
+import pytest
+from conftest import SOURCE
+
+import hdconj
+
+UNDER_SANITIZER = "HDCONJ_SANITIZED" in os.environ
+INTERRUPT_SECONDS = 2.0 if UNDER_SANITIZER else 0.2
+
+
+def resident_mb():
+    with open("/proc/self/statm") as status:
+        return int(status.read().split()[1]) * os.sysconf("SC_PAGESIZE") / 2**20
+
+
+def test_no_leak():
+    scene = hdconj.Scene().with_({"solver.threads": 1, "solver.tolerance": 1e-3})
+    rounds = 300 if UNDER_SANITIZER else 10_000
+
+    def work(count):
+        for _ in range(count):
+            assert hdconj.solve(scene).circular_spline.outline.size > 0
+
+    work(rounds // 10)
+    before = resident_mb()
+    work(rounds)
+    assert UNDER_SANITIZER or resident_mb() - before < 1
+
+
+def test_arrays_outlive_their_result():
+    array = hdconj.solve().envelope.branch_000.point
+    copy = array.tobytes()
+    for _ in range(50):
+        hdconj.solve()
+    assert array.tobytes() == copy
+    with pytest.raises(ValueError):
+        array[0] = 0
+
+
+@pytest.mark.skipif(UNDER_SANITIZER, reason="the sanitizer takes its own time")
+def test_a_call_costs_50_microseconds_at_most():
+    scene = hdconj.Scene().with_({"solver.threads": 1})
+    overheads = []
+    for _ in range(200):
+        begin = time.perf_counter()
+        solution = hdconj.solve(scene)
+        overheads.append(time.perf_counter() - begin - solution.wall_seconds)
+        del solution
+    assert statistics.median(overheads) < 50e-6
+
+
+def test_eight_threads_at_once_give_the_same_bits():
+    scenes = [hdconj.Scene().with_({"wave_generator.radial_deformation": 0.25 + 0.001 * i}) for i in range(4)]
+    expected = [hdconj.solve(scene).circular_spline.outline.tobytes() for scene in scenes]
+
+    def work(number):
+        return [hdconj.solve(scenes[(number + i) % 4]).circular_spline.outline.tobytes() for i in range(8)]
+
+    with ThreadPoolExecutor(8) as pool:
+        for number, found in enumerate(pool.map(work, range(8))):
+            assert found == [expected[(number + i) % 4] for i in range(8)]
+
+
+def test_the_lock_is_released():
+    counted = 0
+    done = threading.Event()
+
+    def count():
+        nonlocal counted
+        while not done.is_set():
+            counted += 1
+            time.sleep(0.001)
+
+    other = threading.Thread(target=count)
+    other.start()
+    hdconj.load(hdconj.Scene().with_({"slices.count": 3}), curve=False)
+    done.set()
+    other.join()
+    assert counted > 20
+
+
+CONED = SOURCE / "data/scenes/type-50-coned.toml"
+LONG_WORK = {
+    "load": lambda: hdconj.load(),
+    "contact": lambda: hdconj.contact(CONED, tilts_deg=[0.01 * i for i in range(99)]),
+    "accuracy": lambda: hdconj.accuracy(),
+    "design": lambda: hdconj.design(100, diameter=50, torque=28),
+}
+
+
+@pytest.mark.parametrize("work", LONG_WORK)
+@pytest.mark.parametrize("delay", [0.05, 0.4, 1.0])
+def test_ctrl_c(work, delay):
+    asked = []
+
+    def interrupt():
+        asked.append(time.perf_counter())
+        os.kill(os.getpid(), signal.SIGINT)
+
+    timer = threading.Timer(delay, interrupt)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        LONG_WORK[work]()
+    taken = time.perf_counter() - asked[0]
+    timer.join()
+    assert taken < INTERRUPT_SECONDS
+    assert signal.getsignal(signal.SIGINT) is signal.default_int_handler
+    assert hdconj.solve().circular_spline.outline.size > 0  # nothing is left of it
+
+
+def test_progress_by_function():
+    told = []
+    hdconj.contact(
+        hdconj.Scene().with_({"slices.count": 3, "contact.flank_points": 40}),
+        progress=lambda what, share: told.append((what, share)),
+    )
+    assert "envelope" in [what for what, _ in told]
+    shares = [share for _, share in told if share is not None]
+    assert shares == sorted(shares) and all(0 <= share <= 1 for share in shares)
+
+
+def test_a_failing_observer_ends_the_computation():
+    def refuse(what, share):
+        raise LookupError(what)
+
+    with pytest.raises(LookupError):
+        hdconj.load(progress=refuse)
+
+
+def test_progress_by_tqdm(capsys):
+    pytest.importorskip("tqdm")
+    hdconj.solve(progress=True)
+    assert "outline" in capsys.readouterr().err
