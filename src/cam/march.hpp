@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Follows the neutral curve from a place where the flanks touch until they part.
+#pragma once
+
+#include <vector>
+
+#include "curve_rule.hpp"
+
+namespace hdconj::cam {
+
+/// The curve at one angle.
+struct CurvePoint
+{
+    double x = 0;      ///< u, in the first-order model phi [rad]
+    CurveState state;  ///< there
+    double slope = 0;  ///< rho'
+    Tangency contact;  ///< of the flanks
+};
+
+/// What a march finds.
+struct MarchedCurve
+{
+    std::vector<CurvePoint> points;  ///< at the angles that were asked for, as far as the flanks touch
+    CurvePoint last;                 ///< the farthest point at which they touch
+    bool lost = false;               ///< whether they part before the last angle
+    double end_error = 0;            ///< of last.x where they part [rad]
+};
+
+/// Integrates the equations of @p rule with the tangency of @p pair: the embedded pair of Runge and Kutta of orders 7
+/// and 8 by Fehlberg (Boost.Numeric.Odeint), its local error held below @p tolerance. Where several tangencies
+/// exist, the tooth leans on the one that it meets first. A step that leaves the flanks is halved until it is 2^-40 of
+/// a radian.
+/// @param begin      where the march begins; `contact.theta` is where tangencies are looked for
+/// @param angles     increasing, from begin.x on
+/// @param tolerance  [mm]
+/// @returns no points where the flanks do not touch at the beginning
+[[nodiscard]] MarchedCurve march(FlankPair const& pair, CurveRule const& rule, CurvePoint const& begin,
+                                 std::vector<double> const& angles, double tolerance);
+
+}  // namespace hdconj::cam
