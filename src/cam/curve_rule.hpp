@@ -16,8 +16,9 @@ using CurveState = std::array<double, 2>;
 /// The differential equations of the neutral curve, with the inclination theta of the tooth that tangency gives.
 ///
 /// Exact: gamma = u - k phi and theta = gamma - atan(rho'/rho), so rho' = rho tan(gamma - theta); the curve does not
-/// stretch, so (r_m phi)' = sqrt(rho^2 + rho'^2). On the closed curve phi = u after half a wave. First order: gamma = (1 - k) phi + v/r_m and theta = gamma - w'/r_m,
-/// so w' = r_m (gamma - theta) with w = rho - r_m; v' = -w, with w that has no mean (docs/explanation/theory.md).
+/// stretch, so (r_m phi)' = sqrt(rho^2 + rho'^2). On the closed curve phi = u after half a wave. First order: gamma =
+/// (1 - k) phi + v/r_m and theta = gamma - w'/r_m, so w' = r_m (gamma - theta) with w = rho - r_m; v' = -w, with w that
+/// has no mean (docs/explanation/theory.md).
 struct CurveRule
 {
     double r_m = 0;

@@ -2,15 +2,17 @@
 #include "march.hpp"
 
 #include <algorithm>
-#include <boost/numeric/odeint/stepper/controlled_runge_kutta.hpp>
-#include <boost/numeric/odeint/stepper/generation.hpp>
 #include <boost/numeric/odeint/stepper/runge_kutta_fehlberg78.hpp>
+#include <functional>
 #include <limits>
 
 namespace hdconj::cam {
 namespace {
 
 namespace odeint = boost::numeric::odeint;
+
+constexpr double shortest_step = 0x1p-40;  // rad, of the place where flanks part
+constexpr double finest_step = 0x1p-17;    // rad, for the sake of the error
 
 /// The flanks do not touch where a step would go.
 struct Parted
@@ -75,54 +77,66 @@ class ContactFollower
     std::vector<Tangency> followed_;
 };
 
+/// Steps of a length that holds the local error.
+class Stepper
+{
+  public:
+    Stepper(ContactFollower const& follower, double tolerance) : follower_(follower), tolerance_(tolerance) {}
+
+    /// The curve one step farther than @p from, and not beyond @p limit. @throws Parted where the flanks part before
+    [[nodiscard]] CurvePoint next(CurvePoint const& from, double limit)
+    {
+        constexpr double order = 8, safety = 0.9, least = 0.2, most = 4;
+        for (;;) {
+            double const rest = limit - from.x;
+            double const step = std::min(step_, rest);
+            try {
+                CurveState state, error;
+                rule_.do_step(std::cref(follower_), from.state, from.x, state, step, error);
+                CurvePoint const reached = follower_.point(step == rest ? limit : from.x + step, state);
+                double const miss = std::max(std::abs(error[0]), std::abs(error[1]));
+                double const factor = std::clamp(safety * std::pow(tolerance_ / miss, 1 / order), least, most);
+                // a step that is cut at the limit says nothing of longer ones
+                step_ = miss > tolerance_ ? step * factor : std::max(step == rest ? step_ : 0.0, step * factor);
+                // below that length the estimate is rounding
+                if (!(miss > tolerance_) || step <= finest_step)
+                    return reached;
+            } catch (Parted const&) {
+                step_ = step / 2;
+            }
+            if (step_ < shortest_step)
+                throw Parted();
+        }
+    }
+
+  private:
+    ContactFollower const& follower_;
+    double tolerance_;
+    double step_ = 1e-3;  // rad
+    odeint::runge_kutta_fehlberg78<CurveState> rule_;
+};
+
 }  // namespace
 
 MarchedCurve march(FlankPair const& pair, CurveRule const& rule, CurvePoint const& begin,
                    std::vector<double> const& angles, double tolerance)
 {
-    constexpr double shortest = 0x1p-40;  // rad
-    constexpr double first_step = 1e-3;   // rad
-    auto stepper = odeint::make_controlled<odeint::runge_kutta_fehlberg78<CurveState>>(tolerance, 0.0);
     ContactFollower follower(pair, rule);
+    Stepper stepper(follower, tolerance);
     MarchedCurve result;
-    double x = begin.x, step = first_step;
-    CurveState state = begin.state;
     try {
-        follower.look_again(x, state, begin.contact.theta);
-        result.last = follower.point(x, state);
+        follower.look_again(begin.x, begin.state, begin.contact.theta);
+        result.last = follower.point(begin.x, begin.state);
         for (double const angle : angles) {
-            while (x < angle) {
-                double const rest = angle - x;
-                double trial = std::min(step, rest);
-                bool const whole = trial == rest;
-                double const before = x;
-                CurveState next = state;
-                try {
-                    auto const system = [&](CurveState const& y, CurveState& dydx, double at) {
-                        follower(y, dydx, at);
-                    };
-                    if (stepper.try_step(system, next, x, trial) == odeint::fail) {
-                        step = trial;
-                        continue;
-                    }
-                    CurvePoint const reached = follower.point(whole ? angle : x, next);
-                    x = reached.x;
-                    state = next;
-                    result.last = reached;
-                    step = whole ? std::max(step, trial) : trial;
-                    follower.look_again(x, state, reached.contact.theta);
-                } catch (Parted const&) {
-                    x = before;
-                    step = std::min(step, rest) / 2;
-                    if (step < shortest)
-                        throw;
-                }
+            while (result.last.x < angle) {
+                result.last = stepper.next(result.last, angle);
+                follower.look_again(result.last.x, result.last.state, result.last.contact.theta);
             }
-            result.points.push_back(follower.point(angle, state));
+            result.points.push_back(result.last);
         }
     } catch (Parted const&) {
         result.lost = true;
-        result.end_error = shortest * 2;
+        result.end_error = 2 * shortest_step;
     }
     return result;
 }

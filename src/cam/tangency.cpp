@@ -65,8 +65,7 @@ std::optional<Tangency> FlankPair::refined(Tangency const& seed, ToothOrigin con
         Eigen::Matrix3d jacobian;
         jacobian << stretch * ta.x(), -tb.x(), arm.x(), stretch * ta.y(), -tb.y(), arm.y(), a.curvature * na.dot(nb),
             -b.curvature * ta.dot(tb), -na.dot(nb);
-        Eigen::Vector3d const step =
-            jacobian.fullPivLu().solve(Eigen::Vector3d(-miss.x(), -miss.y(), -ta.dot(nb)));
+        Eigen::Vector3d const step = jacobian.fullPivLu().solve(Eigen::Vector3d(-miss.x(), -miss.y(), -ta.dot(nb)));
         if (!step.allFinite())
             return std::nullopt;
         double const longest = std::max(std::abs(step[0]), std::abs(step[1]));

@@ -46,8 +46,8 @@ struct Tangency
 /// Flanks A(s) in the frame of the tooth and B(t) in that of the circular spline touch where
 ///   R(theta) A + P = B,   T_A . N_B = 0
 /// with the unit tangent T_A in the frame of the circular spline and the normal N_B: three equations for s, t and
-/// theta. With the origin P given this is the condition g(rho, gamma, theta) = 0 of docs/explanation/theory.md. Newton's
-/// method with the curvatures of both flanks solves them. Accuracy: some roundings of rho over the lever.
+/// theta. With the origin P given this is the condition g(rho, gamma, theta) = 0 of docs/explanation/theory.md.
+/// Newton's method with the curvatures of both flanks solves them. Accuracy: some roundings of rho over the lever.
 class FlankPair
 {
   public:

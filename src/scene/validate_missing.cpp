@@ -40,8 +40,8 @@ Fault missing_table(TableSpec const& table, bool wanted)
             keys += (keys.empty() ? "" : ", ") + with_example(key);
     std::string const header = "[" + std::string(table.path) + "]";
     bool const outer = wanted && table.path == "circular_spline.profile";
-    std::string const meaning =
-        outer ? "the circular spline's tooth: the neutral curve is wanted between both teeth" : std::string(table.meaning);
+    std::string const meaning = outer ? "the circular spline's tooth: the neutral curve is wanted between both teeth"
+                                      : std::string(table.meaning);
     return {std::string(table.path), 0, "", "this table is missing: " + meaning,
             "write the line " + header + " and below it " + keys +
                 (table.presence == Presence::alternative && !wanted

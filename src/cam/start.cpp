@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "start.hpp"
+
+#include <fmt/format.h>
+#include <Eigen/LU>
+#include <Eigen/QR>
+#include <algorithm>
+#include <boost/math/quadrature/gauss.hpp>
+#include <numbers>
+#include <optional>
+
+#include "hdconj/base/tolerance.hpp"
+#include "hdconj/error.hpp"
+#include "hdconj/numeric/bracketed_root.hpp"
+#include "hdconj/units.hpp"
+
+namespace hdconj::cam {
+namespace {
+
+constexpr int fit_nodes = 40;  ///< of the fit beyond the beginning
+constexpr int fit_powers = 7;  ///< of the even polynomial: up to x^12
+constexpr double scan_step = 0.1 * deg;
+
+/// What a march from a trial state tells of the axis.
+struct Trial
+{
+    MarchedCurve curve;
+    EvenPolynomial fit;
+    Eigen::Vector2d miss;
+};
+
+class Shooting
+{
+  public:
+    Shooting(FlankPair const& pair, CurveRule const& rule, double x1, double major, double reach, double tolerance)
+        : pair_(pair), rule_(rule), x1_(x1), major_(major), tolerance_(tolerance)
+    {
+        double const span = std::min(std::max(2 * x1, 4 * deg), reach);
+        for (int i = fit_nodes; i-- > 0;)
+            angles_.push_back(x1 + span * (1 + std::cos(std::numbers::pi * (2 * i + 1) / (2.0 * fit_nodes))) / 2);
+    }
+
+    /// @param guess  state at x1, and the inclination about which a tangency is looked for
+    [[nodiscard]] std::optional<MeshBegin> operator()(CurvePoint const& guess) const
+    {
+        CurvePoint begin = guess;
+        begin.x = x1_;
+        std::optional<Trial> now = trial(begin);
+        if (!now)
+            return std::nullopt;
+        double const probe = 1e-6 * std::abs(major_);
+        Eigen::Matrix2d slope;
+        for (std::size_t i = 0; i < 2; ++i) {
+            CurvePoint beside = begin;
+            beside.state[i] += probe;
+            std::optional<Trial> const other = trial(beside);
+            if (!other)
+                return std::nullopt;
+            slope.col(static_cast<Eigen::Index>(i)) = (other->miss - now->miss) / probe;
+        }
+        constexpr int budget = 12;
+        double last = now->miss.norm();
+        for (int i = 0; i < budget; ++i) {
+            Eigen::Vector2d const correction = slope.fullPivLu().solve(now->miss);
+            CurvePoint next = begin;
+            next.state[0] -= correction[0];
+            next.state[1] -= correction[1];
+            std::optional<Trial> better = trial(next);
+            if (!better)
+                return std::nullopt;
+            double const miss = better->miss.norm();
+            bool const rounding = last < 1e-9 * std::abs(major_);
+            if (rounding && !(miss < last / 2))
+                break;
+            begin = next;
+            now = std::move(better);
+            last = miss;
+        }
+        if (!(last < 1e-9 * std::abs(major_)) || now->curve.points.empty())
+            return std::nullopt;
+        begin.contact = first_contact(begin);
+        begin.slope = rule_.slope(rule_.origin(x1_, begin.state), begin.contact.theta);
+        return MeshBegin{begin, now->fit};
+    }
+
+  private:
+    [[nodiscard]] Tangency first_contact(CurvePoint const& point) const
+    {
+        MarchedCurve const here = march(pair_, rule_, point, {}, tolerance_);
+        return here.last.contact;
+    }
+
+    [[nodiscard]] std::optional<Trial> trial(CurvePoint const& begin) const
+    {
+        Trial result{march(pair_, rule_, begin, angles_, tolerance_), {}, {}};
+        if (result.curve.lost || result.curve.points.size() != angles_.size())
+            return std::nullopt;
+        Eigen::MatrixXd matrix(fit_nodes, fit_powers);
+        Eigen::VectorXd right(fit_nodes);
+        result.fit.scale = angles_.back();
+        for (int i = 0; i < fit_nodes; ++i) {
+            CurvePoint const& at = result.curve.points[static_cast<std::size_t>(i)];
+            double const square = (at.x / result.fit.scale) * (at.x / result.fit.scale);
+            for (int j = 0; j < fit_powers; ++j)
+                matrix(i, j) = j == 0 ? 1 : matrix(i, j - 1) * square;
+            right[i] = at.state[0] - major_;
+        }
+        Eigen::VectorXd const fit = matrix.colPivHouseholderQr().solve(right);
+        result.fit.coefficients.assign(fit.data(), fit.data() + fit_powers);
+        result.fit.coefficients.front() += major_;
+        auto const rate = [&](double x) {
+            EvenPolynomial::Value const at = result.fit(x);
+            return rule_.tangential_rate(at.value, at.slope);
+        };
+        double const state = boost::math::quadrature::gauss<double, 20>::integrate(rate, 0.0, x1_);
+        result.miss = {fit[0], state - begin.state[1]};
+        return result;
+    }
+
+    FlankPair const& pair_;
+    CurveRule rule_;
+    double x1_, major_, tolerance_;
+    std::vector<double> angles_;
+};
+
+/// A cosine through the displacement on the axis, for a first look.
+CurvePoint cosine_point(CurveRule const& rule, int waves, double major, double x)
+{
+    double const n = waves;
+    double const along = major * std::sin(n * x) / n;
+    CurvePoint point{x, {major * std::cos(n * x), rule.exact ? along : -along}, -n * major * std::sin(n * x), {}};
+    point.contact.theta = rule.theta(rule.origin(x, point.state), point.slope);
+    return point;
+}
+
+}  // namespace
+
+EvenPolynomial::Value EvenPolynomial::operator()(double x) const
+{
+    double const s = x / scale;
+    Value sum;
+    for (std::size_t j = coefficients.size(); j-- > 0;) {
+        // Horner in s^2 for value, d/d(s^2) and its derivative
+        sum.bend = sum.bend * s * s + sum.slope;
+        sum.slope = sum.slope * s * s + sum.value;
+        sum.value = sum.value * s * s + coefficients[j];
+    }
+    double const first = sum.slope, second = 2 * sum.bend;
+    return {sum.value, 2 * s * first / scale, (2 * first + 4 * s * s * second) / (scale * scale)};
+}
+
+MeshBegin mesh_begin(FlankPair const& pair, CurveRule const& rule, int waves, double major, double reach,
+                     double tolerance)
+{
+    CurvePoint const axis{0, {major, 0}, 0, {}};
+    std::vector<Tangency> const on_axis = pair.tangencies(rule.origin(0, axis.state), 0);
+    double const same = 1e-9;  // rad; what the flanks' own error turns a tooth by
+    if (!on_axis.empty() && on_axis.front().theta < -same)
+        throw NumericalError(
+            ErrorCode::interference, "neutral curve", "major axis",
+            fmt::format("with a displacement of {:.6g} mm there, the flanks overlap by about {:.3g} mm", major,
+                        -on_axis.front().theta * on_axis.front().lever),
+            "write a smaller wave_generator.major_displacement, or leave it out");
+    if (!on_axis.empty() && on_axis.front().theta < same) {
+        CurvePoint begin = axis;
+        begin.contact = on_axis.front();
+        begin.slope = rule.slope(rule.origin(0, axis.state), begin.contact.theta);
+        return {begin, {}};
+    }
+    for (double x = scan_step; x < reach; x += scan_step) {
+        CurvePoint const guess = cosine_point(rule, waves, major, x);
+        if (pair.tangencies(rule.origin(x, guess.state), guess.contact.theta).empty())
+            continue;
+        if (auto const begin = Shooting(pair, rule, x, major, reach, tolerance)(guess))
+            return *begin;
+    }
+    throw NumericalError(
+        ErrorCode::no_contact, "neutral curve", fmt::format("0 to {:.3g} deg from the major axis", to_deg(reach)),
+        fmt::format("with a displacement of {:.6g} mm on the major axis, no curve is symmetric about it and lets the "
+                    "flanks touch: they stop touching before the mesh begins",
+                    major),
+        "write another wave_generator.major_displacement, or teeth that reach deeper into each other");
+}
+
+double deepest_displacement(FlankPair const& pair, CurveRule const& rule, double deepest)
+{
+    auto const turn = [&](double w) {
+        std::vector<Tangency> const found = pair.tangencies({rule.r_m, w, 0}, 0);
+        return found.empty() ? 1.0 : found.front().theta;
+    };
+    double const at_deepest = turn(deepest);
+    if (at_deepest >= 0)
+        return deepest;
+    // withdraw until the flanks are apart
+    double low = deepest;
+    double const back = pair.inner().length() / 64;
+    while (turn(low) < 0 && low > deepest - 2 * pair.inner().length())
+        low -= back;
+    if (turn(low) >= 1)
+        return deepest;
+    numeric::BracketedRoot const root = numeric::bracketed_root(turn, low, low + back);
+    return root.found ? root.x : deepest;
+}
+
+}  // namespace hdconj::cam
