@@ -144,7 +144,7 @@ class Search
                 out_.rows.push_back({u, point.state[0], point.slope, 0, 0, true});
             }
         }
-        out_.touch_begin = mesh.begin.point.x;
+        out_.touch_begin = mesh.begin.first;
         out_.touch_end = mesh.curve.last.x;
         out_.ends = mesh.curve.lost ? why_parted(flanks(0), mesh.curve.last) : "the flanks touch up to the minor axis";
     }
@@ -173,8 +173,8 @@ class Search
         out_.touch_end_error =
             mesh.curve.lost ? end_error(moved) / probe * out_.flank_error + end_error(coarse) + mesh.curve.end_error
                             : 0;
-        out_.touch_begin_error = std::abs(moved.begin.point.x - out_.touch_begin) / probe * out_.flank_error +
-                                 (out_.touch_begin > 0 ? 0.1 * deg : 0);
+        out_.touch_begin_error =
+            std::abs(moved.begin.first - out_.touch_begin) * (out_.flank_error / probe) + mesh.begin.first_error;
     }
 
     void close(FlankPair const& pair)

@@ -80,10 +80,36 @@ class Shooting
             return std::nullopt;
         begin.contact = first_contact(begin);
         begin.slope = rule_.slope(rule_.origin(x1_, begin.state), begin.contact.theta);
-        return MeshBegin{begin, now->fit};
+        return with_first({begin, x1_, 0, now->fit});
     }
 
   private:
+    /// Tangential state where the polynomial takes the curve from the axis to @p x.
+    [[nodiscard]] double tangential_state(EvenPolynomial const& curve, double x) const
+    {
+        auto const rate = [&](double at) {
+            EvenPolynomial::Value const here = curve(at);
+            return rule_.tangential_rate(here.value, here.slope);
+        };
+        return boost::math::quadrature::gauss<double, 20>::integrate(rate, 0.0, x);
+    }
+
+    /// Bisects for the angle at which the flanks begin to touch, between the step of the search before and x1.
+    [[nodiscard]] MeshBegin with_first(MeshBegin begin) const
+    {
+        double low = x1_ - scan_step, high = x1_;
+        constexpr int halvings = 24;
+        for (int i = 0; i < halvings; ++i) {
+            double const middle = (low + high) / 2;
+            EvenPolynomial::Value const at = begin.to_axis(middle);
+            ToothOrigin const origin = rule_.origin(middle, {at.value, tangential_state(begin.to_axis, middle)});
+            (pair_.tangencies(origin, rule_.theta(origin, at.slope)).empty() ? low : high) = middle;
+        }
+        begin.first = high;
+        begin.first_error = high - low;
+        return begin;
+    }
+
     [[nodiscard]] Tangency first_contact(CurvePoint const& point) const
     {
         MarchedCurve const here = march(pair_, rule_, point, {}, tolerance_);
@@ -108,11 +134,7 @@ class Shooting
         Eigen::VectorXd const fit = matrix.colPivHouseholderQr().solve(right);
         result.fit.coefficients.assign(fit.data(), fit.data() + fit_powers);
         result.fit.coefficients.front() += major_;
-        auto const rate = [&](double x) {
-            EvenPolynomial::Value const at = result.fit(x);
-            return rule_.tangential_rate(at.value, at.slope);
-        };
-        double const state = boost::math::quadrature::gauss<double, 20>::integrate(rate, 0.0, x1_);
+        double const state = tangential_state(result.fit, x1_);
         result.miss = {fit[0], state - begin.state[1]};
         return result;
     }
@@ -165,7 +187,7 @@ MeshBegin mesh_begin(FlankPair const& pair, CurveRule const& rule, int waves, do
         CurvePoint begin = axis;
         begin.contact = on_axis.front();
         begin.slope = rule.slope(rule.origin(0, axis.state), begin.contact.theta);
-        return {begin, {}};
+        return {begin, 0, 0, {}};
     }
     for (double x = scan_step; x < reach; x += scan_step) {
         CurvePoint const guess = cosine_point(rule, waves, major, x);

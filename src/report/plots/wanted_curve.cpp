@@ -10,14 +10,17 @@
 namespace hdconj::report {
 namespace {
 
-/// Angle in degrees, displacement in um, curvature per mm, error in um.
+constexpr double mm_per_m = 1000;
+
+/// Angle in degrees, displacement in um, curvature per m, error in um.
 PlotColumns curve_rows(WantedCurve const& found, bool touching)
 {
     constexpr double not_drawn = std::numeric_limits<double>::quiet_NaN();
     PlotColumns columns;
     for (WantedCurveRow const& row : found.rows) {
         bool const shown = !touching || row.touching;
-        columns.row(to_deg(row.u), shown ? row.displacement * per_um : not_drawn, shown ? row.curvature : not_drawn,
+        columns.row(to_deg(row.u), shown ? row.displacement * per_um : not_drawn,
+                    shown ? row.curvature * mm_per_m : not_drawn,
                     shown && row.error > 0 ? row.error * per_um : not_drawn);
     }
     return columns;
@@ -33,7 +36,7 @@ std::string wanted_curve_script(WantedCurve const& found)
     data.set("half_wave", 180.0 / found.scene.wave_generator.waves);
     data.set("touch_begin", to_deg(found.touch_begin));
     data.set("touch_end", to_deg(found.touch_end));
-    data.set("ring", 1 / found.geometry.r_m);
+    data.set("ring", mm_per_m / found.geometry.r_m);
     data.set("words", fmt::format("flanks touch from {} to {} deg;  bending stress {} MPa",
                                   figures::fixed<2>(to_deg(found.touch_begin)),
                                   figures::fixed<2>(to_deg(found.touch_end)), figures::fixed<1>(found.bending_stress)));

@@ -3,9 +3,9 @@
 # its error where flanks touch.
 #
 # Columns:
-#   $curve  angle [deg], displacement [um], curvature [1/mm], error of the displacement [um] or NaN
+#   $curve  angle [deg], displacement [um], curvature [1/m], error of the displacement [um] or NaN
 #   $mesh   the same, NaN where no flanks touch
-# Variables: words: figures; half_wave, touch_begin, touch_end [deg]; ring: curvature of the undeformed ring [1/mm]
+# Variables: words: figures; half_wave, touch_begin, touch_end [deg]; ring: curvature of the undeformed ring [1/m]
 
 subject = words
 height = 790
@@ -28,7 +28,7 @@ plot $curve using 1:2 with lines linecolor rgb dark_grey dashtype (4,4) linewidt
     $mesh using 1:2 with lines linecolor rgb blue linewidth 2.4 notitle
 unset label
 unset arrow
-set ylabel 'curvature [1/mm]' noenhanced
+set ylabel 'curvature [1/m]' noenhanced
 eval axes(left_edge, right_edge, 330, 520)
 plot ring with lines linecolor rgb grey linewidth 0.8 notitle, \
     $curve using 1:3 with lines linecolor rgb dark_grey dashtype (4,4) linewidth 1.4 notitle, \
@@ -37,7 +37,7 @@ set xlabel 'angle from the major axis [deg]' noenhanced
 set format x '%g'
 set ylabel 'error [µm]' noenhanced
 set logscale y
-set format y '10^{%T}' enhanced
+set format y '%.0e'
 eval axes(left_edge, right_edge, 540, 720)
 plot $mesh using 1:4 with lines linecolor rgb vermilion linewidth 1.8 notitle
 unset multiplot
