@@ -26,10 +26,10 @@ struct MarchedCurve
     double end_error = 0;            ///< of last.x where they part [rad]
 };
 
-/// Integrates the equations of @p rule with the tangency of @p pair: the embedded pair of Runge and Kutta of orders 7
-/// and 8 by Fehlberg (Boost.Numeric.Odeint), its local error held below @p tolerance. Where several tangencies
-/// exist, the tooth leans on the one that it meets first. A step that leaves the flanks is halved until it is 2^-40 of
-/// a radian.
+/// Integrates the equations of @p rule with the tangency of @p pair: Runge and Kutta's rule of order 8 by Fehlberg
+/// (Boost.Numeric.Odeint), the difference of one step and two of half the length held below @p tolerance. Where several
+/// tangencies exist, the tooth leans on the one that it meets first. A step that leaves the flanks is halved until it
+/// is 2^-40 of a radian.
 /// @param begin      where the march begins; `contact.theta` is where tangencies are looked for
 /// @param angles     increasing, from begin.x on
 /// @param tolerance  [mm]

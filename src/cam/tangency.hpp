@@ -64,6 +64,9 @@ class FlankPair
     /// Point of the wall from (0, r_m).
     [[nodiscard]] Vec2 wall_point(FlankPlace const& place) const { return seat_(outer_.at(place).point); }
 
+    /// The same pair with the flexspline's flank moved by @p offset.
+    [[nodiscard]] FlankPair moved(double offset) const { return {inner_, outer_, seat_, offset}; }
+
     [[nodiscard]] Flank const& inner() const { return inner_; }
     [[nodiscard]] Flank const& outer() const { return outer_; }
     [[nodiscard]] double offset() const { return offset_; }

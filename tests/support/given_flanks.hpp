@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
 /// Both flanks of a solved drive as the second problem is given them: the flexspline's as the program builds it, the
-/// circular spline's by the oracle in 50 digits, as polynomials through its exact contacts.
+/// circular spline's by the oracle in long double, as polynomials through its exact contacts.
 #pragma once
 
 #include <Eigen/LU>
@@ -15,6 +15,9 @@
 
 #include "cam/march.hpp"
 #include "drive/drive.hpp"
+#include "hdconj/motion/any_motion.hpp"
+#include "hdconj/motion/exact_motion.hpp"
+#include "hdconj/motion/first_order_motion.hpp"
 #include "hdconj/units.hpp"
 #include "support/oracle/run.hpp"
 #include "support/oracle/touch.hpp"
@@ -22,7 +25,9 @@
 namespace given_flanks {
 
 using hdconj::Vec2;
-using oracle::Fifty;
+/// Long double suffices: an error of the normal moves a contact along the envelope, and away from it by its square
+/// only.
+using Number = long double;
 
 /// A stretch of the mesh that one piece of the flexspline's right flank makes.
 struct Stretch
@@ -31,54 +36,59 @@ struct Stretch
     std::vector<double> cuts;           ///< of the parameter of the motion, between which one polynomial stands [rad]
 };
 
-/// The contact of @p shape at @p s in the frame of the circular spline: on an arc the normal is perpendicular to the
-/// velocity of its centre, on a line the velocity along the normal is linear.
-inline oracle::Point<Fifty> contact(oracle::Motion<Fifty> const& motion, hdconj::profile::PieceShape const& shape,
-                                    Fifty const& s)
+/// The motion whose contacts are wanted: places by the oracle, directions by the program.
+struct BothMotions
 {
-    oracle::Pose<Fifty> const pose = motion.pose(s), rate = motion.pose_rate(s);
-    auto const point = [](Vec2 const& p) { return oracle::Point<Fifty>{Fifty(p.x()), Fifty(p.y())}; };
-    auto const velocity = [&](oracle::Point<Fifty> const& p) {
-        return rate.origin + p.x * rate.along + p.y * rate.outward;
-    };
-    auto const turned = [&](Vec2 const& v) { return Fifty(v.x()) * pose.along + Fifty(v.y()) * pose.outward; };
+    oracle::Motion<Number> const& places;
+    hdconj::motion::AnyMotion directions;
+};
+
+/// The contact of @p shape at @p s in the frame of the circular spline: on an arc the normal is perpendicular to the
+/// velocity of its centre, on a line the velocity along the normal is linear. An error of the velocity moves a contact
+/// along the envelope, and away from it by its square only; a difference quotient would reach over breaks of a cam.
+inline oracle::Point<Number> contact(BothMotions const& motion, hdconj::profile::PieceShape const& shape,
+                                     Number const& s)
+{
+    oracle::Pose<Number> const pose = motion.places.pose(s);
+    hdconj::PlanarVelocity const velocity = motion.directions.rates(static_cast<double>(s)).twist;
+    auto const point = [](Vec2 const& p) { return oracle::Point<Number>{p.x(), p.y()}; };
     if (auto const* arc = std::get_if<hdconj::profile::ArcPiece>(&shape)) {
-        auto const v = velocity(point(arc->centre));
-        oracle::Point<Fifty> n = (Fifty(1) / oracle::length(v)) * oracle::Point<Fifty>{-v.y, v.x};
-        if (oracle::dot(n, turned(hdconj::direction((arc->from + arc->to) / 2))) < 0)
-            n = Fifty(-1) * n;
-        return pose.to_circular_spline(point(arc->centre)) + Fifty(arc->radius) * n;
+        Vec2 n = hdconj::left_of(velocity(arc->centre)).normalized();
+        if (n.dot(hdconj::direction((arc->from + arc->to) / 2)) < 0)
+            n = -n;
+        auto const normal = point(n);
+        auto const on_circle = (Number(arc->radius) / oracle::length(normal)) * normal;
+        return pose.to_circular_spline(point(arc->centre) + on_circle);
     }
     auto const& line = std::get<hdconj::profile::LinePiece>(shape);
-    auto const n = turned(line.normal());
-    Fifty const a = oracle::dot(n, velocity(point(line.a))), b = oracle::dot(n, velocity(point(line.b)));
-    return pose.to_circular_spline(point(line.a) + (a / (a - b)) * point(line.b - line.a));
+    Vec2 const n = line.normal();
+    Number const a = n.dot(velocity(line.a)), b = n.dot(velocity(line.b));
+    return pose.to_circular_spline(point(line.a) + (a / (a - b)) * (point(line.b) - point(line.a)));
 }
 
 /// Polynomial of degree 9 through contacts at Chebyshev's nodes between @p a and @p b, in the frame @p seat, whose
 /// origin is told from (0, r_m).
-inline hdconj::profile::CurvePiece envelope_piece(oracle::Motion<Fifty> const& motion,
-                                                  hdconj::profile::PieceShape const& shape, double a, double b,
-                                                  double r_m, hdconj::Pose const& seat)
+inline hdconj::profile::CurvePiece envelope_piece(BothMotions const& motion, hdconj::profile::PieceShape const& shape,
+                                                  double a, double b, double r_m, hdconj::Pose const& seat)
 {
     constexpr int degree = 9;
-    using Long = long double;
-    Eigen::Matrix<Long, degree + 1, degree + 1> basis;
-    Eigen::Matrix<Long, degree + 1, 2> right;
+    Eigen::Matrix<Number, degree + 1, degree + 1> basis;
+    Eigen::Matrix<Number, degree + 1, 2> right;
     for (int i = 0; i <= degree; ++i) {
-        Long const t = (1 - std::cos(std::numbers::pi_v<Long> * (2 * i + 1) / (2 * (degree + 1)))) / 2;
-        auto const p = contact(motion, shape, Fifty(a) + Fifty(b - a) * Fifty(t));
-        Long const x = static_cast<Long>(p.x) - seat.origin.x();
-        Long const y = static_cast<Long>(Fifty(p.y - Fifty(r_m))) - seat.origin.y();
+        Number const t = (1 - std::cos(std::numbers::pi_v<Number> * (2 * i + 1) / (2 * (degree + 1)))) / 2;
+        auto const p = contact(motion, shape, Number(a) + Number(b - a) * Number(t));
+        Number const x = p.x - seat.origin.x();
+        Number const y = (p.y - Number(r_m)) - seat.origin.y();
         right(i, 0) = seat.cosine * x - seat.sine * y;
         right(i, 1) = seat.sine * x + seat.cosine * y;
-        Long binomial = 1;
+        Number binomial = 1;
         for (int k = 0; k <= degree; ++k) {
-            basis(i, k) = binomial * std::pow(t, static_cast<Long>(k)) * std::pow(1 - t, static_cast<Long>(degree - k));
+            basis(i, k) =
+                binomial * std::pow(t, static_cast<Number>(k)) * std::pow(1 - t, static_cast<Number>(degree - k));
             binomial = binomial * (degree - k) / (k + 1);
         }
     }
-    Eigen::Matrix<Long, degree + 1, 2> const solved = basis.fullPivLu().solve(right);
+    Eigen::Matrix<Number, degree + 1, 2> const solved = basis.fullPivLu().solve(right);
     std::vector<double> xs, ys;
     for (int k = 0; k <= degree; ++k) {
         xs.push_back(static_cast<double>(solved(k, 0)));
@@ -149,7 +159,7 @@ struct GivenFlanks
 };
 
 /// @returns nothing where no flank of lines and arcs bounds the space
-inline std::optional<GivenFlanks> flanks_of(hdconj::Solution const& solution, oracle::Motion<Fifty> const& motion)
+inline std::optional<GivenFlanks> flanks_of(hdconj::Solution const& solution, oracle::Motion<Number> const& places)
 {
     hdconj::Faults faults;
     hdconj::Scene const& scene = solution.scene;
@@ -159,6 +169,13 @@ inline std::optional<GivenFlanks> flanks_of(hdconj::Solution const& solution, or
     if (run.empty())
         return std::nullopt;
     double const r_m = solution.geometry.r_m;
+    double const ratio = static_cast<double>(scene.drive.flexspline_teeth) / scene.drive.circular_spline_teeth;
+    bool const exact = scene.solver.kinematics == hdconj::Kinematics::exact;
+    using hdconj::motion::AnyMotion;
+    using Shape = hdconj::wavegen::AnyWaveShape;
+    BothMotions const motion{places,
+                             exact ? AnyMotion::owning(hdconj::motion::ExactMotion<Shape>({shape, r_m}, ratio))
+                                   : AnyMotion::owning(hdconj::motion::FirstOrderMotion<Shape>(shape, r_m, ratio))};
     // about the middle of the tooth's height
     double const height = solution.geometry.pitch_line + solution.geometry.w0;
     hdconj::Pose const seat =
@@ -189,8 +206,7 @@ inline std::optional<GivenFlanks> flanks_of(hdconj::Solution const& solution, or
             inner.pieces.push_back(piece);
     }
     inner.addendum = outer.addendum = 1e3 * r_m;  // nothing is a tip
-    double const ratio = static_cast<double>(scene.drive.flexspline_teeth) / scene.drive.circular_spline_teeth;
-    return GivenFlanks{{r_m, ratio, scene.solver.kinematics == hdconj::Kinematics::exact},
+    return GivenFlanks{{r_m, ratio, exact},
                        {hdconj::cam::Flank(inner), hdconj::cam::Flank(outer), seat},
                        run.front().cuts.front(),
                        run.back().cuts.back()};
