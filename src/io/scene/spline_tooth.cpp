@@ -15,19 +15,20 @@
 namespace hdconj {
 namespace {
 
-/// First and last point of the longest run of flank pieces on the right side of the space.
+/// First and last point of the longest flank piece on the right side of the space. One piece is smooth; a spline
+/// through points of several rings where their curvatures differ.
 std::pair<std::size_t, std::size_t> right_wall_of(CircularSplineOutline const& spline)
 {
     std::vector<Vec2> const& outline = spline.outline.front();
-    std::pair<std::size_t, std::size_t> best{0, 0}, run{0, 0};
+    std::pair<std::size_t, std::size_t> best{0, 0};
+    double longest = 0;
     for (OutlinePiece const& piece : spline.pieces) {
         bool const right = outline[piece.first].x() + outline[piece.last].x() > 0;
-        if (!right || piece.kind != "flank")
-            continue;
-        run = run.second == piece.first && run.second > 0 ? std::pair(run.first, piece.last)
-                                                          : std::pair(piece.first, piece.last);
-        if (run.second - run.first > best.second - best.first)
-            best = run;
+        double const length = (outline[piece.last] - outline[piece.first]).norm();
+        if (right && piece.kind == "flank" && length > longest) {
+            best = {piece.first, piece.last};
+            longest = length;
+        }
     }
     return best;
 }
