@@ -34,10 +34,12 @@ struct WantedCurve
     PairGeometry geometry;  ///< of the completed drive
 
     double touch_begin = 0;         ///< angle from which on flanks touch
-    double touch_end = 0;           ///< and up to which
+    double touch_end = 0;           ///< and up to which they touch on the closed curve
+    double parting = 0;             ///< up to which they would touch, were the curve not to be closed
+    double parting_error = 0;       ///< of it
     double touch_begin_error = 0;   ///< of it
     double touch_end_error = 0;     ///< of it
-    std::string ends;               ///< why they part there, in words
+    std::string ends;               ///< why they part at `parting`, in words
     double major_displacement = 0;  ///< rho(0) - r_m
     double major_error = 0;         ///< of it
     double error = 0;               ///< of the displacement: the largest of the rows where flanks touch

@@ -6,7 +6,6 @@
 
 #include "clearance.hpp"
 #include "closed_curve.hpp"
-#include "completion.hpp"
 #include "drive/stage_clock.hpp"
 #include "drive/wanted_geometry.hpp"
 #include "hdconj/base/parallel.hpp"
@@ -15,21 +14,12 @@
 #include "hdconj/units.hpp"
 #include "hdconj/wanted_curve.hpp"
 #include "judgement/checks.hpp"
+#include "mesh.hpp"
 
 namespace hdconj::cam {
 namespace {
 
-constexpr int half_wave_rows = 180;  ///< rows of half a wave
-constexpr std::size_t fewest = 6;    ///< rows in mesh of which a second derivative is taken
 constexpr double no_error = std::numeric_limits<double>::quiet_NaN();
-
-/// The curve where flanks touch, and how it begins.
-struct Mesh
-{
-    MeshBegin begin;
-    MarchedCurve curve;
-    std::size_t first = 0;  ///< row of curve.points.front()
-};
 
 class Search
 {
@@ -51,8 +41,8 @@ class Search
         clock_.run(Stage::neutral_curve, [&] {
             FlankPair const pair = flanks(0);
             choose_major(pair);
-            Mesh const mesh = mesh_of(pair, out_.major_displacement, rounding_);
-            fill_rows(mesh);
+            Mesh const mesh = mesh_of(pair, rule_, waves_, out_.major_displacement, rounding_);
+            fill_rows(pair, mesh);
             fill_errors(mesh);
             close(pair);
         });
@@ -79,65 +69,18 @@ class Search
         out_.major_error = told ? 0 : out_.scene.solver.tolerance;
     }
 
-    [[nodiscard]] double angle(std::size_t row) const { return half_wave_ * static_cast<double>(row) / half_wave_rows; }
+    [[nodiscard]] double angle(std::size_t row) const { return row_angle(row, waves_); }
 
-    [[nodiscard]] Mesh mesh_of(FlankPair const& pair, double major, double tolerance) const
-    {
-        Mesh mesh{mesh_begin(pair, rule_, waves_, major, half_wave_ / 2, tolerance), {}, 0};
-        while (mesh.first < half_wave_rows && angle(mesh.first) < mesh.begin.point.x)
-            ++mesh.first;
-        std::vector<double> angles;
-        for (std::size_t i = mesh.first; i <= half_wave_rows; ++i)
-            angles.push_back(angle(i));
-        mesh.curve = march(pair, rule_, mesh.begin.point, angles, tolerance);
-        if (mesh.curve.points.size() < fewest)
-            throw NumericalError(
-                ErrorCode::no_contact, "neutral curve", fmt::format("u = {:.6g} deg", to_deg(mesh.curve.last.x)),
-                fmt::format("the flanks stop touching there, {:.3g} deg after they began: {}",
-                            to_deg(mesh.curve.last.x - mesh.begin.point.x), why_parted(pair, mesh.curve.last)),
-                "give teeth that are conjugate to each other on some neutral curve, or another "
-                "wave_generator.major_displacement");
-        return mesh;
-    }
-
-    /// Which end of a flank the contact has reached.
-    [[nodiscard]] std::string why_parted(FlankPair const& pair, CurvePoint const& last) const
-    {
-        double const near = 1e-3 * pair.inner().length();
-        struct End
-        {
-            double distance;
-            char const* name;
-        };
-        End const ends[] = {
-            {pair.inner().from_tip(last.contact.inner), "the tip end of the flexspline's flank"},
-            {pair.inner().from_root(last.contact.inner), "the root end of the flexspline's flank"},
-            {pair.outer().from_tip(last.contact.outer), "the tip end of the circular spline's flank"},
-            {pair.outer().from_root(last.contact.outer), "the root end of the circular spline's flank"}};
-        for (End const& end : ends)
-            if (end.distance < near)
-                return std::string("contact reaches ") + end.name;
-        return "no place of the tooth beyond lets the flanks touch without overlap";
-    }
-
-    void fill_rows(Mesh const& mesh)
+    void fill_rows(FlankPair const& pair, Mesh const& mesh)
     {
         std::vector<CurvePoint> const& points = mesh.curve.points;
-        std::size_t const last = mesh.first + points.size() - 1;
-        EvenPolynomial rest;
-        if (last < half_wave_rows) {
-            double const h = half_wave_ / half_wave_rows;
-            auto const slope = [&](std::size_t back) { return points[points.size() - 1 - back].slope; };
-            // one-sided difference of order four
-            double const bend =
-                (25 * slope(0) - 48 * slope(1) + 36 * slope(2) - 16 * slope(3) + 3 * slope(4)) / (12 * h);
-            rest = completion(rule_, points.back(), bend, half_wave_);
-        }
+        MeshClosing const closing = closing_of(pair, rule_, waves_, out_.major_displacement, mesh);
+        std::size_t const last = closing.last;
         for (std::size_t i = 0; i <= half_wave_rows; ++i) {
             double const u = angle(i);
             bool const before = i<mesh.first, beyond = i> last;
             if (before || beyond) {
-                EvenPolynomial::Value const at = before ? mesh.begin.to_axis(u) : rest(half_wave_ - u);
+                EvenPolynomial::Value const at = before ? mesh.begin.to_axis(u) : closing.rest(half_wave_ - u);
                 out_.rows.push_back({u, at.value, before ? at.slope : -at.slope, 0, no_error, false});
             } else {
                 CurvePoint const& point = points[i - mesh.first];
@@ -145,8 +88,15 @@ class Search
             }
         }
         out_.touch_begin = mesh.begin.first;
-        out_.touch_end = mesh.curve.last.x;
-        out_.ends = mesh.curve.lost ? why_parted(flanks(0), mesh.curve.last) : "the flanks touch up to the minor axis";
+        bool const whole = last == mesh.last();
+        out_.touch_end = whole ? mesh.curve.last.x : angle(last);
+        out_.parting = mesh.curve.last.x;
+        out_.ends = mesh.curve.lost ? why_parted(pair, mesh.curve.last) : "the flanks touch up to the minor axis";
+        if (!whole)
+            out_.notes.push_back(fmt::format(
+                "the closed curve leaves the flanks at {:.4g} deg: farther on it would be hollow, or bent more than "
+                "{:g} times as a cosine of the same displacement",
+                to_deg(out_.touch_end), most_bending));
     }
 
     /// What a flank that is moved outward by a little does to the curve, per length.
@@ -154,14 +104,14 @@ class Search
     {
         out_.flank_error = out_.scene.solver.tolerance;
         double const probe = 0x1p-24 * out_.flank_error;
-        Mesh const moved = mesh_of(flanks(probe), out_.major_displacement, rounding_);
-        Mesh const coarse = mesh_of(flanks(0), out_.major_displacement, 64 * rounding_);
+        Mesh const moved = mesh_of(flanks(probe), rule_, waves_, out_.major_displacement, rounding_);
+        Mesh const coarse = mesh_of(flanks(0), rule_, waves_, out_.major_displacement, 64 * rounding_);
         auto const state_at = [](Mesh const& of, std::size_t row) {
             std::size_t const i = row - of.first;
             return row >= of.first && i < of.curve.points.size() ? std::optional(of.curve.points[i].state[0])
                                                                  : std::nullopt;
         };
-        for (std::size_t i = mesh.first; i < mesh.first + mesh.curve.points.size(); ++i) {
+        for (std::size_t i = mesh.first; i < out_.rows.size() && out_.rows[i].touching; ++i) {
             WantedCurveRow& row = out_.rows[i];
             auto const other = state_at(moved, i), same = state_at(coarse, i);
             double const growth = other ? std::abs(*other - row.displacement) / probe : out_.growth;
@@ -169,10 +119,11 @@ class Search
             row.error = out_.growth * out_.flank_error + (same ? std::abs(*same - row.displacement) : 0);
             out_.error = std::max(out_.error, row.error);
         }
-        auto const end_error = [&](Mesh const& of) { return std::abs(of.curve.last.x - out_.touch_end); };
-        out_.touch_end_error =
+        auto const end_error = [&](Mesh const& of) { return std::abs(of.curve.last.x - out_.parting); };
+        out_.parting_error =
             mesh.curve.lost ? end_error(moved) / probe * out_.flank_error + end_error(coarse) + mesh.curve.end_error
                             : 0;
+        out_.touch_end_error = out_.touch_end == out_.parting ? out_.parting_error : 0;
         out_.touch_begin_error =
             std::abs(moved.begin.first - out_.touch_begin) * (out_.flank_error / probe) + mesh.begin.first_error;
     }
@@ -248,15 +199,13 @@ class Search
 
     void outlines(ClosedCurve const& curve)
     {
-        Flexspline const& flexspline = out_.scene.flexspline;
         out_.inner_distance = out_.scene.wave_generator.shape.number("inner_distance")
                                   .value_or(out_.geometry.r_m - out_.geometry.flexspline_inner_radius);
-        static_cast<void>(flexspline);
         if (!(out_.inner_distance * out_.largest_curvature < 1))
             out_.notes.push_back(
                 "the parallel curve at wave_generator.inner_distance folds over itself: the neutral "
                 "curve is bent more sharply than that");
-        int const points = 2 * half_wave_rows * waves_;
+        int const points = 2 * static_cast<int>(half_wave_rows) * waves_;
         for (int i = 0; i < points; ++i) {
             double const u = 2 * std::numbers::pi * i / points;
             ClosedCurve::Place const at = curve(u);

@@ -193,7 +193,8 @@ MeshBegin mesh_begin(FlankPair const& pair, CurveRule const& rule, int waves, do
         CurvePoint const guess = cosine_point(rule, waves, major, x);
         if (pair.tangencies(rule.origin(x, guess.state), guess.contact.theta).empty())
             continue;
-        if (auto const begin = Shooting(pair, rule, x, major, reach, tolerance)(guess))
+        if (auto const begin = Shooting(pair, rule, x, major, reach, tolerance)(guess);
+            begin && BendingLimit(rule, waves, major).keeps(begin->to_axis))
             return *begin;
     }
     throw NumericalError(

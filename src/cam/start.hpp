@@ -2,6 +2,7 @@
 // Where the flanks begin to touch, and the stretch from the major axis to there.
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "march.hpp"
@@ -22,6 +23,41 @@ struct EvenPolynomial
     [[nodiscard]] Value operator()(double x) const;
 };
 
+/// A ring bends no more than this many times as a cosine of the same displacement does.
+inline constexpr double most_bending = 3;
+
+/// Whether the ring may be bent like this.
+class BendingLimit
+{
+  public:
+    BendingLimit(CurveRule const& rule, int waves, double major)
+        : rule_(rule), most_(most_bending * major * (waves * waves - 1.0) / (rule.r_m * rule.r_m))
+    {
+        // one wave bends no ring to first order
+        if (waves == 1)
+            most_ = most_bending * major / (rule.r_m * rule.r_m);
+    }
+    [[nodiscard]] bool keeps(double w, double slope, double bend) const
+    {
+        double const curvature = CurveRule::curvature(rule_.r_m + w, slope, bend);
+        return curvature > 0 && std::abs(curvature - 1 / rule_.r_m) <= most_;
+    }
+    [[nodiscard]] bool keeps(EvenPolynomial const& curve) const
+    {
+        constexpr int probes = 64;
+        for (int i = 0; i <= probes; ++i) {
+            EvenPolynomial::Value const at = curve(curve.scale * i / probes);
+            if (!keeps(at.value, at.slope, at.bend))
+                return false;
+        }
+        return true;
+    }
+
+  private:
+    CurveRule rule_;
+    double most_;
+};
+
 /// Beginning of the mesh.
 struct MeshBegin
 {
@@ -39,6 +75,7 @@ struct MeshBegin
 /// solution beyond x1 continues it to the axis. Newton's method solves for them.
 /// @param reach  the angle by which the flanks must have begun [rad]
 /// @param tolerance  of the march [mm]
+/// The polynomial has to keep BendingLimit.
 /// @throws NumericalError where flanks overlap on the axis, or do not begin to touch
 [[nodiscard]] MeshBegin mesh_begin(FlankPair const& pair, CurveRule const& rule, int waves, double major, double reach,
                                    double tolerance);

@@ -25,6 +25,9 @@ Rows<WantedCurve> wanted_figures()
                                                      {"flanks touch from", decimals<6>, two_digits}),
         pair<&T::touch_end, &T::touch_end_error>("touch_end", degree, "angle up to which flanks touch",
                                                  {"to", decimals<6>, two_digits}),
+        pair<&T::parting, &T::parting_error>("parting", degree,
+                                             "angle at which the flanks part, were the curve not to be closed",
+                                             {"flanks part at", decimals<6>, two_digits}),
         pair<&T::residual, &T::residual_error>(
             "residual", um, "largest gap or overlap of the flanks on the closed curve, where they touch",
             {"residual", significant<3>, two_digits}),

@@ -23,7 +23,8 @@ class WantedPage
         page_.line("given: both teeth; computed: the neutral curve");
         page_.line("\nmesh, angles from the major axis");
         with_error("touch_begin");
-        with_error("touch_end", found_.ends);
+        with_error("touch_end", "on the closed curve");
+        with_error("parting", found_.ends);
         with_error("residual", "largest gap or overlap of the flanks there");
         page_.line("\nneutral curve");
         page_.figure(rows_["r_m"], found_, "undeformed");
