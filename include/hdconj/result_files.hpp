@@ -21,9 +21,9 @@ void write_hdf5(Solution const& solution, std::filesystem::path const& file);
 /// @throws FileError
 void write_dxf(Solution const& solution, std::filesystem::path const& file);
 
-/// The right flank of the circular spline's tooth as points in mm, from tip to root, y from the pitch line: a file of the
-/// tooth family "points" for `[circular_spline.profile]`. Only the longest stretch that one piece of the flexspline's
-/// flank makes, which is smooth; the file's head says where the tooth stands.
+/// The right flank of the circular spline's tooth as points in mm, from tip to root, y from the pitch line: a file of
+/// the tooth family "points" for `[circular_spline.profile]`. Only the longest stretch that one piece of the
+/// flexspline's flank makes, which is smooth; the file's head says where the tooth stands.
 /// @throws FileError where the space has no such stretch, or the file cannot be written
 void write_spline_tooth(Solution const& solution, std::filesystem::path const& file);
 

@@ -45,7 +45,7 @@ Gain gain_of(CurveRule const& rule, EvenPolynomial const& curve)
 
 }  // namespace
 
-EvenPolynomial completion(CurveRule const& rule, CurvePoint const& end, double bend, double half_wave)
+EvenPolynomial completion(CurveRule const& rule, MeshPoint const& end, double bend, double half_wave)
 {
     double const span = half_wave - end.x;
     EvenPolynomial curve{span, std::vector<double>(rest_powers, 0.0)};

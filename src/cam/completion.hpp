@@ -14,6 +14,6 @@ namespace hdconj::cam {
 /// of its third derivative: curvature changes as little as it can. The closing is not linear; Newton's method solves
 /// it.
 /// @throws NumericalError where that does not converge
-[[nodiscard]] EvenPolynomial completion(CurveRule const& rule, CurvePoint const& end, double bend, double half_wave);
+[[nodiscard]] EvenPolynomial completion(CurveRule const& rule, MeshPoint const& end, double bend, double half_wave);
 
 }  // namespace hdconj::cam

@@ -73,7 +73,7 @@ class Search
 
     void fill_rows(FlankPair const& pair, Mesh const& mesh)
     {
-        std::vector<CurvePoint> const& points = mesh.curve.points;
+        std::vector<MeshPoint> const& points = mesh.curve.points;
         MeshClosing const closing = closing_of(pair, rule_, waves_, out_.major_displacement, mesh);
         std::size_t const last = closing.last;
         for (std::size_t i = 0; i <= half_wave_rows; ++i) {
@@ -83,7 +83,7 @@ class Search
                 EvenPolynomial::Value const at = before ? mesh.begin.to_axis(u) : closing.rest(half_wave_ - u);
                 out_.rows.push_back({u, at.value, before ? at.slope : -at.slope, 0, no_error, false});
             } else {
-                CurvePoint const& point = points[i - mesh.first];
+                MeshPoint const& point = points[i - mesh.first];
                 out_.rows.push_back({u, point.state[0], point.slope, 0, 0, true});
             }
         }
@@ -103,7 +103,8 @@ class Search
     void fill_errors(Mesh const& mesh)
     {
         out_.flank_error = out_.scene.solver.tolerance;
-        double const probe = 0x1p-24 * out_.flank_error;
+        // far above rounding, and still small when it has grown a million times
+        double const probe = 0x1p-34 * (given_.flexspline.addendum + given_.flexspline.dedendum);
         Mesh const moved = mesh_of(flanks(probe), rule_, waves_, out_.major_displacement, rounding_);
         Mesh const coarse = mesh_of(flanks(0), rule_, waves_, out_.major_displacement, 64 * rounding_);
         auto const state_at = [](Mesh const& of, std::size_t row) {

@@ -57,7 +57,7 @@ Flank::Flank(profile::Profile const& tooth)
     }
 }
 
-FlankPoint Flank::at(FlankPlace const& place) const
+PointOnFlank Flank::at(FlankPlace const& place) const
 {
     Derivatives const d =
         std::visit([&](auto const& shape) { return derivatives(shape, place.t); }, pieces_[place.piece]);
@@ -81,7 +81,7 @@ bool Flank::advance(FlankPlace& place, double way) const
         if (forward ? place.piece + 1 == pieces_.size() : place.piece == 0)
             return false;
         place = forward ? FlankPlace{place.piece + 1, 0} : FlankPlace{place.piece - 1, 1};
-        // what rounding leaves at a joint must not go to and fro
+        // what rounding leaves at a joint must not go back and forth
         if (forward ? way <= 0 : way >= 0)
             return true;
     }

@@ -17,7 +17,7 @@ struct FlankPlace
 };
 
 /// A point of a flank.
-struct FlankPoint
+struct PointOnFlank
 {
     Vec2 point = Vec2::Zero();
     Vec2 tangent = Vec2::Zero();  ///< unit vector, in the direction of the tooth's traversal
@@ -38,7 +38,7 @@ class Flank
 
     [[nodiscard]] bool empty() const { return pieces_.empty(); }
     [[nodiscard]] double length() const { return length_; }
-    [[nodiscard]] FlankPoint at(FlankPlace const& place) const;
+    [[nodiscard]] PointOnFlank at(FlankPlace const& place) const;
 
     /// The place @p way [mm] farther along the flank, to first order in each piece, and no farther than the flank's
     /// ends. @return whether the end was not passed

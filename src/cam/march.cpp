@@ -11,6 +11,8 @@ namespace {
 
 namespace odeint = boost::numeric::odeint;
 
+constexpr double first_step = 0x1p-10;     // rad
+constexpr double same_place = 0x1p-10;     // of a flank: tangencies this near are one
 constexpr double shortest_step = 0x1p-40;  // rad, of the place where flanks part
 constexpr double finest_step = 0x1p-17;    // rad, for the sake of the error
 
@@ -33,7 +35,7 @@ class ContactFollower
         for (Tangency const& known : followed_)
             if (auto const again = pair_.refined(known, origin))
                 found.push_back(*again);
-        double const same = 1e-3 * pair_.inner().length();
+        double const same = same_place * pair_.inner().length();
         followed_.clear();
         for (Tangency const& each : found) {
             bool const is_new = std::none_of(followed_.begin(), followed_.end(), [&](Tangency const& other) {
@@ -64,7 +66,7 @@ class ContactFollower
         rate = {slope, rule_.tangential_rate(state[0], slope)};
     }
 
-    [[nodiscard]] CurvePoint point(double x, CurveState const& state) const
+    [[nodiscard]] MeshPoint point(double x, CurveState const& state) const
     {
         ToothOrigin const origin = rule_.origin(x, state);
         Tangency const contact = first(origin);
@@ -85,7 +87,7 @@ class Stepper
     Stepper(ContactFollower const& follower, double tolerance) : follower_(follower), tolerance_(tolerance) {}
 
     /// The curve one step farther than @p from, and not beyond @p limit. @throws Parted where the flanks part before
-    [[nodiscard]] CurvePoint next(CurvePoint const& from, double limit)
+    [[nodiscard]] MeshPoint next(MeshPoint const& from, double limit)
     {
         constexpr double order = 8, safety = 0.9, least = 0.2, most = 4;
         for (;;) {
@@ -94,7 +96,7 @@ class Stepper
             try {
                 CurveState const whole = after(from.state, from.x, step);
                 CurveState const state = after(after(from.state, from.x, step / 2), from.x + step / 2, step / 2);
-                CurvePoint const reached = follower_.point(step == rest ? limit : from.x + step, state);
+                MeshPoint const reached = follower_.point(step == rest ? limit : from.x + step, state);
                 double const miss = std::max(std::abs(state[0] - whole[0]), std::abs(state[1] - whole[1]));
                 double const factor = std::clamp(safety * std::pow(tolerance_ / miss, 1 / order), least, most);
                 // a step that is cut at the limit says nothing of longer ones
@@ -120,13 +122,13 @@ class Stepper
 
     ContactFollower const& follower_;
     double tolerance_;
-    double step_ = 1e-3;  // rad
+    double step_ = first_step;
     odeint::runge_kutta_fehlberg78<CurveState> rule_;
 };
 
 }  // namespace
 
-MarchedCurve march(FlankPair const& pair, CurveRule const& rule, CurvePoint const& begin,
+MarchedCurve march(FlankPair const& pair, CurveRule const& rule, MeshPoint const& begin,
                    std::vector<double> const& angles, double tolerance)
 {
     ContactFollower follower(pair, rule);

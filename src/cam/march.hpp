@@ -9,7 +9,7 @@
 namespace hdconj::cam {
 
 /// The curve at one angle.
-struct CurvePoint
+struct MeshPoint
 {
     double x = 0;      ///< u, in the first-order model phi [rad]
     CurveState state;  ///< there
@@ -20,10 +20,10 @@ struct CurvePoint
 /// What a march finds.
 struct MarchedCurve
 {
-    std::vector<CurvePoint> points;  ///< at the angles that were asked for, as far as the flanks touch
-    CurvePoint last;                 ///< the farthest point at which they touch
-    bool lost = false;               ///< whether they part before the last angle
-    double end_error = 0;            ///< of last.x where they part [rad]
+    std::vector<MeshPoint> points;  ///< at the angles that were asked for, as far as the flanks touch
+    MeshPoint last;                 ///< the farthest point at which they touch
+    bool lost = false;              ///< whether they part before the last angle
+    double end_error = 0;           ///< of last.x where they part [rad]
 };
 
 /// Integrates the equations of @p rule with the tangency of @p pair: Runge and Kutta's rule of order 8 by Fehlberg
@@ -34,7 +34,7 @@ struct MarchedCurve
 /// @param angles     increasing, from begin.x on
 /// @param tolerance  [mm]
 /// @returns no points where the flanks do not touch at the beginning
-[[nodiscard]] MarchedCurve march(FlankPair const& pair, CurveRule const& rule, CurvePoint const& begin,
+[[nodiscard]] MarchedCurve march(FlankPair const& pair, CurveRule const& rule, MeshPoint const& begin,
                                  std::vector<double> const& angles, double tolerance);
 
 }  // namespace hdconj::cam

@@ -11,10 +11,11 @@
 namespace hdconj::cam {
 namespace {
 
+constexpr double at_end = 0x1p-10;      ///< of a flank: contact this near its end has reached it
 constexpr std::size_t fewest_rows = 6;  ///< in mesh, of which a second derivative is taken
 
 /// Second derivative at row @p i of the mesh, by a difference of order four to one side.
-double bend_at(std::vector<CurvePoint> const& points, std::size_t i, double step)
+double bend_at(std::vector<MeshPoint> const& points, std::size_t i, double step)
 {
     bool const back = i >= 4;
     auto const slope = [&](std::size_t k) { return points[back ? i - k : i + k].slope; };
@@ -29,9 +30,9 @@ double row_angle(std::size_t row, int waves)
     return std::numbers::pi / waves * static_cast<double>(row) / half_wave_rows;
 }
 
-std::string why_parted(FlankPair const& pair, CurvePoint const& last)
+std::string why_parted(FlankPair const& pair, MeshPoint const& last)
 {
-    double const near = 1e-3 * pair.inner().length();
+    double const near = at_end * pair.inner().length();
     struct End
     {
         double distance;
@@ -68,7 +69,7 @@ Mesh mesh_of(FlankPair const& pair, CurveRule const& rule, int waves, double maj
 
 MeshClosing closing_of(FlankPair const& pair, CurveRule const& rule, int waves, double major, Mesh const& mesh)
 {
-    std::vector<CurvePoint> const& points = mesh.curve.points;
+    std::vector<MeshPoint> const& points = mesh.curve.points;
     BendingLimit const limit(rule, waves, major);
     double const step = row_angle(1, waves);
     std::size_t bounded = 0;

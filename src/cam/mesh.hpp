@@ -30,7 +30,7 @@ struct Mesh
 [[nodiscard]] Mesh mesh_of(FlankPair const& pair, CurveRule const& rule, int waves, double major, double tolerance);
 
 /// Why the flanks part behind @p last: which end of a flank the contact has reached.
-[[nodiscard]] std::string why_parted(FlankPair const& pair, CurvePoint const& last);
+[[nodiscard]] std::string why_parted(FlankPair const& pair, MeshPoint const& last);
 
 /// How far a closed curve follows the mesh, and how it goes on.
 struct MeshClosing

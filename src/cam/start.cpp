@@ -17,8 +17,11 @@
 namespace hdconj::cam {
 namespace {
 
-constexpr int fit_nodes = 40;  ///< of the fit beyond the beginning
-constexpr int fit_powers = 7;  ///< of the even polynomial: up to x^12
+constexpr double probe_share = 0x1p-20;    ///< of the displacement: difference quotients of the shooting
+constexpr double settled_share = 0x1p-30;  ///< of the displacement: below it only rounding is left to gain
+constexpr double touching_turn = 0x1p-30;  ///< rad; flanks that miss each other by less touch on the axis
+constexpr int fit_nodes = 40;              ///< of the fit beyond the beginning
+constexpr int fit_powers = 7;              ///< of the even polynomial: up to x^12
 constexpr double scan_step = 0.1 * deg;
 
 /// What a march from a trial state tells of the axis.
@@ -41,17 +44,17 @@ class Shooting
     }
 
     /// @param guess  state at x1, and the inclination about which a tangency is looked for
-    [[nodiscard]] std::optional<MeshBegin> operator()(CurvePoint const& guess) const
+    [[nodiscard]] std::optional<MeshBegin> operator()(MeshPoint const& guess) const
     {
-        CurvePoint begin = guess;
+        MeshPoint begin = guess;
         begin.x = x1_;
         std::optional<Trial> now = trial(begin);
         if (!now)
             return std::nullopt;
-        double const probe = 1e-6 * std::abs(major_);
+        double const probe = probe_share * std::abs(major_);
         Eigen::Matrix2d slope;
         for (std::size_t i = 0; i < 2; ++i) {
-            CurvePoint beside = begin;
+            MeshPoint beside = begin;
             beside.state[i] += probe;
             std::optional<Trial> const other = trial(beside);
             if (!other)
@@ -62,21 +65,21 @@ class Shooting
         double last = now->miss.norm();
         for (int i = 0; i < budget; ++i) {
             Eigen::Vector2d const correction = slope.fullPivLu().solve(now->miss);
-            CurvePoint next = begin;
+            MeshPoint next = begin;
             next.state[0] -= correction[0];
             next.state[1] -= correction[1];
             std::optional<Trial> better = trial(next);
             if (!better)
                 return std::nullopt;
             double const miss = better->miss.norm();
-            bool const rounding = last < 1e-9 * std::abs(major_);
+            bool const rounding = last < settled_share * std::abs(major_);
             if (rounding && !(miss < last / 2))
                 break;
             begin = next;
             now = std::move(better);
             last = miss;
         }
-        if (!(last < 1e-9 * std::abs(major_)) || now->curve.points.empty())
+        if (!(last < settled_share * std::abs(major_)) || now->curve.points.empty())
             return std::nullopt;
         begin.contact = first_contact(begin);
         begin.slope = rule_.slope(rule_.origin(x1_, begin.state), begin.contact.theta);
@@ -110,13 +113,13 @@ class Shooting
         return begin;
     }
 
-    [[nodiscard]] Tangency first_contact(CurvePoint const& point) const
+    [[nodiscard]] Tangency first_contact(MeshPoint const& point) const
     {
         MarchedCurve const here = march(pair_, rule_, point, {}, tolerance_);
         return here.last.contact;
     }
 
-    [[nodiscard]] std::optional<Trial> trial(CurvePoint const& begin) const
+    [[nodiscard]] std::optional<Trial> trial(MeshPoint const& begin) const
     {
         Trial result{march(pair_, rule_, begin, angles_, tolerance_), {}, {}};
         if (result.curve.lost || result.curve.points.size() != angles_.size())
@@ -125,7 +128,7 @@ class Shooting
         Eigen::VectorXd right(fit_nodes);
         result.fit.scale = angles_.back();
         for (int i = 0; i < fit_nodes; ++i) {
-            CurvePoint const& at = result.curve.points[static_cast<std::size_t>(i)];
+            MeshPoint const& at = result.curve.points[static_cast<std::size_t>(i)];
             double const square = (at.x / result.fit.scale) * (at.x / result.fit.scale);
             for (int j = 0; j < fit_powers; ++j)
                 matrix(i, j) = j == 0 ? 1 : matrix(i, j - 1) * square;
@@ -146,11 +149,11 @@ class Shooting
 };
 
 /// A cosine through the displacement on the axis, for a first look.
-CurvePoint cosine_point(CurveRule const& rule, int waves, double major, double x)
+MeshPoint cosine_point(CurveRule const& rule, int waves, double major, double x)
 {
     double const n = waves;
     double const along = major * std::sin(n * x) / n;
-    CurvePoint point{x, {major * std::cos(n * x), rule.exact ? along : -along}, -n * major * std::sin(n * x), {}};
+    MeshPoint point{x, {major * std::cos(n * x), rule.exact ? along : -along}, -n * major * std::sin(n * x), {}};
     point.contact.theta = rule.theta(rule.origin(x, point.state), point.slope);
     return point;
 }
@@ -174,9 +177,9 @@ EvenPolynomial::Value EvenPolynomial::operator()(double x) const
 MeshBegin mesh_begin(FlankPair const& pair, CurveRule const& rule, int waves, double major, double reach,
                      double tolerance)
 {
-    CurvePoint const axis{0, {major, 0}, 0, {}};
+    MeshPoint const axis{0, {major, 0}, 0, {}};
     std::vector<Tangency> const on_axis = pair.tangencies(rule.origin(0, axis.state), 0);
-    double const same = 1e-9;  // rad; what the flanks' own error turns a tooth by
+    double const same = touching_turn;
     if (!on_axis.empty() && on_axis.front().theta < -same)
         throw NumericalError(
             ErrorCode::interference, "neutral curve", "major axis",
@@ -184,13 +187,13 @@ MeshBegin mesh_begin(FlankPair const& pair, CurveRule const& rule, int waves, do
                         -on_axis.front().theta * on_axis.front().lever),
             "write a smaller wave_generator.major_displacement, or leave it out");
     if (!on_axis.empty() && on_axis.front().theta < same) {
-        CurvePoint begin = axis;
+        MeshPoint begin = axis;
         begin.contact = on_axis.front();
         begin.slope = rule.slope(rule.origin(0, axis.state), begin.contact.theta);
         return {begin, 0, 0, {}};
     }
     for (double x = scan_step; x < reach; x += scan_step) {
-        CurvePoint const guess = cosine_point(rule, waves, major, x);
+        MeshPoint const guess = cosine_point(rule, waves, major, x);
         if (pair.tangencies(rule.origin(x, guess.state), guess.contact.theta).empty())
             continue;
         if (auto const begin = Shooting(pair, rule, x, major, reach, tolerance)(guess);

@@ -61,7 +61,7 @@ class BendingLimit
 /// Beginning of the mesh.
 struct MeshBegin
 {
-    CurvePoint point;        ///< from which the march goes on; on the axis x = 0
+    MeshPoint point;         ///< from which the march goes on; on the axis x = 0
     double first = 0;        ///< the smallest angle at which they touch on to_axis continued [rad]
     double first_error = 0;  ///< of it [rad]
     EvenPolynomial to_axis;  ///< displacement between the axis and there; no coefficients where they touch on the axis

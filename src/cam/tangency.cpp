@@ -34,11 +34,11 @@ FlankPair::FlankPair(Flank inner, Flank outer, Pose const& seat, double offset)
     : inner_(std::move(inner)), outer_(std::move(outer)), seat_(seat), offset_(offset)
 {
     for (FlankPlace const& place : inner_.places(inner_.length() / inner_steps)) {
-        FlankPoint const p = inner_.at(place);
+        PointOnFlank const p = inner_.at(place);
         inner_samples_.push_back({place, p.point + offset_ * p.normal(), p.normal()});
     }
     for (FlankPlace const& place : outer_.places(outer_.length() / outer_steps)) {
-        FlankPoint const p = outer_.at(place);
+        PointOnFlank const p = outer_.at(place);
         outer_samples_.push_back({place, seat_(p.point), seat_.rotate(p.normal())});
     }
 }
@@ -52,8 +52,8 @@ std::optional<Tangency> FlankPair::refined(Tangency const& seed, ToothOrigin con
     double const rounding = 64 * unit_roundoff * (inner_.length() + std::abs(origin.w));
     int small = 0, at_end = 0;
     for (int i = 0; i < budget; ++i) {
-        FlankPoint const a = inner_.at(found.inner);
-        FlankPoint const b = outer_.at(found.outer);
+        PointOnFlank const a = inner_.at(found.inner);
+        PointOnFlank const b = outer_.at(found.outer);
         Pose const pose = pose_at(origin, found.theta);
         Vec2 const shifted = a.point + offset_ * a.normal();
         // an offset changes the speed along the flank and its curvature, not its tangent

@@ -7,10 +7,10 @@
 #include <string>
 
 #include "cam/start.hpp"
+#include "given_flanks.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/wanted_curve.hpp"
 #include "support/catch.hpp"
-#include "support/given_flanks.hpp"
 #include "support/random_wave_generators.hpp"
 #include "support/temporary_folder.hpp"
 
@@ -34,9 +34,9 @@ class KnownCurve
         return {static_cast<double>(exact ? motion.r_0 - r_m + w : w),
                 static_cast<double>(r_m * ((exact ? motion.phi(s) : motion.u(s)) - s))};
     }
-    [[nodiscard]] cam::CurvePoint point(cam::CurveRule const& rule, double x) const
+    [[nodiscard]] cam::MeshPoint point(cam::CurveRule const& rule, double x) const
     {
-        cam::CurvePoint at{x, state(x), static_cast<double>(cam_(Number(x)).slope), {}};
+        cam::MeshPoint at{x, state(x), static_cast<double>(cam_(Number(x)).slope), {}};
         at.contact.theta = rule.theta(rule.origin(x, at.state), at.slope);
         return at;
     }
@@ -64,7 +64,7 @@ double rounding_of(Scene const& scene)
     return 8 * unit_roundoff * scene.drive.module;
 }
 
-Comparison compared(GivenFlanks const& given, KnownCurve const& known, cam::CurvePoint const& begin, double rounding)
+Comparison compared(GivenFlanks const& given, KnownCurve const& known, cam::MeshPoint const& begin, double rounding)
 {
     constexpr int points = 100;
     std::vector<double> angles;
@@ -112,7 +112,7 @@ void add_drive(Scene const& drawn, std::filesystem::path const& folder, Kinemati
         return;
     // the contact runs fastest where it begins
     double const begin = given->begin + (given->end - given->begin) / 64;
-    cam::CurvePoint const at = known.point(given->rule, begin);
+    cam::MeshPoint const at = known.point(given->rule, begin);
     auto const touching = given->pair.tangencies(given->rule.origin(at.x, at.state), at.contact.theta);
     if (touching.empty()) {
         ++tally.singular;  // the contact's normal passes the tooth's origin: no inclination answers to a gap
