@@ -25,6 +25,7 @@ for scene in straight involute cycloid s-tooth s-tooth-deviated arc-chain bezier
              two-disc ring-on-cosine-cam cam-table circular-spline-given; do
   run solve "$scenes/$scene.toml" --picture "gallery/$scene.svg"
 done
+run solve "$scenes/type-50-wanted.toml" --picture figures/wanted/type-50.svg
 run wedm "$scenes/type-50.toml" --tilt 0.2 --picture "$scratch/w.svg"
 keep w-tooth.svg wedm-tooth.svg
 (cd .. && "$program" inspect data/scenes/type-50.toml data/measured/flexspline-teeth.csv --probe 0.05 --quiet \

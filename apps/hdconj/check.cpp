@@ -29,6 +29,9 @@ std::string headline(Scene const& scene)
 /// The plan of the verb that is asked for. A scene with a table [contact] is meant for `contact`.
 Plan plan_of(CheckArguments const& own, Scene const& scene)
 {
+    if (scene.wants_neutral_curve() && !own.verb.empty() && own.verb != "solve")
+        throw InputError(Fault{"--for", 0, own.verb, "only solve takes a scene whose neutral curve is wanted",
+                               "leave it out, or use the scene that hdconj solve --completed writes"});
     if (own.verb == "load")
         return make_plan(loaded_scene(scene), Verb::load);
     bool const contact = own.verb.empty() ? scene.contact.has_value() : own.verb == "contact";
@@ -39,7 +42,8 @@ int run_check(CommonOptions const& common, CheckArguments const& own)
 {
     auto const reading = examine(common);
     refuse(reading.faults);
-    Notes const notes = judge(reading.scene);
+    // the limits of a design are those of a neutral curve that is known
+    Notes const notes = reading.scene.wants_neutral_curve() ? Notes{} : judge(reading.scene);
     Work<Plan> work;
     work.compute = [&](ProgressLine const&) { return plan_of(own, reading.scene); };
     work.text = [&](Plan const& plan, Written const&) {

@@ -103,6 +103,8 @@ std::vector<InputFile> inputs_of(CommonOptions const& common, Scene const& scene
     if (!common.scene.empty() && common.scene != "-")
         files.push_back({common.scene, "this is the scene file"});
     append_files(scene.given_profile(), profile::profile_families(), scene.folder, files);
+    if (scene.wants_neutral_curve())
+        append_files(*scene.circular_spline.profile, profile::profile_families(), scene.folder, files);
     append_files(scene.wave_generator.shape, wavegen::wave_generator_families(), scene.folder, files);
     return files;
 }

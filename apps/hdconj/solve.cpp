@@ -4,6 +4,7 @@
 
 #include "arguments.hpp"
 #include "hdconj/result_files.hpp"
+#include "hdconj/wanted_curve_files.hpp"
 #include "run_verb.hpp"
 
 namespace hdconj::cli {
@@ -17,18 +18,71 @@ struct SolveArguments
     std::string output;  ///< result file; empty: named after the scene file
     std::string dxf;
     std::string picture;
+    std::string spline_tooth;   ///< points of the circular spline's tooth
+    std::string cam;            ///< table of a curve that is wanted
+    std::string inner_surface;  ///< of its cam
+    std::string completed;      ///< scene of the drive with it
     bool verbose = false;
 };
+
+/// Options that only one of both problems has.
+void check_options(Scene const& scene, SolveArguments const& own)
+{
+    bool const wanted = scene.wants_neutral_curve();
+    Faults faults;
+    auto const keep_to = [&](char const* option, std::string const& value, bool of_wanted) {
+        if (value.empty() || wanted == of_wanted)
+            return;
+        faults.push_back({option, 0, value,
+                          wanted ? "the neutral curve is wanted, and there is no outline to draw before it is known"
+                                 : "the neutral curve is given by the wave generator, and none is looked for",
+                          wanted ? "write --completed DRIVE.toml, and this option with DRIVE.toml"
+                                 : "leave it out, or give both teeth and wave_generator.family = \"wanted\""});
+    };
+    keep_to("--dxf", own.dxf, false);
+    keep_to("--spline-tooth", own.spline_tooth, false);
+    keep_to("--cam", own.cam, true);
+    keep_to("--inner-surface", own.inner_surface, true);
+    keep_to("--completed", own.completed, true);
+    refuse(std::move(faults));
+}
+
+/// The neutral curve between both given teeth.
+int run_wanted(CommonOptions const& common, SolveArguments const& own, Scene const& scene)
+{
+    Work<WantedCurve> work;
+    work.inputs = inputs_of(common, scene);
+    add_file(work, "hdf5", "--output", output_name(common, own.output, scene, ".h5"),
+             [](WantedCurve const& found, fs::path const& file) { write_hdf5(found, file); });
+    add_file(work, "cam", "--cam", own.cam, write_cam_table);
+    add_file(work, "inner_surface", "--inner-surface", own.inner_surface, write_inner_surface);
+    add_file(work, "scene", "--completed", own.completed, write_completed_drive);
+    if (!own.completed.empty())
+        work.outputs.back().target.members = {completed_drive_cam(own.completed)};
+    add_file(
+        work, "picture", "--picture", own.picture,
+        [](WantedCurve const& found, fs::path const& file) { write_picture(found, file); }, check_picture);
+    work.compute = [&](ProgressLine const& progress) { return find_neutral_curve(scene, progress.stages()); };
+    work.text = [](WantedCurve const& found, Written const& written) { return summary_text(found, written); };
+    work.json = [](WantedCurve const& found, Written const& written) { return summary_json(found, written); };
+    return run_verb(common, work);
+}
 
 int run_solve(CommonOptions const& common, SolveArguments const& own)
 {
     Scene const scene = load_scene(common);
+    check_options(scene, own);
+    if (scene.wants_neutral_curve())
+        return run_wanted(common, own, scene);
     Work<Solution> work;
     work.inputs = inputs_of(common, scene);
     add_file(work, "hdf5", "--output", output_name(common, own.output, scene, ".h5"),
              [](Solution const& solution, fs::path const& file) { write_hdf5(solution, file); });
     add_file(work, "dxf", "--dxf", own.dxf, write_dxf);
-    add_file(work, "picture", "--picture", own.picture, write_picture, check_picture);
+    add_file(work, "spline_tooth", "--spline-tooth", own.spline_tooth, write_spline_tooth);
+    add_file(
+        work, "picture", "--picture", own.picture,
+        [](Solution const& solution, fs::path const& file) { write_picture(solution, file); }, check_picture);
     work.compute = [&](ProgressLine const& progress) { return solve(scene, progress.stages()); };
     work.text = [&](Solution const& solution, Written const& written) {
         return summary_text(solution, written, own.verbose ? SummaryDetail::zones : SummaryDetail::figures);
@@ -49,6 +103,13 @@ void add_solve(CLI::App& program, CommonOptions& common)
              "FILE");
     add_name(verb, "--dxf", own.dxf, "outlines for CAD and wire machines, DXF R12", "FILE");
     add_name(verb, "--picture", own.picture, "drawing of the tooth space, needs gnuplot", "FILE.svg|FILE.png");
+    add_name(verb, "--spline-tooth", own.spline_tooth,
+             "right flank of the circular spline's tooth, for [circular_spline.profile] and its family \"points\"",
+             "FILE.csv");
+    add_name(verb, "--cam", own.cam, "table of the wanted neutral curve, for wave_generator.family = \"table\"",
+             "FILE.csv");
+    add_name(verb, "--inner-surface", own.inner_surface, "surface of its cam, parallel to it", "FILE.csv");
+    add_name(verb, "--completed", own.completed, "scene of the drive with it; its table in NAME-cam.csv", "NAME.toml");
     verb.add_flag("-v,--verbose", own.verbose, "list the conjugate zones in the summary");
 }
 

@@ -41,7 +41,7 @@ _hdconj()
             options="--help --ratio --diameter --module --length-ratio --torque --family --material --land --clearance"
             options="$options --safety --output --force --json --quiet" ;;
         check) options="$common --strict --plan --for" ;;
-        solve) options="$common --strict --output --dxf --picture --verbose" ;;
+        solve) options="$common --strict --output --dxf --picture --spline-tooth --cam --inner-surface --completed --verbose" ;;
         contact)
             options="$common --strict --tilt --surface --kind --best --revolution --output --picture"
             options="$options --xdmf --stl --vtk --ring" ;;

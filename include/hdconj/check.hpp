@@ -14,4 +14,10 @@ namespace hdconj {
 /// @returns all faults, in the order of their place; empty: solve() accepts the scene
 [[nodiscard]] Faults check_scene(Scene const& scene);
 
+/// The same for a scene whose neutral curve is wanted: both teeth against their pitches, the circular spline's tips and
+/// spaces against the flexspline at its given displacement, symmetry of both teeth about their middle lines.
+/// @param scene  as read_scene() returns it, with Scene::wants_neutral_curve()
+/// @returns all faults; empty: find_neutral_curve() accepts the scene
+[[nodiscard]] Faults check_wanted_scene(Scene const& scene);
+
 }  // namespace hdconj

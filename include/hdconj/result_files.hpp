@@ -21,6 +21,12 @@ void write_hdf5(Solution const& solution, std::filesystem::path const& file);
 /// @throws FileError
 void write_dxf(Solution const& solution, std::filesystem::path const& file);
 
+/// The right flank of the circular spline's tooth as points in mm, from tip to root, y from the pitch line: a file of
+/// the tooth family "points" for `[circular_spline.profile]`. Only the longest stretch that one piece of the
+/// flexspline's flank makes, which is smooth; the file's head says where the tooth stands.
+/// @throws FileError where the space has no such stretch, or the file cannot be written
+void write_spline_tooth(Solution const& solution, std::filesystem::path const& file);
+
 /// Picture of the tooth family, the branches by kind and the final outline; SVG or PNG by the file's ending.
 /// Drawn by gnuplot, which is looked for on the PATH.
 /// @throws InputError for another ending; FileError when gnuplot is missing or the file cannot be written

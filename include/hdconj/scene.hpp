@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hdconj/scene/parameters.hpp"
@@ -75,7 +76,7 @@ struct CircularSpline
     double youngs_modulus = 210e3;               ///< [MPa]
     double poissons_ratio = 0.3;                 ///< Poisson's ratio, for loads
     std::optional<double> inner_radius;          ///< tip circle [mm]; default r_m + delta/2 + h_f + w0 - h_a
-    std::optional<scene::FamilyChoice> profile;  ///< reverse problem: this tooth is given
+    std::optional<scene::FamilyChoice> profile;  ///< given: the reverse problem, or the neutral curve is wanted
 };
 
 /// How the drive is computed.
@@ -247,6 +248,9 @@ struct GivenKey
     std::string written;  ///< the value as the user wrote it; empty for a table
 };
 
+/// Name of the wave generator family of a scene that looks for its neutral curve.
+inline constexpr std::string_view wanted_neutral_curve = "wanted";
+
 /// A drive and what is to be computed of it. An effect that is absent has no object.
 struct Scene
 {
@@ -273,7 +277,9 @@ struct Scene
     std::filesystem::path folder;                        ///< where relative file names start
 
     /// Whether the circular spline's tooth is given and the flexspline's solved for.
-    [[nodiscard]] bool is_reverse() const { return circular_spline.profile.has_value(); }
+    [[nodiscard]] bool is_reverse() const { return circular_spline.profile.has_value() && !wants_neutral_curve(); }
+    /// Whether both teeth are given and the neutral curve is looked for, wave_generator.family = "wanted".
+    [[nodiscard]] bool wants_neutral_curve() const { return wave_generator.shape.family == wanted_neutral_curve; }
     /// Whether the cup's displacements come from the elastic model.
     [[nodiscard]] bool is_elastic() const { return coning && coning->model == ConingModel::elastic; }
     /// Whether gaps are computed where the cone has moved the wall to along the axis.

@@ -16,10 +16,9 @@
 
 namespace hdconj::drive {
 
-profile::Profile given_tooth(Scene const& scene, Faults& faults)
+profile::Profile tooth_of(Scene const& scene, bool outside, Faults& faults)
 {
     Drive const& drive = scene.drive;
-    bool const outside = scene.is_reverse();
     int const difference = drive.circular_spline_teeth - drive.flexspline_teeth;
     profile::ToothPlace const place{drive.module,
                                     outside ? drive.circular_spline_teeth : drive.flexspline_teeth,
@@ -29,7 +28,7 @@ profile::Profile given_tooth(Scene const& scene, Faults& faults)
                                     outside,
                                     difference,
                                     scene.wave_generator.waves};
-    return profile::build_profile(scene.given_profile(), place, faults);
+    return profile::build_profile(outside ? *scene.circular_spline.profile : scene.flexspline.profile, place, faults);
 }
 
 PairGeometry ring_geometry(Scene const& scene, profile::Profile const& tooth)
@@ -68,13 +67,12 @@ int pitches_per_lobe(Scene const& scene)
     return (scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth) / scene.wave_generator.waves;
 }
 
-namespace {
-
 /// The tooth must fit into its share of the flexspline at every height; a circular-spline tooth into its share of the
 /// circle, which gets wider towards its root.
-void validate_width(Scene const& scene, profile::Profile const& tooth, PairGeometry const& g, Faults& faults)
+void validate_width(Scene const& scene, profile::Profile const& tooth, PairGeometry const& g, bool reverse,
+                    Faults& faults)
 {
-    bool const reverse = scene.is_reverse();
+    scene::FamilyChoice const& choice = reverse ? *scene.circular_spline.profile : scene.flexspline.profile;
     double worst = 0;
     Vec2 where = Vec2::Zero();
     double const chord = (tooth.addendum + tooth.dedendum) * 0x1p-10;
@@ -90,13 +88,15 @@ void validate_width(Scene const& scene, profile::Profile const& tooth, PairGeome
         }
     }
     if (worst > 0)
-        faults.push_back({scene.given_profile().path, scene.given_profile().line, "",
+        faults.push_back({choice.path, choice.line, "",
                           "the tooth is wider than its pitch: " + short_number(2 * std::abs(where.x())) +
                               " mm thick at height " + short_number(where.y() - tooth.pitch_line) +
                               " mm, where the pitch is " + short_number(2 * half_pitch * radius(where)) + " mm",
                           "make the tooth thinner, or use fewer teeth or a larger module", "",
-                          thinner_tooth(scene.given_profile(), 2 * worst)});
+                          thinner_tooth(choice, 2 * worst)});
 }
+
+namespace {
 
 /// Tips of the flexspline against the bottom of the given tooth spaces, at the major axis.
 void validate_space_depth(profile::Profile const& tooth, PairGeometry const& g, Faults& faults)
@@ -171,7 +171,7 @@ void validate_geometry(Scene const& scene, profile::Profile const& tooth, PairGe
                           "write " + short_number(scene::usual_deformation(scene.drive)) + ", m (z_c - z_f)/2"});
     else {
         validate_tip_circle(scene, g, faults);
-        validate_width(scene, tooth, g, faults);
+        validate_width(scene, tooth, g, scene.is_reverse(), faults);
         if (scene.is_reverse())
             validate_space_depth(tooth, g, faults);
     }

@@ -9,8 +9,14 @@
 
 namespace hdconj::drive {
 
-/// The tooth that the scene gives, in its own frame, or faults.
-[[nodiscard]] profile::Profile given_tooth(Scene const& scene, Faults& faults);
+/// The tooth that the scene gives of a member, the circular spline where @p outside, in its own frame, or faults.
+[[nodiscard]] profile::Profile tooth_of(Scene const& scene, bool outside, Faults& faults);
+
+/// The tooth that the scene gives, in its own frame, or faults; the flexspline's where both are given.
+[[nodiscard]] inline profile::Profile given_tooth(Scene const& scene, Faults& faults)
+{
+    return tooth_of(scene, scene.is_reverse(), faults);
+}
 
 /// Radii of the flexspline's ring that follow from scene and given tooth: inner radius m z_f/2 - h_f - delta unless
 /// given, r_m = inner radius + delta/2 - neutral_offset (design 3.1).
@@ -29,6 +35,11 @@ namespace hdconj::drive {
 {
     return g.circular_spline_inner_radius + tooth.addendum + tooth.pitch_line;
 }
+
+/// Adds a fault where the tooth is wider than its share of the pitch of its member, the circular spline where @p
+/// outside.
+void validate_width(Scene const& scene, profile::Profile const& tooth, PairGeometry const& g, bool outside,
+                    Faults& faults);
 
 /// Number of pitches by which the tooth moves along the circular spline in one lobe: (z_c - z_f)/n.
 [[nodiscard]] int pitches_per_lobe(Scene const& scene);

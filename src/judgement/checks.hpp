@@ -14,6 +14,9 @@ namespace hdconj::judgement {
 [[nodiscard]] std::optional<Note> tooth_difference(UnsolvedPair const& pair);
 /// Tip land of the flexspline; nothing where the tip is round.
 [[nodiscard]] std::optional<Note> tip_land(UnsolvedPair const& pair);
+/// E c: the bending stress of the ring over its change of curvature, with c from the neutral layer to the surface that
+/// is farther from it. Modulus as the cup has it, else of steel. [N/mm]
+[[nodiscard]] double stress_of_bending(Scene const& scene);
 /// Bending stress of the ring by sigma = E c w0 (n^2 - 1)/r_m^2 [MPa].
 ///
 /// The curvature of an inextensional ring changes by (w + w'')/r_m^2, at most w0 (n^2 - 1)/r_m^2 for w = w0 cos(n phi).

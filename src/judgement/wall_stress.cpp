@@ -14,13 +14,18 @@ constexpr double steel = 206e3;  // [MPa] of 30CrMnSiA, where the scene has no c
 
 }  // namespace
 
-double bending_stress(Scene const& scene, PairGeometry const& g)
+double stress_of_bending(Scene const& scene)
 {
     Flexspline const& flexspline = scene.flexspline;
     double const modulus = flexspline.cup ? flexspline.cup->youngs_modulus : steel;
-    double const waves = scene.wave_generator.waves;
     double const depth = flexspline.wall / 2 + std::abs(flexspline.neutral_offset);
-    return modulus * depth * g.w0 * (waves * waves - 1) / (g.r_m * g.r_m);
+    return modulus * depth;
+}
+
+double bending_stress(Scene const& scene, PairGeometry const& g)
+{
+    double const waves = scene.wave_generator.waves;
+    return stress_of_bending(scene) * g.w0 * (waves * waves - 1) / (g.r_m * g.r_m);
 }
 
 std::optional<Note> wall_stress(UnsolvedPair const& pair)

@@ -45,6 +45,18 @@ bool has_slices(Scene const& scene)
     return scene.slices && scene.slices->count > 1;
 }
 
+/// Stages that look for the neutral curve between both teeth.
+Plan wanted_plan(Scene const& scene)
+{
+    return {
+        {{Stage::profile, "flexspline.profile.family = " + in_quotes(scene.flexspline.profile.family) +
+                              ", circular_spline.profile.family = " + in_quotes(scene.circular_spline.profile->family)},
+         {Stage::neutral_curve, "wave_generator.family = \"wanted\": where both flanks touch, solver.kinematics = " +
+                                    in_quotes(to_string(scene.solver.kinematics))},
+         {Stage::interference, "always: both teeth on the closed curve over a full turn"}},
+        {}};
+}
+
 /// Whether slices need motions of their own.
 bool cones(Scene const& scene, Verb verb)
 {
@@ -163,6 +175,8 @@ std::string to_string(Stage stage)
 
 Plan make_plan(Scene const& scene, Verb verb)
 {
+    if (scene.wants_neutral_curve())
+        return wanted_plan(scene);
     Plan plan{base_stages(scene), absent_effects(scene, verb)};
     auto const add = [&plan](Stage stage, std::string reason) { plan.stages.push_back({stage, std::move(reason)}); };
     auto const& spline = scene.circular_spline;

@@ -26,20 +26,25 @@ std::string with_example(KeySpec const& key)
 /// Whether the scene cannot do without @p table. Where no tooth is given, the flexspline's is the one that is missing.
 bool is_wanted(Validation const& validation, TableSpec const& table)
 {
-    bool const has_other = validation.attempted.contains("circular_spline.profile");
-    return table.presence == Presence::required || (table.path == "flexspline.profile" && !has_other);
+    bool const wanted = validation.reading.scene.wants_neutral_curve();
+    bool const has_other = !wanted && validation.attempted.contains("circular_spline.profile");
+    return table.presence == Presence::required || (table.path == "flexspline.profile" && !has_other) ||
+           (table.path == "circular_spline.profile" && wanted);
 }
 
-Fault missing_table(TableSpec const& table)
+Fault missing_table(TableSpec const& table, bool wanted)
 {
     std::string keys;
     for (auto const& key : table.keys)
         if (key.spec.required)
             keys += (keys.empty() ? "" : ", ") + with_example(key);
     std::string const header = "[" + std::string(table.path) + "]";
-    return {std::string(table.path), 0, "", "this table is missing: " + std::string(table.meaning),
+    bool const outer = wanted && table.path == "circular_spline.profile";
+    std::string const meaning = outer ? "the circular spline's tooth: the neutral curve is wanted between both teeth"
+                                      : std::string(table.meaning);
+    return {std::string(table.path), 0, "", "this table is missing: " + meaning,
             "write the line " + header + " and below it " + keys +
-                (table.presence == Presence::alternative
+                (table.presence == Presence::alternative && !wanted
                      ? ", or give the circular spline's tooth in [circular_spline.profile]"
                      : "")};
 }
@@ -51,23 +56,26 @@ void report_given_tooth(Validation& validation)
     auto const& visits = validation.visits;
     auto const inner = visits.find("flexspline.profile");
     auto const outer = visits.find("circular_spline.profile");
-    if (inner != visits.end() && outer != visits.end()) {
+    bool const wanted = validation.reading.scene.wants_neutral_curve();
+    if (inner != visits.end() && outer != visits.end() && !wanted) {
         faults.push_back({"circular_spline.profile", outer->second.line, "",
                           "both teeth are given, and each follows from the other",
-                          "remove [flexspline.profile] or [circular_spline.profile]", outer->second.origin});
+                          "remove [flexspline.profile] or [circular_spline.profile], or write "
+                          "wave_generator.family = \"wanted\" to look for the neutral curve between both",
+                          outer->second.origin});
         return;
     }
     for (std::string const key : {"addendum", "dedendum"}) {
         std::string const path = "flexspline." + key;
         bool const attempted = validation.attempted.contains(path);
-        if (outer != visits.end() && !attempted) {
+        if (outer != visits.end() && !attempted && !wanted) {
             faults.push_back(
                 {path, outer->second.line, "",
                  "this key is missing: with [circular_spline.profile] nothing else says how far the flexspline's teeth "
                  "reach",
                  "write " + key + " = " + (key == "addendum" ? "0.225" : "0.303") + ", a length in mm, in [flexspline]",
                  outer->second.origin});
-        } else if (inner != visits.end() && attempted) {
+        } else if ((inner != visits.end() || wanted) && attempted) {
             auto const found = validation.reading.scene.given.find(path);
             GivenKey const given = found == validation.reading.scene.given.end() ? GivenKey{} : found->second;
             faults.push_back({path, given.line, given.written,
@@ -148,7 +156,7 @@ void validate_missing(Validation& validation)
         if (is_there || has_stray)
             report_missing_keys(validation, table);
         else if (is_wanted(validation, table) && !validation.attempted.contains(table.path))
-            validation.reading.faults.push_back(missing_table(table));
+            validation.reading.faults.push_back(missing_table(table, validation.reading.scene.wants_neutral_curve()));
         if (is_there || table.presence == Presence::required || table.presence == Presence::optional)
             store_defaults(validation, table);
     }
@@ -170,8 +178,10 @@ bool geometry_is_known(Validation const& validation)
     bool const inner = validation.visits.contains("flexspline.profile");
     bool const outer = validation.visits.contains("circular_spline.profile");
     bool const heights = known.contains("flexspline.addendum") && known.contains("flexspline.dedendum");
-    bool const one_tooth = inner != outer && outer == heights;
-    return given_is_right && one_tooth && std::ranges::all_of(scene_schema(), [&](TableSpec const& table) {
+    bool const wanted = validation.reading.scene.wants_neutral_curve();
+    bool const given = wanted ? inner && outer && known.contains("circular_spline.inner_radius") && !heights
+                              : inner != outer && outer == heights;
+    return given_is_right && given && std::ranges::all_of(scene_schema(), [&](TableSpec const& table) {
                bool const needed = table.presence == Presence::required ||
                                    (table.presence == Presence::alternative && validation.visits.contains(table.path));
                return !needed || required_keys_known(validation, table);

@@ -152,6 +152,7 @@ Faults cross_faults(SceneReading const& reading)
     add_pair_faults(reading, faults);
     add_cup_faults(reading, faults);
     add_axial_faults(reading, faults);
+    add_wanted_faults(reading, faults);
     add_relief_faults(reading, faults);
     if (reading.scene.wedm)
         add_wedm_faults(reading, faults);

@@ -123,6 +123,9 @@ void add_cup_faults(SceneReading const& reading, Faults& faults);
 /// Tilt, slices and contact: what is made of the teeth along the axis.
 void add_axial_faults(SceneReading const& reading, Faults& faults);
 
+/// Of a scene whose neutral curve is wanted.
+void add_wanted_faults(SceneReading const& reading, Faults& faults);
+
 /// Reliefs: how far flanks stand back.
 void add_relief_faults(SceneReading const& reading, Faults& faults);
 

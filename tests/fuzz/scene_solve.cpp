@@ -6,6 +6,7 @@
 #include "drive_text.hpp"
 #include "hdconj/contact.hpp"
 #include "hdconj/solve.hpp"
+#include "hdconj/wanted_curve.hpp"
 #include "refusal.hpp"
 #include "targets.hpp"
 
@@ -94,6 +95,21 @@ void validate_pair(Solution const& s)
         throw Find("chord error " + std::to_string(s.error.chord) + " mm above the tolerance");
 }
 
+/// A neutral curve between both given teeth.
+void validate_curve(WantedCurve const& found)
+{
+    finite({found.touch_begin, found.touch_end, found.residual, found.error, found.growth, found.least_curvature,
+            found.largest_curvature, found.bending_stress, found.smallest_clearance, found.geometry.r_0,
+            found.geometry.w0},
+           "figures of the curve");
+    finite(found.neutral_curve, "neutral curve");
+    finite(found.inner_surface, "surface of the cam");
+    for (WantedCurveRow const& row : found.rows)
+        finite({row.u, row.displacement, row.slope, row.curvature}, "row of the curve");
+    if (!(found.touch_begin <= found.touch_end && found.least_curvature > 0))
+        throw Find("a curve without a mesh, or with a hollow");
+}
+
 /// The same drive in contact, on a coarse grid.
 void validate_contact(Scene scene)
 {
@@ -121,6 +137,8 @@ void scene_solve(Bytes input)
         Scene scene = scene_of(parse_drive(text_of(input)));
         scene.solver.threads = 1;
         scene.solver.tolerance = std::max(scene.solver.tolerance, scene.drive.module * finest);
+        if (scene.wants_neutral_curve())
+            return validate_curve(find_neutral_curve(scene));
         if (scene.slices)
             scene.slices->count = std::min(scene.slices->count, most_slices);
         Solution const solution = solve(scene);

@@ -23,6 +23,10 @@ struct WaveGeneratorPlace
 /// The key that most families share.
 inline constexpr std::string_view radial_deformation = "radial_deformation";
 
+/// Keys of the family "wanted".
+inline constexpr std::string_view major_displacement = "major_displacement";
+inline constexpr std::string_view inner_distance = "inner_distance";
+
 [[nodiscard]] inline scene::ParameterSpec radial_deformation_key()
 {
     return {radial_deformation, scene::Quantity::positive_length, "largest radial deformation w0 of the neutral curve"};

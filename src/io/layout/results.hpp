@@ -9,6 +9,7 @@
 #include "hdconj/load.hpp"
 #include "hdconj/measured.hpp"
 #include "hdconj/solution.hpp"
+#include "hdconj/wanted_curve.hpp"
 #include "hdconj/wedm.hpp"
 #include "io/mesh/spline_surface.hpp"
 
@@ -53,6 +54,7 @@ void write_result(Writer const& root, ContactStudy const& study);
 /// @param measured  written beside the simulation; null: none
 void write_result(Writer const& root, LoadStudy const& study, Measurement const* measured = nullptr);
 void write_result(Writer const& root, Inspection const& inspection);
+void write_result(Writer const& root, WantedCurve const& found);
 /// What `/load/measured` holds.
 void write_result(Writer const& root, Measurement const& measured);
 void write_result(Writer const& root, StoredAccuracy const& study);

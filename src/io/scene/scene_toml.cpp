@@ -47,7 +47,7 @@ scene::SceneReading validated(toml::table const& document, std::string_view text
 Faults geometry_faults(Scene const& scene)
 {
     try {
-        return check_scene(scene);
+        return scene.wants_neutral_curve() ? check_wanted_scene(scene) : check_scene(scene);
     } catch (InputError const& error) {
         return error.faults();
     }

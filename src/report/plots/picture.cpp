@@ -11,6 +11,7 @@
 #include "hdconj/file/atomic_file.hpp"
 #include "hdconj/inspect_files.hpp"
 #include "hdconj/load_files.hpp"
+#include "hdconj/wanted_curve_files.hpp"
 #include "hdconj/wire_files.hpp"
 #include "plots.hpp"
 
@@ -76,6 +77,12 @@ void write_picture(Solution const& solution, std::filesystem::path const& file)
 {
     check_picture(file);
     write_drawing("picture", report::tooth_space_script(solution), file);
+}
+
+void write_picture(WantedCurve const& found, std::filesystem::path const& file)
+{
+    check_picture(file);
+    write_drawing("picture", report::wanted_curve_script(found), file);
 }
 
 void write_chart(Inspection const& inspection, std::filesystem::path const& file)

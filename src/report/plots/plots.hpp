@@ -12,6 +12,7 @@
 #include "hdconj/contact.hpp"
 #include "hdconj/inspect.hpp"
 #include "hdconj/solution.hpp"
+#include "hdconj/wanted_curve.hpp"
 #include "hdconj/wedm.hpp"
 
 namespace hdconj::report {
@@ -55,6 +56,8 @@ namespace hdconj::report {
 /// Height of what the last pass leaves, around the part, of all set-ups. Needs residuals.
 [[nodiscard]] std::string wire_residual_script(WireSetUps const& programs);
 
+/// Displacement, curvature and error of a neutral curve that was wanted.
+[[nodiscard]] std::string wanted_curve_script(WantedCurve const& found);
 /// Deviations along the flanks, positions and radial shifts round the ring.
 [[nodiscard]] std::string inspect_chart_script(Inspection const& inspection);
 

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "closed_curve.hpp"
+
+#include <numbers>
+
+namespace hdconj::cam {
+
+std::pair<std::vector<double>, std::vector<double>> whole_wave(std::vector<double> const& half, int waves)
+{
+    std::size_t const n = half.size() - 1;
+    double const step = std::numbers::pi / waves / static_cast<double>(n);
+    std::vector<double> angles, values;
+    for (std::size_t i = 0; i < 2 * n; ++i) {
+        angles.push_back(step * static_cast<double>(i));
+        values.push_back(half[i <= n ? i : 2 * n - i]);
+    }
+    return {angles, values};
+}
+
+namespace {
+
+wavegen::AnyWaveShape table_of(std::vector<double> const& half, int waves)
+{
+    auto const [angles, values] = whole_wave(half, waves);
+    return wavegen::AnyWaveShape(wavegen::TableCam(angles, values, waves));
+}
+
+}  // namespace
+
+ClosedCurve::ClosedCurve(CurveRule const& rule, int waves, std::vector<double> const& displacement)
+    : rule_(rule),
+      shape_(table_of(displacement, waves)),
+      curve_(shape_, rule.r_m),
+      linear_(shape_, rule.r_m, rule.tooth_ratio),
+      r_0_(rule.exact ? curve_.r_0() : rule.r_m)
+{
+}
+
+ClosedCurve::Place ClosedCurve::operator()(double x) const
+{
+    wavegen::RadialDisplacement const d = shape_(x);
+    double const along = rule_.exact ? rule_.r_m * (curve_.phi(x) - x) : linear_.v(x);
+    return {{r_0_ - rule_.r_m + d.w, along}, d.w1, d.w2};
+}
+
+double ClosedCurve::curvature(double x) const
+{
+    wavegen::RadialDisplacement const d = shape_(x);
+    return CurveRule::curvature(r_0_ + d.w, d.w1, d.w2);
+}
+
+}  // namespace hdconj::cam

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+#include <algorithm>
+#include <limits>
+#include <numbers>
+
+#include "clearance.hpp"
+#include "closed_curve.hpp"
+#include "drive/stage_clock.hpp"
+#include "drive/wanted_geometry.hpp"
+#include "hdconj/base/parallel.hpp"
+#include "hdconj/base/tolerance.hpp"
+#include "hdconj/check.hpp"
+#include "hdconj/units.hpp"
+#include "hdconj/wanted_curve.hpp"
+#include "judgement/checks.hpp"
+#include "mesh.hpp"
+
+namespace hdconj::cam {
+namespace {
+
+constexpr double no_error = std::numeric_limits<double>::quiet_NaN();
+
+class Search
+{
+  public:
+    Search(WantedCurve& out, drive::GivenPair const& given, drive::StageClock& clock)
+        : out_(out), given_(given), clock_(clock), waves_(out.scene.wave_generator.waves)
+    {
+        Scene const& scene = out.scene;
+        rule_ = {given.geometry.r_m,
+                 static_cast<double>(scene.drive.flexspline_teeth) / scene.drive.circular_spline_teeth,
+                 scene.solver.kinematics == Kinematics::exact};
+        half_wave_ = std::numbers::pi / waves_;
+        // some roundings of the tooth's size
+        rounding_ = 16 * unit_roundoff * (given.flexspline.addendum + given.flexspline.dedendum);
+    }
+
+    void operator()()
+    {
+        clock_.run(Stage::neutral_curve, [&] {
+            FlankPair const pair = flanks(0);
+            choose_major(pair);
+            Mesh const mesh = mesh_of(pair, rule_, waves_, out_.major_displacement, rounding_);
+            fill_rows(pair, mesh);
+            fill_errors(mesh);
+            close(pair);
+        });
+        clock_.run(Stage::interference, [&] { check_turn(); });
+    }
+
+  private:
+    [[nodiscard]] FlankPair flanks(double offset) const
+    {
+        double const half_pitch = std::numbers::pi / out_.scene.drive.circular_spline_teeth;
+        return {Flank(given_.flexspline), Flank(given_.circular_spline),
+                right_wall(half_pitch, rule_.r_m, given_.seat_height), offset};
+    }
+
+    void choose_major(FlankPair const& pair)
+    {
+        auto const told = out_.scene.wave_generator.shape.number("major_displacement");
+        out_.major_displacement = told ? *told : deepest_displacement(pair, rule_, given_.deepest);
+        if (told && *told > given_.root_limit)
+            out_.notes.push_back(
+                fmt::format("the flexspline's tips reach {:.4g} mm beyond the roots of the given "
+                            "circular-spline teeth: the space has to be that much deeper",
+                            *told - given_.root_limit));
+        out_.major_error = told ? 0 : out_.scene.solver.tolerance;
+    }
+
+    [[nodiscard]] double angle(std::size_t row) const { return row_angle(row, waves_); }
+
+    void fill_rows(FlankPair const& pair, Mesh const& mesh)
+    {
+        std::vector<MeshPoint> const& points = mesh.curve.points;
+        MeshClosing const closing = closing_of(pair, rule_, waves_, out_.major_displacement, mesh);
+        std::size_t const last = closing.last;
+        for (std::size_t i = 0; i <= half_wave_rows; ++i) {
+            double const u = angle(i);
+            bool const before = i<mesh.first, beyond = i> last;
+            if (before || beyond) {
+                EvenPolynomial::Value const at = before ? mesh.begin.to_axis(u) : closing.rest(half_wave_ - u);
+                out_.rows.push_back({u, at.value, before ? at.slope : -at.slope, 0, no_error, false});
+            } else {
+                MeshPoint const& point = points[i - mesh.first];
+                out_.rows.push_back({u, point.state[0], point.slope, 0, 0, true});
+            }
+        }
+        out_.touch_begin = mesh.begin.first;
+        bool const whole = last == mesh.last();
+        out_.touch_end = whole ? mesh.curve.last.x : angle(last);
+        out_.parting = mesh.curve.last.x;
+        out_.ends = mesh.curve.lost ? why_parted(pair, mesh.curve.last) : "the flanks touch up to the minor axis";
+        if (!whole)
+            out_.notes.push_back(fmt::format(
+                "the closed curve leaves the flanks at {:.4g} deg: farther on it would be hollow, or bent more than "
+                "{:g} times as a cosine of the same displacement",
+                to_deg(out_.touch_end), most_bending));
+    }
+
+    /// What a flank that is moved outward by a little does to the curve, per length.
+    void fill_errors(Mesh const& mesh)
+    {
+        out_.flank_error = out_.scene.solver.tolerance;
+        // far above rounding, and still small when it has grown a million times
+        double const probe = 0x1p-34 * (given_.flexspline.addendum + given_.flexspline.dedendum);
+        Mesh const moved = mesh_of(flanks(probe), rule_, waves_, out_.major_displacement, rounding_);
+        Mesh const coarse = mesh_of(flanks(0), rule_, waves_, out_.major_displacement, 64 * rounding_);
+        auto const state_at = [](Mesh const& of, std::size_t row) {
+            std::size_t const i = row - of.first;
+            return row >= of.first && i < of.curve.points.size() ? std::optional(of.curve.points[i].state[0])
+                                                                 : std::nullopt;
+        };
+        for (std::size_t i = mesh.first; i < out_.rows.size() && out_.rows[i].touching; ++i) {
+            WantedCurveRow& row = out_.rows[i];
+            auto const other = state_at(moved, i), same = state_at(coarse, i);
+            double const growth = other ? std::abs(*other - row.displacement) / probe : out_.growth;
+            out_.growth = std::max(out_.growth, growth);
+            row.error = out_.growth * out_.flank_error + (same ? std::abs(*same - row.displacement) : 0);
+            out_.error = std::max(out_.error, row.error);
+        }
+        auto const end_error = [&](Mesh const& of) { return std::abs(of.curve.last.x - out_.parting); };
+        out_.parting_error =
+            mesh.curve.lost ? end_error(moved) / probe * out_.flank_error + end_error(coarse) + mesh.curve.end_error
+                            : 0;
+        out_.touch_end_error = out_.touch_end == out_.parting ? out_.parting_error : 0;
+        out_.touch_begin_error =
+            std::abs(moved.begin.first - out_.touch_begin) * (out_.flank_error / probe) + mesh.begin.first_error;
+    }
+
+    void close(FlankPair const& pair)
+    {
+        std::vector<double> displacement, thinned;
+        for (std::size_t i = 0; i <= half_wave_rows; ++i) {
+            displacement.push_back(out_.rows[i].displacement);
+            if (i % 2 == 0)
+                thinned.push_back(out_.rows[i].displacement);
+        }
+        ClosedCurve const curve(rule_, waves_, displacement);
+        ClosedCurve const coarse(rule_, waves_, thinned);
+        fill_curvature(curve, coarse);
+        out_.geometry.r_0 = curve.r_0();
+        out_.geometry.w0 = curve.amplitude();
+        double const raised = curve(0).state[0] - out_.rows.front().displacement;
+        out_.length_error = 2 * std::numbers::pi * raised;
+        for (std::size_t i = 0; i < half_wave_rows; ++i) {
+            if (!out_.rows[i].touching || !out_.rows[i + 1].touching)
+                continue;
+            double const u = (angle(i) + angle(i + 1)) / 2;
+            ClosedCurve::Place const at = curve(u), near = coarse(u);
+            auto const gap = gap_at(pair, u, at), other = gap_at(pair, u, near);
+            if (gap)
+                out_.residual = std::max(out_.residual, std::abs(*gap));
+            if (gap && other)
+                // a quarter of the step: an error of a cubic spline 16 times smaller, of which half may be left
+                out_.residual_error = std::max(out_.residual_error, std::abs(*other - *gap) / 8);
+        }
+        out_.residual_error += 64 * unit_roundoff * rule_.r_m;
+        outlines(curve);
+    }
+
+    [[nodiscard]] std::optional<double> gap_at(FlankPair const& pair, double u, ClosedCurve::Place const& at) const
+    {
+        ToothOrigin const origin = rule_.origin(u, at.state);
+        double const theta = rule_.theta(origin, at.slope);
+        std::vector<Tangency> const found = pair.tangencies(origin, theta);
+        if (found.empty())
+            return std::nullopt;
+        return (found.front().theta - theta) * found.front().lever;
+    }
+
+    void fill_curvature(ClosedCurve const& curve, ClosedCurve const& coarse)
+    {
+        out_.least_curvature = std::numeric_limits<double>::infinity();
+        out_.largest_curvature = -out_.least_curvature;
+        double where = 0, bent = 0;
+        for (WantedCurveRow& row : out_.rows) {
+            row.curvature = curve.curvature(row.u);
+            if (row.curvature < out_.least_curvature)
+                where = row.u;
+            out_.least_curvature = std::min(out_.least_curvature, row.curvature);
+            out_.largest_curvature = std::max(out_.largest_curvature, row.curvature);
+            bent = std::max(bent, std::abs(row.curvature - 1 / rule_.r_m));
+            // second derivatives of cubic splines: half the step, a quarter of the error
+            out_.curvature_error =
+                std::max(out_.curvature_error, std::abs(coarse.curvature(row.u) - row.curvature) / 2);
+        }
+        if (!(out_.least_curvature > 0))
+            throw NumericalError(ErrorCode::no_solution, "neutral curve", fmt::format("u = {:.4g} deg", to_deg(where)),
+                                 fmt::format("the closed curve would be hollow there; flanks touch from {:.4g} to "
+                                             "{:.4g} deg, where {}",
+                                             to_deg(out_.touch_begin), to_deg(out_.touch_end), out_.ends),
+                                 "write another wave_generator.major_displacement, or give teeth that are conjugate to "
+                                 "each other over a longer stretch");
+        double const stress = judgement::stress_of_bending(out_.scene);
+        out_.bending_stress = stress * bent;
+        out_.stress_error = stress * out_.curvature_error;
+    }
+
+    void outlines(ClosedCurve const& curve)
+    {
+        out_.inner_distance = out_.scene.wave_generator.shape.number("inner_distance")
+                                  .value_or(out_.geometry.r_m - out_.geometry.flexspline_inner_radius);
+        if (!(out_.inner_distance * out_.largest_curvature < 1))
+            out_.notes.push_back(
+                "the parallel curve at wave_generator.inner_distance folds over itself: the neutral "
+                "curve is bent more sharply than that");
+        int const points = 2 * static_cast<int>(half_wave_rows) * waves_;
+        for (int i = 0; i < points; ++i) {
+            double const u = 2 * std::numbers::pi * i / points;
+            ClosedCurve::Place const at = curve(u);
+            double const polar = rule_.exact ? u : u + at.state[1] / rule_.r_m;
+            double const rho = rule_.r_m + at.state[0];
+            double const normal = polar - (rule_.exact ? std::atan2(at.slope, rho) : at.slope / rule_.r_m);
+            Vec2 const p = rho * Vec2(std::sin(polar), std::cos(polar));
+            out_.neutral_curve.push_back(p);
+            out_.inner_surface.push_back(p - out_.inner_distance * Vec2(std::sin(normal), std::cos(normal)));
+        }
+    }
+
+    void check_turn()
+    {
+        std::vector<double> displacement;
+        for (WantedCurveRow const& row : out_.rows)
+            displacement.push_back(row.displacement);
+        ClosedCurve const curve(rule_, waves_, displacement);
+        LeastClearance const least = least_clearance(given_, rule_, curve, out_.scene, out_.threads);
+        out_.smallest_clearance = least.clearance;
+        out_.clearance_u = least.u;
+        out_.clearance_error = least.error;
+        if (least.clearance < -out_.scene.solver.tolerance - least.error)
+            out_.notes.push_back(
+                fmt::format("both teeth overlap by {:.3g} mm at u = {:.4g} deg, {} the stretch where "
+                            "their flanks touch",
+                            -least.clearance, to_deg(least.u),
+                            least.u > out_.touch_end || least.u < out_.touch_begin ? "outside" : "on"));
+    }
+
+    WantedCurve& out_;
+    drive::GivenPair const& given_;
+    drive::StageClock& clock_;
+    int waves_;
+    CurveRule rule_;
+    double half_wave_ = 0;
+    double rounding_ = 0;
+};
+
+}  // namespace
+}  // namespace hdconj::cam
+
+namespace hdconj {
+
+WantedCurve find_neutral_curve(Scene const& scene, StageObserver const& on_stage)
+{
+    if (Faults const faults = check_wanted_scene(scene); !faults.empty())
+        throw InputError(faults);
+    WantedCurve out;
+    out.scene = scene;
+    out.plan = make_plan(scene);
+    out.threads = thread_count(scene.solver.threads);
+    drive::StageClock clock(out.plan, on_stage);
+    drive::GivenPair given;
+    clock.run(Stage::profile, [&] {
+        Faults faults;
+        given = drive::given_pair(scene, faults);
+        out.geometry = given.geometry;
+    });
+    cam::Search(out, given, clock)();
+    out.timing = clock.times();
+    return out;
+}
+
+}  // namespace hdconj

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The solved tooth of the circular spline as points, for [circular_spline.profile].
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+#include <numbers>
+
+#include "base/text.hpp"
+#include "hdconj/base/rigid_motion.hpp"
+#include "hdconj/error.hpp"
+#include "hdconj/file/atomic_file.hpp"
+#include "hdconj/result_files.hpp"
+
+namespace hdconj {
+namespace {
+
+/// First and last point of the longest flank piece on the right side of the space. One piece is smooth; a spline
+/// through points of several rings where their curvatures differ.
+std::pair<std::size_t, std::size_t> right_wall_of(CircularSplineOutline const& spline)
+{
+    std::vector<Vec2> const& outline = spline.outline.front();
+    std::pair<std::size_t, std::size_t> best{0, 0};
+    double longest = 0;
+    for (OutlinePiece const& piece : spline.pieces) {
+        bool const right = outline[piece.first].x() + outline[piece.last].x() > 0;
+        double const length = (outline[piece.last] - outline[piece.first]).norm();
+        if (right && piece.kind == "flank" && length > longest) {
+            best = {piece.first, piece.last};
+            longest = length;
+        }
+    }
+    return best;
+}
+
+}  // namespace
+
+void write_spline_tooth(Solution const& solution, std::filesystem::path const& file)
+{
+    auto const [first, last] = right_wall_of(solution.circular_spline);
+    constexpr std::size_t fewest = 4;  // of the family "points"
+    if (last < first + fewest)
+        throw FileError(file, "no flank of the tooth space touches: there are no points to write");
+    PairGeometry const& g = solution.geometry;
+    double const radius = g.r_m + g.w0 + g.pitch_line;
+    double const angle = std::numbers::pi / solution.scene.drive.circular_spline_teeth;
+    // y towards the axis, from the pitch line of the flexspline at the major axis
+    Pose const seat{-std::cos(angle), -std::sin(angle), radius * Vec2(std::sin(angle), std::cos(angle))};
+    std::string rows;
+    std::vector<Vec2> const& outline = solution.circular_spline.outline.front();
+    for (std::size_t i = last + 1; i-- > first;) {
+        Vec2 const p = seat.inverse(outline[i]);
+        fmt::format_to(std::back_inserter(rows), "{:.15f},{:.15f}\n", p.x(), p.y());
+    }
+    double const tip = radius - seat.inverse(outline[last]).y();
+    file::write_text_atomically(
+        file, fmt::format("# right flank of the circular spline's tooth of {}, from tip to root, y from the pitch line "
+                          "towards the axis\n# write circular_spline.inner_radius = {:.15g} with it\nx,y\n",
+                          printable(solution.scene.drive.name), tip) +
+                  rows);
+}
+
+}  // namespace hdconj
