@@ -480,7 +480,7 @@ def estimates(program):
 
 
 # Counts, and figures that stand twice, in another unit or under a former name.
-NOT_COMPARED = "teeth balls carrying_fraction node_share contact_share near_share stiffness_Nm_per_rad".split()
+NOT_COMPARED = "flowing_fraction teeth balls carrying_fraction node_share contact_share near_share stiffness_Nm_per_rad".split()
 
 
 def compared(here, there):

@@ -66,8 +66,10 @@ LoadedState error_between(LoadedState const& a, LoadedState const& b, double saf
     for (double LoadedState::*const figure : {&LoadedState::largest_line_load, &LoadedState::edge_force})
         raise(figure, relative(&LoadedState::largest_force));
     raise(&LoadedState::wave_generator_torque, relative(&LoadedState::twist) / 4);
-    // Both grids may have all forces on edges where a finer one has some beside them.
+    // Both grids may have all forces on edges where a finer one has some beside them, at a pressure that is unknown.
     raise(&LoadedState::edge_fraction, std::min(1.0, relative(&LoadedState::twist)));
+    if (a.flank_pressure == 0)
+        d.flank_pressure = a.largest_pressure;
     d.teeth = std::abs(a.teeth - b.teeth);
     d.balls = std::abs(a.balls - b.balls);
     return d;
