@@ -25,13 +25,14 @@ from ._results import (
     Inspection,
     LoadStudy,
     Measurement,
+    NeutralCurve,
     Result,
     Solution,
     WireProgram,
 )
 from ._scene import Scene
 from ._tree import Dataset, Figure, Group
-from ._verbs import accuracy, contact, design, inspect, load, read_measured, solve, wedm
+from ._verbs import accuracy, contact, design, find_neutral_curve, inspect, load, read_measured, solve, wedm
 
 __version__ = _core.version
 __all__ = [
@@ -47,6 +48,7 @@ __all__ = [
     "Inspection",
     "LoadStudy",
     "Measurement",
+    "NeutralCurve",
     "NumericalError",
     "Result",
     "Scene",
@@ -56,6 +58,7 @@ __all__ = [
     "accuracy",
     "contact",
     "design",
+    "find_neutral_curve",
     "inspect",
     "load",
     "read",

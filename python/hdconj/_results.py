@@ -187,6 +187,13 @@ class Accuracy(Result):
     _main = "records"
 
 
+class NeutralCurve(Result):
+    """Result of :func:`hdconj.find_neutral_curve`: the curve on which two given teeth touch."""
+
+    __slots__ = ()
+    _main = "wanted_curve"
+
+
 class Inspection(Result):
     """Result of :func:`hdconj.inspect`: measured points against the nominal outline."""
 

@@ -69,6 +69,31 @@ def solve(scene: SceneLike = None, *, progress: Progress = False) -> _results.So
         return _results.Solution._computed(_core.solve(asked._core, *call), asked)
 
 
+def find_neutral_curve(scene: SceneLike, *, progress: Progress = False) -> _results.NeutralCurve:
+    """Find the neutral curve on which two given teeth touch.
+
+    Parameters
+    ----------
+    scene : Scene, path or mapping
+        A drive with both teeth and ``wave_generator.family = "wanted"``.
+    progress : bool or callable
+        As for :func:`solve`.
+
+    Returns
+    -------
+    NeutralCurve
+        Lengths in mm, angles in rad; every figure with its error.
+
+    Raises
+    ------
+    NumericalError
+        There is no such curve; the message says at which angle the flanks stop touching.
+    """
+    asked = scene_of(scene)
+    with _calling(progress) as call:
+        return _results.NeutralCurve._computed(_core.find_neutral_curve(asked._core, *call), asked)
+
+
 def contact(
     scene: SceneLike = None,
     *,

@@ -12,6 +12,7 @@
 #include "hdconj/design_files.hpp"
 #include "hdconj/inspect_files.hpp"
 #include "hdconj/result_files.hpp"
+#include "hdconj/wanted_curve_files.hpp"
 #include "result.hpp"
 
 namespace hdconj::python {

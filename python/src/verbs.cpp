@@ -75,6 +75,13 @@ ResultPointer run_solve(SceneHandle const& handle, nb::handle observer, bool is_
     return run(observer, is_main, [&](Observer const& told) { return result_of(solve(scene, told.stages())); });
 }
 
+ResultPointer run_find_neutral_curve(SceneHandle const& handle, nb::handle observer, bool is_main)
+{
+    Scene const& scene = handle.sound();
+    return run(observer, is_main,
+               [&](Observer const& told) { return result_of(find_neutral_curve(scene, told.stages())); });
+}
+
 ResultPointer run_contact(SceneHandle const& handle, std::vector<double> const& tilts_deg, Words const& surfaces,
                           Words const& kinds, std::optional<std::pair<double, double>> const& best_deg, int revolution,
                           nb::handle observer, bool is_main)
@@ -223,6 +230,7 @@ void add_verbs(nb::module_& module)
         .def_prop_ro("missing", &Result::missing)
         .def_ro("seconds", &Result::seconds);
     module.def("solve", run_solve, "scene"_a, "observer"_a.none(), "is_main"_a);
+    module.def("find_neutral_curve", run_find_neutral_curve, "scene"_a, "observer"_a.none(), "is_main"_a);
     module.def("contact", run_contact, "scene"_a, "tilts_deg"_a, "surfaces"_a, "kinds"_a, "best_deg"_a.none(),
                "revolution"_a, "observer"_a.none(), "is_main"_a);
     module.def("load", run_load, "scene"_a, "torque"_a.none(), "points"_a.none(), "tilts_deg"_a, "surfaces"_a,

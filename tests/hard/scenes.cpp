@@ -7,6 +7,7 @@
 
 #include "hdconj/read_scene.hpp"
 #include "hdconj/solve.hpp"
+#include "hdconj/wanted_curve.hpp"
 #include "support/catch.hpp"
 
 namespace hdconj::test::scenes_cases {
@@ -21,7 +22,12 @@ TEST_CASE("every scene of data/scenes solves and passes its own check over a ful
     CHECK(scenes.size() >= 11);
     for (auto const& scene : scenes) {
         INFO(scene.filename().string());
-        Solution const solution = solve(read_scene(scene));
+        Scene const read = read_scene(scene);
+        if (read.wave_generator.shape.family == "wanted") {
+            CHECK(find_neutral_curve(read).residual < read.solver.tolerance);
+            continue;
+        }
+        Solution const solution = solve(read);
         for (Vec2 const& p : solution.circular_spline.outline.front())
             REQUIRE(p.allFinite());
         CHECK(solution.scene.drive.name == scene.stem().string());

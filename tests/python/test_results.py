@@ -152,7 +152,8 @@ def test_every_function_is_documented_with_its_units():
 def test_types():
     pytest.importorskip("mypy")
     checked = subprocess.run(
-        [sys.executable, "-m", "mypy", "--strict", "--cache-dir", os.devnull, SOURCE / "python/hdconj"],
+        [sys.executable, "-m", "mypy", "--strict", "--cache-dir", os.devnull,
+         "--config-file", SOURCE / "python/pyproject.toml", SOURCE / "python/hdconj"],
         capture_output=True,
         text=True,
     )

@@ -25,6 +25,11 @@ def test_solve(scene, tmp_path):
     compare(hdconj.solve(scene), ["solve", scene], tmp_path)
 
 
+def test_neutral_curve(tmp_path):
+    scene = SOURCE / "data/scenes/type-50-wanted.toml"
+    compare(hdconj.find_neutral_curve(scene), ["solve", scene], tmp_path)
+
+
 @pytest.mark.parametrize("scene", SCENES, ids=lambda scene: scene.stem)
 def test_contact(scene, tmp_path):
     quick = {"slices.count": 3, "contact.flank_points": 40, "circular_spline.width": 7}

@@ -8,12 +8,13 @@
 # Variables: words: figures; half_wave, touch_begin, touch_end [deg]; ring: curvature of the undeformed ring [1/m]
 
 subject = words
-height = 790
+height = 805
+left = left_edge + 22
 eval page
-eval sample(left_edge, 84, line(blue, 2.4))
-set label 'flanks touch' at screen px(left_edge + sample_text),py(84) noenhanced
-eval sample(left_edge + 160, 84, dashed(dark_grey, 1.4, "(4,4)"))
-set label 'completed' at screen px(left_edge + 160 + sample_text),py(84) noenhanced
+eval sample(left, 84, line(blue, 2.4))
+set label 'flanks touch' at screen px(left + sample_text),py(84) noenhanced
+eval sample(left + 160, 84, dashed(dark_grey, 1.4, "(4,4)"))
+set label 'completed' at screen px(left + 160 + sample_text),py(84) noenhanced
 set multiplot
 set xrange [0:half_wave]
 set xtics tic_step(half_wave)
@@ -23,13 +24,13 @@ set format x ''
 set autoscale y
 set offsets 0, 0, graph 0.06, graph 0.06
 set ylabel 'displacement [µm]' noenhanced
-eval axes(left_edge, right_edge, 100, 310)
+eval axes(left, right_edge, 100, 310)
 plot $curve using 1:2 with lines linecolor rgb dark_grey dashtype (4,4) linewidth 1.4 notitle, \
     $mesh using 1:2 with lines linecolor rgb blue linewidth 2.4 notitle
 unset label
 unset arrow
 set ylabel 'curvature [1/m]' noenhanced
-eval axes(left_edge, right_edge, 330, 520)
+eval axes(left, right_edge, 330, 520)
 plot ring with lines linecolor rgb grey linewidth 0.8 notitle, \
     $curve using 1:3 with lines linecolor rgb dark_grey dashtype (4,4) linewidth 1.4 notitle, \
     $mesh using 1:3 with lines linecolor rgb blue linewidth 2.4 notitle
@@ -38,6 +39,6 @@ set format x '%g'
 set ylabel 'error [µm]' noenhanced
 set logscale y
 set format y '%.0e'
-eval axes(left_edge, right_edge, 540, 720)
+eval axes(left, right_edge, 540, 720)
 plot $mesh using 1:4 with lines linecolor rgb vermilion linewidth 1.8 notitle
 unset multiplot
