@@ -66,6 +66,7 @@ def load(
     surfaces: list[str],
     kinds: list[str],
     curve: bool,
+    errors: bool,
     observer: _Observer,
     is_main: bool,
 ) -> Result: ...

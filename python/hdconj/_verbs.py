@@ -142,6 +142,7 @@ def load(
     surfaces: str | Sequence[str] = (),
     kinds: str | Sequence[str] = (),
     curve: bool = True,
+    errors: bool = True,
     progress: Progress = False,
 ) -> _results.LoadStudy:
     """Load the drive: torque-twist curve, stiffness, pressure and stress.
@@ -158,6 +159,8 @@ def load(
         As for :func:`contact`.
     curve : bool
         False: the largest torque only.
+    errors : bool
+        False: no second grid; the same figures without their errors, in less time.
     progress : bool or callable
         As for :func:`contact`.
 
@@ -167,7 +170,7 @@ def load(
         Torques in N mm, twists in rad, stresses in MPa.
     """
     asked = scene_of(scene)
-    options = (torque, points, list(tilts_deg), _words(surfaces), _words(kinds), curve)
+    options = (torque, points, list(tilts_deg), _words(surfaces), _words(kinds), curve, errors)
     with _calling(progress) as call:
         return _results.LoadStudy._computed(_core.load(asked._core, *options, *call), asked)
 

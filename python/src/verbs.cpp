@@ -103,7 +103,7 @@ ResultPointer run_contact(SceneHandle const& handle, std::vector<double> const& 
 
 ResultPointer run_load(SceneHandle const& handle, std::optional<double> torque, std::optional<int> points,
                        std::vector<double> const& tilts_deg, Words const& surfaces, Words const& kinds, bool curve,
-                       nb::handle observer, bool is_main)
+                       bool errors, nb::handle observer, bool is_main)
 {
     Scene const& scene = handle.sound();
     LoadOptions options;
@@ -112,6 +112,7 @@ ResultPointer run_load(SceneHandle const& handle, std::optional<double> torque, 
         options.torque = *torque * newton_metre;
     options.points = points;
     options.curve = curve;
+    options.errors = errors;
     refuse(check_load(scene, options));
     return run(observer, is_main, [&](Observer const& told) {
         return result_of(LoadedDrive{study_load(scene, options, told.stages(), told.shares()), {}});
@@ -234,7 +235,7 @@ void add_verbs(nb::module_& module)
     module.def("contact", run_contact, "scene"_a, "tilts_deg"_a, "surfaces"_a, "kinds"_a, "best_deg"_a.none(),
                "revolution"_a, "observer"_a.none(), "is_main"_a);
     module.def("load", run_load, "scene"_a, "torque"_a.none(), "points"_a.none(), "tilts_deg"_a, "surfaces"_a,
-               "kinds"_a, "curve"_a, "observer"_a.none(), "is_main"_a);
+               "kinds"_a, "curve"_a, "errors"_a, "observer"_a.none(), "is_main"_a);
     module.def("wedm", run_wedm, "scene"_a, "folder"_a, "dialects"_a, "observer"_a.none(), "is_main"_a);
     module.def("accuracy", run_accuracy, "scene"_a, "studies"_a, "sample"_a, "repeats"_a, "quick"_a,
                "observer"_a.none(), "is_main"_a);

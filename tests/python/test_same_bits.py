@@ -61,6 +61,11 @@ def test_best_tilt_and_revolution(coned, tmp_path):
     compare(study, words, tmp_path)
 
 
+def test_load_without_errors(tmp_path):
+    quick = hdconj.load(hdconj.Scene().with_({"slices.count": 3}), torque=10, curve=False, errors=False)
+    compare(quick, ["load", "--set=slices.count=3", "--torque=10", "--no-curve", "--no-errors"], tmp_path)
+
+
 def test_load(tmp_path):
     scene = hdconj.Scene().with_({"slices.count": 3})
     study = hdconj.load(scene, points=2)
