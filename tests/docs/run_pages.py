@@ -291,8 +291,8 @@ def main(arguments):
         print(f"{name}: {count} commands, {len(faults)} faults", flush=True)
         all_faults += faults
         all_missing += missing
-    if os.environ.get("CI"):  # there everything must be tried, as in the other tests
-        all_faults += [f"{what} is missing" for what in all_missing]
+    if os.environ.get("CI"):  # there everything must be tried but what tests/not_tried.txt allows: our own package
+        all_faults += [f"{what} is missing" for what in all_missing if not what.endswith(": hdconj")]
     print("\n".join(all_faults or [f"NOT TRIED: {what}" for what in all_missing]))
     return bool(all_faults)
 
