@@ -78,6 +78,7 @@ struct WantedCurve
 /// alone; others do with wave_generator.major_displacement, and then the even polynomial through the axis that goes on
 /// into the solved curve stands between.
 /// Accuracy: WantedCurve::error; an error of a flank grows along the curve, by WantedCurve::growth.
+/// @param scene     both teeth, and a wave generator of the family "wanted"; lengths in mm, angles in rad
 /// @param on_stage  called with each stage that begins; null: not called
 /// @throws InputError      the scene cannot describe a drive (exit status 2)
 /// @throws NumericalError  there is no such curve, with the angle at which flanks stop touching; or it closes with a
