@@ -43,15 +43,6 @@ void check_probe(Scene const& scene, double probe, Faults& faults)
                           "write the radius of the ball in mm, such as --probe 0.1"});
 }
 
-/// The measured tooth takes the place of the flexspline's, which the scene must give.
-void check_as_tooth(Scene const& scene, InspectArguments const& own, Faults& faults)
-{
-    if (!own.as_tooth.empty() && (scene.is_reverse() || own.part != to_string(InspectedPart::flexspline)))
-        faults.push_back({"--as-tooth", 0, own.as_tooth,
-                          "only a flexspline whose tooth the scene gives can have the measured one in its place",
-                          "leave it out, or inspect such a flexspline"});
-}
-
 int run_inspect(CommonOptions const& given, InspectArguments const& asked)
 {
     CommonOptions common = given;
@@ -67,7 +58,6 @@ int run_inspect(CommonOptions const& given, InspectArguments const& asked)
     auto measured = examine_points(own.points);
     append(faults, measured.faults);
     check_probe(reading.scene, own.probe, faults);
-    check_as_tooth(reading.scene, own, faults);
     refuse(std::move(faults));
     Work<Inspection> work;
     work.inputs = inputs_of(common, reading.scene);

@@ -34,8 +34,10 @@ void write_chart(Inspection const& inspection, std::filesystem::path const& file
 /// The file of points that write_measured_tooth() writes beside @p scene_file: NAME-tooth.csv.
 [[nodiscard]] std::filesystem::path measured_tooth_points(std::filesystem::path const& scene_file);
 
-/// The scene with the mean measured tooth in place of its own: family "points", with the points beside it. For `solve`,
-/// `contact` and `load`.
+/// The scene with the mean measured tooth in place of its own: family "points", with the points beside it. Where the
+/// scene gave the tooth of the other member only, the measured one is given in its place and the other is solved for: a
+/// measured circular spline makes a reverse problem without axial effects, whose flexspline keeps its addendum and
+/// dedendum.
 /// @throws FileError where there is no mean tooth, or a file cannot be written
 void write_measured_tooth(Inspection const& inspection, std::filesystem::path const& scene_file);
 

@@ -2,6 +2,7 @@
 // The parts of a drive that follow from its scene without solving anything.
 #pragma once
 
+#include "hdconj/base/rigid_motion.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/profile/profile.hpp"
 #include "hdconj/solution.hpp"
@@ -35,6 +36,10 @@ namespace hdconj::drive {
 {
     return g.circular_spline_inner_radius + tooth.addendum + tooth.pitch_line;
 }
+
+/// Frame of the circular spline's tooth next to the space on +y, clockwise: y from the pitch line of the flexspline at
+/// the major axis towards the axis.
+[[nodiscard]] Pose spline_tooth_frame(Scene const& scene, PairGeometry const& g);
 
 /// Adds a fault where the tooth is wider than its share of the pitch of its member, the circular spline where @p
 /// outside.

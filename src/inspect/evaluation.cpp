@@ -266,8 +266,7 @@ Inspection evaluated(Scene const& scene, NominalPart const& part, std::vector<do
     result.teeth = tooth_figures(data, intervals);
     result.sides = side_figures(data, result.flanks, intervals);
     result.planes = plane_figures(data, intervals);
-    if (!part.space)
-        result.mean_flank = mean_flank(data, part.pitch_line);
+    result.mean_flank = mean_flank(data);
     add_notes(result, groups_of(on.points, found.views, found.used).size());
     return result;
 }

@@ -65,8 +65,11 @@ MeanDeviation mean_deviation(RingData const& data)
 class MeanCurve
 {
   public:
-    MeanCurve(RingData const& data, MeanDeviation mean, double pitch_line)
-        : flank_(data.part().planes[0].right), seat_(0, data.part().seat), mean_(std::move(mean)), down_(0, pitch_line)
+    MeanCurve(RingData const& data, MeanDeviation mean)
+        : flank_(data.part().planes[0].right),
+          seat_(0, data.part().seat),
+          mean_(std::move(mean)),
+          frame_(data.part().frame)
     {
     }
 
@@ -74,10 +77,10 @@ class MeanCurve
     {
         auto const [point, normal] = flank_.at(s);
         double const deviation = powers_of(2 * s / flank_.length() - 1) * mean_.coefficient;
-        return turned_clockwise(point + deviation * normal + seat_, mean_.half_excess) - seat_ - down_;
+        return frame_.inverse(turned_clockwise(point + deviation * normal + seat_, mean_.half_excess));
     }
     /// The nominal height of an end.
-    [[nodiscard]] double height(double s) const { return flank_.at(s).point.y() - down_.y(); }
+    [[nodiscard]] double height(double s) const { return frame_.inverse(flank_.at(s).point + seat_).y(); }
 
     /// The arc length at which the curve is at the nominal height of the end @p s: that of the end where it does not
     /// reach it.
@@ -91,7 +94,7 @@ class MeanCurve
     /// The point at the height @p y of the straight continuation from @p s.
     [[nodiscard]] Vec2 continued(double s, double y) const
     {
-        Vec2 const end = (*this)(s), along = right_of(flank_.at(s).normal);
+        Vec2 const end = (*this)(s), along = frame_.rotate_back(right_of(flank_.at(s).normal));
         return end + (y - end.y()) / along.y() * along;
     }
     [[nodiscard]] double step() const { return flank_.length() / even_steps; }
@@ -101,17 +104,17 @@ class MeanCurve
     NominalFlank const& flank_;
     Vec2 seat_;
     MeanDeviation mean_;
-    Vec2 down_;
+    Pose frame_;
 };
 
 }  // namespace
 
-std::vector<Vec2> mean_flank(RingData const& data, double pitch_line)
+std::vector<Vec2> mean_flank(RingData const& data)
 {
     MeanDeviation mean = mean_deviation(data);
     if (!mean.both_sides)
         return {};
-    MeanCurve const curve(data, std::move(mean), pitch_line);
+    MeanCurve const curve(data, std::move(mean));
     double const length = curve.flank().length(), root = curve.reached(0), tip = curve.reached(length);
     std::vector<double> places = curve.flank().joints();
     for (int i = 1; i < even_steps; ++i)

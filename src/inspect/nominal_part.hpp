@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "hdconj/base/rigid_motion.hpp"
 #include "hdconj/solution.hpp"
 #include "nominal_flank.hpp"
 
@@ -26,10 +27,10 @@ struct NominalPlane
 struct NominalPart
 {
     int teeth = 0;
-    bool space = false;     ///< whether the flanks bound a tooth space
-    double seat = 0;        ///< from the axis to the origin of a tooth's frame [mm]
-    double pitch_line = 0;  ///< of a tooth of the flexspline, in its frame [mm]
-    double scale = 0;       ///< largest radius [mm]
+    bool space = false;  ///< whether the flanks bound a tooth space
+    double seat = 0;     ///< from the axis to the origin of a tooth's frame [mm]
+    double scale = 0;    ///< largest radius [mm]
+    Pose frame;          ///< of the tooth as a scene has it, about the axis: y from the pitch line towards the tip
     std::vector<NominalPlane> planes;
 
     [[nodiscard]] double pitch() const;  ///< angle from tooth to tooth [rad]

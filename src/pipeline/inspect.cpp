@@ -59,6 +59,7 @@ double error_between(CircularSplineOutline const& spline)
 void add_spline_planes(NominalPart& part, Solution const& solution, std::vector<double> const& z)
 {
     auto const& spline = solution.circular_spline;
+    part.frame = drive::spline_tooth_frame(solution.scene, solution.geometry);
     for (double const each : z) {
         bool const slice = std::any_of(spline.z.begin(), spline.z.end(),
                                        [&](double s) { return std::abs(s - each) <= slice_thickness; });
@@ -74,7 +75,7 @@ void add_flexspline_planes(NominalPart& part, Scene const& scene, std::vector<do
     Faults faults;
     profile::Profile const tooth = drive::given_tooth(scene, faults);
     part.seat = drive::ring_geometry(scene, tooth).r_m;
-    part.pitch_line = tooth.pitch_line;
+    part.frame.origin.y() = part.seat + tooth.pitch_line;
     for (std::size_t i = 0; i < z.size(); ++i)
         part.planes.push_back(inspect::plane_of_profile(tooth, part.seat));
 }
@@ -83,6 +84,7 @@ void add_flexspline_planes(NominalPart& part, Scene const& scene, std::vector<do
 void add_flexspline_planes(NominalPart& part, Solution const& solution, std::vector<double> const& z)
 {
     part.seat = solution.geometry.r_m + solution.geometry.pitch_line;
+    part.frame.origin.y() = part.seat;
     for (std::size_t i = 0; i < z.size(); ++i)
         part.planes.push_back(inspect::plane_of_outline(solution.flexspline_outline, solution.flexspline_pieces,
                                                         part.seat, false, solution.error.point));
@@ -99,14 +101,18 @@ Inspection inspect_points(Scene const& scene, PointFile const& measured, Inspect
     NominalPart part;
     part.space = options.part == InspectedPart::circular_spline;
     part.teeth = part.space ? scene.drive.circular_spline_teeth : scene.drive.flexspline_teeth;
-    if (part.space)
-        add_spline_planes(part, solve(scene, on_stage), z);
-    else if (scene.is_reverse())
-        add_flexspline_planes(part, solve(scene, on_stage), z);
-    else
+    PairGeometry geometry;
+    if (part.space || scene.is_reverse()) {
+        Solution const solution = solve(scene, on_stage);
+        geometry = solution.geometry;
+        part.space ? add_spline_planes(part, solution, z) : add_flexspline_planes(part, solution, z);
+    } else {
         add_flexspline_planes(part, scene, z);
+    }
     part.scale = part.planes.front().reference_radius;
-    return inspect::evaluated(scene, part, z, measured, options);
+    Inspection result = inspect::evaluated(scene, part, z, measured, options);
+    result.geometry = geometry;
+    return result;
 }
 
 }  // namespace hdconj

@@ -128,7 +128,6 @@ TEST_CASE("inspect refuses what it cannot follow", "[inspect]")
         {"two.csv --deviations no/d.csv", "no/d.csv", "", "", 1},
         {"two.csv --set flexspline.wall=-1", "flexspline.wall", "-1", "write"},
         {"two.csv --as-tooth no/t.toml", "no/t.toml", "", "", 1},
-        {"two.csv --part circular-spline --as-tooth t.toml", "--as-tooth", "only a flexspline", "leave it out"},
         {"two.csv --as-tooth two.toml --deviations two-tooth.csv", "--deviations", "is written by --as-tooth",
          "another"},
         {"two.csv --picture a.pdf", "--picture", "only .svg and .png", "NAME.svg"},

@@ -2,12 +2,10 @@
 // The solved tooth of the circular spline as points, for [circular_spline.profile].
 #include <fmt/format.h>
 
-#include <cmath>
 #include <iterator>
-#include <numbers>
 
 #include "base/text.hpp"
-#include "hdconj/base/rigid_motion.hpp"
+#include "drive/drive.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/file/atomic_file.hpp"
 #include "hdconj/result_files.hpp"
@@ -41,18 +39,14 @@ void write_spline_tooth(Solution const& solution, std::filesystem::path const& f
     constexpr std::size_t fewest = 4;  // of the family "points"
     if (last < first + fewest)
         throw FileError(file, "no flank of the tooth space touches: there are no points to write");
-    PairGeometry const& g = solution.geometry;
-    double const radius = g.r_m + g.w0 + g.pitch_line;
-    double const angle = std::numbers::pi / solution.scene.drive.circular_spline_teeth;
-    // y towards the axis, from the pitch line of the flexspline at the major axis
-    Pose const seat{-std::cos(angle), -std::sin(angle), radius * Vec2(std::sin(angle), std::cos(angle))};
+    Pose const frame = drive::spline_tooth_frame(solution.scene, solution.geometry);
     std::string rows;
     std::vector<Vec2> const& outline = solution.circular_spline.outline.front();
     for (std::size_t i = last + 1; i-- > first;) {
-        Vec2 const p = seat.inverse(outline[i]);
+        Vec2 const p = frame.inverse(outline[i]);
         fmt::format_to(std::back_inserter(rows), "{:.15f},{:.15f}\n", p.x(), p.y());
     }
-    double const tip = radius - seat.inverse(outline[last]).y();
+    double const tip = frame.origin.norm() - frame.inverse(outline[last]).y();
     file::write_text_atomically(
         file, fmt::format("# right flank of the circular spline's tooth of {}, from tip to root, y from the pitch line "
                           "towards the axis\n# write circular_spline.inner_radius = {:.15g} with it\nx,y\n",
