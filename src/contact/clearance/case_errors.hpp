@@ -16,8 +16,8 @@ struct Surfaces
     PartFlanks const& flanks;                  ///< of it
     double tip;                                ///< as made
     double given;                              ///< side clearance of the scene
-    TurnMinima const& flank;                   ///< of the flanks as made and that side clearance
-    TurnMinima const& root;                    ///< around the bottom
+    TurnsOfSet const& flank;                   ///< of the flanks as made and that side clearance
+    TurnsOfSet const& root;                    ///< around the bottom
 };
 
 /// Errors of all that is told of full turns, and how far a ruled surface deviates, into @p result, which holds the
