@@ -198,7 +198,8 @@ struct SmallestGap
     GapField::Index where{};
 };
 
-/// How far a smallest gap may be from the true one beside the rounding of coordinates: minimum_beside() ends there [mm].
+/// How far a smallest gap may be from the true one beside the rounding of coordinates: minimum_beside() ends so near
+/// [mm].
 [[nodiscard]] double smallest_gap_accuracy(GapField const& field);
 
 /// The smallest gap of @p map, which holds the gaps of @p field at @p turn, with the minima between its points.
