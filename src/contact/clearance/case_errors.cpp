@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "contact/parallel_trim.hpp"
@@ -185,7 +186,7 @@ std::vector<double> deviations(CaseSurface const& surface, FlankGrid const& grid
 }
 
 /// How far a ruled surface deviates, told in the slices of the scene: they are all planes, or every so many.
-void write_deviation(ErrorPlanes const& planes, Surfaces const& made, ContactCase& result)
+void write_deviation(ErrorPlanes const& planes, Surfaces const& made, bool errors, ContactCase& result)
 {
     std::size_t const slices = made.flanks.grid.slices();
     if (!planes.surface.is_ruled_on_cone() || slices < 2)
@@ -193,6 +194,8 @@ void write_deviation(ErrorPlanes const& planes, Surfaces const& made, ContactCas
     std::vector<double> low = deviations(planes.surface, planes.cleared.grid, made.cleared.tip);
     for (std::size_t k = 0; k < low.size(); k += (low.size() - 1) / (slices - 1))
         result.ruled_deviation = std::max(result.ruled_deviation, low[k]);
+    if (!errors)
+        return;
     for (double& each : low)
         each = -each;
     // the distance is pointed where it is largest; an outline is known to its chords
@@ -226,31 +229,39 @@ void write_errors_in(ErrorPlanes const& planes, CaseSurface const& in_slices, Su
         result.least_root_clearance == 0 ? planes.root : nullptr);
     result.least_tip_radius_error = least_tip_radius_error(in_slices, planes.surface, planes.cleared, made.cleared,
                                                            result.least_side_clearance_error, made.given);
-    write_deviation(planes, made, result);
+    write_deviation(planes, made, true, result);
 }
 
 }  // namespace
 
-void write_errors(CaseSurface const& surface, SliceClearances const& clearances, Surfaces const& made,
+void write_errors(CaseSurface const& surface, SliceClearances const& clearances, Surfaces const& made, bool errors,
                   ContactCase& result)
 {
+    if (!errors && !surface.is_ruled_on_cone())
+        return;
+    auto const write = [&](ErrorPlanes const& planes) {
+        if (errors)
+            write_errors_in(planes, surface, made, result);
+        else
+            write_deviation(planes, made, false, result);
+    };
     std::size_t const fewest = surface.is_ruled() ? fewest_planes : fewest_turn_planes;
-    if (surface.is_alike() || surface.z().size() >= fewest) {
-        ErrorPlanes const planes{surface,     clearances, made.outline, made.flanks.grid, made.cleared.flanks,
-                                 &made.flank, &made.root};
-        return write_errors_in(planes, surface, made, result);
-    }
+    if (surface.is_alike() || surface.z().size() >= fewest)
+        return write(
+            {surface, clearances, made.outline, made.flanks.grid, made.cleared.flanks, &made.flank, &made.root});
     CaseSurface finer = surface;
     while (finer.z().size() < fewest)
         finer = finer.refined();
-    SliceClearances const finer_clearances(surface.context(), finer.builder());
+    std::optional<SliceClearances> finer_clearances;  // a deviation needs none
+    if (errors)
+        finer_clearances.emplace(surface.context(), finer.builder());
     conjugate::MatchedOutline const outline = finer.outline(made.tip);
     double const most = std::max(made.given, result.least_side_clearance);
     PartFlanks const flanks = part_flanks(finer, outline, made.tip, most);
     PartFlanks const cleared = made.cleared.tip == made.tip
                                    ? flanks
                                    : part_flanks(finer, finer.outline(made.cleared.tip), made.cleared.tip, most);
-    write_errors_in({finer, finer_clearances, outline, flanks.grid, cleared}, surface, made, result);
+    write({finer, errors ? *finer_clearances : clearances, outline, flanks.grid, cleared});
 }
 
 }  // namespace hdconj::contact

@@ -22,7 +22,8 @@ struct Surfaces
 
 /// Errors of all that is told of full turns, and how far a ruled surface deviates, into @p result, which holds the
 /// rest.
-void write_errors(CaseSurface const& surface, SliceClearances const& clearances, Surfaces const& made,
+/// @param errors  false: the deviation alone
+void write_errors(CaseSurface const& surface, SliceClearances const& clearances, Surfaces const& made, bool errors,
                   ContactCase& result);
 
 /// Fewest planes that say something about what lies between them: gaps, and how far a ruled surface deviates; full

@@ -98,13 +98,12 @@ MadePart write_clearances(CaseSurface const& surface, SliceClearances const& cle
                                  closest(clearances, k, at_root.deepest[k])});
     result.least_side_clearance = cleared.offset;
     result.least_tip_radius = cleared.tip;
-    if (!errors)
-        return nominal;
     context.clock.run(Stage::clearance, [&] {
         write_errors(surface, clearances,
-                     {cleared, part.outline, part.flanks, part.tip, given, nominal.at_given, at_root}, result);
+                     {cleared, part.outline, part.flanks, part.tip, given, nominal.at_given, at_root}, errors, result);
     });
-    write_place(result);
+    if (errors)
+        write_place(result);
     return nominal;
 }
 
