@@ -20,6 +20,7 @@ struct ContactArguments
     CaseArguments cases;
     bool best = false;
     int revolution = 0;
+    bool no_errors = false;
     std::string output;  ///< result file; empty: named after the scene file
     std::string picture;
     std::string xdmf, stl, vtk;
@@ -66,6 +67,7 @@ ContactOptions options_of(ContactArguments const& own)
     own.cases.enter(options);
     options.best = own.best;
     options.revolution = own.revolution;
+    options.errors = !own.no_errors;
     if (own.best && !options.tilts.empty()) {
         auto const [low, high] = std::minmax_element(options.tilts.begin(), options.tilts.end());
         options.best_from = *low;
@@ -125,6 +127,7 @@ void add_contact(CLI::App& program, CommonOptions& common)
     add_option(verb, "--revolution", own.revolution,
                "angles of the wave generator over a revolution; the table shows the one with least contact", "N",
                whole_number(1, 10000));
+    verb.add_flag("--no-errors", own.no_errors, "the same figures without their errors, in less time");
     add_name(verb, "-o,--output", own.output,
              "result file, HDF5 [the scene file's name and -contact.h5, in this folder]", "FILE");
     add_name(verb, "--picture", own.picture, "drawings NAME-tilt, NAME-map, NAME-flank; needs gnuplot",

@@ -43,8 +43,8 @@ _hdconj()
         check) options="$common --strict --plan --for" ;;
         solve) options="$common --strict --output --dxf --picture --spline-tooth --cam --inner-surface --completed --verbose" ;;
         contact)
-            options="$common --strict --tilt --surface --kind --best --revolution --output --picture"
-            options="$options --xdmf --stl --vtk --ring" ;;
+            options="$common --strict --tilt --surface --kind --best --revolution --no-errors --output"
+            options="$options --picture --xdmf --stl --vtk --ring" ;;
         load)
             options="$common --strict --torque --points --tilt --surface --kind --no-curve --no-errors --output"
             options="$options --picture --vtu --measured --torque-constant --counts-per-turn --ratio --efficiency"

@@ -182,6 +182,8 @@ struct ContactStudy
     std::vector<std::string> missing;  ///< cases that could not be made, each with the reason; also in solution.notes
     std::vector<BestTilt> best;        ///< with --best
     std::size_t written_case = 0;      ///< case that map and solution are of
+    bool estimated = true;      ///< false: errors were not asked for. All of them are 0 then and mean nothing, as
+                                ///< do the intervals and tooth spaces that follow from them
     double side_clearance = 0;  ///< that its outline includes: that of the case, or 0 where solution.notes say that it
                                 ///< cannot be made with it [mm]
     GapMap map;                 ///< of that case at its state, after the turn to first contact
@@ -213,6 +215,7 @@ struct ContactOptions
     double best_from = 0;                ///< interval of tilts that is searched [rad]
     double best_to = from_deg(2);        ///< [rad]
     int revolution = 0;                  ///< angles of the wave generator over a revolution; 0: the scene's only
+    bool errors = true;                  ///< false: the same figures to the last bit, without estimated errors
 };
 
 /// Told how much of the long work is done, 0 ... 1.

@@ -55,6 +55,7 @@ def contact(
     kinds: list[str],
     best_deg: tuple[float, float] | None,
     revolution: int,
+    errors: bool,
     observer: _Observer,
     is_main: bool,
 ) -> Result: ...

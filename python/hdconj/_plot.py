@@ -39,12 +39,13 @@ def _solution(result: Any, ax: Any) -> None:
 def _contact(result: Any, ax: Any) -> None:
     """Contact area of each surface and kind against tilt, as shares of the flanks."""
     contact = result.contact
+    error = contact.get("contact_fraction_error")  # None: errors were not asked for
     for case in dict.fromkeys(_case_names(contact)):
         of_case = [i for i, name in enumerate(_case_names(contact)) if name == case]
         ax.errorbar(
             contact.tilt[of_case] * (180 / math.pi),
             contact.contact_fraction[of_case] * 100,
-            contact.contact_fraction_error[of_case] * 100,
+            error[of_case] * 100 if error is not None else None,
             fmt="o-",
             capsize=3,
             label=case,

@@ -102,6 +102,7 @@ def contact(
     kinds: str | Sequence[str] = (),
     best_deg: tuple[float, float] | None = None,
     revolution: int = 0,
+    errors: bool = True,
     progress: Progress = False,
 ) -> _results.ContactStudy:
     """Compute contact area, clearance and backlash against tilt and surface.
@@ -120,6 +121,8 @@ def contact(
         Interval in degrees in which the best tilt is searched; None: no search.
     revolution : int
         Angles of the wave generator over a revolution; 0: the scene's only.
+    errors : bool
+        False: the same figures without their errors, in less time.
     progress : bool or callable
         As for :func:`solve`; the second argument is the share that is done, or None.
 
@@ -128,7 +131,7 @@ def contact(
     ContactStudy
     """
     asked = scene_of(scene)
-    options = (list(tilts_deg), _words(surfaces), _words(kinds), best_deg, revolution)
+    options = (list(tilts_deg), _words(surfaces), _words(kinds), best_deg, revolution, errors)
     with _calling(progress) as call:
         return _results.ContactStudy._computed(_core.contact(asked._core, *options, *call), asked)
 

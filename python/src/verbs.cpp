@@ -84,12 +84,13 @@ ResultPointer run_find_neutral_curve(SceneHandle const& handle, nb::handle obser
 
 ResultPointer run_contact(SceneHandle const& handle, std::vector<double> const& tilts_deg, Words const& surfaces,
                           Words const& kinds, std::optional<std::pair<double, double>> const& best_deg, int revolution,
-                          nb::handle observer, bool is_main)
+                          bool errors, nb::handle observer, bool is_main)
 {
     Scene const& scene = handle.sound();
     ContactOptions options;
     enter_cases(options, tilts_deg, surfaces, kinds);
     options.revolution = revolution;
+    options.errors = errors;
     if (best_deg) {
         options.best = true;
         options.best_from = best_deg->first * deg;
@@ -233,7 +234,7 @@ void add_verbs(nb::module_& module)
     module.def("solve", run_solve, "scene"_a, "observer"_a.none(), "is_main"_a);
     module.def("find_neutral_curve", run_find_neutral_curve, "scene"_a, "observer"_a.none(), "is_main"_a);
     module.def("contact", run_contact, "scene"_a, "tilts_deg"_a, "surfaces"_a, "kinds"_a, "best_deg"_a.none(),
-               "revolution"_a, "observer"_a.none(), "is_main"_a);
+               "revolution"_a, "errors"_a, "observer"_a.none(), "is_main"_a);
     module.def("load", run_load, "scene"_a, "torque"_a.none(), "points"_a.none(), "tilts_deg"_a, "surfaces"_a,
                "kinds"_a, "curve"_a, "errors"_a, "observer"_a.none(), "is_main"_a);
     module.def("wedm", run_wedm, "scene"_a, "folder"_a, "dialects"_a, "observer"_a.none(), "is_main"_a);

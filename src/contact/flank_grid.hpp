@@ -48,6 +48,8 @@ struct FlankGrid
     /// are those of the circles [mm]
     std::array<std::vector<double>, 2> radius;
 
+    [[nodiscard]] bool operator==(FlankGrid const&) const = default;
+
     [[nodiscard]] std::size_t slices() const { return z.size(); }
     [[nodiscard]] std::size_t points() const { return station.size(); }
 };

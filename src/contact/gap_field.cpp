@@ -107,6 +107,39 @@ double GapField::nearest(Candidates const& teeth, Vec2 const& q) const
     return best;
 }
 
+void GapField::nearest(Candidates const& teeth, Vec2 const* q, std::size_t count, double less, double* out) const
+{
+    using distance::Lanes, distance::lanes;
+    distance::DistanceLanes const* const together = distance_.together();
+    std::size_t i = 0;
+    for (; together != nullptr && i + 1 < count; i += lanes) {
+        Lanes best, x, y, found, foot_y;
+        best.fill(std::numeric_limits<double>::infinity());
+        for (Placement const& tooth : teeth) {
+            std::array<bool, lanes> asked{};
+            bool any = false;
+            for (std::size_t l = 0; l < lanes; ++l) {
+                Vec2 const at = tooth(q[std::min(i + l, count - 1)]);
+                x[l] = at.x();
+                y[l] = at.y();
+                asked[l] = distance_.lower_bound(at) < best[l] + excess();
+                any |= asked[l];
+            }
+            if (!any)
+                continue;
+            (*together)(x, y, found, foot_y);
+            for (std::size_t l = 0; l < lanes; ++l) {
+                double const gap = has_heights() ? found[l] + deviation_->height(foot_y[l]) : found[l];
+                best[l] = asked[l] ? std::min(best[l], gap) : best[l];
+            }
+        }
+        for (std::size_t l = 0; l < lanes && i + l < count; ++l)
+            out[i + l] = best[l] - less;
+    }
+    for (; i < count; ++i)
+        out[i] = nearest(teeth, q[i]) - less;
+}
+
 /// Gradient of distance and deviation at @p x, whose distance has the gradient @p normal. Along the normal the nearest
 /// point stays.
 Vec2 GapField::deviating_normal(Vec2 const& x, Vec2 const& normal) const
@@ -132,11 +165,6 @@ double GapField::gap(Index const& i, double turn) const
            deduction(i.flank, i.slice);
 }
 
-double GapField::gap_between(std::size_t space, int flank, std::size_t slice, double s, double turn) const
-{
-    return nearest(candidates_of(space, slice, turn), grid_->between(flank, slice, s)) - deduction(flank, slice);
-}
-
 double GapField::lowest_about(Index const& i, double gap, double turn, double enough) const
 {
     Candidates const teeth = candidates_of(i.space, i.slice, turn);
@@ -155,11 +183,8 @@ double GapField::lowest_about(Index const& i, double gap, double turn, double en
 
 void GapField::along(std::size_t space, int flank, std::size_t slice, double turn, double* out) const
 {
-    Candidates const teeth = candidates_of(space, slice, turn);
     auto const& line = grid_->point[static_cast<std::size_t>(flank)][slice];
-    double const less = deduction(flank, slice);
-    for (std::size_t i = 0; i < line.size(); ++i)
-        out[i] = nearest(teeth, line[i]) - less;
+    gaps(near_teeth(space, slice, turn), flank, line.data(), line.size(), out);
 }
 
 GapField::Touch GapField::touch(Index const& i, double turn) const
@@ -167,13 +192,12 @@ GapField::Touch GapField::touch(Index const& i, double turn) const
     return touch(i.space, i.slice, grid_->point[static_cast<std::size_t>(i.flank)][i.slice][i.point], turn);
 }
 
-GapField::Touch GapField::touch(std::size_t space, std::size_t slice, Vec2 const& q, double turn) const
+GapField::Touch GapField::touch(NearTeeth const& near, Vec2 const& q) const
 {
-    Candidates const teeth = candidates_of(space, slice, turn);
     Touch best;
     best.nearest.distance = std::numeric_limits<double>::infinity();
     for (int c = 0; c < candidates; ++c) {
-        Placement const& tooth = teeth[static_cast<std::size_t>(c)];
+        Placement const& tooth = near.teeth[static_cast<std::size_t>(c)];
         Vec2 const x = tooth(q);
         if (!(distance_.lower_bound(x) < best.nearest.distance + excess()))
             continue;
@@ -183,10 +207,10 @@ GapField::Touch GapField::touch(std::size_t space, std::size_t slice, Vec2 const
             found.normal = deviating_normal(x, found.normal);
         }
         if (found.distance < best.nearest.distance)
-            best = {candidate(space, c), found, tooth.rotate_back(found.normal), turn};
+            best = {candidate(near.space, c), found, tooth.rotate_back(found.normal), near.turn};
     }
-    best.nearest.distance += opening(slice);
-    best.turn = turn_between(space, best.tooth, turn);
+    best.nearest.distance += opening(near.slice);
+    best.turn = turn_between(near.space, best.tooth, near.turn);
     return best;
 }
 
@@ -205,9 +229,7 @@ GapMap GapField::map(double turn, int threads) const
             for (int flank = 0; flank < 2; ++flank) {
                 double* const row = result.gap.data() + result.index(space, flank, k, 0);
                 auto const& line = grid_->point[static_cast<std::size_t>(flank)][k];
-                double const less = deduction(flank, k);
-                for (std::size_t i = 0; i < points; ++i)
-                    row[i] = nearest(teeth, line[i]) - less;
+                nearest(teeth, line.data(), points, deduction(flank, k), row);
             }
         }
     });

@@ -51,6 +51,40 @@ class GapField
     GapField(GapField const&) = delete;
     GapField& operator=(GapField const&) = delete;
 
+    /// The teeth that may be nearest to a space in one slice at one turn.
+    class NearTeeth
+    {
+        friend GapField;
+        static constexpr int candidates = 3;
+        /// x = R q - shift takes a point of a space into the frame of a tooth.
+        struct Placement
+        {
+            double cosine, sine;
+            Vec2 shift;
+            [[nodiscard]] Vec2 rotate_back(Vec2 const& v) const
+            {
+                return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y()};
+            }
+            [[nodiscard]] Vec2 operator()(Vec2 const& q) const
+            {
+                return Vec2{cosine * q.x() + sine * q.y(), -sine * q.x() + cosine * q.y()} - shift;
+            }
+        };
+        using Candidates = std::array<Placement, candidates>;
+        std::size_t space = 0, slice = 0;
+        double turn = 0;
+        Candidates teeth{};
+    };
+    [[nodiscard]] NearTeeth near_teeth(std::size_t space, std::size_t slice, double turn) const
+    {
+        NearTeeth near;
+        near.space = space;
+        near.slice = slice;
+        near.turn = turn;
+        near.teeth = candidates_of(space, slice, turn);
+        return near;
+    }
+
     [[nodiscard]] FlankGrid const& grid() const { return *grid_; }
     [[nodiscard]] std::size_t spaces() const { return space_angle_.size(); }
     /// Angle of the centre line of @p space from the major axis, -pi ... pi.
@@ -59,7 +93,21 @@ class GapField
     [[nodiscard]] double gap(Index const& i, double turn) const;
 
     /// Gap of the flank between its points, at @p s as FlankGrid::between() counts.
-    [[nodiscard]] double gap_between(std::size_t space, int flank, std::size_t slice, double s, double turn) const;
+    [[nodiscard]] double gap_between(std::size_t space, int flank, std::size_t slice, double s, double turn) const
+    {
+        return nearest(candidates_of(space, slice, turn), grid_->between(flank, slice, s)) - deduction(flank, slice);
+    }
+
+    /// Gaps of @p count neighbouring points @p q of the flank, in the frame of the space.
+    void gaps(std::size_t space, int flank, std::size_t slice, Vec2 const* q, std::size_t count, double turn,
+              double* out) const
+    {
+        gaps(near_teeth(space, slice, turn), flank, q, count, out);
+    }
+    void gaps(NearTeeth const& near, int flank, Vec2 const* q, std::size_t count, double* out) const
+    {
+        nearest(near.teeth, q, count, deduction(flank, near.slice), out);
+    }
 
     /// The smallest gap between a point and its two neighbours on the flank, @p gap at the point: looked for at all
     /// points of the outline between them, and followed from there (minimum_of_steps()), to @p enough.
@@ -80,7 +128,11 @@ class GapField
     [[nodiscard]] Touch touch(Index const& i, double turn) const;
 
     /// The same of any point of the frame of @p space, in the plane of @p slice.
-    [[nodiscard]] Touch touch(std::size_t space, std::size_t slice, Vec2 const& q, double turn) const;
+    [[nodiscard]] Touch touch(std::size_t space, std::size_t slice, Vec2 const& q, double turn) const
+    {
+        return touch(near_teeth(space, slice, turn), q);
+    }
+    [[nodiscard]] Touch touch(NearTeeth const& near, Vec2 const& q) const;
 
     /// A point of the frame of @p space where the displacement of the space puts it.
     [[nodiscard]] Vec2 placed(std::size_t space, Vec2 const& q) const
@@ -102,24 +154,13 @@ class GapField
     [[nodiscard]] double spacing() const { return spacing_; }
 
   private:
-    /// x = R q - shift takes a point of a space into the frame of a tooth.
-    struct Placement
-    {
-        double cosine, sine;
-        Vec2 shift;
-        [[nodiscard]] Vec2 rotate_back(Vec2 const& v) const
-        {
-            return {cosine * v.x() - sine * v.y(), sine * v.x() + cosine * v.y()};
-        }
-        [[nodiscard]] Vec2 operator()(Vec2 const& q) const
-        {
-            return Vec2{cosine * q.x() + sine * q.y(), -sine * q.x() + cosine * q.y()} - shift;
-        }
-    };
-    static constexpr int candidates = 3;
-    using Candidates = std::array<Placement, candidates>;
+    using Placement = NearTeeth::Placement;
+    using Candidates = NearTeeth::Candidates;
+    static constexpr int candidates = NearTeeth::candidates;
     [[nodiscard]] Candidates candidates_of(std::size_t space, std::size_t slice, double turn) const;
     [[nodiscard]] double nearest(Candidates const& teeth, Vec2 const& q) const;
+    /// The same of @p count points, less @p less, into @p out.
+    void nearest(Candidates const& teeth, Vec2 const* q, std::size_t count, double less, double* out) const;
     /// What is less than the distance of a point of the flank, for its gap.
     [[nodiscard]] double deduction(int flank, std::size_t slice) const { return radius(flank, slice) - opening(slice); }
     /// By how much all gaps of a slice are larger.
@@ -157,7 +198,8 @@ struct SmallestGap
     GapField::Index where{};
 };
 
-/// How far a smallest gap may be from the true one beside the rounding of coordinates: golden section ends there [mm].
+/// How far a smallest gap may be from the true one beside the rounding of coordinates: minimum_beside() ends so near
+/// [mm].
 [[nodiscard]] double smallest_gap_accuracy(GapField const& field);
 
 /// The smallest gap of @p map, which holds the gaps of @p field at @p turn, with the minima between its points.

@@ -48,7 +48,8 @@ class SpaceArea
     }
 
     /// The strip between the slices @p low and @p high, laid at the heights @p z_low and @p z_high.
-    [[nodiscard]] Sums strip(std::size_t low, std::size_t high, double z_low, double z_high)
+    /// @param parts  so many of the three sums
+    [[nodiscard]] Sums strip(std::size_t low, std::size_t high, double z_low, double z_high, int parts)
     {
         Sums sums = Sums::Zero();
         FlankGrid const& grid = field_->grid();
@@ -59,14 +60,15 @@ class SpaceArea
                     at(line[low][j], z_low, gap(low, j)), at(line[low][j + 1], z_low, gap(low, j + 1)),
                     at(line[high][j + 1], z_high, gap(high, j + 1)), at(line[high][j], z_high, gap(high, j))};
                 double contact = 0, whole = 0;
-                if (inside(low, j))
+                if (inside(low, j)) {
                     add_cell(corner, contact, whole);
-                sums += contact;
+                    sums += contact;
+                }
                 continue;
             }
             Steps const& a = between(low, j);
             Steps const& b = between(high, j);
-            for (int part = 0; part < 3; ++part) {
+            for (int part = 0; part < parts; ++part) {
                 std::size_t const stride = std::size_t{1} << part;
                 double contact = 0, whole = 0;
                 for (std::size_t i = 0; i < edge_steps; i += stride)
@@ -108,14 +110,14 @@ class SpaceArea
             FlankGrid const& grid = field_->grid();
             Steps made;
             double const from = grid.place(flank_, j), to = grid.place(flank_, j + 1);
-            for (std::size_t i = 0; i <= edge_steps; ++i) {
-                bool const end = i == edge_steps;
-                double const s = from + (to - from) * static_cast<double>(i) / edge_steps;
-                made.point[i] = end || i == 0 ? grid.point[static_cast<std::size_t>(flank_)][slice][end ? j + 1 : j]
-                                              : grid.between(flank_, slice, s);
-                made.gap[i] =
-                    end || i == 0 ? gap(slice, end ? j + 1 : j) : field_->gap_between(space_, flank_, slice, s, turn_);
-            }
+            auto const& line = grid.point[static_cast<std::size_t>(flank_)][slice];
+            made.point.front() = line[j];
+            made.point.back() = line[j + 1];
+            made.gap.front() = gap(slice, j);
+            made.gap.back() = gap(slice, j + 1);
+            for (std::size_t i = 1; i < edge_steps; ++i)
+                made.point[i] = grid.between(flank_, slice, from + (to - from) * static_cast<double>(i) / edge_steps);
+            field_->gaps(space_, flank_, slice, made.point.data() + 1, edge_steps - 1, turn_, made.gap.data() + 1);
             kept_.push_back(made);
             slot = kept_.size();
         }
@@ -195,51 +197,49 @@ double left_open(double all, double half, double quarter)
 }  // namespace
 
 ResolvedArea resolved_area(GapField const& field, std::vector<std::size_t> const& spaces, double turn, int flank,
-                           double limit, double width, int threads)
+                           double limit, double width, int threads, bool errors)
 {
     FlankGrid const& grid = field.grid();
     std::size_t const last = grid.slices() - 1;
+    int const parts = errors ? 3 : 1;
     struct Space
     {
         Sums all = Sums::Zero(), second = all, fourth = all;  ///< of all slices, every second and every fourth
-        double lowest = std::numeric_limits<double>::infinity();
+        bool touches = false;
     };
     std::vector<Space> found(spaces.size());
     constexpr std::size_t grain = 2;
     parallel_for(spaces.size(), threads, grain, [&](std::size_t s) {
         SpaceArea area(field, turn, spaces[s], flank, limit);
         Space& space = found[s];
-        space.lowest = area.lowest(limit);
-        if (last == 0) {
-            // one slice is a strip between two copies of itself
-            space.all = area.strip(0, 0, -width / 2, width / 2);
-            space.second = space.fourth = space.all;
-            return;
-        }
+        // one slice is a strip between two copies of itself
+        if (last == 0)
+            space.all = space.second = space.fourth = area.strip(0, 0, -width / 2, width / 2, parts);
         for (std::size_t k = 0; k < last; ++k)
-            space.all += area.strip(k, k + 1, grid.z[k], grid.z[k + 1]);
+            space.all += area.strip(k, k + 1, grid.z[k], grid.z[k + 1], parts);
+        // a touch may be narrower than what the area is summed over
+        space.touches = space.all[0] > 0 || area.lowest(limit) <= limit;
         for (auto const& [stride, sums] :
              {std::pair{std::size_t{2}, &space.second}, std::pair{std::size_t{4}, &space.fourth}})
-            for (std::size_t k = 0; k < last; k += stride)
-                *sums += area.strip(k, std::min(k + stride, last), grid.z[k], grid.z[std::min(k + stride, last)]);
+            for (std::size_t k = 0; errors && k < last; k += stride)
+                *sums += area.strip(k, std::min(k + stride, last), grid.z[k], grid.z[std::min(k + stride, last)], 1);
     });
     ResolvedArea result;
     Sums all = Sums::Zero(), second = all, fourth = all;
-    result.lowest = std::numeric_limits<double>::infinity();
     for (Space const& space : found) {
         all += space.all;
         second += space.second;
         fourth += space.fourth;
-        result.lowest = std::min(result.lowest, space.lowest);
-        // a touch may be narrower than what the area is summed over
-        result.area.spaces += space.all[0] > 0 || space.lowest <= limit ? 1 : 0;
+        result.area.spaces += space.touches ? 1 : 0;
     }
     // all spaces have the same flanks
     result.area.contact = all[0];
     auto const every = [&](std::size_t stride) { return flank_area(grid, flank, width, stride); };
-    double const one = every(1),
-                 open = (last == 0 ? 0 : left_open(one, every(2), every(4))) + arcs_over_chords(grid, flank, width);
+    double const one = every(1);
     result.area.whole = std::max(one * static_cast<double>(field.spaces()), all[0]);
+    if (!errors)
+        return result;
+    double const open = (last == 0 ? 0 : left_open(one, every(2), every(4))) + arcs_over_chords(grid, flank, width);
     result.whole = open * static_cast<double>(field.spaces());
     if (!(result.area.whole > 0))
         return result;

@@ -16,7 +16,6 @@ struct ResolvedArea
     double along = 0;   ///< estimated error of so many points along the flank, as a share
     double across = 0;  ///< estimated error of so many slices, as a share
     double whole = 0;   ///< estimated error of the area of all flanks, of slices and chords [mm^2]
-    double lowest = 0;  ///< smallest gap that was met, between the points too [mm]
 };
 
 /// Area integral over the gaps of @p field at @p turn on the flanks @p flank of the spaces @p spaces; the others count
@@ -29,7 +28,8 @@ struct ResolvedArea
 /// that is left adds up to D q/(1 - q); q is taken from 1/2 to 2/3, and twice the sum is given, no less than D'/2,
 /// since one difference may be small by chance. `along`: the same of the steps between points, 16, 8 and 4. Slices are
 /// odd in number. Same bits for any number of threads.
+/// @param errors  false: the area alone, the same bits, and no errors
 [[nodiscard]] ResolvedArea resolved_area(GapField const& field, std::vector<std::size_t> const& spaces, double turn,
-                                         int flank, double limit, double width, int threads);
+                                         int flank, double limit, double width, int threads, bool errors);
 
 }  // namespace hdconj::contact

@@ -106,6 +106,7 @@ ToothDistance::ToothDistance(profile::Profile const& profile)
     profile::PieceEnd const last = profile::end_of(*before);
     vertices_.push_back({last.point, last.normal, true});
     gather_runs();
+    gather_lanes();
     double const chord = (profile.addendum + profile.dedendum) * 0x1p-12;
     for (Vec2 const& p : profile::polygon_of(profile, chord)) {
         top_ = std::max(top_, p.y() + chord);
@@ -159,6 +160,46 @@ void ToothDistance::gather_runs()
         }
         runs_.push_back(run);
     }
+}
+
+void ToothDistance::gather_lanes()
+{
+    if (runs_.size() > 1)
+        return;
+    std::vector<DistanceLanes::Vertex> vertices;
+    for (Vertex const& v : vertices_)
+        vertices.push_back({v.point.x(), v.point.y(), v.normal.x(), v.normal.y(), v.open_end ? 1.0 : 0.0});
+    std::vector<DistanceLanes::Piece> pieces;
+    for (Patch const& patch : patches_) {
+        DistanceLanes::Piece piece{};
+        piece.low_x = patch.low.x();
+        piece.low_y = patch.low.y();
+        piece.high_x = patch.high.x();
+        piece.high_y = patch.high.y();
+        Vec2 from, along, normal = Vec2::Zero();
+        if (auto const* line = std::get_if<Line>(&patch.shape)) {
+            from = line->a;
+            along = line->along;
+            normal = line->normal;
+            piece.size = line->length;
+        } else if (auto const* arc = std::get_if<Arc>(&patch.shape)) {
+            from = arc->centre;
+            along = arc->middle;
+            piece.is_arc = true;
+            piece.size = arc->radius;
+            piece.cos_half_span = arc->cos_half_span;
+        } else {
+            return;
+        }
+        piece.x = from.x();
+        piece.y = from.y();
+        piece.t_x = along.x();
+        piece.t_y = along.y();
+        piece.n_x = normal.x();
+        piece.n_y = normal.y();
+        pieces.push_back(piece);
+    }
+    lanes_.emplace(std::move(vertices), std::move(pieces));
 }
 
 void ToothDistance::look_at(Run const& run, Vec2 const& p, Nearest& nearest) const

@@ -42,6 +42,28 @@ void require_held(SectionMesh const& mesh, Supports const& supports, int harmoni
                                              "its axis and one against tilting");
 }
 
+using Ldlt = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>>;
+/// Loads side by side: each row is one unknown.
+using LoadRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// Solves for all loads at once, so that each entry of the factor is read once for all of them. For each load the
+/// operations and their order are those of Ldlt::solve().
+void solve_in_place(Ldlt const& ldlt, LoadRows& x)
+{
+    auto const& lower = ldlt.matrixL().nestedExpression();
+    for (Eigen::Index j = 0; j < lower.outerSize(); ++j)
+        for (Eigen::SparseMatrix<double>::InnerIterator it(lower, j); it; ++it)
+            if (it.row() > j)
+                x.row(it.row()) -= it.value() * x.row(j);
+    auto const& diagonal = ldlt.vectorD();
+    for (Eigen::Index j = 0; j < x.rows(); ++j)
+        x.row(j) *= 1 / diagonal[j];
+    for (Eigen::Index j = lower.outerSize() - 1; j >= 0; --j)
+        for (Eigen::SparseMatrix<double>::InnerIterator it(lower, j); it; ++it)
+            if (it.row() > j)
+                x.row(j) -= it.value() * x.row(it.row());
+}
+
 }  // namespace
 
 struct HarmonicSolver::Factors
@@ -49,7 +71,7 @@ struct HarmonicSolver::Factors
     std::vector<Eigen::Index> place;  ///< of each unknown among the free ones as they are eliminated; -1: fixed
     Eigen::Index free = 0;
     Eigen::SparseMatrix<double> stiffness;  ///< of all unknowns, without springs
-    Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>> ldlt;
+    Ldlt ldlt;
 };
 
 HarmonicSolver::HarmonicSolver(FourierSolid const& solid, Supports const& supports, int harmonic) : harmonic_(harmonic)
@@ -101,11 +123,11 @@ HarmonicSolver::HarmonicSolver(FourierSolid const& solid, Supports const& suppor
 Eigen::MatrixXd HarmonicSolver::operator()(Eigen::MatrixXd const& loads) const
 {
     auto const& place = factors_->place;
-    Eigen::MatrixXd reduced(factors_->free, loads.cols());
+    LoadRows solved(factors_->free, loads.cols());
     for (std::size_t i = 0; i < place.size(); ++i)
         if (place[i] >= 0)
-            reduced.row(place[i]) = loads.row(static_cast<Eigen::Index>(i));
-    Eigen::MatrixXd const solved = factors_->ldlt.solve(reduced);
+            solved.row(place[i]) = loads.row(static_cast<Eigen::Index>(i));
+    solve_in_place(factors_->ldlt, solved);
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(loads.rows(), loads.cols());
     for (std::size_t i = 0; i < place.size(); ++i)
         if (place[i] >= 0)

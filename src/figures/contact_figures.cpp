@@ -27,7 +27,8 @@ Rows<ContactStudy> contact_study_figures()
                                  {"pitch circle", decimals<6>}),
         figure<&T::written_case>("written_case", one,
                                  "number of the case that the circular spline and the map belong to")
-            .formerly("shown")};
+            .formerly("shown"),
+        figure<&T::estimated>("estimated", one, "whether the errors are estimates")};
     return Rows<T>(rows);
 }
 
@@ -56,14 +57,16 @@ Rows<ContactState> state_figures()
         pair<&T::smallest_gap, &T::smallest_gap_error>("smallest_gap", um,
                                                        "smallest gap before the turn, on either side"),
         figure<&T::smallest_z>("smallest_z", mm, "height of the slice with the smallest gap"),
-        figure<&T::smallest_z_from>("smallest_z_from", mm, "lower end of where the smallest gap may lie"),
-        figure<&T::smallest_z_to>("smallest_z_to", mm, "upper end of where the smallest gap may lie"),
+        figure<&T::smallest_z_from>("smallest_z_from", mm, "lower end of where the smallest gap may lie").from_errors(),
+        figure<&T::smallest_z_to>("smallest_z_to", mm, "upper end of where the smallest gap may lie").from_errors(),
         figure<&T::teeth>("teeth", one, "tooth spaces in contact on the driving side", {"teeth", whole}),
-        figure<&T::teeth_least>("teeth_least", one, "tooth spaces in contact whatever the errors"),
-        figure<&T::teeth_most>("teeth_most", one, "tooth spaces that may be in contact within the errors"),
+        figure<&T::teeth_least>("teeth_least", one, "tooth spaces in contact whatever the errors").from_errors(),
+        figure<&T::teeth_most>("teeth_most", one, "tooth spaces that may be in contact within the errors")
+            .from_errors(),
         figure<&T::smallest_space>("smallest_space", one, "tooth space with the smallest gap"),
         figure<&T::smallest_spaces>("smallest_spaces", one,
-                                    "tooth spaces that may have the smallest gap within its error")};
+                                    "tooth spaces that may have the smallest gap within its error")
+            .from_errors()};
     return Rows<T>(rows);
 }
 
@@ -111,9 +114,11 @@ Rows<ContactCase> case_figures()
             .without(hdf5_value | json_value),  // the slices have it
         figure<&T::closest_z_from>("flank_z_from", mm, "lower end of where the closest place may lie",
                                    {"from", fixed<3>})
-            .keyed("closest_z_from"),
+            .keyed("closest_z_from")
+            .from_errors(),
         figure<&T::closest_z_to>("flank_z_to", mm, "upper end of where the closest place may lie", {"to", fixed<3>})
-            .keyed("closest_z_to"),
+            .keyed("closest_z_to")
+            .from_errors(),
         figure<&T::side_clearance_increased>("side_clearance_increased", one,
                                              "whether the side clearance is more than the scene gives")
             .formerly("raised"),

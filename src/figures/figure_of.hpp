@@ -94,6 +94,7 @@ struct FigureOf
     char const* former = nullptr;      ///< what the format before called it: its key where it has one, else its name
     unsigned absent = 0;
     bool as_length = false;  ///< JSON also gives the angle as a length at the pitch circle
+    bool bound = false;      ///< a bound that follows from errors: without their estimates it means nothing
     Text text = {};
 
     template <auto... members>
@@ -117,6 +118,7 @@ struct FigureOf
     [[nodiscard]] constexpr FigureOf formerly(char const* stem) const { return with(&FigureOf::former, stem); }
     [[nodiscard]] constexpr FigureOf without(unsigned places) const { return with(&FigureOf::absent, absent | places); }
     [[nodiscard]] constexpr FigureOf and_as_length() const { return with(&FigureOf::as_length, true); }
+    [[nodiscard]] constexpr FigureOf from_errors() const { return with(&FigureOf::bound, true); }
     [[nodiscard]] constexpr FigureOf printed(Text const& how) const { return with(&FigureOf::text, how); }
 
     /// The same figure as the format before called it. @pre former != nullptr

@@ -22,9 +22,10 @@ using Eigen::VectorXd;
 double between(PointResponse const& response, Footing const& a, Footing const& b)
 {
     double sum = 0;
+    std::size_t const place = response.place(a.at - b.at);
     for (std::size_t i = 0; i < 3; ++i)
         for (std::size_t j = 0; j < 3; ++j)
-            sum += a.share[i] * b.share[j] * response(a.station[i], b.station[j], a.at - b.at);
+            sum += a.share[i] * b.share[j] * response.at(a.station[i], b.station[j], place);
     return sum;
 }
 
@@ -58,9 +59,9 @@ MatrixXd compliance_of(ElasticDrive const& drive, LinearGaps const& gaps, std::s
         for (std::size_t row = 0; row < nodes.size(); ++row) {
             double& value = a(first + static_cast<Index>(row), j);
             value = 0;
+            std::size_t const place = drive.response.place(nodes[row].at - feet[col].at);
             for (std::size_t i = 0; i < 3; ++i)
-                value -= feet[col].share[i] *
-                         drive.response(nodes[row].height, feet[col].station[i], nodes[row].at - feet[col].at);
+                value -= feet[col].share[i] * drive.response.at(nodes[row].height, feet[col].station[i], place);
         }
         a(j, j) += gaps.compliance.own[col];
     });

@@ -105,13 +105,17 @@ std::vector<FlankContact> flank_contacts(contact::GapField const& field, FlankSe
     parallel_for(search.spaces, threads, grain, [&](std::size_t s) {
         std::vector<double> gap(grid.points());
         std::size_t const space = search.first_space + s;
+        std::vector<contact::GapField::NearTeeth> teeth;
+        for (std::size_t k = 0; k < slices; ++k)
+            teeth.push_back(field.near_teeth(space, k, search.turn));
         for (std::size_t f = 0; f < 2; ++f)
             for (std::size_t k = 0; k < slices; ++k) {
                 int const flank = static_cast<int>(f);
-                FlankView const view{field, search, curves[f * slices + k], space, flank, k, field.radius(flank, k)};
+                FlankView const view{field, search, curves[f * slices + k], space,
+                                     flank, k,      field.radius(flank, k), teeth[k]};
                 if (is_far(view))
                     continue;
-                field.along(space, view.flank, k, search.turn, gap.data());
+                field.gaps(teeth[k], flank, grid.point[f][k].data(), gap.size(), gap.data());
                 add_contacts(view, gap, found[s]);
             }
     });
@@ -137,7 +141,9 @@ void hold_contacts(contact::GapField const& field, FlankSearch const& search, st
         if (!(force[i] > 0) || found)
             continue;
         FlankCurve const curve(field.grid().point[static_cast<std::size_t>(old.flank)][old.slice]);
-        FlankView const view{field, search, curve, old.space, old.flank, old.slice, field.radius(old.flank, old.slice)};
+        contact::GapField::NearTeeth const teeth = field.near_teeth(old.space, old.slice, search.turn);
+        FlankView const view{field, search, curve, old.space, old.flank, old.slice, field.radius(old.flank, old.slice),
+                             teeth};
         FlankCurve::Place const place = curve.place(old.arc_length);
         FlankContact c = contact_at(view, place, view.touch(curve.point(place)));
         c.curvature = old.curvature;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "hdconj/base/rigid_motion.hpp"
 #include "hdconj/base/tolerance.hpp"
@@ -51,13 +52,24 @@ bool is_far(FlankView const& view)
     std::vector<double> const& length = view.curve.arc_length();
     constexpr std::size_t stride = 8;
     std::size_t const last = length.size() - 1;
+    std::vector<std::size_t> chosen;
+    std::vector<Vec2> place;
     for (std::size_t i = 0;; i = std::min(i + stride, last)) {
-        double const reach = length[std::min(i + stride, last)] - length[i];
-        if (view.gap(point[i]) - std::max(reach, length[i] - length[i - std::min(i, stride)]) <= view.search.limit)
-            return false;
+        chosen.push_back(i);
+        place.push_back(point[i]);
         if (i == last)
-            return true;
+            break;
     }
+    std::vector<double> gap(place.size());
+    view.field.gaps(view.teeth, view.flank, place.data(), place.size(), gap.data());
+    for (std::size_t j = 0; j < chosen.size(); ++j) {
+        std::size_t const i = chosen[j];
+        double const reach =
+            std::max(length[std::min(i + stride, last)] - length[i], length[i] - length[i - std::min(i, stride)]);
+        if (gap[j] - reach <= view.search.limit)
+            return false;
+    }
+    return true;
 }
 
 std::vector<GapMinimum> gap_minima(FlankView const& view, std::vector<double> const& gap)
@@ -70,15 +82,19 @@ std::vector<GapMinimum> gap_minima(FlankView const& view, std::vector<double> co
         return found;
     // The slopes at the ends of a stretch decide; stretches of no length are edges.
     bool falling = false, begun = false;
+    std::optional<Vec2> normal_ahead;  // at the end of the stretch before, which is where the next one begins
     for (std::size_t i = 0; i < last_point; ++i) {
         if (!(curve.length(i) > 0))
             continue;
         if (std::min(gap[i], gap[i + 1]) > view.search.limit + curve.length(i)) {
             falling = true;
             begun = true;
+            normal_ahead.reset();
             continue;
         }
-        double const at_begin = view.slope({i, 0}), at_end = view.slope({i, 1});
+        Vec2 const normal = normal_ahead ? *normal_ahead : view.touch(curve.points()[i]).normal;
+        normal_ahead = view.touch(curve.points()[i + 1]).normal;
+        double const at_begin = normal.dot(curve.tangent({i, 0})), at_end = normal_ahead->dot(curve.tangent({i, 1}));
         if (!begun) {
             if (at_begin >= 0)
                 found.push_back({{i, 0}, true});

@@ -20,11 +20,9 @@ struct FlankView
     int flank;
     std::size_t slice;
     double radius;  ///< of the circles whose centres the curve joins [mm]; 0: the curve is the flank
+    contact::GapField::NearTeeth const& teeth;
 
-    [[nodiscard]] contact::GapField::Touch touch(Vec2 const& q) const
-    {
-        return field.touch(space, slice, q, search.turn);
-    }
+    [[nodiscard]] contact::GapField::Touch touch(Vec2 const& q) const { return field.touch(teeth, q); }
     [[nodiscard]] double gap(Vec2 const& q) const { return touch(q).nearest.distance - radius; }
     /// Derivative of the gap along the flank; at an end of a stretch, from within the stretch.
     [[nodiscard]] double slope(FlankCurve::Place const& at) const

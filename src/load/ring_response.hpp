@@ -61,11 +61,17 @@ class PointResponse
     [[nodiscard]] double step() const;  ///< of the grid [rad]
 
     /// At station @p a to a unit force at station @p b, @p steps of the grid before it.
-    [[nodiscard]] double operator()(std::size_t a, std::size_t b, int steps) const
+    [[nodiscard]] double operator()(std::size_t a, std::size_t b, int steps) const { return at(a, b, place(steps)); }
+
+    /// The same in two steps, where several stations are the same number of steps apart.
+    [[nodiscard]] std::size_t place(int steps) const
     {
         int const at = steps % grid_;
-        return table_[(a * stations_.size() + b) * static_cast<std::size_t>(grid_) +
-                      static_cast<std::size_t>(at < 0 ? at + grid_ : at)];
+        return static_cast<std::size_t>(at < 0 ? at + grid_ : at);
+    }
+    [[nodiscard]] double at(std::size_t a, std::size_t b, std::size_t place) const
+    {
+        return table_[(a * stations_.size() + b) * static_cast<std::size_t>(grid_) + place];
     }
 
     /// Amplitudes of the loads that point forces are, stations x harmonics [N/rad]: `even` goes with cos at cosine

@@ -102,7 +102,7 @@ BestTilt searched(ContactContext const& context, ContactOptions const& options, 
         });
         try {
             ContactCase const found =
-                contact::contact_case(context, {ToothSurface::tilted, kind, best.tilt}, 0, nullptr);
+                contact::contact_case(context, {ToothSurface::tilted, kind, best.tilt}, 0, options.errors, nullptr);
             best.value_error = goal.largest ? found.state.contact_fraction_error : found.least_side_clearance_error;
             return best;
         } catch (NumericalError const& error) {
@@ -145,7 +145,7 @@ void add_case(ContactStudy& study, StudiedSurfaces& surfaces, ContactContext con
               int revolution)
 {
     GapMap map;
-    ContactCase found = contact::contact_case(context, spec, revolution, &map);
+    ContactCase found = contact::contact_case(context, spec, revolution, study.estimated, &map);
     if (study.cases.empty() || found.state.contact_fraction > study.cases[study.written_case].state.contact_fraction) {
         study.written_case = study.cases.size();
         study.map = std::move(map);
@@ -208,6 +208,7 @@ ContactStudy study_contact(Scene const& scene, ContactOptions const& options, St
                            Goal{TiltGoal::least_side_clearance, false, contact::least_side_clearance_of}};
     StepProgress steps(progress, wanted.size(), goals.size() * kinds.size());
     ContactStudy study;
+    study.estimated = options.errors;
     study.contact_gap = context.request.gap;
     study.pitch_radius = scene.drive.module * scene.drive.flexspline_teeth / 2;
     StudiedSurfaces surfaces = add_cases(study, context, wanted, options.revolution, steps);

@@ -61,6 +61,18 @@ def test_best_tilt_and_revolution(coned, tmp_path):
     compare(study, words, tmp_path)
 
 
+def test_contact_without_errors(coned, tmp_path):
+    scene = SOURCE / "data/scenes/type-50-coned.toml"
+    words = ["contact", scene, *(f"--set={key}" for key in CONED), "--no-errors"]
+    study = hdconj.contact(coned, errors=False)
+    compare(study, words, tmp_path)
+    figure = study.contact.figures["contact_fraction"]
+    assert figure.error is None
+    assert (figure.value == hdconj.contact(coned).contact.figures["contact_fraction"].value).all()
+    with pytest.raises(AttributeError):
+        study.contact.contact_fraction_error  # noqa: B018
+
+
 def test_load_without_errors(tmp_path):
     quick = hdconj.load(hdconj.Scene().with_({"slices.count": 3}), torque=10, curve=False, errors=False)
     compare(quick, ["load", "--set=slices.count=3", "--torque=10", "--no-curve", "--no-errors"], tmp_path)

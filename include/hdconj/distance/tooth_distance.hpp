@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <variant>
 #include <vector>
 
 #include "hdconj/distance/curve_stretch.hpp"
+#include "hdconj/distance/distance_lanes.hpp"
 #include "hdconj/profile/profile.hpp"
 
 namespace hdconj::distance {
@@ -31,6 +33,10 @@ class ToothDistance
     explicit ToothDistance(profile::Profile const& profile);
 
     [[nodiscard]] NearestPoint operator()(Vec2 const& p) const;
+
+    /// The same of several points at once; null for a tooth with curves, or of so many pieces that it has several
+    /// boxes.
+    [[nodiscard]] DistanceLanes const* together() const { return lanes_ ? &*lanes_ : nullptr; }
 
     /// A quick lower bound of the distance, from the tooth's height and width; exact sign not implied.
     [[nodiscard]] double lower_bound(Vec2 const& p) const
@@ -77,11 +83,13 @@ class ToothDistance
     static void all_feet_on(profile::CurvePiece const& curve, Vec2 const& p, Nearest& nearest);
     void add_patches(profile::PieceShape const& shape);
     void gather_runs();
+    void gather_lanes();
     void look_at(Run const& run, Vec2 const& p, Nearest& nearest) const;
 
     std::vector<Patch> patches_;
     std::vector<Run> runs_;
     std::vector<Vertex> vertices_;
+    std::optional<DistanceLanes> lanes_;
     double top_ = 0;
     double half_width_ = 0;
 };

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "hdconj/base/tolerance.hpp"
@@ -16,13 +17,29 @@ struct BracketedMinimum
     double value = 0;
 };
 
+/// The next place in the bracket a, x, b, whose values are largest at the ends: the vertex of the parabola through
+/// them. Where that is x itself, a place so far towards the higher end that the value rises by half of @p enough.
+/// Not a number where there is no such parabola.
+[[nodiscard]] inline double vertex_in(double a, double x, double b, double at_a, double at_x, double at_b,
+                                      double enough)
+{
+    double const fall_a = (at_a - at_x) / (x - a), fall_b = (at_b - at_x) / (b - x);
+    double const bend = (fall_a + fall_b) / (b - a);  // half the second derivative, of either direction of a to b
+    double const vertex = 0.5 * (a + x + fall_a / bend);
+    double const near = std::sqrt(0.5 * enough / bend);
+    if (std::abs(vertex - x) >= near)
+        return vertex;
+    return at_a > at_b ? x + (a < x ? -near : near) : x + (b < x ? -near : near);
+}
+
 /// Smallest value of @p f from @p a towards @p b, f(a) = @p fa given; (a, fa) itself where the function does not fall
 /// from there.
 ///
-/// Golden section (Kiefer 1953), which needs no derivative: a smooth minimum and the point of a V are found alike. The
-/// search ends where neither end of the bracket lies more than @p enough above the smallest value, or at the last bits
-/// of the place. For a function that is convex there, this bounds the error of the value by 3 @p enough. A function
-/// with several minima gives one of them.
+/// The vertex of the parabola through the bracket, and golden section (Kiefer 1953) where two steps have not halved the
+/// bracket: a smooth minimum takes some ten values, the point of a V is found too. No derivative is needed. The search
+/// ends where neither end of the bracket lies more than @p enough above the smallest value, or at the last bits of the
+/// place. For a function that is convex there, this bounds the error of the value by 3 @p enough. A function with
+/// several minima gives one of them.
 ///
 /// (boost::math::tools::brent_find_minima() bounds the place of the minimum and not its value.)
 template <class F>
@@ -37,12 +54,18 @@ template <class F>
         return {a, fa};
     double const size = std::max(std::abs(a), std::abs(b));
     double at_a = fa, at_b = f(b);
-    constexpr int budget = 120;
+    constexpr int budget = 200;
+    std::array<double, 2> before{};
     for (int i = 0; i < budget; ++i) {
         if (std::abs(b - a) <= 4 * unit_roundoff * size || std::max(at_a, at_b) - at_x <= enough)
             break;
-        bool const beyond = std::abs(b - x) > std::abs(x - a);
-        double const y = beyond ? x + golden * (b - x) : x - golden * (x - a);
+        double const width = std::abs(b - a);
+        bool const slow = i >= 2 && width > 0.5 * before[i % 2];  // two steps ago
+        before[i % 2] = width;
+        double y = slow ? a : vertex_in(a, x, b, at_a, at_x, at_b, enough);
+        if (!((y - a) * (y - b) < 0) || y == x)
+            y = std::abs(b - x) > std::abs(x - a) ? x + golden * (b - x) : x - golden * (x - a);
+        bool const beyond = (y - x) * (b - a) > 0;
         double const at_y = f(y);
         if (at_y < at_x) {
             (beyond ? a : b) = x;

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "contact/parallel_trim.hpp"
@@ -25,31 +26,38 @@ struct ErrorPlanes
     conjugate::MatchedOutline const& outline;
     FlankGrid const& grid;
     PartFlanks const& cleared;          ///< flanks of the cleared surface
-    TurnMinima const* flank = nullptr;  ///< of the flanks as made with the scene's side clearance, where known
-    TurnMinima const* root = nullptr;   ///< around the bottom
+    TurnsOfSet const* flank = nullptr;  ///< of the flanks as made with the scene's side clearance, where known
+    TurnsOfSet const* root = nullptr;   ///< around the bottom
 };
 
 /// The least of each plane. @p along: between the points too, which are even but for the last, the middle of the
 /// bottom.
 /// @p known: what the points of the set have there, or null
 std::vector<double> lowest_of(SliceClearances const& clearances, ClearanceSet const& set, double distance, bool along,
-                              TurnMinima const* known = nullptr)
+                              TurnsOfSet const* known = nullptr)
 {
-    TurnMinima const found = known != nullptr ? TurnMinima{} : clearances(set, distance);
-    TurnMinima const& minima = known != nullptr ? *known : found;
-    std::vector<double> low = clearances.lowest(set, distance, minima);
+    TurnsOfSet found;
+    if (known == nullptr) {
+        found.minima = clearances(set, distance);
+        found.deepest = clearances.lowest(set, distance, found.minima);
+        known = &found;
+    }
+    std::vector<double> low;
+    for (Deepest const& deepest : known->deepest)
+        low.push_back(deepest.turn.distance);
     for (std::size_t k = 0; along && k < low.size(); ++k) {
         std::vector<double> points;
-        for (std::size_t i = 0; i + 1 < minima[k].size(); ++i)
-            points.push_back(minima[k][i].distance);
+        for (std::size_t i = 0; i + 1 < known->minima[k].size(); ++i)
+            points.push_back(known->minima[k][i].distance);
         low[k] = std::min(low[k], numeric::least_between(points));
     }
     return low;
 }
 
-double least_of(SliceClearances const& clearances, ClearanceSet const& set, double distance, bool along)
+double least_of(SliceClearances const& clearances, ClearanceSet const& set, double distance, bool along,
+                TurnsOfSet const* known = nullptr)
 {
-    return numeric::least_between(lowest_of(clearances, set, distance, along));
+    return numeric::least_between(lowest_of(clearances, set, distance, along, known));
 }
 
 /// Smallest distances of the scene's slices, which @p result holds, and how far those of the planes, and of what lies
@@ -84,12 +92,13 @@ void write_clearance_errors(ErrorPlanes const& planes, double given, double unse
 
 /// Error of the least distance @p found by which the set must be moved to clear: what still enters between the planes,
 /// by the slope with which moving clears it.
-/// @param along  between points of the set too
+/// @param along     between points of the set too
+/// @param at_found  full turns of the set at that distance, or null
 double least_clearance_error(ContactContext const& context, SliceClearances const& clearances, ClearanceSet const& set,
-                             double found, bool along)
+                             double found, bool along, TurnsOfSet const* at_found)
 {
     double const enough = clearance_accuracy(context.tolerance) + set.known;
-    double const least = least_of(clearances, set, found, along);
+    double const least = least_of(clearances, set, found, along, at_found);
     double const enters = std::max(0.0, -least);
     // nothing was moved and nothing touches: the least is none
     if (found == 0 && least > enough)
@@ -177,7 +186,7 @@ std::vector<double> deviations(CaseSurface const& surface, FlankGrid const& grid
 }
 
 /// How far a ruled surface deviates, told in the slices of the scene: they are all planes, or every so many.
-void write_deviation(ErrorPlanes const& planes, Surfaces const& made, ContactCase& result)
+void write_deviation(ErrorPlanes const& planes, Surfaces const& made, bool errors, ContactCase& result)
 {
     std::size_t const slices = made.flanks.grid.slices();
     if (!planes.surface.is_ruled_on_cone() || slices < 2)
@@ -185,6 +194,8 @@ void write_deviation(ErrorPlanes const& planes, Surfaces const& made, ContactCas
     std::vector<double> low = deviations(planes.surface, planes.cleared.grid, made.cleared.tip);
     for (std::size_t k = 0; k < low.size(); k += (low.size() - 1) / (slices - 1))
         result.ruled_deviation = std::max(result.ruled_deviation, low[k]);
+    if (!errors)
+        return;
     for (double& each : low)
         each = -each;
     // the distance is pointed where it is largest; an outline is known to its chords
@@ -206,40 +217,51 @@ void write_errors_in(ErrorPlanes const& planes, CaseSurface const& in_slices, Su
     double const unseen = unseen_length(flanks, made.given) + chords + (anew ? overlap_at_ends(flanks, made.given) : 0);
     write_clearance_errors(planes, made.given, unseen, result);
     SliceClearances const& clearances = planes.clearances;
+    // with the same tip circle and side clearance the cleared surface is the one that was made
+    bool const same = made.cleared.tip == made.tip && result.least_side_clearance == made.given;
     result.least_side_clearance_error =
         least_clearance_error(context, clearances, flank_set(planes.cleared.grid, !has_mirrored_flanks(context)),
-                              result.least_side_clearance, false) +
+                              result.least_side_clearance, false, same ? planes.flank : nullptr) +
         unseen_length(cleared, result.least_side_clearance) + chords +
         (anew ? overlap_at_ends(cleared, result.least_side_clearance) : 0);
     result.least_root_clearance_error = least_clearance_error(
-        context, clearances, root_set(planes.outline, context.tolerance), result.least_root_clearance, true);
+        context, clearances, root_set(planes.outline, context.tolerance), result.least_root_clearance, true,
+        result.least_root_clearance == 0 ? planes.root : nullptr);
     result.least_tip_radius_error = least_tip_radius_error(in_slices, planes.surface, planes.cleared, made.cleared,
                                                            result.least_side_clearance_error, made.given);
-    write_deviation(planes, made, result);
+    write_deviation(planes, made, true, result);
 }
 
 }  // namespace
 
-void write_errors(CaseSurface const& surface, SliceClearances const& clearances, Surfaces const& made,
+void write_errors(CaseSurface const& surface, SliceClearances const& clearances, Surfaces const& made, bool errors,
                   ContactCase& result)
 {
+    if (!errors && !surface.is_ruled_on_cone())
+        return;
+    auto const write = [&](ErrorPlanes const& planes) {
+        if (errors)
+            write_errors_in(planes, surface, made, result);
+        else
+            write_deviation(planes, made, false, result);
+    };
     std::size_t const fewest = surface.is_ruled() ? fewest_planes : fewest_turn_planes;
-    if (surface.is_alike() || surface.z().size() >= fewest) {
-        ErrorPlanes const planes{surface,     clearances, made.outline, made.flanks.grid, made.cleared.flanks,
-                                 &made.flank, &made.root};
-        return write_errors_in(planes, surface, made, result);
-    }
+    if (surface.is_alike() || surface.z().size() >= fewest)
+        return write(
+            {surface, clearances, made.outline, made.flanks.grid, made.cleared.flanks, &made.flank, &made.root});
     CaseSurface finer = surface;
     while (finer.z().size() < fewest)
         finer = finer.refined();
-    SliceClearances const finer_clearances(surface.context(), finer.builder());
+    std::optional<SliceClearances> finer_clearances;  // a deviation needs none
+    if (errors)
+        finer_clearances.emplace(surface.context(), finer.builder());
     conjugate::MatchedOutline const outline = finer.outline(made.tip);
     double const most = std::max(made.given, result.least_side_clearance);
     PartFlanks const flanks = part_flanks(finer, outline, made.tip, most);
     PartFlanks const cleared = made.cleared.tip == made.tip
                                    ? flanks
                                    : part_flanks(finer, finer.outline(made.cleared.tip), made.cleared.tip, most);
-    write_errors_in({finer, finer_clearances, outline, flanks.grid, cleared}, surface, made, result);
+    write({finer, errors ? *finer_clearances : clearances, outline, flanks.grid, cleared});
 }
 
 }  // namespace hdconj::contact

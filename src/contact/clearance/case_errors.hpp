@@ -16,13 +16,14 @@ struct Surfaces
     PartFlanks const& flanks;                  ///< of it
     double tip;                                ///< as made
     double given;                              ///< side clearance of the scene
-    TurnMinima const& flank;                   ///< of the flanks as made and that side clearance
-    TurnMinima const& root;                    ///< around the bottom
+    TurnsOfSet const& flank;                   ///< of the flanks as made and that side clearance
+    TurnsOfSet const& root;                    ///< around the bottom
 };
 
 /// Errors of all that is told of full turns, and how far a ruled surface deviates, into @p result, which holds the
 /// rest.
-void write_errors(CaseSurface const& surface, SliceClearances const& clearances, Surfaces const& made,
+/// @param errors  false: the deviation alone
+void write_errors(CaseSurface const& surface, SliceClearances const& clearances, Surfaces const& made, bool errors,
                   ContactCase& result);
 
 /// Fewest planes that say something about what lies between them: gaps, and how far a ruled surface deviates; full

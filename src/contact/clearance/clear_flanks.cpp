@@ -31,8 +31,10 @@ void lift_tip(CaseSurface const& surface, SliceClearances const& clearances, Cle
             ClearanceSet const set = flank_set(cleared.flanks.grid, !has_mirrored_flanks(context));
             // the same flanks as before, a little less of them in slices whose corners rise less
             if (clearances.worst(set, cleared.offset, clearances(set, cleared.offset)) <
-                -clearance_accuracy(context.tolerance))
-                cleared.offset = least_offset(clearances, set, clearances(set, 0), context.tolerance);
+                -clearance_accuracy(context.tolerance)) {
+                TurnsOfSet at_zero{clearances(set, 0), {}};
+                cleared.offset = least_offset(clearances, set, at_zero, context.tolerance);
+            }
         });
         if (cleared.offset <= cleared.reach)
             return;
@@ -44,7 +46,7 @@ void lift_tip(CaseSurface const& surface, SliceClearances const& clearances, Cle
 
 }  // namespace
 
-double clearance_for_assembly(CaseSurface const& surface, Cleared& cleared, double offset,
+double clearance_for_assembly(CaseSurface const& surface, GapsAtRest& rest, Cleared& cleared, double offset,
                               std::vector<double> const& phases)
 {
     ContactContext const& context = surface.context();
@@ -59,8 +61,8 @@ double clearance_for_assembly(CaseSurface const& surface, Cleared& cleared, doub
             auto const places = context.places(context, phase);
             GapField const field(context.tooth, moved, *places, context.scene.drive.flexspline_teeth,
                                  context.scene.drive.circular_spline_teeth, phase);
-            smallest =
-                std::min(smallest, smallest_gap(field, field.map(0, context.threads), 0, -1, context.threads).gap);
+            smallest = std::min(smallest,
+                                smallest_gap(field, *rest(context, moved, field, phase), 0, -1, context.threads).gap);
         }
         return smallest;
     };
@@ -92,12 +94,15 @@ Cleared clear_flanks(CaseSurface const& surface, SliceClearances const& clearanc
         result.flanks = part_flanks(surface, result.outline, result.tip, 0);
         context.clock.run(Stage::clearance, [&] {
             ClearanceSet const set = flank_set(result.flanks.grid, !has_mirrored_flanks(context));
-            result.offset = least_offset(clearances, set, clearances(set, 0), context.tolerance);
+            result.at_zero = {clearances(set, 0), {}};
+            result.offset = least_offset(clearances, set, result.at_zero, context.tolerance);
         });
         if (!raise_tip(result.outline, std::max(result.offset, at_least)))
             break;
         refuse_to_lift_for_ever(i, result.tip);
     }
+    if (result.offset > 0 || result.reach > 0)
+        result.at_zero = {};  // of other flanks
     if (result.offset > 0)
         lift_tip(surface, clearances, result);
     else if (result.reach > 0)
@@ -106,6 +111,7 @@ Cleared clear_flanks(CaseSurface const& surface, SliceClearances const& clearanc
     for (int i = 0; raise_tip(result.flanks.outline, std::max(result.offset, at_least)); ++i) {
         refuse_to_lift_for_ever(i, result.tip);
         result.outline = surface.outline(result.tip);
+        result.at_zero = {};
         reach(surface, result, result.reach);
     }
     return result;
@@ -158,7 +164,7 @@ bool is_enough(ContactContext const& context, Cleared const& cleared)
     return given_clearance(context.scene) >= cleared.offset - clearance_accuracy(context.tolerance);
 }
 
-std::optional<Cleared> try_nominal_part(CaseSurface const& surface, SliceClearances const& clearances,
+std::optional<Cleared> try_nominal_part(CaseSurface const& surface, SliceClearances const& clearances, GapsAtRest& rest,
                                         Cleared const& cleared, std::vector<double> const& phases, MadePart const* made)
 {
     ContactContext const& context = surface.context();
@@ -178,10 +184,11 @@ std::optional<Cleared> try_nominal_part(CaseSurface const& surface, SliceClearan
         TurnMinima minima;
         if (!known)
             context.clock.run(Stage::clearance, [&] { minima = clearances(set, given); });
-        bool const clears =
-            clearances.worst(set, given, known ? made->at_given : minima) >= -clearance_accuracy(context.tolerance);
-        return clears && clearance_for_assembly(surface, part, given, phases) == given ? std::optional(std::move(part))
-                                                                                       : std::nullopt;
+        bool const clears = clearances.worst(set, given, known ? made->at_given.minima : minima) >=
+                            -clearance_accuracy(context.tolerance);
+        return clears && clearance_for_assembly(surface, rest, part, given, phases) == given
+                   ? std::optional(std::move(part))
+                   : std::nullopt;
     } catch (NumericalError const& error) {
         if (!error.is_infeasible())
             throw;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "contact/study/gaps_at_rest.hpp"
 #include "part_flanks.hpp"
 #include "slice_clearance.hpp"
 
@@ -25,8 +26,8 @@ void check_as_made(CaseSurface const& surface, Cleared const& cleared);
 
 /// Offset that leaves no gap below zero where the map is looked at: beside the full turn, with the wall's axial shift.
 /// At least @p offset; the flanks of @p cleared then reach as far.
-[[nodiscard]] double clearance_for_assembly(CaseSurface const& surface, Cleared& cleared, double offset,
-                                            std::vector<double> const& phases);
+[[nodiscard]] double clearance_for_assembly(CaseSurface const& surface, GapsAtRest& rest, Cleared& cleared,
+                                            double offset, std::vector<double> const& phases);
 
 /// The part that the scene gives: side clearance @p given and the tip circle @p tip, which is lifted only where the
 /// moved flanks would leave no land.
@@ -37,7 +38,7 @@ void check_as_made(CaseSurface const& surface, Cleared const& cleared);
 struct MadePart
 {
     Cleared part;
-    TurnMinima at_given;  ///< of its flanks with the scene's side clearance
+    TurnsOfSet at_given;  ///< of its flanks with the scene's side clearance
 };
 
 /// Whether the side clearance that the scene gives is no less than that of @p cleared; "auto" gives none.
@@ -48,7 +49,7 @@ struct MadePart
 /// where @p cleared takes its place, or has the same tip circle.
 /// @param made  where it is known
 [[nodiscard]] std::optional<Cleared> try_nominal_part(CaseSurface const& surface, SliceClearances const& clearances,
-                                                      Cleared const& cleared, std::vector<double> const& phases,
-                                                      MadePart const* made);
+                                                      GapsAtRest& rest, Cleared const& cleared,
+                                                      std::vector<double> const& phases, MadePart const* made);
 
 }  // namespace hdconj::contact

@@ -7,6 +7,7 @@
 #include "contact/flank_grid.hpp"
 #include "contact/study/case_surface.hpp"
 #include "contact/study/place_teeth.hpp"
+#include "slice_clearance.hpp"
 
 namespace hdconj::contact {
 
@@ -43,6 +44,7 @@ struct Cleared
     double reach = 0;                   ///< [mm]
     double offset = 0;
     double tip = 0;
+    TurnsOfSet at_zero;  ///< of the flanks without side clearance; empty: not known
 };
 
 /// The tip circle of z = 0 that leaves every slice of @p outline a land, and that its flanks meet, when these are moved

@@ -11,6 +11,26 @@
 #include "side_clearance_search.hpp"
 
 namespace hdconj::contact {
+namespace {
+
+double least_on_points(TurnMinima const& minima)
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (auto const& slice : minima)
+        for (distance::TurnMinimum const& m : slice)
+            least = std::min(least, m.distance);
+    return least;
+}
+
+double least_of_slices(std::vector<Deepest> const& deepest)
+{
+    double least = std::numeric_limits<double>::infinity();
+    for (Deepest const& each : deepest)
+        least = std::min(least, each.turn.distance);
+    return least;
+}
+
+}  // namespace
 
 MovedSlice moved_slice(ClearanceSet const& set, std::size_t k, double distance)
 {
@@ -110,30 +130,29 @@ Deepest SliceClearances::deepest(ClearanceSet const& set, std::size_t k, double 
 
 double SliceClearances::worst(ClearanceSet const& set, double distance, TurnMinima const& minima) const
 {
-    double on_points = std::numeric_limits<double>::infinity();
-    for (auto const& slice : minima)
-        for (distance::TurnMinimum const& m : slice)
-            on_points = std::min(on_points, m.distance);
-    std::vector<double> const deep = lowest(set, distance, minima, on_points);
-    return *std::min_element(deep.begin(), deep.end());
+    return least_of_slices(lowest(set, distance, minima, least_on_points(minima)));
 }
 
-std::vector<double> SliceClearances::lowest(ClearanceSet const& set, double distance, TurnMinima const& minima,
-                                            double below) const
+std::vector<Deepest> SliceClearances::lowest(ClearanceSet const& set, double distance, TurnMinima const& minima,
+                                             double below) const
 {
-    std::vector<double> low(minima.size());
+    std::vector<Deepest> low(minima.size());
     parallel_for(minima.size(), context_.threads, 1,
-                 [&](std::size_t k) { low[k] = deepest(set, k, distance, minima[k], below).turn.distance; });
+                 [&](std::size_t k) { low[k] = deepest(set, k, distance, minima[k], below); });
     return low;
 }
 
 /// The clearance grows with the distance about as fast as it; false position on points that may decide, then all are
 /// asked.
-double least_offset(SliceClearances const& clearances, ClearanceSet const& set, TurnMinima const& at_zero,
+double least_offset(SliceClearances const& clearances, ClearanceSet const& set, TurnsOfSet& at_zero,
                     Tolerance const& tolerance)
 {
-    double const worst = clearances.worst(set, 0, at_zero);
     double const enough = std::max(clearance_accuracy(tolerance), set.known);
+    // what is not entered is asked for its deepest places later, and where it touches none of them can be left out
+    if (least_on_points(at_zero.minima) >= -enough)
+        at_zero.deepest = clearances.lowest(set, 0, at_zero.minima);
+    double const worst =
+        at_zero.deepest.empty() ? clearances.worst(set, 0, at_zero.minima) : least_of_slices(at_zero.deepest);
     if (!(worst < -enough))
         return 0;
     // a place between two points may be less than either by half their distance
@@ -144,7 +163,7 @@ double least_offset(SliceClearances const& clearances, ClearanceSet const& set, 
                 between = std::max(between, 0.5 * (set.point[k][i] - set.point[k][i - 1]).norm());
     std::vector<std::vector<std::uint8_t>> wanted(set.point.size());
     for (std::size_t k = 0; k < set.point.size(); ++k)
-        for (distance::TurnMinimum const& m : at_zero[k])
+        for (distance::TurnMinimum const& m : at_zero.minima[k])
             wanted[k].push_back(m.distance - between <= worst / 2 ? 1 : 0);
     // on the points that may decide, then on all, where others may have come in
     auto const clearance_of = [&](std::vector<std::vector<std::uint8_t>> const* only) {
@@ -160,11 +179,9 @@ double least_offset(SliceClearances const& clearances, ClearanceSet const& set, 
     return *distance;
 }
 
-Closest closest(SliceClearances const& clearances, ClearanceSet const& set, std::size_t k, double distance,
-                std::vector<distance::TurnMinimum> const& minima)
+Closest closest(SliceClearances const& clearances, std::size_t k, Deepest const& deepest)
 {
-    Deepest const found = clearances.deepest(set, k, distance, minima, std::numeric_limits<double>::infinity());
-    return {found.turn.distance, found.where, clearances.motion(k).angles(found.turn.u).phi};
+    return {deepest.turn.distance, deepest.where, clearances.motion(k).angles(deepest.turn.u).phi};
 }
 
 ClearanceSet flank_set(FlankGrid const& grid, bool both)

@@ -50,6 +50,13 @@ struct Deepest
 /// (k,p)
 using TurnMinima = std::vector<std::vector<distance::TurnMinimum>>;
 
+/// Full turns of a set at one distance: of its points, and the deepest place of each slice.
+struct TurnsOfSet
+{
+    TurnMinima minima;
+    std::vector<Deepest> deepest;
+};
+
 /// Full-turn clearances of all points of all slices, each slice under its own motion.
 class SliceClearances
 {
@@ -73,9 +80,9 @@ class SliceClearances
     /// The smallest distance of all slices, between the points too.
     [[nodiscard]] double worst(ClearanceSet const& set, double distance, TurnMinima const& minima) const;
 
-    /// The smallest distance of each slice, between the points too where it may fall below @p below.
-    [[nodiscard]] std::vector<double> lowest(ClearanceSet const& set, double distance, TurnMinima const& minima,
-                                             double below = std::numeric_limits<double>::infinity()) const;
+    /// The deepest place of each slice, between the points too where it may fall below @p below.
+    [[nodiscard]] std::vector<Deepest> lowest(ClearanceSet const& set, double distance, TurnMinima const& minima,
+                                              double below = std::numeric_limits<double>::infinity()) const;
 
   private:
     [[nodiscard]] std::size_t of(std::size_t k) const { return std::min(k, turns_.size() - 1); }
@@ -87,13 +94,14 @@ class SliceClearances
 };
 
 /// Least distance by which @p set must be moved so that no tooth enters it, to clearance_accuracy() or what its points
-/// are known to. @p at_zero: minima without.
+/// are known to.
+/// @param at_zero  full turns of the set that is not moved: its minima; gets the deepest places where no point is
+/// entered
 /// @throws NumericalError where moving it does not clear
-[[nodiscard]] double least_offset(SliceClearances const& clearances, ClearanceSet const& set, TurnMinima const& at_zero,
+[[nodiscard]] double least_offset(SliceClearances const& clearances, ClearanceSet const& set, TurnsOfSet& at_zero,
                                   Tolerance const& tolerance);
 
 /// The deepest place of slice @p k as a result.
-[[nodiscard]] Closest closest(SliceClearances const& clearances, ClearanceSet const& set, std::size_t k,
-                              double distance, std::vector<distance::TurnMinimum> const& minima);
+[[nodiscard]] Closest closest(SliceClearances const& clearances, std::size_t k, Deepest const& deepest);
 
 }  // namespace hdconj::contact

@@ -71,7 +71,7 @@ ContactCase begin_case(CaseSurface const& surface)
 /// Full turns of the given part against all teeth: clearances by slices, what clears, and the errors of all that.
 /// @return the given part
 MadePart write_clearances(CaseSurface const& surface, SliceClearances const& clearances, Cleared const& cleared,
-                          ContactCase& result)
+                          bool errors, ContactCase& result)
 {
     ContactContext const& context = surface.context();
     double const given = given_clearance(context.scene);
@@ -80,25 +80,30 @@ MadePart write_clearances(CaseSurface const& surface, SliceClearances const& cle
     FlankGrid const& grid = part.flanks.grid;
     ClearanceSet const flanks = flank_set(grid, !has_mirrored_flanks(context));
     ClearanceSet const root = root_set(part.outline, context.tolerance);
-    TurnMinima at_root;
+    TurnsOfSet at_root;
     context.clock.run(Stage::clearance, [&] {
-        nominal.at_given = clearances(flanks, given);
-        at_root = clearances(root, 0);
+        // a part that was cleared by nothing is known already
+        bool const known = given == 0 && part.tip == cleared.tip && !cleared.at_zero.minima.empty();
+        nominal.at_given = known ? cleared.at_zero : TurnsOfSet{clearances(flanks, given), {}};
+        at_root.minima = clearances(root, 0);
         result.least_root_clearance = least_offset(clearances, root, at_root, context.tolerance);
+        if (nominal.at_given.deepest.empty())
+            nominal.at_given.deepest = clearances.lowest(flanks, given, nominal.at_given.minima);
+        if (at_root.deepest.empty())
+            at_root.deepest = clearances.lowest(root, 0, at_root.minima);
     });
     for (std::size_t k = 0; k < grid.slices(); ++k)
-        result.slices.push_back({grid.z[k], context.maker.motion(context.scene.coning ? k : 0).amplitude, {}, {}});
-    parallel_for(grid.slices(), context.threads, 1, [&](std::size_t k) {
-        result.slices[k].flank = closest(clearances, flanks, k, given, nominal.at_given[k]);
-        result.slices[k].root = closest(clearances, root, k, 0, at_root[k]);
-    });
+        result.slices.push_back({grid.z[k], context.maker.motion(context.scene.coning ? k : 0).amplitude,
+                                 closest(clearances, k, nominal.at_given.deepest[k]),
+                                 closest(clearances, k, at_root.deepest[k])});
     result.least_side_clearance = cleared.offset;
     result.least_tip_radius = cleared.tip;
     context.clock.run(Stage::clearance, [&] {
         write_errors(surface, clearances,
-                     {cleared, part.outline, part.flanks, part.tip, given, nominal.at_given, at_root}, result);
+                     {cleared, part.outline, part.flanks, part.tip, given, nominal.at_given, at_root}, errors, result);
     });
-    write_place(result);
+    if (errors)
+        write_place(result);
     return nominal;
 }
 
@@ -114,12 +119,12 @@ std::vector<double> phases_of(ContactContext const& context, int revolution)
 }
 
 /// Contact at every phase; the state is that with the least share, whose gaps @p map gets.
-void write_states(PhaseWork work, std::vector<double> const& phases, FlankGrid const& used, GapMap* map,
-                  ContactCase& result)
+void write_states(PhaseWork work, std::vector<double> const& phases, FlankGrid const& used,
+                  std::shared_ptr<GapMap>* map, ContactCase& result)
 {
     std::size_t least = 0;
     for (double const phase : phases) {
-        GapMap gaps;
+        std::shared_ptr<GapMap> gaps;
         work.phase = phase;
         ContactState const state = contact_state(work, used, map != nullptr ? &gaps : nullptr);
         result.revolution.push_back(state);
@@ -135,13 +140,13 @@ void write_states(PhaseWork work, std::vector<double> const& phases, FlankGrid c
 /// @param floor  no gap of a full turn is smaller [mm]
 /// @param lever  see PhaseWork
 void write_least_backlash(CaseSurface const& surface, Cleared const& cleared, double clearing, double floor,
-                          double lever, ContactCase& result)
+                          double lever, bool errors, GapsAtRest& rest, ContactCase& result)
 {
     ContactContext const& context = surface.context();
     FlankGrid const flanks = moved_into_material(cleared.flanks.grid, clearing);
     RefinedFlanks finer(surface, cleared.flanks.grid, flanks, cleared.tip, clearing);
-    PlayEstimate const found = play({context, finer, phase_of(context.scene, context.request.wave_generator),
-                                     result.least_side_clearance_error, floor, lever},
+    PlayEstimate const found = play({context, finer, rest, phase_of(context.scene, context.request.wave_generator),
+                                     result.least_side_clearance_error, floor, lever, errors},
                                     flanks);
     result.backlash_of_least_side_clearance = found.turn;
     result.backlash_of_least_side_clearance_error = found.error;
@@ -150,7 +155,8 @@ void write_least_backlash(CaseSurface const& surface, Cleared const& cleared, do
 /// Contact of @p part after take-up, at all phases, and the play that clearing alone would make.
 /// @param clearing  side clearance that clears the map too [mm]
 void write_contact(CaseSurface const& surface, Cleared const& part, Cleared const& cleared, double clearing,
-                   std::vector<double> const& phases, GapMap* map, ContactCase& result)
+                   std::vector<double> const& phases, bool errors, GapsAtRest& rest, std::shared_ptr<GapMap>* map,
+                   ContactCase& result)
 {
     ContactContext const& context = surface.context();
     Scene const& scene = context.scene;
@@ -172,12 +178,12 @@ void write_contact(CaseSurface const& surface, Cleared const& part, Cleared cons
     double const floor =
         turns_tell && as_given ? result.closest_flank().clearance - result.clearance_error : floor_of_search;
     double const lever = largest_lever(used);
-    write_states({context, finer, phases.front(), off, floor, lever}, phases, used, map, result);
+    write_states({context, finer, rest, phases.front(), off, floor, lever, errors}, phases, used, map, result);
     if (clearing == result.backlash_offset && part.tip == cleared.tip) {
         result.backlash_of_least_side_clearance = result.state.backlash();
         result.backlash_of_least_side_clearance_error = result.state.backlash_error();
     } else
-        write_least_backlash(surface, cleared, clearing, floor_of_search, lever, result);
+        write_least_backlash(surface, cleared, clearing, floor_of_search, lever, errors, rest, result);
 }
 
 }  // namespace
@@ -191,16 +197,18 @@ double share_of(ContactContext const& context, surface::SurfaceSpec const& spec,
     if (as_made)
         check_as_made(surface, cleared);
     double const phase = phase_of(context.scene, context.request.wave_generator);
-    std::optional<Cleared> nominal = try_nominal_part(surface, clearances, cleared, {phase}, nullptr);
+    GapsAtRest rest;
+    std::optional<Cleared> nominal = try_nominal_part(surface, clearances, rest, cleared, {phase}, nullptr);
     Cleared& part = nominal ? *nominal : cleared;
     double const offset =
-        clearance_for_assembly(surface, part, is_enough(context, cleared) ? given : cleared.offset, {phase});
+        clearance_for_assembly(surface, rest, part, is_enough(context, cleared) ? given : cleared.offset, {phase});
     FlankGrid const used = moved_into_material(part.flanks.grid, offset);
     RefinedFlanks finer(surface, part.flanks.grid, used, part.tip, offset);
-    return contact_state({context, finer, phase, 0, 0, 0, false}, used, nullptr).contact_fraction;
+    return contact_state({context, finer, rest, phase, 0, 0, 0, false}, used, nullptr).contact_fraction;
 }
 
-ContactCase contact_case(ContactContext const& context, surface::SurfaceSpec const& spec, int revolution, GapMap* map)
+ContactCase contact_case(ContactContext const& context, surface::SurfaceSpec const& spec, int revolution, bool errors,
+                         GapMap* map)
 {
     auto const start = std::chrono::steady_clock::now();
     CaseSurface const surface(context, spec);
@@ -208,18 +216,24 @@ ContactCase contact_case(ContactContext const& context, surface::SurfaceSpec con
     double const given = given_clearance(context.scene);
     SliceClearances const clearances(context);
     Cleared cleared = clear_flanks(surface, clearances, given);
-    MadePart const made = write_clearances(surface, clearances, cleared, result);
+    MadePart const made = write_clearances(surface, clearances, cleared, errors, result);
     std::vector<double> const phases = phases_of(context, revolution);
     // teeth that enter the flanks cannot be turned to first contact: what is missing of the clearing offset is added,
     // and the case says so
-    std::optional<Cleared> nominal = try_nominal_part(surface, clearances, cleared, phases, &made);
+    GapsAtRest rest;
+    std::optional<Cleared> nominal = try_nominal_part(surface, clearances, rest, cleared, phases, &made);
     Cleared& part = nominal ? *nominal : cleared;
     result.tip = part.tip;
     result.backlash_offset = clearance_for_assembly(
-        surface, part, is_enough(context, cleared) ? given : result.least_side_clearance, phases);
+        surface, rest, part, is_enough(context, cleared) ? given : result.least_side_clearance, phases);
     // what clears the slices but not the sections there has no play: as much is added as there
-    double const clearing = clearance_for_assembly(surface, cleared, result.least_side_clearance, {phases.front()});
-    write_contact(surface, part, cleared, clearing, phases, map, result);
+    double const clearing =
+        clearance_for_assembly(surface, rest, cleared, result.least_side_clearance, {phases.front()});
+    std::shared_ptr<GapMap> gaps;
+    write_contact(surface, part, cleared, clearing, phases, errors, rest, map != nullptr ? &gaps : nullptr, result);
+    rest.forget();
+    if (map != nullptr)
+        *map = std::move(*gaps);
     if (revolution == 0)
         result.revolution.clear();
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -8,9 +8,10 @@
 
 namespace hdconj::contact {
 
-/// Everything about one surface. @p revolution angles beside the scene's own. @p map gets the gaps after take-up.
+/// Everything about one surface. @p revolution angles beside the scene's own. @p errors: estimated too; of nothing else
+/// a bit depends on that. @p map gets the gaps after take-up.
 [[nodiscard]] ContactCase contact_case(ContactContext const& context, surface::SurfaceSpec const& spec, int revolution,
-                                       GapMap* map);
+                                       bool errors, GapMap* map);
 
 /// The flanks of one surface with the scene's side clearance, and its tip circle, as much wider as every slice's land
 /// and rim ask for; "auto": with the least that clears, and the tip circle that goes with it.

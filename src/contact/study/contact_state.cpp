@@ -48,20 +48,22 @@ std::vector<std::size_t> spaces_near(GapMap const& map, int flank, double limit)
 /// The circular spline turned both ways until it touches.
 struct Turned
 {
-    GapMap rest;           ///< before
-    SmallestGap smallest;  ///< before
+    std::shared_ptr<GapMap> rest;  ///< before
+    SmallestGap smallest;          ///< before
     double turn_to_contact = 0, reverse_turn_to_contact = 0;
 };
 
-Turned turned(ContactContext const& context, GapField const& field)
+Turned turned(PhaseWork const& work, FlankGrid const& grid, GapField const& field)
 {
+    ContactContext const& context = work.context;
     Turned result;
-    context.clock.run(Stage::gap_map, [&] { result.rest = field.map(0, context.threads); });
+    context.clock.run(Stage::gap_map, [&] { result.rest = work.rest(context, grid, field, work.phase); });
     double const pitch = 2 * std::numbers::pi / context.scene.drive.circular_spline_teeth;
     context.clock.run(Stage::contact, [&] {
         double const touches = clearance_accuracy(context.tolerance);
-        TurnToContact const right = turn_to_contact(field, result.rest, GapMap::right, pitch, context.threads, touches);
-        TurnToContact const left = turn_to_contact(field, result.rest, GapMap::left, pitch, context.threads, touches);
+        TurnToContact const right =
+            turn_to_contact(field, *result.rest, GapMap::right, pitch, context.threads, touches);
+        TurnToContact const left = turn_to_contact(field, *result.rest, GapMap::left, pitch, context.threads, touches);
         result.smallest = left.at_rest.gap < right.at_rest.gap ? left.at_rest : right.at_rest;
         result.turn_to_contact = right.turn;
         result.reverse_turn_to_contact = left.turn;
@@ -110,8 +112,10 @@ PlayEstimate play(PhaseWork const& work, FlankGrid const& grid)
     int const z_f = context.scene.drive.flexspline_teeth, z_c = context.scene.drive.circular_spline_teeth;
     auto const places = context.places(context, work.phase);
     GapField const field(context.tooth, grid, *places, z_f, z_c, work.phase);
-    Turned const free = turned(context, field);
+    Turned const free = turned(work, grid, field);
     PlayEstimate result{free.turn_to_contact + free.reverse_turn_to_contact, 0};
+    if (!work.errors)
+        return result;
     context.clock.run(Stage::contact, [&] {
         double const limit = context.request.gap, off = clearance_accuracy(context.tolerance) + work.off;
         for (int const flank : {static_cast<int>(GapMap::right), static_cast<int>(GapMap::left)}) {
@@ -130,7 +134,7 @@ PlayEstimate play(PhaseWork const& work, FlankGrid const& grid)
     return result;
 }
 
-ContactState contact_state(PhaseWork const& work, FlankGrid const& grid, GapMap* map)
+ContactState contact_state(PhaseWork const& work, FlankGrid const& grid, std::shared_ptr<GapMap>* map)
 {
     ContactContext const& context = work.context;
     double const phase = work.phase;
@@ -138,7 +142,7 @@ ContactState contact_state(PhaseWork const& work, FlankGrid const& grid, GapMap*
     int const z_f = scene.drive.flexspline_teeth, z_c = scene.drive.circular_spline_teeth;
     auto const places = context.places(context, phase);
     GapField const field(context.tooth, grid, *places, z_f, z_c, phase);
-    Turned const free = turned(context, field);
+    Turned const free = turned(work, grid, field);
     ContactState state;
     state.wave_generator = phase == 0 ? 0.0 : -phase * conjugate::tooth_ratio(scene);
     state.turn_to_contact = free.turn_to_contact;
@@ -147,16 +151,20 @@ ContactState contact_state(PhaseWork const& work, FlankGrid const& grid, GapMap*
     state.smallest_z = grid.z[free.smallest.where.slice];
     state.smallest_space = static_cast<int>(free.smallest.where.space) - (z_c - 1) / 2;
     context.clock.run(Stage::contact, [&] {
-        GapMap touching = state.turn_to_contact == 0 ? free.rest : field.map(state.turn_to_contact, context.threads);
+        std::shared_ptr<GapMap> const touching =
+            state.turn_to_contact == 0 ? free.rest
+                                       : std::make_shared<GapMap>(field.map(state.turn_to_contact, context.threads));
+        if (map != nullptr)
+            *map = touching;
         double const limit = context.request.gap;
         double const few = limit + 0.5 * field.spacing();
-        std::vector<std::size_t> const near_by = spaces_near(touching, GapMap::right, few);
+        std::vector<std::size_t> const near_by = spaces_near(*touching, GapMap::right, few);
         int const parts = work.finer.parts(near_by.size());
         FlankGrid const& fine = work.finer(parts);
         auto const fine_places = parts == 1 ? places : context.places(context, phase, fine.z);
         GapField const fine_field(context.tooth, fine, *fine_places, z_f, z_c, phase);
         ResolvedArea const found = resolved_area(fine_field, near_by, state.turn_to_contact, GapMap::right, limit,
-                                                 context.width, context.threads);
+                                                 context.width, context.threads, work.errors);
         state.contact_area = found.area.contact;
         state.flank_area = found.area.whole;
         state.contact_fraction = found.area.share();
@@ -175,7 +183,7 @@ ContactState contact_state(PhaseWork const& work, FlankGrid const& grid, GapMap*
         OpenGaps const right = look(GapMap::right, state.turn_to_contact, near_by, 0);
         OpenGaps const left =
             look(GapMap::left, -state.reverse_turn_to_contact,
-                 spaces_near(state.reverse_turn_to_contact == 0 ? free.rest : other, GapMap::left, few), 0);
+                 spaces_near(state.reverse_turn_to_contact == 0 ? *free.rest : other, GapMap::left, few), 0);
         state.turn_to_contact_error = right.turn_error(off);
         state.reverse_turn_to_contact_error = left.turn_error(off);
         double least = std::numeric_limits<double>::infinity();
@@ -183,18 +191,18 @@ ContactState contact_state(PhaseWork const& work, FlankGrid const& grid, GapMap*
             bool const known = (flank == GapMap::right ? state.turn_to_contact : state.reverse_turn_to_contact) == 0;
             double const level = std::max(0.0, state.smallest_gap);
             least = std::min(least, known ? (flank == GapMap::right ? right : left).least()
-                                          : look(flank, 0, spaces_near(free.rest, flank, few + level), level).least());
+                                          : look(flank, 0, spaces_near(*free.rest, flank, few + level), level).least());
         }
         state.smallest_gap_error = std::max(0.0, state.smallest_gap - least) + off;
 
-        write_place(field, free.rest, context.threads, state);
+        write_place(field, *free.rest, context.threads, state);
 
         // a flexspline that is turned too far, or a clearance that is wrong, lifts or lowers all gaps by no more than
         // this
         double const lift = off + right.enters();
         std::array<double, 2> lifted{lift, -lift};  // the share then
         parallel_for(lifted.size(), context.threads, 1, [&](std::size_t i) {
-            lifted[i] = contact_area(touching, grid, GapMap::right, limit + lifted[i], context.width).share();
+            lifted[i] = contact_area(*touching, grid, GapMap::right, limit + lifted[i], context.width).share();
         });
         for (OpenGap const& each : right.spaces()) {
             state.teeth_least += each.lowest <= limit - lift ? 1 : 0;
@@ -214,8 +222,6 @@ ContactState contact_state(PhaseWork const& work, FlankGrid const& grid, GapMap*
             state.flank_area > 0
                 ? (state.contact_area_error + state.contact_fraction * state.flank_area_error) / state.flank_area
                 : 0;
-        if (map != nullptr)
-            *map = std::move(touching);
     });
     return state;
 }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "gaps_at_rest.hpp"
 #include "hdconj/contact.hpp"
 #include "refined_flanks.hpp"
 
@@ -14,6 +15,7 @@ struct PhaseWork
 {
     ContactContext const& context;
     RefinedFlanks& finer;
+    GapsAtRest& rest;
     double phase;
     double off;          ///< how far the side clearance may be from the least that clears [mm]
     double clear;        ///< no gap of a full turn is smaller with these flanks [mm]
@@ -34,6 +36,6 @@ struct PlayEstimate
 [[nodiscard]] PlayEstimate play(PhaseWork const& work, FlankGrid const& grid);
 
 /// Contact of @p grid; of @p work the finer surface is the same. @p map, where given, gets the gaps after take-up.
-[[nodiscard]] ContactState contact_state(PhaseWork const& work, FlankGrid const& grid, GapMap* map);
+[[nodiscard]] ContactState contact_state(PhaseWork const& work, FlankGrid const& grid, std::shared_ptr<GapMap>* map);
 
 }  // namespace hdconj::contact

@@ -52,10 +52,10 @@ void write_column(Writer const& place, figures::FigureOf<Record> const& figure, 
 /// Says where value and error of a figure stand. @param suffix  of both names
 template <class Record>
 void write_figure(Writer const& place, figures::FigureOf<Record> const& figure, std::string const& prefix,
-                  std::string const& suffix, bool is_attribute)
+                  std::string const& suffix, bool is_attribute, bool estimated = true)
 {
     std::string error;
-    if (figure.is_in(figures::hdf5_error))
+    if (estimated && figure.is_in(figures::hdf5_error))
         error = (figure.apart ? "error/" : "") + prefix +
                 (is_attribute ? std::string(figure.name) + "_error" : figure.column_of_error()) + suffix;
     place.figure(
@@ -90,16 +90,17 @@ void write_error_columns(Writer const& place, char const* dim, figures::Rows<Rec
 }
 
 /// Columns of all figures and of their errors, unless these stand apart. @param dim  that all columns have
+/// @param estimated  false: errors, and what follows from them, are left out
 template <class Record>
 void write_columns(Writer const& place, char const* dim, figures::Rows<Record> const& rows,
-                   std::vector<Record> const& records, std::string const& prefix = "")
+                   std::vector<Record> const& records, std::string const& prefix = "", bool estimated = true)
 {
     for (auto const& figure : rows) {
-        if (figure.is_in(figures::hdf5_value)) {
+        if (figure.is_in(figures::hdf5_value) && (estimated || !figure.bound)) {
             write_value_column(place, dim, figure, records, prefix);
-            write_figure(place, figure, prefix, "", false);
+            write_figure(place, figure, prefix, "", false, estimated);
         }
-        if (figure.is_in(figures::hdf5_error) && !figure.apart)
+        if (estimated && figure.is_in(figures::hdf5_error) && !figure.apart)
             write_error_column(place, dim, figure, records, prefix);
     }
 }

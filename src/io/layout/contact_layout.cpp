@@ -17,47 +17,57 @@ using layout::Writer;
 
 /// Columns of the places where flanks or roots come closest.
 void write_closest(Writer const& place, char const* dim, std::string const& prefix,
-                   std::vector<figures::ClosestPlace> const& closest)
+                   std::vector<figures::ClosestPlace> const& closest, bool estimated)
 {
-    write_columns(place, dim, figures::closest_figures(), closest, prefix);
+    write_columns(place, dim, figures::closest_figures(), closest, prefix, estimated);
     place.points(prefix + "where", column(closest, [](auto const& each) { return each.at.where; }),
                  "where, in the frame of the tooth space", dim);
 }
 
-void write_contact_case(Writer const& place, ContactCase const& each)
+void write_contact_case(Writer const& place, ContactCase const& each, bool estimated)
 {
     auto const& slices = each.slices;
     using figures::ClosestPlace;
     write_columns(place, "z", figures::slice_figures(), slices);
-    write_closest(place, "z", "flank_", column(slices, [](auto const& slice) {
-                      return ClosestPlace{slice.flank, slice.flank_error};
-                  }));
-    write_closest(place, "z", "root_", column(slices, [](auto const& slice) {
-                      return ClosestPlace{slice.root, slice.root_error};
-                  }));
+    write_closest(place, "z", "flank_",
+                  column(slices,
+                         [](auto const& slice) {
+                             return ClosestPlace{slice.flank, slice.flank_error};
+                         }),
+                  estimated);
+    write_closest(place, "z", "root_",
+                  column(slices,
+                         [](auto const& slice) {
+                             return ClosestPlace{slice.root, slice.root_error};
+                         }),
+                  estimated);
     if (!each.revolution.empty()) {
         place.group("revolution", [&](Writer const& turn) {
-            write_columns(turn, "wave_generator", figures::state_figures(), each.revolution);
+            write_columns(turn, "wave_generator", figures::state_figures(), each.revolution, "", estimated);
         });
     }
 }
 
-void write_contact_cases(Writer const& place, std::vector<ContactCase> const& cases)
+void write_contact_cases(Writer const& place, std::vector<ContactCase> const& cases, bool estimated)
 {
     if (std::any_of(cases.begin(), cases.end(), [](auto const& each) { return each.slices.empty(); }))
         throw std::logic_error("a contact case without slices");
     layout::write_surface_names(place, cases);
-    write_columns(place, "case", figures::case_figures(), cases);
-    write_closest(place, "case", "flank_", column(cases, [](auto const& each) {
-                      return figures::ClosestPlace{each.closest_flank(), each.clearance_error};
-                  }));
+    write_columns(place, "case", figures::case_figures(), cases, "", estimated);
+    write_closest(place, "case", "flank_",
+                  column(cases,
+                         [](auto const& each) {
+                             return figures::ClosestPlace{each.closest_flank(), each.clearance_error};
+                         }),
+                  estimated);
     place.numbers("flank_z", column(cases, [](auto const& each) { return each.closest_slice().z; }),
                   {"mm", "slice where the flanks come closest", {"case"}});
-    write_columns(place, "case", figures::state_figures(), column(cases, &ContactCase::state));
-    place.groups("case", cases, write_contact_case);
+    write_columns(place, "case", figures::state_figures(), column(cases, &ContactCase::state), "", estimated);
+    place.groups("case", cases,
+                 [&](Writer const& group, ContactCase const& each) { write_contact_case(group, each, estimated); });
 }
 
-void write_best(Writer const& place, std::vector<BestTilt> const& best)
+void write_best(Writer const& place, std::vector<BestTilt> const& best, bool estimated)
 {
     place.texts("goal", column(best, figures::goal_name), "what the tilt is best for", "optimum");
     place.texts("what", column(best, figures::former_goal_name), "former name of goal", "optimum");
@@ -66,7 +76,9 @@ void write_best(Writer const& place, std::vector<BestTilt> const& best)
     write_columns(place, "optimum", figures::best_tilt_figures(), best);
     // one column for all cases, whose units differ
     place.numbers("value", column(best, &BestTilt::value), {"1", "what is best, in value_units", {"optimum"}});
-    place.numbers("value_error", column(best, &BestTilt::value_error), {"1", "estimated error of value", {"optimum"}});
+    if (estimated)
+        place.numbers("value_error", column(best, &BestTilt::value_error),
+                      {"1", "estimated error of value", {"optimum"}});
     auto const units = [](BestTilt const& each) { return std::string(figures::best_value_figure(each).unit.stored); };
     place.texts("value_units", column(best, units), "units of value and value_error", "optimum");
     std::vector<double> interval;
@@ -128,9 +140,9 @@ void layout::write_result(Writer const& root, ContactStudy const& study)
     });
     root.group("contact", [&](Writer const& contact) {
         write_attributes(contact, figures::contact_study_figures(), study);
-        write_contact_cases(contact, study.cases);
+        write_contact_cases(contact, study.cases, study.estimated);
         if (!study.best.empty())
-            contact.group("best", [&](Writer const& best) { write_best(best, study.best); });
+            contact.group("best", [&](Writer const& best) { write_best(best, study.best, study.estimated); });
         if (!study.map.gap.empty())
             contact.group("map", [&](Writer const& map) { write_gap_map(map, study.map); });
     });

@@ -46,22 +46,23 @@ void add_values(Json& object, figures::Rows<Record> const& rows, Record const& r
 }
 
 /// Every figure of @p record under its key, with its error beside it unless errors stand apart.
+/// @param estimated  false: errors, and what follows from them, are null
 template <class Record>
-void add_figures(Json& object, figures::Rows<Record> const& rows, Record const& record)
+void add_figures(Json& object, figures::Rows<Record> const& rows, Record const& record, bool estimated = true)
 {
     rows.for_each_name([&](auto const& figure) {
         if (figure.is_in(figures::json_value))
-            object[figure.json_key()] = value_of(figure, record);
+            object[figure.json_key()] = estimated || !figure.bound ? value_of(figure, record) : Json(nullptr);
         if (figure.is_in(figures::json_error) && !figure.apart)
-            object[figure.json_key_of_error()] = error_of(figure, record);
+            object[figure.json_key_of_error()] = estimated ? error_of(figure, record) : Json(nullptr);
     });
 }
 
 template <class Record>
-[[nodiscard]] Json figures_object(figures::Rows<Record> const& rows, Record const& record)
+[[nodiscard]] Json figures_object(figures::Rows<Record> const& rows, Record const& record, bool estimated = true)
 {
     Json object = Json::object();
-    add_figures(object, rows, record);
+    add_figures(object, rows, record, estimated);
     return object;
 }
 

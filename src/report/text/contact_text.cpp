@@ -45,11 +45,13 @@ void write_contact_row(Page& page, ContactStudy const& study, ContactCase const&
     auto const& state = each.state;
     ToldCase const told(figures::case_figures(), each);
     Told const at(figures::state_figures(), state);
-    page.line("{}{:>11}{:>10}{:>10}{:>10}{}{:>10}{:>10}{:>7}{:>10} +- {}",
-              surface_columns(figures::case_figures(), each), each.slices.empty() ? "-" : told("flank_clearance"),
-              told("least_side_clearance"), told("backlash_of_least_side_clearance"), told("backlash_offset"),
+    page.line("{}{:>11}{:>10}{:>10}{:>10}{}{:>10}{:>10}{:>7}{:>10}{}", surface_columns(figures::case_figures(), each),
+              each.slices.empty() ? "-" : told("flank_clearance"), told("least_side_clearance"),
+              told("backlash_of_least_side_clearance"), told("backlash_offset"),
               each.side_clearance_increased ? '*' : ' ', at("backlash"), length_text(state.backlash(), study),
-              at("teeth"), at("contact_fraction"), at.error("contact_fraction"));
+              at("teeth"), at("contact_fraction"), study.estimated ? " +- " + at.error("contact_fraction") : "");
+    if (!study.estimated)
+        return;
     std::string teeth;
     if (state.teeth_least != state.teeth || state.teeth_most != state.teeth)
         teeth = fmt::format("{}-{}", state.teeth_least, state.teeth_most);
@@ -69,6 +71,8 @@ void write_contact_table(Page& page, ContactStudy const& study)
     for (auto const& each : study.cases)
         write_contact_row(page, study, each);
     auto const any = [&](auto condition) { return std::any_of(study.cases.begin(), study.cases.end(), condition); };
+    if (!study.estimated)
+        page.line("  no error estimates: they need a run without --no-errors");
     if (any([](auto const& each) { return each.side_clearance_increased; }))
         page.line("  *: more side clearance than the scene gives, with which the flanks would interfere");
     double const tolerance = study.solution.scene.solver.tolerance;
@@ -84,12 +88,12 @@ char const* verdict(double clearance, double tolerance)
 }
 
 void write_closest(Page& page, std::string const& begin, char const* what, figures::ClosestPlace const& closest,
-                   SliceClearance const& slice, double tolerance)
+                   SliceClearance const& slice, double tolerance, bool estimated)
 {
     Told const told(figures::closest_figures(), closest);
-    page.line("{:<25}   {:<7}{:>10}{:>10}{:>10}{:>9}{:>10}   {} {}", begin, what, told("clearance"), told("x"),
+    page.line("{:<25}   {:<7}{:>10}{:>10}{:>10}{:>9}{:>10}   {}{}", begin, what, told("clearance"), told("x"),
               told("y"), Told(figures::slice_figures(), slice)("z"), told("phi"),
-              verdict(closest.at.clearance, tolerance), told.error_with_unit("clearance"));
+              verdict(closest.at.clearance, tolerance), estimated ? " " + told.error_with_unit("clearance") : "");
 }
 
 /// One line, where the case needs something or deviates.
@@ -99,23 +103,23 @@ void write_needs(Page& page, ContactStudy const& study, ContactCase const& each)
     std::vector<std::string> needs;
     double const tolerance = study.solution.scene.solver.tolerance;
     ToldCase const told(figures::case_figures(), each);
+    auto const with_error = [&](char const* name) {
+        return study.estimated ? fmt::format("{} {}", told(name), told.error_with_unit(name)) : told.with_unit(name);
+    };
     if (each.tip > tip + tolerance) {
         // where moved flanks meet is known as well as they are
         std::string const error =
             each.tip == each.least_tip_radius ? told.error("least_tip_radius") : figures::significant<1>(tolerance);
-        needs.push_back(fmt::format("needs a tip circle of {} +- {} mm instead of {} mm", told("tip_radius"), error,
-                                    figures::decimals<4>(tip)));
+        needs.push_back(fmt::format("needs a tip circle of {}{} mm instead of {} mm", told("tip_radius"),
+                                    study.estimated ? " +- " + error : "", figures::decimals<4>(tip)));
     }
-    if (each.least_root_clearance > 0) {
-        needs.push_back(fmt::format("needs {} {} more root clearance", told("least_root_clearance"),
-                                    told.error_with_unit("least_root_clearance")));
-    }
-    if (each.surface == ToothSurface::ruled) {
-        needs.push_back(fmt::format("up to {} {} off the conjugate outlines of the slices", told("ruled_deviation"),
-                                    told.error_with_unit("ruled_deviation")));
-    }
+    if (each.least_root_clearance > 0)
+        needs.push_back(fmt::format("needs {} more root clearance", with_error("least_root_clearance")));
+    if (each.surface == ToothSurface::ruled)
+        needs.push_back(
+            fmt::format("up to {} off the conjugate outlines of the slices", with_error("ruled_deviation")));
     // a place that one plane decides lies between its neighbours
-    if (each.slices.size() > 3 &&
+    if (study.estimated && each.slices.size() > 3 &&
         each.closest_z_to - each.closest_z_from > 2.5 * (each.slices[1].z - each.slices[0].z)) {
         needs.push_back(fmt::format("the flanks are equally close, within the error, from z = {} to {}",
                                     told("flank_z_from"), told.with_unit("flank_z_to")));
@@ -139,8 +143,8 @@ void write_contact_places(Page& page, ContactStudy const& study)
         }
         auto const& root = figures::closest_root(each);
         write_closest(page, surface_columns(figures::case_figures(), each), "flanks",
-                      {each.closest_flank(), each.clearance_error}, each.closest_slice(), tolerance);
-        write_closest(page, "", "root", {root.root, each.root_clearance_error}, root, tolerance);
+                      {each.closest_flank(), each.clearance_error}, each.closest_slice(), tolerance, study.estimated);
+        write_closest(page, "", "root", {root.root, each.root_clearance_error}, root, tolerance, study.estimated);
     }
     for (auto const& each : study.cases)
         write_needs(page, study, each);
@@ -167,32 +171,35 @@ std::string largest_error(std::vector<ContactState> const& states, char const* n
     return with_sign(figures::significant<1>(figure.text_unit().shown(high)));
 }
 
-void write_revolutions(Page& page, std::vector<ContactCase> const& cases)
+void write_revolutions(Page& page, ContactStudy const& study)
 {
-    for (auto const& each : cases) {
+    auto const error = [&](std::vector<ContactState> const& states, char const* name) {
+        return study.estimated ? " " + largest_error(states, name) : "";
+    };
+    for (auto const& each : study.cases) {
         auto const& states = each.revolution;
         if (states.empty())
             continue;
         page.line("\nover a revolution, {} angles: {}", states.size(), figures::case_name(each));
-        page.line("  contact area {} % {}, teeth {}, backlash {} arcmin {}", range(states, "contact_fraction"),
-                  largest_error(states, "contact_fraction"), range(states, "teeth"), range(states, "backlash"),
-                  largest_error(states, "backlash"));
+        page.line("  contact area {} %{}, teeth {}, backlash {} arcmin{}", range(states, "contact_fraction"),
+                  error(states, "contact_fraction"), range(states, "teeth"), range(states, "backlash"),
+                  error(states, "backlash"));
     }
 }
 
-void write_best(Page& page, std::vector<BestTilt> const& best)
+void write_best(Page& page, ContactStudy const& study)
 {
-    if (best.empty())
+    if (study.best.empty())
         return;
     page.line("\nbest tilt");
-    for (auto const& each : best) {
+    for (auto const& each : study.best) {
         Told const told(figures::best_tilt_figures(), each);
         auto const value = figures::best_value_figure(each);
-        page.figure(
-            std::string(to_string(each.kind)) + ", for " + figures::goal_name(each), told.with_unit("tilt"),
-            fmt::format("+- {}, {} {} +- {}; searched {} ... {}{}", told.with_unit("tolerance"), value.text.label,
-                        value.value_with_unit(each), value.error_text(each), told("from"), told.with_unit("to"),
-                        each.on_bound ? "; an end of this interval: the best tilt may lie outside" : ""));
+        page.figure(std::string(to_string(each.kind)) + ", for " + figures::goal_name(each), told.with_unit("tilt"),
+                    fmt::format("+- {}, {} {}{}; searched {} ... {}{}", told.with_unit("tolerance"), value.text.label,
+                                value.value_with_unit(each), study.estimated ? " +- " + value.error_text(each) : "",
+                                told("from"), told.with_unit("to"),
+                                each.on_bound ? "; an end of this interval: the best tilt may lie outside" : ""));
         if (each.refused > 0) {
             page.line("    no surface exists at {} of the tilts tried, only from {} to {}: {}", each.refused,
                       told("possible_from"), told.with_unit("possible_to"), each.refusal);
@@ -212,8 +219,8 @@ std::string summary_text(ContactStudy const& study, std::vector<WrittenFile> con
     report::write_contact_setting(page, study);
     report::write_contact_table(page, study);
     report::write_contact_places(page, study);
-    report::write_revolutions(page, study.cases);
-    report::write_best(page, study.best);
+    report::write_revolutions(page, study);
+    report::write_best(page, study);
     if (study.written_case < study.cases.size())
         page.line("\ncircular spline in the result file: {}", figures::case_name(study.cases[study.written_case]));
     report::write_end(page, study.solution, written);
