@@ -31,12 +31,12 @@ def wrapped(line):
 
 
 def members(kind):
-    """Public methods and properties that the class itself documents."""
+    """Public methods and properties that the class itself documents, and what their documentation says."""
     for name, member in vars(kind).items():
         target = member.fget if isinstance(member, property) else getattr(member, "__func__", member)
         if not name.startswith("_") and inspect.getdoc(target) and callable(target):
             called = not isinstance(member, property)
-            yield name + ("()" if called else ""), inspect.getdoc(target).splitlines()[0]
+            yield name + ("()" if called else ""), inspect.getdoc(target)
 
 
 def page():
@@ -51,10 +51,13 @@ def page():
         if not inspect.isclass(kind):
             continue
         parts.append(f"### {name}\n\n{block(inspect.getdoc(kind))}")
-        rows = [f"{member}: {words}" for member, words in members(kind)]
+        rows = [f"{member}: {words.splitlines()[0]}" for member, words in members(kind)]
         if rows:
             parts.append("\n".join(line for row in rows for line in textwrap.wrap(
                 f"- `{row.replace(': ', '`: ', 1)}", 98, subsequent_indent="  ")) + "\n")
+        for member, words in members(kind):
+            if "Parameters\n---" in words:
+                parts.append(f"#### {name}.{member}\n\n{block(words)}")
     return "\n".join(parts)
 
 

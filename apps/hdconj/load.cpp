@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <optional>
 
 #include "arguments.hpp"
@@ -88,34 +87,16 @@ void check_options(LoadArguments const& own, Faults& faults)
             refuse_option(option, fmt::format("{:g}", *given));
 }
 
-/// How often the wave generator turns for a turn of the output; of a scene with faults any number will do.
-double ratio_of(Scene const& scene, bool cup)
-{
-    int const z_f = scene.drive.flexspline_teeth, z_c = scene.drive.circular_spline_teeth;
-    return z_c != z_f && z_f > 0 ? std::abs(static_cast<double>(cup ? z_f : z_c) / (z_c - z_f)) : 1;
-}
-
+/// Faults of the measured loop are reported together with those of the scene.
 std::optional<Measurement> measurement_of(LoadArguments const& own, Scene const& scene, Faults& faults)
 {
     if (own.measured.empty())
         return std::nullopt;
-    bool const cup = own.output_member != "circular-spline";
-    auto reading = examine_measured(own.measured, own.rig, ratio_of(scene, cup));
-    if (!reading.faults.empty()) {
-        append(faults, reading.faults);
-        return std::nullopt;
-    }
-    if (cup && scene.drive.flexspline_teeth > 0)
-        reading.curve.rig.angle_per_spline =
-            static_cast<double>(scene.drive.circular_spline_teeth) / scene.drive.flexspline_teeth;
-    // Faults of the measured loop are reported together with those of the scene.
-    try {
-        MeasuredStiffness const found = measured_stiffness(reading.curve);
-        return Measurement{std::move(reading.curve), found};
-    } catch (InputError const& error) {
-        append(faults, error.faults());
-        return std::nullopt;
-    }
+    auto const member = from_word<OutputMember>(own.output_member).value_or(OutputMember::cup);
+    auto reading = examine_measurement(own.measured, own.rig, member, scene.drive.flexspline_teeth,
+                                       scene.drive.circular_spline_teeth);
+    append(faults, reading.faults);
+    return std::move(reading.measurement);
 }
 
 int run_load(CommonOptions const& common, LoadArguments const& own)
@@ -194,8 +175,7 @@ void add_rig(CLI::App& verb, LoadArguments& own)
     add_option(verb, "--efficiency", own.rig.efficiency, "static efficiency between motor and output [1]", "ETA",
                finite_number("write a number above 0 and at most 1, such as --efficiency 0.8"));
     add_option(verb, "--output-member", own.output_member,
-               "member that turns at the rig's output: cup, circular-spline [cup]", "WORD",
-               one_of({"cup", "circular-spline"}));
+               "member that turns at the rig's output: cup, circular-spline [cup]", "WORD", one_of<OutputMember>());
 }
 
 }  // namespace

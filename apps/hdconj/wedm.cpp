@@ -4,9 +4,7 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
 #include <optional>
-#include <sstream>
 
 #include "arguments.hpp"
 #include "hdconj/error.hpp"
@@ -98,67 +96,11 @@ WireInput input_for(CommonOptions const& common, WireArguments const& own)
     return input;
 }
 
-std::vector<std::string> dialects_of(WireArguments const& own, Scene const& scene)
-{
-    if (!own.dialects.empty())
-        return own.dialects;
-    std::istringstream words(scene.wedm->dialects);
-    return {std::istream_iterator<std::string>(words), {}};
-}
-
 /// The set-ups of the part; of the outline that is given, where it is the circular spline's.
 WireSetUps programs_of(WireInput const& input, StageObserver const& on_stage)
 {
     return input.outline && !input.cuts_flexspline() ? WireSetUps{wire_program(input.scene, *input.outline)}
                                                      : wire_set_ups(input.scene, on_stage);
-}
-
-/// Whether the wire passes its checks and all @p dialects can hold its program.
-bool fits(WireInput const& input, std::vector<std::string> const& dialects)
-{
-    try {
-        return unfit_dialects(programs_of(input, {}), dialects).empty();
-    } catch (NumericalError const& error) {
-        if (error.code() != ErrorCode::failed_check && !error.is_infeasible())
-            throw;
-        return false;
-    } catch (InputError const&) {
-        return false;  // the wire leaves too much
-    }
-}
-
-/// The least of some coarser tolerances with which @p dialects hold the program; nothing where none does.
-std::optional<double> fitting_tolerance(WireInput input, std::vector<std::string> const& dialects)
-{
-    if (!input.outline && !input.cuts_flexspline())
-        input.outline = solve(wire_scene(input.scene)).circular_spline;
-    double& tolerance = input.scene.wedm->tolerance;
-    double const first = tolerance;
-    for (double power = 1e-6; power < input.scene.drive.module; power *= 10) {
-        for (double const digit : {1.0, 2.0, 4.0, 6.0, 8.0}) {
-            tolerance = digit * power;
-            if (tolerance > first && check_wedm(input.scene).empty() && fits(input, dialects))
-                return tolerance;
-        }
-    }
-    return {};
-}
-
-/// A dialect that cannot hold the programs is an error where it was asked for by name, else it is left out.
-void validate_unfit(WireInput const& input, std::vector<std::string> const& dialects, WireSetUps& programs)
-{
-    for (auto const& unfit : unfit_dialects(programs, dialects)) {
-        if (dialects.empty()) {
-            programs.front().left_out.push_back(
-                fmt::format("dialect {}: {}: {}; --dialect {} says which tolerance fits, if one does", unfit.name,
-                            unfit.place, unfit.cause, unfit.name));
-            continue;
-        }
-        auto const tolerance = fitting_tolerance(input, dialects);
-        std::string const remedy = tolerance ? fmt::format("wedm.tolerance = {:g}, or ", *tolerance) : "";
-        throw NumericalError(ErrorCode::no_room, "wire files", fmt::format("{}, {}", unfit.name, unfit.place),
-                             unfit.cause, "write " + remedy + "another dialect");
-    }
 }
 
 void add_files(Work<WireCut>& work, WireArguments const& own, fs::path const& folder,
@@ -183,7 +125,7 @@ void add_files(Work<WireCut>& work, WireArguments const& own, fs::path const& fo
 int run_wedm(CommonOptions const& common, WireArguments const& own)
 {
     WireInput const input = input_for(common, own);
-    auto const dialects = dialects_of(own, input.scene);
+    auto const dialects = own.dialects.empty() ? named_dialects(input.scene) : own.dialects;
     fs::path const folder =
         output_name(common, own.output, input.scene, input.cuts_flexspline() ? "-flexspline-wedm" : "-wedm");
     Work<WireCut> work;
@@ -192,7 +134,7 @@ int run_wedm(CommonOptions const& common, WireArguments const& own)
     add_files(work, own, folder, dialects, input.cuts_flexspline() ? 2 : 1);
     work.compute = [&](ProgressLine const& progress) {
         WireCut cut{programs_of(input, progress.stages()), {}};
-        validate_unfit(input, dialects, cut.programs);
+        settle_unfit_dialects(cut.programs, input.scene, dialects, input.outline ? &*input.outline : nullptr);
         return cut;
     };
     work.text = [&](WireCut const& cut, Written const&) {

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "hdconj/base/rigid_motion.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/plan.hpp"
 #include "hdconj/solution.hpp"
@@ -238,5 +239,19 @@ inline constexpr int standard_slices = 17;
 /// no case can be made
 [[nodiscard]] ContactStudy study_contact(Scene const& scene, ContactOptions const& options = {},
                                          StageObserver const& on_stage = {}, Progress const& progress = {});
+
+/// Poses of the flexspline's teeth on the wave generator, without load, in the planes @p z. Frame of the drive: the
+/// major axis is y, angles run clockwise; a pose turns the frame of a tooth, whose origin is on the neutral curve and
+/// whose y is normal to it, into that frame. The circular spline that meshes there has a tooth space on y.
+///
+/// Tooth i stands at the undeformed angle 2 pi (i + @p pitches)/z_f. With a fraction of a pitch this is a place between
+/// two teeth, whose frame says where the neutral curve is there. Models of the motion as for study_contact(). Accuracy:
+/// that of the neutral curve.
+/// @param scene    of a sound drive
+/// @param z        increasing, even and symmetric about 0, as slices are [mm]
+/// @param pitches  -1/2 ... 1/2
+/// @return tooth by tooth from 0 on, plane by plane: (z_f, planes)
+/// @throws InputError, NumericalError as study_contact()
+[[nodiscard]] std::vector<Pose> flexspline_poses(Scene const& scene, std::vector<double> const& z, double pitches);
 
 }  // namespace hdconj

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "hdconj/error.hpp"
+#include "hdconj/scene_words.hpp"
 
 namespace hdconj {
 
@@ -126,5 +127,36 @@ struct MeasuredReading
 /// @param scene_ratio  of the drive, where @p rig says none
 [[nodiscard]] MeasuredReading examine_measured(std::filesystem::path const& file, RigOptions const& rig,
                                                double scene_ratio);
+
+/// Member of the drive that turns at the output of a rig.
+enum class OutputMember
+{
+    cup,             ///< the flexspline; the circular spline is held
+    circular_spline  ///< the flexspline is held
+};
+/// Words of OutputMember.
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<OutputMember>{"cup", "circular-spline"};
+
+/// A measurement, and every fault of it.
+struct MeasurementReading
+{
+    std::optional<Measurement> measurement;  ///< nothing where there are faults
+    Faults faults;                           ///< of the options, of the file, or of the loop
+};
+
+/// Reads a measured curve as examine_measured() does, and evaluates it as measured_stiffness() does.
+///
+/// The motor turns z_f/|z_c - z_f| times for a turn of the cup, and z_c/|z_c - z_f| times for one of the circular
+/// spline, where @p rig gives no ratio. Angles of a cup are z_c/z_f times those of a simulation, which turns the
+/// circular spline. Equal or negative numbers of teeth, which a scene with faults may have, count as a ratio of 1.
+/// @param file                   CSV
+/// @param rig                    what the user says about the rig
+/// @param member                 that turns at its output
+/// @param flexspline_teeth       z_f
+/// @param circular_spline_teeth  z_c
+[[nodiscard]] MeasurementReading examine_measurement(std::filesystem::path const& file, RigOptions const& rig,
+                                                     OutputMember member, int flexspline_teeth,
+                                                     int circular_spline_teeth);
 
 }  // namespace hdconj

@@ -45,6 +45,20 @@ struct UnfitDialect
 [[nodiscard]] std::vector<UnfitDialect> unfit_dialects(WireSetUps const& programs,
                                                        std::vector<std::string> const& dialects = {});
 
+/// Dialects that the scene names in wedm.dialects; none: all that fit.
+[[nodiscard]] std::vector<std::string> named_dialects(Scene const& scene);
+
+/// Deals with the dialects that cannot hold @p programs. Where @p dialects names them that is an error; else the
+/// programs list them as left out. The error's remedy is the least of some coarser values of wedm.tolerance with which
+/// all of @p dialects hold the part; the paths are made anew with each. There may be none.
+/// @param programs  of @p scene
+/// @param scene     with [wedm]
+/// @param dialects  that were asked for by name; empty: all that fit
+/// @param outline   of the circular spline, where it has been solved; null: it is solved where it is needed
+/// @throws NumericalError where a named dialect cannot hold them
+void settle_unfit_dialects(WireSetUps& programs, Scene const& scene, std::vector<std::string> const& dialects,
+                           CircularSplineOutline const* outline = nullptr);
+
 /// A file of a wire program.
 struct WireFile
 {

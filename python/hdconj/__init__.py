@@ -28,6 +28,7 @@ from ._results import (
     NeutralCurve,
     Result,
     Solution,
+    StepSolid,
     WireProgram,
 )
 from ._scene import Scene
@@ -53,6 +54,7 @@ __all__ = [
     "Result",
     "Scene",
     "Solution",
+    "StepSolid",
     "StoppedError",
     "WireProgram",
     "accuracy",

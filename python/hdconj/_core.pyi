@@ -68,6 +68,7 @@ def load(
     kinds: list[str],
     curve: bool,
     errors: bool,
+    measured: Result | None,
     observer: _Observer,
     is_main: bool,
 ) -> Result: ...
@@ -93,5 +94,7 @@ def read_measured(
     counts_per_turn: float | None,
     ratio: float | None,
     efficiency: float | None,
+    output_member: str,
 ) -> Result: ...
+def flexspline_poses(scene: Scene, z: list[float], pitches: float) -> list[float]: ...
 def design(wishes: DesignWishes, observer: _Observer, is_main: bool) -> tuple[str, Result]: ...

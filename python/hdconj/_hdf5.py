@@ -15,6 +15,12 @@ import numpy as np
 from ._tree import Array, Dataset, Group, dataset
 
 _TEXT = h5py.string_dtype("utf-8")
+# Former names of datasets, which format version 2 holds as links (docs/reference/json.md, docs/reference/hdf5.md).
+FORMER = frozenset(
+    "shown take_up take_up_back share clearing_offset clearing_tip clearing_root backlash_of_clearing raised "
+    "tip_widened tip_change contact_share near_share node_share residual rounds whole ladders rungs reference_entry "
+    "reaches station height".split()
+)
 
 
 def _write_attributes(place: Any, attrs: Any) -> None:
@@ -116,12 +122,17 @@ def _derived(attrs: dict[str, Any], datasets: dict[str, Dataset], apart: Any) ->
                 yield "_".join(words[:i]), name, error, "_".join(words[i:]), "", True
 
 
+def _is_former(name: str) -> bool:
+    return name.removesuffix("_error").removesuffix("_count") in FORMER
+
+
 def _read_group(place: Any) -> tuple[Any, ...]:
     attrs = {name: _plain(value) for name, value in place.attrs.items()}
     datasets: dict[str, Dataset] = {}
     groups = {}
+    links: dict[str, str] = {}
     first: dict[Any, str] = {}
-    for name in place:
+    for name in sorted(place, key=lambda name: (_is_former(name), name)):
         member = place[name]
         if isinstance(member, h5py.Group):
             groups[name] = _read_group(member)
@@ -129,9 +140,12 @@ def _read_group(place: Any) -> tuple[Any, ...]:
         if bytes(member.attrs.get("NAME", b"")).startswith(b"This is a netCDF dimension but not"):
             continue
         same = first.setdefault(h5py.h5o.get_info(member.id).addr, name)
-        datasets[name] = datasets[same] if same != name else _read_dataset(member)
+        if same != name:
+            links[name] = same
+        else:
+            datasets[name] = _read_dataset(member)
     figures = list(_derived(attrs, datasets, place.get("error")))
-    return attrs, datasets, {}, groups, figures
+    return attrs, datasets, links, groups, figures
 
 
 def read(file: str | os.PathLike[str]) -> Group:

@@ -6,11 +6,37 @@ from __future__ import annotations
 import html
 import json
 import os
-from typing import Any, Self
+from typing import Any, NamedTuple, Self
 
 from . import _core, _hdf5
 from ._scene import Scene
 from ._tree import Figure, Group, Parts
+
+
+class StepSolid(NamedTuple):
+    """A solid of a STEP file, as :meth:`Result.to_step` wrote it.
+
+    Attributes
+    ----------
+    name : str
+        "circular-spline" or "flexspline".
+    volume : Figure
+        In mm^3; its error is the difference to the volume between the outlines themselves.
+    deviation : float
+        Largest distance in mm of the walls from the outlines of the slices.
+    between : float or None
+        Largest distance in mm from outlines between the slices: those that the program computes
+        half way. Only of a circular spline that :func:`hdconj.solve` has not solved they are every
+        second slice, for a surface without them. None where the wall is straight from plane to plane.
+    is_sound : bool
+        Whether Open CASCADE's own checks find a closed solid.
+    """
+
+    name: str
+    volume: Figure
+    deviation: float
+    between: float | None
+    is_sound: bool
 
 
 class Result(Group):
@@ -109,6 +135,46 @@ class Result(Group):
         group = self[self._main] if self._main else self
         assert isinstance(group, Group)
         return Group.to_pandas(group, dim)
+
+    def to_step(
+        self,
+        file: str | os.PathLike[str],
+        *,
+        part: str = "circular-spline",
+        tolerance: float = 1e-3,
+        outer_radius: float | None = None,
+        deformed: bool | None = None,
+    ) -> tuple[StepSolid, ...]:
+        """Write rings as solids into a STEP file in mm; needs the extra ``cad``.
+
+        Along an outline walls are cubic B-splines. From slice to slice they are straight where the
+        slices are, else cubic. Both rings are as wide as the circular spline. The major axis is y,
+        and z is 0 in the middle of the bearing.
+
+        Parameters
+        ----------
+        file : path
+            NAME.step.
+        part : str
+            "circular-spline", "flexspline" (its toothed ring), or "assembly": both in mesh.
+        tolerance : float
+            Largest distance in mm of the walls from the outlines of the slices.
+        outer_radius : float, optional
+            Of the circular spline's ring in mm; None: the scene's ``compliance.outer_radius``, or
+            1.4 times its root radius.
+        deformed : bool, optional
+            The flexspline as it lies on the wave generator without load; None: in the assembly only.
+
+        Returns
+        -------
+        tuple of StepSolid
+            In the order in which they were written.
+        """
+        try:
+            from . import _cad
+        except ImportError as error:
+            raise ImportError("to_step() needs Open CASCADE: pip install 'hdconj[cad]'") from error
+        return _cad.to_step(self, file, part, tolerance, outer_radius, deformed)
 
     def plot(self, ax: Any = None) -> Any:
         """Draw the result with matplotlib.
@@ -211,6 +277,11 @@ class Measurement(Result):
     """Result of :func:`hdconj.read_measured`: a torque-twist curve and what it says."""
 
     __slots__ = ()
+
+    def _kept(self) -> _core.Result:
+        if self._made is None:
+            raise ValueError("a measurement that was pickled cannot be compared with: read its file again")
+        return self._made
 
 
 class Design(Result):

@@ -146,6 +146,7 @@ def load(
     kinds: str | Sequence[str] = (),
     curve: bool = True,
     errors: bool = True,
+    measured: str | os.PathLike[str] | _results.Measurement | None = None,
     progress: Progress = False,
 ) -> _results.LoadStudy:
     """Load the drive: torque-twist curve, stiffness, pressure and stress.
@@ -164,6 +165,9 @@ def load(
         False: the largest torque only.
     errors : bool
         False: no second grid; the same figures without their errors, in less time.
+    measured : path or Measurement, optional
+        Torque-angle curve of a test rig, to compare with. A file is read as :func:`read_measured`
+        does without further arguments: the cup turns at the output.
     progress : bool or callable
         As for :func:`contact`.
 
@@ -173,7 +177,10 @@ def load(
         Torques in N mm, twists in rad, stresses in MPa.
     """
     asked = scene_of(scene)
-    options = (torque, points, list(tilts_deg), _words(surfaces), _words(kinds), curve, errors)
+    if measured is not None and not isinstance(measured, _results.Measurement):
+        measured = read_measured(measured, asked)
+    seen = measured._kept() if measured is not None else None
+    options = (torque, points, list(tilts_deg), _words(surfaces), _words(kinds), curve, errors, seen)
     with _calling(progress) as call:
         return _results.LoadStudy._computed(_core.load(asked._core, *options, *call), asked)
 
@@ -194,7 +201,7 @@ def wedm(
     folder : path
         Where the files of the machines are written, whole or not at all; empty: nowhere.
     dialects : str or sequence of str
-        Of the files; empty: all that fit.
+        Of the files; empty: the scene's, or all that fit.
     progress : bool or callable
         As for :func:`solve`.
 
@@ -294,6 +301,7 @@ def read_measured(
     counts_per_turn: float | None = None,
     ratio: float | None = None,
     efficiency: float | None = None,
+    output_member: str = "cup",
 ) -> _results.Measurement:
     """Read a torque-angle curve of a test rig; evaluate its backlash and stiffness.
 
@@ -311,6 +319,8 @@ def read_measured(
         Motor turns per turn of the output.
     efficiency : float, optional
         Between motor and output, 0 to 1.
+    output_member : str
+        Member that turns at the rig's output: "cup" or "circular-spline".
 
     Returns
     -------
@@ -318,7 +328,8 @@ def read_measured(
         Torques in N mm, angles in rad, at the output.
     """
     asked = scene_of(scene)
-    made = _core.read_measured(asked._core, os.fspath(file), torque_constant, counts_per_turn, ratio, efficiency)
+    rig = (torque_constant, counts_per_turn, ratio, efficiency, output_member)
+    made = _core.read_measured(asked._core, os.fspath(file), *rig)
     return _results.Measurement._computed(made, asked)
 
 

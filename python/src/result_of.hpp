@@ -93,6 +93,8 @@ class ResultOf final : public Result
   public:
     explicit ResultOf(Value value) : value_(std::move(value)) {}
 
+    [[nodiscard]] Value const& value() const { return value_; }
+
     void write(io::layout::Writer const& root) const override { write_value(root, value_); }
     [[nodiscard]] std::string json() const override { return json_of(value_); }
     [[nodiscard]] std::string text() const override { return summary_of(value_); }

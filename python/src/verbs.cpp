@@ -7,7 +7,6 @@
 #include <nanobind/stl/unique_ptr.h>
 #include <nanobind/stl/vector.h>
 
-#include <cmath>
 #include <memory>
 #include <utility>
 
@@ -104,7 +103,7 @@ ResultPointer run_contact(SceneHandle const& handle, std::vector<double> const& 
 
 ResultPointer run_load(SceneHandle const& handle, std::optional<double> torque, std::optional<int> points,
                        std::vector<double> const& tilts_deg, Words const& surfaces, Words const& kinds, bool curve,
-                       bool errors, nb::handle observer, bool is_main)
+                       bool errors, Result const* measured, nb::handle observer, bool is_main)
 {
     Scene const& scene = handle.sound();
     LoadOptions options;
@@ -115,24 +114,25 @@ ResultPointer run_load(SceneHandle const& handle, std::optional<double> torque, 
     options.curve = curve;
     options.errors = errors;
     refuse(check_load(scene, options));
+    std::optional<Measurement> measurement;
+    if (measured != nullptr)
+        measurement = dynamic_cast<ResultOf<Measurement> const&>(*measured).value();
     return run(observer, is_main, [&](Observer const& told) {
-        return result_of(LoadedDrive{study_load(scene, options, told.stages(), told.shares()), {}});
+        return result_of(LoadedDrive{study_load(scene, options, told.stages(), told.shares()), std::move(measurement)});
     });
 }
 
-ResultPointer run_wedm(SceneHandle const& handle, std::string const& folder, Words const& dialects, nb::handle observer,
+ResultPointer run_wedm(SceneHandle const& handle, std::string const& folder, Words const& asked, nb::handle observer,
                        bool is_main)
 {
     Scene const& scene = handle.sound();
     refuse(check_wedm(scene));
+    Words const dialects = asked.empty() ? named_dialects(scene) : asked;
     if (!folder.empty())
-        check_wire_files(folder, dialects, "dialects");
+        check_wire_files(folder, dialects, asked.empty() ? "wedm.dialects" : "dialects");
     return run(observer, is_main, [&](Observer const& told) {
         WireCut cut{wire_set_ups(scene, told.stages()), {}, folder};
-        if (!dialects.empty())
-            for (auto const& unfit : unfit_dialects(cut.programs, dialects))
-                throw NumericalError(ErrorCode::no_room, "wire files", unfit.name + ", " + unfit.place, unfit.cause,
-                                     "write another dialect or a larger wedm.tolerance");
+        settle_unfit_dialects(cut.programs, scene, dialects);
         if (!folder.empty())
             cut.files = write_wire_files(cut.programs, folder, dialects);
         return result_of(std::move(cut));
@@ -173,15 +173,26 @@ ResultPointer run_inspect(SceneHandle const& handle, std::string const& points, 
 
 ResultPointer read_measured(SceneHandle const& handle, std::string const& file, std::optional<double> torque_constant,
                             std::optional<double> counts_per_turn, std::optional<double> ratio,
-                            std::optional<double> efficiency)
+                            std::optional<double> efficiency, std::string const& output_member)
 {
     auto const& drive = handle.sound().drive;
-    double const scene_ratio =
-        std::abs(static_cast<double>(drive.flexspline_teeth) / (drive.circular_spline_teeth - drive.flexspline_teeth));
-    auto reading = examine_measured(file, {torque_constant, counts_per_turn, ratio, efficiency}, scene_ratio);
-    refuse(reading.faults);
-    auto const found = measured_stiffness(reading.curve);
-    return result_of(Measurement{std::move(reading.curve), found});
+    Faults faults;
+    auto const member = value_of<OutputMember>(output_member, "output_member", faults);
+    auto reading =
+        examine_measurement(file, {torque_constant, counts_per_turn, ratio, efficiency},
+                            member.value_or(OutputMember::cup), drive.flexspline_teeth, drive.circular_spline_teeth);
+    faults.insert(faults.end(), reading.faults.begin(), reading.faults.end());
+    refuse(faults);
+    return result_of(std::move(*reading.measurement));
+}
+
+/// Sine and cosine of the turn, and place, of each tooth in each plane.
+std::vector<double> poses_of_teeth(SceneHandle const& handle, std::vector<double> const& z, double pitches)
+{
+    std::vector<double> rows;
+    for (Pose const& pose : flexspline_poses(handle.sound(), z, pitches))
+        rows.insert(rows.end(), {pose.sine, pose.cosine, pose.origin.x(), pose.origin.y()});
+    return rows;
 }
 
 nb::tuple run_design(DesignWishes const& wishes, nb::handle observer, bool is_main)
@@ -236,14 +247,15 @@ void add_verbs(nb::module_& module)
     module.def("contact", run_contact, "scene"_a, "tilts_deg"_a, "surfaces"_a, "kinds"_a, "best_deg"_a.none(),
                "revolution"_a, "errors"_a, "observer"_a.none(), "is_main"_a);
     module.def("load", run_load, "scene"_a, "torque"_a.none(), "points"_a.none(), "tilts_deg"_a, "surfaces"_a,
-               "kinds"_a, "curve"_a, "errors"_a, "observer"_a.none(), "is_main"_a);
+               "kinds"_a, "curve"_a, "errors"_a, "measured"_a.none(), "observer"_a.none(), "is_main"_a);
     module.def("wedm", run_wedm, "scene"_a, "folder"_a, "dialects"_a, "observer"_a.none(), "is_main"_a);
     module.def("accuracy", run_accuracy, "scene"_a, "studies"_a, "sample"_a, "repeats"_a, "quick"_a,
                "observer"_a.none(), "is_main"_a);
     module.def("inspect", run_inspect, "scene"_a, "points"_a, "part"_a, "plane"_a.none(), "probe"_a, "register"_a,
                "observer"_a.none(), "is_main"_a);
     module.def("read_measured", read_measured, "scene"_a, "file"_a, "torque_constant"_a.none(),
-               "counts_per_turn"_a.none(), "ratio"_a.none(), "efficiency"_a.none());
+               "counts_per_turn"_a.none(), "ratio"_a.none(), "efficiency"_a.none(), "output_member"_a);
+    module.def("flexspline_poses", poses_of_teeth, "scene"_a, "z"_a, "pitches"_a);
     add_wishes(module);
 }
 

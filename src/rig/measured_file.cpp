@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "file/csv.hpp"
@@ -172,6 +173,28 @@ MeasuredReading examine_measured(std::filesystem::path const& file, RigOptions c
     else if (!header_seen)
         result.faults.push_back(rig::fault_of_file(name, "has no header and no samples", rig::how_to_begin));
     return result;
+}
+
+MeasurementReading examine_measurement(std::filesystem::path const& file, RigOptions const& rig, OutputMember member,
+                                       int flexspline_teeth, int circular_spline_teeth)
+{
+    bool const cup = member == OutputMember::cup;
+    int const difference = circular_spline_teeth - flexspline_teeth;
+    double const scene_ratio =
+        difference != 0 && flexspline_teeth > 0
+            ? std::abs(static_cast<double>(cup ? flexspline_teeth : circular_spline_teeth) / difference)
+            : 1;
+    auto reading = examine_measured(file, rig, scene_ratio);
+    if (!reading.faults.empty())
+        return {{}, std::move(reading.faults)};
+    if (cup && flexspline_teeth > 0)
+        reading.curve.rig.angle_per_spline = static_cast<double>(circular_spline_teeth) / flexspline_teeth;
+    try {
+        MeasuredStiffness const found = measured_stiffness(reading.curve);
+        return {Measurement{std::move(reading.curve), found}, {}};
+    } catch (InputError const& error) {
+        return {{}, error.faults()};
+    }
 }
 
 }  // namespace hdconj

@@ -64,6 +64,33 @@ def test_numerical_failure():
     assert f"hdconj: {failed.value}\n" in said.stderr
 
 
+def test_a_dialect_that_does_not_fit(tmp_path):
+    """Its remedy is the tolerance that the program looks for; a dialect of the scene's counts as named."""
+    scene = hdconj.Scene().with_({"tilt.angle_deg": 0.2})
+    said = run_program("wedm", "--tilt=0.2", "--dialect=3b", "-o", tmp_path / "a", status=1)
+    for call in (
+        lambda: hdconj.wedm(scene, dialects="3b"),
+        lambda: hdconj.wedm(scene.with_({"wedm.dialects": "3b"})),
+    ):
+        with pytest.raises(hdconj.NumericalError) as failed:
+            call()
+        assert failed.value.remedy == "write wedm.tolerance = 0.0008, or another dialect"
+        assert f"hdconj: {failed.value}\n" in said.stderr
+    hdconj.wedm(scene.with_({"wedm.tolerance": 0.0008}), dialects="3b", folder=tmp_path / "b")
+    assert list((tmp_path / "b").glob("*.3b"))
+    left_out = hdconj.wedm(scene)
+    said = run_program("wedm", "--tilt=0.2", "--json", "-o", tmp_path / "c")
+    assert left_out.to_dict()["left_out"] == json.loads(said.stdout)["left_out"] != []
+
+
+def test_faults_of_a_measurement(tmp_path):
+    (tmp_path / "loop.csv").write_text("torque [N m], angle [ells]\n1, 2\n")
+    with pytest.raises(hdconj.InputError, match="ells"):
+        hdconj.load(measured=tmp_path / "loop.csv")
+    with pytest.raises(hdconj.InputError, match="write one of cup, circular-spline"):
+        hdconj.read_measured(SOURCE / "data/measured/torque-twist.csv", output_member="hub")
+
+
 def test_missing_file():
     assert "nowhere.toml" in hdconj.Scene.load("nowhere.toml").check()[0].path
     with pytest.raises(hdconj.InputError, match="nowhere.toml"):

@@ -4,9 +4,11 @@
 import inspect
 import os
 import pickle
+import re
 import subprocess
 import sys
 
+import h5py
 import numpy as np
 import pytest
 from conftest import SOURCE, run_program
@@ -20,7 +22,7 @@ def study(coned):
 
 
 def same(first, second):
-    assert set(first) | set(first._parts.links) == set(second) | set(second._parts.links)
+    assert set(first) == set(second) and first._parts.links == second._parts.links
     assert dict(first.attrs) == dict(second.attrs)
     for name in first.datasets:
         a, b = first.datasets[name], second.datasets[name]
@@ -67,6 +69,27 @@ def test_file_of_python_is_read_back_by_python_and_the_program(which, request, t
         if figure.error is not None and name in again.groups.get("contact", again.groups["summary"]).figures:
             other = again.groups.get("contact", again.groups["summary"]).figures[name]
             assert np.array_equal(other.value, figure.value) and np.array_equal(other.error, figure.error)
+
+
+def test_files_show_each_figure_under_its_name_only(study, coned, tmp_path):
+    """Former names are links to it, in files of the program too."""
+    run_program("contact", SOURCE / "data/scenes/type-50-coned.toml", "--set=slices.count=3",
+                "--set=contact.flank_points=40", "--tilt=0,0.1", "-o", tmp_path / "result.h5")  # fmt: skip
+    stored = hdconj.read(tmp_path / "result.h5")
+    assert set(stored.contact) == set(study.contact) and "share" not in set(stored.contact)
+    assert stored.contact._parts.links == study.contact._parts.links
+    assert stored["contact/share"] is stored.contact.contact_fraction
+    assert "take_up" not in stored.contact.figures and "turn_to_contact" in stored.contact.figures
+    with h5py.File(tmp_path / "result.h5") as file:
+        assert "share" in file["contact"]
+
+
+def test_former_names_are_those_of_the_pages():
+    tables = []
+    for page in ("json", "hdf5"):
+        text = (SOURCE / f"docs/reference/{page}.md").read_text()
+        tables += re.findall(r"^\|.*\| `(\w+)` \|$", text.split("## Former names")[1].split("\n## ")[0], re.M)
+    assert set(tables) == hdconj._hdf5.FORMER
 
 
 def test_the_program_cuts_what_python_wrote(tmp_path):

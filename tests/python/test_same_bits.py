@@ -2,6 +2,7 @@
 """Arrays and figures of the package are those of the program, bit by bit."""
 
 import json
+import pickle
 
 import h5py
 import pytest
@@ -82,6 +83,37 @@ def test_load(tmp_path):
     scene = hdconj.Scene().with_({"slices.count": 3})
     study = hdconj.load(scene, points=2)
     compare(study, ["load", "--set=slices.count=3", "--points=2"], tmp_path)
+
+
+@pytest.mark.parametrize("member", ["cup", "circular-spline"])
+def test_load_beside_a_measurement(member, tmp_path):
+    file = SOURCE / "data/measured/torque-twist.csv"
+    scene = hdconj.Scene().with_({"slices.count": 3})
+    rig = {"torque_constant": 0.119, "counts_per_turn": 2000}
+    measured = hdconj.read_measured(file, scene, output_member=member, **rig)
+    study = hdconj.load(scene, torque=10, curve=False, errors=False, measured=measured)
+    words = ["load", "--set=slices.count=3", "--torque=10", "--no-curve", "--no-errors", f"--measured={file}"]
+    words += [f"--{name.replace('_', '-')}={value}" for name, value in rig.items()]
+    compare(study, [*words, f"--output-member={member}"], tmp_path)
+    assert study.to_dict()["load"]["measured"]["cycles"] == 2
+    with pytest.raises(ValueError, match="read its file again"):
+        hdconj.load(scene, measured=pickle.loads(pickle.dumps(measured)))
+
+
+def test_load_beside_a_file(tmp_path):
+    """A file alone is read as the program reads it without options of the rig."""
+    loop = "".join(f"{0.1 * t}, {t + (0.5 if rising else -0.5)}\n" for t, rising in cycle())
+    (tmp_path / "loop.csv").write_text("torque [N m], angle [arcmin]\n" + loop)
+    scene = hdconj.Scene().with_({"slices.count": 3})
+    study = hdconj.load(scene, torque=10, curve=False, errors=False, measured=tmp_path / "loop.csv")
+    words = ["load", "--set=slices.count=3", "--torque=10", "--no-curve", "--no-errors"]
+    compare(study, [*words, f"--measured={tmp_path / 'loop.csv'}"], tmp_path)
+
+
+def cycle():
+    """Torques 0, 10, 0, -10, 0 and whether they rise."""
+    way = [*range(0, 11), *range(9, -11, -1), *range(-9, 1)]
+    return [(t, i <= 10 or i > 30) for i, t in enumerate(way)]
 
 
 def test_inspect(solution, tmp_path):
