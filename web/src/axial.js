@@ -14,7 +14,7 @@ const limit = 20; // um, end of the colours
 export function axialView(drive) {
   const contact = groupAt(drive.results.contact, "contact"), map = groupAt(contact, "map");
   const all = [];
-  if (map && contact) all.push(...gapMaps(map), tiltFigures(contact));
+  if (map && contact) all.push(...gapMaps(map), ...tiltFigures(contact));
   const cup = groupAt(drive.results.load, "load/cup");
   if (column(cup, "z").length)
     all.push(chart(say("coning"), say("height"), say("radial"), ["w_major", "w_minor"].map((name) => ({
@@ -60,11 +60,11 @@ function tiltFigures(contact) {
       show(Number(slider.value));
       output.textContent = names[Number(slider.value)];
     } });
+  if (names.length < 2) return [make("div", {}, output, list)];
   const figure = chart(say("tiltChart"), say("tiltUnit"), say("fraction"), [{ name: say("fraction"), dots: true,
     x: Array.from(tilt, (t) => t / degree), y: column(contact, "contact_fraction"),
     error: column(contact, "contact_fraction_error") }]);
-  return make("div", {}, names.length > 1 ? figure : null,
-    names.length > 1 ? make("label", { class: "wide" }, say("tilt") + " ", slider, output) : output, list);
+  return [figure, make("div", {}, make("label", { class: "wide" }, say("tilt") + " ", slider, output), list)];
 }
 
 /** One tooth space over the face width, turned by dragging; its flanks coloured by the gap map.

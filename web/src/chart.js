@@ -77,11 +77,16 @@ export function chart(title, xLabel, yLabel, series) {
   all.forEach((s, n) => {
     const points = Array.from(s.x, (v, i) => [x(v), y(s.y[i])]).filter(([, v]) => Number.isFinite(v));
     const line = points.map(([a, b]) => `${a.toFixed(1)},${b.toFixed(1)}`).join(" ");
-    if (s.error && Array.from(s.error).some((e) => e > 0)) {
-      const e = s.error;
-      const up = Array.from(s.x, (v, i) => `${x(v).toFixed(1)},${y(s.y[i] + (e[i] || 0)).toFixed(1)}`);
-      const down = Array.from(s.x, (v, i) => `${x(v).toFixed(1)},${y(s.y[i] - (e[i] || 0)).toFixed(1)}`).reverse();
-      picture.append(svg("polygon", { "class": `band s${n % 4}`, "points": [...up, ...down].join(" ") }));
+    const e = s.error;
+    if (e && Array.from(e).some((each) => each > 0)) {
+      const ends = Array.from(s.x, (v, i) => [x(v), y(s.y[i] + (e[i] || 0)), y(s.y[i] - (e[i] || 0))]
+        .map((each) => each.toFixed(1)));
+      if (s.dots) {
+        picture.append(svg("path", { "class": `line s${n % 4}`, "d": ends.map(([a, b, c]) => `M${a} ${b}V${c}`).join("") }));
+      } else {
+        const up = ends.map(([a, b]) => `${a},${b}`), down = ends.map(([a, , c]) => `${a},${c}`).reverse();
+        picture.append(svg("polygon", { "class": `band s${n % 4}`, "points": [...up, ...down].join(" ") }));
+      }
     }
     if (!s.dots) picture.append(svg("polyline", { "class": `line s${n % 4}`, "points": line }));
     if (s.dots || points.length < 30)

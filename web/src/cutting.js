@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The path of the wire over the part, and the places that no pass reaches.
 
-import { column, groupAt, shown } from "./data.js";
+import { column, groupAt } from "./data.js";
 import { choice, colour, make } from "./dom.js";
 import { say } from "./texts.js";
 import { View } from "./view.js";
@@ -41,7 +41,7 @@ export function cuttingView(drive) {
       if (pass === 0 || pass === i + 1) line(column(groupAt(group, each), name), colour("s" + (i % 4)), 1.2, false);
     });
     ctx.fillStyle = colour("accent");
-    for (const spot of drive.residuals) {
+    for (const spot of view.span < 20 * drive.module ? drive.residuals : []) {
       if (spot.upper !== (face === 1)) continue;
       const p = view.toPixels(spot.x, spot.y);
       ctx.fillRect(p.x - 3, p.y - 3, 6, 6);
@@ -57,10 +57,18 @@ export function cuttingView(drive) {
     e.preventDefault();
     act();
   });
-  const spots = [...drive.residuals].sort((a, b) => b.height - a.height).slice(0, 40);
-  const list = spots.length ? make("ol", {}, ...spots.map((spot) => make("li", {},
-    `${shown(Number((spot.height * 1000).toPrecision(3)))} um ${say("on")} ${say(spot.meshing ? "flank" : "root")}, ${say("tooth")} ${
-      spot.tooth}, ${say("pass")} ${spot.pass}, ${say(spot.upper ? "upper" : "lower")} `,
+  /** Spots that differ in the tooth space alone are one line.
+   * @type {Map<string, {spot: import("./data.js").Residual, count: number}>} */
+  const spots = new Map();
+  for (const spot of [...drive.residuals].sort((a, b) => b.height - a.height)) {
+    const text = `${Number((spot.height * 1000).toPrecision(3))} um ${say("on")} ${say(spot.meshing ? "flank" : "root")}, ${
+      say("pass")} ${spot.pass}, ${say(spot.upper ? "upper" : "lower")}`;
+    const known = spots.get(text);
+    if (known) ++known.count;
+    else spots.set(text, { spot, count: 1 });
+  }
+  const list = spots.size ? make("ol", {}, ...[...spots].slice(0, 40).map(([text, { spot, count }]) => make("li", {},
+    `${text}: ${count} ${say("places")}, ${say("tooth")} ${spot.tooth} `,
     make("button", { type: "button", click: () => {
       face = spot.upper ? 1 : 0;
       view.show(spot.x, spot.y, 2 * drive.module);

@@ -82,15 +82,15 @@ export function figuresOf(drive) {
   /** @type {Figure[]} */
   const all = [];
   for (const [part, group] of Object.entries(drive.results)) collect(part, group, "", all);
-  return all;
+  return all.sort((a, b) => Number(a.index >= 0) - Number(b.index >= 0)); // single figures before tables
 }
 
 /** A figure to the digits that its error leaves, seven without one.
  * @param {number} value @param {number|null} [error] */
 export function shown(value, error) {
   if (!Number.isFinite(value)) return "–";
-  if (Number.isInteger(value) && !error) return String(value);
-  if (error && error > 0 && value !== 0) {
+  if (value === 0 || (Number.isInteger(value) && !error)) return String(value);
+  if (error && error > 0) {
     const digits = Math.floor(Math.log10(Math.abs(value))) - Math.floor(Math.log10(error)) + 2;
     return tidy(value.toPrecision(Math.min(15, Math.max(2, digits))));
   }

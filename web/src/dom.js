@@ -85,8 +85,9 @@ const cividis = [[0, 32, 77], [49, 68, 107], [102, 105, 112], [149, 144, 120], [
 export function scaleColour(share) {
   if (!(share >= 0)) return "#d55e00";
   const dark = document.documentElement.dataset.theme === "dark";
-  const x = Math.min(1, dark ? 1 - share : share) * (cividis.length - 1);
-  const at = Math.max(0, Math.min(cividis.length - 2, Math.floor(x)));
+  const within = Math.min(1, share);
+  const x = (dark ? 1 - within : within) * (cividis.length - 1);
+  const at = Math.min(cividis.length - 2, Math.floor(x));
   const mixed = cividis[at].map((c, i) => Math.round(c + (cividis[at + 1][i] - c) * (x - at)));
   return `rgb(${mixed.join(",")})`;
 }

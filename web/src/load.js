@@ -44,7 +44,7 @@ function caseFigures(load, index) {
     all.push(
       curveOf(say("stiffness"), say("torque"), say("stiffnessUnit"), "torque", newtonMetre, "stiffness", perArcmin),
       curveOf(say("torqueTwist"), say("torque"), say("twist"), "torque", newtonMetre, "twist", arcminute),
-      curveOf(say("pressure"), say("torque"), say("pressureUnit"), "torque", newtonMetre, "largest_pressure", 1));
+      curveOf(say("pressure"), say("torque"), say("pressureUnit"), "torque", newtonMetre, "flank_pressure", 1));
   all.push(...mapFigures(groupAt(group, "map"), (load.attributes && load.attributes.sectors) || 1));
   const bearing = groupAt(group, "bearing"), balls = column(bearing, "ball_force");
   if (balls.length)
@@ -58,7 +58,8 @@ function caseFigures(load, index) {
         make("td", {}, shown(twist[i], e.length ? e[i] / arcminute : null)),
         make("td", {}, e.length ? "± " + shownError(e[i] / arcminute) : ""), make("td", {}, "arcmin")))))));
   }
-  return make("div", { class: "figures" }, ...all);
+  const cup = index === ((load.attributes && load.attributes.written_case) || 0) ? cupSection(groupAt(load, "shape")) : null;
+  return make("div", { class: "figures" }, ...all, ...(cup ? [cup] : []));
 }
 
 /** Forces and pressures over all teeth: a sector repeats around the ring.
@@ -80,7 +81,8 @@ function mapFigures(map, sectors) {
   const largest = pressure.reduce((a, b) => Math.max(a, b), 0) || 1;
   const xs = places.map((place) => place.at);
   /** @param {number} i @param {number} k */
-  const value = (i, k) => Math.max(pressure[(places[i].s * 2) * z.length + k], pressure[(places[i].s * 2 + 1) * z.length + k]);
+  const value = (i, k) => Math.max(pressure[places[i].s * 2 * z.length + k],
+    pressure[(places[i].s * 2 + 1) * z.length + k]) || NaN; // nothing is painted where no force is
   return [bars(say("toothForces"), say("spaceAngle"), say("force"), xs, sum),
     heatMap(say("pressureMap"), say("spaceAngle"), say("height"), xs, z, value, (v) => strong(v / largest),
       legend("0", `${shown(Number(largest.toPrecision(4)))} MPa`, true)).figure];
@@ -94,10 +96,10 @@ function cupSection(shape) {
   if (!stress.length) return null;
   const kept = shape && shape.datasets && shape.datasets.stress.every ? shape.datasets.stress.every[1] : 1;
   const rows = stress.length / r.length, largest = stress.reduce((a, b) => Math.max(a, b), 0);
-  const canvas = make("canvas", { "class": "section", "role": "img", "aria-label": say("stress"), "width": 1040, "height": 420 });
+  const canvas = make("canvas", { "class": "section", "role": "img", "aria-label": say("stress"), "width": 960, "height": 640 });
   const ctx = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
   const lowR = Math.min(...r), highR = Math.max(...r), lowZ = Math.min(...z), highZ = Math.max(...z);
-  const scale = Math.min(1000 / (highZ - lowZ), 380 / (highR - lowR));
+  const scale = Math.min(920 / (highZ - lowZ), 600 / (highR - lowR));
   const reading = make("div", { class: "reading" });
   let row = 0;
   const draw = () => {
@@ -109,7 +111,7 @@ function cupSection(shape) {
       let sum = 0;
       for (let i = 0; i < 4; ++i) {
         const n = cells[c + i];
-        ctx.lineTo(20 + (z[n] - lowZ) * scale, 400 - (r[n] - lowR) * scale);
+        ctx.lineTo(20 + (z[n] - lowZ) * scale, 620 - (r[n] - lowR) * scale);
         sum += stress[row * r.length + n] / 4;
         most = Math.max(most, stress[row * r.length + n]);
       }
@@ -126,7 +128,7 @@ function cupSection(shape) {
     row = Number(slider.value);
     draw();
   } });
-  return make("figure", { class: "wide" }, make("figcaption", {}, say("stress")), canvas,
+  return make("figure", {}, make("figcaption", {}, say("stress")), canvas,
     make("label", { class: "wide" }, say("sectionAngle") + " ", slider), reading,
     legend("0", `${shown(Number(largest.toPrecision(4)))} MPa`, true));
 }
@@ -139,6 +141,5 @@ export function loadView(drive) {
   const start = (load.attributes && load.attributes.shown) || 0;
   const show = (/** @type {number} */ i) => place.replaceChildren(caseFigures(load, i));
   show(start);
-  return make("div", {}, names.length > 1 ? choice(say("case"), names, start, show) : null, place,
-    cupSection(groupAt(load, "shape")));
+  return make("div", {}, names.length > 1 ? choice(say("case"), names, start, show) : null, place);
 }

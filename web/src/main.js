@@ -68,7 +68,7 @@ function show(index) {
   const drive = report.drives[index], results = drive.results;
   observer.disconnect();
   later.clear();
-  const sections = [section("mesh", say("mesh"), () => meshView(drive, true))];
+  const sections = [section("mesh", say("mesh"), () => meshView(drive))];
   const along = drive.spline.datasets && drive.spline.datasets.z && (drive.spline.datasets.z.shape || [0])[0] > 1;
   if (results.contact || results.load || along) sections.push(section("axial", say("axial"), () => axialView(drive)));
   if (results.load) sections.push(section("load", say("load"), () => loadView(drive)));

@@ -11,8 +11,8 @@ import { View } from "./view.js";
 const degree = Math.PI / 180;
 const colourLimit = 0.05; // mm, the gap at the end of the colours
 
-/** @param {import("./data.js").Drive} drive @param {boolean} [first]  whether the hash is this view's */
-export function meshView(drive, first) {
+/** @param {import("./data.js").Drive} drive */
+export function meshView(drive) {
   if (!drive.teeth) return make("p", {}, say("noTeeth"));
   const mesh = new Mesh(drive), painter = new Painter(drive, mesh);
   const revolution = groupAt(drive.results.contact, "contact/case_000/revolution");
@@ -53,6 +53,7 @@ export function meshView(drive, first) {
     painter.paint(ctx, view, s);
     work = performance.now() - began;
     canvas.dataset.work = work.toFixed(2);
+    if (!canvas.dataset.first) canvas.dataset.first = performance.now().toFixed(1); // ms after the page was opened
     canvas.dataset.frames = String(Number(canvas.dataset.frames || 0) + 1);
     if (playing || !painter.known) draw();
     readPointer();
@@ -98,7 +99,7 @@ export function meshView(drive, first) {
     if (!contact) return;
     const { state, index, off } = stateAt();
     if (!state || !(off < 1e-7)) return;
-    const rows = (state.figures || []).filter(([name]) => /gap$|turn_to_contact|contact_fraction|teeth$/.test(name));
+    const rows = (state.figures || []).filter((place) => !place[5] && /gap$|turn_to_contact|contact_fraction|teeth$/.test(place[0]));
     computed.append(make("strong", {}, say("computed")), make("ul", {}, ...rows.map(([name, value, error, units]) => {
       const v = column(state, value)[index], e = error ? column(state, error)[index] : null;
       const um = units === "mm" ? 1000 : 1;
@@ -220,7 +221,6 @@ export function meshView(drive, first) {
     }) : null);
   label();
   settle();
-  if (first) canvas.dataset.first = "";
   const accuracy = `${say("accuracy")} ${shownError(drive.teeth.interpolation_error * 1000)} um, ${say("outlines")} ${
     shownError(drive.outline_error * 1000)} um.`;
   return make("div", {}, controls, canvas,

@@ -90,11 +90,13 @@ export class Painter {
   /** @param {number} step */
   toothPath(step) {
     return this.path("tooth", step, () => {
-      const path = new Path2D(), t = this.mesh.tooth, last = t.length - 2;
+      const path = new Path2D(), t = this.mesh.tooth, last = t.length - 2, deeper = this.drive.module / 4;
+      path.moveTo(t[0], t[1] - deeper); // into the rim: no seam
       for (let i = 0; ; i = Math.min(last, i + 2 * step)) {
         path.lineTo(t[i], t[i + 1]);
         if (i === last) break;
       }
+      path.lineTo(t[last], t[last + 1] - deeper);
       return path;
     });
   }
@@ -226,22 +228,23 @@ export class Painter {
         frame(at.x, at.y, lean);
         /** @param {number} n */
         const point = (n) => mesh.at(s.slice, Math.round(from + (to - from) * n / (samples - 1)));
-        const width = fine ? 1 : samples - 1;
+        const width = fine ? 1 : samples - 1, between = fine ? 6 : 1;
         for (let n = 0; n + width < samples; n += width) {
           const gap = fine ? (row.gaps[flank * samples + n] + row.gaps[flank * samples + n + 1]) / 2 : row.least[flank];
           if (gap > s.limit) continue;
-          const a = point(n), b = point(n + width);
           ctx.strokeStyle = scaleColour(gap < -this.mesh.gapError ? -1 : Math.max(0, gap) / s.limit);
           ctx.beginPath();
-          ctx.moveTo(a.x, a.y - this.seat);
-          ctx.lineTo(b.x, b.y - this.seat);
+          for (let part = 0; part <= between; ++part) {
+            const p = point(n + width * part / between);
+            ctx.lineTo(p.x, p.y - this.seat);
+          }
           ctx.stroke();
         }
-        if (row.least[flank] < 1e-3) {
+        if (fine && row.least[flank] < 1e-3) {
           const p = point(row.at[flank]);
           ctx.fillStyle = this.colour.accent;
           ctx.beginPath();
-          ctx.arc(p.x, p.y - this.seat, (fine ? 4 : 2.5) / view.scale, 0, 2 * Math.PI);
+          ctx.arc(p.x, p.y - this.seat, 4 / view.scale, 0, 2 * Math.PI);
           ctx.fill();
         }
       });

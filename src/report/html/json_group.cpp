@@ -43,7 +43,7 @@ std::size_t thinned_dimension(io::layout::Dims const& dims)
 }
 
 /// Every n-th slab of @p values along the dimension @p along, so that at most most_values are left; n into @p every.
-std::vector<double> thinned(io::layout::Shape& shape, double const* values, std::size_t along, std::size_t& every)
+std::vector<double> every_nth(io::layout::Shape& shape, double const* values, std::size_t along, std::size_t& every)
 {
     auto const product = [&](std::size_t from, std::size_t to) {
         return std::accumulate(shape.begin() + static_cast<std::ptrdiff_t>(from),
@@ -118,7 +118,7 @@ void JsonGroup::dataset(std::string const& name, io::layout::Shape const& shape,
         if (count > most_values && shape.size() > 1 && along < shape.size()) {
             io::layout::Shape size = shape;
             std::size_t every = 1;
-            std::vector<double> const kept = thinned(size, doubles, along, every);
+            std::vector<double> const kept = every_nth(size, doubles, along, every);
             made = array_json(size, kept.data());
             made["every"] = {about.dims[along], every};
         } else {

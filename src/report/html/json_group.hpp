@@ -11,8 +11,8 @@
 
 namespace hdconj::report {
 
-/// The array as {type: "f8" | "f4" | "i4", shape, data}: little-endian numbers in base64, doubles to be halved to
-/// single precision where there are more than a figure has.
+/// The array as {type: "f8" | "f4" | "i4", shape, data}, little-endian numbers in base64. The second form writes
+/// doubles, of more than 4,096 values in single precision.
 [[nodiscard]] Json array_json(std::string_view type, io::layout::Shape const& shape, void const* values,
                               std::size_t bytes);
 [[nodiscard]] Json array_json(io::layout::Shape const& shape, double const* values);

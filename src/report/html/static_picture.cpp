@@ -14,13 +14,20 @@ namespace hdconj::report {
 namespace {
 
 constexpr int teeth_beside = 7;      // shown on either side of the major axis
-constexpr std::size_t thinning = 4;  // of points: the picture is small
+constexpr double least_turn = 0.05;  // [rad] between points that are kept: the picture is small
 
-/// Adds @p points, y upward, turned clockwise by @p angle, to the data of a path.
+/// Adds @p points, y upward, turned clockwise by @p angle, to the data of a path: where the outline has turned by some
+/// degrees, and its corners.
 void add_points(std::string& path, std::vector<Vec2> const& points, double angle, Vec2 const& from)
 {
-    for (std::size_t i = 0; i < points.size();
-         i += i + 1 == points.size() ? 1 : std::min(thinning, points.size() - 1 - i)) {
+    Vec2 last = points.front();
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        bool const is_end = i == 0 || i + 1 == points.size();
+        Vec2 const ahead = is_end ? Vec2(1, 0) : Vec2(points[i + 1] - points[i]), behind = points[i] - last;
+        double const turn = ahead.x() * behind.y() - ahead.y() * behind.x();
+        if (!is_end && std::abs(turn) < least_turn * ahead.norm() * behind.norm())
+            continue;
+        last = points[i];
         Vec2 const p = turned_clockwise(points[i], angle) - from;
         fmt::format_to(std::back_inserter(path), "{}{:.3f} {:.3f}", path.empty() ? 'M' : 'L', p.x(), -p.y());
     }
