@@ -247,7 +247,8 @@ class Reports(unittest.TestCase):
         with Page(loaded) as page:
             see(page, "load")
             self.assertGreater(page.locator("#load svg.chart").count(), 4)
-        large = report("large", f"{SOURCE}/data/scenes/type-50-coned.toml", "--set", "slices.count=40", "--with", "contact")
+        large = report("large", f"{SOURCE}/data/scenes/type-50-coned.toml", "--set", "slices.count=40", "--with",
+                       "contact")
         self.assertLess(large.stat().st_size, 10_000_000)
         began = time.monotonic()
         with Page(large) as page:

@@ -286,7 +286,7 @@ export class Painter {
     const shown = groupAt(load, "case_" + String((load && load.attributes && load.attributes.shown) || 0).padStart(3, "0"));
     const contacts = groupAt(shown, "contacts"), angle = column(groupAt(shown, "map"), "angle");
     const force = column(contacts, "force"), space = column(contacts, "space");
-    const place = column(contacts, "place"), normal = column(contacts, "normal");
+    const place = column(contacts, "place"), normal = column(contacts, "normal"), half = column(contacts, "half_width");
     const sectors = (load && load.attributes && load.attributes.sectors) || 1;
     const largest = force.reduce((a, b) => Math.max(a, b), 0);
     ctx.setTransform(view.dpr, 0, 0, view.dpr, 0, 0);
@@ -297,9 +297,12 @@ export class Painter {
         const lean = angle[space[i]] + 2 * Math.PI * sector / sectors + spin;
         const p = turned(place[2 * i], place[2 * i + 1], lean), n = turned(normal[2 * i], normal[2 * i + 1], lean);
         const a = view.toPixels(p.x, p.y), length = 4 + 56 * force[i] / largest;
+        const strip = half[i] * view.scale; // as wide as Hertz says, along the flank
         ctx.beginPath();
         ctx.moveTo(a.x, a.y);
         ctx.lineTo(a.x + n.x * length, a.y - n.y * length);
+        ctx.moveTo(a.x + n.y * strip, a.y + n.x * strip);
+        ctx.lineTo(a.x - n.y * strip, a.y - n.x * strip);
         ctx.stroke();
       }
   }

@@ -14,8 +14,8 @@ const english = {
   gaps: "Gaps", pointer: "Gap under the pointer", smallest: "Smallest gap of the flanks in this slice",
   computed: "Computed at this angle", noTeeth: "The teeth are not shown.", rulerHelp: "Drag from point to point",
   forces: "Forces under load",
-  meshHelp: "Drag the wave generator's edge to turn it, elsewhere to move the picture. Keys: space plays, arrows turn, "
-    + "plus and minus zoom, 0 shows the whole drive, 1 one tooth.",
+  meshHelp: "Drag inside the flexspline to turn the wave generator, elsewhere to move the picture; after a click the "
+    + "wheel zooms. Keys: space plays, arrows turn, plus and minus zoom, 0 shows the whole drive, 1 one tooth.",
   canvas: "Teeth of both splines", accuracy: "Poses are interpolated from the program's own to",
   outlines: "outlines are exact to", case: "Case", contactGap: "contact gap", light: "Light", dark: "Dark",
   theme: "Light or dark", cells: "place across tooth spaces and slices", left: "left flank", right: "right flank",

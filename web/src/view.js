@@ -32,6 +32,7 @@ export class View {
     for (const end of ["pointerup", "pointercancel"])
       canvas.addEventListener(end, (e) => this.up(/** @type {PointerEvent} */ (e)));
     canvas.addEventListener("wheel", (e) => {
+      if (!e.ctrlKey && document.activeElement !== canvas) return; // who scrolls past is not held up
       e.preventDefault();
       this.zoom(Math.exp(-e.deltaY * 0.002), e.offsetX, e.offsetY);
     }, { passive: false });
