@@ -37,10 +37,11 @@ struct TurningTeeth
 ///
 /// The table is doubled until its interpolation error is below 1e-6 mm, up to 4,096 steps: a wave generator whose
 /// curvature jumps needs more than one that is smooth.
-/// @param scene     the drive, lengths in mm; domain: no faults, and the flexspline's tooth is given
+/// @param scene     the drive, lengths in mm; domain: no faults, and the neutral curve is given. In the
+///                  reverse problem the tooth is the one that is solved for
 /// @param z         planes, evenly spaced over the face width [mm]; one plane: z = 0
 /// @param on_stage  called with each stage that begins; null: not called
-/// @throws InputError where the circular spline's tooth is given; NumericalError as solve()
+/// @throws NumericalError as solve()
 [[nodiscard]] TurningTeeth turning_teeth(Scene const& scene, std::vector<double> const& z,
                                          StageObserver const& on_stage = {});
 

@@ -7,7 +7,7 @@ import os
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import Any, Optional, Union
+from typing import Any, Optional, Union, cast
 
 from . import _core, _results
 from ._scene import Scene, SceneLike, scene_of
@@ -353,7 +353,7 @@ def report(
     list of str
         Parts that were asked for and have no result, each with its cause.
     """
-    listed = list(scenes) if isinstance(scenes, (list, tuple)) else [scenes]
+    listed = list(scenes) if isinstance(scenes, (list, tuple)) else [cast(SceneLike, scenes)]
     asked = [scene_of(scene)._core for scene in listed]
     with _calling(progress) as call:
         return _core.report(asked, os.fspath(file), _words(parts), list(tilts_deg), revolution, curve, *call)

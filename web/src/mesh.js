@@ -89,7 +89,7 @@ export function meshView(drive) {
   function readLeast() {
     if (playing) return;
     const found = mesh.smallest(s.slice, s.angle, s.turn);
-    least.value = `${(found.gap * 1000).toFixed(2)} um ± ${shownError(mesh.gapError * 1000)} um`;
+    least.value = `${um(found.gap)} um ± ${shownError(mesh.gapError * 1000)} um`;
     least.dataset.gap = String(found.gap * 1000);
     least.dataset.space = String(found.space);
     readComputed();
@@ -102,9 +102,9 @@ export function meshView(drive) {
     const rows = (state.figures || []).filter((place) => !place[5] && /gap$|turn_to_contact|contact_fraction|teeth$/.test(place[0]));
     computed.append(make("strong", {}, say("computed")), make("ul", {}, ...rows.map(([name, value, error, units]) => {
       const v = column(state, value)[index], e = error ? column(state, error)[index] : null;
-      const um = units === "mm" ? 1000 : 1;
-      return make("li", { "data-name": name, "data-value": v * um },
-        `${name} ${shown(v * um, e === null ? null : e * um)}${e ? " ± " + shownError(e * um) : ""} ${
+      const scale = units === "mm" ? 1000 : 1;
+      return make("li", { "data-name": name, "data-value": v * scale },
+        `${name} ${shown(v * scale, e === null ? null : e * scale)}${e ? " ± " + shownError(e * scale) : ""} ${
           units === "mm" ? "um" : units === "1" ? "" : units}`);
     })));
   }
@@ -125,9 +125,9 @@ export function meshView(drive) {
       pointed.value = "–";
       return;
     }
-    const gap = mesh.gap(at, s.slice, space, s.angle, s.turn) * 1000;
-    pointed.value = `${gap.toFixed(2)} um ± ${shownError(mesh.gapError * 1000)} um`;
-    pointed.dataset.gap = String(gap);
+    const gap = mesh.gap(at, s.slice, space, s.angle, s.turn);
+    pointed.value = `${um(gap)} um ± ${shownError(mesh.gapError * 1000)} um`;
+    pointed.dataset.gap = String(gap * 1000);
   }
   const play = make("button", { type: "button", class: "play", click: () => {
     playing = !playing;
@@ -227,6 +227,12 @@ export function meshView(drive) {
     make("div", { class: "readings" }, make("span", {}, say("pointer") + " ", pointed),
       make("span", {}, say("smallest") + " ", least), make("span", {}, say("gaps") + " ", legend("0", "50 um"))),
     computed, make("p", { class: "note" }, say("meshHelp") + " " + accuracy));
+}
+
+/** A length in um to 0.01, no minus before zero.
+ * @param {number} mm */
+function um(mm) {
+  return (Math.round(mm * 1e5) / 100 + 0).toFixed(2);
 }
 
 /** @param {number} a @param {number} b */

@@ -7,7 +7,6 @@
 
 #include "conjugate/plane/plane_motion.hpp"
 #include "contact_study_data.hpp"
-#include "hdconj/error.hpp"
 
 namespace hdconj {
 namespace {
@@ -86,16 +85,18 @@ Scene with_width(Scene scene)
 
 TurningTeeth turning_teeth(Scene const& scene, std::vector<double> const& z, StageObserver const& on_stage)
 {
-    if (scene.is_reverse())
-        throw InputError(Fault{"circular_spline.profile", 0, "",
-                               "the motion is that of a given flexspline tooth, but the circular spline's is given",
-                               "give [flexspline.profile]"});
     contact::ContactStudyData data(with_width(scene), Verb::contact, on_stage, static_cast<int>(z.size()));
     TurningTeeth turning;
     turning.z = z;
     turning.period = 2 * data.maker->motion(0).motion.half_lobe();
-    turning.chord = outline_chord;
-    turning.tooth = profile::polygon_of(data.tooth, outline_chord);
+    if (scene.is_reverse()) {
+        turning.chord = data.middle.error.chord;
+        for (Vec2 const& point : data.middle.flexspline_outline)
+            turning.tooth.push_back(point + Vec2(0, data.middle.geometry.pitch_line));
+    } else {
+        turning.chord = outline_chord;
+        turning.tooth = profile::polygon_of(data.tooth, outline_chord);
+    }
     double reach = 0;
     for (Vec2 const& point : turning.tooth)
         reach = std::max(reach, point.norm());
