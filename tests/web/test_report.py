@@ -173,6 +173,20 @@ class Reports(unittest.TestCase):
             self.assertEqual(page.locator("#compare tbody tr").count(), 1)
             self.assertEqual(page.locator("#compare tr.differs").count(), 0)
 
+    def test_tilt_slider_shows_each_case(self):
+        file = report("tilts", TYPE_50, "--set", "slices.count=3", "--set", "circular_spline.width=2", "--with",
+                      "contact", "--tilt", "0,0.1")
+        with Page(file) as page:
+            see(page, "axial")
+            slider = page.locator("#axial input[data-tilt]")
+            texts = []
+            for place in ("0", "1"):
+                slider.fill(place)
+                texts.append(page.locator("#axial ul.computed").inner_text())
+            self.assertIn("radial 0.1", page.locator("#axial output").inner_text())
+            self.assertNotEqual(*texts)
+            self.assertEqual(page.locator("#axial canvas.section").count(), 1)
+
     def test_hostile_names_stay_text(self):
         with Page(two_drives()) as page:
             page.locator("header select").first.select_option(index=1)

@@ -3,7 +3,7 @@
 
 import { chart, heatMap } from "./chart.js";
 import { column, groupAt, shown, shownError } from "./data.js";
-import { choice, colour, legend, make, scaleColour } from "./dom.js";
+import { choice, colour, legend, make, remember, remembered, scaleColour } from "./dom.js";
 import { caseNames } from "./load.js";
 import { say } from "./texts.js";
 
@@ -38,8 +38,10 @@ function gapMaps(map) {
         for (let p = 0; p < points; ++p) low = Math.min(low, gap[first + p]);
         least[s * z.length + k] = low * 1000;
       }
-    return heatMap(`${say("gapMap")}, ${name}`, say("spaceAngle"), say("height"), Array.from(angle, (a) => a / degree), z,
-      (i, k) => least[i * z.length + k], (v) => scaleColour(v < -0.01 ? -1 : v / limit), legend("0", `${limit} um`)).figure;
+    return heatMap(`${say("gapMap")}, ${name}`, say("spaceAngle"), say("height"), Array.from(angle,
+      (a) => a / degree), z,
+      (i, k) => least[i * z.length + k], (v) => scaleColour(v < -0.01 ? -1 : v / limit), legend("0",
+        `${limit} um`)).figure;
   });
 }
 
@@ -53,11 +55,13 @@ function tiltFigures(contact) {
       const v = column(contact, value)[i], e = error ? column(contact, error)[i] : null;
       return make("li", {}, `${name} ${shown(v, e)}${e ? " ± " + shownError(e) : ""} ${units === "1" ? "" : units}`);
     }));
-  show(0);
-  const output = make("output", {}, names[0] || "");
-  const slider = make("input", { "type": "range", "min": 0, "max": names.length - 1, "value": 0, "data-tilt": "",
+  const start = Math.max(0, Math.min(names.length - 1, remembered("t", 0)));
+  show(start);
+  const output = make("output", {}, names[start] || "");
+  const slider = make("input", { "type": "range", "min": 0, "max": names.length - 1, "value": start, "data-tilt": "",
     "input": () => {
       show(Number(slider.value));
+      remember("t", Number(slider.value));
       output.textContent = names[Number(slider.value)];
     } });
   if (names.length < 2) return [make("div", {}, output, list)];
@@ -75,17 +79,20 @@ function surfaceFigure(drive, map) {
   const outline = column(drive.spline, "outline"), points = set.shape[1], marks = column(drive.spline, "landmarks");
   const angle = column(map, "angle"), gap = column(map, "gap");
   const stations = angle.length ? gap.length / (angle.length * 2 * z.length) : 0;
-  const canvas = make("canvas", { "class": "section", "role": "img", "aria-label": say("surface"), "tabindex": 0, "width": 1040, "height": 640 });
+  const canvas = make("canvas", { "class": "section", "role": "img", "aria-label": say("surface"), "tabindex": 0,
+    "width": 1040, "height": 640 });
   const ctx = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
   const middle = outline[2 * (marks[2] || points >> 1) + 1] - drive.module, half = (z[z.length - 1] - z[0]) / 2;
   let yaw = 0.6, pitch = 0.5, space = angle.length >> 1;
   const step = Math.max(1, Math.floor(points / 70));
   /** @param {number} k @param {number} i */
   const project = (k, i) => {
-    const x = outline[2 * (k * points + i)] / drive.module, y = (outline[2 * (k * points + i) + 1] - middle) / drive.module;
+    const x = outline[2 * (k * points + i)] / drive.module,
+      y = (outline[2 * (k * points + i) + 1] - middle) / drive.module;
     const w = z[k] / half * 2; // the axis is shortened: a tooth is narrow
     const u = x * Math.cos(yaw) - w * Math.sin(yaw), d = x * Math.sin(yaw) + w * Math.cos(yaw);
-    return { x: 520 + 150 * u, y: 320 - 150 * (y * Math.cos(pitch) - d * Math.sin(pitch)), depth: d * Math.cos(pitch) + y * Math.sin(pitch) };
+    return { x: 520 + 150 * u, y: 320 - 150 * (y * Math.cos(pitch) - d * Math.sin(pitch)),
+      depth: d * Math.cos(pitch) + y * Math.sin(pitch) };
   };
   /** Gap of a point in um; NaN off the flanks.
    * @param {number} k @param {number} i */

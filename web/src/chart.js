@@ -6,7 +6,8 @@ import { shown, shownError } from "./data.js";
 import { say } from "./texts.js";
 
 /**
- * @typedef {{name: string, x: ArrayLike<number>, y: ArrayLike<number>, error?: ArrayLike<number>, dots?: boolean}} Series
+ * @typedef {{name: string, x: ArrayLike<number>, y: ArrayLike<number>, error?: ArrayLike<number>,
+ *   dots?: boolean}} Series
  */
 
 const width = 520, height = 300, left = 64, right = 12, top = 12, bottom = 44;
@@ -72,7 +73,8 @@ export function chart(title, xLabel, yLabel, series) {
   const xs = range(all.map((s) => s.x)), ys = range(bounds);
   if (ys[0] > 0 && ys[0] < 0.5 * ys[1]) ys[0] = 0;
   const x = scale(xs[0], xs[1], left, width - right), y = scale(ys[0], ys[1], height - bottom, top);
-  const picture = svg("svg", { "viewBox": `0 0 ${width} ${height}`, "class": "chart", "role": "img", "aria-label": title },
+  const picture = svg("svg", { "viewBox": `0 0 ${width} ${height}`, "class": "chart", "role": "img",
+    "aria-label": title },
     axes(x, y, xs, ys, xLabel, yLabel));
   all.forEach((s, n) => {
     const points = Array.from(s.x, (v, i) => [x(v), y(s.y[i])]).filter(([, v]) => Number.isFinite(v));
@@ -82,7 +84,8 @@ export function chart(title, xLabel, yLabel, series) {
       const ends = Array.from(s.x, (v, i) => [x(v), y(s.y[i] + (e[i] || 0)), y(s.y[i] - (e[i] || 0))]
         .map((each) => each.toFixed(1)));
       if (s.dots) {
-        picture.append(svg("path", { "class": `line s${n % 4}`, "d": ends.map(([a, b, c]) => `M${a} ${b}V${c}`).join("") }));
+        picture.append(svg("path", { "class": `line s${n % 4}`, "d": ends.map(([a, b,
+          c]) => `M${a} ${b}V${c}`).join("") }));
       } else {
         const up = ends.map(([a, b]) => `${a},${b}`), down = ends.map(([a, , c]) => `${a},${c}`).reverse();
         picture.append(svg("polygon", { "class": `band s${n % 4}`, "points": [...up, ...down].join(" ") }));
@@ -90,7 +93,8 @@ export function chart(title, xLabel, yLabel, series) {
     }
     if (!s.dots) picture.append(svg("polyline", { "class": `line s${n % 4}`, "points": line }));
     if (s.dots || points.length < 30)
-      for (const [a, b] of points) picture.append(svg("circle", { "class": `dot s${n % 4}`, "cx": a, "cy": b, "r": 2.6 }));
+      for (const [a, b] of points) picture.append(svg("circle", { "class": `dot s${n % 4}`, "cx": a, "cy": b,
+        "r": 2.6 }));
   });
   const reading = make("div", { class: "reading" }, say("hoverHint"));
   picture.addEventListener("pointermove", (/** @type {PointerEvent} */ e) => {
@@ -117,7 +121,8 @@ export function chart(title, xLabel, yLabel, series) {
 export function bars(title, xLabel, yLabel, xs, values) {
   const xr = range([xs]), yr = range([values, [0]]);
   const x = scale(xr[0], xr[1], left, width - right), y = scale(yr[0], yr[1], height - bottom, top);
-  const picture = svg("svg", { "viewBox": `0 0 ${width} ${height}`, "class": "chart", "role": "img", "aria-label": title },
+  const picture = svg("svg", { "viewBox": `0 0 ${width} ${height}`, "class": "chart", "role": "img",
+    "aria-label": title },
     axes(x, y, xr, yr, xLabel, yLabel));
   const path = Array.from(xs, (v, i) => `M${x(v).toFixed(1)} ${y(0).toFixed(1)}V${y(values[i]).toFixed(1)}`).join("");
   picture.append(svg("path", { class: "bars s0", d: path }));
@@ -139,10 +144,12 @@ export function bars(title, xLabel, yLabel, xs, values) {
  */
 export function heatMap(title, xLabel, yLabel, xs, ys, value, paint, key) {
   const xr = range([xs]), yr = range([ys]);
-  const stepX = (xr[1] - xr[0]) / Math.max(1, xs.length - 1) || 1, stepY = (yr[1] - yr[0]) / Math.max(1, ys.length - 1) || 1;
+  const stepX = (xr[1] - xr[0]) / Math.max(1, xs.length - 1) || 1, stepY = (yr[1] - yr[0]) / Math.max(1,
+    ys.length - 1) || 1;
   const wx = [xr[0] - stepX / 2, xr[1] + stepX / 2], wy = [yr[0] - stepY / 2, yr[1] + stepY / 2];
   const x = scale(wx[0], wx[1], left, width - right), y = scale(wy[0], wy[1], height - bottom, top);
-  const picture = svg("svg", { "viewBox": `0 0 ${width} ${height}`, "class": "chart", "role": "img", "aria-label": title });
+  const picture = svg("svg", { "viewBox": `0 0 ${width} ${height}`, "class": "chart", "role": "img",
+    "aria-label": title });
   const cells = svg("g", { "shape-rendering": "crispEdges" });
   const redraw = () => {
     cells.replaceChildren();

@@ -51,8 +51,10 @@ export function cuttingView(drive) {
   canvas.addEventListener("keydown", (/** @type {KeyboardEvent} */ e) => {
     const step = view.span / 10;
     const act = { "+": () => view.zoom(1.4), "-": () => view.zoom(1 / 1.4), "0": () => view.showAll(),
-      "ArrowLeft": () => view.show(view.x - step, view.y, view.span), "ArrowRight": () => view.show(view.x + step, view.y, view.span),
-      "ArrowUp": () => view.show(view.x, view.y + step, view.span), "ArrowDown": () => view.show(view.x, view.y - step, view.span) }[e.key];
+      "ArrowLeft": () => view.show(view.x - step, view.y, view.span), "ArrowRight": () => view.show(view.x + step,
+        view.y, view.span),
+      "ArrowUp": () => view.show(view.x, view.y + step, view.span), "ArrowDown": () => view.show(view.x,
+        view.y - step, view.span) }[e.key];
     if (!act) return;
     e.preventDefault();
     act();
@@ -61,7 +63,8 @@ export function cuttingView(drive) {
    * @type {Map<string, {spot: import("./data.js").Residual, count: number}>} */
   const spots = new Map();
   for (const spot of [...drive.residuals].sort((a, b) => b.height - a.height)) {
-    const text = `${Number((spot.height * 1000).toPrecision(3))} um ${say("on")} ${say(spot.meshing ? "flank" : "root")}, ${
+    const height = Number((spot.height * 1000).toPrecision(3));
+    const text = `${height} um ${say("on")} ${say(spot.meshing ? "flank" : "root")}, ${
       say("pass")} ${spot.pass}, ${say(spot.upper ? "upper" : "lower")}`;
     const known = spots.get(text);
     if (known) ++known.count;

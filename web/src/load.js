@@ -3,7 +3,7 @@
 
 import { bars, chart, heatMap, strong } from "./chart.js";
 import { column, groupAt, shown, shownError } from "./data.js";
-import { choice, colour, legend, make } from "./dom.js";
+import { choice, colour, legend, make, remember, remembered } from "./dom.js";
 import { say } from "./texts.js";
 
 const newtonMetre = 1000, arcminute = Math.PI / 180 / 60, degree = Math.PI / 180;
@@ -37,7 +37,8 @@ function caseFigures(load, index) {
   /** @param {string} title @param {string} xLabel @param {string} yLabel @param {string} xName @param {number} xUnit
    * @param {string} yName @param {number} yUnit */
   const curveOf = (title, xLabel, yLabel, xName, xUnit, yName, yUnit) => chart(title, xLabel, yLabel,
-    [{ name: yName, x: by(column(curve, xName), xUnit), y: by(column(curve, yName), yUnit), error: error(yName, yUnit) }]);
+    [{ name: yName, x: by(column(curve, xName), xUnit), y: by(column(curve, yName), yUnit), error: error(yName,
+      yUnit) }]);
   const perArcmin = newtonMetre / arcminute;
   const all = [make("p", { class: "note" }, known.some((k) => k !== 0) ? say("band") : say("noBand"))];
   if (column(curve, "torque").length > 1)
@@ -48,7 +49,8 @@ function caseFigures(load, index) {
   all.push(...mapFigures(groupAt(group, "map"), (load.attributes && load.attributes.sectors) || 1));
   const bearing = groupAt(group, "bearing"), balls = column(bearing, "ball_force");
   if (balls.length)
-    all.push(bars(say("balls"), say("sectionAngle") + " [°]", say("force"), by(column(bearing, "ball_angle"), degree), balls));
+    all.push(bars(say("balls"), say("sectionAngle") + " [°]", say("force"), by(column(bearing, "ball_angle"),
+      degree), balls));
   const members = groupAt(group, "members");
   const names = members && members.datasets && members.datasets.name && members.datasets.name.texts;
   if (names) {
@@ -58,7 +60,8 @@ function caseFigures(load, index) {
         make("td", {}, shown(twist[i], e.length ? e[i] / arcminute : null)),
         make("td", {}, e.length ? "± " + shownError(e[i] / arcminute) : ""), make("td", {}, "arcmin")))))));
   }
-  const cup = index === ((load.attributes && load.attributes.written_case) || 0) ? cupSection(groupAt(load, "shape")) : null;
+  const cup = index === ((load.attributes && load.attributes.written_case) || 0) ? cupSection(groupAt(load, "shape"))
+    : null;
   return make("div", { class: "figures" }, ...all, ...(cup ? [cup] : []));
 }
 
@@ -96,7 +99,8 @@ function cupSection(shape) {
   if (!stress.length) return null;
   const kept = shape && shape.datasets && shape.datasets.stress.every ? shape.datasets.stress.every[1] : 1;
   const rows = stress.length / r.length, largest = stress.reduce((a, b) => Math.max(a, b), 0);
-  const canvas = make("canvas", { "class": "section", "role": "img", "aria-label": say("stress"), "width": 960, "height": 640 });
+  const canvas = make("canvas", { "class": "section", "role": "img", "aria-label": say("stress"), "width": 960,
+    "height": 640 });
   const ctx = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
   const lowR = Math.min(...r), highR = Math.max(...r), lowZ = Math.min(...z), highZ = Math.max(...z);
   const scale = Math.min(920 / (highZ - lowZ), 600 / (highR - lowR));
@@ -138,8 +142,12 @@ export function loadView(drive) {
   const load = groupAt(drive.results.load, "load");
   if (!load) return null;
   const names = caseNames(load), place = make("div", {});
-  const start = (load.attributes && load.attributes.shown) || 0;
-  const show = (/** @type {number} */ i) => place.replaceChildren(caseFigures(load, i));
+  const first = (load.attributes && load.attributes.written_case) || 0;
+  const start = Math.max(0, Math.min(names.length - 1, remembered("l", first)));
+  const show = (/** @type {number} */ i) => {
+    if (i !== start) remember("l", i);
+    place.replaceChildren(caseFigures(load, i));
+  };
   show(start);
   return make("div", {}, names.length > 1 ? choice(say("case"), names, start, show) : null, place);
 }

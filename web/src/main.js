@@ -27,7 +27,8 @@ document.documentElement.dataset.theme = themes[remembered("dark", darkWanted ? 
 /** @param {import("./data.js").Drive} drive */
 function warnings(drive) {
   const notes = drive.judgement.map((note) => make("li", { class: note.severity },
-    `${note.severity}: ${note.place ? note.place + ": " : ""}${note.cause}${note.advice ? " (" + note.advice + ")" : ""}`));
+    `${note.severity}: ${note.place ? note.place + ": " : ""}${note.cause}${
+      note.advice ? " (" + note.advice + ")" : ""}`));
   const others = (drive.notes || []).map((text) => make("li", {}, text));
   const failed = drive.left_out.filter((each) => each.failed)
     .map((each) => make("li", { class: "warning" }, `${each.part}: ${each.why}`));
@@ -84,7 +85,8 @@ function show(index) {
     } }, each.firstChild ? each.firstChild.textContent : "")));
   const theme = document.documentElement.dataset.theme === "dark" ? 1 : 0;
   app.replaceChildren(make("header", {}, make("h1", {}, drive.name),
-    make("p", {}, `${say("version")} ${report.program_version} (${report.git_revision}), ${say("printed")} ${report.date}`),
+    make("p", {},
+      `${say("version")} ${report.program_version} (${report.git_revision}), ${say("printed")} ${report.date}`),
     make("div", { class: "controls" },
       report.drives.length > 1 ? choice(say("drive"), report.drives.map((each) => each.name), index, (i) => {
         remember("d", i);

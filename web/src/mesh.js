@@ -99,7 +99,8 @@ export function meshView(drive) {
     if (!contact) return;
     const { state, index, off } = stateAt();
     if (!state || !(off < 1e-7)) return;
-    const rows = (state.figures || []).filter((place) => !place[5] && /gap$|turn_to_contact|contact_fraction|teeth$/.test(place[0]));
+    const rows = (state.figures || []).filter((place) => !place[5]
+      && /gap$|turn_to_contact|contact_fraction|teeth$/.test(place[0]));
     computed.append(make("strong", {}, say("computed")), make("ul", {}, ...rows.map(([name, value, error, units]) => {
       const v = column(state, value)[index], e = error ? column(state, error)[index] : null;
       const scale = units === "mm" ? 1000 : 1;
@@ -223,7 +224,7 @@ export function meshView(drive) {
   settle();
   const accuracy = `${say("accuracy")} ${shownError(drive.teeth.interpolation_error * 1000)} um, ${say("outlines")} ${
     shownError(drive.outline_error * 1000)} um.`;
-  return make("div", {}, controls, canvas,
+  return make("div", { class: "view" }, controls, canvas,
     make("div", { class: "readings" }, make("span", {}, say("pointer") + " ", pointed),
       make("span", {}, say("smallest") + " ", least), make("span", {}, say("gaps") + " ", legend("0", "50 um"))),
     computed, make("p", { class: "note" }, say("meshHelp") + " " + accuracy));

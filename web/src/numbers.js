@@ -23,7 +23,8 @@ function cell(value) {
 }
 
 /** A table with a search and a button that copies it.
- * @param {string[]} head @param {{cells: (string|Node)[], csv: (string|number|null)[], search: string, mark?: boolean}[]} rows
+ * @param {string[]} head
+ * @param {{cells: (string|Node)[], csv: (string|number|null)[], search: string, mark?: boolean}[]} rows
  * @param {string} label */
 function searchable(head, rows, label) {
   const body = make("tbody", {}), count = make("span", { "class": "note", "role": "status" });
@@ -36,7 +37,8 @@ function searchable(head, rows, label) {
     body.replaceChildren(...found.slice(0, most));
     count.textContent = `${Math.min(most, found.length)} / ${rows.length} ${say("rows")}`;
   };
-  const search = make("input", { type: "search", placeholder: say("search"), "aria-label": say("search"), input: show });
+  const search = make("input", { type: "search", placeholder: say("search"), "aria-label": say("search"),
+    input: show });
   const copy = make("button", { type: "button", click: () => {
     const text = [head, ...rows.map((row) => row.csv)].map((row) => row.map(cell).join(",")).join("\n") + "\n";
     copy.dataset.csv = text;
@@ -45,7 +47,8 @@ function searchable(head, rows, label) {
   show();
   return make("div", {}, make("div", { class: "controls" }, search, copy, count),
     make("div", { "class": "scroll", "tabindex": 0, "role": "region", "aria-label": label },
-      make("table", {}, make("thead", {}, make("tr", {}, ...head.map((text) => make("th", { scope: "col" }, text)))), body)));
+      make("table", {}, make("thead", {}, make("tr", {}, ...head.map((text) => make("th", { scope: "col" }, text)))),
+        body)));
 }
 
 /** A page from disk may be kept from the clipboard: then a hidden text is copied.
@@ -68,7 +71,8 @@ async function toClipboard(text) {
 /** @param {import("./data.js").Drive} drive */
 export function numbersView(drive) {
   const rows = figuresOf(drive).map((f) => ({
-    cells: [placeOf(f), nameOf(f), shown(f.value, f.error), shownError(f.error), f.units === "1" ? "" : f.units, f.meaning],
+    cells: [placeOf(f), nameOf(f), shown(f.value, f.error), shownError(f.error), f.units === "1" ? "" : f.units,
+      f.meaning],
     csv: [placeOf(f), nameOf(f), f.value, f.error, f.units, f.meaning],
     search: `${placeOf(f)} ${nameOf(f)} ${f.units} ${f.meaning}`.toLowerCase(),
   }));
@@ -91,7 +95,8 @@ export function compareView(drives) {
       cells: [placeOf(first), nameOf(first), ...found.map((f) => (f ? shown(f.value, f.error) + (f.error
         ? " ± " + shownError(f.error) : "") : "–")), first.units === "1" ? "" : first.units,
       mark ? "≠ " + say(exact ? "noError" : "differs") : known.length > 1 ? say("same") : ""],
-      csv: [placeOf(first), nameOf(first), ...found.map((f) => (f ? f.value : null)), first.units, mark ? "differs" : ""],
+      csv: [placeOf(first), nameOf(first), ...found.map((f) => (f ? f.value : null)), first.units, mark ? "differs"
+        : ""],
     };
   });
   rows.sort((a, b) => Number(b.mark) - Number(a.mark));
