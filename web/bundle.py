@@ -16,29 +16,31 @@ BANNER = "/* SPDX-License-Identifier: GPL-3.0-or-later; sources: web/src */"
 VERSION = "0.17.0"  # of esbuild: others write the same program with other names
 
 
-def bundle(web):
-    subprocess.run(["tsc", "-p", str(web)], check=True)
+def bundle(web, typed=True):
+    if typed:
+        subprocess.run(["tsc", "-p", str(web)], check=True)
     return subprocess.run(["esbuild", str(web / "src/main.js"), "--bundle", "--minify", "--target=es2020",
                            "--format=iife", f"--banner:js={BANNER}", "--log-level=warning"],
                           check=True, capture_output=True, text=True).stdout
 
 
-def differs(web):
-    return bundle(web) != (web / "bundle.js").read_text()
+def differs(web, typed=True):
+    return bundle(web, typed) != (web / "bundle.js").read_text()
 
 
 def control():
     """A source with a wrong type, and one that does another thing, must both be caught."""
     with tempfile.TemporaryDirectory() as folder:
-        for change in ("\nexport const wrong = turned(\"1\", 2, 3);\n", "\ndocument.title = \"another\";\n"):
+        for change, typed in (("export const wrong = turned(\"1\", 2, 3);\n", True),
+                              ("document.title = \"another\";\n", False)):
             web = Path(folder) / "web"
             shutil.copytree(WEB, web, dirs_exist_ok=True)
             with open(web / "src/motion.js", "a", encoding="utf-8") as source:
-                source.write(change)
+                source.write("\n" + change)
             try:
-                caught = differs(web)
+                caught = differs(web, typed)
             except subprocess.CalledProcessError:
-                caught = True
+                caught = typed
             if not caught:
                 return "a changed source is not caught"
     return ""
@@ -54,6 +56,8 @@ def main():
         return 0 if len(sys.argv) > 1 else 1
     if "--control" in sys.argv:
         fault = control()
+        print(fault or "a changed source is caught")
+        return 1 if fault else 0
     elif "--check" in sys.argv:
         fault = "web/bundle.js is not what web/src gives: run web/bundle.py" if differs(WEB) else ""
     else:

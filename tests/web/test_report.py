@@ -281,7 +281,7 @@ def main():
         print("NOT TRIED: no Chromium")
         return 0
     with sync_playwright() as playwright, FOLDER:
-        BROWSER = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox"])
+        BROWSER = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-dev-shm-usage"])
         done = unittest.main(argv=sys.argv[:1] + sys.argv[4:], exit=False).result
         BROWSER.close()
     return 0 if done.wasSuccessful() else 1
