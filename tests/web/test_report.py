@@ -76,13 +76,13 @@ class Page:
 
 
 def settled(page):
-    page.wait_for_function("document.querySelector('[data-gap]').dataset.gap !== ''")
+    page.wait_for_selector("[data-gap]:not([data-gap=''])")
 
 
 def see(page, section):
     """Scrolls to a section, which is made when it is near."""
     page.locator(f"#{section}").scroll_into_view_if_needed()
-    page.wait_for_function(f"document.querySelector('#{section}').children.length > 1")
+    page.wait_for_selector(f"#{section} > :nth-child(2)", state="attached")
 
 
 class Reports(unittest.TestCase):
