@@ -2,7 +2,6 @@
 // The table of poses against the neutral curve's own equations, integrated here.
 #include "hdconj/turning_teeth.hpp"
 
-#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -64,7 +63,7 @@ TEST_CASE("turning teeth: the interpolated poses are those of the neutral curve"
     Curve const curve;
     CHECK(teeth.period == std::numbers::pi);
     CHECK(teeth.interpolation_error < 1e-6);
-    CHECK(teeth.tooth.front().x() == -teeth.tooth.back().x());
+    CHECK(std::abs(teeth.tooth.front().x() + teeth.tooth.back().x()) < teeth.chord);
     for (double u = 0.013; u < std::numbers::pi / 2; u += 0.11) {
         INFO("u = " << u);
         double const phi = curve.phi(u), place = phi / teeth.period * teeth.steps;
