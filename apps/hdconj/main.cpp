@@ -185,7 +185,7 @@ int run(int argc, char** argv)
     describe_program(program);
     CommonOptions common;
     for (auto const add : {add_init, add_design, add_check, add_solve, add_contact, add_load, add_wedm, add_accuracy,
-                           add_inspect, add_export})
+                           add_inspect, add_export, add_report})
         add(program, common);
     std::vector<std::string> words = command_line(argc, argv);
     if (words.empty()) {

@@ -28,6 +28,12 @@ void add_scene_options(CLI::App& verb, CommonOptions& common)
     auto const not_empty = [](std::string const& name) { return name.empty() ? std::string("an empty name") : ""; };
     verb.add_option("SCENE", common.scene, "scene file in TOML; - for standard input; absent: the built-in drive")
         ->check(not_empty);
+    add_computing_options(verb, common);
+    verb.add_flag("--json", common.json, "one JSON object on standard output");
+}
+
+void add_computing_options(CLI::App& verb, CommonOptions& common)
+{
     verb.add_option("--set", common.overrides,
                     "change a key of the scene, such as --set flexspline.wall=0.8; repeatable")
         ->type_name("KEY=VALUE")
@@ -36,7 +42,6 @@ void add_scene_options(CLI::App& verb, CommonOptions& common)
     verb.add_option("--threads", common.threads, "threads; 0: all cores")
         ->check(whole_number(0, scene::bounds::most_threads))
         ->type_name("N");
-    verb.add_flag("--json", common.json, "one JSON object on standard output");
     verb.add_flag("-q,--quiet", common.quiet, "no summary and no progress");
 }
 

@@ -63,6 +63,9 @@ std::pair<CLI::App&, Arguments&> add_verb(CLI::App& program, CommonOptions& comm
 /// Adds SCENE, --set, --threads, --json and --quiet to @p verb.
 void add_scene_options(CLI::App& verb, CommonOptions& common);
 
+/// Adds --set, --threads and --quiet to @p verb.
+void add_computing_options(CLI::App& verb, CommonOptions& common);
+
 /// Adds --strict to @p verb.
 void add_strict(CLI::App& verb, CommonOptions& common);
 
@@ -100,5 +103,6 @@ void add_wedm(CLI::App& program, CommonOptions& common);
 void add_accuracy(CLI::App& program, CommonOptions& common);
 void add_inspect(CLI::App& program, CommonOptions& common);
 void add_export(CLI::App& program, CommonOptions& common);
+void add_report(CLI::App& program, CommonOptions& common);
 
 }  // namespace hdconj::cli

@@ -6,7 +6,7 @@ _hdconj()
 {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
     local common="--help --set --threads --json --quiet"
-    local verbs="init design check solve contact load wedm accuracy inspect export help version"
+    local verbs="init design check solve contact load wedm accuracy inspect export report help version"
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
         case $current in
@@ -31,6 +31,7 @@ _hdconj()
                 -- "$current"))
             return ;;
         --register) COMPREPLY=($(compgen -W "datum turn least-squares minimum-zone" -- "$current")); return ;;
+        --with) COMPREPLY=($(compgen -W "solve contact load wedm" -- "$current")); return ;;
         --for) COMPREPLY=($(compgen -W "solve contact load" -- "$current")); return ;;
     esac
 
@@ -54,6 +55,7 @@ _hdconj()
             options="$common --study --output --sample --repeats --quick --from --budget --error --page" ;;
         inspect) options="$common --part --plane --probe --register --deviations --output --picture --as-tooth" ;;
         export) options="$common --calculix --contact --vtu --steps" ;;
+        report) options="--help --set --threads --quiet --output --with --tilt --revolution --no-curve" ;;
     esac
     case $current in
         -*) COMPREPLY=($(compgen -W "$options" -- "$current")) ;;

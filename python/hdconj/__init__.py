@@ -33,7 +33,7 @@ from ._results import (
 )
 from ._scene import Scene
 from ._tree import Dataset, Figure, Group
-from ._verbs import accuracy, contact, design, find_neutral_curve, inspect, load, read_measured, solve, wedm
+from ._verbs import accuracy, contact, design, find_neutral_curve, inspect, load, read_measured, report, solve, wedm
 
 __version__ = _core.version
 __all__ = [
@@ -65,6 +65,7 @@ __all__ = [
     "load",
     "read",
     "read_measured",
+    "report",
     "solve",
     "wedm",
 ]

@@ -87,6 +87,16 @@ def inspect(
     observer: _Observer,
     is_main: bool,
 ) -> Result: ...
+def report(
+    scenes: list[Scene],
+    file: str,
+    parts: list[str],
+    tilts_deg: list[float],
+    revolution: int,
+    curve: bool,
+    observer: _Observer,
+    is_main: bool,
+) -> list[str]: ...
 def read_measured(
     scene: Scene,
     file: str,

@@ -118,6 +118,12 @@ class Result(Group):
         """Write the result file that the program would write, by h5py."""
         _hdf5.write(self, file)
 
+    def report(self, file: str | os.PathLike[str]) -> None:
+        """Write one HTML page of the drive and of what this verb computes of it (:func:`report`), computed anew."""
+        from ._verbs import report
+
+        report(self._scene, file, parts=self._main if self._main in ("contact", "load") else ())
+
     def to_xarray(self) -> Any:
         """All groups as an ``xarray.DataTree``."""
         import xarray

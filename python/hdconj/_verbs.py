@@ -7,7 +7,7 @@ import os
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import Any, Optional, Union
+from typing import Any, Optional, Union, cast
 
 from . import _core, _results
 from ._scene import Scene, SceneLike, scene_of
@@ -331,6 +331,46 @@ def read_measured(
     rig = (torque_constant, counts_per_turn, ratio, efficiency, output_member)
     made = _core.read_measured(asked._core, os.fspath(file), *rig)
     return _results.Measurement._computed(made, asked)
+
+
+def report(
+    scenes: SceneLike | Sequence[SceneLike],
+    file: str | os.PathLike[str],
+    *,
+    parts: str | Sequence[str] = (),
+    tilts_deg: Sequence[float] = (),
+    revolution: int = 0,
+    curve: bool = True,
+    progress: Progress = False,
+) -> list[str]:
+    """Write one HTML page of a drive, or of several that it compares.
+
+    Parameters
+    ----------
+    scenes : Scene, path, mapping, None, or a list of these
+        The drives; None: the built-in one.
+    file : path
+        The page. It opens from disk and needs no network.
+    parts : str or sequence of str
+        What is computed beside the circular spline: "contact", "load", "wedm".
+    tilts_deg : sequence of float
+        Tilts of contact in degrees; empty: the scene's.
+    revolution : int
+        Angles of the wave generator at which contact is computed; 0: the scene's only.
+    curve : bool
+        False: load at the largest torque only.
+    progress : bool or callable
+        As for :func:`contact`.
+
+    Returns
+    -------
+    list of str
+        Parts that were asked for and have no result, each with its cause.
+    """
+    listed = list(scenes) if isinstance(scenes, (list, tuple)) else [cast(SceneLike, scenes)]
+    asked = [scene_of(scene)._core for scene in listed]
+    with _calling(progress) as call:
+        return _core.report(asked, os.fspath(file), _words(parts), list(tilts_deg), revolution, curve, *call)
 
 
 def design(ratio: float, *, progress: Progress = False, **wishes: Any) -> _results.Design:

@@ -14,9 +14,11 @@
 #include "hdconj/accuracy_files.hpp"
 #include "hdconj/contact_files.hpp"
 #include "hdconj/design_files.hpp"
+#include "hdconj/file/atomic_file.hpp"
 #include "hdconj/inspect_files.hpp"
 #include "hdconj/measured.hpp"
 #include "hdconj/read_scene.hpp"
+#include "hdconj/report.hpp"
 #include "hdconj/result_files.hpp"
 #include "hdconj/solve.hpp"
 #include "hdconj/units.hpp"
@@ -195,6 +197,39 @@ std::vector<double> poses_of_teeth(SceneHandle const& handle, std::vector<double
     return rows;
 }
 
+/// Writes the page. @return what it leaves out though it was asked for, a line each
+Words run_report(std::vector<SceneHandle const*> const& handles, std::string const& file, Words const& parts,
+                 std::vector<double> const& tilts_deg, int revolution, bool curve, nb::handle observer, bool is_main)
+{
+    Faults faults;
+    std::vector<Scene const*> scenes;
+    for (SceneHandle const* handle : handles) {
+        scenes.push_back(&handle->sound());
+        for (Fault const& fault : check_report(*scenes.back()))
+            faults.push_back(fault);
+    }
+    ReportOptions options;
+    options.parts = values_of<ReportPart>(parts, "parts", faults);
+    refuse(faults);
+    for (double const tilt : tilts_deg)
+        options.contact.tilts.push_back(tilt * deg);
+    options.contact.revolution = revolution;
+    options.load.curve = curve;
+    file::check_target(file);
+    return run(observer, is_main, [&](Observer const& told) {
+        std::vector<ReportedDrive> drives;
+        Words missing;
+        for (Scene const* scene : scenes) {
+            drives.push_back(report_drive(*scene, options, told.stages(), told.shares()));
+            for (LeftOut const& each : drives.back().left_out)
+                if (each.failed)
+                    missing.push_back(scene->drive.name + ": " + each.part + ": " + each.why);
+        }
+        file::write_text_atomically(file, report_page(drives));
+        return missing;
+    });
+}
+
 nb::tuple run_design(DesignWishes const& wishes, nb::handle observer, bool is_main)
 {
     refuse(check_design(wishes));
@@ -252,6 +287,8 @@ void add_verbs(nb::module_& module)
     module.def("accuracy", run_accuracy, "scene"_a, "studies"_a, "sample"_a, "repeats"_a, "quick"_a,
                "observer"_a.none(), "is_main"_a);
     module.def("inspect", run_inspect, "scene"_a, "points"_a, "part"_a, "plane"_a.none(), "probe"_a, "register"_a,
+               "observer"_a.none(), "is_main"_a);
+    module.def("report", run_report, "scenes"_a, "file"_a, "parts"_a, "tilts_deg"_a, "revolution"_a, "curve"_a,
                "observer"_a.none(), "is_main"_a);
     module.def("read_measured", read_measured, "scene"_a, "file"_a, "torque_constant"_a.none(),
                "counts_per_turn"_a.none(), "ratio"_a.none(), "efficiency"_a.none(), "output_member"_a);

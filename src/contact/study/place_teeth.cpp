@@ -103,22 +103,17 @@ double phase_of(Scene const& scene, double wave_generator)
     return phase - pitch * std::round(phase / pitch);
 }
 
-ToothPoses tooth_places(ContactContext const& context, double phase, std::vector<double> const& z)
+std::vector<Pose> poses_at(ContactContext const& context, std::vector<double> const& phi, std::vector<double> const& z)
 {
     Scene const& scene = context.scene;
-    auto const needed = teeth_needed(scene.drive.flexspline_teeth, scene.drive.circular_spline_teeth, phase);
-    int const first = needed[0], last = needed[1];  // no structured binding: a lambda of clang 14 cannot capture one
-    auto const teeth = static_cast<std::size_t>(last - first + 1);
-    ToothPoses places{first, z.size(), std::vector<Pose>(teeth * z.size())};
-    auto const phi_of = [&](std::size_t tooth) {
-        return 2 * std::numbers::pi * (first + static_cast<int>(tooth)) / scene.drive.flexspline_teeth + phase;
-    };
+    ToothPoses places{0, z.size(), std::vector<Pose>(phi.size() * z.size())};
+    auto const phi_of = [&](std::size_t tooth) { return phi[tooth]; };
     bool const mapped = scene.maps_axial_shift();
     if (!mapped || context.maker.follows_sections()) {
         std::vector<surface::SliceMotion> const motions =
             scene.coning ? context.maker.motions_at(z) : std::vector<surface::SliceMotion>{context.maker.motion(0)};
         constexpr std::size_t grain = 64;
-        parallel_for(teeth, context.threads, grain, [&](std::size_t i) {
+        parallel_for(phi.size(), context.threads, grain, [&](std::size_t i) {
             for (std::size_t k = 0; k < z.size(); ++k) {
                 bool const repeated = k > 0 && !scene.coning;
                 motion::AnyMotion const& motion = motions[scene.coning ? k : 0].motion;
@@ -126,13 +121,22 @@ ToothPoses tooth_places(ContactContext const& context, double phase, std::vector
                 pose = repeated ? places.pose[i * z.size()] : motion.pose(motion::parameter_at(motion, phi_of(i)));
             }
         });
-        return places;
-    }
-    if (context.cup != nullptr)
+    } else if (context.cup != nullptr) {
         place_on_cup(context, z, phi_of, places);
-    else
+    } else {
         place_on_cone(context, z, phi_of, places);
-    return places;
+    }
+    return std::move(places.pose);
+}
+
+ToothPoses tooth_places(ContactContext const& context, double phase, std::vector<double> const& z)
+{
+    Scene const& scene = context.scene;
+    auto const needed = teeth_needed(scene.drive.flexspline_teeth, scene.drive.circular_spline_teeth, phase);
+    std::vector<double> phi;
+    for (int tooth = needed[0]; tooth <= needed[1]; ++tooth)
+        phi.push_back(2 * std::numbers::pi * tooth / scene.drive.flexspline_teeth + phase);
+    return {needed[0], z.size(), poses_at(context, phi, z)};
 }
 
 std::shared_ptr<ToothPoses const> ToothPoseCache::operator()(ContactContext const& context, double phase,

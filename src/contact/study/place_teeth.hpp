@@ -32,6 +32,11 @@ class ToothPoseCache
     std::map<std::pair<double, std::size_t>, std::shared_ptr<ToothPoses const>> known_;
 };
 
+/// Poses of teeth with the undeformed angles @p phi in the planes @p z, (phi,z): each in the frame of a tooth space
+/// whose centre line is at (z_f/z_c) phi; as tooth_places().
+[[nodiscard]] std::vector<Pose> poses_at(ContactContext const& context, std::vector<double> const& phi,
+                                         std::vector<double> const& z);
+
 /// All teeth of the drive in the planes @p z; where the wall has moved along the axis, the parts of them that
 /// are in the plane.
 [[nodiscard]] ToothPoses tooth_places(ContactContext const& context, double phase, std::vector<double> const& z);

@@ -1,0 +1,42 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Takes the pictures of docs/how-to/report.md. Needs Playwright and Chromium.
+
+    screenshots.py PROGRAM FOLDER
+"""
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+from playwright.sync_api import sync_playwright
+
+PROGRAM, FOLDER = sys.argv[1:3]
+SCENES = Path(__file__).resolve().parents[3] / "data/scenes"
+
+
+def take(playwright, scratch, words, hash_, scheme, act, name):
+    file = Path(scratch) / f"{name}.html"
+    subprocess.run([PROGRAM, "report", *words, "-o", file, "-q"], check=True)
+    browser = playwright.chromium.launch(executable_path="/usr/bin/chromium", args=["--no-sandbox"])
+    page = browser.new_page(viewport={"width": 900, "height": 620}, color_scheme=scheme)
+    page.goto(file.as_uri() + hash_)
+    act(page)
+    browser.close()
+
+
+def one_tooth(page):
+    page.get_by_role("button", name="One tooth").click()
+    page.wait_for_timeout(1500)
+    page.locator("canvas.mesh").first.screenshot(path=Path(FOLDER) / "one-tooth.png")
+
+
+def tooth_space(page):
+    page.locator("#axial").scroll_into_view_if_needed()
+    page.wait_for_timeout(500)
+    page.locator("#axial canvas").screenshot(path=Path(FOLDER) / "tooth-space.png")
+
+
+with tempfile.TemporaryDirectory() as scratch, sync_playwright() as playwright:
+    take(playwright, scratch, [], "#a=2", "light", one_tooth, "one-tooth")
+    take(playwright, scratch, [SCENES / "type-50-coned.toml", "--with", "contact"], "", "dark", tooth_space, "space")

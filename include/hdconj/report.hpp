@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// `report`: a drive, or several, as one HTML file that shows figures, teeth in mesh, load and wire.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hdconj/contact.hpp"
+#include "hdconj/load.hpp"
+#include "hdconj/scene_words.hpp"
+#include "hdconj/solution.hpp"
+#include "hdconj/turning_teeth.hpp"
+#include "hdconj/wedm.hpp"
+
+namespace hdconj {
+
+/// What a report can be of.
+enum class ReportPart
+{
+    solve,    ///< circular spline, teeth in mesh; always there
+    contact,  ///< gaps over the face width
+    load,     ///< the drive under torque
+    wedm      ///< wire paths
+};
+
+/// Words of ReportPart: the verbs that compute them.
+template <>
+inline constexpr std::array<std::string_view, 4> words_of<ReportPart>{"solve", "contact", "load", "wedm"};
+
+/// What is asked of each drive of a report.
+struct ReportOptions
+{
+    std::vector<ReportPart> parts;  ///< beside ReportPart::solve
+    ContactOptions contact;         ///< of the part `contact`
+    LoadOptions load;               ///< of the part `load`
+};
+
+/// A part that a report does not show.
+struct LeftOut
+{
+    std::string part;     ///< a word of ReportPart, or "teeth in mesh"
+    std::string why;      ///< in words
+    bool failed = false;  ///< it was asked for
+};
+
+/// One drive and what was computed of it.
+struct ReportedDrive
+{
+    Solution solution;                    ///< of the scene
+    std::optional<TurningTeeth> teeth;    ///< in the planes of outline()
+    std::optional<ContactStudy> contact;  ///< where asked for
+    std::optional<LoadStudy> load;        ///< where asked for
+    WireSetUps wire;                      ///< where asked for, else empty
+    std::vector<LeftOut> left_out;        ///< and why
+    /// The circular spline that the page shows: as the contact was computed with, where it was.
+    [[nodiscard]] CircularSplineOutline const& outline() const
+    {
+        return contact ? contact->solution.circular_spline : solution.circular_spline;
+    }
+};
+
+/// Scene and options against each other: a neutral curve that is wanted has no report.
+[[nodiscard]] Faults check_report(Scene const& scene);
+
+/// Computes the parts of a report by solve(), study_contact(), study_load() and wire_set_ups(). A part that cannot be
+/// computed leaves the others as they are and is named in ReportedDrive::left_out.
+/// @param scene     the drive, lengths in mm, angles in rad; domain: no faults by check_scene() and check_report()
+/// @param options   what is asked
+/// @param on_stage  is told each stage that begins; null: nobody
+/// @param progress  is told how much of a part is done; null: nobody
+/// @throws InputError, NumericalError as solve()
+[[nodiscard]] ReportedDrive report_drive(Scene const& scene, ReportOptions const& options,
+                                         StageObserver const& on_stage = {}, Progress const& progress = {});
+
+/// The page: one HTML file that needs no network and no other file. Arrays are those of the result files, in base64.
+/// Figures are in double precision, large arrays in single, and maps of more than 200,000 values are thinned.
+/// @param drives  at least one; several are compared
+[[nodiscard]] std::string report_page(std::vector<ReportedDrive> const& drives);
+
+}  // namespace hdconj

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Computes the parts of a report.
+#include <algorithm>
+
+#include "hdconj/error.hpp"
+#include "hdconj/report.hpp"
+#include "hdconj/solve.hpp"
+
+namespace hdconj {
+namespace {
+
+/// Runs @p compute; what keeps it from a result is said in `left_out`.
+template <class Compute>
+void try_part(ReportedDrive& drive, std::string_view part, bool asked, Compute const& compute)
+{
+    std::string const name(part);
+    if (!asked) {
+        drive.left_out.push_back({name, "not asked for; hdconj report --with " + name + " computes it"});
+        return;
+    }
+    try {
+        compute();
+    } catch (InputError const& error) {
+        drive.left_out.push_back({name, error.what(), true});
+    } catch (NumericalError const& error) {
+        if (error.code() == ErrorCode::stopped)
+            throw;
+        drive.left_out.push_back({name, error.what(), true});
+    }
+}
+
+}  // namespace
+
+Faults check_report(Scene const& scene)
+{
+    if (!scene.wants_neutral_curve())
+        return {};
+    return {{"wave_generator.family", 0, "wanted", "the neutral curve is not known, and a report shows the drive on it",
+             "write hdconj solve SCENE --completed DRIVE.toml, and report DRIVE.toml"}};
+}
+
+ReportedDrive report_drive(Scene const& scene, ReportOptions const& options, StageObserver const& on_stage,
+                           Progress const& progress)
+{
+    auto const asked = [&](ReportPart part) {
+        return std::find(options.parts.begin(), options.parts.end(), part) != options.parts.end();
+    };
+    ReportedDrive drive;
+    drive.solution = solve(scene, on_stage);
+    try_part(drive, "contact", asked(ReportPart::contact), [&] {
+        if (Faults faults = check_contact(scene, options.contact); !faults.empty())
+            throw InputError(std::move(faults));
+        drive.contact = study_contact(scene, options.contact, on_stage, progress);
+        for (auto const& cause : drive.contact->missing)
+            drive.left_out.push_back({"contact", cause, true});
+    });
+    try_part(drive, "load", asked(ReportPart::load), [&] {
+        if (Faults faults = check_load(scene, options.load); !faults.empty())
+            throw InputError(std::move(faults));
+        drive.load = study_load(scene, options.load, on_stage, progress);
+        for (auto const& cause : drive.load->missing)
+            drive.left_out.push_back({"load", cause, true});
+    });
+    try_part(drive, "wedm", asked(ReportPart::wedm), [&] {
+        if (Faults faults = check_wedm(scene); !faults.empty())
+            throw InputError(std::move(faults));
+        drive.wire = wire_set_ups(scene, on_stage);
+    });
+    try_part(drive, "teeth in mesh", true, [&] { drive.teeth = turning_teeth(scene, drive.outline().z, on_stage); });
+    drive.left_out.push_back({"run", "the program does not compute the drive while it runs"});
+    return drive;
+}
+
+}  // namespace hdconj

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The layout of a result as JSON, arrays in base64.
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "io/layout/writer.hpp"
+#include "report/json/summary_object.hpp"
+
+namespace hdconj::report {
+
+/// The array as {type: "f8" | "f4" | "i4", shape, data}, little-endian numbers in base64. The second form writes
+/// doubles, of more than 4,096 values in single precision.
+[[nodiscard]] Json array_json(std::string_view type, io::layout::Shape const& shape, void const* values,
+                              std::size_t bytes);
+[[nodiscard]] Json array_json(io::layout::Shape const& shape, double const* values);
+
+/// A group as {attributes, datasets, groups, figures}.
+class JsonGroup final : public io::layout::GroupSink
+{
+  public:
+    /// @param left  names of groups and datasets that are left out
+    explicit JsonGroup(std::set<std::string> left = {}) : left_(std::move(left)) {}
+
+    void group(std::string const& name, std::function<void(io::layout::GroupSink&)> const& fill) override;
+    void dataset(std::string const& name, io::layout::Shape const& shape, io::layout::Values const& values,
+                 io::layout::About const& about) override;
+    void link(std::string const&, std::string const&) override {}
+    void attribute(std::string const& name, io::layout::AttributeValue const& value) override;
+    void figure(io::layout::FigurePlace const& figure) override;
+
+    [[nodiscard]] Json const& json() const { return json_; }
+
+  private:
+    std::set<std::string> left_;
+    Json json_ = Json::object();
+};
+
+/// What @p write puts into a root group, called with its writer.
+template <class Write>
+[[nodiscard]] Json layout_json(std::set<std::string> left, Write const& write)
+{
+    JsonGroup root(std::move(left));
+    write(io::layout::Writer(root));
+    return root.json();
+}
+
+}  // namespace hdconj::report

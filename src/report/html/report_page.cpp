@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page of a report: data as JSON between the parts of the page that web/ holds.
+#include <stdexcept>
+
+#include "hdconj/contact_files.hpp"
+#include "hdconj/load_files.hpp"
+#include "hdconj/report.hpp"
+#include "hdconj/result_files.hpp"
+#include "hdconj/version.hpp"
+#include "hdconj/wire_files.hpp"
+#include "io/layout/results.hpp"
+#include "io/scene/note_json.hpp"
+#include "json_group.hpp"
+#include "page_parts.hpp"
+#include "static_picture.hpp"
+
+namespace hdconj::report {
+namespace {
+
+/// What a study repeats of the solution, and what no view shows.
+std::set<std::string> const of_solution{"flexspline", "neutral_curve", "envelope", "conjugate_zones", "undecided",
+                                        "notes",      "summary",       "timing",   "circular_spline", "xy",
+                                        "end"};
+
+std::string_view page_part(std::string_view name)
+{
+    for (PagePart const& part : page_parts)
+        if (part.name == name)
+            return part.text;
+    throw std::logic_error("the page has no part " + std::string(name));
+}
+
+Json teeth_json(ReportedDrive const& drive)
+{
+    if (!drive.teeth)
+        return nullptr;
+    TurningTeeth const& teeth = *drive.teeth;
+    io::layout::Shape const shape{teeth.z.size(), static_cast<std::size_t>(teeth.steps)};
+    auto const table = [&](std::vector<double> const& values) {
+        return array_json("f8", shape, values.data(), values.size() * sizeof(double));
+    };
+    return {{"z", teeth.z},
+            {"steps", teeth.steps},
+            {"period", teeth.period},
+            {"radius", table(teeth.radius)},
+            {"advance", table(teeth.advance)},
+            {"lean", table(teeth.lean)},
+            {"tooth", array_json("f8", {teeth.tooth.size(), 2}, teeth.tooth.data(), teeth.tooth.size() * sizeof(Vec2))},
+            {"chord", teeth.chord},
+            {"interpolation_error", teeth.interpolation_error}};
+}
+
+Json spline_json(CircularSplineOutline const& outline)
+{
+    return layout_json({}, [&](io::layout::Writer const& root) { io::layout::write_circular_spline(root, outline); });
+}
+
+/// The results of the parts, each with its layout.
+Json results_json(ReportedDrive const& drive)
+{
+    using io::layout::Writer;
+    Json results = {{"solve", layout_json({"circular_spline", "neutral_curve"}, [&](Writer const& root) {
+                         io::layout::write_result(root, drive.solution);
+                     })}};
+    if (drive.contact)
+        results["contact"] =
+            layout_json(of_solution, [&](Writer const& root) { io::layout::write_result(root, *drive.contact); });
+    if (drive.load)
+        results["load"] =
+            layout_json(of_solution, [&](Writer const& root) { io::layout::write_result(root, *drive.load); });
+    if (!drive.wire.empty())
+        results["wedm"] = layout_json({"xy"}, [&](Writer const& root) { io::layout::write_result(root, drive.wire); });
+    return results;
+}
+
+Json residuals_json(WireSetUps const& wire)
+{
+    Json list = Json::array();
+    for (auto const& program : wire)
+        for (Residual const& each : program.residuals)
+            list.push_back({{"set_up", program.set_up.number},
+                            {"pass", each.pass},
+                            {"tooth", each.tooth},
+                            {"x", each.where.x()},
+                            {"y", each.where.y()},
+                            {"upper", each.upper},
+                            {"height", each.height},
+                            {"meshing", each.meshing}});
+    return list;
+}
+
+/// What is printed above everything else: warnings of the judgement first.
+Json notes_json(ReportedDrive const& drive)
+{
+    Json notes = drive.solution.notes;
+    for (auto const& program : drive.wire)
+        for (auto const& warning : program.warnings)
+            notes.push_back("wire: " + warning);
+    return notes;
+}
+
+std::string text_of(ReportedDrive const& drive)
+{
+    std::string text = drive.contact ? summary_text(*drive.contact) : summary_text(drive.solution);
+    if (drive.load)
+        text += '\n' + summary_text(*drive.load);
+    if (!drive.wire.empty())
+        text += '\n' + summary_text(drive.wire);
+    return text;
+}
+
+Json drive_json(ReportedDrive const& drive)
+{
+    Scene const& scene = drive.solution.scene;
+    return {{"name", scene.drive.name},
+            {"flexspline_teeth", scene.drive.flexspline_teeth},
+            {"circular_spline_teeth", scene.drive.circular_spline_teeth},
+            {"module", scene.drive.module},
+            {"scene", scene.text},
+            {"judgement", io::json_of(drive.solution.judgement)},
+            {"notes", notes_json(drive)},
+            {"left_out", list_of(drive.left_out,
+                                 [](LeftOut const& each) -> Json {
+                                     return {{"part", each.part}, {"why", each.why}, {"failed", each.failed}};
+                                 })},
+            {"outline_error", drive.solution.error.largest()},
+            {"spline", spline_json(drive.outline())},
+            {"teeth", teeth_json(drive)},
+            {"results", results_json(drive)},
+            {"residuals", residuals_json(drive.wire)},
+            {"text", text_of(drive)}};
+}
+
+void replace_all(std::string& text, std::string_view from, std::string_view to)
+{
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+        text.replace(at, from.size(), to);
+}
+
+/// Text that is no markup, whoever wrote it.
+std::string escaped(std::string text)
+{
+    replace_all(text, "&", "&amp;");
+    replace_all(text, "<", "&lt;");
+    replace_all(text, ">", "&gt;");
+    replace_all(text, "\"", "&quot;");
+    return text;
+}
+
+/// JSON that stays inside its element whatever texts it holds.
+std::string script_data(Json const& data)
+{
+    std::string text = data.dump(-1, ' ', false, Json::error_handler_t::replace);
+    replace_all(text, "<", "\\u003c");
+    return text;
+}
+
+/// What is read where scripts do not run: a picture and the printed summary of each drive.
+std::string static_part(std::vector<ReportedDrive> const& drives)
+{
+    std::string html;
+    for (ReportedDrive const& drive : drives)
+        html += "<h2>" + escaped(drive.solution.scene.drive.name) + "</h2>" + static_picture(drive) + "<pre>" +
+                escaped(text_of(drive)) + "</pre>";
+    return html;
+}
+
+}  // namespace
+}  // namespace hdconj::report
+
+namespace hdconj {
+
+std::string report_page(std::vector<ReportedDrive> const& drives)
+{
+    if (drives.empty())
+        throw std::logic_error("a report of no drive");
+    report::Json const data = {{"program_version", program_version()},
+                               {"git_revision", git_revision()},
+                               {"build", build_description()},
+                               {"date", io::layout::date_text()},
+                               {"drives", report::list_of(drives, report::drive_json)}};
+    std::string title = "hdconj:";
+    for (ReportedDrive const& drive : drives)
+        title += (&drive == &drives.front() ? " " : ", ") + drive.solution.scene.drive.name;
+    std::string_view const page = report::page_part("page");
+    std::string html;
+    std::size_t at = 0;
+    // in the order of the page, in one pass: what is put in is not looked at again
+    for (auto const& [mark, text] : {std::pair<std::string_view, std::string>{"@TITLE@", report::escaped(title)},
+                                     {"@STYLE@", std::string(report::page_part("style"))},
+                                     {"@STATIC@", report::static_part(drives)},
+                                     {"@DATA@", report::script_data(data)},
+                                     {"@SCRIPT@", std::string(report::page_part("bundle"))}}) {
+        std::size_t const next = page.find(mark, at);
+        if (next == std::string_view::npos)
+            throw std::logic_error("the page has no mark " + std::string(mark));
+        html += page.substr(at, next - at);
+        html += text;
+        at = next + mark.size();
+    }
+    html += page.substr(at);
+    return html;
+}
+
+}  // namespace hdconj

@@ -1,0 +1,291 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Opens pages of `hdconj report` in Chromium and uses them as a reader would.
+
+    test_report.py PROGRAM SOURCE_DIR CHROMIUM
+
+With HDCONJ_FULL in the environment also pages of a drive under load and of 40 slices.
+"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+PROGRAM, SOURCE, CHROMIUM = sys.argv[1:4]
+TYPE_50 = f"{SOURCE}/data/scenes/type-50.toml"
+HOSTILE = '<script>window.broken = 1</script> "q" & \u202eright'
+ANGLES = 5
+FOLDER = tempfile.TemporaryDirectory()
+BROWSER = None
+
+
+def hdconj(*words):
+    done = subprocess.run([PROGRAM, *words], cwd=FOLDER.name, capture_output=True, text=True)
+    if done.returncode:
+        raise AssertionError(f"{words}: {done.stderr}")
+    return done.stdout
+
+
+def report(name, *words):
+    file = Path(FOLDER.name) / f"{name}.html"
+    if not file.exists():
+        hdconj("report", *words, "-o", str(file), "-q")
+    return file
+
+
+CLEARANCE = ("--set", "circular_spline.backlash_offset=0.002", "--set", "circular_spline.width=2")
+
+
+def contact_page():
+    return report("contact", TYPE_50, *CLEARANCE, "--with", "contact", "--revolution", str(ANGLES))
+
+
+def two_drives():
+    other = Path(FOLDER.name) / "other.toml"
+    text = Path(TYPE_50).read_text().replace('"type-50"', "'''" + HOSTILE + "'''").replace(
+        "radial_deformation = 0.25", "radial_deformation = 0.24")
+    other.write_text(text)
+    return report("two", TYPE_50, str(other), "--with", "wedm")
+
+
+class Page:
+    """A page that is open: what it says on its console and asks of the network is kept."""
+
+    def __init__(self, file, hash_="", **options):
+        self.context = BROWSER.new_context(**{"viewport": {"width": 1200, "height": 900}, **options})
+        self.page = self.context.new_page()
+        self.said, self.asked = [], []
+        self.page.on("console", lambda message: self.said.append(message.text))
+        self.page.on("pageerror", lambda error: self.said.append(str(error)))
+        self.page.on("request", lambda request: self.asked.append(request.url))
+        self.page.goto(file.as_uri() + hash_)
+
+    def __enter__(self):
+        return self.page
+
+    def __exit__(self, *_):
+        self.context.close()
+
+    @property
+    def strangers(self):
+        return [url for url in self.asked if not url.startswith("file://")]
+
+
+def settled(page):
+    page.wait_for_selector("[data-gap]:not([data-gap=''])")
+
+
+def see(page, section):
+    """Scrolls to a section, which is made when it is near."""
+    page.locator(f"#{section}").scroll_into_view_if_needed()
+    page.wait_for_selector(f"#{section} > :nth-child(2)", state="attached")
+
+
+class Reports(unittest.TestCase):
+    def test_opens_without_network_and_without_errors(self):
+        for file in (contact_page(), two_drives()):
+            opened = Page(file)
+            with opened as page:
+                for section in page.locator("main > section[id]").all():
+                    see(page, section.get_attribute("id"))
+                page.wait_for_timeout(200)
+            self.assertEqual(opened.said, [])
+            self.assertEqual(opened.strangers, [])
+            self.assertEqual(len(opened.asked), 1)
+            self.assertLess(file.stat().st_size, 3_000_000)
+
+    def test_numbers_at_five_angles_are_the_program_s(self):
+        file = Path(FOLDER.name) / "contact.json"
+        file.write_text(hdconj("contact", TYPE_50, *CLEARANCE, "--revolution", str(ANGLES), "--json", "-o",
+                               f"{FOLDER.name}/contact.h5", "-q"))
+        states = json.loads(file.read_text())["contact"]["cases"][0]["revolution"]
+        self.assertEqual(len(states), ANGLES)
+        with Page(contact_page()) as page:
+            for i, state in enumerate(states):
+                page.locator("label:has-text('Computed at') select").select_option(index=i)
+                page.wait_for_timeout(600)
+                values = dict(page.locator(".computed li").evaluate_all(
+                    "all => all.map(each => [each.dataset.name, each.dataset.value])"))
+                texts = page.locator(".computed li").all_inner_texts()
+                smallest = state["smallest_gap_um"]
+                self.assertEqual(float(values["smallest_gap"]), smallest)
+                self.assertEqual(float(values["contact_fraction"]), state["contact_fraction"])
+                shown = next(text for text in texts if text.startswith("smallest_gap ")).split()
+                digits = len(shown[1].partition(".")[2])
+                self.assertEqual(shown[1], f"{smallest:.{digits}f}")
+                # the page's own measurement between both polygons
+                measured = float(page.locator("[data-gap]").nth(0).get_attribute("data-gap"))
+                self.assertAlmostEqual(measured, smallest, delta=0.005)
+
+    def test_numbers_of_the_table_are_the_program_s(self):
+        summary = json.loads(hdconj("solve", TYPE_50, "--json", "-q", "-o", f"{FOLDER.name}/solve.h5"))
+        with Page(two_drives()) as page:
+            see(page, "numbers")
+            page.locator("#numbers input[type=search]").fill("solve/summary r_m")
+            row = page.locator("#numbers tbody tr").first.locator("td, th").all_inner_texts()
+            self.assertEqual(float(row[2]), summary["geometry"]["r_m_mm"])
+            page.locator("#numbers button").click()
+            lines = page.locator("#numbers button").get_attribute("data-csv").splitlines()
+            self.assertIn(f"solve/summary,r_m,{summary['geometry']['r_m_mm']!r},", "\n".join(lines))
+
+    def test_drag_zoom_keys_and_hash(self):
+        with Page(contact_page()) as page:
+            canvas = page.locator("canvas.mesh").first
+            canvas.scroll_into_view_if_needed()
+            box = canvas.bounding_box()
+            middle = (box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+            page.mouse.move(middle[0], middle[1] - 150)
+            page.mouse.down()
+            page.mouse.move(middle[0] + 150, middle[1], steps=8)
+            page.mouse.up()
+            page.wait_for_timeout(300)
+            angle = float(page.evaluate("new URLSearchParams(location.hash.slice(1)).get('a')"))
+            self.assertAlmostEqual(angle, 90, delta=0.5)
+            page.mouse.wheel(0, -800)
+            page.wait_for_timeout(300)
+            self.assertLess(float(page.evaluate("new URLSearchParams(location.hash.slice(1)).get('vw')")), 30)
+            canvas.focus()
+            page.keyboard.press("1")
+            page.keyboard.press("ArrowRight")
+            page.wait_for_timeout(300)
+            hash_ = page.evaluate("location.hash")
+            slider = page.locator("#mesh input[type=range]").first
+            self.assertAlmostEqual(float(slider.input_value()), angle + 1, delta=0.02)
+            slider.fill("12.5")
+            page.mouse.move(middle[0], middle[1])
+            page.wait_for_timeout(300)
+            self.assertIn("12.50", page.locator("#mesh output").first.inner_text())
+        with Page(contact_page(), hash_) as page:
+            self.assertAlmostEqual(float(page.locator("#mesh input[type=range]").first.input_value()), angle + 1,
+                                   delta=0.02)
+
+    def test_compare_marks_what_differs(self):
+        with Page(two_drives()) as page:
+            see(page, "compare")
+            self.assertEqual(page.locator("#compare .overlay polyline").count(), 2)
+            page.locator("#compare input[type=search]").fill("solve/summary w0")
+            self.assertEqual(page.locator("#compare tr.differs").count(), 1)
+            page.locator("#compare input[type=search]").fill("solve/summary addendum")
+            self.assertEqual(page.locator("#compare tbody tr").count(), 1)
+            self.assertEqual(page.locator("#compare tr.differs").count(), 0)
+
+    def test_tilt_slider_shows_each_case(self):
+        file = report("tilts", TYPE_50, "--set", "slices.count=3", "--set", "circular_spline.width=2", "--with",
+                      "contact", "--tilt", "0,0.1")
+        with Page(file) as page:
+            see(page, "axial")
+            slider = page.locator("#axial input[data-tilt]")
+            texts = []
+            for place in ("0", "1"):
+                slider.fill(place)
+                texts.append(page.locator("#axial ul.computed").inner_text())
+            self.assertIn("radial 0.1", page.locator("#axial output").inner_text())
+            self.assertNotEqual(*texts)
+            self.assertEqual(page.locator("#axial canvas.section").count(), 1)
+
+    def test_hostile_names_stay_text(self):
+        with Page(two_drives()) as page:
+            page.locator("header select").first.select_option(index=1)
+            self.assertEqual(page.locator("h1").text_content(), HOSTILE)
+            self.assertIn(HOSTILE, page.title())
+            self.assertIsNone(page.evaluate("window.broken ?? null"))
+
+    def test_dark_phone_print_and_no_script(self):
+        with Page(contact_page(), viewport={"width": 375, "height": 812}, color_scheme="dark", has_touch=True) as page:
+            settled(page)
+            self.assertEqual(page.evaluate("document.documentElement.scrollWidth"), 375)
+            dark = page.evaluate("getComputedStyle(document.body).backgroundColor")
+            page.locator("label:has-text('Light or dark') select").select_option(index=0)
+            self.assertNotEqual(dark, page.evaluate("getComputedStyle(document.body).backgroundColor"))
+        with Page(two_drives()) as page:
+            settled(page)
+            page.evaluate("window.dispatchEvent(new Event('beforeprint'))")
+            paper = page.pdf(format="A4")
+            self.assertTrue(paper.startswith(b"%PDF"))
+            self.assertGreater(paper.count(b"/Type /Page"), 2)
+        with Page(two_drives(), java_script_enabled=False) as page:
+            picture = page.locator("svg.static").first
+            self.assertTrue(picture.is_visible())
+            self.assertGreater(picture.bounding_box()["height"], 100)
+            self.assertIn("r_m", page.locator("pre").first.inner_text())
+
+    def test_is_accessible(self):
+        from axe_playwright_python.sync_playwright import Axe
+        for scheme in ("light", "dark"):
+            with Page(contact_page(), color_scheme=scheme) as page:
+                for section in page.locator("main > section[id]").all():
+                    see(page, section.get_attribute("id"))
+                found = Axe().run(page).response["violations"]
+                self.assertEqual([(each["id"], each["nodes"][0]["html"]) for each in found
+                                  if each["impact"] in ("serious", "critical")], [])
+
+    def test_turns_smoothly_and_opens_at_once(self):
+        firsts = []
+        for _ in range(3):
+            with Page(contact_page()) as page:
+                settled(page)
+                firsts.append(float(page.locator("canvas.mesh").first.get_attribute("data-first")))
+        print(f"first picture after {min(firsts):.0f} ms")
+        self.assertLess(min(firsts), 500)
+        with Page(contact_page()) as page:
+            settled(page)
+            page.get_by_role("button", name="Play").click()
+            page.wait_for_timeout(1500)  # until all colours are known
+            work = []
+            for _ in range(40):
+                page.wait_for_timeout(25)
+                work.append(float(page.locator("canvas.mesh").first.get_attribute("data-work")))
+            work.sort()
+            print(f"work of a frame: median {work[20]:.1f} ms, 9 of 10 below {work[36]:.1f} ms")
+            self.assertLess(work[20], 1000 / 60)
+
+    def test_wire_and_its_spots(self):
+        with Page(two_drives()) as page:
+            see(page, "wedm")
+            self.assertGreater(page.locator("#wedm select option").count(), 3)
+            before = page.evaluate("location.hash")
+            spot = page.locator("#wedm li button")
+            if spot.count():
+                spot.first.click()
+                page.wait_for_timeout(300)
+                self.assertNotEqual(page.evaluate("location.hash"), before)
+
+    @unittest.skipUnless("HDCONJ_FULL" in os.environ, "takes a minute")
+    def test_loaded_and_large(self):
+        loaded = report("loaded", TYPE_50, "--with", "contact,load")
+        self.assertLess(loaded.stat().st_size, 3_000_000)
+        with Page(loaded) as page:
+            see(page, "load")
+            self.assertGreater(page.locator("#load svg.chart").count(), 4)
+        large = report("large", f"{SOURCE}/data/scenes/type-50-coned.toml", "--set", "slices.count=40", "--with",
+                       "contact")
+        self.assertLess(large.stat().st_size, 10_000_000)
+        began = time.monotonic()
+        with Page(large) as page:
+            settled(page)
+        self.assertLess(time.monotonic() - began, 2)
+
+
+def main():
+    global BROWSER
+    try:
+        from playwright.sync_api import sync_playwright
+    except ImportError:
+        print("NOT TRIED: no Playwright for Python")
+        return 0
+    if not CHROMIUM or CHROMIUM.endswith("NOTFOUND"):
+        print("NOT TRIED: no Chromium")
+        return 0
+    with sync_playwright() as playwright, FOLDER:
+        BROWSER = playwright.chromium.launch(executable_path=CHROMIUM, args=["--no-sandbox", "--disable-dev-shm-usage"])
+        done = unittest.main(argv=sys.argv[:1] + sys.argv[4:], exit=False).result
+        BROWSER.close()
+    return 0 if done.wasSuccessful() else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Curves with bands of error, and maps of coloured cells, in SVG: they print sharp and can be read by a pointer.
+
+import { make, scaleColour, svg } from "./dom.js";
+import { shown, shownError } from "./data.js";
+import { say } from "./texts.js";
+
+/**
+ * @typedef {{name: string, x: ArrayLike<number>, y: ArrayLike<number>, error?: ArrayLike<number>,
+ *   dots?: boolean}} Series
+ */
+
+const width = 520, height = 300, left = 64, right = 12, top = 12, bottom = 44;
+
+/** Round numbers that cover an interval.
+ * @param {number} low @param {number} high @param {number} [count] */
+export function ticks(low, high, count = 6) {
+  const raw = (high - low) / count || 1, power = 10 ** Math.floor(Math.log10(raw));
+  const step = ([1, 2, 5, 10].find((d) => d * power >= raw) || 10) * power;
+  const all = [];
+  for (let i = Math.ceil(low / step - 1e-9); i * step <= high + 1e-9 * step; ++i)
+    all.push(Number((i * step).toPrecision(12)));
+  return all;
+}
+
+/** @param {number} low @param {number} high @param {number} from @param {number} to */
+function scale(low, high, from, to) {
+  const span = high - low || 1;
+  return (/** @type {number} */ v) => from + (v - low) / span * (to - from);
+}
+
+/** Axes with their ticks and labels.
+ * @param {(v: number) => number} x @param {(v: number) => number} y @param {number[]} xs @param {number[]} ys
+ * @param {string} xLabel @param {string} yLabel */
+function axes(x, y, xs, ys, xLabel, yLabel) {
+  const group = svg("g", { class: "axes" });
+  for (const v of ticks(xs[0], xs[1]))
+    group.append(svg("line", { x1: x(v), x2: x(v), y1: top, y2: height - bottom }),
+      svg("text", { x: x(v), y: height - bottom + 16, "text-anchor": "middle" }, String(v)));
+  for (const v of ticks(ys[0], ys[1], 5))
+    group.append(svg("line", { x1: left, x2: width - right, y1: y(v), y2: y(v) }),
+      svg("text", { x: left - 6, y: y(v) + 4, "text-anchor": "end" }, String(v)));
+  group.append(svg("text", { x: (left + width - right) / 2, y: height - 6, "text-anchor": "middle" }, xLabel),
+    svg("text", { x: 14, y: (top + height - bottom) / 2, "text-anchor": "middle",
+      transform: `rotate(-90 14 ${(top + height - bottom) / 2})` }, yLabel));
+  return group;
+}
+
+/** @param {ArrayLike<number>[]} lists @returns {[number, number]} */
+function range(lists) {
+  let low = Infinity, high = -Infinity;
+  for (const list of lists)
+    for (let i = 0; i < list.length; ++i)
+      if (Number.isFinite(list[i])) {
+        low = Math.min(low, list[i]);
+        high = Math.max(high, list[i]);
+      }
+  return low <= high ? [low, high] : [0, 1];
+}
+
+/** A figure around a picture, with the reading at the pointer.
+ * @param {string} title @param {Element} picture
+ * @param {HTMLElement} reading @param {...Node} more */
+function framed(title, picture, reading, ...more) {
+  return make("figure", {}, make("figcaption", {}, title), picture, reading, ...more);
+}
+
+/** @param {string} title @param {string} xLabel @param {string} yLabel @param {Series[]} series */
+export function chart(title, xLabel, yLabel, series) {
+  const all = series.filter((each) => each.x.length > 0);
+  const bounds = all.map((s) => Array.from(s.y, (v, i) => [v - ((s.error && s.error[i]) || 0),
+    v + ((s.error && s.error[i]) || 0)]).flat());
+  const xs = range(all.map((s) => s.x)), ys = range(bounds);
+  if (ys[0] > 0 && ys[0] < 0.5 * ys[1]) ys[0] = 0;
+  const x = scale(xs[0], xs[1], left, width - right), y = scale(ys[0], ys[1], height - bottom, top);
+  const picture = svg("svg", { "viewBox": `0 0 ${width} ${height}`, "class": "chart", "role": "img",
+    "aria-label": title },
+    axes(x, y, xs, ys, xLabel, yLabel));
+  all.forEach((s, n) => {
+    const points = Array.from(s.x, (v, i) => [x(v), y(s.y[i])]).filter(([, v]) => Number.isFinite(v));
+    const line = points.map(([a, b]) => `${a.toFixed(1)},${b.toFixed(1)}`).join(" ");
+    const e = s.error;
+    if (e && Array.from(e).some((each) => each > 0)) {
+      const ends = Array.from(s.x, (v, i) => [x(v), y(s.y[i] + (e[i] || 0)), y(s.y[i] - (e[i] || 0))]
+        .map((each) => each.toFixed(1)));
+      if (s.dots) {
+        picture.append(svg("path", { "class": `line s${n % 4}`, "d": ends.map(([a, b,
+          c]) => `M${a} ${b}V${c}`).join("") }));
+      } else {
+        const up = ends.map(([a, b]) => `${a},${b}`), down = ends.map(([a, , c]) => `${a},${c}`).reverse();
+        picture.append(svg("polygon", { "class": `band s${n % 4}`, "points": [...up, ...down].join(" ") }));
+      }
+    }
+    if (!s.dots) picture.append(svg("polyline", { "class": `line s${n % 4}`, "points": line }));
+    if (s.dots || points.length < 30)
+      for (const [a, b] of points) picture.append(svg("circle", { "class": `dot s${n % 4}`, "cx": a, "cy": b,
+        "r": 2.6 }));
+  });
+  const reading = make("div", { class: "reading" }, say("hoverHint"));
+  picture.addEventListener("pointermove", (/** @type {PointerEvent} */ e) => {
+    const box = picture.getBoundingClientRect(), px = (e.clientX - box.left) / box.width * width;
+    const py = (e.clientY - box.top) / box.height * height;
+    let best = Infinity, text = "";
+    for (const s of all)
+      for (let i = 0; i < s.x.length; ++i) {
+        const d = Math.hypot(x(s.x[i]) - px, y(s.y[i]) - py);
+        if (d >= best) continue;
+        best = d;
+        const error = s.error ? s.error[i] : null;
+        text = `${s.name}: ${shown(s.x[i])}, ${shown(s.y[i], error)}${error ? " ± " + shownError(error) : ""}`;
+      }
+    reading.textContent = text;
+  });
+  const names = make("div", { class: "names" }, ...all.map((s, n) => make("span", { class: `key s${n % 4}` }, s.name)));
+  return framed(title, picture, reading, names);
+}
+
+/** Bars, one for each x.
+ * @param {string} title @param {string} xLabel @param {string} yLabel @param {ArrayLike<number>} xs
+ * @param {ArrayLike<number>} values */
+export function bars(title, xLabel, yLabel, xs, values) {
+  const xr = range([xs]), yr = range([values, [0]]);
+  const x = scale(xr[0], xr[1], left, width - right), y = scale(yr[0], yr[1], height - bottom, top);
+  const picture = svg("svg", { "viewBox": `0 0 ${width} ${height}`, "class": "chart", "role": "img",
+    "aria-label": title },
+    axes(x, y, xr, yr, xLabel, yLabel));
+  const path = Array.from(xs, (v, i) => `M${x(v).toFixed(1)} ${y(0).toFixed(1)}V${y(values[i]).toFixed(1)}`).join("");
+  picture.append(svg("path", { class: "bars s0", d: path }));
+  const reading = make("div", { class: "reading" }, say("hoverHint"));
+  picture.addEventListener("pointermove", (/** @type {PointerEvent} */ e) => {
+    const box = picture.getBoundingClientRect(), px = (e.clientX - box.left) / box.width * width;
+    let best = 0;
+    for (let i = 1; i < xs.length; ++i) if (Math.abs(x(xs[i]) - px) < Math.abs(x(xs[best]) - px)) best = i;
+    reading.textContent = `${shown(xs[best])}: ${shown(values[best])}`;
+  });
+  return framed(title, picture, reading);
+}
+
+/**
+ * A map of cells, value(i, j) at xs[i], ys[j], painted on a canvas under axes.
+ * @param {string} title @param {string} xLabel @param {string} yLabel @param {ArrayLike<number>} xs
+ * @param {ArrayLike<number>} ys @param {(i: number, j: number) => number} value
+ * @param {(v: number) => string} paint @param {Node} key  what the colours mean
+ */
+export function heatMap(title, xLabel, yLabel, xs, ys, value, paint, key) {
+  const xr = range([xs]), yr = range([ys]);
+  const stepX = (xr[1] - xr[0]) / Math.max(1, xs.length - 1) || 1, stepY = (yr[1] - yr[0]) / Math.max(1,
+    ys.length - 1) || 1;
+  const wx = [xr[0] - stepX / 2, xr[1] + stepX / 2], wy = [yr[0] - stepY / 2, yr[1] + stepY / 2];
+  const x = scale(wx[0], wx[1], left, width - right), y = scale(wy[0], wy[1], height - bottom, top);
+  const picture = svg("svg", { "viewBox": `0 0 ${width} ${height}`, "class": "chart", "role": "img",
+    "aria-label": title });
+  const cells = svg("g", { "shape-rendering": "crispEdges" });
+  const redraw = () => {
+    cells.replaceChildren();
+    /** @type {Map<string, string>} */
+    const paths = new Map(); // one path a colour: some hundred, not some thousand elements
+    for (let i = 0; i < xs.length; ++i)
+      for (let j = 0; j < ys.length; ++j) {
+        const v = value(i, j);
+        if (!Number.isFinite(v)) continue;
+        const colour = paint(v), a = x(xs[i] - stepX / 2), b = x(xs[i] + stepX / 2);
+        const c = y(ys[j] - stepY / 2), d = y(ys[j] + stepY / 2);
+        const box = `M${a.toFixed(1)} ${c.toFixed(1)}H${(b + 0.3).toFixed(1)}V${d.toFixed(1)}H${a.toFixed(1)}Z`;
+        paths.set(colour, (paths.get(colour) || "") + box);
+      }
+    for (const [fill, d] of paths) cells.append(svg("path", { fill, d }));
+  };
+  redraw();
+  document.addEventListener("themechange", redraw);
+  picture.append(cells, axes(x, y, wx, wy, xLabel, yLabel));
+  const reading = make("div", { class: "reading" }, say("hoverHint"));
+  picture.addEventListener("pointermove", (/** @type {PointerEvent} */ e) => {
+    const box = picture.getBoundingClientRect();
+    const vx = wx[0] + ((e.clientX - box.left) / box.width * width - left) / (width - right - left) * (wx[1] - wx[0]);
+    const vy = wy[1] - ((e.clientY - box.top) / box.height * height - top) / (height - bottom - top) * (wy[1] - wy[0]);
+    const i = Math.round((vx - xs[0]) / stepX), j = Math.round((vy - ys[0]) / stepY);
+    if (i < 0 || j < 0 || i >= xs.length || j >= ys.length) return;
+    reading.textContent = `${shown(xs[i])}, ${shown(ys[j])}: ${shown(value(i, j))}`;
+  });
+  return { figure: framed(title, picture, reading, key), redraw };
+}
+
+/** Shades of @p share 0 ... 1 where much stands out.
+ * @param {number} share */
+export function strong(share) {
+  return scaleColour(1 - Math.min(1, Math.max(0, share)));
+}

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The data of the page: results as C++ wrote them (src/report/html), arrays in base64.
+
+/**
+ * @typedef {{type?: "f8"|"f4"|"i4", shape?: number[], data?: string, texts?: string[], units: string, meaning: string,
+ *   every?: [string, number], values?: Float64Array|Float32Array|Int32Array}} Dataset
+ * @typedef {[name: string, value: string, error: string, units: string, meaning: string, isAttribute: boolean]} Place
+ * @typedef {{attributes?: Record<string, any>, datasets?: Record<string, Dataset>, groups?: Record<string, Group>,
+ *   figures?: Place[]}} Group
+ * @typedef {{z: number[], steps: number, period: number, radius: Dataset, advance: Dataset, lean: Dataset,
+ *   tooth: Dataset, chord: number, interpolation_error: number}} Teeth
+ * @typedef {{severity: string, cause: string, advice: string, place: string}} Note
+ * @typedef {{set_up: number, pass: number, tooth: number, x: number, y: number, upper: boolean, height: number,
+ *   meshing: boolean}} Residual
+ * @typedef {{name: string, flexspline_teeth: number, circular_spline_teeth: number, module: number, scene: string,
+ *   judgement: Note[], notes: string[]|null, left_out: {part: string, why: string, failed: boolean}[],
+ *   outline_error: number, spline: Group, teeth: Teeth|null, results: Record<string, Group>, residuals: Residual[],
+ *   text: string}} Drive
+ * @typedef {{program_version: string, git_revision: string, build: string, date: string, drives: Drive[]}} Report
+ * @typedef {{part: string, group: string, name: string, index: number, value: number, error: number|null,
+ *   units: string, meaning: string}} Figure
+ */
+
+const kinds = { f8: Float64Array, f4: Float32Array, i4: Int32Array };
+
+/** The numbers of a dataset, row by row.
+ * @param {Dataset|undefined} set
+ * @returns {Float64Array} or an array of another kind, which has the same methods */
+export function numbers(set) {
+  if (!set || !set.type) return new Float64Array(0);
+  if (!set.values) {
+    const text = atob(set.data || "");
+    const bytes = new Uint8Array(text.length);
+    for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
+    set.values = new kinds[set.type](bytes.buffer);
+    set.data = "";
+  }
+  return /** @type {Float64Array} */ (set.values);
+}
+
+/** The group at the end of a path, undefined where there is none.
+ * @param {Group|undefined} root @param {string} path */
+export function groupAt(root, path) {
+  let group = root;
+  for (const name of path.split("/")) group = group && group.groups ? group.groups[name] : undefined;
+  return group;
+}
+
+/** @param {Group|undefined} group @param {string} name */
+export function column(group, name) {
+  return numbers(group && group.datasets ? group.datasets[name] : undefined);
+}
+
+/** Every figure of a group and of those within it.
+ * @param {string} part @param {Group} group @param {string} path @param {Figure[]} into */
+function collect(part, group, path, into) {
+  for (const [name, value, error, units, meaning, isAttribute] of group.figures || []) {
+    const own = { part, group: path, name, units, meaning };
+    if (isAttribute) {
+      const of = group.attributes || {};
+      if (typeof of[value] === "number")
+        into.push({ ...own, index: -1, value: of[value], error: error && error in of ? of[error] : null });
+      continue;
+    }
+    const values = column(group, value);
+    const place = error.startsWith("error/") ? groupAt(group, "error") : group;
+    const errors = error ? column(place, error.replace("error/", "")) : values;
+    const estimated = place === group ? undefined : place && place.datasets && place.datasets.estimated;
+    const known = numbers(estimated);
+    for (let i = 0; i < values.length; ++i) {
+      const has = error && i < errors.length && (!estimated || known[i] !== 0);
+      into.push({ ...own, index: values.length > 1 ? i : -1, value: values[i], error: has ? errors[i] : null });
+    }
+  }
+  for (const [name, inner] of Object.entries(group.groups || {}))
+    collect(part, inner, path ? `${path}/${name}` : name, into);
+}
+
+/** Every figure of a drive with its error.
+ * @param {Drive} drive */
+export function figuresOf(drive) {
+  /** @type {Figure[]} */
+  const all = [];
+  for (const [part, group] of Object.entries(drive.results)) collect(part, group, "", all);
+  return all.sort((a, b) => Number(a.index >= 0) - Number(b.index >= 0)); // single figures before tables
+}
+
+/** A figure to the digits that its error leaves, seven without one.
+ * @param {number} value @param {number|null} [error] */
+export function shown(value, error) {
+  if (!Number.isFinite(value)) return "–";
+  if (value === 0 || (Number.isInteger(value) && !error)) return String(value);
+  if (error && error > 0) {
+    const digits = Math.floor(Math.log10(Math.abs(value))) - Math.floor(Math.log10(error)) + 2;
+    return tidy(value.toPrecision(Math.min(15, Math.max(2, digits))));
+  }
+  return tidy(value.toPrecision(7));
+}
+
+/** An error to two digits.
+ * @param {number|null} error */
+export function shownError(error) {
+  return error === null ? "" : error === 0 ? "0" : tidy(error.toPrecision(2));
+}
+
+/** @param {string} text */
+function tidy(text) {
+  const number = Number(text);
+  const size = Math.abs(number);
+  return size !== 0 && (size < 1e-4 || size >= 1e7) ? text.includes("e") ? text : number.toExponential() : text;
+}

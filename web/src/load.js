@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The drive under torque.
+
+import { bars, chart, heatMap, strong } from "./chart.js";
+import { column, groupAt, shown, shownError } from "./data.js";
+import { choice, colour, legend, make, remember, remembered } from "./dom.js";
+import { say } from "./texts.js";
+
+const newtonMetre = 1000, arcminute = Math.PI / 180 / 60, degree = Math.PI / 180;
+
+/** Values in another unit.
+ * @param {ArrayLike<number>} values @param {number} unit */
+function by(values, unit) {
+  return Array.from(values, (v) => v / unit);
+}
+
+/** Names of the cases of contact or load.
+ * @param {import("./data.js").Group|undefined} group */
+export function caseNames(group) {
+  const sets = (group && group.datasets) || {}, tilt = column(group, "tilt");
+  return ((sets.surface && sets.surface.texts) || []).map((surface, i) => {
+    const kind = sets.kind && sets.kind.texts ? sets.kind.texts[i] : "";
+    return `${surface}${kind ? `, ${kind} ${shown(tilt[i] / degree)}°` : ""}`;
+  });
+}
+
+/** @param {import("./data.js").Group} load @param {number} index */
+function caseFigures(load, index) {
+  const group = groupAt(load, "case_" + String(index).padStart(3, "0"));
+  const curve = groupAt(group, "curve"), errors = groupAt(curve, "error");
+  const known = column(errors, "estimated");
+  /** @param {string} name @param {number} unit */
+  const error = (name, unit) => {
+    const e = column(errors, name);
+    return e.length && known.some((k) => k !== 0) ? Array.from(e, (v, i) => (known[i] ? v / unit : 0)) : undefined;
+  };
+  /** @param {string} title @param {string} xLabel @param {string} yLabel @param {string} xName @param {number} xUnit
+   * @param {string} yName @param {number} yUnit */
+  const curveOf = (title, xLabel, yLabel, xName, xUnit, yName, yUnit) => chart(title, xLabel, yLabel,
+    [{ name: yName, x: by(column(curve, xName), xUnit), y: by(column(curve, yName), yUnit), error: error(yName,
+      yUnit) }]);
+  const perArcmin = newtonMetre / arcminute;
+  const all = [make("p", { class: "note" }, known.some((k) => k !== 0) ? say("band") : say("noBand"))];
+  if (column(curve, "torque").length > 1)
+    all.push(
+      curveOf(say("stiffness"), say("torque"), say("stiffnessUnit"), "torque", newtonMetre, "stiffness", perArcmin),
+      curveOf(say("torqueTwist"), say("torque"), say("twist"), "torque", newtonMetre, "twist", arcminute),
+      curveOf(say("pressure"), say("torque"), say("pressureUnit"), "torque", newtonMetre, "flank_pressure", 1));
+  all.push(...mapFigures(groupAt(group, "map"), (load.attributes && load.attributes.sectors) || 1));
+  const bearing = groupAt(group, "bearing"), balls = column(bearing, "ball_force");
+  if (balls.length)
+    all.push(bars(say("balls"), say("sectionAngle") + " [°]", say("force"), by(column(bearing, "ball_angle"),
+      degree), balls));
+  const members = groupAt(group, "members");
+  const names = members && members.datasets && members.datasets.name && members.datasets.name.texts;
+  if (names) {
+    const twist = by(column(members, "twist"), arcminute), e = column(members, "twist_error");
+    all.push(make("figure", {}, make("figcaption", {}, say("members")), make("table", {}, make("tbody", {},
+      ...names.map((name, i) => make("tr", {}, make("th", { scope: "row" }, name),
+        make("td", {}, shown(twist[i], e.length ? e[i] / arcminute : null)),
+        make("td", {}, e.length ? "± " + shownError(e[i] / arcminute) : ""), make("td", {}, "arcmin")))))));
+  }
+  const cup = index === ((load.attributes && load.attributes.written_case) || 0) ? cupSection(groupAt(load, "shape"))
+    : null;
+  return make("div", { class: "figures" }, ...all, ...(cup ? [cup] : []));
+}
+
+/** Forces and pressures over all teeth: a sector repeats around the ring.
+ * @param {import("./data.js").Group|undefined} map @param {number} sectors */
+function mapFigures(map, sectors) {
+  const angle = column(map, "angle"), z = column(map, "z"), force = column(map, "force");
+  const pressure = column(map, "pressure");
+  if (!angle.length) return [];
+  const turn = 2 * Math.PI / sectors;
+  const places = Array.from({ length: sectors * angle.length }, (_, i) => {
+    const a = angle[i % angle.length] + turn * Math.floor(i / angle.length);
+    return { s: i % angle.length, at: (a - 2 * Math.PI * Math.floor(a / (2 * Math.PI) + 0.5)) / degree };
+  }).sort((a, b) => a.at - b.at);
+  const sum = places.map(({ s }) => {
+    let all = 0;
+    for (let i = 0; i < 2 * z.length; ++i) all += force[s * 2 * z.length + i];
+    return all;
+  });
+  const largest = pressure.reduce((a, b) => Math.max(a, b), 0) || 1;
+  const xs = places.map((place) => place.at);
+  /** @param {number} i @param {number} k */
+  const value = (i, k) => Math.max(pressure[places[i].s * 2 * z.length + k],
+    pressure[(places[i].s * 2 + 1) * z.length + k]) || NaN; // nothing is painted where no force is
+  return [bars(say("toothForces"), say("spaceAngle"), say("force"), xs, sum),
+    heatMap(say("pressureMap"), say("spaceAngle"), say("height"), xs, z, value, (v) => strong(v / largest),
+      legend("0", `${shown(Number(largest.toPrecision(4)))} MPa`, true)).figure];
+}
+
+/** The cup's section coloured by stress, at an angle that one chooses.
+ * @param {import("./data.js").Group|undefined} shape */
+function cupSection(shape) {
+  const stress = column(shape, "stress"), r = column(shape, "r"), z = column(shape, "z");
+  const cells = column(shape, "cells"), phi = column(shape, "phi");
+  if (!stress.length) return null;
+  const kept = shape && shape.datasets && shape.datasets.stress.every ? shape.datasets.stress.every[1] : 1;
+  const rows = stress.length / r.length, largest = stress.reduce((a, b) => Math.max(a, b), 0);
+  const canvas = make("canvas", { "class": "section", "role": "img", "aria-label": say("stress"), "width": 960,
+    "height": 640 });
+  const ctx = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
+  const lowR = Math.min(...r), highR = Math.max(...r), lowZ = Math.min(...z), highZ = Math.max(...z);
+  const scale = Math.min(920 / (highZ - lowZ), 600 / (highR - lowR));
+  const reading = make("div", { class: "reading" });
+  let row = 0;
+  const draw = () => {
+    ctx.fillStyle = colour("paper");
+    ctx.fillRect(0, 0, canvas.width, canvas.height);
+    let most = 0;
+    for (let c = 0; c < cells.length; c += 4) {
+      ctx.beginPath();
+      let sum = 0;
+      for (let i = 0; i < 4; ++i) {
+        const n = cells[c + i];
+        ctx.lineTo(20 + (z[n] - lowZ) * scale, 620 - (r[n] - lowR) * scale);
+        sum += stress[row * r.length + n] / 4;
+        most = Math.max(most, stress[row * r.length + n]);
+      }
+      ctx.closePath();
+      ctx.fillStyle = ctx.strokeStyle = strong(sum / largest);
+      ctx.fill();
+      ctx.stroke();
+    }
+    reading.textContent = `${(phi[row * kept] / degree).toFixed(1)}°: ≤ ${shown(Number(most.toPrecision(4)))} MPa`;
+  };
+  draw();
+  document.addEventListener("themechange", draw);
+  const slider = make("input", { type: "range", min: 0, max: rows - 1, value: 0, input: () => {
+    row = Number(slider.value);
+    draw();
+  } });
+  return make("figure", {}, make("figcaption", {}, say("stress")), canvas,
+    make("label", { class: "wide" }, say("sectionAngle") + " ", slider), reading,
+    legend("0", `${shown(Number(largest.toPrecision(4)))} MPa`, true));
+}
+
+/** @param {import("./data.js").Drive} drive */
+export function loadView(drive) {
+  const load = groupAt(drive.results.load, "load");
+  if (!load) return null;
+  const names = caseNames(load), place = make("div", {});
+  const first = (load.attributes && load.attributes.written_case) || 0;
+  const start = Math.max(0, Math.min(names.length - 1, remembered("l", first)));
+  const show = (/** @type {number} */ i) => {
+    if (i !== start) remember("l", i);
+    place.replaceChildren(caseFigures(load, i));
+  };
+  show(start);
+  return make("div", {}, names.length > 1 ? choice(say("case"), names, start, show) : null, place);
+}

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Puts the page together: one section a view, each made when it comes near the screen.
+
+import { axialView } from "./axial.js";
+import { cuttingView } from "./cutting.js";
+import { choice, make, remember, remembered } from "./dom.js";
+import { loadView } from "./load.js";
+import { meshView } from "./mesh.js";
+import { compareView, numbersView } from "./numbers.js";
+import { say } from "./texts.js";
+
+const element = /** @type {HTMLElement} */ (document.getElementById("data"));
+/** @type {import("./data.js").Report} */
+const report = JSON.parse(element.textContent || "{}");
+const app = /** @type {HTMLElement} */ (document.getElementById("app"));
+
+const themes = ["light", "dark"];
+const darkWanted = matchMedia("(prefers-color-scheme: dark)").matches;
+/** @param {number} index */
+function setTheme(index) {
+  document.documentElement.dataset.theme = themes[index];
+  remember("dark", index);
+  document.dispatchEvent(new Event("themechange"));
+}
+document.documentElement.dataset.theme = themes[remembered("dark", darkWanted ? 1 : 0) ? 1 : 0];
+
+/** @param {import("./data.js").Drive} drive */
+function warnings(drive) {
+  const notes = drive.judgement.map((note) => make("li", { class: note.severity },
+    `${note.severity}: ${note.place ? note.place + ": " : ""}${note.cause}${
+      note.advice ? " (" + note.advice + ")" : ""}`));
+  const others = (drive.notes || []).map((text) => make("li", {}, text));
+  const failed = drive.left_out.filter((each) => each.failed)
+    .map((each) => make("li", { class: "warning" }, `${each.part}: ${each.why}`));
+  const all = [...failed, ...notes, ...others];
+  return make("section", { "class": "warnings", "aria-label": say("warnings") }, make("h2", {}, say("warnings")),
+    all.length ? make("ul", {}, ...all) : make("p", {}, say("noWarnings")));
+}
+
+/** What is made when it is needed: before printing, or near the screen.
+ * @type {Map<Element, () => void>} */
+const later = new Map();
+const observer = new IntersectionObserver((entries) => {
+  for (const entry of entries) if (entry.isIntersecting) makeNow(entry.target);
+}, { rootMargin: "300px" });
+
+/** @param {Element} place */
+function makeNow(place) {
+  const build = later.get(place);
+  later.delete(place);
+  observer.unobserve(place);
+  if (build) build();
+}
+window.addEventListener("beforeprint", () => [...later.keys()].forEach(makeNow));
+
+/** @param {string} id @param {string} title @param {() => Node|null} build */
+function section(id, title, build) {
+  const place = make("section", { id }, make("h2", {}, title));
+  later.set(place, () => {
+    const made = build();
+    if (made) place.append(made);
+  });
+  observer.observe(place);
+  return place;
+}
+
+/** @param {number} index */
+function show(index) {
+  const drive = report.drives[index], results = drive.results;
+  observer.disconnect();
+  later.clear();
+  const sections = [section("mesh", say("mesh"), () => meshView(drive))];
+  const along = drive.spline.datasets && drive.spline.datasets.z && (drive.spline.datasets.z.shape || [0])[0] > 1;
+  if (results.contact || results.load || along) sections.push(section("axial", say("axial"), () => axialView(drive)));
+  if (results.load) sections.push(section("load", say("load"), () => loadView(drive)));
+  if (results.wedm) sections.push(section("wedm", say("wedm"), () => cuttingView(drive)));
+  if (report.drives.length > 1) sections.push(section("compare", say("compare"), () => compareView(report.drives)));
+  sections.push(section("numbers", say("numbers"), () => numbersView(drive)),
+    section("scene", say("scene"), () => make("pre", { tabindex: 0 }, drive.scene)),
+    section("about", say("about"), () => about(drive)));
+  const nav = make("nav", { "aria-label": say("about") },
+    ...sections.map((each) => make("a", { href: "#" + each.id, click: (/** @type {Event} */ e) => {
+      e.preventDefault(); // the hash holds the state
+      each.scrollIntoView({ behavior: "smooth" });
+    } }, each.firstChild ? each.firstChild.textContent : "")));
+  const theme = document.documentElement.dataset.theme === "dark" ? 1 : 0;
+  app.replaceChildren(make("header", {}, make("h1", {}, drive.name),
+    make("p", {},
+      `${say("version")} ${report.program_version} (${report.git_revision}), ${say("printed")} ${report.date}`),
+    make("div", { class: "controls" },
+      report.drives.length > 1 ? choice(say("drive"), report.drives.map((each) => each.name), index, (i) => {
+        remember("d", i);
+        show(i);
+      }) : null,
+      choice(say("theme"), [say("light"), say("dark")], theme, setTheme)), nav),
+  make("main", {}, warnings(drive), ...sections));
+}
+
+/** @param {import("./data.js").Drive} drive */
+function about(drive) {
+  return make("div", {}, make("h3", {}, say("leftOut")),
+    make("ul", {}, ...drive.left_out.map((each) => make("li", {}, `${each.part}: ${each.why}`))),
+    make("p", {}, report.build), make("details", {}, make("summary", {}, say("summary")), make("pre", {}, drive.text)));
+}
+
+show(Math.min(report.drives.length - 1, Math.max(0, Math.round(remembered("d", 0)))));

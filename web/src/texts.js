@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// All words of the page; another language is another table with the same keys.
+
+const english = {
+  numbers: "Numbers", mesh: "Teeth in mesh", axial: "Along the axis", load: "Under torque", wedm: "Cutting",
+  compare: "Compare", scene: "Scene", about: "About this page", drive: "Drive", warnings: "Warnings",
+  noWarnings: "The judgement of the design holds no warning.", search: "Search figures",
+  copyCsv: "Copy as CSV", copied: "Copied",
+    copyFailed: "The browser does not let this page copy: mark the table instead",
+  part: "Part", figure: "Figure", value: "Value", error: "Error ±", unit: "Unit", meaning: "Meaning",
+  leftOut: "What this page leaves out", rows: "rows",
+  play: "Play", pause: "Pause", speed: "Speed", angle: "Wave generator", slice: "Slice z", view: "Held still",
+  housing: "circular spline", generator: "wave generator", whole: "Whole drive", oneTooth: "One tooth",
+  zoomIn: "Zoom in", zoomOut: "Zoom out", ruler: "Ruler", sweep: "Conjugate branches", turned: "Turned to contact",
+  gaps: "Gaps", pointer: "Gap under the pointer", smallest: "Smallest gap of the flanks in this slice",
+  computed: "Computed at this angle", noTeeth: "The teeth are not shown.", rulerHelp: "Drag from point to point",
+  forces: "Forces under load",
+  meshHelp: "Drag inside the flexspline to turn the wave generator, elsewhere to move the picture; after a click the "
+    + "wheel zooms. Keys: space plays, arrows turn, plus and minus zoom, 0 shows the whole drive, 1 one tooth.",
+  canvas: "Teeth of both splines", accuracy: "Poses are interpolated from the program's own to",
+  outlines: "outlines are exact to", case: "Case", contactGap: "contact gap", light: "Light", dark: "Dark",
+  theme: "Light or dark", cells: "place across tooth spaces and slices", left: "left flank", right: "right flank",
+  spaceAngle: "tooth space, degrees from the major axis", height: "z [mm]", gapMap: "Smallest gap of each flank [um]",
+  turnHelp: "Drag or use the arrow keys to turn", surface: "One tooth space over the face width",
+  space: "Tooth space", coning: "Radial displacement of the wall", tilt: "Tilt", radial: "radial displacement [um]",
+  torqueTwist: "Twist against torque", twist: "twist [arcmin]", torque: "torque [N m]",
+  stiffness: "Stiffness against torque", stiffnessUnit: "stiffness [N m/arcmin]",
+  pressure: "Largest pressure away from edges and ends", pressureUnit: "pressure [MPa]", force: "force [N]",
+  toothForces: "Force of each tooth, all teeth unrolled",
+    pressureMap: "Pressure over tooth spaces and face width [MPa]",
+  stress: "Stress of the cup's section [MPa]", sectionAngle: "Angle from the major axis", members: "Twist by member",
+  balls: "Bearing: forces around the ring", band: "bands show the estimated error",
+  noBand: "the errors were not estimated", differs: "differs beyond both errors", same: "within the errors",
+  overlaid: "Tooth spaces laid over each other", noError: "without an error: any difference is marked",
+  path: "Wire path", pass: "Pass", face: "Face", lower: "lower", upper: "upper", nominal: "contour of the part",
+  residuals: "Material that no pass reaches", jump: "Show", noResiduals: "No pass leaves more than its limit.",
+  places: "places", tooth: "first in tooth space", on: "on", flank: "a flank", root: "the root",
+    onlyOne: "This report holds one drive.",
+  hoverHint: "Point at the picture to read values.", version: "hdconj", printed: "written", summary: "Printed summary",
+  tiltChart: "Contact fraction against tilt", tiltUnit: "tilt [deg]", fraction: "contact fraction",
+};
+
+/** @type {Record<string, string>} */
+const texts = english;
+
+/** The text of a key.
+ * @param {keyof typeof english} key */
+export function say(key) {
+  return texts[key];
+}
