@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import asyncio
+import concurrent.futures
+import logging
 import os
 import sys
 import time
@@ -24,6 +26,8 @@ WINDOW = 4  # shards a worker has in hand
 SHARD_SECONDS = 10.0  # of work in a shard; between 2 and 60
 LONGEST_SHARD = 2000  # drives
 WORKERS_SECONDS = 60.0  # without any worker
+# What Dask's calls raise when the scheduler dies.
+LOST = (OSError, RuntimeError, asyncio.CancelledError, concurrent.futures.CancelledError)
 
 
 class EngineLost(RuntimeError):
@@ -54,7 +58,9 @@ def engine(jobs: int = 0, scheduler: str | None = None) -> Iterator[Any]:
         Address of a scheduler, such as ``"tcp://host:8786"``, instead of processes of this machine.
     """
     dask, distributed = _module("dask"), _module("distributed")
-    quiet = {"distributed.admin.low-level-log-length": 0, "logging.distributed": "critical"}
+    quiet = {"distributed.admin.low-level-log-length": 0}
+    logging.getLogger("distributed").setLevel(logging.CRITICAL)
+    logging.getLogger("distributed.client").setLevel(logging.CRITICAL + 1)  # it tells a lost scheduler by a traceback
     if scheduler:
         with dask.config.set(quiet):
             try:
@@ -95,7 +101,7 @@ def _scratch() -> str:
 def _quietly(close: Callable[[], object]) -> None:
     try:
         close()
-    except (OSError, RuntimeError, TimeoutError, asyncio.CancelledError):
+    except LOST:
         pass  # it is gone, which is what was wanted
 
 
@@ -166,8 +172,8 @@ def _workers(client: Any) -> int:
     while True:
         try:
             threads = sum(client.nthreads().values())
-        except (OSError, TimeoutError, RuntimeError) as error:
-            raise EngineLost(f"the scheduler is gone: {error}") from None
+        except LOST as error:
+            raise EngineLost(f"the scheduler is gone ({type(error).__name__})") from None
         if threads:
             return int(threads)
         if time.monotonic() > until:
@@ -188,8 +194,8 @@ def _finished(client: Any, running: dict[Any, Any]) -> list[Any]:
             if time.monotonic() > looked + 5:
                 _workers(client)
                 looked = time.monotonic()
-        except (OSError, asyncio.CancelledError, RuntimeError) as error:
-            raise EngineLost(f"the scheduler is gone: {error}") from None
+        except LOST as error:
+            raise EngineLost(f"the scheduler is gone ({type(error).__name__})") from None
 
 
 def compute_rows(
@@ -217,7 +223,7 @@ def compute_rows(
     shown : bool
         Whether there is one.
     """
-    from distributed import CancelledError, KilledWorker
+    from distributed import KilledWorker
 
     schema, progress = schema_of(recipe), Progress(len(samples), what, shown)
     shards = _Shards(samples, seconds, shard_seconds)
@@ -239,8 +245,8 @@ def compute_rows(
                 except KilledWorker:
                     send(part, True)
                     continue
-                except (CancelledError, asyncio.CancelledError) as error:
-                    raise EngineLost(f"the scheduler is gone: {error}") from None
+                except LOST as error:
+                    raise EngineLost(f"the scheduler is gone ({type(error).__name__})") from None
                 shards.learn(taken, len(part))
                 write_shard(folder, rows, schema, {"units": units, "seconds": taken, "errors": errors})
                 progress.add(rows)

@@ -62,6 +62,8 @@ class Expression:
     def with_error(self, values: Mapping[str, Any], errors: Mapping[str, float]) -> tuple[float, float]:
         """The value and the sum of what the error of each name changes; not a number where an error is unknown."""
         value, error = float(self(values)), 0.0
+        if self.text.strip() in errors:  # the figure itself, to the last bit
+            return value, errors[self.text.strip()]
         for name in self.names:
             if name in errors:
                 moved = [float(self({**values, name: values[name] + sign * errors[name]})) for sign in (-1, 1)]

@@ -320,6 +320,8 @@ class _Reader:
         varied = {key.path for key in recipe.keys} | {path for path, _ in recipe.links}
         of_key = fault.path == key.path or key.path.startswith(f"{fault.path}.")
         linked = fault.path != key.path and fault.path in varied
+        if fault.reason.startswith("a count is written") and fault.path == key.path:
+            fault = fault._replace(reason="takes whole numbers only", remedy="write a whole number: add step = 1")
         unknown = fault.reason.startswith("unknown") and (of_key or linked)
         if not unknown and not ((fault.path == key.path or linked) and _SCHEMA.match(fault.remedy)):
             return
