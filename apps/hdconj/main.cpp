@@ -196,7 +196,7 @@ int run(int argc, char** argv)
         return exit_input;
     }
     if (words.front() == "study")
-        return run_study(std::move(words));
+        return start_study_program(std::move(words));
     if (!words.front().starts_with('-') && !is_known_verb(program, words.front()))
         return exit_input;
     try {

@@ -14,7 +14,7 @@
 
 namespace hdconj::cli {
 
-int run_study(std::vector<std::string> words)
+int start_study_program(std::vector<std::string> words)
 {
     std::string const name = "hdconj-study";
     words.front() = name;

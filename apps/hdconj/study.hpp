@@ -10,6 +10,6 @@ namespace hdconj::cli {
 /// Replaces this process by `hdconj-study`, beside this program or on the path, as git does with its commands.
 /// @param words the command line from "study" on
 /// @return exit_failed, with a message, where there is no such program; else nothing returns
-int run_study(std::vector<std::string> words);
+int start_study_program(std::vector<std::string> words);
 
 }  // namespace hdconj::cli

@@ -284,7 +284,7 @@ def test_a_row_is_the_drive_alone(expected, tmp_path):
 def test_the_program_finds_the_command(tmp_path):
     """hdconj study is hdconj-study on the path."""
     command_file = tmp_path / "hdconj-study"
-    command_file.write_text(f"#!/bin/sh\nexec {sys.executable} -m hdconj.study \"$@\"\n")
+    command_file.write_text(f'#!/bin/sh\nexec {sys.executable} -m hdconj.study "$@"\n')
     command_file.chmod(0o755)
     program = os.environ["HDCONJ_PROGRAM"]
     found = subprocess.run([program, "study", "check", write(tmp_path, 7)], capture_output=True, text=True,

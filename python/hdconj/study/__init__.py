@@ -6,7 +6,8 @@
 
 from ._engine import EngineLost, Told
 from ._optimise import optimise
-from ._recipe import Recipe, load_recipe, read_recipe
+from ._read import load_recipe, read_recipe
+from ._recipe import Recipe
 from ._run import check, run
 from ._study import Study, open
 

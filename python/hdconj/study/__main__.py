@@ -26,7 +26,9 @@ def _parser() -> argparse.ArgumentParser:
     add("check", "checks a study and computes its first drive", "STUDY.toml")
     for name, about in (("run", "computes the drives of a study"), ("optimise", "searches for the best drives")):
         verb = add(name, about, "STUDY.toml")
-        verb.add_argument("-o", dest="folder", metavar="DIR", required=True, help="folder of the results; resumes there")
+        verb.add_argument(
+            "-o", dest="folder", metavar="DIR", required=True, help="folder of the results; resumes there"
+        )
         verb.add_argument("--jobs", type=int, default=0, metavar="N", help="processes of this machine; 0: all cores")
         verb.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask scheduler, such as tcp://host:8786")
         verb.add_argument(

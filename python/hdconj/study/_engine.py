@@ -58,7 +58,7 @@ def engine(jobs: int = 0, scheduler: str | None = None) -> Iterator[Any]:
         Address of a scheduler, such as ``"tcp://host:8786"``, instead of processes of this machine.
     """
     dask, distributed = _module("dask"), _module("distributed")
-    quiet = {"distributed.admin.low-level-log-length": 0}
+    quiet: dict[str, Any] = {"distributed.admin.low-level-log-length": 0}
     logging.getLogger("distributed").setLevel(logging.CRITICAL)
     logging.getLogger("distributed.client").setLevel(logging.CRITICAL + 1)  # it tells a lost scheduler by a traceback
     if scheduler:
@@ -75,7 +75,10 @@ def engine(jobs: int = 0, scheduler: str | None = None) -> Iterator[Any]:
     # A worker that dies takes the blame at once: its shards are tried with care, in processes of their own.
     settings = {**quiet, "distributed.scheduler.allowed-failures": 0, "distributed.worker.memory.terminate": False}
     spaces = {"OMP_NUM_THREADS": "1", **({} if "GOMP_SPINCOUNT" in os.environ else {"GOMP_SPINCOUNT": "3000"})}
-    settings["distributed.nanny.pre-spawn-environ"] = {**dask.config.get("distributed.nanny.pre-spawn-environ"), **spaces}
+    settings["distributed.nanny.pre-spawn-environ"] = {
+        **dask.config.get("distributed.nanny.pre-spawn-environ"),
+        **spaces,
+    }
     with dask.config.set(settings):
         dashboard = ":0" if find_spec("bokeh") else None
         cluster = distributed.LocalCluster(

@@ -131,7 +131,10 @@ def _tolerance(path: str, spec: Mapping[str, Any], told: Callable[[str, str], No
         )
         return None
     width = _GRADES[int(match[2])][next(i for i, size in enumerate(_SIZES) if nominal <= size)] / 1000
-    low = float(nominal) + {"h": -width, "H": 0.0, "js": -width / 2}[match[1].lower() if "s" in match[1].lower() else match[1]]
+    low = (
+        float(nominal)
+        + {"h": -width, "H": 0.0, "js": -width / 2}[match[1].lower() if "s" in match[1].lower() else match[1]]
+    )
     return Key(path, "nominal", (low + width / 2, width / 6, low, low + width))
 
 
@@ -150,7 +153,11 @@ def read_key(path: str, spec: Mapping[str, Any], told: Callable[[str, str], None
         return _tolerance(path, spec, told)
     if law == "list":
         values = spec["list"]
-        if not isinstance(values, list) or not values or not all(isinstance(v, (bool, int, float, str)) for v in values):
+        if (
+            not isinstance(values, list)
+            or not values
+            or not all(isinstance(v, (bool, int, float, str)) for v in values)
+        ):
             told("no list of values", "write list = [A, B, C] of numbers or words")
             return None
         return Key(path, "list", (), tuple(values))

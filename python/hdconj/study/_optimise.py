@@ -14,7 +14,8 @@ import numpy as np
 from .._errors import Fault
 from ._drive import Sample
 from ._engine import SHARD_SECONDS, Told, compute_rows, engine
-from ._recipe import Recipe, load_recipe, refuse
+from ._read import load_recipe, refuse
+from ._recipe import Recipe
 from ._run import compute_survivors, prepare
 from ._store import Folder, write_whole
 from ._study import Study
@@ -130,9 +131,13 @@ def optimise(
 def _refuse_unfit(recipe: Recipe) -> None:
     faults = []
     if not recipe.objectives:
-        faults.append(Fault("objectives", 0, "", "nothing says what is better", 'write [objectives], NAME = "min" or "max"'))
+        faults.append(
+            Fault("objectives", 0, "", "nothing says what is better", 'write [objectives], NAME = "min" or "max"')
+        )
     if recipe.optimise["method"] == "cmaes" and len(recipe.objectives) > 1:
-        faults.append(Fault("optimise.method", 0, "cmaes", "takes one objective", "write nsga2, or one figure for both"))
+        faults.append(
+            Fault("optimise.method", 0, "cmaes", "takes one objective", "write nsga2, or one figure for both")
+        )
     refuse(faults)
 
 
@@ -143,7 +148,9 @@ def _asked(place: Folder, generation: int, units: Any) -> Any:
         return None
     if file.exists():
         if not np.array_equal(np.load(file), units):
-            faults = [Fault(str(place.place), 0, "", "the search asks for other drives than before", "name another folder")]
+            faults = [
+                Fault(str(place.place), 0, "", "the search asks for other drives than before", "name another folder")
+            ]
             refuse(faults)
         return units
     made = io.BytesIO()
@@ -179,6 +186,3 @@ def write_best(study: Study) -> list[Path]:
             files.append(folder / "pareto" / f"sample-{int(number):06d}.toml")
             write_whole(files[-1], scene.to_toml().encode("utf-8", "surrogateescape"))
     return files
-
-
-

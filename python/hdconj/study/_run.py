@@ -12,7 +12,8 @@ from typing import Any
 from .._errors import Fault
 from ._drive import Row, Sample, careful_rows, failure
 from ._engine import SHARD_SECONDS, Told, compute_rows, engine
-from ._recipe import Recipe, _near, fault_text, load_recipe, refuse
+from ._read import load_recipe, near, refuse
+from ._recipe import Recipe
 from ._store import Folder, schema_of, write_shard
 
 
@@ -42,7 +43,9 @@ def _refuse_figures(recipe: Recipe, row: Row) -> None:
     for name, expression in recipe.figures:
         for used in expression.names:
             if used not in known:
-                faults.append(Fault(f"figures.{name}", 0, expression.text, f"unknown figure {used}", _near(used, sorted(known))))
+                faults.append(
+                    Fault(f"figures.{name}", 0, expression.text, f"unknown figure {used}", near(used, sorted(known)))
+                )
     if not faults:
         try:
             compute(recipe, recipe.first, recipe.errors)
@@ -152,9 +155,7 @@ def fault_of(row: Row) -> str:
     return ": ".join(str(row[word]) for word in ("code", "place", "cause")) if row["code"] else ""
 
 
-def compute_survivors(
-    client: Any, place: Folder, recipe: Recipe, shard_seconds: float, progress: bool
-) -> Told:
+def compute_survivors(client: Any, place: Folder, recipe: Recipe, shard_seconds: float, progress: bool) -> Told:
     """Computes the best drives once more, with errors."""
     from ._study import open as open_study
 
@@ -177,6 +178,3 @@ def _typed(recipe: Recipe, values: dict[str, Any]) -> dict[str, Any]:
     """Values of a table as the keys have them: whole numbers are stored as floating-point ones."""
     whole = {key.path for key in recipe.keys if isinstance(key.middle, int) and not isinstance(key.middle, bool)}
     return {path: int(value) if path in whole else value for path, value in values.items()}
-
-
-__all__ = ["check", "fault_text", "run"]

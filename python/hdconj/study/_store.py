@@ -24,7 +24,8 @@ import hdconj
 
 from .._errors import FileError, Fault, InputError
 from ._drive import Row
-from ._recipe import Recipe, fault_text
+from ._read import fault_text
+from ._recipe import Recipe
 
 FORMAT = 1
 _NAME = re.compile(r"rows-(\d{9})-(\d{9})\.parquet")
@@ -85,7 +86,9 @@ def write_whole(file: Path, text: bytes) -> None:
         os.replace(temporary, file)
     except OSError as error:
         temporary.unlink(missing_ok=True)
-        raise FileError(f"{file}: cannot be written: {error.strerror or error}; what was written before is kept") from None
+        raise FileError(
+            f"{file}: cannot be written: {error.strerror or error}; what was written before is kept"
+        ) from None
 
 
 def write_shard(folder: Path, rows: Sequence[Row], schema: Any, about: Mapping[str, Any]) -> Path:

@@ -14,7 +14,8 @@ import numpy.typing as npt
 
 from .._scene import Scene
 from ._keys import Value
-from ._recipe import Recipe, load_recipe
+from ._read import load_recipe
+from ._recipe import Recipe
 from ._store import Folder, read_shards, refuse
 
 Bools = npt.NDArray[np.bool_]
@@ -232,5 +233,3 @@ def open(folder: str | os.PathLike[str]) -> Study:
         The folder holds no study.
     """
     return Study(folder)
-
-
