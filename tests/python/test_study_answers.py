@@ -54,7 +54,8 @@ def test_distributions(method):
 @pytest.mark.parametrize("grade, low, high", [("js7", 24.9895, 25.0105), ("h7", 24.979, 25), ("H6", 25, 25.013)])
 def test_classes_of_tolerance_are_those_of_iso_286(grade, low, high):
     made = study.read_recipe(
-        f'{HEAD}[vary]\n"circular_spline.inner_radius" = {{ nominal = 25, tolerance = "{grade}" }}\n[figures]\na = "1.0"'
+        f'{HEAD}[vary]\n"circular_spline.inner_radius" = {{ nominal = 25, tolerance = "{grade}" }}\n'
+        '[figures]\na = "1.0"'
     )
     key = made.keys[0]
     assert key.value(0) == pytest.approx(low, abs=1e-9) and key.value(1) == pytest.approx(high, abs=1e-9)
@@ -94,8 +95,8 @@ def test_expressions():
 
 def test_yield_and_pictures(tmp_path):
     found = run(
-        '[vary]\n"flexspline.wall" = { normal = [0.7, 0.01] }\n[sample]\ncount = 256\n[figures]\nwall = "flexspline.wall"\n'
-        'land = "solve.land_width"\n[constraints]\nwall = { min = 0.69, max = 0.71 }',
+        '[vary]\n"flexspline.wall" = { normal = [0.7, 0.01] }\n[sample]\ncount = 256\n[figures]\n'
+        'wall = "flexspline.wall"\nland = "solve.land_width"\n[constraints]\nwall = { min = 0.69, max = 0.71 }',
         tmp_path,
     )
     share, low, high = found.yield_of()

@@ -8,6 +8,7 @@ import contextlib
 import json
 import os
 import random
+import shutil
 import signal
 import socket
 import subprocess
@@ -282,14 +283,21 @@ def test_a_row_is_the_drive_alone(expected, tmp_path):
 
 
 def test_the_program_finds_the_command(tmp_path):
-    """hdconj study is hdconj-study on the path."""
-    command_file = tmp_path / "hdconj-study"
+    """hdconj study is hdconj-study beside the program or on the path."""
+    program, command_file = tmp_path / "bin" / "hdconj", tmp_path / "hdconj-study"
+    program.parent.mkdir()
+    shutil.copy(os.environ["HDCONJ_PROGRAM"], program)
     command_file.write_text(f'#!/bin/sh\nexec {sys.executable} -m hdconj.study "$@"\n')
     command_file.chmod(0o755)
-    program = os.environ["HDCONJ_PROGRAM"]
-    found = subprocess.run([program, "study", "check", write(tmp_path, 7)], capture_output=True, text=True,
-                           env={**os.environ, "PATH": f"{tmp_path}:{os.environ['PATH']}"})  # fmt: skip
-    assert found.returncode == 0 and found.stdout.startswith("7 drives, 3 keys vary"), found.stderr
     bare = {**os.environ, "PATH": "/usr/bin:/bin"}
-    missing = subprocess.run([program, "study", "status", "x"], capture_output=True, text=True, env=bare)
+
+    def asked(environment):
+        words = [program, "study", "check", write(tmp_path, 7)]
+        return subprocess.run(words, capture_output=True, text=True, env=environment)
+
+    missing = asked(bare)
     assert missing.returncode == 1 and "pip install 'hdconj[study]'" in missing.stderr
+    on_path = asked({**bare, "PATH": f"{tmp_path}:{bare['PATH']}"})
+    assert on_path.returncode == 0 and on_path.stdout.startswith("7 drives, 3 keys vary"), on_path.stderr
+    command_file.rename(program.with_name("hdconj-study"))
+    assert asked(bare).returncode == 0

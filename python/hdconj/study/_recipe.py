@@ -77,7 +77,7 @@ class Recipe:
         """A hash of what decides the rows."""
         kept = {name: table for name, table in self.tables.items() if name not in (*_LATER, "scene")}
         kept["sample"] = {k: v for k, v in kept.get("sample", {}).items() if k != "count" or self.method == "lhs"}
-        kept["compute"] = {k: v for k, v in kept["compute"].items() if k != "survivors"}
+        kept["compute"] = {k: v for k, v in kept.get("compute", {}).items() if k != "survivors"}
         kept["optimise"] = {k: v for k, v in kept.get("optimise", {}).items() if k != "generations"}
         kept["scene"] = self.scene.to_dict()
         return hashlib.sha256(json.dumps(kept, sort_keys=True, default=str).encode()).hexdigest()
