@@ -9,6 +9,7 @@ import pickle
 import subprocess
 import sys
 from collections.abc import Mapping, Sequence
+from functools import lru_cache
 from typing import Any
 
 import numpy as np
@@ -16,7 +17,6 @@ import numpy as np
 import hdconj
 
 from .._errors import FileError, InputError, NumericalError
-from .._tree import Figure, Group
 from ._keys import Value
 from ._recipe import Recipe
 
@@ -33,41 +33,68 @@ def _scalar(value: Any) -> float:
     return float(flat[-1]) if flat.size else float("nan")
 
 
-def _collect(group: Group, before: str, found: dict[str, Figure]) -> None:
-    for name, figure in group.figures.items():
-        found.setdefault(f"{before}.{name}", figure)
-    for name, inner in group.groups.items():
-        _collect(inner, f"{before}.{name}", found)
+def _entry(layout: Any, path: str, is_attribute: bool) -> Any:
+    """A column or an attribute of a group of the extension; None where it is not there."""
+    attrs, datasets, links, groups, _ = layout
+    name, _, rest = path.partition("/")
+    if rest:
+        return _entry(groups[name], rest, is_attribute) if name in groups else None
+    if is_attribute:
+        return attrs.get(name)
+    entry = datasets.get(links.get(name, name))
+    return None if entry is None else entry[0]
+
+
+def _collect(layout: Any, before: str, found: dict[str, tuple[Any, Any, str]], deep: bool) -> None:
+    """Value, error and unit of all figures of a group, and of the groups in it."""
+    for name, value, error, unit, _, is_attribute in layout[4]:
+        estimate = _entry(layout, error, is_attribute) if error else None
+        found[f"{before}.{name}"] = (_entry(layout, value, is_attribute), estimate, unit)
+    for name, inner in layout[3].items() if deep else ():
+        _collect(inner, f"{before}.{name}", found, True)
 
 
 def figures_of(verb: str, result: Any, errors: bool) -> tuple[dict[str, float], dict[str, float], dict[str, str]]:
-    """Values, errors and units of all single figures of a result, under names that begin with the verb."""
-    found = {f"{verb}.{name}": figure for name, figure in result.figures.items()}
-    if result._main:
-        _collect(result[result._main], verb, found)
+    """Values, errors and units of all single figures of a result, under names that begin with the verb.
+
+    It reads what the extension gives: the arrays of a result, which nobody asks for here, take as long as a solve.
+    """
+    layout = result._made.layout()
+    groups = layout[3]
+    found: dict[str, tuple[Any, Any, str]] = {}
+    _collect(layout, verb, found, False)
+    for name in ("summary", result._main):
+        if name in groups:
+            _collect(groups[name], verb, found, name == result._main)
     values, estimates, units = {}, {}, {}
-    for name, figure in found.items():
-        values[name], units[name] = _scalar(figure.value), figure.unit
-        if figure.error is not None:
-            estimates[name] = _scalar(figure.error) if errors else float("nan")
-    if "conjugate_zones" in result.groups:
-        zones = result.groups["conjugate_zones"]
-        length = np.abs(np.diff(zones.phi, axis=1))[:, 0]
-        values[f"{verb}.conjugate_zone_length"] = float(length[np.asarray(zones.on_boundary) != 0].sum())
+    for name, (value, error, unit) in found.items():
+        values[name], units[name] = _scalar(value), unit
+        if error is not None:
+            estimates[name] = _scalar(error) if errors else float("nan")
+    if "conjugate_zones" in groups:
+        phi, on_boundary = (_entry(groups["conjugate_zones"], name, False) for name in ("phi", "on_boundary"))
+        length = np.abs(np.diff(np.asarray(phi), axis=1))[:, 0]
+        values[f"{verb}.conjugate_zone_length"] = float(length[np.asarray(on_boundary) != 0].sum())
         units[f"{verb}.conjugate_zone_length"] = "rad"
     return values, estimates, units
+
+
+@lru_cache
+def _estimates_errors(verb: str) -> bool:
+    """Whether a verb lets its user choose whether it estimates errors."""
+    return "errors" in inspect.signature(getattr(hdconj, verb)).parameters
 
 
 def compute(recipe: Recipe, values: Mapping[str, Value], errors: bool) -> tuple[Row, dict[str, str]]:
     """Figures of a drive and their units; raises what the verbs raise."""
     linked = recipe.linked(values)
-    scene = recipe.scene_of(linked).with_({"solver.threads": 1})
+    scene = recipe.scene_of({**linked, "solver.threads": 1})
     known: dict[str, Any] = {**{k: v for k, v in linked.items() if not isinstance(v, str)}}
     estimates: dict[str, float] = {}
     units: dict[str, str] = {}
     for verb, options in recipe.verbs:
         call = getattr(hdconj, verb)
-        has_errors = "errors" in inspect.signature(call).parameters
+        has_errors = _estimates_errors(verb)
         result = call(scene, **options, **({"errors": errors} if has_errors else {}))
         if result.missing:
             raise NumericalError("missing-case", verb, "the only case", "; ".join(result.missing))

@@ -80,14 +80,13 @@ def engine(jobs: int = 0, scheduler: str | None = None) -> Iterator[Any]:
         **spaces,
     }
     with dask.config.set(settings):
-        dashboard = ":0" if find_spec("bokeh") else None
         cluster = distributed.LocalCluster(
             n_workers=jobs or os.cpu_count() or 1, threads_per_worker=1, processes=True, memory_limit=0,
-            dashboard_address=dashboard, local_directory=_scratch(), silence_logs=60,
+            dashboard_address=":0", local_directory=_scratch(), silence_logs=60,
         )  # fmt: skip
         client = distributed.Client(cluster)
         try:
-            if dashboard and sys.stderr.isatty():
+            if find_spec("bokeh") and sys.stderr.isatty():
                 print(f"dashboard: {client.dashboard_link}", file=sys.stderr)
             yield client
         finally:

@@ -67,8 +67,8 @@ def histogram_picture(study: Study) -> Any:
     for pane in panes.flat[len(names) :]:
         pane.set_axis_off()
     for name, pane in zip(names, panes.flat):
-        values = study.frame[name].dropna()
-        pane.hist(values, bins="sturges", color=GOOD, edgecolor="white", linewidth=0.5)
+        values = study.frame[name][study.independent()]  # a drive that cannot be made keeps no limits
+        pane.hist(values.dropna(), bins="sturges", color=GOOD, edgecolor="white", linewidth=0.5)
         pane.set_xlabel(_label(study, name))
         pane.set_ylabel("drives")
         low, high = study.recipe.constraints.get(name, (-np.inf, np.inf))

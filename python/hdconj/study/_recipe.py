@@ -7,6 +7,7 @@ import hashlib
 import json
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from functools import cached_property
 from typing import Any
 
 from .._scene import Scene
@@ -57,9 +58,16 @@ class Recipe:
         """The drive in the middle of everything that varies."""
         return {key.path: key.middle for key in self.keys}
 
+    @cached_property
+    def base(self) -> dict[str, Any]:
+        """Keys of the scene that all drives share."""
+        return flat(self.scene.to_dict())
+
     def linked(self, values: Mapping[str, Value]) -> dict[str, Value]:
         """All values, links included; raises ArithmeticError or ValueError where a link has none."""
-        known = {**flat(self.scene.to_dict()), **values}
+        if not self.links:
+            return dict(values)
+        known = {**self.base, **values}
         for path, expression in self.links:
             known[path] = expression(known)
         return {**values, **{path: known[path] for path, _ in self.links}}

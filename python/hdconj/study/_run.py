@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 import time
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -37,7 +38,7 @@ def _refuse_figures(recipe: Recipe, row: Row) -> None:
     from ._drive import compute
 
     names: set[str] = set()
-    everything = Recipe(**{**recipe.__dict__, "figures": ()})
+    everything = replace(recipe, figures=())
     known = _figure_names(everything, names)
     faults = []
     for name, expression in recipe.figures:

@@ -145,14 +145,19 @@ class Study:
             raise refuse(self.folder.place, f"has no sample {sample}", "take a number of the column sample")
         return self.recipe.scene_of(self.values(rows.iloc[0]))
 
+    def independent(self) -> Bools:
+        """Which rows share no key with another one: in a sample for indices the first and the last of each block."""
+        if self.recipe.method != "saltelli" or self.about["kind"] != "run":
+            return np.ones(len(self.frame), dtype=bool)
+        place = np.asarray(self.frame["sample"]) % (len(self.recipe.keys) + 2)
+        return np.asarray((place == 0) | (place == len(self.recipe.keys) + 1))
+
     def yield_of(self) -> tuple[float, float, float]:
         """The share of drives that keep all constraints, and the ends of its interval of 95 %."""
         from scipy.stats import binomtest
 
         good = self.feasible()
-        if self.recipe.method == "saltelli":  # the drives between share keys with the first and the last of a block
-            place = np.asarray(self.frame["sample"]) % (len(self.recipe.keys) + 2)
-            good = good[(place == 0) | (place == len(self.recipe.keys) + 1)]
+        good = good[self.independent()]
         if not len(good):
             return float("nan"), 0.0, 1.0
         interval = binomtest(int(good.sum()), len(good)).proportion_ci(method="wilson")
