@@ -144,7 +144,13 @@ def children(of):
 
 
 def dask_workers(of):
-    return [task for task in children(of) if "spawn_main" in open(f"/proc/{task}/cmdline").read()]
+    """Worker processes of a run; some may have just ended."""
+    found = []
+    for task in children(of):
+        with contextlib.suppress(OSError):
+            if "spawn_main" in open(f"/proc/{task}/cmdline").read():
+                found.append(task)
+    return found
 
 
 @pytest.fixture(scope="module")
@@ -301,3 +307,12 @@ def test_the_program_finds_the_command(tmp_path):
     assert on_path.returncode == 0 and on_path.stdout.startswith("7 drives, 3 keys vary"), on_path.stderr
     command_file.rename(program.with_name("hdconj-study"))
     assert asked(bare).returncode == 0
+
+
+def test_missing_packages_are_named():
+    code = (
+        "import sys\nsys.modules['pyarrow'] = None\n"
+        "from hdconj.study.__main__ import main\nsys.exit(main(['status', 'x']))"
+    )
+    said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert said.returncode == 1 and said.stderr.startswith("hdconj study: the package pyarrow is missing; pip install")

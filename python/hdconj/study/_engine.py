@@ -101,10 +101,11 @@ def _scratch() -> str:
 
 
 def _quietly(close: Callable[[], object]) -> None:
+    """Closes what is not needed any more; that it may be gone already, or half of it, does not matter."""
     try:
         close()
-    except LOST:
-        pass  # it is gone, which is what was wanted
+    except (Exception, asyncio.CancelledError):  # noqa: BLE001
+        logging.getLogger(__name__).debug("closing failed", exc_info=True)
 
 
 @dataclass
