@@ -103,7 +103,8 @@ def front_picture(study: Study) -> Any:
             if len(span) and np.ptp(span) > 0:
                 margin = 0.08 * np.ptp(span)
                 getattr(pane, f"set_{axis}lim")(span.min() - margin, span.max() + margin)
-            getattr(pane, f"set_{axis}label")(_label(study, name))
+            aim = "small" if study.recipe.objectives[name] > 0 else "large"
+            getattr(pane, f"set_{axis}label")(f"{_label(study, name)}, to be {aim}")
     panes.flat[0].legend(fontsize=7)
     return figure
 
