@@ -20,6 +20,7 @@
 #include "hdconj/scene/schema.hpp"
 #include "hdconj/version.hpp"
 #include "heap.hpp"
+#include "study.hpp"
 #include "verb.hpp"
 
 namespace hdconj::cli {
@@ -40,6 +41,8 @@ constexpr char const* examples =
     "                                   measured points against the nominal outline\n"
     "  hdconj export hdconj.toml --calculix deck\n"
     "                                   the elastic cup for CalculiX\n"
+    "  hdconj study run study.toml -o DIR\n"
+    "                                   many drives; the program hdconj-study of the Python package\n"
     "  hdconj solve --set wave_generator.radial_deformation=0.26\n"
     "                                   the built-in drive with one key changed\n"
     "Exit status: 0 done, 1 failed, 2 bad scene or bad command line.\n"
@@ -98,7 +101,7 @@ int flush_output(int status)
 /// Says what the first word might have meant when it is no verb.
 bool is_known_verb(CLI::App const& program, std::string_view word)
 {
-    std::vector<std::string_view> verbs;
+    std::vector<std::string_view> verbs{"study"};
     for (auto const* const verb : program.get_subcommands([](CLI::App const*) { return true; })) {
         verbs.push_back(verb->get_name());
         if (verb->get_name() == word)
@@ -192,6 +195,8 @@ int run(int argc, char** argv)
         std::cerr << program.help();
         return exit_input;
     }
+    if (words.front() == "study")
+        return start_study_program(std::move(words));
     if (!words.front().starts_with('-') && !is_known_verb(program, words.front()))
         return exit_input;
     try {

@@ -119,13 +119,16 @@ class Group(Mapping[str, Member]):
         return {row[0]: self._figure(*row[1:]) for row in self._parts.figures}
 
     def _figure(self, value: str, error: str, unit: str, meaning: str, is_attribute: bool) -> Figure:
-        if is_attribute:
-            return Figure(self.attrs[value], self.attrs[error] if error else None, unit, meaning)
         try:
-            estimate = self[error] if error else None
+            estimate = (self._attribute(error) if is_attribute else self[error]) if error else None
         except KeyError:  # where errors stand apart, not every group has them
             estimate = None
-        return Figure(self[value], estimate, unit, meaning)
+        return Figure(self.attrs[value] if is_attribute else self[value], estimate, unit, meaning)
+
+    def _attribute(self, path: str) -> Any:
+        """An attribute of this group, or of one in it."""
+        name, _, rest = path.partition("/")
+        return self.groups[name]._attribute(rest) if rest else self.attrs[name]
 
     def __getitem__(self, path: str) -> Member:
         name, _, rest = path.strip("/").partition("/")

@@ -185,9 +185,10 @@ def worst_line(stretch, printed, places):
     return f"shown:   {stretch[min(best, len(stretch) - 1)]}\n      printed: {other}"
 
 
-def is_there(name):
-    """Whether a program or a Python module of this name is there."""
-    return shutil.which(name) is not None or importlib.util.find_spec(name) is not None
+def is_there(name, program):
+    """Whether a program or a Python module of this name is there, perhaps beside the program."""
+    return (shutil.which(name) is not None or Path(program).with_name(name).is_file() or
+            importlib.util.find_spec(name) is not None)
 
 
 def environment(folder, program):
@@ -225,7 +226,7 @@ def run_page(name, text, program, source):
             if block.language != "console":
                 continue
             need = block.options.get("needs")
-            if need and not is_there(need):
+            if need and not is_there(need, program):
                 missing.append(f"{name}:{block.line}: {need}")
                 continue
             for line, command, shown in commands_of(block):

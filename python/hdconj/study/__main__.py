@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The command ``hdconj study``."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Sequence
+from typing import Any
+
+PACKAGES = "pip install 'hdconj[study]'"
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="hdconj study", description="Computes many drives: sweeps, tolerances, optima.",
+        epilog="Exit status: 0 done, 1 failed or stopped (run again to resume), 2 bad study or bad command line.",
+    )  # fmt: skip
+    verbs = parser.add_subparsers(dest="verb", required=True, metavar="VERB")
+
+    def add(name: str, about: str, what: str) -> argparse.ArgumentParser:
+        verb = verbs.add_parser(name, help=about, description=about)
+        verb.add_argument("what", metavar=what)
+        return verb
+
+    add("check", "checks a study and computes its first drive", "STUDY.toml")
+    for name, about in (("run", "computes the drives of a study"), ("optimise", "searches for the best drives")):
+        verb = add(name, about, "STUDY.toml")
+        verb.add_argument(
+            "-o", dest="folder", metavar="DIR", required=True, help="folder of the results; resumes there"
+        )
+        verb.add_argument("--jobs", type=int, default=0, metavar="N", help="processes of this machine; 0: all cores")
+        verb.add_argument("--scheduler", metavar="ADDRESS", help="of a Dask scheduler, such as tcp://host:8786")
+        verb.add_argument(
+            "--shard-seconds", type=float, default=10.0, metavar="S", help="time of one shard, 2 to 60; default 10"
+        )
+        verb.add_argument("--quiet", action="store_true", help="no progress bar, no summary")
+    add("status", "says how far a study is", "DIR")
+    best = add("best", "prints the best drives", "DIR")
+    best.add_argument("-n", type=int, default=10, metavar="N", help="how many; default 10")
+    best.add_argument("--csv", metavar="FILE", help="all rows of the study as text")
+    best.add_argument("--scene", metavar="FILE", help="the scene of the first of them")
+    picture = add("picture", "draws a study", "DIR")
+    picture.add_argument("-o", dest="folder", metavar="FOLDER", help="of the pictures; default DIR/pictures")
+    return parser
+
+
+def _number(value: Any) -> str:
+    return f"{value:.6g}" if isinstance(value, float) else str(value)
+
+
+def print_status(study: Any) -> None:
+    """Prints how far a study is, and its yield where it has constraints."""
+    state = study.status()
+    total = f" of {state['total']}" if state["total"] is not None else ""
+    print(f"{state['done']}{total} drives, {sum(state['failed'].values())} that cannot be made", end="")
+    print("; running" if state["running"] else "")
+    for code, count in sorted(state["failed"].items()):
+        print(f"  {count} {code}")
+    if state["seconds_left"]:
+        print(f"{state['seconds_left']:.0f} s of one worker left")
+    if study.recipe.constraints and state["done"]:
+        share, low, high = study.yield_of()
+        print(f"{100 * share:.1f} % keep all constraints ({100 * low:.1f} to {100 * high:.1f} % at 95 % confidence)")
+    if study.recipe.method == "saltelli" and state["done"] == state["total"]:
+        table = study.indices()
+        for name, part in table.groupby("figure", sort=False):
+            most = part.loc[part["total"].idxmax()]
+            print(f"{name}: {most['key']} matters most, total index {most['total']:.3f} +- {most['total_error']:.3f}")
+
+
+def print_best(study: Any, options: argparse.Namespace) -> None:
+    """Prints the best drives and writes what was asked for."""
+    if options.csv:
+        study.to_csv(options.csv)
+    if not study.recipe.objectives and options.csv:
+        return
+    table = study.best(options.n)
+    errors = [name for name in table.columns if name.endswith("_error") and table[name].isna().all()]
+    print(table.drop(columns=[*errors, "code", "stage", "place", "cause"]).to_string(index=False, float_format=_number))
+    if options.scene and len(table):
+        with open(options.scene, "w", encoding="utf-8") as file:
+            file.write(study.recipe.scene_of(study.values(table.iloc[0])).to_toml())
+
+
+def _run(options: argparse.Namespace) -> None:
+    from . import _optimise, _run
+    from ._study import open as open_study
+
+    if not 2 <= options.shard_seconds <= 60 or options.jobs < 0:
+        raise SystemExit("hdconj study: --shard-seconds lies from 2 to 60, and --jobs is 0 or more")
+    call = _run.run if options.verb == "run" else _optimise.optimise
+    call(
+        options.what, options.folder, jobs=options.jobs, scheduler=options.scheduler,
+        shard_seconds=options.shard_seconds, progress=not options.quiet,
+    )  # fmt: skip
+    if not options.quiet:
+        print_status(open_study(options.folder))
+
+
+def _act(options: argparse.Namespace) -> None:
+    from ._study import open as open_study
+
+    if options.verb in ("run", "optimise"):
+        _run(options)
+    elif options.verb == "check":
+        from ._run import check
+
+        recipe = check(options.what)
+        print(f"{recipe.drives} drives, {len(recipe.keys)} keys vary, {len(recipe.figures)} figures")
+    elif options.verb == "status":
+        print_status(open_study(options.what))
+    elif options.verb == "best":
+        print_best(open_study(options.what), options)
+    else:
+        from ._pictures import draw_all
+
+        for file in draw_all(open_study(options.what), options.folder):
+            print(f"wrote {file}")
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    """Runs the command and returns its exit status."""
+    options = _parser().parse_args(words)
+    try:
+        from .._errors import FileError, InputError
+        from ._engine import EngineLost
+    except ImportError as error:
+        print(f"hdconj study: the package {error.name} is missing; {PACKAGES}", file=sys.stderr)
+        return 1
+    try:
+        _act(options)
+    except ImportError as error:
+        print(f"hdconj study: the package {error.name} is missing; {PACKAGES}", file=sys.stderr)
+        return 1
+    except InputError as error:
+        count = len(error.faults)
+        print(f"hdconj study: {count} fault{'s' if count > 1 else ''} in {options.what}\n{error}", file=sys.stderr)
+        return 2
+    except (EngineLost, FileError, OSError) as error:
+        print(f"hdconj study: {error}; run again to resume", file=sys.stderr)
+        return 1
+    except KeyboardInterrupt:
+        print("hdconj study: stopped; run again to resume", file=sys.stderr)
+        return 1
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,172 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""One drive of a study: from the values of its keys to a row. This is what workers run."""
+
+from __future__ import annotations
+
+import inspect
+import os
+import pickle
+import subprocess
+import sys
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+import hdconj
+
+from .._errors import FileError, InputError, NumericalError
+from ._keys import Value
+from ._recipe import Recipe
+
+Row = dict[str, Any]
+Sample = tuple[int, Mapping[str, Value]]
+KILLED = "killed-worker"
+_TRIES = 3  # of a drive that kills its process: another process might have been the reason
+_POISON = "HDCONJ_STUDY_POISON"  # for tests: samples that kill their process
+
+
+def _scalar(value: Any) -> float:
+    """The last entry of a column: of the only case, at the largest torque."""
+    flat = np.asarray(value, dtype=float).reshape(-1)
+    return float(flat[-1]) if flat.size else float("nan")
+
+
+def _entry(layout: Any, path: str, is_attribute: bool) -> Any:
+    """A column or an attribute of a group of the extension; None where it is not there."""
+    attrs, datasets, links, groups, _ = layout
+    name, _, rest = path.partition("/")
+    if rest:
+        return _entry(groups[name], rest, is_attribute) if name in groups else None
+    if is_attribute:
+        return attrs.get(name)
+    entry = datasets.get(links.get(name, name))
+    return None if entry is None else entry[0]
+
+
+def _collect(layout: Any, before: str, found: dict[str, tuple[Any, Any, str]], deep: bool) -> None:
+    """Value, error and unit of all figures of a group, and of the groups in it."""
+    for name, value, error, unit, _, is_attribute in layout[4]:
+        estimate = _entry(layout, error, is_attribute) if error else None
+        found[f"{before}.{name}"] = (_entry(layout, value, is_attribute), estimate, unit)
+    for name, inner in layout[3].items() if deep else ():
+        _collect(inner, f"{before}.{name}", found, True)
+
+
+def figures_of(verb: str, result: Any, errors: bool) -> tuple[dict[str, float], dict[str, float], dict[str, str]]:
+    """Values, errors and units of all single figures of a result, under names that begin with the verb.
+
+    It reads what the extension gives: the arrays of a result, which nobody asks for here, take as long as a solve.
+    """
+    layout = result._made.layout()
+    groups = layout[3]
+    found: dict[str, tuple[Any, Any, str]] = {}
+    _collect(layout, verb, found, False)
+    for name in ("summary", result._main):
+        if name in groups:
+            _collect(groups[name], verb, found, name == result._main)
+    values, estimates, units = {}, {}, {}
+    for name, (value, error, unit) in found.items():
+        values[name], units[name] = _scalar(value), unit
+        if error is not None:
+            estimates[name] = _scalar(error) if errors else float("nan")
+    if "conjugate_zones" in groups:
+        phi, on_boundary = (_entry(groups["conjugate_zones"], name, False) for name in ("phi", "on_boundary"))
+        length = np.abs(np.diff(np.asarray(phi), axis=1))[:, 0]
+        values[f"{verb}.conjugate_zone_length"] = float(length[np.asarray(on_boundary) != 0].sum())
+        units[f"{verb}.conjugate_zone_length"] = "rad"
+    return values, estimates, units
+
+
+@lru_cache
+def _estimates_errors(verb: str) -> bool:
+    """Whether a verb lets its user choose whether it estimates errors."""
+    return "errors" in inspect.signature(getattr(hdconj, verb)).parameters
+
+
+def compute(recipe: Recipe, values: Mapping[str, Value], errors: bool) -> tuple[Row, dict[str, str]]:
+    """Figures of a drive and their units; raises what the verbs raise."""
+    linked = recipe.linked(values)
+    scene = recipe.scene_of({**linked, "solver.threads": 1})
+    known: dict[str, Any] = {**{k: v for k, v in linked.items() if not isinstance(v, str)}}
+    estimates: dict[str, float] = {}
+    units: dict[str, str] = {}
+    for verb, options in recipe.verbs:
+        call = getattr(hdconj, verb)
+        has_errors = _estimates_errors(verb)
+        result = call(scene, **options, **({"errors": errors} if has_errors else {}))
+        if result.missing:
+            raise NumericalError("missing-case", verb, "the only case", "; ".join(result.missing))
+        own, own_errors, own_units = figures_of(verb, result, errors or not has_errors)
+        known |= own
+        estimates |= own_errors
+        units |= own_units
+    row: Row = dict(linked)
+    for name, expression in recipe.figures:
+        row[name], row[f"{name}_error"] = expression.with_error(known, estimates)
+    found = {name: units.get(expression.text.strip(), "") for name, expression in recipe.figures}
+    return row, {**found, **recipe.units}
+
+
+def failure(error: BaseException) -> dict[str, str]:
+    """Code, stage, place and cause of what a drive raised."""
+    if isinstance(error, NumericalError):
+        return {"code": error.code, "stage": error.stage, "place": error.place, "cause": error.cause}
+    if isinstance(error, InputError):
+        fault = error.faults[0]
+        return {"code": "scene", "stage": "check", "place": fault.path, "cause": fault.reason}
+    if isinstance(error, KeyError):
+        return {"code": "figure", "stage": "figures", "place": str(error.args[0]), "cause": "there is no such figure"}
+    code = "memory" if isinstance(error, MemoryError) else "file" if isinstance(error, FileError) else "value"
+    return {"code": code, "stage": "study", "place": type(error).__name__, "cause": str(error)}
+
+
+def row_of(recipe: Recipe, sample: Sample, errors: bool) -> tuple[Row, dict[str, str]]:
+    """The row of a drive, made or not."""
+    number, values = sample
+    if str(number) in os.environ.get(_POISON, "").split(","):
+        os.kill(os.getpid(), 9)
+    try:
+        row, units = compute(recipe, values, errors)
+        return {"sample": number, **row, "code": "", "stage": "", "place": "", "cause": ""}, units
+    except (InputError, NumericalError, FileError, ArithmeticError, ValueError, KeyError, MemoryError) as error:
+        return {"sample": number, **_known(recipe, values), **failure(error)}, {}
+
+
+def _known(recipe: Recipe, values: Mapping[str, Value]) -> Row:
+    """Values of a drive that cannot be made, links where they have values."""
+    try:
+        return dict(recipe.linked(values))
+    except (ArithmeticError, ValueError, KeyError, TypeError):
+        return dict(values)
+
+
+def rows_of(recipe: Recipe, samples: Sequence[Sample], errors: bool) -> tuple[list[Row], dict[str, str]]:
+    """Rows of several drives, in order, and the units of their figures."""
+    rows: list[Row] = []
+    units: dict[str, str] = {}
+    for sample in samples:
+        row, own = row_of(recipe, sample, errors)
+        rows.append(row)
+        units |= own
+    return rows, units
+
+
+def careful_rows(recipe: Recipe, samples: Sequence[Sample], errors: bool) -> tuple[list[Row], dict[str, str]]:
+    """As :func:`rows_of` in a process of its own. Where that is killed, each half is tried, down to the drive."""
+    tries = _TRIES if len(samples) == 1 else 1
+    for _ in range(tries):
+        task = pickle.dumps((recipe, list(samples), errors))
+        done = subprocess.run([sys.executable, "-m", "hdconj.study._child"], input=task, stdout=subprocess.PIPE)
+        if done.returncode == 0:
+            rows, units = pickle.loads(done.stdout)
+            return rows, units
+    if len(samples) == 1:
+        number, values = samples[0]
+        cause = f"signal {-done.returncode}" if done.returncode < 0 else f"exit status {done.returncode}"
+        killed = {"code": KILLED, "stage": "study", "place": "process", "cause": cause}
+        return [{"sample": number, **_known(recipe, values), **killed}], {}
+    half = len(samples) // 2
+    parts = [careful_rows(recipe, part, errors) for part in (samples[:half], samples[half:])]
+    return parts[0][0] + parts[1][0], parts[0][1] | parts[1][1]

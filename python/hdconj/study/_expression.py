@@ -1,0 +1,130 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Expressions of a study: arithmetic over names, read through ``ast`` and never run as Python."""
+
+from __future__ import annotations
+
+import ast
+import math
+import operator
+from collections.abc import Callable, Mapping
+from typing import Any
+
+LONGEST = 1000  # characters
+_BINARY: dict[type, Callable[[Any, Any], Any]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.FloorDiv: operator.floordiv,
+    ast.Mod: operator.mod,
+    ast.Pow: lambda base, power: math.pow(base, power),
+}
+_UNARY: dict[type, Callable[[Any], Any]] = {ast.UAdd: operator.pos, ast.USub: operator.neg}
+_FUNCTIONS: dict[str, Callable[..., Any]] = {
+    **{name: getattr(math, name) for name in ("sqrt", "exp", "log", "sin", "cos", "tan", "asin", "acos", "atan")},
+    **{"degrees": math.degrees, "radians": math.radians, "hypot": math.hypot},
+    **{"abs": abs, "min": min, "max": max, "round": round, "floor": math.floor, "ceil": math.ceil},
+}
+_CONSTANTS = {"pi": math.pi}
+
+
+class Expression:
+    """Numbers, names with dots, ``+ - * / // % **``, parentheses and a few functions.
+
+    Parameters
+    ----------
+    text : str
+        Such as ``"25 + 0.5 * flexspline.wall"``.
+
+    Raises
+    ------
+    ValueError
+        The text is something else; the message says what.
+    """
+
+    __slots__ = ("text", "names", "_tree")
+
+    def __init__(self, text: str) -> None:
+        if len(text) > LONGEST:
+            raise ValueError(f"longer than {LONGEST} characters")
+        try:
+            tree = ast.parse(text.strip(), mode="eval").body
+        except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
+            raise ValueError(f"no expression: {getattr(error, 'msg', error)}") from None
+        names: dict[str, None] = {}
+        _check(tree, names)
+        self.text, self.names, self._tree = text, tuple(names), tree
+
+    def __call__(self, values: Mapping[str, Any]) -> Any:
+        """The value, where every name has one; raises ArithmeticError or ValueError where there is none."""
+        return _value(self._tree, values)
+
+    def with_error(self, values: Mapping[str, Any], errors: Mapping[str, float]) -> tuple[float, float]:
+        """The value and the sum of what the error of each name changes; not a number where an error is unknown."""
+        value, error = float(self(values)), 0.0
+        if self.text.strip() in errors:  # the figure itself, to the last bit
+            return value, errors[self.text.strip()]
+        for name in self.names:
+            if name in errors:
+                moved = [float(self({**values, name: values[name] + sign * errors[name]})) for sign in (-1, 1)]
+                error += float("nan") if math.isnan(errors[name]) else max(abs(each - value) for each in moved)
+        return value, error
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Expression) and other.text == self.text
+
+    def __hash__(self) -> int:
+        return hash(self.text)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return Expression, (self.text,)
+
+
+def _name(node: ast.AST) -> str | None:
+    """A name with dots, or None."""
+    if isinstance(node, ast.Name):
+        return node.id
+    if isinstance(node, ast.Attribute):
+        before = _name(node.value)
+        return None if before is None else f"{before}.{node.attr}"
+    return None
+
+
+def _check(node: ast.AST, names: dict[str, None]) -> None:
+    """Refuses all but arithmetic, and collects the names."""
+    name = _name(node)
+    if name is not None:
+        if name not in _CONSTANTS:
+            names[name] = None
+    elif isinstance(node, ast.Constant) and isinstance(node.value, (int, float)) and not isinstance(node.value, bool):
+        if not math.isfinite(node.value):
+            raise ValueError("a number that is not finite")
+    elif isinstance(node, ast.BinOp) and type(node.op) in _BINARY:
+        _check(node.left, names)
+        _check(node.right, names)
+    elif isinstance(node, ast.UnaryOp) and type(node.op) in _UNARY:
+        _check(node.operand, names)
+    elif isinstance(node, ast.Call) and not node.keywords:
+        if _name(node.func) not in _FUNCTIONS:
+            raise ValueError(f"unknown function {ast.unparse(node.func)!r}; known: {', '.join(_FUNCTIONS)}")
+        for argument in node.args:
+            _check(argument, names)
+    else:
+        raise ValueError(f"{ast.unparse(node)!r} is no arithmetic")
+
+
+def _value(node: ast.AST, values: Mapping[str, Any]) -> Any:
+    name = _name(node)
+    if name is not None:
+        return _CONSTANTS[name] if name in _CONSTANTS else values[name]
+    if isinstance(node, ast.Constant):
+        return node.value
+    if isinstance(node, ast.BinOp):
+        return _BINARY[type(node.op)](_value(node.left, values), _value(node.right, values))
+    if isinstance(node, ast.UnaryOp):
+        return _UNARY[type(node.op)](_value(node.operand, values))
+    assert isinstance(node, ast.Call)
+    try:
+        return _FUNCTIONS[str(_name(node.func))](*(_value(each, values) for each in node.args))
+    except TypeError as error:
+        raise ValueError(str(error)) from None

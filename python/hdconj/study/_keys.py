@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What varies: ranges, lists, distributions and classes of tolerance, each a function of a number from 0 to 1."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from typing import Any, Union
+
+import numpy as np
+
+Value = Union[bool, int, float, str]
+LAWS = ("from", "list", "normal", "uniform", "nominal")
+_ALLOWED = {
+    "from": {"from", "to", "count", "step"},
+    "list": {"list"},
+    "normal": {"normal", "limits"},
+    "uniform": {"uniform"},
+    "nominal": {"nominal", "tolerance"},
+}
+# Standard tolerances of ISO 286-1 in um: for sizes up to that in mm, grades IT5 to IT11.
+_SIZES = (3, 6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400, 500)
+_GRADES = {
+    5: (4, 5, 6, 8, 9, 11, 13, 15, 18, 20, 23, 25, 27),
+    6: (6, 8, 9, 11, 13, 16, 19, 22, 25, 29, 32, 36, 40),
+    7: (10, 12, 15, 18, 21, 25, 30, 35, 40, 46, 52, 57, 63),
+    8: (14, 18, 22, 27, 33, 39, 46, 54, 63, 72, 81, 89, 97),
+    9: (25, 30, 36, 43, 52, 62, 74, 87, 100, 115, 130, 140, 155),
+    10: (40, 48, 58, 70, 84, 100, 120, 140, 160, 185, 210, 230, 250),
+    11: (60, 75, 90, 110, 130, 160, 190, 220, 250, 290, 320, 360, 400),
+}
+_TINY = 2.0**-53  # a number from 0 to 1 keeps this far from both
+
+
+def is_number(value: object) -> bool:
+    """Whether a value of TOML is a finite number."""
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and bool(np.isfinite(value))
+
+
+@dataclass(frozen=True)
+class Key:
+    """A key of the scene, or a name of the study, and how it varies.
+
+    ``law`` is one of :data:`LAWS`; ``numbers`` holds the ends of the range, or mean and deviation and limits;
+    ``values`` the values of a list, or the points of a grid.
+    """
+
+    path: str
+    law: str
+    numbers: tuple[float, ...] = ()
+    values: tuple[Value, ...] = ()
+
+    @property
+    def is_random(self) -> bool:
+        """Whether it is a distribution."""
+        return self.law in ("normal", "uniform", "nominal")
+
+    def value(self, unit: float) -> Value:
+        """The value that belongs to a number from 0 to 1; it does not fall where that rises."""
+        if self.law == "list" or (self.law == "from" and self.numbers[2:]):
+            return self.values[min(int(unit * len(self.values)), len(self.values) - 1)]
+        unit = min(max(float(unit), _TINY), 1 - _TINY)
+        if self.law in ("from", "uniform"):
+            return self.numbers[0] + unit * (self.numbers[1] - self.numbers[0])
+        from scipy.stats import norm, truncnorm
+
+        mean, deviation, *limits = self.numbers
+        if not limits:
+            return float(norm.ppf(unit, mean, deviation))
+        low, high = ((limit - mean) / deviation for limit in limits)
+        return float(truncnorm.ppf(unit, low, high, mean, deviation))
+
+    @property
+    def middle(self) -> Value:
+        """The value of the first drive: the middle, the mean, or the first of a list."""
+        return self.values[0] if self.law == "list" else self.value(0.5)
+
+    @property
+    def probes(self) -> tuple[Value, ...]:
+        """Values that the scene's schema must take."""
+        if self.law == "list":
+            return self.values
+        return (self.middle, self.value(0.0), self.value(1.0)) if self.law != "normal" else (self.middle,)
+
+
+def _pair(spec: Mapping[str, Any], name: str, told: Callable[[str, str], None]) -> tuple[float, float] | None:
+    pair = spec[name]
+    if not isinstance(pair, list) or len(pair) != 2 or not all(map(is_number, pair)):
+        told(f"{name} = {pair!r} is not two numbers", f"write {name} = [A, B]")
+        return None
+    return float(pair[0]), float(pair[1])
+
+
+def _range(path: str, spec: Mapping[str, Any], told: Callable[[str, str], None]) -> Key | None:
+    low, high = spec.get("from"), spec.get("to")
+    if not (is_number(low) and is_number(high)):
+        told("from and to are not two numbers", "write { from = A, to = B }")
+        return None
+    assert isinstance(low, (int, float)) and isinstance(high, (int, float))
+    if low >= high:
+        told(f"from = {low} is not below to = {high}", "exchange them, or write one value under [set]")
+        return None
+    step, count = spec.get("step"), spec.get("count")
+    if step is not None:
+        if not is_number(step) or step <= 0 or (high - low) / step > 1e6:
+            told(f"step = {step!r} divides no range", "write a number above 0")
+            return None
+        if count is not None:
+            told("both step and count", "remove one of them")
+        points = tuple(low + i * step for i in range(int((high - low) / step * (1 + 1e-12)) + 1))
+        return Key(path, "from", (float(low), float(high), float(step)), points)
+    if count is None:
+        return Key(path, "from", (float(low), float(high)))
+    if not isinstance(count, int) or isinstance(count, bool) or count < 2:
+        told(f"count = {count!r} makes no grid", "write a whole number from 2")
+        return None
+    return Key(path, "from", (float(low), float(high)), tuple(map(float, np.linspace(low, high, count))))
+
+
+def _tolerance(path: str, spec: Mapping[str, Any], told: Callable[[str, str], None]) -> Key | None:
+    nominal, written = spec["nominal"], spec.get("tolerance")
+    if not is_number(nominal) or not 0 < nominal <= _SIZES[-1]:
+        told(f"nominal = {nominal!r} is no size", f"write a length in mm above 0 and at most {_SIZES[-1]}")
+        return None
+    match = re.fullmatch(r"(h|H|js|JS)(\d+)", written) if isinstance(written, str) else None
+    if match is None or int(match[2]) not in _GRADES:
+        told(
+            f"tolerance = {written!r} is no class that is known here",
+            f"write h, H or js and a grade from {min(_GRADES)} to {max(_GRADES)}, such as js7",
+        )
+        return None
+    width = _GRADES[int(match[2])][next(i for i, size in enumerate(_SIZES) if nominal <= size)] / 1000
+    low = (
+        float(nominal)
+        + {"h": -width, "H": 0.0, "js": -width / 2}[match[1].lower() if "s" in match[1].lower() else match[1]]
+    )
+    return Key(path, "nominal", (low + width / 2, width / 6, low, low + width))
+
+
+def read_key(path: str, spec: Mapping[str, Any], told: Callable[[str, str], None]) -> Key | None:
+    """The key that a table of ``[vary]`` describes; faults go to ``told(reason, remedy)``, and then None comes back."""
+    laws = [law for law in LAWS if law in spec]
+    if len(laws) != 1:
+        told("several laws at once" if laws else "no law", "write one of from and to, list, normal, uniform, nominal")
+        return None
+    law = laws[0]
+    for name in sorted(set(spec) - _ALLOWED[law]):
+        told(f"unknown word {name}", f"with {law} go: {', '.join(sorted(_ALLOWED[law] - {law})) or 'none'}")
+    if law == "from":
+        return _range(path, spec, told)
+    if law == "nominal":
+        return _tolerance(path, spec, told)
+    if law == "list":
+        values = spec["list"]
+        if (
+            not isinstance(values, list)
+            or not values
+            or not all(isinstance(v, (bool, int, float, str)) for v in values)
+        ):
+            told("no list of values", "write list = [A, B, C] of numbers or words")
+            return None
+        return Key(path, "list", (), tuple(values))
+    pair = _pair(spec, law, told)
+    if pair is None:
+        return None
+    if law == "uniform":
+        if pair[0] >= pair[1]:
+            told(f"the interval {list(pair)} is empty", "write the smaller end first")
+            return None
+        return Key(path, "uniform", pair)
+    if pair[1] <= 0:
+        told(f"the standard deviation {pair[1]} is not above 0", "write normal = [MEAN, DEVIATION]")
+        return None
+    limits = _pair(spec, "limits", told) if "limits" in spec else ()
+    if limits is None:
+        return None
+    if limits and not limits[0] < limits[1]:
+        told(f"the limits {list(limits)} are empty", "write the smaller limit first")
+        return None
+    return Key(path, "normal", (*pair, *limits))

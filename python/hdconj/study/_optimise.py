@@ -1,0 +1,188 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Search for the best drives by pymoo; every generation is computed as the samples of a study are."""
+
+from __future__ import annotations
+
+import io
+import os
+from importlib import import_module
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from .._errors import Fault
+from ._drive import Sample
+from ._engine import SHARD_SECONDS, Told, compute_rows, engine
+from ._read import load_recipe, refuse
+from ._recipe import Recipe
+from ._run import compute_survivors, prepare
+from ._store import Folder, write_whole
+from ._study import Study
+
+WORST = 1e30  # objective and violation of a drive that cannot be made
+
+
+def _module(name: str) -> Any:
+    """A module of pymoo, whose functions have no types."""
+    return import_module(f"pymoo.{name}")
+
+
+class Search:
+    """An algorithm of pymoo over numbers from 0 to 1: asked for a generation, told what it is worth.
+
+    What it asks depends on the seed and on what it was told, so that it goes on where it was when it is told all of
+    that again.
+    """
+
+    def __init__(self, recipe: Recipe) -> None:
+        options = recipe.optimise
+        population = int(options["population"])
+        self.problem = _module("core.problem").Problem(
+            n_var=len(recipe.keys), n_obj=len(recipe.objectives), n_ieq_constr=1, xl=0.0, xu=1.0
+        )
+        if options["method"] == "nsga2":
+            self.algorithm = _module("algorithms.moo.nsga2").NSGA2(pop_size=population)
+        elif options["method"] == "cmaes":
+            kind = _module("algorithms.soo.nonconvex.cmaes").CMAES
+            self.algorithm = kind(pop_size=population, sigma=0.25, tolfun=0, tolx=0)
+        else:
+            self.algorithm = _module("algorithms.soo.nonconvex.random_search").RandomSearch(
+                n_points_per_iteration=population
+            )
+        never = _module("core.termination").NoTermination()
+        self.algorithm.setup(self.problem, termination=never, seed=int(options["seed"]), verbose=False)
+        self.asked: Any = None
+
+    def ask(self) -> Any:
+        """Numbers from 0 to 1, one row for each drive of the next generation; None where the search has ended."""
+        self.asked = self.algorithm.ask() if self.algorithm.has_next() else None
+        return None if self.asked is None else np.clip(np.asarray(self.asked.get("X"), dtype=float), 0, 1)
+
+    def tell(self, values: Any, violation: Any) -> None:
+        """Takes objectives, all to be as small as possible, and by how much each drive breaks the constraints."""
+        worst = np.where(np.isfinite(values), values, WORST)
+        known = _module("problems.static").StaticProblem(self.problem, F=worst, G=violation[:, None])
+        _module("core.evaluator").Evaluator().eval(known, self.asked)
+        self.algorithm.tell(infills=self.asked)
+
+
+def violation(study: Study, rows: Any) -> Any:
+    """By how much rows break the constraints in all, as shares of the limits; 0 where they keep them."""
+    found = np.zeros(len(rows))
+    for name, (low, high) in study.recipe.constraints.items():
+        value = np.asarray(rows[name], dtype=float)
+        for limit, over in ((low, low - value), (high, value - high)):
+            if np.isfinite(limit):
+                found += np.maximum(over, 0) / (abs(limit) or 1.0)
+    return np.where(np.asarray(rows["code"] == "", dtype=bool) & np.isfinite(found), found, WORST)
+
+
+def optimise(
+    study: str | os.PathLike[str] | Recipe, folder: str | os.PathLike[str], *, jobs: int = 0,
+    scheduler: str | None = None, shard_seconds: float = SHARD_SECONDS, progress: bool = True,
+) -> Told:  # fmt: skip
+    """Search for the best drives of a study; where generations are there already, go on.
+
+    Parameters
+    ----------
+    study : path
+        STUDY.toml with [objectives] and perhaps [optimise].
+    folder, jobs, scheduler, shard_seconds, progress
+        As for :func:`hdconj.study.run`.
+
+    Returns
+    -------
+    Told
+        Counts of the drives that were computed now. The folder holds ``best.toml`` and the scenes of the best
+        drives in ``pareto``.
+    """
+    recipe = study if isinstance(study, Recipe) else load_recipe(study)
+    _refuse_unfit(recipe)
+    place, told = Folder(folder), Told()
+    with place.locked():
+        about = prepare(place, recipe, "optimise")
+        (place.place / "asked").mkdir(exist_ok=True)
+        with engine(jobs, scheduler) as client:
+            search, first = Search(recipe), 0
+            for generation in range(int(recipe.optimise["generations"])):
+                units = _asked(place, generation, search.ask())
+                if units is None:
+                    break
+                numbers = range(first, first + len(units))
+                first += len(units)
+                samples: list[Sample] = [
+                    (number, recipe.values_at(units[number - numbers[0]])) for number in place.missing(numbers)
+                ]
+                if samples:
+                    now = compute_rows(
+                        client, recipe, samples, place.rows, errors=recipe.errors, seconds=about["seconds_of_first"],
+                        shard_seconds=shard_seconds, what=f"generation {generation + 1}", shown=progress,
+                    )  # fmt: skip
+                    told.done += now.done
+                    told.failed += now.failed
+                _tell(search, place, numbers)
+            if recipe.survivors and not recipe.errors:
+                compute_survivors(client, place, recipe, shard_seconds, progress)
+        write_best(Study(place.place))
+    return told
+
+
+def _refuse_unfit(recipe: Recipe) -> None:
+    faults = []
+    if not recipe.objectives:
+        faults.append(
+            Fault("objectives", 0, "", "nothing says what is better", 'write [objectives], NAME = "min" or "max"')
+        )
+    if recipe.optimise["method"] == "cmaes" and len(recipe.objectives) > 1:
+        faults.append(
+            Fault("optimise.method", 0, "cmaes", "takes one objective", "write nsga2, or one figure for both")
+        )
+    refuse(faults)
+
+
+def _asked(place: Folder, generation: int, units: Any) -> Any:
+    """What the search asks, stored; where it was stored before, it must be the same."""
+    file = place.place / "asked" / f"{generation:06d}.npy"
+    if units is None:
+        return None
+    if file.exists():
+        if not np.array_equal(np.load(file), units):
+            faults = [
+                Fault(str(place.place), 0, "", "the search asks for other drives than before", "name another folder")
+            ]
+            refuse(faults)
+        return units
+    made = io.BytesIO()
+    np.save(made, units)
+    write_whole(file, made.getvalue())
+    return units
+
+
+def _tell(search: Search, place: Folder, numbers: range) -> None:
+    study = Study(place.place)
+    rows = study.frame[study.frame["sample"].isin(numbers)]
+    search.tell(study.objectives(rows)[0], violation(study, rows))
+
+
+def write_best(study: Study) -> list[Path]:
+    """Writes the scenes of the best drives: best.toml, and of several objectives all that no other one beats."""
+    best = study.best(200)
+    if best.empty:
+        return []
+    folder = study.folder.place
+    files = [folder / "best.toml"]
+    values = study.objectives(best)[0]
+    spread = np.ptp(values, axis=0)
+    distance = ((values - values.min(axis=0)) / np.where(spread > 0, spread, 1)) ** 2
+    scenes = [study.recipe.scene_of(study.values(row)) for row in best.to_dict("records")]
+    nearest = int(distance.sum(axis=1).argmin())
+    write_whole(files[0], scenes[nearest].to_toml().encode("utf-8", "surrogateescape"))
+    if len(study.recipe.objectives) > 1:
+        (folder / "pareto").mkdir(exist_ok=True)
+        for old in (folder / "pareto").glob("*.toml"):
+            old.unlink()
+        for number, scene in zip(best["sample"], scenes):
+            files.append(folder / "pareto" / f"sample-{int(number):06d}.toml")
+            write_whole(files[-1], scene.to_toml().encode("utf-8", "surrogateescape"))
+    return files

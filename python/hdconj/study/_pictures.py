@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pictures of a study, by matplotlib."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import hdconj
+
+from ._study import Study, dominated
+
+GOOD, POOR, BEST = "#1f5fa8", "#b9c4d0", "#d0471f"
+_DPI = 140
+
+
+def _label(study: Study, name: str) -> str:
+    unit = study.about.get("units", {}).get(name, "")
+    return f"{name} [{unit}]" if unit not in ("", "1") else name
+
+
+def _figure(columns: int, rows: int) -> tuple[Any, Any]:
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(3.4 * columns + 0.6, 2.9 * rows + 0.3), layout="constrained")
+    panes = figure.subplots(rows, columns, squeeze=False)
+    for pane in panes.flat:
+        pane.locator_params(axis="x", nbins=4)
+    return figure, panes
+
+
+def _numeric(study: Study) -> list[str]:
+    """Keys whose values are numbers."""
+    paths = [key.path for key in study.recipe.keys]
+    return [path for path in paths if np.issubdtype(study.frame[path].dtype, np.number)]
+
+
+def keys_picture(study: Study) -> Any:
+    """Every figure against every key that varies; drives that break a constraint are pale."""
+    keys, names = _numeric(study), [name for name, _ in study.recipe.figures]
+    if not keys:
+        return None
+    figure, panes = _figure(len(keys), len(names))
+    good = study.feasible()
+    for row, name in enumerate(names):
+        for column, key in enumerate(keys):
+            pane = panes[row, column]
+            for mask, colour in ((~good, POOR), (good, GOOD)):
+                pane.plot(study.frame[key][mask], study.frame[name][mask], ".", ms=3, color=colour)
+            if column == 0:
+                pane.set_ylabel(_label(study, name))
+            if row == len(names) - 1:
+                pane.set_xlabel(key)
+    return figure
+
+
+def histogram_picture(study: Study) -> Any:
+    """How often a figure has a value, with its limits and the share that keeps them."""
+    if not any(key.is_random for key in study.recipe.keys):
+        return None
+    names = [name for name, _ in study.recipe.figures]
+    figure, panes = _figure(min(len(names), 3), -(-len(names) // 3))
+    for pane in panes.flat[len(names) :]:
+        pane.set_axis_off()
+    for name, pane in zip(names, panes.flat):
+        values = study.frame[name][study.independent()]  # a drive that cannot be made keeps no limits
+        pane.hist(values.dropna(), bins="sturges", color=GOOD, edgecolor="white", linewidth=0.5)
+        pane.set_xlabel(_label(study, name))
+        pane.set_ylabel("drives")
+        low, high = study.recipe.constraints.get(name, (-np.inf, np.inf))
+        for limit in (low, high):
+            if np.isfinite(limit):
+                pane.axvline(limit, color=BEST, lw=1.2)
+        if np.isfinite(low) or np.isfinite(high):
+            pane.set_title(f"{100 * ((values >= low) & (values <= high)).mean():.1f} % within the limits", fontsize=9)
+    return figure
+
+
+def front_picture(study: Study) -> Any:
+    """Pairs of objectives; drives that no other one beats are marked."""
+    names = list(study.recipe.objectives)
+    if len(names) < 2:
+        return None
+    pairs = [(a, b) for i, a in enumerate(names) for b in names[i + 1 :]]
+    figure, panes = _figure(min(len(pairs), 3), -(-len(pairs) // 3))
+    for pane in panes.flat[len(pairs) :]:
+        pane.set_axis_off()
+    good = study.frame[study.feasible()]
+    poor = study.frame[~study.feasible()]
+    values, errors = study.objectives(good)
+    front = good[~dominated(values, errors)]
+    for (a, b), pane in zip(pairs, panes.flat):
+        pane.plot(poor[a], poor[b], ".", ms=3, color=POOR, label="breaks a constraint" if len(poor) else None)
+        pane.plot(good[a], good[b], ".", ms=3, color=GOOD, label="keeps all constraints")
+        ordered = front.sort_values(a)
+        pane.plot(ordered[a], ordered[b], "o-", ms=4, lw=0.8, color=BEST, label="beaten by none")
+        for name, axis in ((a, "x"), (b, "y")):
+            span = good[name]
+            if len(span) and np.ptp(span) > 0:
+                margin = 0.08 * np.ptp(span)
+                getattr(pane, f"set_{axis}lim")(span.min() - margin, span.max() + margin)
+            aim = "small" if study.recipe.objectives[name] > 0 else "large"
+            getattr(pane, f"set_{axis}label")(f"{_label(study, name)}, to be {aim}")
+    panes.flat[0].legend(fontsize=7)
+    return figure
+
+
+def parallel_picture(study: Study) -> Any:
+    """Keys and objectives of the best drives as parallel coordinates, each from its least to its largest value."""
+    if not study.recipe.objectives:
+        return None
+    columns = [*_numeric(study), *study.recipe.objectives]
+    best = study.best(50)
+    if best.empty or len(columns) < 2:
+        return None
+    figure, panes = _figure(1, 1)
+    figure.set_size_inches(1.5 * len(columns) + 2, 4.2)
+    pane = panes[0, 0]
+    low, span = study.frame[columns].min(), np.ptp(study.frame[columns].dropna(), axis=0)
+    scaled = (np.asarray(best[columns]) - np.asarray(low)) / np.where(span > 0, span, 1)
+    for i in range(len(scaled) - 1, -1, -1):
+        pane.plot(range(len(columns)), scaled[i], color=BEST if i == 0 else GOOD, lw=1.6 if i == 0 else 0.6)
+    pane.set_xticks(range(len(columns)), [column.replace(".", ".\n") for column in columns], fontsize=7)
+    pane.set_yticks([0, 1], ["least", "largest"])
+    pane.set_ylabel("of all drives")
+    pane.set_title(f"the best {len(best)} drives; thick: the first of the list", fontsize=9)
+    for i in range(len(columns)):
+        pane.axvline(i, color="0.8", lw=0.6, zorder=0)
+    return figure
+
+
+def indices_picture(study: Study) -> Any:
+    """Indices of Sobol as bars."""
+    state = study.status()
+    if study.recipe.method != "saltelli" or state["done"] != state["total"]:
+        return None
+    table = study.indices()
+    names = list(table["figure"].unique())
+    if not names:
+        return None
+    figure, panes = _figure(1, len(names))
+    figure.set_figwidth(7)
+    for name, pane in zip(names, panes.flat):
+        part = table[table["figure"] == name]
+        at = np.arange(len(part))
+        for shift, word, colour in ((0.2, "first", POOR), (-0.2, "total", GOOD)):
+            pane.barh(at + shift, part[word], 0.38, xerr=part[f"{word}_error"], color=colour, label=f"{word} index")
+        pane.set_yticks(at, part["key"], fontsize=8)
+        pane.set_title(f"share of the variance of {name}", fontsize=9)
+    panes.flat[0].legend(fontsize=7)
+    return figure
+
+
+def tooth_picture(study: Study) -> Any:
+    """The teeth of the best drive beside those of the first one, as they stand at the major axis."""
+    if not study.recipe.objectives or not len(best := study.best(1)):
+        return None
+    recipe = study.recipe
+    figure, panes = _figure(1, 1)
+    figure.set_size_inches(7, 3.6)
+    pane = panes[0, 0]
+    drives = {"first": recipe.linked(recipe.first), "best": study.values(best.iloc[0])}
+    for (word, values), colour in zip(drives.items(), ("0.55", BEST)):
+        try:
+            solution = hdconj.solve(recipe.scene_of(values))
+        except (hdconj.InputError, hdconj.NumericalError):
+            continue
+        tooth, space = solution.flexspline.outline, solution.circular_spline.outline
+        outline = space[len(space) // 2]
+        height = solution.figures["pitch_line"].value + solution.figures["r_m"].value + solution.figures["w0"].value
+        pane.plot(tooth[:, 0], tooth[:, 1] + height, "--", color=colour, lw=1.2, label=f"{word}: flexspline")
+        pane.plot(outline[:, 0], outline[:, 1], "-", color=colour, lw=1.2, label=f"{word}: circular spline")
+    pane.set_aspect("equal")
+    pane.set_xlabel("x [mm]")
+    pane.set_ylabel("distance from the axis [mm]")
+    pane.legend(fontsize=7, loc="upper left", bbox_to_anchor=(1, 1))
+    return figure
+
+
+PICTURES: dict[str, Callable[[Study], Any]] = {
+    "keys": keys_picture,
+    "histograms": histogram_picture,
+    "front": front_picture,
+    "parallel": parallel_picture,
+    "indices": indices_picture,
+    "tooth": tooth_picture,
+}
+
+
+def draw_all(study: Study, folder: str | os.PathLike[str] | None = None) -> list[Path]:
+    """Writes every picture that the study has something for; default into its folder ``pictures``."""
+    place = Path(folder) if folder is not None else study.folder.place / "pictures"
+    place.mkdir(parents=True, exist_ok=True)
+    written = []
+    for name, draw in PICTURES.items():
+        figure = draw(study) if len(study.frame) else None
+        if figure is not None:
+            written.append(place / f"{name}.png")
+            figure.savefig(written[-1], dpi=_DPI)
+    return written

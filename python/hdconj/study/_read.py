@@ -1,0 +1,370 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Reads STUDY.toml, and names every fault at once (docs/reference/study.md)."""
+
+from __future__ import annotations
+
+import difflib
+import inspect
+import os
+import re
+import tomllib
+from collections.abc import Iterator, Mapping
+from graphlib import CycleError, TopologicalSorter
+from pathlib import Path
+from typing import Any
+
+import hdconj
+
+from .._errors import Fault, InputError
+from .._scene import Scene
+from ._expression import Expression
+from ._keys import LAWS, Key, Value, is_number, read_key
+from ._recipe import Recipe, flat
+from ._sample import METHODS
+
+VERBS = ("solve", "contact", "load")
+TABLES = ("scene", "set", "vary", "sample", "compute", "figures", "constraints", "objectives", "optimise")
+OPTIMISERS = ("nsga2", "cmaes", "random")
+# What the scene's schema says of a value, whatever the other keys are.
+_SCHEMA = re.compile(r"write (an? (length|angle|number|whole number|file|text|list)|text|true|one of)\b")
+_TAKEN = ("sample", "code", "stage", "place", "cause")
+
+
+def _specs(tables: Mapping[str, Any], before: str = "") -> Iterator[tuple[str, Any]]:
+    """Path and law of each key of [vary], whose paths may be quoted or nested."""
+    for name, item in tables.items():
+        if (
+            isinstance(item, Mapping)
+            and not set(item) & set(LAWS)
+            and any(isinstance(inner, Mapping) for inner in item.values())
+        ):
+            yield from _specs(item, f"{before}{name}.")
+        else:
+            yield f"{before}{name}", item
+
+
+def near(word: str, known: Any) -> str:
+    close = difflib.get_close_matches(word, list(known), 1, 0.5)
+    return f"write {close[0]}" if close else f"known: {', '.join(map(str, known))}"
+
+
+class _Reader:
+    """Reads the tables of a study one after the other, and collects faults."""
+
+    def __init__(self, text: str, name: str, folder: Path) -> None:
+        self.text, self.name, self.folder = text, name, folder
+        self.faults: list[Fault] = []
+        self.tables: dict[str, Any] = {}
+
+    def told(self, path: str, reason: str, remedy: str, value: object = "") -> None:
+        """Notes a fault; its line is the first that writes the key."""
+        last = re.escape(path.split(".", 1)[-1]) if "." in path else re.escape(path)
+        found = re.search(rf'^[ \t]*\[?"?(?:{re.escape(path)}|{last})"?[ \t]*(?:=|\])', self.text, re.M)
+        line = self.text.count("\n", 0, found.start()) + 1 if found else 0
+        self.faults.append(Fault(path, line, "" if value == "" else str(value), reason, remedy))
+
+    def table(self, name: str, known: tuple[str, ...] | None = None) -> dict[str, Any]:
+        """A table of the file; unknown words in it are faults where `known` lists them."""
+        table = self.tables.get(name, {})
+        if not isinstance(table, dict):
+            self.told(name, "is no table", f"write [{name}] on a line of its own", table)
+            return {}
+        for word in table if known is not None else ():
+            if word not in known:  # type: ignore[operator]
+                self.told(f"{name}.{word}", "unknown key", near(word, known))
+        return table
+
+    def count(self, table: Mapping[str, Any], path: str, standard: int, least: int = 0) -> int:
+        """A whole number of a table."""
+        value = table.get(path.split(".")[-1], standard)
+        if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= 10**9:
+            self.told(path, "must be a whole number", f"write a whole number from {least} to 1000000000", value)
+            return max(standard, least)
+        return value
+
+    def word(self, table: Mapping[str, Any], path: str, standard: str, known: tuple[str, ...]) -> str:
+        """A word of a table."""
+        value = table.get(path.split(".")[-1], standard)
+        if value not in known:
+            self.told(path, "unknown word", f"write one of {', '.join(known)}", value)
+            return standard
+        return str(value)
+
+    def expression(self, path: str, text: object) -> Expression | None:
+        """An expression of the study."""
+        try:
+            if not isinstance(text, str):
+                raise ValueError("no expression in quotes")
+            return Expression(text)
+        except ValueError as error:
+            self.told(path, str(error), 'write arithmetic over names in quotes, such as "2 * flexspline.wall"', text)
+            return None
+
+    def base(self) -> Scene:
+        """The scene that all drives share."""
+        given = self.tables.get("scene")
+        if given is None:
+            scene = Scene()
+        elif isinstance(given, dict):
+            scene = Scene.from_dict(given, "[scene]")
+        elif isinstance(given, str):
+            scene = Scene.load(self.folder / given)
+        else:
+            self.told("scene", "is no file name", 'write scene = "FILE.toml" before the first table', given)
+            return Scene()
+        return scene.with_(flat(self.table("set"))) if self.table("set") else scene
+
+    def vary(self) -> tuple[list[Key], dict[str, Expression]]:
+        """Keys and links of [vary]."""
+        keys, links = [], {}
+        if not self.table("vary"):
+            self.told(
+                "vary", "nothing varies", 'write [vary] and a key, such as "tilt.angle_deg" = { from = 0, to = 1 }'
+            )
+        fixed = flat(self.table("set"))
+        for path, spec in _specs(self.table("vary")):
+            if path in fixed:
+                self.told(f"vary.{path}", "the key stands under [set] too", "remove one of them")
+            if isinstance(spec, str):
+                expression = self.expression(f"vary.{path}", spec)
+                if expression is not None:
+                    links[path] = expression
+            elif isinstance(spec, dict):
+                key = read_key(path, spec, lambda reason, remedy: self.told(f"vary.{path}", reason, remedy))
+                if key is not None:
+                    keys.append(key)
+            else:
+                self.told(f"vary.{path}", "a single value does not vary", "write it under [set]", spec)
+        return keys, links
+
+    def ordered(self, links: dict[str, Expression], known: Any) -> tuple[tuple[str, Expression], ...]:
+        """Links in an order in which each finds its names."""
+        for path, link in links.items():
+            for name in link.names:
+                if name not in known and name not in links:
+                    self.told(f"vary.{path}", f"unknown name {name}", near(name, [*known, *links]), link.text)
+        try:
+            order = list(TopologicalSorter({path: link.names for path, link in links.items()}).static_order())
+        except CycleError as error:
+            ring = " -> ".join(map(str, error.args[1]))
+            self.told(f"vary.{error.args[1][0]}", f"the links go in a circle: {ring}", "give one of them a law")
+            return ()
+        return tuple((path, links[path]) for path in order if path in links)
+
+    def compute(self) -> tuple[list[tuple[str, Mapping[str, Any]]], bool, int]:
+        """Verbs and their options."""
+        table = self.table("compute", ("verb", "errors", "survivors", *VERBS))
+        words = table.get("verb", "solve")
+        words = [words] if isinstance(words, str) else words
+        if not isinstance(words, list) or not words or any(word not in VERBS for word in words):
+            self.told("compute.verb", "unknown verb", f"write one of {', '.join(VERBS)}, or a list of them", words)
+            words = []
+        errors = table.get("errors", False)
+        if not isinstance(errors, bool):
+            self.told("compute.errors", "must be true or false", "write errors = true", errors)
+        verbs = []
+        for word in words:
+            options = table.get(word, {})
+            allowed = inspect.signature(getattr(hdconj, word)).parameters
+            known = [name for name in allowed if name not in ("scene", "progress", "errors")]
+            for option, value in options.items():
+                if option not in known:
+                    self.told(f"compute.{word}.{option}", "unknown option", near(option, known), value)
+                elif isinstance(value, list) and len(value) > 1 and option != "best_deg":
+                    self.told(
+                        f"compute.{word}.{option}", "a drive has one case", "write one value, vary the key", value
+                    )
+            verbs.append((word, options))
+        for word in VERBS:
+            if word in table and word not in words:
+                self.told(f"compute.{word}", "options of a verb that is not computed", f'write verb = ["{word}", ...]')
+        return verbs, bool(errors), self.count(table, "compute.survivors", 0)
+
+    def figures(self, verbs: list[str]) -> list[tuple[str, Expression]]:
+        """Names of the study for figures of the results."""
+        found = []
+        table = self.table("figures")
+        if not table:
+            self.told("figures", "no figure is wanted", 'write [figures] and a name, such as land = "solve.land_width"')
+        for name, text in table.items():
+            if isinstance(text, dict) and set(text) == {"value", "unit"} and isinstance(text["unit"], str):
+                text = text["value"]
+            expression = self.expression(f"figures.{name}", text)
+            if not re.fullmatch(r"[A-Za-z]\w*", name) or name.endswith("_error") or name in _TAKEN:
+                self.told(
+                    f"figures.{name}", "is no name of a figure", "write letters, digits and _; not _error at its end"
+                )
+            for used in expression.names if expression else ():
+                verb = used.split(".")[0]
+                if verb in VERBS and verb not in verbs:
+                    self.told(
+                        f"figures.{name}", f"{verb} is not computed", f'write verb = "{verb}" under [compute]', text
+                    )
+            if expression:
+                found.append((name, expression))
+        return found
+
+    def constraints(self, figures: Any) -> dict[str, tuple[float, float]]:
+        """Limits of figures."""
+        found = {}
+        for name, limits in self.table("constraints").items():
+            place = f"constraints.{name}"
+            if name not in figures:
+                self.told(place, "no figure of the study", near(name, figures))
+            if not isinstance(limits, dict) or not limits or set(limits) - {"min", "max"}:
+                self.told(place, "no limits", "write { min = A }, { max = B } or both", limits)
+            elif not all(map(is_number, limits.values())):
+                self.told(place, "a limit is no number", "write { min = A, max = B }", limits)
+            elif limits.get("min", -float("inf")) >= limits.get("max", float("inf")):
+                self.told(place, "min is not below max", "exchange them", limits)
+            else:
+                found[name] = float(limits.get("min", "-inf")), float(limits.get("max", "inf"))
+        return found
+
+    def objectives(self, figures: Any) -> dict[str, int]:
+        """What is better: 1 for the smaller figure, -1 for the larger one."""
+        found = {}
+        for name, aim in self.table("objectives").items():
+            if name not in figures:
+                self.told(f"objectives.{name}", "no figure of the study", near(name, figures))
+            if aim not in ("min", "max"):
+                self.told(f"objectives.{name}", "no aim", 'write "min" or "max"', aim)
+            else:
+                found[name] = 1 if aim == "min" else -1
+        return found
+
+    def probe(self, scene: Scene, recipe: Recipe) -> None:
+        """What the scene's schema says of the base scene and of the ends of all that varies."""
+        own = set(scene.check())
+        for fault in own:
+            self.faults.append(fault._replace(path=f"scene {fault.path}"))
+        if own:
+            return
+        for key in recipe.keys:
+            for value in key.probes:
+                try:
+                    changed = recipe.scene_of(recipe.linked({**recipe.first, key.path: value}))
+                except (ArithmeticError, ValueError, KeyError, TypeError):
+                    continue  # a row of its own
+                for fault in changed.check():
+                    self._schema_fault(fault, key, value, recipe)
+
+    def _schema_fault(self, fault: Fault, key: Key, value: Value, recipe: Recipe) -> None:
+        """Takes over a fault that holds whatever the other keys are; others are drives that cannot be made."""
+        varied = {key.path for key in recipe.keys} | {path for path, _ in recipe.links}
+        of_key = fault.path == key.path or key.path.startswith(f"{fault.path}.")
+        linked = fault.path != key.path and fault.path in varied
+        if fault.reason.startswith("a count is written") and fault.path == key.path:
+            fault = fault._replace(reason="takes whole numbers only", remedy="write a whole number: add step = 1")
+        unknown = fault.reason.startswith("unknown") and (of_key or linked)
+        if not unknown and not ((fault.path == key.path or linked) and _SCHEMA.match(fault.remedy)):
+            return
+        place = f"vary.{key.path if of_key else fault.path}"
+        if not any(known.path == place and known.reason == fault.reason for known in self.faults):
+            self.told(place, fault.reason, fault.remedy, value if of_key else fault.value)
+
+
+def _optimise(reader: _Reader) -> dict[str, Any]:
+    table = reader.table("optimise", ("method", "population", "generations", "seed"))
+    return {
+        "method": reader.word(table, "optimise.method", "nsga2", OPTIMISERS),
+        "population": reader.count(table, "optimise.population", 40, 2),
+        "generations": reader.count(table, "optimise.generations", 25, 1),
+        "seed": reader.count(table, "optimise.seed", 1),
+    }
+
+
+def _read_tables(reader: _Reader) -> Recipe | None:
+    """The recipe, sound as long as the reader has no fault; None where that cannot even be written down."""
+    for name in reader.tables:
+        if name not in TABLES:
+            reader.told(name, "unknown table", near(name, TABLES))
+    scene = reader.base()
+    keys, links = reader.vary()
+    if not keys and links:
+        reader.told("vary", "links alone do not vary", "give one key a law")
+    known = {**flat(scene.to_dict() if not scene.check() else {}), **{key.path: 0 for key in keys}}
+    sample = reader.table("sample", ("method", "count", "seed"))
+    method = reader.word(sample, "sample.method", "sobol", METHODS)
+    count = reader.count(sample, "sample.count", 64, 1)
+    if method == "grid" and "count" in sample:
+        reader.told("sample.count", "a grid counts itself", "remove it, or write count in the keys of [vary]")
+    for key in keys if method == "grid" else ():
+        if not key.values:
+            reader.told(f"vary.{key.path}", "has no points of a grid", "add count = N, or write a list")
+    if method == "saltelli" and count & (count - 1):
+        reader.told("sample.count", "must be a power of 2 for the indices of Sobol", "write 64, 128, 256 ...", count)
+    verbs, errors, survivors = reader.compute()
+    figures = reader.figures([verb for verb, _ in verbs])
+    names = [name for name, _ in figures]
+    seed = reader.count(sample, "sample.seed", 1)
+    recipe = Recipe(
+        reader.text, reader.tables, scene, tuple(keys), reader.ordered(links, known), method, count, seed,
+        tuple(verbs), errors, survivors, tuple(figures), reader.constraints(names), reader.objectives(names),
+        _optimise(reader),
+    )  # fmt: skip
+    if survivors and not recipe.objectives:
+        reader.told("compute.survivors", "nothing says which drives survive", "write [objectives]", survivors)
+    reader.probe(scene, recipe)
+    return recipe
+
+
+def fault_text(faults: tuple[Fault, ...]) -> str:
+    """All faults in words, one a line."""
+    lines = []
+    for fault in faults:
+        value = f" = {fault.value}" if fault.value else ""
+        line = f"line {fault.line}: " if fault.line else ""
+        remedy = f" ({fault.remedy})" if fault.remedy else ""
+        lines.append(f"{line}{fault.path}{value}: {fault.reason}{remedy}")
+    return "\n".join(lines)
+
+
+def refuse(faults: list[Fault]) -> None:
+    """Raises InputError with all faults, in order of place."""
+    if faults:
+        ordered = tuple(sorted(dict.fromkeys(faults), key=lambda fault: (fault.line or 10**9, fault.path)))
+        raise InputError(ordered, fault_text(ordered))
+
+
+def read_recipe(text: str, name: str = "text", folder: str | os.PathLike[str] = "") -> Recipe:
+    """Read a study.
+
+    Parameters
+    ----------
+    text : str
+        TOML (docs/reference/study.md).
+    name : str
+        How messages call it.
+    folder : path
+        Where the name of the scene's file starts.
+
+    Raises
+    ------
+    InputError
+        With every fault; nothing has been computed.
+    """
+    reader = _Reader(text, name, Path(folder))
+    try:
+        reader.tables = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        refuse([Fault(name, 0, "", f"no TOML: {error}", "mend the line")])
+    recipe = _read_tables(reader)
+    refuse(reader.faults)
+    assert recipe is not None
+    return recipe
+
+
+def load_recipe(file: str | os.PathLike[str]) -> Recipe:
+    """Read a study from a file; see :func:`read_recipe`."""
+    try:
+        text = Path(file).read_text(encoding="utf-8")
+    except (OSError, UnicodeDecodeError) as error:
+        reason = error.strerror if isinstance(error, OSError) else "not UTF-8"
+        raise InputError(*_single(os.fspath(file), f"cannot be read: {reason}", "name a file of TOML")) from None
+    return read_recipe(text, os.fspath(file), Path(file).parent)
+
+
+def _single(path: str, reason: str, remedy: str) -> tuple[tuple[Fault, ...], str]:
+    faults = (Fault(path, 0, "", reason, remedy),)
+    return faults, fault_text(faults)

@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A study as it was read: what varies, what is computed, what is wanted."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+from .._scene import Scene
+from ._expression import Expression
+from ._keys import Key, Value
+from ._sample import sample_count, values_of
+
+_LATER = ("constraints", "objectives")  # may change between two runs into one folder
+
+
+@dataclass(frozen=True)
+class Recipe:
+    """A study that has no fault."""
+
+    text: str
+    tables: Mapping[str, Any]
+    scene: Scene
+    keys: tuple[Key, ...]
+    links: tuple[tuple[str, Expression], ...]
+    method: str
+    count: int
+    seed: int
+    verbs: tuple[tuple[str, Mapping[str, Any]], ...]
+    errors: bool
+    survivors: int
+    figures: tuple[tuple[str, Expression], ...]
+    constraints: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    objectives: Mapping[str, int] = field(default_factory=dict)
+    """1: as small as possible, -1: as large as possible."""
+    optimise: Mapping[str, Any] = field(default_factory=dict)
+
+    @property
+    def drives(self) -> int:
+        """How many drives the sample has."""
+        return sample_count(self.method, self.count, self.keys)
+
+    def values(self, index: int) -> dict[str, Value]:
+        """Values of the keys of drive ``index``, without links."""
+        chosen = values_of(index, self.method, self.count, self.seed, self.keys)
+        return {key.path: value for key, value in zip(self.keys, chosen)}
+
+    def values_at(self, units: Any) -> dict[str, Value]:
+        """Values of the keys at numbers from 0 to 1."""
+        return {key.path: key.value(float(unit)) for key, unit in zip(self.keys, units)}
+
+    @property
+    def first(self) -> dict[str, Value]:
+        """The drive in the middle of everything that varies."""
+        return {key.path: key.middle for key in self.keys}
+
+    @cached_property
+    def base(self) -> dict[str, Any]:
+        """Keys of the scene that all drives share."""
+        return flat(self.scene.to_dict())
+
+    def linked(self, values: Mapping[str, Value]) -> dict[str, Value]:
+        """All values, links included; raises ArithmeticError or ValueError where a link has none."""
+        if not self.links:
+            return dict(values)
+        known = {**self.base, **values}
+        for path, expression in self.links:
+            known[path] = expression(known)
+        return {**values, **{path: known[path] for path, _ in self.links}}
+
+    def scene_of(self, linked: Mapping[str, Value]) -> Scene:
+        """The scene of a drive; names without a dot are the study's own."""
+        return self.scene.with_({path: value for path, value in linked.items() if "." in path})
+
+    @property
+    def units(self) -> dict[str, str]:
+        """Units that the study gives to its figures."""
+        return {name: item["unit"] for name, item in self.tables["figures"].items() if isinstance(item, dict)}
+
+    def identity(self) -> str:
+        """A hash of what decides the rows."""
+        kept = {name: table for name, table in self.tables.items() if name not in (*_LATER, "scene")}
+        kept["sample"] = {k: v for k, v in kept.get("sample", {}).items() if k != "count" or self.method == "lhs"}
+        kept["compute"] = {k: v for k, v in kept.get("compute", {}).items() if k != "survivors"}
+        kept["optimise"] = {k: v for k, v in kept.get("optimise", {}).items() if k != "generations"}
+        kept["scene"] = self.scene.to_dict()
+        return hashlib.sha256(json.dumps(kept, sort_keys=True, default=str).encode()).hexdigest()
+
+
+def flat(tables: Mapping[str, Any], before: str = "") -> dict[str, Any]:
+    """Nested tables as paths with dots."""
+    found: dict[str, Any] = {}
+    for name, item in tables.items():
+        path = f"{before}{name}"
+        found.update(flat(item, f"{path}.") if isinstance(item, Mapping) else {path: item})
+    return found

@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs a study: first drive, sample, survivors."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from .._errors import Fault
+from ._drive import Row, Sample, careful_rows, failure
+from ._engine import SHARD_SECONDS, Told, compute_rows, engine
+from ._read import load_recipe, near, refuse
+from ._recipe import Recipe
+from ._store import Folder, schema_of, write_shard
+
+
+def first_drive(recipe: Recipe) -> tuple[Row, dict[str, str], float]:
+    """The row of the drive in the middle of all that varies, its units, and seconds.
+
+    Raises
+    ------
+    InputError
+        A name under [figures] is no figure of the result.
+    """
+    begin = time.perf_counter()
+    rows, units = careful_rows(recipe, [(0, recipe.first)], recipe.errors)
+    if rows[0]["code"] in ("figure", "value"):
+        _refuse_figures(recipe, rows[0])
+    return rows[0], units, time.perf_counter() - begin
+
+
+def _refuse_figures(recipe: Recipe, row: Row) -> None:
+    """Names every figure that the first drive does not have, or what its options did."""
+    from ._drive import compute
+
+    names: set[str] = set()
+    everything = replace(recipe, figures=())
+    known = _figure_names(everything, names)
+    faults = []
+    for name, expression in recipe.figures:
+        for used in expression.names:
+            if used not in known:
+                faults.append(
+                    Fault(f"figures.{name}", 0, expression.text, f"unknown figure {used}", near(used, sorted(known)))
+                )
+    if not faults:
+        try:
+            compute(recipe, recipe.first, recipe.errors)
+        except Exception as error:  # noqa: BLE001  what the user's options made the verbs raise
+            faults.append(Fault("compute", 0, "", f"the first drive fails: {failure(error)['cause']}", "mend it"))
+    refuse(faults)
+
+
+def _figure_names(recipe: Recipe, names: set[str]) -> set[str]:
+    import inspect
+
+    import hdconj
+
+    from ._drive import figures_of
+
+    linked = recipe.linked(recipe.first)
+    names |= {path for path, value in linked.items() if not isinstance(value, str)}
+    for verb, options in recipe.verbs:
+        call = getattr(hdconj, verb)
+        lean: dict[str, Any] = {"errors": False} if "errors" in inspect.signature(call).parameters else {}
+        try:
+            names |= set(figures_of(verb, call(recipe.scene_of(linked), **options, **lean), False)[0])
+        except TypeError as error:
+            refuse([Fault(f"compute.{verb}", 0, "", str(error), "mend the option")])
+    return names
+
+
+def check(study: str | os.PathLike[str] | Recipe) -> Recipe:
+    """Read a study and compute its first drive; InputError names every fault."""
+    recipe = study if isinstance(study, Recipe) else load_recipe(study)
+    first_drive(recipe)
+    return recipe
+
+
+def run(
+    study: str | os.PathLike[str] | Recipe, folder: str | os.PathLike[str], *, jobs: int = 0,
+    scheduler: str | None = None, shard_seconds: float = SHARD_SECONDS, progress: bool = True,
+) -> Told:  # fmt: skip
+    """Compute a study into a folder; where rows are there already, the others.
+
+    Parameters
+    ----------
+    study : path
+        STUDY.toml (docs/reference/study.md).
+    folder : path
+        Made where it is not there.
+    jobs : int
+        Processes of this machine; 0: as many as it has cores.
+    scheduler : str, optional
+        Address of a Dask scheduler instead.
+    shard_seconds : float
+        Time of one shard, 2 to 60 s. No row depends on it.
+    progress : bool
+        A bar on a terminal.
+
+    Returns
+    -------
+    Told
+        Counts of the drives that were computed now.
+
+    Raises
+    ------
+    InputError
+        The study has faults, or the folder is another study's or in use.
+    EngineLost, FileError
+        The scheduler went away, or the disk is full: run again to resume.
+    """
+    recipe = study if isinstance(study, Recipe) else load_recipe(study)
+    place = Folder(folder)
+    with place.locked():
+        about = prepare(place, recipe, "run")
+        numbers = place.missing(range(recipe.drives))
+        samples: list[Sample] = [(number, recipe.values(number)) for number in numbers]
+        with lazily(samples or recipe.survivors, jobs, scheduler) as client:
+            told = compute_rows(
+                client, recipe, samples, place.rows, errors=recipe.errors, seconds=about["seconds_of_first"],
+                shard_seconds=shard_seconds, shown=progress,
+            ) if samples else Told()  # fmt: skip
+            if recipe.survivors and not recipe.errors:
+                compute_survivors(client, place, recipe, shard_seconds, progress)
+    return told
+
+
+def lazily(needed: Any, jobs: int, scheduler: str | None) -> Any:
+    """The engine where it is needed, else nothing."""
+    from contextlib import nullcontext
+
+    return engine(jobs, scheduler) if needed else nullcontext()
+
+
+def prepare(place: Folder, recipe: Recipe, kind: str) -> dict[str, Any]:
+    """Makes the folder the study's and computes the first drive, once."""
+    is_new = not (place.place / "study.json").exists()
+    first = first_drive(recipe) if is_new else None
+    about = place.begin(recipe, kind)
+    if first is not None:
+        (place.place / "first").mkdir(exist_ok=True)
+        write_shard(place.place / "first", [first[0]], schema_of(recipe), {"units": first[1]})
+        about |= {"seconds_of_first": first[2], "units": first[1], "first": fault_of(first[0])}
+        place.note(about)
+    about.setdefault("seconds_of_first", 1.0)
+    return about
+
+
+def fault_of(row: Row) -> str:
+    """Why a drive could not be made; empty where it was."""
+    return ": ".join(str(row[word]) for word in ("code", "place", "cause")) if row["code"] else ""
+
+
+def compute_survivors(client: Any, place: Folder, recipe: Recipe, shard_seconds: float, progress: bool) -> Told:
+    """Computes the best drives once more, with errors."""
+    from ._study import open as open_study
+
+    best = open_study(place.place).best(recipe.survivors, again=False)
+    folder: Path = place.place / "survivors"
+    folder.mkdir(exist_ok=True)
+    chosen: Sequence[int] = sorted(int(number) for number in best["sample"])
+    keys = [key.path for key in recipe.keys]
+    values = {int(row["sample"]): {key: row[key] for key in keys} for row in best.to_dict("records")}
+    samples = [(number, _typed(recipe, values[number])) for number in place.missing(chosen, folder)]
+    if not samples:
+        return Told()
+    return compute_rows(
+        client, recipe, samples, folder, errors=True, seconds=5, shard_seconds=shard_seconds, what="survivors",
+        shown=progress,
+    )  # fmt: skip
+
+
+def _typed(recipe: Recipe, values: dict[str, Any]) -> dict[str, Any]:
+    """Values of a table as the keys have them: whole numbers are stored as floating-point ones."""
+    whole = {key.path for key in recipe.keys if isinstance(key.middle, int) and not isinstance(key.middle, bool)}
+    return {path: int(value) if path in whole else value for path, value in values.items()}

@@ -1,0 +1,243 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a study has found: tables, best drives, yield, the keys that matter."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from functools import cached_property
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from .._scene import Scene
+from ._keys import Value
+from ._read import load_recipe
+from ._recipe import Recipe
+from ._store import Folder, read_shards, refuse
+
+Bools = npt.NDArray[np.bool_]
+Floats = npt.NDArray[np.float64]
+
+
+def dominated(values: Floats, errors: Floats) -> Bools:
+    """Which designs another one beats: as good in every objective, better in one by more than the errors of both.
+
+    Parameters
+    ----------
+    values : (n, m) array
+        Objectives, all to be as small as possible.
+    errors : (n, m) array
+        Their errors; not a number counts as 0.
+    """
+    errors = np.nan_to_num(errors)
+    found = np.zeros(len(values), dtype=bool)
+    for i, (value, error) in enumerate(zip(values, errors)):
+        as_good = (values <= value).all(axis=1)
+        better = (values + errors < value - error).any(axis=1)
+        found[i] = bool((as_good & better).any())
+    return found
+
+
+class Study:
+    """The folder of a study; see :func:`hdconj.study.open`."""
+
+    def __init__(self, place: str | os.PathLike[str]) -> None:
+        self.folder = Folder(place)
+        self.about: dict[str, Any] = self.folder.about()
+        """Versions, machine, hash of the scene, units: what study.json says."""
+        self.recipe: Recipe = load_recipe(Path(place) / "study.toml")
+
+    def _read(self, part: str) -> Any:
+        import pandas
+        import pyarrow as pa
+
+        tables = [table.replace_schema_metadata(None) for table, _ in read_shards(self.folder.place / part)]
+        return pa.concat_tables(tables).to_pandas() if tables else pandas.DataFrame()
+
+    @cached_property
+    def frame(self) -> Any:
+        """All rows in order of samples, failed drives too, as a ``pandas.DataFrame``; units are in its ``attrs``."""
+        from ._store import schema_of
+
+        frame = self._read("rows")
+        if frame.empty:
+            frame = schema_of(self.recipe).empty_table().to_pandas()
+        frame.attrs["units"] = dict(self.about.get("units", {}))
+        return frame
+
+    def to_pandas(self) -> Any:
+        """The same as :attr:`frame`."""
+        return self.frame
+
+    def to_xarray(self) -> Any:
+        """Rows as an ``xarray.Dataset``: over the keys where the sample is a grid, else over the samples."""
+        rows = self.frame
+        if self.recipe.method == "grid" and self.about["kind"] == "run":
+            keys = [key.path for key in self.recipe.keys]
+            return rows.set_index(keys).drop(columns=[path for path, _ in self.recipe.links]).to_xarray()
+        return rows.set_index("sample").to_xarray()
+
+    def to_csv(self, file: str | os.PathLike[str]) -> None:
+        """Write all rows as text; numbers keep all their digits."""
+        self.frame.to_csv(file, index=False)
+
+    def feasible(self, frame: Any = None) -> Bools:
+        """Which rows are drives that could be made and keep all constraints."""
+        rows = self.frame if frame is None else frame
+        good = np.array(rows["code"] == "", dtype=bool)
+        for name, (low, high) in self.recipe.constraints.items():
+            good &= np.asarray((rows[name] >= low) & (rows[name] <= high), dtype=bool)
+        return good
+
+    def objectives(self, frame: Any) -> tuple[Floats, Floats]:
+        """Objectives of rows, all to be as small as possible, and their errors."""
+        aims = self.recipe.objectives
+        values = np.column_stack([aim * np.asarray(frame[name], dtype=float) for name, aim in aims.items()])
+        errors = np.column_stack([np.asarray(frame[f"{name}_error"], dtype=float) for name in aims])
+        return values, errors
+
+    def best(self, count: int = 10, *, again: bool = True) -> Any:
+        """The best drives as a ``pandas.DataFrame``, best first.
+
+        With one objective the column ``rank`` is the same for drives whose difference to the first of them does not
+        exceed the errors of both. With several the drives are those that no other one beats.
+
+        Parameters
+        ----------
+        count : int
+            How many at most.
+        again : bool
+            Take the figures of survivors from their second computation, with errors.
+        """
+        if not self.recipe.objectives:
+            raise refuse(self.folder.place, "nothing says what is better", "write [objectives] into its study.toml")
+        rows = self.frame[self.feasible()]
+        with_errors = self._read("survivors") if again else None
+        if with_errors is not None and not with_errors.empty:
+            rows = with_errors[self.feasible(with_errors)]
+        values, errors = self.objectives(rows)
+        if values.shape[1] > 1:
+            front = ~dominated(values, errors)
+            rows, values = rows[front], values[front]
+            order = np.argsort(values[:, 0], kind="stable")
+            if len(order) > count:  # spread over the front
+                order = order[np.unique(np.linspace(0, len(order) - 1, count).round().astype(int))]
+            return rows.iloc[order].reset_index(drop=True)
+        order = np.argsort(values[:, 0], kind="stable")[:count]
+        chosen = rows.iloc[order].reset_index(drop=True)
+        chosen.insert(0, "rank", _ranks(values[order, 0], np.nan_to_num(errors[order, 0])))
+        return chosen
+
+    def values(self, row: Mapping[str, Any]) -> dict[str, Value]:
+        """Values of all keys of a row, links included."""
+        from ._run import _typed
+
+        own = _typed(self.recipe, {key.path: row[key.path] for key in self.recipe.keys})
+        return self.recipe.linked({k: v if isinstance(v, str) else np.asarray(v).item() for k, v in own.items()})
+
+    def scene(self, sample: int) -> Scene:
+        """The scene of a sample, to be computed by itself."""
+        rows = self.frame[self.frame["sample"] == sample]
+        if rows.empty:
+            raise refuse(self.folder.place, f"has no sample {sample}", "take a number of the column sample")
+        return self.recipe.scene_of(self.values(rows.iloc[0]))
+
+    def independent(self) -> Bools:
+        """Which rows share no key with another one: in a sample for indices the first and the last of each block."""
+        if self.recipe.method != "saltelli" or self.about["kind"] != "run":
+            return np.ones(len(self.frame), dtype=bool)
+        place = np.asarray(self.frame["sample"]) % (len(self.recipe.keys) + 2)
+        return np.asarray((place == 0) | (place == len(self.recipe.keys) + 1))
+
+    def yield_of(self) -> tuple[float, float, float]:
+        """The share of drives that keep all constraints, and the ends of its interval of 95 %."""
+        from scipy.stats import binomtest
+
+        good = self.feasible()
+        good = good[self.independent()]
+        if not len(good):
+            return float("nan"), 0.0, 1.0
+        interval = binomtest(int(good.sum()), len(good)).proportion_ci(method="wilson")
+        return float(good.mean()), float(interval.low), float(interval.high)
+
+    def indices(self) -> Any:
+        """First and total indices of Sobol of every figure, with half widths of their 95 % interval.
+
+        A ``pandas.DataFrame`` with the columns figure, key, first, first_error, total, total_error; the key with the
+        largest total index of a figure matters most. Blocks with a drive that could not be made are left out.
+        """
+        import pandas
+        from SALib.analyze import sobol
+
+        if self.recipe.method != "saltelli":
+            raise refuse(self.folder.place, "has no sample for indices", 'write method = "saltelli" under [sample]')
+        keys = [key.path for key in self.recipe.keys]
+        width = len(keys) + 2
+        problem = {"num_vars": len(keys), "names": keys, "bounds": [[0, 1]] * len(keys)}
+        found = []
+        for name, _ in self.recipe.figures:
+            column = np.asarray(self.frame[name], dtype=float)
+            blocks = column[: len(column) // width * width].reshape(-1, width)
+            whole = blocks[np.isfinite(blocks).all(axis=1)]
+            if len(whole) < 2 or np.ptp(whole) == 0:
+                continue
+            made = sobol.analyze(problem, whole.reshape(-1), calc_second_order=False, seed=self.recipe.seed)
+            for i, key in enumerate(keys):
+                found.append((name, key, made["S1"][i], made["S1_conf"][i], made["ST"][i], made["ST_conf"][i]))
+        return pandas.DataFrame(found, columns=["figure", "key", "first", "first_error", "total", "total_error"])
+
+    def status(self) -> dict[str, Any]:
+        """How far the study is."""
+        shards = list(read_shards(self.folder.rows))
+        seconds = sum(about["seconds"] for _, about in shards)
+        done = sum(len(table) for table, _ in shards)
+        codes: dict[str, int] = {}
+        for table, _ in shards:
+            for code in table.column("code").to_pylist():
+                if code:
+                    codes[code] = codes.get(code, 0) + 1
+        total = self.recipe.drives if self.about["kind"] == "run" else None
+        return {
+            "verb": self.about["kind"],
+            "running": self.folder.is_running(),
+            "done": done,
+            "total": total,
+            "failed": codes,
+            "shards": len(shards),
+            "worker_seconds": seconds,
+            "seconds_left": (total - done) * seconds / done if total and done else None,
+        }
+
+
+def _ranks(values: Floats, errors: Floats) -> list[int]:
+    """Ranks from 1 of sorted values; a new one begins where the difference to the first of the last exceeds errors."""
+    ranks, leader = [], 0
+    for i in range(len(values)):
+        if values[i] - errors[i] > values[leader] + errors[leader]:
+            leader = i
+        ranks.append(leader + 1)
+    return ranks
+
+
+def open(folder: str | os.PathLike[str]) -> Study:
+    """Open the folder of a study, while it runs or afterwards.
+
+    Parameters
+    ----------
+    folder : path
+        What ``-o`` of ``hdconj study run`` named.
+
+    Returns
+    -------
+    Study
+        ``study.frame``, ``study.best()``, ``study.to_xarray()``, ``study.to_csv(FILE)``.
+
+    Raises
+    ------
+    InputError
+        The folder holds no study.
+    """
+    return Study(folder)

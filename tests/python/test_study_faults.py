@@ -1,0 +1,147 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Studies that cannot be run are refused with all faults, before anything is computed."""
+
+import pytest
+
+import hdconj
+
+study = pytest.importorskip("hdconj.study")
+
+GOOD = """
+[vary]
+"flexspline.wall" = { from = 0.6, to = 0.8 }
+[sample]
+method = "sobol"
+count = 8
+[compute]
+verb = "solve"
+[figures]
+land = "solve.land_width"
+"""
+FLANK = '"flexspline.wall" = { from = 0.6, to = 0.8 }'
+# What is replaced in the good study, by what, and what the refusal says.
+BAD = [
+    ("[vary]", "[vary", "no TOML"),
+    ("[sample]", "[sampel]", "sampel: unknown table (write sample)"),
+    ("[sample]", "scene = 3\n[sample]", "vary.scene = 3: a single value does not vary (write it under [set])"),
+    ("\n[vary]", 'scene = "nowhere.toml"\n[vary]', "there is no such file"),
+    ("\n[vary]", "scene = 3\n[vary]", "scene = 3: is no file name"),
+    ("[sample]", '[set]\n"flexspline.wal" = 1\n[sample]', "scene flexspline.wal = 1: unknown key (write wall)"),
+    ("[sample]", '[set]\n"flexspline.wall" = 1\n[sample]', "the key stands under [set] too (remove one of them)"),
+    (FLANK, "", "nothing varies"),
+    (FLANK, '"flexspline.wal" = { from = 0.6, to = 0.8 }', "vary.flexspline.wal = 0.7: unknown key (write wall)"),
+    (FLANK, '"flexspine.wall" = { from = 0.6, to = 0.8 }', "unknown table"),
+    (FLANK, '"flexspline.wall" = { from = 0.8, to = 0.6 }', "from = 0.8 is not below to = 0.6"),
+    (FLANK, '"flexspline.wall" = { from = -0.6, to = 0.6 }', "must be above 0 (write a length in mm above 0"),
+    (FLANK, '"flexspline.wall" = { from = "a", to = 0.6 }', "from and to are not two numbers"),
+    (FLANK, '"flexspline.wall" = { from = 0.6 }', "from and to are not two numbers"),
+    (FLANK, '"flexspline.wall" = { from = 0.6, to = nan }', "from and to are not two numbers"),
+    (FLANK, '"flexspline.wall" = { from = 0.6, to = 0.8, count = 1 }', "count = 1 makes no grid"),
+    (FLANK, '"flexspline.wall" = { from = 0.6, to = 0.8, step = 0 }', "step = 0 divides no range"),
+    (FLANK, '"flexspline.wall" = { from = 0.6, to = 0.8, step = 0.1, count = 3 }', "both step and count"),
+    (
+        FLANK,
+        '"flexspline.wall" = { from = 0.6, to = 0.8, points = 3 }',
+        "unknown word points (with from go: count, step, to)",
+    ),
+    (FLANK, '"flexspline.wall" = { from = 0.6, to = 0.8, list = [1] }', "several laws at once"),
+    (FLANK, '"flexspline.wall" = { count = 3 }', "no law (write one of from and to, list, normal, uniform, nominal)"),
+    (FLANK, '"flexspline.wall" = 0.7', "a single value does not vary"),
+    (FLANK, '"flexspline.wall" = { list = [] }', "no list of values"),
+    (FLANK, '"flexspline.wall" = { list = [0.7, "thin"] }', "= thin: text where a length belongs"),
+    (FLANK, '"solver.kinematics" = { list = ["exact", "exactly"] }', "unknown word"),
+    (
+        FLANK,
+        '"drive.flexspline_teeth" = { from = 190, to = 210 }',
+        "takes whole numbers only (write a whole number: add step = 1)",
+    ),
+    (FLANK, '"flexspline.wall" = { normal = 0.7 }', "normal = 0.7 is not two numbers"),
+    (FLANK, '"flexspline.wall" = { normal = [0.7, 0] }', "the standard deviation 0.0 is not above 0"),
+    (FLANK, '"flexspline.wall" = { normal = [0.7, 0.1], limits = [0.8, 0.6] }', "the limits [0.8, 0.6] are empty"),
+    (FLANK, '"flexspline.wall" = { uniform = [0.8, 0.6] }', "the interval [0.8, 0.6] is empty"),
+    (FLANK, '"flexspline.wall" = { nominal = 0.7 }', "tolerance = None is no class"),
+    (FLANK, '"flexspline.wall" = { nominal = 0.7, tolerance = "g6" }', "tolerance = 'g6' is no class that is known"),
+    (FLANK, '"flexspline.wall" = { nominal = 900, tolerance = "h6" }', "nominal = 900 is no size"),
+    (FLANK, FLANK + '\n"tilt.angle_deg" = "2 * flexspline.wal"', "unknown name flexspline.wal (write flexspline.wall)"),
+    (FLANK, FLANK + '\n"tilt.angle_deg" = "2 *"', "no expression: invalid syntax"),
+    (FLANK, FLANK + '\n"tilt.angle_deg" = "open(1)"', "unknown function 'open'"),
+    (FLANK, FLANK + '\n"tilt.angle_deg" = "[1, 2]"', "'[1, 2]' is no arithmetic"),
+    (FLANK, FLANK + '\n"tilt.angle_deg" = "1 if 2 else 3"', "is no arithmetic"),
+    (FLANK, FLANK + '\na = "b + 1"\nb = "a + 1"', "the links go in a circle"),
+    (FLANK, '"tilt.angle_deg" = "0.1"', "links alone do not vary"),
+    ("count = 8", "count = 0", "must be a whole number (write a whole number from 1"),
+    ("count = 8", "count = 8.0", "sample.count = 8.0: must be a whole number"),
+    ("count = 8", "count = 8\nseed = -1", "sample.seed = -1: must be a whole number"),
+    ("count = 8", "cuont = 8", "sample.cuont: unknown key (write count)"),
+    ('"sobol"', '"sobel"', "sample.method = sobel: unknown word (write one of grid, sobol, lhs, random, saltelli)"),
+    ('"sobol"', '"grid"', "a grid counts itself"),
+    ('method = "sobol"\ncount = 8', 'method = "grid"', "has no points of a grid (add count = N"),
+    ('"sobol"\ncount = 8', '"saltelli"\ncount = 9', "must be a power of 2"),
+    ('"solve"', '"solves"', "compute.verb = ['solves']: unknown verb (write one of solve, contact, load"),
+    ('verb = "solve"', 'verb = "solve"\nerrors = 1', "compute.errors = 1: must be true or false"),
+    ('verb = "solve"', 'verb = "solve"\nload = { torque = 3 }', "options of a verb that is not computed"),
+    ('verb = "solve"', 'verb = "solve"\nsolve = { torque = 3 }', "compute.solve.torque = 3: unknown option"),
+    ('verb = "solve"', 'verb = "contact"\ncontact = { tilts_deg = [0, 1] }', "a drive has one case"),
+    ('verb = "solve"', 'verb = "solve"\nsurvivors = 3', "nothing says which drives survive"),
+    ("[figures]", "[figures]\n1st = 'solve.land_width'", "is no name of a figure"),
+    ("[figures]", "[figures]\nland_error = 'solve.land_width'", "not _error at its end"),
+    ("[figures]", "[figures]\na = 'contact.backlash'", "contact is not computed"),
+    ("[figures]", "[figures]\na = 3", "figures.a = 3: no expression in quotes"),
+    ('[figures]\nland = "solve.land_width"', "", "no figure is wanted"),
+    (
+        "[figures]",
+        "[constraints]\nlnd = { min = 3 }\n[figures]",
+        "constraints.lnd: no figure of the study (write land)",
+    ),
+    ("[figures]", "[constraints]\nland = 3\n[figures]", "no limits (write { min = A }"),
+    ("[figures]", "[constraints]\nland = { min = 'a' }\n[figures]", "a limit is no number"),
+    ("[figures]", "[constraints]\nland = { min = 3, max = 2 }\n[figures]", "min is not below max"),
+    ("[figures]", "[objectives]\nland = 'more'\n[figures]", 'objectives.land = more: no aim (write "min" or "max")'),
+    ("[figures]", "[optimise]\nmethod = 'nsga'\n[figures]", "write one of nsga2, cmaes, random"),
+    ("[figures]", "[optimise]\npopulation = 1\n[figures]", "write a whole number from 2"),
+]
+
+
+@pytest.mark.parametrize("old, new, said", BAD, ids=range(len(BAD)))
+def test_refused(old, new, said):
+    assert old in GOOD
+    with pytest.raises(hdconj.InputError) as refused:
+        study.read_recipe(GOOD.replace(old, new))
+    assert said in str(refused.value)
+
+
+def test_the_good_study_is_good():
+    assert study.read_recipe(GOOD).drives == 8
+    assert len(BAD) >= 40
+
+
+def test_all_faults_at_once_with_their_lines():
+    text = GOOD.replace("0.6", "-0.6").replace("sobol", "sobel").replace("count = 8", "count = 0")
+    with pytest.raises(hdconj.InputError) as refused:
+        study.read_recipe(text)
+    assert [(fault.path, fault.line) for fault in refused.value.faults] == [
+        ("vary.flexspline.wall", 3), ("sample.method", 5), ("sample.count", 6),
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    "old, new, said",
+    [
+        ("solve.land_width", "solve.land_widht", "unknown figure solve.land_widht (write solve.land_width)"),
+        ("solve.land_width", "2 * land_width", "unknown figure land_width (write solve.land_width)"),
+        ("solve.land_width", "1 / 0", "the first drive fails"),
+    ],
+)
+def test_figures_are_those_of_the_first_drive(old, new, said):
+    with pytest.raises(hdconj.InputError) as refused:
+        study.check(study.read_recipe(GOOD.replace(old, new)))
+    assert said in str(refused.value)
+
+
+def test_a_drive_that_cannot_be_made_is_no_fault():
+    """Arcs that do not meet, teeth that do not fit: rows, not reasons to refuse the study."""
+    for law in (
+        '"flexspline.profile.convex_radius" = { from = 0.2, to = 0.9 }',
+        '"drive.circular_spline_teeth" = { from = 201, to = 204, step = 1 }',
+    ):
+        study.read_recipe(GOOD.replace(FLANK, law))

@@ -1,0 +1,318 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How studies run: the same rows however they are cut, and nothing lost or twice whatever is killed.
+
+HDCONJ_FULL in the environment: every kill twenty times.
+"""
+
+import contextlib
+import json
+import os
+import random
+import shutil
+import signal
+import socket
+import subprocess
+import sys
+import time
+
+import numpy as np
+import pytest
+
+import hdconj
+
+study = pytest.importorskip("hdconj.study")
+pytest.importorskip("distributed")
+from hdconj.study import _store  # noqa: E402
+
+KILLS = 20 if os.environ.get("HDCONJ_FULL") else 1
+TEXT = """
+[set]
+"solver.tolerance" = 1e-3
+[vary]
+"flexspline.wall" = { from = 0.6, to = 0.8 }
+"wave_generator.radial_deformation" = { from = 0.05, to = 0.27 }
+rise = { normal = [0.0, 0.002] }
+"flexspline.profile.concave_rise" = "0.0671 + rise"
+[sample]
+count = COUNT
+seed = 5
+[compute]
+verb = "solve"
+[figures]
+land = "solve.land_width"
+depth = "solve.space_depth"
+[constraints]
+land = { min = 0.1 }
+[objectives]
+depth = "max"
+"""
+
+
+def recipe(count):
+    return study.read_recipe(TEXT.replace("COUNT", str(count)))
+
+
+def write(folder, count):
+    file = folder / "study.toml"
+    file.write_text(TEXT.replace("COUNT", str(count)))
+    return file
+
+
+def bits(folder):
+    """All rows of a study as one checksum, and how many there are of each sample."""
+    import pyarrow as pa
+
+    table = pa.concat_tables([rows.replace_schema_metadata(None) for rows, _ in _store.read_shards(folder / "rows")])
+    numbers = table.column("sample").to_pylist()
+    assert len(set(numbers)) == len(numbers)
+    return _store.digest(table), numbers
+
+
+def command(*words):
+    return [sys.executable, "-m", "hdconj.study", *map(str, words)]
+
+
+def start(*words, **environment):
+    return subprocess.Popen(
+        command(*words), env={**os.environ, **environment}, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True
+    )
+
+
+@pytest.fixture(scope="module")
+def expected(tmp_path_factory):
+    """The rows of 90 drives by one worker."""
+    folder = tmp_path_factory.mktemp("one")
+    told = study.run(recipe(90), folder, jobs=1, progress=False)
+    assert told.done == 90 and 0 < told.failed < 90
+    assert {"no-land"} <= set(study.open(folder).frame["code"])
+    return bits(folder)
+
+
+@contextlib.contextmanager
+def cluster(workers, folder):
+    """A scheduler and workers as processes of their own; gives the address and the processes."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL, "cwd": folder}
+    address = f"tcp://127.0.0.1:{port}"
+    scheduler = [sys.executable, "-m", "distributed.cli.dask_scheduler", "--host", "127.0.0.1", "--port", str(port),
+                 "--no-dashboard"]  # fmt: skip
+    worker = [sys.executable, "-m", "distributed.cli.dask_worker", address, "--nthreads", "1", "--no-dashboard"]
+    made = [subprocess.Popen(scheduler, **quiet), *(subprocess.Popen(worker, **quiet) for _ in range(workers))]
+    try:
+        yield address, made
+    finally:
+        for process in made:
+            process.kill()
+            process.wait()
+
+
+@pytest.mark.parametrize("jobs", [2, 3])
+def test_same_rows_for_every_number_of_workers(expected, tmp_path, jobs):
+    study.run(recipe(90), tmp_path, jobs=jobs, shard_seconds=2, progress=False)
+    assert bits(tmp_path) == expected
+
+
+def test_same_rows_through_a_scheduler(expected, tmp_path):
+    with cluster(2, tmp_path) as (address, _):
+        study.run(recipe(90), tmp_path / "study", scheduler=address, progress=False)
+    assert bits(tmp_path / "study") == expected
+
+
+def test_more_drives_go_on_where_fewer_ended(expected, tmp_path):
+    study.run(recipe(40), tmp_path, jobs=1, progress=False)
+    before = {file: file.stat().st_mtime_ns for file in (tmp_path / "rows").iterdir()}
+    told = study.run(recipe(90), tmp_path, jobs=1, progress=False)
+    assert told.done == 50
+    assert bits(tmp_path) == expected
+    assert all(file.stat().st_mtime_ns == when for file, when in before.items())
+
+
+def children(of):
+    """Worker processes below a process."""
+    found = []
+    for task in os.listdir("/proc"):
+        if task.isdigit():
+            try:
+                parent = int(open(f"/proc/{task}/stat").read().rsplit(")", 1)[1].split()[1])
+            except (OSError, IndexError):
+                continue
+            if parent == of:
+                found += [int(task), *children(int(task))]
+    return found
+
+
+def dask_workers(of):
+    """Worker processes of a run; some may have just ended."""
+    found = []
+    for task in children(of):
+        with contextlib.suppress(OSError):
+            if "spawn_main" in open(f"/proc/{task}/cmdline").read():
+                found.append(task)
+    return found
+
+
+@pytest.fixture(scope="module")
+def longer(tmp_path_factory):
+    """A study that lasts some seconds, and its rows."""
+    folder = tmp_path_factory.mktemp("longer")
+    study.run(recipe(400), folder, jobs=2, progress=False)
+    return bits(folder)
+
+
+def until(condition, seconds=60):
+    end = time.monotonic() + seconds
+    while not condition():
+        assert time.monotonic() < end, "nothing happens"
+        time.sleep(0.02)
+
+
+@pytest.mark.parametrize("number", range(KILLS))
+def test_a_killed_worker_loses_nothing(longer, tmp_path, number):
+    file, folder = write(tmp_path, 400), tmp_path / "study"
+    process = start("run", file, "-o", folder, "--jobs", 2, "--shard-seconds", 2, "--quiet")
+    until(lambda: list(folder.glob("rows/*.parquet")) or process.poll() is not None)
+    time.sleep(random.Random(number).uniform(0, 0.5))
+    for worker in dask_workers(process.pid)[:1]:
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(worker, signal.SIGKILL)
+    _, said = process.communicate(timeout=120)
+    assert process.returncode == 0, said
+    assert bits(folder) == longer
+
+
+@pytest.mark.parametrize("number", range(KILLS))
+def test_a_killed_driver_is_resumed(longer, tmp_path, number):
+    file, folder = write(tmp_path, 400), tmp_path / "study"
+    process = start("run", file, "-o", folder, "--jobs", 2, "--shard-seconds", 2, "--quiet")
+    until(lambda: list(folder.glob("rows/*.parquet")) or process.poll() is not None)
+    time.sleep(random.Random(number).uniform(0, 0.5))
+    process.kill()
+    process.communicate()
+    assert subprocess.run(command("run", file, "-o", folder, "--jobs", 2, "--quiet"), timeout=120).returncode == 0
+    assert bits(folder) == longer
+
+
+@pytest.mark.parametrize("number", range(KILLS))
+def test_a_killed_scheduler_is_told_and_resumed(longer, tmp_path, number):
+    file, folder = write(tmp_path, 400), tmp_path / "study"
+    with cluster(1, tmp_path) as (address, processes):
+        process = start("run", file, "-o", folder, "--scheduler", address, "--shard-seconds", 2, "--quiet")
+        until(lambda: list(folder.glob("rows/*.parquet")) or process.poll() is not None)
+        time.sleep(random.Random(number).uniform(0, 0.5))
+        processes[0].kill()
+        _, said = process.communicate(timeout=120)
+    assert process.returncode == 1 and "run again to resume" in said, said
+    study.run(file, folder, jobs=2, progress=False)
+    assert bits(folder) == longer
+
+
+def test_a_drive_that_kills_its_worker_is_found(expected, tmp_path, monkeypatch):
+    monkeypatch.setenv("HDCONJ_STUDY_POISON", "37")
+    study.run(recipe(50), tmp_path, jobs=2, shard_seconds=2, progress=False)
+    frame = study.open(tmp_path).frame
+    assert list(frame["sample"]) == list(range(50))
+    assert list(frame.loc[frame["code"] == "killed-worker", "sample"]) == [37]
+    assert frame.loc[37, "cause"] == "signal 9" and np.isnan(frame.loc[37, "land"])
+    assert frame.loc[37, "flexspline.wall"] == recipe(50).values(37)["flexspline.wall"]
+
+
+@pytest.mark.parametrize("harm", ["truncate", "turn", "rename"])
+def test_a_broken_shard_is_made_again(expected, tmp_path, harm):
+    study.run(recipe(90), tmp_path, jobs=1, shard_seconds=2, progress=False)
+    shard = sorted((tmp_path / "rows").iterdir())[-1]
+    content = shard.read_bytes()
+    if harm == "truncate":
+        shard.write_bytes(content[: len(content) // 2])
+    elif harm == "turn":
+        middle = content.index(b"PAR1") + 60
+        shard.write_bytes(content[:middle] + bytes([content[middle] ^ 1]) + content[middle + 1 :])
+    else:
+        shard.rename(shard.with_name("rows-000000000-000000999.parquet"))
+    told = study.run(recipe(90), tmp_path, jobs=1, progress=False)
+    assert told.done > 0 and bits(tmp_path) == expected
+
+
+def test_two_runs_in_one_folder(tmp_path):
+    file = write(tmp_path, 20)
+    folder = _store.Folder(tmp_path / "study")
+    with folder.locked():
+        assert folder.is_running()
+        second = subprocess.run(command("run", file, "-o", folder.place), capture_output=True, text=True)
+    assert second.returncode == 2
+    assert f"is in use by process {os.getpid()}" in second.stderr and "name another folder" in second.stderr
+    assert not folder.is_running()
+
+
+def test_another_study_in_the_folder_is_refused(tmp_path):
+    study.run(recipe(5), tmp_path, jobs=1, progress=False)
+    with pytest.raises(hdconj.InputError, match="holds rows of another study"):
+        study.run(study.read_recipe(TEXT.replace("COUNT", "5").replace("seed = 5", "seed = 6")), tmp_path, jobs=1)
+    with pytest.raises(hdconj.InputError, match="is no folder of a study"):
+        study.open(tmp_path / "rows")
+
+
+def test_a_full_disk_is_told_and_resumed(expected, tmp_path):
+    file, folder = write(tmp_path, 90), tmp_path / "study"
+    limited = "import resource, sys; resource.setrlimit(resource.RLIMIT_FSIZE, (7000, 7000)); " + (
+        "from hdconj.study.__main__ import main; sys.exit(main(sys.argv[1:]))"
+    )
+    failed = subprocess.run(
+        [sys.executable, "-c", f"if __name__ == '__main__':\n    {limited}", "run", file, "-o", folder, "--jobs", "1"],
+        capture_output=True, text=True, timeout=120,
+    )  # fmt: skip
+    assert failed.returncode == 1 and "cannot be written" in failed.stderr, failed.stderr
+    assert "run again to resume" in failed.stderr
+    assert not [file for file in folder.rglob(".*")]
+    study.run(file, folder, jobs=1, progress=False)
+    assert bits(folder) == expected
+
+
+def test_the_folder_repeats_the_study(expected, tmp_path):
+    first, second = tmp_path / "first", tmp_path / "second"
+    study.run(recipe(30), first, jobs=1, progress=False)
+    study.run(first / "study.toml", second, jobs=1, progress=False)
+    assert bits(first) == bits(second)
+    about = json.loads((first / "study.json").read_text())
+    assert about["program"].startswith(hdconj.__version__) and len(about["scene_sha256"]) == 64
+    assert about["packages"]["numpy"] == np.__version__ and about["machine"]["cores"] > 0
+
+
+def test_a_row_is_the_drive_alone(expected, tmp_path):
+    study.run(recipe(20), tmp_path, jobs=1, progress=False)
+    found = study.open(tmp_path)
+    row = found.frame[found.frame["code"] == ""].iloc[0]
+    alone = hdconj.solve(found.scene(int(row["sample"])))
+    assert alone.figures["land_width"].value == row["land"]
+    assert alone.figures["space_depth"].error == row["depth_error"]
+
+
+def test_the_program_finds_the_command(tmp_path):
+    """hdconj study is hdconj-study beside the program or on the path."""
+    program, command_file = tmp_path / "bin" / "hdconj", tmp_path / "hdconj-study"
+    program.parent.mkdir()
+    shutil.copy(os.environ["HDCONJ_PROGRAM"], program)
+    command_file.write_text(f'#!/bin/sh\nexec {sys.executable} -m hdconj.study "$@"\n')
+    command_file.chmod(0o755)
+    bare = {**os.environ, "PATH": "/usr/bin:/bin"}
+
+    def asked(environment):
+        words = [program, "study", "check", write(tmp_path, 7)]
+        return subprocess.run(words, capture_output=True, text=True, env=environment)
+
+    missing = asked(bare)
+    assert missing.returncode == 1 and "pip install 'hdconj[study]'" in missing.stderr
+    on_path = asked({**bare, "PATH": f"{tmp_path}:{bare['PATH']}"})
+    assert on_path.returncode == 0 and on_path.stdout.startswith("7 drives, 3 keys vary"), on_path.stderr
+    command_file.rename(program.with_name("hdconj-study"))
+    assert asked(bare).returncode == 0
+
+
+def test_missing_packages_are_named():
+    code = (
+        "import sys\nsys.modules['pyarrow'] = None\n"
+        "from hdconj.study.__main__ import main\nsys.exit(main(['status', 'x']))"
+    )
+    said = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert said.returncode == 1 and said.stderr.startswith("hdconj study: the package pyarrow is missing; pip install")
