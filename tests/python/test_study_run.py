@@ -209,9 +209,20 @@ def test_a_killed_scheduler_is_told_and_resumed(longer, tmp_path, number):
 
 
 def test_a_drive_that_kills_its_worker_is_found(expected, tmp_path, monkeypatch):
-    monkeypatch.setenv("HDCONJ_STUDY_POISON", "37")
-    study.run(recipe(50), tmp_path, jobs=2, shard_seconds=2, progress=False)
-    frame = study.open(tmp_path).frame
+    # every interpreter that starts from now on
+    (tmp_path / "sitecustomize.py").write_text(
+        "import os, signal\n"
+        "from hdconj.study import _drive\n"
+        "own = _drive.row_of\n"
+        "def row_of(recipe, sample, errors):\n"
+        "    if sample[0] == 37: os.kill(os.getpid(), signal.SIGKILL)\n"
+        "    return own(recipe, sample, errors)\n"
+        "_drive.row_of = row_of\n"
+    )
+    monkeypatch.setenv("PYTHONPATH", f"{tmp_path}:{os.environ['PYTHONPATH']}")
+    folder = tmp_path / "study"
+    study.run(recipe(50), folder, jobs=2, shard_seconds=2, progress=False)
+    frame = study.open(folder).frame
     assert list(frame["sample"]) == list(range(50))
     assert list(frame.loc[frame["code"] == "killed-worker", "sample"]) == [37]
     assert frame.loc[37, "cause"] == "signal 9" and np.isnan(frame.loc[37, "land"])
