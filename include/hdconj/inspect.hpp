@@ -213,12 +213,12 @@ struct Inspection
     std::vector<ToothFigures> teeth;      ///< by plane and tooth
     std::vector<SideFigures> sides;       ///< by plane, left before right
     std::vector<PlaneFigures> planes;     ///< those with a tooth of two flanks
-    std::vector<Vec2> mean_flank;    ///< of the teeth in the first plane: right flank from tip to root, y from the
-                                     ///< pitch line towards the tip; empty where a side has no flank
-    PairGeometry geometry;           ///< of the drive, where it was solved for the nominal outline
-    std::size_t beside = 0;          ///< points on no flank
-    std::size_t strays = 0;          ///< points left out
-    std::vector<std::string> notes;  ///< what a reader should know
+    std::vector<Vec2> mean_flank;         ///< of the teeth in the first plane: right flank from tip to root, y from the
+                                          ///< pitch line towards the tip; empty where a side has no flank
+    PairGeometry geometry;                ///< of the drive, where it was solved for the nominal outline
+    std::size_t beside = 0;               ///< points on no flank
+    std::size_t strays = 0;               ///< points left out
+    std::vector<std::string> notes;       ///< what a reader should know
 };
 
 /// Lays @p measured on the nominal outline of a part and evaluates its flanks, their pitch, runout and thickness.

@@ -62,13 +62,6 @@ PairGeometry pair_geometry(Scene const& scene, profile::Profile const& tooth, do
     return g;
 }
 
-Pose spline_tooth_frame(Scene const& scene, PairGeometry const& g)
-{
-    double const angle = std::numbers::pi / scene.drive.circular_spline_teeth;
-    double const radius = g.r_m + g.w0 + g.pitch_line;
-    return {-std::cos(angle), -std::sin(angle), radius * Vec2(std::sin(angle), std::cos(angle))};
-}
-
 int pitches_per_lobe(Scene const& scene)
 {
     return (scene.drive.circular_spline_teeth - scene.drive.flexspline_teeth) / scene.wave_generator.waves;

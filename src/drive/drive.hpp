@@ -2,6 +2,9 @@
 // The parts of a drive that follow from its scene without solving anything.
 #pragma once
 
+#include <cmath>
+#include <numbers>
+
 #include "hdconj/base/rigid_motion.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/profile/profile.hpp"
@@ -39,7 +42,12 @@ namespace hdconj::drive {
 
 /// Frame of the circular spline's tooth next to the space on +y, clockwise: y from the pitch line of the flexspline at
 /// the major axis towards the axis.
-[[nodiscard]] Pose spline_tooth_frame(Scene const& scene, PairGeometry const& g);
+[[nodiscard]] inline Pose spline_tooth_frame(Scene const& scene, PairGeometry const& g)
+{
+    double const angle = std::numbers::pi / scene.drive.circular_spline_teeth;
+    double const radius = g.r_m + g.w0 + g.pitch_line;
+    return {-std::cos(angle), -std::sin(angle), radius * Vec2(std::sin(angle), std::cos(angle))};
+}
 
 /// Adds a fault where the tooth is wider than its share of the pitch of its member, the circular spline where @p
 /// outside.
