@@ -11,6 +11,7 @@ import hdconj
 
 study = pytest.importorskip("hdconj.study")
 pytest.importorskip("distributed")
+from hdconj.study import _drive  # noqa: E402
 from hdconj.study._expression import Expression  # noqa: E402
 from hdconj.study._pictures import draw_all  # noqa: E402
 from hdconj.study._study import _ranks, dominated  # noqa: E402
@@ -116,6 +117,12 @@ def test_indices_of_a_sum(tmp_path):
     assert list(table["first"]) == pytest.approx([0.9, 0.1], abs=0.05)
     assert list(table["total"]) == pytest.approx([0.9, 0.1], abs=0.05)
     assert [file.name for file in draw_all(found)][-1] == "indices.png"
+
+
+def test_an_error_that_was_not_estimated_is_no_number():
+    for verb, result in (("solve", hdconj.solve()), ("contact", hdconj.contact(errors=False))):
+        values, errors, _ = _drive.figures_of(verb, result, False)
+        assert set(errors) == set(values) and all(math.isnan(error) for error in errors.values())
 
 
 def test_better_is_beyond_the_error():

@@ -67,12 +67,15 @@ def figures_of(verb: str, result: Any, errors: bool) -> tuple[dict[str, float], 
     values, estimates, units = {}, {}, {}
     for name, (value, error, unit) in found.items():
         values[name], units[name] = _scalar(value), unit
-        if error is not None:
-            estimates[name] = _scalar(error) if errors else float("nan")
+        if not errors:
+            estimates[name] = float("nan")
+        elif error is not None:
+            estimates[name] = _scalar(error)
     if "conjugate_zones" in groups:
         phi, on_boundary = (_entry(groups["conjugate_zones"], name, False) for name in ("phi", "on_boundary"))
         length = np.abs(np.diff(np.asarray(phi), axis=1))[:, 0]
         values[f"{verb}.conjugate_zone_length"] = float(length[np.asarray(on_boundary) != 0].sum())
+        estimates[f"{verb}.conjugate_zone_length"] = float("nan")
         units[f"{verb}.conjugate_zone_length"] = "rad"
     return values, estimates, units
 
