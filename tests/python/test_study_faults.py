@@ -1,6 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Studies that cannot be run are refused with all faults, before anything is computed."""
 
+import os
+from pathlib import Path
+
 import pytest
 
 import hdconj
@@ -145,3 +148,11 @@ def test_a_drive_that_cannot_be_made_is_no_fault():
         '"drive.circular_spline_teeth" = { from = 201, to = 204, step = 1 }',
     ):
         study.read_recipe(GOOD.replace(FLANK, law))
+
+
+STUDIES = sorted(Path(os.environ["HDCONJ_SOURCE"], "data/studies").glob("*.toml"))
+
+
+@pytest.mark.parametrize("file", STUDIES, ids=lambda file: file.stem)
+def test_the_studies_that_come_with_the_program(file):
+    assert study.check(file).drives > 0
