@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -12,6 +11,7 @@ from typing import Any
 import h5py  # type: ignore[import-untyped]
 import numpy as np
 
+from ._files import whole_file
 from ._tree import Array, Dataset, Group, dataset
 
 _TEXT = h5py.string_dtype("utf-8")
@@ -70,19 +70,8 @@ def _write_group(group: Group, place: Any, outer: dict[str, Any]) -> None:
 
 def write(group: Group, file: str | os.PathLike[str]) -> None:
     """Write a result, whole or not at all."""
-    target = Path(file)
-    handle, name = tempfile.mkstemp(suffix=".h5", prefix=f".{target.name}.", dir=target.parent)
-    os.close(handle)
-    try:
-        with h5py.File(name, "w") as made:
-            _write_group(group, made, {})
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(name, 0o666 & ~mask)
-        os.replace(name, target)
-    except BaseException:
-        os.unlink(name)
-        raise
+    with whole_file(Path(file)) as name, h5py.File(name, "w") as made:
+        _write_group(group, made, {})
 
 
 def _plain(value: Any) -> Any:

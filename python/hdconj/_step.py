@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -32,6 +31,7 @@ from OCP.XCAFApp import XCAFApp_Application
 from OCP.XCAFDoc import XCAFDoc_DocumentTool
 
 from ._errors import FileError
+from ._files import whole_file
 from ._loft import Strip
 
 CLOSE = 1e-6  # mm; edges of neighbours agree to less
@@ -188,18 +188,7 @@ def write(solids: dict[str, Any], file: str | os.PathLike[str]) -> None:
     tool = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
     for name, solid in solids.items():
         TDataStd_Name.Set_s(tool.AddShape(solid, False), TCollection_ExtendedString(name))
-    target = Path(file)
-    handle, name = tempfile.mkstemp(suffix=".step", prefix=f".{target.name}.", dir=target.parent)
-    os.close(handle)
-    try:
-        with _quiet():
-            writer = STEPCAFControl_Writer()
-            if not writer.Transfer(document) or writer.Write(name) != IFSelect_ReturnStatus.IFSelect_RetDone:
-                raise FileError(f"{target}: Open CASCADE could not write it")
-        mask = os.umask(0)
-        os.umask(mask)
-        os.chmod(name, 0o666 & ~mask)
-        os.replace(name, target)
-    except BaseException:
-        os.unlink(name)
-        raise
+    with whole_file(Path(file)) as name, _quiet():
+        writer = STEPCAFControl_Writer()
+        if not writer.Transfer(document) or writer.Write(name) != IFSelect_ReturnStatus.IFSelect_RetDone:
+            raise FileError(f"{file}: Open CASCADE could not write it")
