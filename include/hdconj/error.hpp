@@ -11,16 +11,25 @@
 
 namespace hdconj {
 
+/// What a fault depends on. A caller decides by it; texts are for people.
+enum class FaultKind
+{
+    other,    ///< other keys, files or the geometry: another scene may take the same value
+    unknown,  ///< a key or table of this name does not stand here, in any scene
+    value     ///< the key takes no such value, in any scene
+};
+
 /// One fault of a scene or of the command line.
 struct Fault
 {
-    std::string path;                ///< key path such as "flexspline.profile.addendum", or a file name
-    int line = 0;                    ///< line in the scene file, 1-based; 0 where there is none
-    std::string value;               ///< the offending value as the user wrote it; empty when absent
-    std::string reason;              ///< why this cannot be computed
-    std::string remedy;              ///< what to write instead
-    std::string origin{};            ///< "--set" for a fault of the command line; empty: the scene
-    std::vector<std::string> set{};  ///< the remedy as arguments of --set; empty where no number is known
+    std::string path;                   ///< key path such as "flexspline.profile.addendum", or a file name
+    int line = 0;                       ///< line in the scene file, 1-based; 0 where there is none
+    std::string value;                  ///< the offending value as the user wrote it; empty when absent
+    std::string reason;                 ///< why this cannot be computed
+    std::string remedy;                 ///< what to write instead
+    std::string origin{};               ///< "--set" for a fault of the command line; empty: the scene
+    std::vector<std::string> set{};     ///< the remedy as arguments of --set; empty where no number is known
+    FaultKind kind = FaultKind::other;  ///< what it depends on
 };
 
 /// All faults found so far, in the order found.
@@ -41,6 +50,9 @@ class InputError : public std::runtime_error
   private:
     Faults faults_;
 };
+
+/// The kind as Python gives it: "other", "unknown", "value".
+[[nodiscard]] std::string_view kind_word(FaultKind kind);
 
 /// The message a user reads: one paragraph per fault,
 /// "line 12: flexspline.wall = -0.7: reason (write ...)".

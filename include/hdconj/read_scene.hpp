@@ -50,9 +50,9 @@ inline constexpr std::size_t largest_scene = std::size_t{16} << 20;
 /// key that has a fault already gets no second one.
 void examine_geometry(scene::SceneReading& reading);
 
-/// One JSON object: "scene", "faults" [{"path", "line", "value", "reason", "remedy", "origin", "set"}], and, when there
-/// is a plan, "stages" [{"stage", "reason"}], "absent" [{"effect", "remedy"}] and "judgement" with @p notes. @p plan
-/// may be null.
+/// One JSON object: "scene", "faults" [{"path", "line", "value", "reason", "remedy", "origin", "set", "kind"}], and,
+/// when there is a plan, "stages" [{"stage", "reason"}], "absent" [{"effect", "remedy"}] and "judgement" with
+/// @p notes. @p plan may be null.
 [[nodiscard]] std::string check_json(std::string const& scene_name, Faults const& faults, Plan const* plan,
                                      Notes const& notes = {});
 

@@ -9,7 +9,7 @@ revision: str
 build: str
 
 _Observer = Callable[[str, float | None], None] | None
-_RawFault = tuple[str, int, str, str, str, str, tuple[str, ...]]
+_RawFault = tuple[str, int, str, str, str, str, tuple[str, ...], str]
 
 class Scene:
     @staticmethod

@@ -23,6 +23,9 @@ class Fault(NamedTuple):
     """``"--set"`` for a fault of :meth:`Scene.with_`; empty: the scene."""
     set: tuple[str, ...] = ()
     """The remedy as ``key=value``; empty where no number is known."""
+    kind: str = "other"
+    """``"unknown"``: no scene has this key or table here; ``"value"``: the key takes no such value in any scene;
+    ``"other"``: it depends on other keys, on files or on the geometry."""
 
 
 class InputError(ValueError):

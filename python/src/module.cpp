@@ -78,7 +78,8 @@ nb::str check_text(SceneHandle const& scene, std::string const& name, std::strin
 nb::tuple fault_tuple(Fault const& fault)
 {
     return nb::make_tuple(text_of(fault.path), fault.line, text_of(fault.value), text_of(fault.reason),
-                          text_of(fault.remedy), text_of(fault.origin), texts(fault.set));
+                          text_of(fault.remedy), text_of(fault.origin), texts(fault.set),
+                          text_of(std::string(kind_word(fault.kind))));
 }
 
 void add_errors(nb::module_&)

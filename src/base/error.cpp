@@ -56,6 +56,12 @@ void sort_by_place(Faults& faults)
                      [&rank](Fault const& a, Fault const& b) { return rank(a) < rank(b); });
 }
 
+std::string_view kind_word(FaultKind kind)
+{
+    static constexpr std::array<std::string_view, 3> words{"other", "unknown", "value"};
+    return words.at(static_cast<std::size_t>(kind));
+}
+
 std::string_view code_word(ErrorCode code)
 {
     static constexpr std::array<std::string_view, 13> words{

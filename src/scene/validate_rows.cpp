@@ -100,13 +100,25 @@ std::variant<Parameter, Faults> validate_rows(ParameterSpec const& spec, RawEntr
     Faults faults;
     NumberRows numbers;
     auto const add = [&](std::string reason) {
-        faults.push_back(
-            {path, entry.line, entry.value.written, std::move(reason), write_instead(spec, ""), entry.origin});
+        faults.push_back({path,
+                          entry.line,
+                          entry.value.written,
+                          std::move(reason),
+                          write_instead(spec, ""),
+                          entry.origin,
+                          {},
+                          FaultKind::value});
     };
     auto const add_row = [&](RawValue const& row, std::size_t number, std::string const& reason) {
         std::string const name = "row " + std::to_string(number);
-        faults.push_back({path, row.line > 0 ? row.line : entry.line, printable(text_of(row)), name + reason,
-                          "write " + name + " as " + row_form(spec), entry.origin});
+        faults.push_back({path,
+                          row.line > 0 ? row.line : entry.line,
+                          printable(text_of(row)),
+                          name + reason,
+                          "write " + name + " as " + row_form(spec),
+                          entry.origin,
+                          {},
+                          FaultKind::value});
     };
     if (rows.size() > static_cast<std::size_t>(bounds::most_rows)) {
         add("has more than " + std::to_string(bounds::most_rows) + " rows: give that many points in a file");

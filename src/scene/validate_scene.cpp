@@ -90,7 +90,9 @@ Fault value_for_table(TableSpec const& spec, std::string const& spelled, RawEntr
             entry.value.written,
             found + " where the table " + header + " belongs",
             "write the line " + header + " and its keys below it",
-            entry.origin};
+            entry.origin,
+            {},
+            FaultKind::value};
 }
 
 }  // namespace

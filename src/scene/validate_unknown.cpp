@@ -14,8 +14,14 @@ using Kind = RawValue::Kind;
 void add_fault(Validation& validation, std::string const& spelled, RawEntry const& entry, std::string reason,
                std::string remedy)
 {
-    validation.reading.faults.push_back(
-        {printable(spelled), entry.line, entry.value.written, std::move(reason), std::move(remedy), entry.origin});
+    validation.reading.faults.push_back({printable(spelled),
+                                         entry.line,
+                                         entry.value.written,
+                                         std::move(reason),
+                                         std::move(remedy),
+                                         entry.origin,
+                                         {},
+                                         FaultKind::unknown});
 }
 
 bool has_member(RawValue const& table, std::string_view key)

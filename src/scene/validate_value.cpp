@@ -220,7 +220,14 @@ std::variant<Parameter, Faults> validate_value(ParameterSpec const& spec, std::s
         return validate_rows(spec, entry, path);
     auto const refusal = refusal_of(spec, entry.value, write_instead(spec, example));
     if (refusal)
-        return Faults{{path, entry.line, entry.value.written, refusal->reason, refusal->remedy, entry.origin}};
+        return Faults{{path,
+                       entry.line,
+                       entry.value.written,
+                       refusal->reason,
+                       refusal->remedy,
+                       entry.origin,
+                       {},
+                       FaultKind::value}};
     if (entry.value.kind == Kind::text)
         return Parameter{entry.value.text, entry.line};
     return Parameter{entry.value.number, entry.line};

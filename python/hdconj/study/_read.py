@@ -25,8 +25,6 @@ from ._sample import METHODS
 VERBS = ("solve", "contact", "load")
 TABLES = ("scene", "set", "vary", "sample", "compute", "figures", "constraints", "objectives", "optimise")
 OPTIMISERS = ("nsga2", "cmaes", "random")
-# What the scene's schema says of a value, whatever the other keys are.
-_SCHEMA = re.compile(r"write (an? (length|angle|number|whole number|file|text|list)|text|true|one of)\b")
 _TAKEN = ("sample", "code", "stage", "place", "cause")
 
 
@@ -252,16 +250,20 @@ class _Reader:
     def _schema_fault(self, fault: Fault, key: Key, value: Value, recipe: Recipe) -> None:
         """Takes over a fault that holds whatever the other keys are; others are drives that cannot be made."""
         varied = {key.path for key in recipe.keys} | {path for path, _ in recipe.links}
-        of_key = fault.path == key.path or key.path.startswith(f"{fault.path}.")
-        linked = fault.path != key.path and fault.path in varied
-        if fault.reason.startswith("a count is written") and fault.path == key.path:
-            fault = fault._replace(reason="takes whole numbers only", remedy="write a whole number: add step = 1")
-        unknown = fault.reason.startswith("unknown") and (of_key or linked)
-        if not unknown and not ((fault.path == key.path or linked) and _SCHEMA.match(fault.remedy)):
+        of_key = fault.path == key.path or (fault.kind == "unknown" and key.path.startswith(f"{fault.path}."))
+        if fault.kind == "other" or not (of_key or fault.path in varied):
             return
+        whole = of_key and isinstance(value, float) and value.is_integer()
+        if whole and self._takes(recipe.scene_of({key.path: int(value)}), key.path):
+            fault = fault._replace(reason="takes whole numbers only", remedy="write a whole number: add step = 1")
         place = f"vary.{key.path if of_key else fault.path}"
         if not any(known.path == place and known.reason == fault.reason for known in self.faults):
             self.told(place, fault.reason, fault.remedy, value if of_key else fault.value)
+
+    @staticmethod
+    def _takes(scene: Scene, path: str) -> bool:
+        """Whether the scene's value of that key is one that the key takes in some scene."""
+        return all(fault.path != path or fault.kind == "other" for fault in scene.check())
 
 
 def _optimise(reader: _Reader) -> dict[str, Any]:

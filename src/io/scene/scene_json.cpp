@@ -20,7 +20,8 @@ Json json_of(Faults const& faults)
                         {"reason", fault.reason},
                         {"remedy", fault.remedy},
                         {"origin", fault.origin},
-                        {"set", fault.set}});
+                        {"set", fault.set},
+                        {"kind", kind_word(fault.kind)}});
     }
     return list;
 }

@@ -280,6 +280,24 @@ TEST_CASE("reading throws what examining reports", "[scene]")
     }
 }
 
+TEST_CASE("a fault says whether another scene may take what it refuses", "[scene]")
+{
+    auto const kind_of = [](std::string const& override_text) {
+        auto reading = examine_scene(builtin_scene_text(), "scene", {}, {override_text});
+        examine_geometry(reading);
+        REQUIRE(reading.faults.size() == 1);
+        return kind_word(reading.faults.front().kind);
+    };
+    CHECK(kind_of("flexspline.wal=1") == "unknown");
+    CHECK(kind_of("flexspin.wall=1") == "unknown");
+    CHECK(kind_of("flexspline.wall=-1") == "value");
+    CHECK(kind_of("flexspline.wall=thick") == "value");
+    CHECK(kind_of("drive.flexspline_teeth=199.5") == "value");
+    CHECK(kind_of("drive=3") == "value");
+    CHECK(kind_of("drive.circular_spline_teeth=203") == "other");
+    CHECK(kind_of("flexspline.profile.addendum=0.9") == "other");
+}
+
 TEST_CASE("faults are sorted by line, those without a line behind, the command line last", "[scene]")
 {
     Faults faults{
