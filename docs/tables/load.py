@@ -437,6 +437,13 @@ def errors(program):
         *((f"pitch 2 um, seed {seed}", {**both, "errors__seed": seed}) for seed in (1, 2, 3)),
         ("flexspline 5 um eccentric", {"errors__flexspline__eccentricity": 0.005}),
         ("circular spline 5 um eccentric", {"errors__circular_spline__eccentricity": 0.005}),
+        *(
+            (
+                f"circular spline wobbles by 0.02 deg, phase {phase} deg",
+                {"errors__circular_spline__wobble_deg": 0.02, "errors__circular_spline__wobble_phase_deg": phase},
+            )
+            for phase in (0, 90)
+        ),
         ("profile slope +3 um", {"errors__profile_slope": 0.003}),
         ("profile slope -3 um", {"errors__profile_slope": -0.003}),
     ]

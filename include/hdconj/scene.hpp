@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /// @file
-/// The scene: everything a user says about a drive, as plain data.
-/// Lengths in mm, angles in rad (keys ending in _deg are converted by the reader).
+/// The scene: everything a user says about a drive, as plain data, in mm and rad (the reader converts keys in _deg).
+// Long: the tables of a scene belong together.
 #pragma once
 
 #include <filesystem>
@@ -178,6 +178,8 @@ struct RingErrors
     std::vector<double> pitch;      ///< the place of each, clockwise [mm]; empty: random ones, by pitch_deviation
     double eccentricity = 0;        ///< of the ring against the axis [mm]
     double eccentricity_phase = 0;  ///< where the ring stands out, clockwise from its tooth or space 0 [rad]
+    double wobble = 0;              ///< angle between the ring's axis and the drive's, in the middle of the width [rad]
+    double wobble_phase = 0;        ///< the same as eccentricity_phase, at the cup's open end [rad]
     int line = 0;                   ///< of the table in the scene file, 1-based; 0: by --set
 };
 

@@ -14,7 +14,8 @@ namespace hdconj::contact {
 struct Displacement
 {
     double turn = 0;            ///< about the axis, clockwise [rad]
-    Vec2 shift = Vec2::Zero();  ///< in its own frame [mm]
+    Vec2 shift = Vec2::Zero();  ///< in its own frame, in the middle of the width [mm]
+    Vec2 lean = Vec2::Zero();   ///< by how much the shift grows along the axis, towards the cup's open end [mm/mm]
 };
 
 /// Deviations of flanks. Displacements are exact. Changes along the normal of the flank are added to the distance
@@ -29,6 +30,13 @@ struct FlankDeviation
     double excess = 0;                   ///< at no height do flanks stand out by more [mm]
     std::vector<Displacement> teeth{};   ///< of the flexspline, from tooth 0 on; empty: none
     std::vector<Displacement> spaces{};  ///< of the circular spline, from space 0 on; empty: none
+    std::vector<double> z{};             ///< (k) place of a slice from the middle of the width [mm]; empty: 0
+
+    /// The shift of @p of in a slice [mm].
+    [[nodiscard]] Vec2 shift(Displacement const& of, std::size_t slice_number) const
+    {
+        return z.empty() ? of.shift : of.shift + z[slice_number] * of.lean;
+    }
 };
 
 /// The displacement of a tooth or space by its number, which goes on over the ends of a turn.

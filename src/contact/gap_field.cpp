@@ -88,8 +88,9 @@ GapField::Candidates GapField::candidates_of(std::size_t space, std::size_t slic
         placement = {c0 * pose.cosine + s0 * pose.sine, s0 * pose.cosine - c0 * pose.sine,
                      pose.rotate_back(pose.origin)};
         if (deviation_)  // a point goes with its space, and the tooth away from it
-            placement.shift = displacement_at(deviation_->teeth, tooth).shift -
-                              placement(displacement_at(deviation_->spaces, space_number_[space]).shift);
+            placement.shift =
+                deviation_->shift(displacement_at(deviation_->teeth, tooth), slice) -
+                placement(deviation_->shift(displacement_at(deviation_->spaces, space_number_[space]), slice));
     }
     return teeth;
 }

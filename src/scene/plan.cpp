@@ -137,7 +137,7 @@ std::string errors_reason(Errors const& errors)
             return;
         text += "; " + ring + ": " +
                 (of->pitch.empty() ? "pitch_deviation = " + in_mm(of->pitch_deviation) : "pitch of each tooth") +
-                ", eccentricity = " + in_mm(of->eccentricity);
+                ", eccentricity = " + in_mm(of->eccentricity) + ", wobble_deg = " + number_text(to_deg(of->wobble));
     };
     add("flexspline", errors.flexspline);
     add("circular_spline", errors.circular_spline);

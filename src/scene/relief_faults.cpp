@@ -5,19 +5,34 @@
 #include <string>
 
 #include "base/text.hpp"
+#include "hdconj/units.hpp"
 #include "validation.hpp"
 
 namespace hdconj::scene {
 namespace {
 
+/// Of the module.
+constexpr double most_of_module = 0.1;
+
 /// Refuses an amount that makes another tooth of it.
 void check_amount(SceneReading const& reading, std::string const& key, double amount, Faults& faults)
 {
-    constexpr double largest = 0.1;  // of the module
     double const module = reading.scene.drive.module;
-    if (knows(reading, {key, "drive.module"}) && amount > largest * module)
+    if (knows(reading, {key, "drive.module"}) && amount > most_of_module * module)
         add_at(faults, key, number_text(amount), "more than a tenth of the module makes another drive",
-               "write at most " + at_most_text(largest * module) + ", such as " + number_text(0.016 * module));
+               "write at most " + at_most_text(most_of_module * module) + ", such as " + number_text(0.016 * module));
+}
+
+/// Refuses a wobble that moves the ends of the ring further than an eccentricity may.
+void check_wobble(SceneReading const& reading, std::string const& key, double wobble, Faults& faults)
+{
+    if (!knows(reading, {key, "drive.module", "circular_spline.width"}))
+        return;
+    double const half = *reading.scene.circular_spline.width / 2, most = most_of_module * reading.scene.drive.module;
+    if (half * std::tan(wobble) > most)
+        add_at(faults, key, number_text(to_deg(wobble)),
+               "moves the ends of the teeth by more than a tenth of the module",
+               "write at most " + at_most_text(to_deg(std::atan(most / half))));
 }
 
 /// Errors of one ring. Its pitches stand in one list, or are random.
@@ -29,6 +44,7 @@ void check_ring(SceneReading const& reading, std::string const& ring, std::optio
     std::string const path = "errors." + ring + ".";
     check_amount(reading, path + "pitch_deviation", errors->pitch_deviation, faults);
     check_amount(reading, path + "eccentricity", errors->eccentricity, faults);
+    check_wobble(reading, path + "wobble_deg", errors->wobble, faults);
     if (!knows(reading, {path + "pitch", "drive." + ring + "_teeth"}))
         return;
     auto const count = static_cast<int>(errors->pitch.size());

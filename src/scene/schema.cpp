@@ -443,7 +443,15 @@ std::vector<KeySpec> ring_errors()
             {optional("eccentricity", Q::nonnegative_length, "of the ring of teeth against its axis"), "0.005",
              to<&Scene::errors, ring, &RingErrors::eccentricity>, 0.0},
             {optional("eccentricity_phase_deg", Q::angle_deg, "where the ring stands out, clockwise from its tooth 0"),
-             "30", to_rad<&Scene::errors, ring, &RingErrors::eccentricity_phase>, 0.0}};
+             "30", to_rad<&Scene::errors, ring, &RingErrors::eccentricity_phase>, 0.0},
+            {optional("wobble_deg", Q::angle_deg,
+                      "between the axis of the ring of teeth and that of the drive, which cross in the middle of the "
+                      "face width",
+                      0, bounds::largest_wobble_deg),
+             "0.02", to_rad<&Scene::errors, ring, &RingErrors::wobble>, 0.0},
+            {optional("wobble_phase_deg", Q::angle_deg,
+                      "where the ring stands out at the cup's open end, clockwise from its tooth 0"),
+             "30", to_rad<&Scene::errors, ring, &RingErrors::wobble_phase>, 0.0}};
 }
 
 std::vector<KeySpec> contact()

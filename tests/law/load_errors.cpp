@@ -199,6 +199,22 @@ TEST_CASE("an eccentric ring that is turned by half a turn is the same drive", "
     }
 }
 
+TEST_CASE("a ring that wobbles and is turned by half a turn is the same drive", "[load][errors]")
+{
+    LoadStudy const plain = at_torque(15);
+    for (char const* ring : {"flexspline", "circular_spline"}) {
+        CAPTURE(ring);
+        std::string const key = std::string("errors.") + ring + ".wobble";
+        auto const wobbling = [&](char const* phase) {
+            return at_torque(15, {key + "_deg=0.1", key + "_phase_deg=" + phase});
+        };
+        LoadStudy const one = wobbling("70"), other = wobbling("250");
+        CHECK(one.sectors == 1);
+        check_same(only(one), only(other));
+        CHECK(std::abs(only(one).largest_force / only(plain).largest_force - 1) > 0.01);
+    }
+}
+
 TEST_CASE("a profile with more material everywhere is a smaller side clearance", "[load][errors]")
 {
     std::string const form = "errors.profile_form=[[-0.3, 0.003], [-0.1, 0.003], [0.1, 0.003], [0.2, 0.003]]";

@@ -70,6 +70,7 @@ inline constexpr int most_flank_points = 10000;
 inline constexpr int most_rows = 20000;           ///< of a list; longer ones belong into a file
 inline constexpr double least_tolerance = 1e-12;  ///< [mm]
 inline constexpr double largest_tilt_deg = 45;    ///< excluded
+inline constexpr double largest_wobble_deg = 1;   ///< of a ring of teeth: beyond, its planes are no slices of the drive
 inline constexpr double least_modulus = 1;        ///< of elasticity [MPa]
 inline constexpr double largest_modulus = 1e7;    ///< [MPa]
 inline constexpr double largest_poissons_ratio = 0.499;

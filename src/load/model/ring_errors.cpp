@@ -25,6 +25,12 @@ std::vector<double> places_of(Errors const& errors, std::optional<RingErrors> co
     return places;
 }
 
+/// The direction at an angle from the y axis.
+Vec2 clockwise(double angle)
+{
+    return {std::sin(angle), std::cos(angle)};
+}
+
 /// @param places  of the teeth on the pitch circle of a ring with as many teeth
 std::vector<contact::Displacement> displacements_of(std::optional<RingErrors> const& ring,
                                                     std::vector<double> const& places, int teeth, double module)
@@ -33,8 +39,9 @@ std::vector<contact::Displacement> displacements_of(std::optional<RingErrors> co
         return {};
     std::vector<contact::Displacement> result(static_cast<std::size_t>(teeth));
     for (std::size_t i = 0; i < result.size(); ++i) {
-        double const angle = ring->eccentricity_phase - 2 * std::numbers::pi * static_cast<double>(i) / teeth;
-        result[i].shift = ring->eccentricity * Vec2(std::sin(angle), std::cos(angle));
+        double const place = 2 * std::numbers::pi * static_cast<double>(i) / teeth;
+        result[i].shift = ring->eccentricity * clockwise(ring->eccentricity_phase - place);
+        result[i].lean = std::tan(ring->wobble) * clockwise(ring->wobble_phase - place);
         if (i < places.size())
             result[i].turn = places[i] / (module * teeth / 2);
     }
@@ -69,7 +76,8 @@ bool errors_repeat(Scene const& scene, int parts)
     auto const repeat = [&](std::vector<contact::Displacement> const& ring) {
         std::size_t const step = ring.size() / static_cast<std::size_t>(parts);
         for (std::size_t i = 0; i + step < ring.size(); ++i)
-            if (ring[i].turn != ring[i + step].turn || ring[i].shift != ring[i + step].shift)
+            if (ring[i].turn != ring[i + step].turn || ring[i].shift != ring[i + step].shift ||
+                ring[i].lean != ring[i + step].lean)
                 return false;
         return true;
     };

@@ -71,6 +71,7 @@ std::optional<contact::FlankDeviation> flank_deviation(contact::ContactContext c
         RingDisplacements rings = ring_displacements(scene);
         result.teeth = std::move(rings.teeth);
         result.spaces = std::move(rings.spaces);
+        result.z = z;
         add_profile(*scene.errors, context.tooth, result);
     });
     return result;

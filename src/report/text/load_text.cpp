@@ -35,6 +35,8 @@ void write_deviations(Page& page, Scene const& scene)
                         fmt::format("{}, standard deviation, seed {}", name, scene.errors->seed));
         if (ring->eccentricity != 0)
             page.figure("eccentricity", in_um(ring->eccentricity), name);
+        if (ring->wobble != 0)
+            page.figure("wobble", fmt::format("{:g} deg", to_deg(ring->wobble)), name);
     };
     of_ring("flexspline", scene.errors->flexspline);
     of_ring("circular spline", scene.errors->circular_spline);

@@ -195,4 +195,37 @@ TEST_CASE("an eccentric ring changes gaps in opposite zones by opposite amounts"
                 }
 }
 
+TEST_CASE("a ring that wobbles is eccentric in each slice by another amount", "[gap_field]")
+{
+    Flanks const flanks;
+    std::vector<double> const& z = flanks.drive.context->maker.z();
+    REQUIRE(z.size() == 3);
+    auto const ring = [](int count, double eccentric, double wobble) {
+        std::vector<contact::Displacement> all;
+        for (int i = 0; i < count; ++i) {
+            double const angle = 0.4 - 2 * std::numbers::pi * i / count;
+            Vec2 const direction(std::sin(angle), std::cos(angle));
+            all.push_back({0, eccentric * direction, wobble * direction});
+        }
+        return all;
+    };
+    constexpr double wobble = 3e-4, eccentricity = 1e-3;
+    auto const map = [&](double eccentric, double lean) {
+        contact::FlankDeviation deviation;
+        deviation.teeth = ring(flanks.drive.z_f(), eccentric, lean);
+        deviation.spaces = ring(flanks.drive.z_c(), -eccentric, -lean);
+        deviation.z = z;
+        return flanks.field(&deviation).map(0, 1);
+    };
+    GapMap const wobbling = map(eccentricity, wobble);
+    for (std::size_t k = 0; k < z.size(); ++k) {
+        GapMap const eccentric = map(eccentricity + wobble * z[k], 0);
+        for (std::size_t space = 0; space < wobbling.angle.size(); space += 3)
+            for (int const flank : {0, 1})
+                for (std::size_t i = 0; i < wobbling.station.size(); i += 5)
+                    CHECK(wobbling.at(space, flank, k, i) == Approx(eccentric.at(space, flank, k, i)).margin(1e-14));
+    }
+    CHECK(map(eccentricity, 0).gap != wobbling.gap);
+}
+
 }  // namespace hdconj::test::flank_deviation_cases
