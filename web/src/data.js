@@ -13,9 +13,9 @@
  * @typedef {{set_up: number, pass: number, tooth: number, x: number, y: number, upper: boolean, height: number,
  *   meshing: boolean}} Residual
  * @typedef {{name: string, flexspline_teeth: number, circular_spline_teeth: number, module: number, scene: string,
- *   judgement: Note[], notes: string[]|null, left_out: {part: string, why: string, failed: boolean}[],
- *   outline_error: number, spline: Group, teeth: Teeth|null, results: Record<string, Group>, residuals: Residual[],
- *   text: string}} Drive
+ *   origin: string, judgement: Note[], notes: string[]|null, left_out: {part: string, why: string, failed: boolean}[],
+ *   outline_error: number, spline: Group, loaded_spline: Group|null, teeth: Teeth|null,
+ *   results: Record<string, Group>, residuals: Residual[], text: string}} Drive
  * @typedef {{program_version: string, git_revision: string, build: string, date: string, drives: Drive[]}} Report
  * @typedef {{part: string, group: string, name: string, index: number, value: number, error: number|null,
  *   units: string, meaning: string}} Figure

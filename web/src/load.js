@@ -3,7 +3,7 @@
 
 import { bars, chart, heatMap, strong } from "./chart.js";
 import { column, groupAt, shown, shownError } from "./data.js";
-import { choice, colour, legend, make, remember, remembered } from "./dom.js";
+import { choice, colour, legend, make, onTheme, remember, remembered } from "./dom.js";
 import { say } from "./texts.js";
 
 const newtonMetre = 1000, arcminute = Math.PI / 180 / 60, degree = Math.PI / 180;
@@ -127,7 +127,7 @@ function cupSection(shape) {
     reading.textContent = `${(phi[row * kept] / degree).toFixed(1)}°: ≤ ${shown(Number(most.toPrecision(4)))} MPa`;
   };
   draw();
-  document.addEventListener("themechange", draw);
+  onTheme(canvas, draw);
   const slider = make("input", { type: "range", min: 0, max: rows - 1, value: 0, input: () => {
     row = Number(slider.value);
     draw();

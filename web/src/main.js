@@ -87,6 +87,7 @@ function show(index) {
   app.replaceChildren(make("header", {}, make("h1", {}, drive.name),
     make("p", {},
       `${say("version")} ${report.program_version} (${report.git_revision}), ${say("printed")} ${report.date}`),
+    drive.origin ? make("p", { class: "origin" }, drive.origin) : null,
     make("div", { class: "controls" },
       report.drives.length > 1 ? choice(say("drive"), report.drives.map((each) => each.name), index, (i) => {
         remember("d", i);

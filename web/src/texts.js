@@ -17,11 +17,20 @@ const english = {
   forces: "Forces under load",
   meshHelp: "Drag inside the flexspline to turn the wave generator, elsewhere to move the picture; after a click the "
     + "wheel zooms. Keys: space plays, arrows turn, plus and minus zoom, 0 shows the whole drive, 1 one tooth.",
+  loaded: "Under torque", loadedAt: "Under", loadedCase: "surface", loadedTwist: "the drive twists by",
+  loadedAngle: "wave generator at",
+  loadedTrue: "Nothing is exaggerated: the cup is bent and turned as computed, for this place of the wave generator "
+    + "only. The teeth are drawn rigid and with sharp edges: where a tooth enters a flank (vermilion), both yield by "
+    + "about as much.",
+  loadedHelp: "Drag to move the picture; after a click the wheel zooms. Keys: plus and minus zoom, 0 shows the whole "
+    + "drive, 1 one tooth.",
   canvas: "Teeth of both splines", accuracy: "Poses are interpolated from the program's own to",
   outlines: "outlines are exact to", case: "Case", contactGap: "contact gap", light: "Light", dark: "Dark",
   theme: "Light or dark", cells: "place across tooth spaces and slices", left: "left flank", right: "right flank",
   spaceAngle: "tooth space, degrees from the major axis", height: "z [mm]", gapMap: "Smallest gap of each flank [um]",
   turnHelp: "Drag or use the arrow keys to turn", surface: "One tooth space over the face width",
+  thinMap: "Each slice of a flank has the colour of its smallest gap. The shape drawn is that of",
+  atMajor: "at the major axis", atMinor: "at the minor axis",
   space: "Tooth space", coning: "Radial displacement of the wall", tilt: "Tilt", radial: "radial displacement [um]",
   torqueTwist: "Twist against torque", twist: "twist [arcmin]", torque: "torque [N m]",
   stiffness: "Stiffness against torque", stiffnessUnit: "stiffness [N m/arcmin]",
