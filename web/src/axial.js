@@ -2,8 +2,9 @@
 // What happens along the axis: map of gaps, one tooth space that one can turn, tilts.
 
 import { chart, heatMap } from "./chart.js";
-import { column, groupAt, shown, shownError } from "./data.js";
+import { column, groupAt } from "./data.js";
 import { choice, colour, legend, make, onTheme, remember, remembered, scaleColour } from "./dom.js";
+import { keyFigures } from "./keys.js";
 import { caseNames } from "./load.js";
 import { say } from "./texts.js";
 
@@ -43,27 +44,28 @@ function smallestOf(contact, index) {
   } };
 }
 
+function gapLegend() {
+  return make("span", {}, legend("0", `${limit} um ${say("andMore")}`), " ", make("span", { class: "interference" },
+    say("interference")));
+}
+
 /** @param {Smallest} smallest */
 function gapMaps(smallest) {
   return [say("left"), say("right")].map((name, flank) => heatMap(`${say("gapMap")}, ${name}`, say("spaceAngle"),
     say("height"), Array.from(smallest.angle, (a) => a / degree), smallest.z, (i, k) => smallest.at(i, flank, k),
-    (v) => scaleColour(v < -0.01 ? -1 : v / limit), legend("0", `${limit} um`)).figure);
+    (v) => scaleColour(v < -0.01 ? -1 : v / limit), gapLegend()).figure);
 }
 
 /** The cases of a study: their figures, maps and tooth space; a slider where there are several.
  * @param {import("./data.js").Drive} drive @param {import("./data.js").Group} contact */
 function casesView(drive, contact) {
   const names = caseNames(contact), written = contact.attributes?.written_case || 0;
-  const list = make("ul", { class: "computed" }), maps = make("div", { class: "figures wide" });
+  const list = make("div", {}), maps = make("div", { class: "figures wide" });
   const surface = make("div", { class: "wide" });
   const output = make("output", {});
   const show = (/** @type {number} */ i) => {
-    list.replaceChildren(...(contact.figures || [])
-      .filter((place) => !place[5] && column(contact, place[1]).length === names.length)
-      .map(([name, value, error, units]) => {
-        const v = column(contact, value)[i], e = error ? column(contact, error)[i] : null;
-        return make("li", {}, `${name} ${shown(v, e)}${e ? " ± " + shownError(e) : ""} ${units === "1" ? "" : units}`);
-      }));
+    list.replaceChildren(keyFigures(contact, i, ["contact_fraction", "contact_area", "teeth", "turn_to_contact",
+      "backlash", "smallest_gap", "flank_clearance", "backlash_offset", "least_side_clearance"]));
     const smallest = smallestOf(contact, i);
     maps.replaceChildren(...gapMaps(smallest));
     const figure = surfaceFigure(drive, groupAt(contact, "map"), i === written ? null : smallest);
@@ -141,6 +143,13 @@ function surfaceFigure(drive, map, smallest) {
       ctx.fill();
       ctx.stroke();
     }
+    ctx.fillStyle = colour("ink");
+    ctx.font = "26px system-ui, sans-serif";
+    for (const k of [0, z.length - 1]) { // where the ends are
+      const at = project(k, marks[2]);
+      const text = `z = ${Number(z[k].toFixed(3))} mm`, width = ctx.measureText(text).width;
+      ctx.fillText(text, Math.max(6, Math.min(1034 - width, at.x - width / 2)), Math.max(28, at.y - 12));
+    }
   };
   draw();
   onTheme(canvas, draw);
@@ -163,5 +172,5 @@ function surfaceFigure(drive, map, smallest) {
     angle.length ? choice(say("space"), Array.from(angle, (a) => (a / degree).toFixed(2) + "°"), space, (i) => {
       space = i;
       draw();
-    }) : null, make("p", { class: "note" }, say("turnHelp")), stations ? legend("0", `${limit} um`) : null);
+    }) : null, make("p", { class: "note" }, say("turnHelp")), stations ? gapLegend() : null);
 }

@@ -86,11 +86,11 @@ export function cuttingView(drive) {
       face = i;
       draw();
     }),
-    choice(say("pass"), ["1 ... " + names.length, ...names.map((_, i) => String(i + 1))], 0, (i) => {
+    choice(say("pass"), [say("allPasses"), ...names.map((_, i) => String(i + 1))], 0, (i) => {
       pass = i;
       draw();
     }),
-    make("button", { type: "button", click: () => view.showAll() }, say("whole"))), canvas,
+    make("button", { type: "button", click: () => view.showAll() }, say("wholePart"))), canvas,
   make("div", { class: "names" }, make("span", { class: "key" }, say("nominal")),
     ...names.map((_, i) => make("span", { class: `key s${i % 4}` }, `${say("pass")} ${i + 1}`))),
   make("h3", {}, say("residuals")), list);

@@ -2,8 +2,9 @@
 // The drive under torque.
 
 import { bars, chart, heatMap, strong } from "./chart.js";
-import { column, groupAt, shown, shownError } from "./data.js";
+import { brief, column, groupAt, shown, shownError } from "./data.js";
 import { choice, colour, legend, make, onTheme, remember, remembered } from "./dom.js";
+import { keyFigures } from "./keys.js";
 import { say } from "./texts.js";
 
 const newtonMetre = 1000, arcminute = Math.PI / 180 / 60, degree = Math.PI / 180;
@@ -40,9 +41,13 @@ function caseFigures(load, index) {
     [{ name: yName, x: by(column(curve, xName), xUnit), y: by(column(curve, yName), yUnit), error: error(yName,
       yUnit) }]);
   const perArcmin = newtonMetre / arcminute;
-  const all = [make("p", { class: "note" }, known.some((k) => k !== 0) ? say("band") : say("noBand"))];
-  if (column(curve, "torque").length > 1)
-    all.push(
+  const isCurve = column(curve, "torque").length > 1;
+  const all = [make("div", { class: "wide" }, make("h3", {}, `${say("atTorque")} ${
+    brief(column(load, "torque")[index] / newtonMetre)} N m`), keyFigures(load, index, ["twist", "stiffness",
+    "backlash", "teeth", "largest_force", "flank_pressure", "largest_line_load", "largest_stress", "wave_generator_force",
+    "ball_force"]))];
+  if (isCurve)
+    all.push(make("p", { class: "note" }, known.some((k) => k !== 0) ? say("band") : say("noBand")),
       curveOf(say("stiffness"), say("torque"), say("stiffnessUnit"), "torque", newtonMetre, "stiffness", perArcmin),
       curveOf(say("torqueTwist"), say("torque"), say("twist"), "torque", newtonMetre, "twist", arcminute),
       curveOf(say("pressure"), say("torque"), say("pressureUnit"), "torque", newtonMetre, "flank_pressure", 1));
@@ -88,7 +93,7 @@ function mapFigures(map, sectors) {
     pressure[(places[i].s * 2 + 1) * z.length + k]) || NaN; // nothing is painted where no force is
   return [bars(say("toothForces"), say("spaceAngle"), say("force"), xs, sum),
     heatMap(say("pressureMap"), say("spaceAngle"), say("height"), xs, z, value, (v) => strong(v / largest),
-      legend("0", `${shown(Number(largest.toPrecision(4)))} MPa`, true)).figure];
+      make("span", {}, legend("0", `${brief(largest)} MPa`, true), " " + say("white"))).figure];
 }
 
 /** The cup's section coloured by stress, at an angle that one chooses.
@@ -124,7 +129,15 @@ function cupSection(shape) {
       ctx.fill();
       ctx.stroke();
     }
-    reading.textContent = `${(phi[row * kept] / degree).toFixed(1)}°: ≤ ${shown(Number(most.toPrecision(4)))} MPa`;
+    ctx.fillStyle = ctx.strokeStyle = colour("ink");
+    ctx.font = "22px system-ui, sans-serif";
+    ctx.beginPath();
+    ctx.moveTo(60, 560);
+    ctx.lineTo(60 + 5 * scale, 560); // 5 mm of the drawing
+    ctx.stroke();
+    ctx.fillText("5 mm", 66, 550);
+    ctx.fillText(say("bottomOpen"), 60, 600);
+    reading.textContent = `${(phi[row * kept] / degree).toFixed(1)}°: ≤ ${brief(most)} MPa`;
   };
   draw();
   onTheme(canvas, draw);
@@ -134,7 +147,7 @@ function cupSection(shape) {
   } });
   return make("figure", {}, make("figcaption", {}, say("stress")), canvas,
     make("label", { class: "wide" }, say("sectionAngle") + " ", slider), reading,
-    legend("0", `${shown(Number(largest.toPrecision(4)))} MPa`, true));
+    legend("0", `${brief(largest)} MPa`, true));
 }
 
 /** @param {import("./data.js").Drive} drive */

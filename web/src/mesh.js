@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view of the teeth in mesh: controls, keys, readings.
 
-import { column, groupAt, shown, shownError } from "./data.js";
+import { column, groupAt, shownError } from "./data.js";
 import { choice, legend, make, onTheme, remember, remembered, toggle } from "./dom.js";
+import { keyFigures } from "./keys.js";
 import { caseNames } from "./load.js";
 import { LoadedMesh, loadedTeeth } from "./loaded.js";
 import { Mesh, turned } from "./motion.js";
@@ -115,15 +116,8 @@ function teethView(drive, loaded, show) {
     if (!contact || still) return;
     const { state, index, off } = stateAt();
     if (!state || !(off < 1e-7)) return;
-    const rows = (state.figures || []).filter((place) => !place[5]
-      && /gap$|turn_to_contact|contact_fraction|teeth$/.test(place[0]));
-    computed.append(make("strong", {}, say("computed")), make("ul", {}, ...rows.map(([name, value, error, units]) => {
-      const v = column(state, value)[index], e = error ? column(state, error)[index] : null;
-      const scale = units === "mm" ? 1000 : 1;
-      return make("li", { "data-name": name, "data-value": v * scale },
-        `${name} ${shown(v * scale, e === null ? null : e * scale)}${e ? " ± " + shownError(e * scale) : ""} ${
-          units === "mm" ? "um" : units === "1" ? "" : units}`);
-    })));
+    computed.append(make("strong", {}, say("computed")), keyFigures(state, index, ["smallest_gap", "turn_to_contact",
+      "reverse_turn_to_contact", "backlash", "contact_fraction", "teeth"]));
   }
   function readPointer() {
     if (!pointer) return;
@@ -260,7 +254,7 @@ function loadedNote(drive, mesh) {
   const torque = Number(((map?.attributes?.torque_Nmm || 0) / 1000).toPrecision(4));
   const twist = Number((column(load, "twist")[index] / degree * 60).toPrecision(3));
   return `${say("loadedAt")} ${torque} N m, ${say("loadedCase")} ${caseNames(load)[index]}: ${say("loadedTwist")} ${
-    twist} arcmin, ${say("loadedAngle")} ${(mesh.loadedAngle / degree).toFixed(2)}°. ${say("loadedTrue")}`;
+    twist} arcmin, ${say("loadedAngle")} ${(mesh.loadedAngle / degree + 0).toFixed(2)}°. ${say("loadedTrue")}`;
 }
 
 /** A length in um to 0.01, no minus before zero.

@@ -54,7 +54,7 @@ export function paintForces(painter, ctx, s, spin, view) {
       if (s.loaded && slice[i] !== s.slice) continue;
       const lean = angle[space[i]] + s.angle + 2 * Math.PI * sector / sectors + spin;
       const p = turned(place[2 * i], place[2 * i + 1], lean), n = turned(normal[2 * i], normal[2 * i + 1], lean);
-      const a = view.toPixels(p.x, p.y), length = 4 + 56 * force[i] / largest;
+      const a = view.toPixels(p.x, p.y), length = 4 + Math.min(56, view.height / 10) * force[i] / largest;
       const strip = half[i] * view.scale; // as wide as Hertz says, along the flank
       ctx.beginPath();
       ctx.moveTo(a.x, a.y);
