@@ -37,6 +37,28 @@ def report(name, *words):
     return file
 
 
+# Counts what is drawn, and keeps the times between frames [ms] and the work that each says it took.
+COUNTING = """() => {
+  let calls = 0, points = 0;
+  const count = (of, name, act) => {
+    const plain = of[name];
+    of[name] = function (...given) { act(); return plain.apply(this, given); };
+  };
+  for (const name of ["fill", "stroke", "fillRect"]) count(CanvasRenderingContext2D.prototype, name, () => ++calls);
+  for (const of of [CanvasRenderingContext2D.prototype, Path2D.prototype]) count(of, "lineTo", () => ++points);
+  window.watchFrames = (seconds, done) => {
+    const canvas = document.querySelector("canvas.mesh"), before = Number(canvas.dataset.frames);
+    const times = [], work = [];
+    calls = points = 0;
+    const frame = now => {
+      times.push(now);
+      work.push(Number(canvas.dataset.work));
+      if (now - times[0] < 1000 * seconds) requestAnimationFrame(frame);
+      else done([Number(canvas.dataset.frames) - before, calls, points, times.slice(1).map((t, i) => t - times[i]), work]);
+    };
+    requestAnimationFrame(frame);
+  };
+}"""
 CLEARANCE = ("--set", "circular_spline.backlash_offset=0.002", "--set", "circular_spline.width=2")
 
 
@@ -329,7 +351,7 @@ class Reports(unittest.TestCase):
                 self.assertEqual([(each["id"], each["nodes"][0]["html"]) for each in found
                                   if each["impact"] in ("serious", "critical")], [])
 
-    def test_turns_smoothly_and_opens_at_once(self):
+    def test_opens_at_once(self):
         firsts = []
         for _ in range(3):
             with Page(contact_page()) as page:
@@ -337,17 +359,26 @@ class Reports(unittest.TestCase):
                 firsts.append(float(page.locator("canvas.mesh").first.get_attribute("data-first")))
         print(f"first picture after {min(firsts):.0f} ms")
         self.assertLess(min(firsts), 500)
-        with Page(contact_page()) as page:
+
+    def test_turns_404_teeth_with_little_work(self):
+        """Counts what a frame draws; how long frames take depends on the machine, and is printed only."""
+        opened = Page(report("solved", TYPE_50))
+        with opened as page:
             settled(page)
+            page.evaluate(COUNTING)
             page.get_by_role("button", name="Play").click()
-            page.wait_for_timeout(1500)  # until all colours are known
-            work = []
-            for _ in range(40):
-                page.wait_for_timeout(25)
-                work.append(float(page.locator("canvas.mesh").first.get_attribute("data-work")))
-            work.sort()
-            print(f"work of a frame: median {work[20]:.1f} ms, 9 of 10 below {work[36]:.1f} ms")
-            self.assertLess(work[20], 1000 / 60)
+            page.wait_for_timeout(2500)  # until all colours are known
+            frames, calls, points, intervals, work = page.evaluate(
+                "seconds => new Promise(done => watchFrames(seconds, done))", 4)
+        self.assertGreater(frames, 10)
+        per_frame = {"calls": calls / frames, "points": points / frames}
+        print(f"a frame of 404 teeth: {per_frame['calls']:.0f} fills and strokes of {per_frame['points']:.0f} points")
+        intervals.sort()
+        work.sort()
+        print(f"{frames} frames, intervals: median {intervals[len(intervals) // 2]:.1f} ms, 9 of 10 below "
+              f"{intervals[len(intervals) * 9 // 10]:.1f} ms; work: median {work[len(work) // 2]:.1f} ms")
+        self.assertLess(per_frame["calls"], 800)
+        self.assertLess(per_frame["points"], 1500)
 
     def test_wire_and_its_spots(self):
         with Page(two_drives()) as page:

@@ -53,7 +53,8 @@ export function column(group, name) {
 
 /** The values of a figure that stands in datasets, and its errors; null where there is none.
  * @param {Group} group @param {Place} place */
-export function valuesOf(group, [, value, error]) {
+export function valuesOf(group, [, value, stated]) {
+  const apart = groupAt(group, "error")?.datasets?.[value] ? "error/" + value : "", error = stated || apart;
   const place = error.startsWith("error/") ? groupAt(group, "error") : group;
   const errors = error ? column(place, error.replace("error/", "")) : new Float64Array(0);
   const estimated = place === group ? undefined : place && place.datasets && place.datasets.estimated;
@@ -113,6 +114,7 @@ export function shownError(error) {
 function tidy(text) {
   const number = Number(text);
   const size = Math.abs(number);
+  if (text.includes("e") && size >= 1e-4 && size < 1e7) return String(number); // 340 rather than 3.4e+2
   return size !== 0 && (size < 1e-4 || size >= 1e7) ? text.includes("e") ? text : number.toExponential() : text;
 }
 

@@ -24,7 +24,7 @@ export function keyFigures(group, index, wanted) {
     if (!(index < values.length)) return null;
     const [factor, unit] = shownUnit(name, place[3]), value = values[index] * factor;
     return make("tr", { "data-name": name, "data-value": value },
-      make("th", { scope: "row", title: name }, place[4]),
+      make("th", { scope: "row" }, name.replace(/_/g, " "), make("small", {}, place[4])),
       make("td", {}, shown(value, error === null ? null : error * factor)),
       make("td", {}, error === null ? "" : "± " + shownError(error * factor)), make("td", {}, unit));
   });

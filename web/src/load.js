@@ -44,8 +44,8 @@ function caseFigures(load, index) {
   const isCurve = column(curve, "torque").length > 1;
   const all = [make("div", { class: "wide" }, make("h3", {}, `${say("atTorque")} ${
     brief(column(load, "torque")[index] / newtonMetre)} N m`), keyFigures(load, index, ["twist", "stiffness",
-    "backlash", "teeth", "largest_force", "flank_pressure", "largest_line_load", "largest_stress", "wave_generator_force",
-    "ball_force"]))];
+    "backlash", "teeth", "largest_force", "flank_pressure", "largest_line_load", "largest_stress",
+    "wave_generator_force", "ball_force"]))];
   if (isCurve)
     all.push(make("p", { class: "note" }, known.some((k) => k !== 0) ? say("band") : say("noBand")),
       curveOf(say("stiffness"), say("torque"), say("stiffnessUnit"), "torque", newtonMetre, "stiffness", perArcmin),
@@ -62,7 +62,7 @@ function caseFigures(load, index) {
     const twist = by(column(members, "twist"), arcminute), e = column(members, "twist_error");
     all.push(make("figure", {}, make("figcaption", {}, say("members")), make("table", {}, make("tbody", {},
       ...names.map((name, i) => make("tr", {}, make("th", { scope: "row" }, name),
-        make("td", {}, shown(twist[i], e.length ? e[i] / arcminute : null)),
+        make("td", {}, e.length ? shown(twist[i], e[i] / arcminute) : brief(twist[i])),
         make("td", {}, e.length ? "± " + shownError(e[i] / arcminute) : ""), make("td", {}, "arcmin")))))));
   }
   const cup = index === ((load.attributes && load.attributes.written_case) || 0) ? cupSection(groupAt(load, "shape"))
@@ -93,7 +93,8 @@ function mapFigures(map, sectors) {
     pressure[(places[i].s * 2 + 1) * z.length + k]) || NaN; // nothing is painted where no force is
   return [bars(say("toothForces"), say("spaceAngle"), say("force"), xs, sum),
     heatMap(say("pressureMap"), say("spaceAngle"), say("height"), xs, z, value, (v) => strong(v / largest),
-      make("span", {}, legend("0", `${brief(largest)} MPa`, true), " " + say("white"))).figure];
+      make("span", {}, legend("0", `${brief(largest)} MPa`, true),
+        make("span", { class: "legend" }, say("white")))).figure];
 }
 
 /** The cup's section coloured by stress, at an angle that one chooses.

@@ -29,8 +29,8 @@ function cell(value) {
 function searchable(head, rows, label) {
   const body = make("tbody", {}), count = make("span", { "class": "note", "role": "status" });
   const made = rows.map((row) => make("tr", { class: row.mark ? "differs" : undefined },
-    ...row.cells.map((each, i) => make(i === 1 ? "th" : "td", i === 1 ? { scope: "row" } : { "data-head": head[i] },
-      each))));
+    ...row.cells.map((each, i) => make(i === 1 ? "th" : "td", i === 1 ? { scope: "row" }
+      : { "data-head": head[i] || undefined }, each))));
   const most = 400; // rows shown at once: a search finds the others
   const show = () => {
     const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);

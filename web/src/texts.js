@@ -46,7 +46,7 @@ const english = {
   places: "places", tooth: "first in tooth space", on: "on", flank: "a flank", root: "the root",
     onlyOne: "This report holds one drive.",
   keyFigures: "Figures to look at first", atTorque: "At", andMore: "and more", interference: "interference",
-  white: "white: no force", bottomOpen: "left: bottom of the cup, right: open end; the axis lies below",
+  white: "empty: no force", bottomOpen: "left: bottom of the cup, right: open end; the axis lies below",
   noErrorNote: "Where the error is empty the program states none: counts, given values, and figures whose error is "
     + "not determined.", allPasses: "all", wholePart: "Whole part",
   hoverHint: "Point at the picture to read values.", version: "hdconj", printed: "written", summary: "Printed summary",
