@@ -322,6 +322,21 @@ class Reports(unittest.TestCase):
             self.assertIn(HOSTILE, page.title())
             self.assertIsNone(page.evaluate("window.broken ?? null"))
 
+    def test_design_rules_are_those_of_the_judgement(self):
+        wide = report("wide", TYPE_50, "--set", "wave_generator.radial_deformation=0.32")
+        notes = json.loads(hdconj("solve", TYPE_50, "--set", "wave_generator.radial_deformation=0.32", "--json", "-q",
+                                  "-o", f"{FOLDER.name}/wide.h5"))["judgement"]
+        self.assertGreater(len(notes), 0)
+        with Page(wide) as page:
+            see(page, "rules")
+            rows = {row.locator("th").inner_text().split()[0]: row.inner_text()
+                    for row in page.locator("#rules tbody tr").all()}
+        self.assertEqual(len(rows), 10)
+        for note in notes:
+            self.assertIn(note["cause"], rows[note["code"]])
+        codes = {note["code"] for note in notes}
+        self.assertEqual({code for code, text in rows.items() if "within the usual range" in text}, set(rows) - codes)
+
     def test_dark_phone_print_and_no_script(self):
         with Page(contact_page(), viewport={"width": 375, "height": 812}, color_scheme="dark", has_touch=True) as page:
             settled(page)

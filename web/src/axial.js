@@ -134,6 +134,7 @@ function surfaceFigure(drive, map, smallest) {
         quads.push({ corners, depth: corners.reduce((sum, c) => sum + c.depth, 0),
           fill: Number.isFinite(g) ? scaleColour(g < -0.01 ? -1 : g / limit) : colour("spline") });
       }
+    ctx.lineWidth = 1;
     quads.sort((a, b) => b.depth - a.depth);
     for (const { corners, fill } of quads) {
       ctx.beginPath();
@@ -144,11 +145,16 @@ function surfaceFigure(drive, map, smallest) {
       ctx.stroke();
     }
     ctx.fillStyle = colour("ink");
+    ctx.strokeStyle = colour("paper");
+    ctx.lineWidth = 6;
+    ctx.lineJoin = "round";
     ctx.font = "26px system-ui, sans-serif";
     for (const k of [0, z.length - 1]) { // where the ends are
       const at = project(k, marks[2]);
       const text = `z = ${Number(z[k].toFixed(3))} mm`, width = ctx.measureText(text).width;
-      ctx.fillText(text, Math.max(6, Math.min(1034 - width, at.x - width / 2)), Math.max(28, at.y - 12));
+      const left = Math.max(6, Math.min(1034 - width, at.x - width / 2)), top = Math.max(28, at.y - 12);
+      ctx.strokeText(text, left, top);
+      ctx.fillText(text, left, top);
     }
   };
   draw();

@@ -9,14 +9,17 @@
  *   figures?: Place[]}} Group
  * @typedef {{z: number[], steps: number, period: number, radius: Dataset, advance: Dataset, lean: Dataset,
  *   tooth: Dataset, chord: number, interpolation_error: number}} Teeth
- * @typedef {{severity: string, cause: string, advice: string, place: string}} Note
+ * @typedef {{code: string, figure: string, unit: string, usual: (number|null)[], accepted: (number|null)[],
+ *   source: string}} Limit
+ * @typedef {{code: string, severity: string, cause: string, advice: string, place: string}} Note
  * @typedef {{set_up: number, pass: number, tooth: number, x: number, y: number, upper: boolean, height: number,
  *   meshing: boolean}} Residual
  * @typedef {{name: string, flexspline_teeth: number, circular_spline_teeth: number, module: number, scene: string,
  *   origin: string, judgement: Note[], notes: string[]|null, left_out: {part: string, why: string, failed: boolean}[],
  *   outline_error: number, spline: Group, loaded_spline: Group|null, teeth: Teeth|null,
  *   results: Record<string, Group>, residuals: Residual[], text: string}} Drive
- * @typedef {{program_version: string, git_revision: string, build: string, date: string, drives: Drive[]}} Report
+ * @typedef {{program_version: string, git_revision: string, build: string, date: string, limits: Limit[],
+ *   drives: Drive[]}} Report
  * @typedef {{part: string, group: string, name: string, index: number, value: number, error: number|null,
  *   units: string, meaning: string}} Figure
  */

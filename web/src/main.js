@@ -7,6 +7,7 @@ import { choice, make, remember, remembered } from "./dom.js";
 import { loadView } from "./load.js";
 import { meshView } from "./mesh.js";
 import { compareView, numbersView } from "./numbers.js";
+import { rulesView } from "./rules.js";
 import { say } from "./texts.js";
 
 const element = /** @type {HTMLElement} */ (document.getElementById("data"));
@@ -75,7 +76,8 @@ function show(index) {
   if (results.load) sections.push(section("load", say("load"), () => loadView(drive)));
   if (results.wedm) sections.push(section("wedm", say("wedm"), () => cuttingView(drive)));
   if (report.drives.length > 1) sections.push(section("compare", say("compare"), () => compareView(report.drives)));
-  sections.push(section("numbers", say("numbers"), () => numbersView(drive)),
+  sections.push(section("rules", say("rules"), () => rulesView(report.limits, drive)),
+    section("numbers", say("numbers"), () => numbersView(drive)),
     section("scene", say("scene"), () => make("pre", { tabindex: 0 }, drive.scene)),
     section("about", say("about"), () => about(drive)));
   const nav = make("nav", { "aria-label": say("about") },

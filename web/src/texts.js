@@ -45,6 +45,10 @@ const english = {
   residuals: "Material that no pass reaches", jump: "Show", noResiduals: "No pass leaves more than its limit.",
   places: "places", tooth: "first in tooth space", on: "on", flank: "a flank", root: "the root",
     onlyOne: "This report holds one drive.",
+  rules: "Design rules", rule: "Rule", usual: "Usual", accepted: "Accepted", found: "This drive", source: "Source",
+  any: "any", atMost: "at most", atLeast: "at least", withinRange: "within the usual range",
+  rulesNote: "What a design is judged by, in the plane z = 0. m: module, z_f and z_c: teeth of flexspline and circular "
+    + "spline, n: waves, w0: radial deformation.",
   keyFigures: "Figures to look at first", atTorque: "At", andMore: "and more", interference: "interference",
   white: "empty: no force", bottomOpen: "left: bottom of the cup, right: open end; the axis lies below",
   noErrorNote: "Where the error is empty the program states none: counts, given values, and figures whose error is "

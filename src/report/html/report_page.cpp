@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "hdconj/contact_files.hpp"
+#include "hdconj/judgement.hpp"
 #include "hdconj/load_files.hpp"
 #include "hdconj/report.hpp"
 #include "hdconj/result_files.hpp"
@@ -113,12 +114,31 @@ Json judgement_json(ReportedDrive const& drive)
     Json notes = Json::array();
     for (Solution const* solution : solutions_of(drive))
         add_once(notes, list_of(solution->judgement, [](Note const& note) -> Json {
-                     return {{"severity", to_string(note.severity)},
+                     return {{"code", to_string(note.code)},
+                             {"severity", to_string(note.severity)},
                              {"place", note.place},
                              {"cause", note.cause},
                              {"advice", note.advice}};
                  }));
     return notes;
+}
+
+Json range_json(DesignRange const& range)
+{
+    return {number(range.low), number(range.high)};
+}
+
+/// The rules that a design is judged by.
+Json limits_json()
+{
+    return list_of(design_limits(), [](DesignLimit const& limit) -> Json {
+        return {{"code", to_string(limit.code)},
+                {"figure", limit.figure},
+                {"unit", limit.unit},
+                {"usual", range_json(limit.usual)},
+                {"accepted", range_json(limit.accepted)},
+                {"source", limit.source}};
+    });
 }
 
 /// What is printed beside them.
@@ -230,11 +250,10 @@ std::string report_page(std::vector<ReportedDrive> const& drives)
 {
     if (drives.empty())
         throw std::logic_error("a report of no drive");
-    report::Json const data = {{"program_version", program_version()},
-                               {"git_revision", git_revision()},
-                               {"build", build_description()},
-                               {"date", io::layout::date_text()},
-                               {"drives", report::list_of(drives, report::drive_json)}};
+    report::Json const data = {
+        {"program_version", program_version()}, {"git_revision", git_revision()},
+        {"build", build_description()},         {"date", io::layout::date_text()},
+        {"limits", report::limits_json()},      {"drives", report::list_of(drives, report::drive_json)}};
     std::string title = "hdconj:";
     for (ReportedDrive const& drive : drives)
         title += (&drive == &drives.front() ? " " : ", ") + drive.solution.scene.drive.name;
