@@ -54,7 +54,8 @@ COUNTING = """() => {
       times.push(now);
       work.push(Number(canvas.dataset.work));
       if (now - times[0] < 1000 * seconds) requestAnimationFrame(frame);
-      else done([Number(canvas.dataset.frames) - before, calls, points, times.slice(1).map((t, i) => t - times[i]), work]);
+      else done([Number(canvas.dataset.frames) - before, calls, points, times.slice(1).map((t, i) => t - times[i]),
+        work]);
     };
     requestAnimationFrame(frame);
   };
@@ -262,6 +263,7 @@ class Reports(unittest.TestCase):
             for case, gaps in enumerate(cases):
                 page.locator("#axial input[data-tilt]").fill(str(case))
                 picture = page.locator("#axial svg.chart").first
+                picture.scroll_into_view_if_needed()
                 box = picture.bounding_box()
                 # the middle of the map is the tooth space and the slice in the middle
                 page.mouse.move(box["x"] + box["width"] * (64 + 508) / 2 / 520,

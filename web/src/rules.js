@@ -8,8 +8,8 @@ import { say } from "./texts.js";
 function rangeText(range, unit) {
   const [low, high] = range.map((end) => (end === null ? null : Number(end.toPrecision(3))));
   const ending = unit === "1" ? "" : " " + unit;
-  if (low === null) return high === null ? say("any") : `${say("atMost")} ${high}${ending}`;
-  return high === null ? `${say("atLeast")} ${low}${ending}` : `${low} ... ${high}${ending}`;
+  if (low === null) return high === null ? say("any") : `${say("notAbove")} ${high}${ending}`;
+  return high === null ? `${say("notBelow")} ${low}${ending}` : `${low} ... ${high}${ending}`;
 }
 
 /** @param {import("./data.js").Limit[]} limits @param {import("./data.js").Drive} drive */

@@ -46,7 +46,7 @@ const english = {
   places: "places", tooth: "first in tooth space", on: "on", flank: "a flank", root: "the root",
     onlyOne: "This report holds one drive.",
   rules: "Design rules", rule: "Rule", usual: "Usual", accepted: "Accepted", found: "This drive", source: "Source",
-  any: "any", atMost: "at most", atLeast: "at least", withinRange: "within the usual range",
+  any: "any", notAbove: "at most", notBelow: "at least", withinRange: "within the usual range",
   rulesNote: "What a design is judged by, in the plane z = 0. m: module, z_f and z_c: teeth of flexspline and circular "
     + "spline, n: waves, w0: radial deformation.",
   keyFigures: "Figures to look at first", atTorque: "At", andMore: "and more", interference: "interference",
