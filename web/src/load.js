@@ -21,7 +21,7 @@ export function caseNames(group) {
   const sets = (group && group.datasets) || {}, tilt = column(group, "tilt");
   return ((sets.surface && sets.surface.texts) || []).map((surface, i) => {
     const kind = sets.kind && sets.kind.texts ? sets.kind.texts[i] : "";
-    return `${surface}${kind ? `, ${kind} ${shown(tilt[i] / degree)}°` : ""}`;
+    return `${surface}${kind ? `, ${kind} ${brief(tilt[i] / degree)}°` : ""}`;
   });
 }
 

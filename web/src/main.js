@@ -103,7 +103,8 @@ function show(index) {
 function about(drive) {
   return make("div", {}, make("h3", {}, say("leftOut")),
     make("ul", {}, ...drive.left_out.map((each) => make("li", {}, `${each.part}: ${each.why}`))),
-    make("p", {}, report.build), make("details", {}, make("summary", {}, say("summary")), make("pre", {}, drive.text)));
+    make("p", {}, `${say("built")} ${report.build}`),
+    make("details", {}, make("summary", {}, say("summary")), make("pre", {}, drive.text)));
 }
 
 show(Math.min(report.drives.length - 1, Math.max(0, Math.round(remembered("d", 0)))));

@@ -24,7 +24,8 @@ export function rulesView(limits, drive) {
         .map((text, i) => make("td", { "data-head": head[i + 1] }, text)));
   });
   return make("div", {}, make("p", { class: "note" }, say("rulesNote")),
-    make("div", { "class": "scroll", "tabindex": 0, "role": "region", "aria-label": say("rules") }, make("table", { class: "rules" },
-      make("thead", {}, make("tr", {}, ...head.map((text) => make("th", { scope: "col" }, text)))),
-      make("tbody", {}, ...rows))));
+    make("div", { "class": "scroll", "tabindex": 0, "role": "region", "aria-label": say("rules") },
+      make("table", { class: "rules" },
+        make("thead", {}, make("tr", {}, ...head.map((text) => make("th", { scope: "col" }, text)))),
+        make("tbody", {}, ...rows))));
 }

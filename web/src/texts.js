@@ -49,7 +49,8 @@ const english = {
   any: "any", notAbove: "at most", notBelow: "at least", withinRange: "within the usual range",
   rulesNote: "What a design is judged by, in the plane z = 0. m: module, z_f and z_c: teeth of flexspline and circular "
     + "spline, n: waves, w0: radial deformation.",
-  keyFigures: "Figures to look at first", atTorque: "At", andMore: "and more", interference: "interference",
+  built: "Program built with", keyFigures: "Figures to look at first", atTorque: "At", andMore: "and more",
+  interference: "interference",
   white: "empty: no force", bottomOpen: "left: bottom of the cup, right: open end; the axis lies below",
   noErrorNote: "Where the error is empty the program states none: counts, given values, and figures whose error is "
     + "not determined.", allPasses: "all", wholePart: "Whole part",
