@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <variant>
 
 #include "arguments.hpp"
 #include "hdconj/error.hpp"
@@ -17,7 +18,7 @@ namespace fs = std::filesystem;
 
 struct ReportArguments
 {
-    std::vector<std::string> scenes;
+    std::vector<std::string> sources;  ///< scenes and result files
     std::vector<std::string> parts;
     std::vector<std::string> tilts_deg;
     int revolution = 0;
@@ -25,23 +26,55 @@ struct ReportArguments
     std::string output;
 };
 
-/// The scenes, each with --set and --threads; faults of all in one report.
-std::vector<Scene> scenes_of(CommonOptions common, ReportArguments const& own, std::vector<InputFile>& inputs)
+/// A drive of the page: a scene that is computed, or what a result file holds.
+using Source = std::variant<Scene, ReportedDrive>;
+
+Scene const& scene_of(Source const& source)
 {
-    std::vector<Scene> scenes;
+    auto const* const scene = std::get_if<Scene>(&source);
+    return scene != nullptr ? *scene : std::get<ReportedDrive>(source).solution.scene;
+}
+
+/// Options that change how scenes are computed, where there are only result files.
+Faults idle_options(CommonOptions const& common, ReportArguments const& own)
+{
     Faults faults;
-    for (std::string const& name : own.scenes.empty() ? std::vector<std::string>{""} : own.scenes) {
+    for (auto const& [option, is_given] :
+         {std::pair{"--set", !common.overrides.empty()}, std::pair{"--tilt", !own.tilts_deg.empty()},
+          std::pair{"--revolution", own.revolution != 0}, std::pair{"--no-curve", own.no_curve}})
+        if (is_given)
+            faults.push_back({option, 0, "", "changes how a scene is computed, and only result files are given",
+                              "leave it out, or give the scene in place of its result file"});
+    return faults;
+}
+
+/// The scenes, each with --set and --threads, and the result files; faults of all in one report.
+std::vector<Source> sources_of(CommonOptions common, ReportArguments const& own, std::vector<InputFile>& inputs)
+{
+    std::vector<Source> sources;
+    Faults faults;
+    bool any_scene = false;
+    for (std::string const& name : own.sources.empty() ? std::vector<std::string>{""} : own.sources) {
         common.scene = name;
+        bool const is_file = is_result_file(name);
+        any_scene = any_scene || !is_file;
         try {
-            scenes.push_back(load_scene(common));
-            append(inputs, inputs_of(common, scenes.back()));
-            append(faults, check_report(scenes.back()));
+            if (is_file) {
+                inputs.push_back({name, "this is a result file that the page shows"});
+                sources.emplace_back(read_drive(name));
+            } else {
+                sources.emplace_back(load_scene(common));
+                append(inputs, inputs_of(common, scene_of(sources.back())));
+            }
+            append(faults, check_report(scene_of(sources.back())));
         } catch (InputError const& error) {
             append(faults, error.faults());
         }
     }
+    if (!any_scene)
+        append(faults, idle_options(common, own));
     refuse(std::move(faults));
-    return scenes;
+    return sources;
 }
 
 ReportOptions options_of(ReportArguments const& own)
@@ -69,36 +102,45 @@ int run_report(CommonOptions const& common, ReportArguments const& own)
 {
     using Drives = std::vector<ReportedDrive>;
     Work<Drives> work;
-    std::vector<Scene> const scenes = scenes_of(common, own, work.inputs);
+    std::vector<Source> const sources = sources_of(common, own, work.inputs);
     ReportOptions const options = options_of(own);
     CommonOptions first = common;
-    first.scene = own.scenes.empty() ? "" : own.scenes.front();
+    first.scene = own.sources.empty() ? "" : own.sources.front();
     add_file(
-        work, "html", "--output", output_name(first, own.output, scenes.front(), ".html"),
+        work, "html", "--output", output_name(first, own.output, scene_of(sources.front()), ".html"),
         [](Drives const& drives, fs::path const& file) { file::write_text_atomically(file, report_page(drives)); });
     work.compute = [&](ProgressLine const& progress) {
         Drives drives;
-        for (Scene const& scene : scenes)
-            drives.push_back(report_drive(scene, options, progress.stages(), progress.shares()));
+        for (Source const& source : sources) {
+            auto const* const scene = std::get_if<Scene>(&source);
+            drives.push_back(scene != nullptr
+                                 ? report_drive(*scene, options, progress.stages(), progress.shares())
+                                 : complete_drive(std::get<ReportedDrive>(source), options, progress.stages()));
+        }
         return drives;
     };
     work.text = [](Drives const&, Written const& written) {
         return fmt::format("report: {}, {} kB\n", written.front().file.string(),
                            fs::file_size(written.front().file) / 1000);
     };
+    work.json = [](Drives const& drives, Written const& written) { return summary_json(drives, written); };
     work.status = [](Drives const& drives) { return status_of_missing(failures(drives)); };
     return run_verb(common, work);
 }
 
 constexpr char const* report_footer =
-    "The page opens from disk, without a network, in any browser. It shows every figure with its error, the teeth as\n"
-    "they turn, and the parts that --with names. What is missing is named in the page with its cause.\n"
-    "Several scenes are compared. The drive while it runs is not computed, and a design from wishes is a scene first.\n"
-    "A part that is asked for and has no result is named with its cause. The rest is written, and the exit status is "
-    "1.\n"
+    "The page opens from disk, without a network, in any browser. It shows every figure with its\n"
+    "error, the teeth as they turn, and the parts that --with names. What is missing is named in the\n"
+    "page with its cause.\n"
+    "Several drives are compared. A result file is shown as it was computed: from its scene only the\n"
+    "motion of the teeth is computed. --with, --set, --tilt and the like are for scenes.\n"
+    "The drive while it runs is not computed, and a design from wishes is a scene first.\n"
+    "A part that is asked for and has no result is named with its cause. The rest is written, and the\n"
+    "exit status is 1.\n"
     "Examples:\n"
     "  hdconj report drive.toml -o drive.html --with contact,load\n"
-    "  hdconj report first.toml second.toml -o both.html";
+    "  hdconj report first.toml second.toml -o both.html\n"
+    "  hdconj report drive.h5 -o drive.html";
 
 }  // namespace
 
@@ -106,9 +148,12 @@ void add_report(CLI::App& program, CommonOptions& common)
 {
     auto [verb, own] =
         add_verb(program, common, "report", "drives as one HTML page: figures, turning teeth, load, wire", run_report);
-    verb.add_option("SCENE", own.scenes, "scene files in TOML; - for standard input; absent: the built-in drive")
+    verb.add_option("SCENE", own.sources,
+                    "scene files in TOML, or result files of solve, contact and load; - for standard input; absent: "
+                    "the built-in drive")
         ->check(is_name);
     add_computing_options(verb, common);
+    verb.add_flag("--json", common.json, "one JSON object on standard output");
     add_name(verb, "-o,--output", own.output, "the page [the first scene file's name and .html, in this folder]",
              "FILE.html");
     add_list(verb, "--with", own.parts, "what else is computed: solve, contact, load, wedm [solve]", "LIST",

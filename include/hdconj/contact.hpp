@@ -109,6 +109,13 @@ struct ContactState
     [[nodiscard]] double backlash_error() const { return turn_to_contact_error + reverse_turn_to_contact_error; }
 };
 
+/// The smallest gap of each flank in each slice: a GapMap without the places along the flank.
+struct SmallestGaps
+{
+    std::vector<double> angle;  ///< (s) as GapMap::angle
+    std::vector<double> gap;    ///< (s,2,k) [mm]
+};
+
 /// One surface of the circular spline: a row of the table.
 struct ContactCase
 {
@@ -130,6 +137,7 @@ struct ContactCase
     ContactState state;  ///< at the scene's angle of the wave generator; of a revolution the one with the smallest
                          ///< contact fraction
     std::vector<ContactState> revolution;  ///< one per angle asked for; empty without --revolution
+    SmallestGaps gaps;                     ///< at `state`, after the turn to first contact
     double ruled_deviation = 0;            ///< "ruled": largest distance from the slices' own conjugate outlines [mm]
     /// Estimated errors, of the slices as those of the whole width (docs/explanation/theory.md).
     double clearance_error = 0;                         ///< of closest_flank() [mm]

@@ -213,8 +213,9 @@ struct LoadStudy
     AssembledCup cup;   ///< on its wave generator, without torque
     std::vector<LoadCase> cases;       ///< in the order asked for, without those that are missing
     std::vector<std::string> missing;  ///< as in ContactStudy; and torques without an equilibrium
-    std::size_t written_case = 0;      ///< case of least line load, which `shape` is of
+    std::size_t written_case = 0;      ///< case of least line load, which `shape` and `teeth` are of
     CupShape shape;                    ///< of the cup at the largest torque
+    LoadedTeeth teeth;                 ///< of the same case at that torque
     int harmonics = 0;                 ///< largest circumferential harmonic
     int sectors = 1;                   ///< how often the solved sector repeats around the ring
     double contact_gap = 0;            ///< of fraction_within_gap [mm]

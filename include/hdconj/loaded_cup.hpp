@@ -5,6 +5,8 @@
 
 #include <vector>
 
+#include "hdconj/base/vec2.hpp"
+
 namespace hdconj {
 
 /// The cup in the section plane with its harmonics summed at the angles that are drawn.
@@ -18,6 +20,22 @@ struct CupShape
     std::vector<double> u_t;              ///< (a,p) tangential displacement [mm]
     std::vector<double> u_z;              ///< (a,p) axial displacement [mm]
     std::vector<double> stress;           ///< (a,p) von Mises [MPa]; empty: not computed
+};
+
+/// The teeth of the flexspline on the cup that torque bends and turns, in the planes of the slices.
+///
+/// In the frame of the wave generator, where y is the major axis and angles run clockwise, tooth i has its origin at
+/// `origin`, and its y axis points along `lean`. The tooth space that meshes with the undeformed angle phi has its
+/// centre line at (z_f/z_c) phi, turned back by `turn`. Teeth are rigid here: at a contact they enter the flank by what
+/// flank and tooth yield.
+struct LoadedTeeth
+{
+    double turn = 0;           ///< of the circular spline, counter-clockwise [rad]
+    std::vector<double> z;     ///< (k) [mm]
+    std::vector<double> phi;   ///< (i) undeformed angles, increasing, each tooth once [rad]; empty: the scene has
+                               ///< errors of the rings, by which each tooth and space stands elsewhere
+    std::vector<Vec2> origin;  ///< (i,k) [mm]
+    std::vector<double> lean;  ///< (i,k) clockwise [rad]
 };
 
 /// The cup on the wave generator without torque.

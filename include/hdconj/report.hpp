@@ -4,12 +4,15 @@
 #pragma once
 
 #include <array>
+#include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "hdconj/contact.hpp"
+#include "hdconj/file/written_file.hpp"
 #include "hdconj/load.hpp"
 #include "hdconj/scene_words.hpp"
 #include "hdconj/solution.hpp"
@@ -47,15 +50,23 @@ struct LeftOut
     bool failed = false;  ///< it was asked for
 };
 
-/// One drive and what was computed of it.
+namespace report {
+struct StoredResult;
+}
+
+/// One drive and what was computed of it, or read.
 struct ReportedDrive
 {
-    Solution solution;                    ///< of the scene
-    std::optional<TurningTeeth> teeth;    ///< in the planes of outline()
-    std::optional<ContactStudy> contact;  ///< where asked for
-    std::optional<LoadStudy> load;        ///< where asked for
-    WireSetUps wire;                      ///< where asked for, else empty
-    std::vector<LeftOut> left_out;        ///< and why
+    /// Of the scene. Of a result file what the page needs beside `stored`: scene, circular spline, tip circle, errors
+    /// of chords and points, judgement and notes.
+    Solution solution;
+    std::optional<TurningTeeth> teeth;                   ///< in the planes of outline()
+    std::optional<ContactStudy> contact;                 ///< where asked for
+    std::optional<LoadStudy> load;                       ///< where asked for
+    WireSetUps wire;                                     ///< where asked for, else empty
+    std::shared_ptr<report::StoredResult const> stored;  ///< what a result file holds; null: all is computed
+    std::string origin;             ///< the file, and what was computed beside it; empty: all is computed
+    std::vector<LeftOut> left_out;  ///< and why
     /// The circular spline that the page shows: as the contact was computed with, where it was.
     [[nodiscard]] CircularSplineOutline const& outline() const
     {
@@ -76,9 +87,28 @@ struct ReportedDrive
 [[nodiscard]] ReportedDrive report_drive(Scene const& scene, ReportOptions const& options,
                                          StageObserver const& on_stage = {}, Progress const& progress = {});
 
+/// Whether @p file is a result file rather than a scene: by its ending, .h5 or .hdf5, or by its first bytes.
+[[nodiscard]] bool is_result_file(std::filesystem::path const& file);
+
+/// A drive from what `solve`, `contact` or `load` wrote: ReportedDrive::stored and what stands beside it.
+/// @throws InputError where @p file is no such file, is cut off or damaged, or is of another version of the layout, and
+/// with the faults of a scene that this version refuses
+[[nodiscard]] ReportedDrive read_drive(std::filesystem::path const& file);
+
+/// Adds what a result file does not hold, and computes it from the scene that it holds: the teeth in mesh. What is
+/// asked for and not there is named in ReportedDrive::left_out.
+/// @throws NumericalError where the run is stopped
+[[nodiscard]] ReportedDrive complete_drive(ReportedDrive drive, ReportOptions const& options,
+                                           StageObserver const& on_stage = {});
+
 /// The page: one HTML file that needs no network and no other file. Arrays are those of the result files, in base64.
 /// Figures are in double precision, large arrays in single, and maps of more than 200,000 values are thinned.
 /// @param drives  at least one; several are compared
 [[nodiscard]] std::string report_page(std::vector<ReportedDrive> const& drives);
+
+/// What a page was made of as one JSON object, keys in docs/reference/json.md: the drives with their parts and what was
+/// left out, and the files with their bytes.
+[[nodiscard]] std::string summary_json(std::vector<ReportedDrive> const& drives,
+                                       std::vector<WrittenFile> const& written);
 
 }  // namespace hdconj

@@ -348,7 +348,7 @@ def report(
     Parameters
     ----------
     scenes : Scene, path, mapping, None, or a list of these
-        The drives; None: the built-in one.
+        The drives; None: the built-in one. Result files make a page on the command line only.
     file : path
         The page. It opens from disk and needs no network.
     parts : str or sequence of str

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/contact.hpp"
-#include "base/text.hpp"
 
 #include "hdconj/check.hpp"
-#include "hdconj/solve.hpp"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +12,7 @@
 #include "contact/study/contact_study_data.hpp"
 #include "contact/study/surface_choices.hpp"
 #include "hdconj/scene/schema.hpp"
-#include "surface/build_slices.hpp"
+#include "part_of_case.hpp"
 
 namespace hdconj {
 namespace {
@@ -22,7 +20,6 @@ namespace {
 using contact::ContactContext;
 using contact::or_else;
 using surface::SurfaceSpec;
-using surface::ToothSurfaceBuilder;
 
 constexpr double searches_worth = 20;  // cases, for the progress bar
 
@@ -38,48 +35,6 @@ Scene with_options(Scene scene, ContactOptions const& options)
         scene.slices =
             Slices{standard_slices, options.surfaces.empty() ? ToothSurface::tilted : options.surfaces.front(), 0};
     return scene;
-}
-
-/// The part that a case describes: its surface in all slices with this side clearance.
-void write_part(Solution& out, contact::ContactStudyData& data, SurfaceSpec const& spec, double tip,
-                double side_clearance)
-{
-    std::vector<double> const& z = data.maker->z();
-    surface::SurfaceSampling const sampling{data.scene.solver.tolerance, 0, true};
-    if (side_clearance == 0) {
-        if (z.size() > 1)
-            surface::write_outlines(out, data.maker->outline(spec, tip, sampling), data.tooth, z, spec.surface);
-        return;
-    }
-    Scene scene = contact::middle_scene(data.scene);
-    scene.circular_spline.backlash_offset = side_clearance;
-    scene.circular_spline.inner_radius = tip;
-    Solution base = solve(scene);
-    if (z.size() == 1) {
-        out.circular_spline = base.circular_spline;
-        out.error.chord = base.error.chord;
-        out.error.point = base.error.point;
-        return;
-    }
-    base.scene.coning = data.scene.coning;
-    ToothSurfaceBuilder builder(base, data.tooth, data.shape, z, data.threads);
-    surface::write_outlines(out, builder.outline(spec, tip, sampling), data.tooth, z, spec.surface);
-}
-
-/// The part that the shown case describes; without its side clearance, and a note, where it cannot be made with that.
-void write_shown(ContactStudy& study, contact::ContactStudyData& data, SurfaceSpec const& spec)
-{
-    ContactCase const& shown = study.cases[study.written_case];
-    try {
-        write_part(study.solution, data, spec, shown.tip, shown.backlash_offset);
-        study.side_clearance = shown.backlash_offset;
-    } catch (NumericalError const& error) {
-        if (shown.backlash_offset == 0)
-            throw;
-        write_part(study.solution, data, spec, shown.tip, 0);
-        study.solution.notes.push_back("the outline is written without side clearance, because with " +
-                                       short_number(shown.backlash_offset) + " mm it cannot be made: " + error.what());
-    }
 }
 
 /// What a search for a tilt is for.
@@ -141,11 +96,20 @@ struct StudiedSurfaces
     std::optional<NumericalError> first_failure;
 };
 
+SmallestGaps smallest_gaps(GapMap const& map)
+{
+    SmallestGaps smallest{map.angle, {}};
+    for (auto at = map.gap.begin(); at != map.gap.end(); at += static_cast<std::ptrdiff_t>(map.station.size()))
+        smallest.gap.push_back(*std::min_element(at, at + static_cast<std::ptrdiff_t>(map.station.size())));
+    return smallest;
+}
+
 void add_case(ContactStudy& study, StudiedSurfaces& surfaces, ContactContext const& context, SurfaceSpec const& spec,
               int revolution)
 {
     GapMap map;
     ContactCase found = contact::contact_case(context, spec, revolution, study.estimated, &map);
+    found.gaps = smallest_gaps(map);
     if (study.cases.empty() || found.state.contact_fraction > study.cases[study.written_case].state.contact_fraction) {
         study.written_case = study.cases.size();
         study.map = std::move(map);
@@ -183,7 +147,9 @@ void write_solution(ContactStudy& study, contact::ContactStudyData& data, Scene 
     if (std::string const note = data.maker->note_on_sections(); !note.empty())
         notes.push_back(note);
     notes.insert(notes.end(), surfaces.missing.begin(), surfaces.missing.end());
-    write_shown(study, data, surfaces.made[study.written_case]);
+    ContactCase const& shown = study.cases[study.written_case];
+    study.side_clearance =
+        pipeline::write_part(study.solution, data, surfaces.made[study.written_case], shown.tip, shown.backlash_offset);
     std::vector<StageTime> const times = data.clock.times();
     study.solution.timing.insert(study.solution.timing.end(), times.begin(), times.end());
 }

@@ -7,17 +7,21 @@
 #include "load/study/load_study.hpp"
 #include "load/study/loaded_scene.hpp"
 #include "load/study/twist_members.hpp"
+#include "part_of_case.hpp"
 
 namespace hdconj {
 namespace {
 
 /// What a study says of the drive, beside cup and cases.
-void describe_drive(contact::ContactStudyData const& data, load::ElasticDrive const& drive, LoadStudy& study)
+void describe_drive(contact::ContactStudyData& data, load::ElasticDrive const& drive, LoadStudy& study)
 {
     Scene const& scene = data.scene;
     study.solution = data.middle;
     study.solution.plan = data.plan;
     study.solution.notes.insert(study.solution.notes.end(), study.missing.begin(), study.missing.end());
+    LoadCase const& written = study.cases[study.written_case];
+    pipeline::write_part(study.solution, data, {written.surface, written.kind.value_or(TiltKind::radial), written.tilt},
+                         written.tip, written.backlash_offset);
     std::vector<StageTime> const times = data.clock.times();
     study.solution.timing.insert(study.solution.timing.end(), times.begin(), times.end());
     study.harmonics = drive.response.harmonics().back().n;

@@ -37,6 +37,29 @@ def report(name, *words):
     return file
 
 
+# Counts what is drawn, and keeps the times between frames [ms] and the work that each says it took.
+COUNTING = """() => {
+  let calls = 0, points = 0;
+  const count = (of, name, act) => {
+    const plain = of[name];
+    of[name] = function (...given) { act(); return plain.apply(this, given); };
+  };
+  for (const name of ["fill", "stroke", "fillRect"]) count(CanvasRenderingContext2D.prototype, name, () => ++calls);
+  for (const of of [CanvasRenderingContext2D.prototype, Path2D.prototype]) count(of, "lineTo", () => ++points);
+  window.watchFrames = (seconds, done) => {
+    const canvas = document.querySelector("canvas.mesh"), before = Number(canvas.dataset.frames);
+    const times = [], work = [];
+    calls = points = 0;
+    const frame = now => {
+      times.push(now);
+      work.push(Number(canvas.dataset.work));
+      if (now - times[0] < 1000 * seconds) requestAnimationFrame(frame);
+      else done([Number(canvas.dataset.frames) - before, calls, points, times.slice(1).map((t, i) => t - times[i]),
+        work]);
+    };
+    requestAnimationFrame(frame);
+  };
+}"""
 CLEARANCE = ("--set", "circular_spline.backlash_offset=0.002", "--set", "circular_spline.width=2")
 
 
@@ -50,6 +73,37 @@ def two_drives():
         "radial_deformation = 0.25", "radial_deformation = 0.24")
     other.write_text(text)
     return report("two", TYPE_50, str(other), "--with", "wedm")
+
+
+def grown(source, target, sizes):
+    """A result file whose named dimensions are as long as @p sizes says: what is there is repeated."""
+    import h5py
+    import numpy
+
+    def names_of(dataset):
+        if "DIMENSION_LIST" in dataset.attrs:
+            return [file[refs[0]].name.rpartition("/")[2] for refs in dataset.attrs["DIMENSION_LIST"]]
+        return [dataset.name.rpartition("/")[2]]
+
+    def copy(name, item):
+        if isinstance(item, h5py.Group):
+            made = new.require_group(name)
+        else:
+            values = item[()]
+            for axis, dimension in enumerate(names_of(item)[:values.ndim]):
+                if dimension in sizes and values.shape[axis]:
+                    values = numpy.take(values, numpy.arange(sizes[dimension]) % values.shape[axis], axis)
+            if names_of(item) == [name.rpartition("/")[2]] and values.dtype.kind == "f":
+                values = numpy.linspace(values.min(), values.max(), len(values))
+            made = new.create_dataset(name, data=values, dtype=item.dtype)
+        for key, value in item.attrs.items():
+            if key not in ("DIMENSION_LIST", "CLASS", "NAME", "REFERENCE_LIST"):
+                made.attrs.create(key, value, dtype=item.attrs.get_id(key).dtype)
+
+    with h5py.File(source) as file, h5py.File(target, "w") as new:
+        file.visititems(copy)
+        for key in file.attrs:
+            new.attrs.create(key, file.attrs[key], dtype=file.attrs.get_id(key).dtype)
 
 
 class Page:
@@ -108,15 +162,14 @@ class Reports(unittest.TestCase):
             for i, state in enumerate(states):
                 page.locator("label:has-text('Computed at') select").select_option(index=i)
                 page.wait_for_timeout(600)
-                values = dict(page.locator(".computed li").evaluate_all(
+                values = dict(page.locator(".computed tr").evaluate_all(
                     "all => all.map(each => [each.dataset.name, each.dataset.value])"))
-                texts = page.locator(".computed li").all_inner_texts()
+                shown = page.locator(".computed tr[data-name=smallest_gap] td").first.inner_text()
                 smallest = state["smallest_gap_um"]
                 self.assertEqual(float(values["smallest_gap"]), smallest)
                 self.assertEqual(float(values["contact_fraction"]), state["contact_fraction"])
-                shown = next(text for text in texts if text.startswith("smallest_gap ")).split()
-                digits = len(shown[1].partition(".")[2])
-                self.assertEqual(shown[1], f"{smallest:.{digits}f}")
+                digits = len(shown.partition(".")[2])
+                self.assertEqual(shown, f"{smallest:.{digits}f}")
                 # the page's own measurement between both polygons
                 measured = float(page.locator("[data-gap]").nth(0).get_attribute("data-gap"))
                 self.assertAlmostEqual(measured, smallest, delta=0.005)
@@ -182,10 +235,87 @@ class Reports(unittest.TestCase):
             texts = []
             for place in ("0", "1"):
                 slider.fill(place)
-                texts.append(page.locator("#axial ul.computed").inner_text())
+                texts.append(page.locator("#axial table.keys").inner_text())
             self.assertIn("radial 0.1", page.locator("#axial output").inner_text())
             self.assertNotEqual(*texts)
             self.assertEqual(page.locator("#axial canvas.section").count(), 1)
+
+            maps = []
+            for place in ("0", "1"):
+                slider.fill(place)
+                maps.append(page.locator("#axial .chart g[shape-rendering] path").evaluate_all(
+                    "all => all.map(each => each.getAttribute('fill') + each.getAttribute('d')).join()"))
+            self.assertNotEqual(*maps)
+
+    def test_maps_of_the_tilts_are_the_program_s(self):
+        import h5py
+        options = ("--set", "slices.count=3", "--set", "circular_spline.width=2", "--tilt", "0,0.1")
+        result = Path(FOLDER.name) / "tilts.h5"
+        hdconj("contact", TYPE_50, *options, "-o", str(result), "-q")
+        with h5py.File(result) as file:
+            contact = file["contact"]
+            written = int(contact.attrs["written_case"])
+            whole = contact["map/gap"][()].min(axis=3)
+            cases = [contact[f"case_{i:03}/gaps/gap"][()] for i in range(2)]
+        self.assertEqual(abs(cases[written] - whole).max(), 0)
+        with Page(report("tilts-read", str(result))) as page:
+            see(page, "axial")
+            for case, gaps in enumerate(cases):
+                page.locator("#axial input[data-tilt]").fill(str(case))
+                picture = page.locator("#axial svg.chart").first
+                picture.scroll_into_view_if_needed()
+                box = picture.bounding_box()
+                # the middle of the map is the tooth space and the slice in the middle
+                page.mouse.move(box["x"] + box["width"] * (64 + 508) / 2 / 520,
+                                box["y"] + box["height"] * (12 + 256) / 2 / 300)
+                read = picture.locator("xpath=..").locator(".reading").inner_text()
+                shown = float(read.split(": ")[1])
+                self.assertAlmostEqual(shown, 1000 * gaps[len(gaps) // 2, 0, 1], delta=1e-4)
+
+    def test_teeth_under_torque_are_those_of_the_program(self):
+        import h5py
+        result = Path(FOLDER.name) / "load.h5"
+        hdconj("load", f"{SOURCE}/data/scenes/type-50-elastic.toml", "--set", "slices.count=5", "--no-curve", "-o",
+               str(result), "-q")
+        with h5py.File(result) as file:
+            gaps = file["load/case_000/map/gap"][()]
+            turn = file["load/loaded_teeth"].attrs["turn_rad"]
+        self.assertGreater(turn, 0)
+        with Page(report("loaded-read", str(result))) as page:
+            page.get_by_role("button", name="Under torque").click()
+            slices = page.locator("label:has-text('Slice') select")
+            least = []
+            for k in range(gaps.shape[2]):
+                slices.select_option(index=k)
+                page.wait_for_timeout(500)
+                least.append(float(page.locator("[data-gap]").first.get_attribute("data-gap")) / 1000)
+            # away from sharp edges, which the load rounds: there the tooth enters the flank by the Hertz approach
+            self.assertAlmostEqual(least[-1], gaps[:, :, -1].min(), delta=5e-6)
+            for k, gap in enumerate(least):
+                self.assertLess(gap, 0)
+                self.assertGreater(gap, 3 * gaps.min())
+            self.assertIn("Nothing is exaggerated", page.locator(".loaded").inner_text())
+            self.assertEqual(page.get_by_role("button", name="Play").count(), 0)
+            page.get_by_role("button", name="Under torque").click()
+            self.assertEqual(page.get_by_role("button", name="Play").count(), 1)
+
+    def test_colours_of_both_sides_of_the_lobe_are_alike(self):
+        with Page(report("solved", TYPE_50), "#a=0&vx=0&vy=24.6&vw=6") as page:
+            settled(page)
+            page.wait_for_timeout(1500)
+            differ = page.evaluate("""() => {
+              const canvas = document.querySelector("canvas.mesh"), w = canvas.width, h = canvas.height - 60;
+              const data = canvas.getContext("2d").getImageData(0, 0, w, h).data;
+              let differ = 0;
+              for (let y = 0; y < h; ++y)
+                for (let x = 0; x < w / 2; ++x) {
+                  const a = 4 * (y * w + x), b = 4 * (y * w + w - 1 - x);
+                  if (Math.abs(data[a] - data[b]) + Math.abs(data[a + 1] - data[b + 1]) > 120) ++differ;
+                }
+              return differ / (w * h / 2);
+            }""")
+            print(f"{100 * differ:.2f} % of the picture differ from its mirror image")
+            self.assertLess(differ, 0.0003)  # colours of the next tooth beside: 0.0014
 
     def test_hostile_names_stay_text(self):
         with Page(two_drives()) as page:
@@ -193,6 +323,21 @@ class Reports(unittest.TestCase):
             self.assertEqual(page.locator("h1").text_content(), HOSTILE)
             self.assertIn(HOSTILE, page.title())
             self.assertIsNone(page.evaluate("window.broken ?? null"))
+
+    def test_design_rules_are_those_of_the_judgement(self):
+        wide = report("wide", TYPE_50, "--set", "wave_generator.radial_deformation=0.32")
+        notes = json.loads(hdconj("solve", TYPE_50, "--set", "wave_generator.radial_deformation=0.32", "--json", "-q",
+                                  "-o", f"{FOLDER.name}/wide.h5"))["judgement"]
+        self.assertGreater(len(notes), 0)
+        with Page(wide) as page:
+            see(page, "rules")
+            rows = {row.locator("th").inner_text().split()[0]: row.inner_text()
+                    for row in page.locator("#rules tbody tr").all()}
+        self.assertEqual(len(rows), 10)
+        for note in notes:
+            self.assertIn(note["cause"], rows[note["code"]])
+        codes = {note["code"] for note in notes}
+        self.assertEqual({code for code, text in rows.items() if "within the usual range" in text}, set(rows) - codes)
 
     def test_dark_phone_print_and_no_script(self):
         with Page(contact_page(), viewport={"width": 375, "height": 812}, color_scheme="dark", has_touch=True) as page:
@@ -223,7 +368,7 @@ class Reports(unittest.TestCase):
                 self.assertEqual([(each["id"], each["nodes"][0]["html"]) for each in found
                                   if each["impact"] in ("serious", "critical")], [])
 
-    def test_turns_smoothly_and_opens_at_once(self):
+    def test_opens_at_once(self):
         firsts = []
         for _ in range(3):
             with Page(contact_page()) as page:
@@ -231,17 +376,26 @@ class Reports(unittest.TestCase):
                 firsts.append(float(page.locator("canvas.mesh").first.get_attribute("data-first")))
         print(f"first picture after {min(firsts):.0f} ms")
         self.assertLess(min(firsts), 500)
-        with Page(contact_page()) as page:
+
+    def test_turns_404_teeth_with_little_work(self):
+        """Counts what a frame draws; how long frames take depends on the machine, and is printed only."""
+        opened = Page(report("solved", TYPE_50))
+        with opened as page:
             settled(page)
+            page.evaluate(COUNTING)
             page.get_by_role("button", name="Play").click()
-            page.wait_for_timeout(1500)  # until all colours are known
-            work = []
-            for _ in range(40):
-                page.wait_for_timeout(25)
-                work.append(float(page.locator("canvas.mesh").first.get_attribute("data-work")))
-            work.sort()
-            print(f"work of a frame: median {work[20]:.1f} ms, 9 of 10 below {work[36]:.1f} ms")
-            self.assertLess(work[20], 1000 / 60)
+            page.wait_for_timeout(2500)  # until all colours are known
+            frames, calls, points, intervals, work = page.evaluate(
+                "seconds => new Promise(done => watchFrames(seconds, done))", 4)
+        self.assertGreater(frames, 10)
+        per_frame = {"calls": calls / frames, "points": points / frames}
+        print(f"a frame of 404 teeth: {per_frame['calls']:.0f} fills and strokes of {per_frame['points']:.0f} points")
+        intervals.sort()
+        work.sort()
+        print(f"{frames} frames, intervals: median {intervals[len(intervals) // 2]:.1f} ms, 9 of 10 below "
+              f"{intervals[len(intervals) * 9 // 10]:.1f} ms; work: median {work[len(work) // 2]:.1f} ms")
+        self.assertLess(per_frame["calls"], 800)
+        self.assertLess(per_frame["points"], 1500)
 
     def test_wire_and_its_spots(self):
         with Page(two_drives()) as page:
@@ -253,6 +407,23 @@ class Reports(unittest.TestCase):
                 spot.first.click()
                 page.wait_for_timeout(300)
                 self.assertNotEqual(page.evaluate("location.hash"), before)
+
+    def test_40_slices_and_60_torques_open_at_once(self):
+        small, large = Path(FOLDER.name) / "small.h5", Path(FOLDER.name) / "large.h5"
+        hdconj("load", f"{SOURCE}/data/scenes/type-50-elastic.toml", "--set", "slices.count=5", "--points", "2",
+               "--no-errors", "-o", str(small), "-q")
+        grown(small, large, {"z": 40, "state": 121, "contact": 1000})  # from -T to T
+        page = report("large-read", str(large))
+        print(f"40 slices, 60 torques: {page.stat().st_size / 1e6:.1f} MB")
+        self.assertLess(page.stat().st_size, 10_000_000)
+        self.assertGreater(page.stat().st_size, 1_500_000)
+        began = time.monotonic()
+        with Page(page) as opened:
+            settled(opened)
+            first = float(opened.locator("canvas.mesh").first.get_attribute("data-first"))
+            self.assertEqual(opened.locator("label:has-text('Slice') option").count(), 40)
+            print(f"first picture after {first:.0f} ms")
+        self.assertLess(time.monotonic() - began, 2)
 
     @unittest.skipUnless("HDCONJ_FULL" in os.environ, "takes a minute")
     def test_loaded_and_large(self):

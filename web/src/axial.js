@@ -2,8 +2,9 @@
 // What happens along the axis: map of gaps, one tooth space that one can turn, tilts.
 
 import { chart, heatMap } from "./chart.js";
-import { column, groupAt, shown, shownError } from "./data.js";
-import { choice, colour, legend, make, remember, remembered, scaleColour } from "./dom.js";
+import { column, groupAt } from "./data.js";
+import { choice, colour, legend, make, onTheme, remember, remembered, scaleColour } from "./dom.js";
+import { keyFigures } from "./keys.js";
 import { caseNames } from "./load.js";
 import { say } from "./texts.js";
 
@@ -12,73 +13,91 @@ const limit = 20; // um, end of the colours
 
 /** @param {import("./data.js").Drive} drive */
 export function axialView(drive) {
-  const contact = groupAt(drive.results.contact, "contact"), map = groupAt(contact, "map");
-  const all = [];
-  if (map && contact) all.push(...gapMaps(map), ...tiltFigures(contact));
+  const contact = groupAt(drive.results.contact, "contact");
+  const all = contact && groupAt(contact, "map") ? casesView(drive, contact) : [];
   const cup = groupAt(drive.results.load, "load/cup");
   if (column(cup, "z").length)
     all.push(chart(say("coning"), say("height"), say("radial"), ["w_major", "w_minor"].map((name) => ({
-      name, x: column(cup, "z"), y: Array.from(column(cup, name), (w) => w * 1000) }))));
-  const surface = surfaceFigure(drive, map);
-  if (surface) all.push(surface);
-  return all.length ? make("div", { class: "figures" }, ...all) : null;
+      name: say(name === "w_major" ? "atMajor" : "atMinor"), x: column(cup, "z"),
+      y: Array.from(column(cup, name), (w) => w * 1000) }))));
+  if (!contact) all.push(surfaceFigure(drive, undefined, null));
+  const shown = all.filter(Boolean);
+  return shown.length ? make("div", { class: "figures" }, ...shown) : null;
 }
 
-/** The smallest gap of each flank over tooth space and slice.
- * @param {import("./data.js").Group} map */
-function gapMaps(map) {
-  const angle = column(map, "angle"), z = column(map, "z"), gap = column(map, "gap");
+/** The smallest gap of each flank over tooth space and slice, in um.
+ * @typedef {{angle: ArrayLike<number>, z: ArrayLike<number>, at: (space: number, flank: number, slice: number) =>
+ *   number}} Smallest */
+
+/** Of a case: from the whole map where that is of this case.
+ * @param {import("./data.js").Group} contact @param {number} index @returns {Smallest} */
+function smallestOf(contact, index) {
+  const map = groupAt(contact, "map"), z = column(map, "z");
+  const own = groupAt(contact, `case_${String(index).padStart(3, "0")}/gaps`);
+  const group = own || map, angle = column(group, "angle"), gap = column(group, "gap");
   const points = gap.length / (angle.length * 2 * z.length);
-  return [say("left"), say("right")].map((name, flank) => {
-    const least = new Float64Array(angle.length * z.length);
-    for (let s = 0; s < angle.length; ++s)
-      for (let k = 0; k < z.length; ++k) {
-        let low = Infinity;
-        const first = ((s * 2 + flank) * z.length + k) * points;
-        for (let p = 0; p < points; ++p) low = Math.min(low, gap[first + p]);
-        least[s * z.length + k] = low * 1000;
-      }
-    return heatMap(`${say("gapMap")}, ${name}`, say("spaceAngle"), say("height"), Array.from(angle,
-      (a) => a / degree), z,
-      (i, k) => least[i * z.length + k], (v) => scaleColour(v < -0.01 ? -1 : v / limit), legend("0",
-        `${limit} um`)).figure;
-  });
+  return { angle, z, at: (space, flank, slice) => {
+    let low = Infinity;
+    const first = ((space * 2 + flank) * z.length + slice) * points;
+    for (let p = 0; p < points; ++p) low = Math.min(low, gap[first + p]);
+    return low * 1000;
+  } };
 }
 
-/** The cases of a study against their tilt; a slider where there are several.
- * @param {import("./data.js").Group} contact */
-function tiltFigures(contact) {
-  const names = caseNames(contact), tilt = column(contact, "tilt"), list = make("ul", { class: "computed" });
-  const show = (/** @type {number} */ i) => list.replaceChildren(...(contact.figures || [])
-    .filter((place) => !place[5] && column(contact, place[1]).length === names.length)
-    .map(([name, value, error, units]) => {
-      const v = column(contact, value)[i], e = error ? column(contact, error)[i] : null;
-      return make("li", {}, `${name} ${shown(v, e)}${e ? " ± " + shownError(e) : ""} ${units === "1" ? "" : units}`);
-    }));
-  const start = Math.max(0, Math.min(names.length - 1, remembered("t", 0)));
+function gapLegend() {
+  return make("span", {}, legend("0", `${limit} um ${say("andMore")}`), " ", make("span", { class: "interference" },
+    say("interference")));
+}
+
+/** @param {Smallest} smallest */
+function gapMaps(smallest) {
+  return [say("left"), say("right")].map((name, flank) => heatMap(`${say("gapMap")}, ${name}`, say("spaceAngle"),
+    say("height"), Array.from(smallest.angle, (a) => a / degree), smallest.z, (i, k) => smallest.at(i, flank, k),
+    (v) => scaleColour(v < -0.01 ? -1 : v / limit), gapLegend()).figure);
+}
+
+/** The cases of a study: their figures, maps and tooth space; a slider where there are several.
+ * @param {import("./data.js").Drive} drive @param {import("./data.js").Group} contact */
+function casesView(drive, contact) {
+  const names = caseNames(contact), written = contact.attributes?.written_case || 0;
+  const list = make("div", {}), maps = make("div", { class: "figures wide" });
+  const surface = make("div", { class: "wide" });
+  const output = make("output", {});
+  const show = (/** @type {number} */ i) => {
+    list.replaceChildren(keyFigures(contact, i, ["contact_fraction", "contact_area", "teeth", "turn_to_contact",
+      "backlash", "smallest_gap", "flank_clearance", "backlash_offset", "least_side_clearance"]));
+    const smallest = smallestOf(contact, i);
+    maps.replaceChildren(...gapMaps(smallest));
+    const figure = surfaceFigure(drive, groupAt(contact, "map"), i === written ? null : smallest);
+    surface.replaceChildren(...[figure].filter(Boolean));
+    if (figure && i !== written) figure.append(make("p", { class: "note" }, `${say("thinMap")} ${names[written]}.`));
+    output.textContent = names[i];
+  };
+  const start = Math.max(0, Math.min(names.length - 1, remembered("t", written)));
   show(start);
-  const output = make("output", {}, names[start] || "");
   const slider = make("input", { "type": "range", "min": 0, "max": names.length - 1, "value": start, "data-tilt": "",
     "input": () => {
       show(Number(slider.value));
       remember("t", Number(slider.value));
-      output.textContent = names[Number(slider.value)];
     } });
-  if (names.length < 2) return [make("div", {}, output, list)];
-  const figure = chart(say("tiltChart"), say("tiltUnit"), say("fraction"), [{ name: say("fraction"), dots: true,
-    x: Array.from(tilt, (t) => t / degree), y: column(contact, "contact_fraction"),
-    error: column(contact, "contact_fraction_error") }]);
-  return [figure, make("div", {}, make("label", { class: "wide" }, say("tilt") + " ", slider, output), list)];
+  const chosen = make("div", { class: "wide" }, names.length < 2 ? output
+    : make("label", { class: "wide" }, say("tilt") + " ", slider, output), list);
+  const tilts = names.length < 2 ? null : chart(say("tiltChart"), say("tiltUnit"), say("fraction"),
+    [{ name: say("fraction"), dots: true, x: Array.from(column(contact, "tilt"), (t) => t / degree),
+      y: column(contact, "contact_fraction"), error: column(contact, "contact_fraction_error") }]);
+  return [chosen, maps, surface, tilts];
 }
 
-/** One tooth space over the face width, turned by dragging; its flanks coloured by the gap map.
- * @param {import("./data.js").Drive} drive @param {import("./data.js").Group|undefined} map */
-function surfaceFigure(drive, map) {
+/** One tooth space over the face width, turned by dragging; its flanks coloured by the gap map, or each slice of a
+ * flank by its smallest gap.
+ * @param {import("./data.js").Drive} drive @param {import("./data.js").Group|undefined} map
+ * @param {Smallest|null} smallest */
+function surfaceFigure(drive, map, smallest) {
   const set = drive.spline.datasets && drive.spline.datasets.outline, z = column(drive.spline, "z");
   if (!set || !set.shape || z.length < 2) return null;
   const outline = column(drive.spline, "outline"), points = set.shape[1], marks = column(drive.spline, "landmarks");
-  const angle = column(map, "angle"), gap = column(map, "gap");
-  const stations = angle.length ? gap.length / (angle.length * 2 * z.length) : 0;
+  const angle = smallest ? smallest.angle : column(map, "angle"), gap = column(map, "gap");
+  const stations = gap.length ? gap.length / (column(map, "angle").length * 2 * z.length) : 0;
   const canvas = make("canvas", { "class": "section", "role": "img", "aria-label": say("surface"), "tabindex": 0,
     "width": 1040, "height": 640 });
   const ctx = /** @type {CanvasRenderingContext2D} */ (canvas.getContext("2d"));
@@ -100,6 +119,7 @@ function surfaceFigure(drive, map) {
     const right = i > marks[2], from = right ? marks[4] : marks[0], to = right ? marks[3] : marks[1];
     const share = (i - from) / (to - from);
     if (!stations || !(share >= 0 && share <= 1)) return NaN;
+    if (smallest) return smallest.at(space, right ? 1 : 0, k);
     const p = Math.round(share * (stations - 1));
     return gap[((space * 2 + (right ? 1 : 0)) * z.length + k) * stations + p] * 1000;
   };
@@ -114,6 +134,7 @@ function surfaceFigure(drive, map) {
         quads.push({ corners, depth: corners.reduce((sum, c) => sum + c.depth, 0),
           fill: Number.isFinite(g) ? scaleColour(g < -0.01 ? -1 : g / limit) : colour("spline") });
       }
+    ctx.lineWidth = 1;
     quads.sort((a, b) => b.depth - a.depth);
     for (const { corners, fill } of quads) {
       ctx.beginPath();
@@ -123,9 +144,21 @@ function surfaceFigure(drive, map) {
       ctx.fill();
       ctx.stroke();
     }
+    ctx.fillStyle = colour("ink");
+    ctx.strokeStyle = colour("paper");
+    ctx.lineWidth = 6;
+    ctx.lineJoin = "round";
+    ctx.font = "26px system-ui, sans-serif";
+    for (const k of [0, z.length - 1]) { // where the ends are
+      const at = project(k, marks[2]);
+      const text = `z = ${Number(z[k].toFixed(3))} mm`, width = ctx.measureText(text).width;
+      const left = Math.max(6, Math.min(1034 - width, at.x - width / 2)), top = Math.max(28, at.y - 12);
+      ctx.strokeText(text, left, top);
+      ctx.fillText(text, left, top);
+    }
   };
   draw();
-  document.addEventListener("themechange", draw);
+  onTheme(canvas, draw);
   const turn = (/** @type {number} */ a, /** @type {number} */ b) => {
     yaw += a;
     pitch = Math.max(-1.5, Math.min(1.5, pitch + b));
@@ -145,5 +178,5 @@ function surfaceFigure(drive, map) {
     angle.length ? choice(say("space"), Array.from(angle, (a) => (a / degree).toFixed(2) + "°"), space, (i) => {
       space = i;
       draw();
-    }) : null, make("p", { class: "note" }, say("turnHelp")), stations ? legend("0", `${limit} um`) : null);
+    }) : null, make("p", { class: "note" }, say("turnHelp")), stations ? gapLegend() : null);
 }

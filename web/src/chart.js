@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curves with bands of error, and maps of coloured cells, in SVG: they print sharp and can be read by a pointer.
 
-import { make, scaleColour, svg } from "./dom.js";
+import { make, onTheme, scaleColour, svg } from "./dom.js";
 import { shown, shownError } from "./data.js";
 import { say } from "./texts.js";
 
@@ -167,7 +167,7 @@ export function heatMap(title, xLabel, yLabel, xs, ys, value, paint, key) {
     for (const [fill, d] of paths) cells.append(svg("path", { fill, d }));
   };
   redraw();
-  document.addEventListener("themechange", redraw);
+  onTheme(picture, redraw);
   picture.append(cells, axes(x, y, wx, wy, xLabel, yLabel));
   const reading = make("div", { class: "reading" }, say("hoverHint"));
   picture.addEventListener("pointermove", (/** @type {PointerEvent} */ e) => {

@@ -2,7 +2,7 @@
 // The path of the wire over the part, and the places that no pass reaches.
 
 import { column, groupAt } from "./data.js";
-import { choice, colour, make } from "./dom.js";
+import { choice, colour, make, onTheme } from "./dom.js";
 import { say } from "./texts.js";
 import { View } from "./view.js";
 
@@ -47,7 +47,7 @@ export function cuttingView(drive) {
       ctx.fillRect(p.x - 3, p.y - 3, 6, 6);
     }
   }
-  document.addEventListener("themechange", draw);
+  onTheme(canvas, draw);
   canvas.addEventListener("keydown", (/** @type {KeyboardEvent} */ e) => {
     const step = view.span / 10;
     const act = { "+": () => view.zoom(1.4), "-": () => view.zoom(1 / 1.4), "0": () => view.showAll(),
@@ -86,11 +86,11 @@ export function cuttingView(drive) {
       face = i;
       draw();
     }),
-    choice(say("pass"), ["1 ... " + names.length, ...names.map((_, i) => String(i + 1))], 0, (i) => {
+    choice(say("pass"), [say("allPasses"), ...names.map((_, i) => String(i + 1))], 0, (i) => {
       pass = i;
       draw();
     }),
-    make("button", { type: "button", click: () => view.showAll() }, say("whole"))), canvas,
+    make("button", { type: "button", click: () => view.showAll() }, say("wholePart"))), canvas,
   make("div", { class: "names" }, make("span", { class: "key" }, say("nominal")),
     ...names.map((_, i) => make("span", { class: `key s${i % 4}` }, `${say("pass")} ${i + 1}`))),
   make("h3", {}, say("residuals")), list);

@@ -9,14 +9,17 @@
  *   figures?: Place[]}} Group
  * @typedef {{z: number[], steps: number, period: number, radius: Dataset, advance: Dataset, lean: Dataset,
  *   tooth: Dataset, chord: number, interpolation_error: number}} Teeth
- * @typedef {{severity: string, cause: string, advice: string, place: string}} Note
+ * @typedef {{code: string, figure: string, unit: string, usual: (number|null)[], accepted: (number|null)[],
+ *   source: string}} Limit
+ * @typedef {{code: string, severity: string, cause: string, advice: string, place: string}} Note
  * @typedef {{set_up: number, pass: number, tooth: number, x: number, y: number, upper: boolean, height: number,
  *   meshing: boolean}} Residual
  * @typedef {{name: string, flexspline_teeth: number, circular_spline_teeth: number, module: number, scene: string,
- *   judgement: Note[], notes: string[]|null, left_out: {part: string, why: string, failed: boolean}[],
- *   outline_error: number, spline: Group, teeth: Teeth|null, results: Record<string, Group>, residuals: Residual[],
- *   text: string}} Drive
- * @typedef {{program_version: string, git_revision: string, build: string, date: string, drives: Drive[]}} Report
+ *   origin: string, judgement: Note[], notes: string[]|null, left_out: {part: string, why: string, failed: boolean}[],
+ *   outline_error: number, spline: Group, loaded_spline: Group|null, teeth: Teeth|null,
+ *   results: Record<string, Group>, residuals: Residual[], text: string}} Drive
+ * @typedef {{program_version: string, git_revision: string, build: string, date: string, limits: Limit[],
+ *   drives: Drive[]}} Report
  * @typedef {{part: string, group: string, name: string, index: number, value: number, error: number|null,
  *   units: string, meaning: string}} Figure
  */
@@ -51,10 +54,23 @@ export function column(group, name) {
   return numbers(group && group.datasets ? group.datasets[name] : undefined);
 }
 
+/** The values of a figure that stands in datasets, and its errors; null where there is none.
+ * @param {Group} group @param {Place} place */
+export function valuesOf(group, [, value, stated]) {
+  const apart = groupAt(group, "error")?.datasets?.[value] ? "error/" + value : "", error = stated || apart;
+  const place = error.startsWith("error/") ? groupAt(group, "error") : group;
+  const errors = error ? column(place, error.replace("error/", "")) : new Float64Array(0);
+  const estimated = place === group ? undefined : place && place.datasets && place.datasets.estimated;
+  const known = numbers(estimated);
+  return { values: column(group, value), errorAt: (/** @type {number} */ i) =>
+    (i < errors.length && (!estimated || known[i] !== 0) ? errors[i] : null) };
+}
+
 /** Every figure of a group and of those within it.
  * @param {string} part @param {Group} group @param {string} path @param {Figure[]} into */
 function collect(part, group, path, into) {
-  for (const [name, value, error, units, meaning, isAttribute] of group.figures || []) {
+  for (const place of group.figures || []) {
+    const [name, value, error, units, meaning, isAttribute] = place;
     const own = { part, group: path, name, units, meaning };
     if (isAttribute) {
       const of = group.attributes || {};
@@ -62,15 +78,9 @@ function collect(part, group, path, into) {
         into.push({ ...own, index: -1, value: of[value], error: error && error in of ? of[error] : null });
       continue;
     }
-    const values = column(group, value);
-    const place = error.startsWith("error/") ? groupAt(group, "error") : group;
-    const errors = error ? column(place, error.replace("error/", "")) : values;
-    const estimated = place === group ? undefined : place && place.datasets && place.datasets.estimated;
-    const known = numbers(estimated);
-    for (let i = 0; i < values.length; ++i) {
-      const has = error && i < errors.length && (!estimated || known[i] !== 0);
-      into.push({ ...own, index: values.length > 1 ? i : -1, value: values[i], error: has ? errors[i] : null });
-    }
+    const { values, errorAt } = valuesOf(group, place);
+    for (let i = 0; i < values.length; ++i)
+      into.push({ ...own, index: values.length > 1 ? i : -1, value: values[i], error: errorAt(i) });
   }
   for (const [name, inner] of Object.entries(group.groups || {}))
     collect(part, inner, path ? `${path}/${name}` : name, into);
@@ -107,5 +117,12 @@ export function shownError(error) {
 function tidy(text) {
   const number = Number(text);
   const size = Math.abs(number);
+  if (text.includes("e") && size >= 1e-4 && size < 1e7) return String(number); // 340 rather than 3.4e+2
   return size !== 0 && (size < 1e-4 || size >= 1e7) ? text.includes("e") ? text : number.toExponential() : text;
+}
+
+/** A number of four digits, for the end of a scale.
+ * @param {number} value */
+export function brief(value) {
+  return String(Number(value.toPrecision(4)));
 }

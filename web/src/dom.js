@@ -78,6 +78,15 @@ export function colour(name) {
   return getComputedStyle(document.documentElement).getPropertyValue("--" + name).trim();
 }
 
+/** Draws again when light becomes dark, for as long as the element is on the page.
+ * @param {Element} element @param {() => void} draw */
+export function onTheme(element, draw) {
+  document.addEventListener("themechange", function again() {
+    if (element.isConnected) draw();
+    else document.removeEventListener("themechange", again);
+  });
+}
+
 const cividis = [[0, 32, 77], [49, 68, 107], [102, 105, 112], [149, 144, 120], [203, 186, 105], [255, 234, 70]];
 
 /** Cividis, readable with any colour vision: 0 stands out most, 1 least.

@@ -2,8 +2,9 @@
 // The drive under torque.
 
 import { bars, chart, heatMap, strong } from "./chart.js";
-import { column, groupAt, shown, shownError } from "./data.js";
-import { choice, colour, legend, make, remember, remembered } from "./dom.js";
+import { brief, column, groupAt, shown, shownError } from "./data.js";
+import { choice, colour, legend, make, onTheme, remember, remembered } from "./dom.js";
+import { keyFigures } from "./keys.js";
 import { say } from "./texts.js";
 
 const newtonMetre = 1000, arcminute = Math.PI / 180 / 60, degree = Math.PI / 180;
@@ -20,7 +21,7 @@ export function caseNames(group) {
   const sets = (group && group.datasets) || {}, tilt = column(group, "tilt");
   return ((sets.surface && sets.surface.texts) || []).map((surface, i) => {
     const kind = sets.kind && sets.kind.texts ? sets.kind.texts[i] : "";
-    return `${surface}${kind ? `, ${kind} ${shown(tilt[i] / degree)}°` : ""}`;
+    return `${surface}${kind ? `, ${kind} ${brief(tilt[i] / degree)}°` : ""}`;
   });
 }
 
@@ -40,9 +41,13 @@ function caseFigures(load, index) {
     [{ name: yName, x: by(column(curve, xName), xUnit), y: by(column(curve, yName), yUnit), error: error(yName,
       yUnit) }]);
   const perArcmin = newtonMetre / arcminute;
-  const all = [make("p", { class: "note" }, known.some((k) => k !== 0) ? say("band") : say("noBand"))];
-  if (column(curve, "torque").length > 1)
-    all.push(
+  const isCurve = column(curve, "torque").length > 1;
+  const all = [make("div", { class: "wide" }, make("h3", {}, `${say("atTorque")} ${
+    brief(column(load, "torque")[index] / newtonMetre)} N m`), keyFigures(load, index, ["twist", "stiffness",
+    "backlash", "teeth", "largest_force", "flank_pressure", "largest_line_load", "largest_stress",
+    "wave_generator_force", "ball_force"]))];
+  if (isCurve)
+    all.push(make("p", { class: "note" }, known.some((k) => k !== 0) ? say("band") : say("noBand")),
       curveOf(say("stiffness"), say("torque"), say("stiffnessUnit"), "torque", newtonMetre, "stiffness", perArcmin),
       curveOf(say("torqueTwist"), say("torque"), say("twist"), "torque", newtonMetre, "twist", arcminute),
       curveOf(say("pressure"), say("torque"), say("pressureUnit"), "torque", newtonMetre, "flank_pressure", 1));
@@ -57,7 +62,7 @@ function caseFigures(load, index) {
     const twist = by(column(members, "twist"), arcminute), e = column(members, "twist_error");
     all.push(make("figure", {}, make("figcaption", {}, say("members")), make("table", {}, make("tbody", {},
       ...names.map((name, i) => make("tr", {}, make("th", { scope: "row" }, name),
-        make("td", {}, shown(twist[i], e.length ? e[i] / arcminute : null)),
+        make("td", {}, e.length ? shown(twist[i], e[i] / arcminute) : brief(twist[i])),
         make("td", {}, e.length ? "± " + shownError(e[i] / arcminute) : ""), make("td", {}, "arcmin")))))));
   }
   const cup = index === ((load.attributes && load.attributes.written_case) || 0) ? cupSection(groupAt(load, "shape"))
@@ -88,7 +93,8 @@ function mapFigures(map, sectors) {
     pressure[(places[i].s * 2 + 1) * z.length + k]) || NaN; // nothing is painted where no force is
   return [bars(say("toothForces"), say("spaceAngle"), say("force"), xs, sum),
     heatMap(say("pressureMap"), say("spaceAngle"), say("height"), xs, z, value, (v) => strong(v / largest),
-      legend("0", `${shown(Number(largest.toPrecision(4)))} MPa`, true)).figure];
+      make("span", {}, legend("0", `${brief(largest)} MPa`, true),
+        make("span", { class: "legend" }, say("white")))).figure];
 }
 
 /** The cup's section coloured by stress, at an angle that one chooses.
@@ -124,17 +130,25 @@ function cupSection(shape) {
       ctx.fill();
       ctx.stroke();
     }
-    reading.textContent = `${(phi[row * kept] / degree).toFixed(1)}°: ≤ ${shown(Number(most.toPrecision(4)))} MPa`;
+    ctx.fillStyle = ctx.strokeStyle = colour("ink");
+    ctx.font = "22px system-ui, sans-serif";
+    ctx.beginPath();
+    ctx.moveTo(60, 560);
+    ctx.lineTo(60 + 5 * scale, 560); // 5 mm of the drawing
+    ctx.stroke();
+    ctx.fillText("5 mm", 66, 550);
+    ctx.fillText(say("bottomOpen"), 60, 600);
+    reading.textContent = `${(phi[row * kept] / degree).toFixed(1)}°: ≤ ${brief(most)} MPa`;
   };
   draw();
-  document.addEventListener("themechange", draw);
+  onTheme(canvas, draw);
   const slider = make("input", { type: "range", min: 0, max: rows - 1, value: 0, input: () => {
     row = Number(slider.value);
     draw();
   } });
   return make("figure", {}, make("figcaption", {}, say("stress")), canvas,
     make("label", { class: "wide" }, say("sectionAngle") + " ", slider), reading,
-    legend("0", `${shown(Number(largest.toPrecision(4)))} MPa`, true));
+    legend("0", `${brief(largest)} MPa`, true));
 }
 
 /** @param {import("./data.js").Drive} drive */

@@ -7,6 +7,7 @@ import { choice, make, remember, remembered } from "./dom.js";
 import { loadView } from "./load.js";
 import { meshView } from "./mesh.js";
 import { compareView, numbersView } from "./numbers.js";
+import { rulesView } from "./rules.js";
 import { say } from "./texts.js";
 
 const element = /** @type {HTMLElement} */ (document.getElementById("data"));
@@ -75,7 +76,8 @@ function show(index) {
   if (results.load) sections.push(section("load", say("load"), () => loadView(drive)));
   if (results.wedm) sections.push(section("wedm", say("wedm"), () => cuttingView(drive)));
   if (report.drives.length > 1) sections.push(section("compare", say("compare"), () => compareView(report.drives)));
-  sections.push(section("numbers", say("numbers"), () => numbersView(drive)),
+  sections.push(section("rules", say("rules"), () => rulesView(report.limits, drive)),
+    section("numbers", say("numbers"), () => numbersView(drive)),
     section("scene", say("scene"), () => make("pre", { tabindex: 0 }, drive.scene)),
     section("about", say("about"), () => about(drive)));
   const nav = make("nav", { "aria-label": say("about") },
@@ -87,6 +89,7 @@ function show(index) {
   app.replaceChildren(make("header", {}, make("h1", {}, drive.name),
     make("p", {},
       `${say("version")} ${report.program_version} (${report.git_revision}), ${say("printed")} ${report.date}`),
+    drive.origin ? make("p", { class: "origin" }, drive.origin) : null,
     make("div", { class: "controls" },
       report.drives.length > 1 ? choice(say("drive"), report.drives.map((each) => each.name), index, (i) => {
         remember("d", i);
@@ -100,7 +103,8 @@ function show(index) {
 function about(drive) {
   return make("div", {}, make("h3", {}, say("leftOut")),
     make("ul", {}, ...drive.left_out.map((each) => make("li", {}, `${each.part}: ${each.why}`))),
-    make("p", {}, report.build), make("details", {}, make("summary", {}, say("summary")), make("pre", {}, drive.text)));
+    make("p", {}, `${say("built")} ${report.build}`),
+    make("details", {}, make("summary", {}, say("summary")), make("pre", {}, drive.text)));
 }
 
 show(Math.min(report.drives.length - 1, Math.max(0, Math.round(remembered("d", 0)))));

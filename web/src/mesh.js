@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view of the teeth in mesh: controls, keys, readings.
 
-import { column, groupAt, shown, shownError } from "./data.js";
-import { choice, legend, make, remember, remembered, toggle } from "./dom.js";
+import { column, groupAt, shownError } from "./data.js";
+import { choice, legend, make, onTheme, remember, remembered, toggle } from "./dom.js";
+import { keyFigures } from "./keys.js";
+import { caseNames } from "./load.js";
+import { LoadedMesh, loadedTeeth } from "./loaded.js";
 import { Mesh, turned } from "./motion.js";
 import { Painter } from "./paint.js";
 import { say } from "./texts.js";
@@ -14,12 +17,25 @@ const colourLimit = 0.05; // mm, the gap at the end of the colours
 /** @param {import("./data.js").Drive} drive */
 export function meshView(drive) {
   if (!drive.teeth) return make("p", {}, say("noTeeth"));
-  const mesh = new Mesh(drive), painter = new Painter(drive, mesh);
+  const place = make("div", {});
+  /** @param {boolean} loaded */
+  const show = (loaded) => place.replaceChildren(teethView(drive, loaded, show));
+  show(remembered("u", 0) === 1 && loadedTeeth(drive) !== undefined);
+  return place;
+}
+
+/** The teeth on the wave generator alone, which turns, or under torque at one place of it.
+ * @param {import("./data.js").Drive} drive @param {boolean} loaded @param {(loaded: boolean) => void} show */
+function teethView(drive, loaded, show) {
+  const still = loaded ? new LoadedMesh(drive) : null;
+  const mesh = still || new Mesh(drive), painter = new Painter(drive, mesh);
   const revolution = groupAt(drive.results.contact, "contact/case_000/revolution");
   const contact = groupAt(drive.results.contact, "contact");
   const s = {
-    angle: remembered("a", 0) * degree, slice: Math.min(mesh.z.length - 1, remembered("k", mesh.z.length >> 1)),
-    turn: 0, held: remembered("h", 0), limit: colourLimit, sweep: remembered("s", 0) === 1, forces: false,
+    angle: still ? still.loadedAngle : remembered("a", 0) * degree,
+    slice: Math.min(mesh.z.length - 1, remembered("k", mesh.z.length >> 1)),
+    turn: still ? still.loadedTurn : 0, held: remembered("h", 0), limit: colourLimit,
+    sweep: !still && remembered("s", 0) === 1, forces: loaded, loaded,
     /** @type {{x: number, y: number}[]} */ ruler: [],
   };
   let playing = false, speed = 20, measuring = false, last = 0, wanted = false, work = 0;
@@ -66,6 +82,7 @@ export function meshView(drive) {
   let settled = 0;
   /** @param {number} angle */
   function turnTo(angle) {
+    if (still) return;
     s.angle = angle;
     remember("a", angle / degree);
     label();
@@ -96,18 +113,11 @@ export function meshView(drive) {
   }
   function readComputed() {
     computed.replaceChildren();
-    if (!contact) return;
+    if (!contact || still) return;
     const { state, index, off } = stateAt();
     if (!state || !(off < 1e-7)) return;
-    const rows = (state.figures || []).filter((place) => !place[5]
-      && /gap$|turn_to_contact|contact_fraction|teeth$/.test(place[0]));
-    computed.append(make("strong", {}, say("computed")), make("ul", {}, ...rows.map(([name, value, error, units]) => {
-      const v = column(state, value)[index], e = error ? column(state, error)[index] : null;
-      const scale = units === "mm" ? 1000 : 1;
-      return make("li", { "data-name": name, "data-value": v * scale },
-        `${name} ${shown(v * scale, e === null ? null : e * scale)}${e ? " ± " + shownError(e * scale) : ""} ${
-          units === "mm" ? "um" : units === "1" ? "" : units}`);
-    })));
+    computed.append(make("strong", {}, say("computed")), keyFigures(state, index, ["smallest_gap", "turn_to_contact",
+      "reverse_turn_to_contact", "backlash", "contact_fraction", "teeth"]));
   }
   function readPointer() {
     if (!pointer) return;
@@ -154,7 +164,7 @@ export function meshView(drive) {
     const polar = Math.atan2(x, y);
     if (what === "start") {
       grip = polar;
-      return s.held === 0 && Math.hypot(x, y) < painter.seat - 3 * drive.module;
+      return !still && s.held === 0 && Math.hypot(x, y) < painter.seat - 3 * drive.module;
     }
     turnTo(s.angle + remainder(polar - grip, 2 * Math.PI));
     grip = polar;
@@ -172,7 +182,7 @@ export function meshView(drive) {
     e.preventDefault();
     act();
   });
-  document.addEventListener("themechange", () => {
+  onTheme(canvas, () => {
     painter.colours();
     draw();
   });
@@ -180,10 +190,15 @@ export function meshView(drive) {
   const angles = column(revolution, "wave_generator");
   /** @param {string} text @param {() => void} act */
   const button = (text, act) => make("button", { type: "button", click: act }, text);
-  const controls = make("div", { class: "controls" }, play,
-    make("label", { class: "wide" }, say("angle") + " ", slider, number),
+  const turning = still ? [] : [play, make("label", { class: "wide" }, say("angle") + " ", slider, number),
     make("label", {}, say("speed") + " ", make("input", { type: "range", min: 1, max: 120, value: speed,
-      input: (/** @type {any} */ e) => { speed = Number(e.target.value); } })),
+      input: (/** @type {any} */ e) => { speed = Number(e.target.value); } }))];
+  const controls = make("div", { class: "controls" }, ...turning,
+    loadedTeeth(drive) ? toggle(say("loaded"), loaded, (on) => {
+      playing = false;
+      remember("u", on ? 1 : 0);
+      show(on);
+    }) : null,
     mesh.z.length > 1 ? choice(say("slice"), mesh.z.map((z) => z.toFixed(2) + " mm"), s.slice, (k) => {
       s.slice = k;
       remember("k", k);
@@ -195,7 +210,7 @@ export function meshView(drive) {
       remember("h", h);
       draw();
     }),
-    angles.length ? choice(say("computed"), Array.from(angles, (a) => (a / degree).toFixed(3) + "°"), -1,
+    angles.length && !still ? choice(say("computed"), Array.from(angles, (a) => (a / degree).toFixed(3) + "°"), -1,
       (i) => turnTo(angles[i])) : null,
     button(say("whole"), () => view.showAll()), button(say("oneTooth"), oneTooth),
     button(say("zoomIn"), () => view.zoom(1.6)), button(say("zoomOut"), () => view.zoom(1 / 1.6)),
@@ -205,29 +220,41 @@ export function meshView(drive) {
       canvas.classList.toggle("ruler", on);
       draw();
     }),
-    toggle(say("sweep"), s.sweep, (on) => {
+    still ? null : toggle(say("sweep"), s.sweep, (on) => {
       s.sweep = on;
       remember("s", on ? 1 : 0);
       draw();
     }),
-    contact ? toggle(say("turned"), false, (on) => {
+    contact && !still ? toggle(say("turned"), false, (on) => {
       const { state, index, angle } = stateAt();
       s.turn = on && state ? column(state, "turn_to_contact")[index] : 0;
       turnTo(on ? angle + Math.round((s.angle - angle) / mesh.pitch) * mesh.pitch : s.angle);
     }) : null,
-    drive.results.load ? toggle(say("forces"), false, (on) => {
+    drive.results.load && (still || !loadedTeeth(drive)) ? toggle(say("forces"), s.forces, (on) => {
       s.forces = on;
       if (on) turnTo(0);
       draw();
     }) : null);
   label();
   settle();
-  const accuracy = `${say("accuracy")} ${shownError(drive.teeth.interpolation_error * 1000)} um, ${say("outlines")} ${
-    shownError(drive.outline_error * 1000)} um.`;
+  const accuracy = still ? "" : `${say("accuracy")} ${shownError(mesh.teeth.interpolation_error * 1000)} um, ${
+    say("outlines")} ${shownError(drive.outline_error * 1000)} um.`;
   return make("div", { class: "view" }, controls, canvas,
     make("div", { class: "readings" }, make("span", {}, say("pointer") + " ", pointed),
       make("span", {}, say("smallest") + " ", least), make("span", {}, say("gaps") + " ", legend("0", "50 um"))),
-    computed, make("p", { class: "note" }, say("meshHelp") + " " + accuracy));
+    still ? make("p", { class: "loaded" }, loadedNote(drive, still)) : computed,
+    make("p", { class: "note" }, say(still ? "loadedHelp" : "meshHelp") + " " + accuracy));
+}
+
+/** What the picture of the loaded teeth shows.
+ * @param {import("./data.js").Drive} drive @param {LoadedMesh} mesh */
+function loadedNote(drive, mesh) {
+  const load = groupAt(drive.results.load, "load"), index = load?.attributes?.written_case || 0;
+  const map = groupAt(load, `case_${String(index).padStart(3, "0")}/map`);
+  const torque = Number(((map?.attributes?.torque_Nmm || 0) / 1000).toPrecision(4));
+  const twist = Number((column(load, "twist")[index] / degree * 60).toPrecision(3));
+  return `${say("loadedAt")} ${torque} N m, ${say("loadedCase")} ${caseNames(load)[index]}: ${say("loadedTwist")} ${
+    twist} arcmin, ${say("loadedAngle")} ${(mesh.loadedAngle / degree + 0).toFixed(2)}°. ${say("loadedTrue")}`;
 }
 
 /** A length in um to 0.01, no minus before zero.

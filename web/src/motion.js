@@ -7,6 +7,8 @@ import { column, numbers } from "./data.js";
 /** @typedef {{x: number, y: number}} Point */
 /** @typedef {{x: number, y: number, lean: number}} Pose  origin and angle of the y axis */
 
+const tableSteps = 2048; // of the places of one wave whose gaps are kept
+
 /** The cubic through four even values; @p t in 0 ... 1 between the middle two.
  * @param {number} a @param {number} b @param {number} c @param {number} d @param {number} t */
 function cubic(a, b, c, d, t) {
@@ -22,8 +24,8 @@ export function turned(x, y, angle) {
 }
 
 export class Mesh {
-  /** @param {import("./data.js").Drive} drive */
-  constructor(drive) {
+  /** @param {import("./data.js").Drive} drive @param {import("./data.js").Group} [spline] */
+  constructor(drive, spline = drive.spline) {
     const teeth = /** @type {import("./data.js").Teeth} */ (drive.teeth);
     this.teeth = teeth;
     this.flexsplineTeeth = drive.flexspline_teeth;
@@ -34,15 +36,16 @@ export class Mesh {
     this.advance = numbers(teeth.advance);
     this.lean = numbers(teeth.lean);
     this.tooth = numbers(teeth.tooth);
-    const outline = drive.spline.datasets && drive.spline.datasets.outline;
+    const outline = spline.datasets && spline.datasets.outline;
     this.outline = numbers(outline);
     this.points = outline && outline.shape ? outline.shape[1] : 0;
-    this.landmarks = column(drive.spline, "landmarks");
-    /** Errors of a gap: both polygons, and the motion [mm]. */
-    this.gapError = teeth.chord + teeth.interpolation_error + drive.outline_error;
+    this.landmarks = column(spline, "landmarks");
     this.reach = 0;
     for (let i = 0; i < this.points; ++i)
       this.reach = Math.max(this.reach, Math.hypot(this.outline[2 * i], this.outline[2 * i + 1]));
+    /** Errors of a gap: both polygons, the motion, and numbers in single precision [mm]. */
+    this.gapError = teeth.chord + teeth.interpolation_error + drive.outline_error
+      + (outline && outline.type === "f4" ? this.reach * 2 ** -24 : 0);
   }
 
   /** Point @p i of the tooth space's outline in a slice.
@@ -52,10 +55,35 @@ export class Mesh {
     return { x: this.outline[j], y: this.outline[j + 1] };
   }
 
-  /** Undeformed angle of the tooth in @p space.
-   * @param {number} space @param {number} generator  its angle [rad] */
-  phi(space, generator) {
-    return (space * this.pitch - generator) * this.spaces / this.flexsplineTeeth;
+  /** Radius of the tip circle in a slice.
+   * @param {number} slice */
+  tip(slice) {
+    const land = this.at(slice, this.landmarks[0]);
+    return Math.hypot(land.x, land.y);
+  }
+
+  /** Undeformed angle of the flexspline's tooth @p number.
+   * @param {number} number @param {number} generator  its angle [rad] */
+  phi(number, generator) {
+    return 2 * Math.PI * number / this.flexsplineTeeth - generator * this.spaces / this.flexsplineTeeth;
+  }
+
+  /** Undeformed angle of the tooth that stands in @p space: counted from the nearest lobe of the wave generator, since
+   * from lobe to lobe the teeth stand in other spaces.
+   * @param {number} space @param {number} generator */
+  phiIn(space, generator) {
+    const angle = space * this.pitch - generator, { period } = this.teeth;
+    const lobe = period * Math.round(angle / period);
+    return lobe + (angle - lobe) * this.spaces / this.flexsplineTeeth;
+  }
+
+  /** A place whose gaps are those of @p space, and the number that it is known by: tooth after tooth goes through the
+   * same.
+   * @param {number} space @param {number} generator */
+  place(space, generator) {
+    const { period } = this.teeth, phi = this.phiIn(space, generator);
+    const key = Math.round((phi / period - Math.round(phi / period)) * tableSteps);
+    return { key, space: 0, generator: -key * period / tableSteps * this.flexsplineTeeth / this.spaces };
   }
 
   /** Pose of the tooth with the undeformed angle @p phi in the frame of the wave generator.
@@ -72,10 +100,10 @@ export class Mesh {
   }
 
   /** The same in the frame of a tooth space, its centre line along y; the flexspline is turned by @p turn.
-   * @param {number} slice @param {number} space @param {number} tooth  in the space of that number
+   * @param {number} slice @param {number} space @param {number} beside  0: the tooth in that space, 1: the next one
    * @param {number} generator @param {number} turn @returns {Pose} */
-  poseInSpace(slice, space, tooth, generator, turn) {
-    const pose = this.pose(slice, this.phi(tooth, generator));
+  poseInSpace(slice, space, beside, generator, turn) {
+    const pose = this.pose(slice, this.phiIn(space, generator) + 2 * Math.PI * beside / this.flexsplineTeeth);
     const by = generator - space * this.pitch + turn;
     const origin = turned(pose.x, pose.y, by);
     return { x: origin.x, y: origin.y, lean: pose.lean + by };
@@ -87,8 +115,8 @@ export class Mesh {
    * @param {number} generator @param {number} turn */
   gap(point, slice, space, generator, turn) {
     let least = Infinity;
-    for (const tooth of [space - 1, space, space + 1]) {
-      const pose = this.poseInSpace(slice, space, tooth, generator, turn);
+    for (const beside of [-1, 0, 1]) {
+      const pose = this.poseInSpace(slice, space, beside, generator, turn);
       const p = turned(point.x - pose.x, point.y - pose.y, -pose.lean);
       least = Math.min(least, this.toTooth(p.x, p.y));
     }
@@ -121,42 +149,34 @@ export class Mesh {
     return [[l[0], l[1]], [l[l.length - 2], l[l.length - 1]]];
   }
 
-  /** The smallest gap of the flanks of all spaces in a slice, and where.
+  /** The smallest gap of the flanks of all spaces in a slice, and where: the least of some points of each flank and
+   * what lies about it, where that is among the least of all.
    * @param {number} slice @param {number} generator @param {number} turn */
   smallest(slice, generator, turn) {
-    const coarse = [];
-    for (let space = 0; space < this.spaces; ++space)
-      for (const [from, to] of this.flanks())
-        for (let part = 0; part <= 8; ++part) {
-          const i = Math.round(from + (to - from) * part / 8);
-          coarse.push({ space, from, to, gap: this.roughGap(this.at(slice, i), slice, space, generator, turn) });
-        }
-    coarse.sort((a, b) => a.gap - b.gap);
-    let best = { gap: Infinity, space: 0, point: { x: 0, y: 0 } };
-    const seen = new Set();
-    for (const { space, from, to } of coarse) {
-      const key = space + ":" + from;
-      if (seen.has(key)) continue;
-      seen.add(key);
-      if (seen.size > 12) break;
-      for (let i = from; i <= to; ++i) {
-        const point = this.at(slice, i);
-        const gap = this.gap(point, slice, space, generator, turn);
-        if (gap < best.gap) best = { gap, space, point };
+    const parts = 16, most = 24;
+    /** @type {{space: number, gap: number, from: number, to: number}[]} */
+    const found = [];
+    for (let space = 0; space < this.spaces; ++space) {
+      const pose = this.poseInSpace(slice, space, 0, generator, turn);
+      for (const [from, to] of this.flanks()) {
+        const index = (/** @type {number} */ part) => Math.round(from + (to - from) * part / parts);
+        const gaps = Array.from({ length: parts + 1 }, (_, part) => {
+          const at = this.at(slice, index(part)), p = turned(at.x - pose.x, at.y - pose.y, -pose.lean);
+          return this.toTooth(p.x, p.y);
+        });
+        gaps.forEach((gap, part) => {
+          if (gap <= (gaps[part - 1] ?? Infinity) && gap <= (gaps[part + 1] ?? Infinity))
+            found.push({ space, gap, from: index(Math.max(0, part - 1)), to: index(Math.min(parts, part + 1)) });
+        });
       }
     }
+    found.sort((a, b) => a.gap - b.gap);
+    let best = { gap: Infinity, space: 0, point: { x: 0, y: 0 } };
+    for (const { space, from, to } of found.slice(0, most))
+      for (let i = from; i <= to; ++i) {
+        const point = this.at(slice, i), gap = this.gap(point, slice, space, generator, turn);
+        if (gap < best.gap) best = { gap, space, point };
+      }
     return best;
-  }
-
-  /** Distance to every 16th point of the space's own tooth.
-   * @param {Point} point @param {number} slice
-   * @param {number} space @param {number} generator @param {number} turn */
-  roughGap(point, slice, space, generator, turn) {
-    const pose = this.poseInSpace(slice, space, space, generator, turn);
-    const p = turned(point.x - pose.x, point.y - pose.y, -pose.lean);
-    let least = Infinity;
-    for (let i = 0; i < this.tooth.length; i += 32)
-      least = Math.min(least, Math.hypot(p.x - this.tooth[i], p.y - this.tooth[i + 1]));
-    return least;
   }
 }

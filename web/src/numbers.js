@@ -29,7 +29,8 @@ function cell(value) {
 function searchable(head, rows, label) {
   const body = make("tbody", {}), count = make("span", { "class": "note", "role": "status" });
   const made = rows.map((row) => make("tr", { class: row.mark ? "differs" : undefined },
-    ...row.cells.map((each, i) => make(i === 1 ? "th" : "td", i === 1 ? { scope: "row" } : {}, each))));
+    ...row.cells.map((each, i) => make(i === 1 ? "th" : "td", i === 1 ? { scope: "row" }
+      : { "data-head": head[i] || undefined }, each))));
   const most = 400; // rows shown at once: a search finds the others
   const show = () => {
     const words = search.value.toLowerCase().split(/\s+/).filter(Boolean);
@@ -46,6 +47,7 @@ function searchable(head, rows, label) {
   } }, say("copyCsv"));
   show();
   return make("div", {}, make("div", { class: "controls" }, search, copy, count),
+    make("p", { class: "note" }, say("noErrorNote")),
     make("div", { "class": "scroll", "tabindex": 0, "role": "region", "aria-label": label },
       make("table", {}, make("thead", {}, make("tr", {}, ...head.map((text) => make("th", { scope: "col" }, text)))),
         body)));
@@ -92,8 +94,9 @@ export function compareView(drives) {
     const exact = mark && known.some((f) => f && f.error === null);
     return {
       mark, search: `${key} ${first.units} ${first.meaning} ${mark ? say("differs") : ""}`.toLowerCase(),
-      cells: [placeOf(first), nameOf(first), ...found.map((f) => (f ? shown(f.value, f.error) + (f.error
-        ? " ± " + shownError(f.error) : "") : "–")), first.units === "1" ? "" : first.units,
+      cells: [placeOf(first), make("span", {}, nameOf(first), make("small", {}, first.meaning)),
+        ...found.map((f) => (f ? shown(f.value, f.error) + (f.error ? " ± " + shownError(f.error) : "") : "–")),
+        first.units === "1" ? "" : first.units,
       mark ? "≠ " + say(exact ? "noError" : "differs") : known.length > 1 ? say("same") : ""],
       csv: [placeOf(first), nameOf(first), ...found.map((f) => (f ? f.value : null)), first.units, mark ? "differs"
         : ""],
@@ -121,6 +124,10 @@ function overlay(drives) {
     "viewBox": `${low - more} ${bottom - more} ${high - low + 2 * more} ${top - bottom + 2 * more}` },
     ...shapes.map((points, i) => svg("polyline", { "class": `line s${i % 4}`, "vector-effect": "non-scaling-stroke",
       "points": points.map((p) => p.map((v) => v.toFixed(5)).join(",")).join(" ") })));
+  const bar = 10 ** Math.floor(Math.log10((high - low) / 4)), size = (high - low) / 40;
+  picture.append(svg("path", { "class": "line", "vector-effect": "non-scaling-stroke",
+    "d": `M${low} ${bottom + size * 2}h${bar}` }), svg("text", { "x": low, "y": bottom + size * 1.4, "font-size": size,
+    "fill": "currentColor" }, `${bar} mm`));
   return make("figure", {}, make("figcaption", {}, say("overlaid")), picture,
     make("div", { class: "names" }, ...drives.map((drive, i) => make("span", { class: `key s${i % 4}` }, drive.name))));
 }

@@ -16,7 +16,7 @@ export function paintSweep(painter, ctx, s, spin, view, frame) {
   ctx.strokeStyle = painter.colour.faint;
   for (let i = -30; i <= 30; ++i) {
     const generator = space * mesh.pitch + i / 30 * Math.PI / 3;
-    const pose = mesh.poseInSpace(s.slice, space, space, generator, s.turn);
+    const pose = mesh.poseInSpace(s.slice, space, 0, generator, s.turn);
     const at = turned(pose.x, pose.y, lean);
     frame(at.x, at.y, pose.lean + lean);
     ctx.stroke(tooth);
@@ -33,7 +33,7 @@ export function paintSweep(painter, ctx, s, spin, view, frame) {
   }
 }
 
-/** Forces of the loaded teeth, those of the wave generator's first place.
+/** Forces of the loaded teeth: of one slice where the loaded teeth are drawn, else of all slices.
  * @param {import("./paint.js").Painter} painter @param {CanvasRenderingContext2D} ctx @param {any} s
  * @param {number} spin @param {import("./view.js").View} view */
 export function paintForces(painter, ctx, s, spin, view) {
@@ -42,6 +42,7 @@ export function paintForces(painter, ctx, s, spin, view) {
     || 0).padStart(3, "0"));
   const contacts = groupAt(shown, "contacts"), angle = column(groupAt(shown, "map"), "angle");
   const force = column(contacts, "force"), space = column(contacts, "space");
+  const slice = column(contacts, "slice");
   const place = column(contacts, "place"), normal = column(contacts, "normal"), half = column(contacts, "half_width");
   const sectors = (load && load.attributes && load.attributes.sectors) || 1;
   const largest = force.reduce((a, b) => Math.max(a, b), 0);
@@ -50,9 +51,10 @@ export function paintForces(painter, ctx, s, spin, view) {
   ctx.lineWidth = 2;
   for (let sector = 0; sector < sectors; ++sector)
     for (let i = 0; i < force.length; ++i) {
-      const lean = angle[space[i]] + 2 * Math.PI * sector / sectors + spin;
+      if (s.loaded && slice[i] !== s.slice) continue;
+      const lean = angle[space[i]] + s.angle + 2 * Math.PI * sector / sectors + spin;
       const p = turned(place[2 * i], place[2 * i + 1], lean), n = turned(normal[2 * i], normal[2 * i + 1], lean);
-      const a = view.toPixels(p.x, p.y), length = 4 + 56 * force[i] / largest;
+      const a = view.toPixels(p.x, p.y), length = 4 + Math.min(56, view.height / 10) * force[i] / largest;
       const strip = half[i] * view.scale; // as wide as Hertz says, along the flank
       ctx.beginPath();
       ctx.moveTo(a.x, a.y);

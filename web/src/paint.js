@@ -7,7 +7,6 @@ import { colour, scaleColour } from "./dom.js";
 import { turned } from "./motion.js";
 import { paintForces, paintRuler, paintSweep } from "./overlay.js";
 
-const tableSteps = 2048; // of the colours over one wave
 const samples = 13; // of a flank
 const budget = 5; // ms a frame for colours that are not known yet
 
@@ -36,19 +35,17 @@ export class Painter {
     this.colour = Object.fromEntries(c.map((name) => [name, colour(name)]));
   }
 
-  /** Gaps along both flanks where the tooth in a space has the undeformed angle of step @p j.
-   * @param {number} slice @param {number} j @param {number} turn */
-  row(slice, j, turn) {
-    const known = this.rows.get(j);
+  /** Gaps along both flanks at a place.
+   * @param {number} slice @param {{key: number, space: number, generator: number}} place @param {number} turn */
+  row(slice, { key, space, generator }, turn) {
+    const known = this.rows.get(key);
     if (known) return known;
     const mesh = this.mesh;
-    const phi = j * mesh.teeth.period / tableSteps;
-    const generator = -phi * mesh.flexsplineTeeth / mesh.spaces;
     const row = { gaps: new Float64Array(2 * samples), least: [Infinity, Infinity], at: [0, 0] };
     mesh.flanks().forEach(([from, to], flank) => {
       for (let i = 0; i < samples; ++i) {
         const point = mesh.at(slice, Math.round(from + (to - from) * i / (samples - 1)));
-        const gap = mesh.gap(point, slice, 0, generator, turn);
+        const gap = mesh.gap(point, slice, space, generator, turn);
         row.gaps[flank * samples + i] = gap;
         if (gap < row.least[flank]) {
           row.least[flank] = gap;
@@ -56,7 +53,7 @@ export class Painter {
         }
       }
     });
-    this.rows.set(j, row);
+    this.rows.set(key, row);
     return row;
   }
 
@@ -135,7 +132,7 @@ export class Painter {
     };
     const step = 2 ** Math.max(0, Math.floor(Math.log2(0.8 / (0.0015 * view.scale))));
     disc(mesh.reach + 4 * this.drive.module, this.colour.spline);
-    disc(seat, this.colour.paper);
+    disc(mesh.tip(s.slice), this.colour.paper);
     const space = this.spacePath(s.slice, Math.min(64, step));
     /** @type {number[]} */
     const seen = [];
@@ -216,13 +213,12 @@ export class Painter {
     ctx.lineCap = "round";
     ctx.lineWidth = (fine ? 3 : 2) / view.scale;
     for (const i of seen) {
-      const share = mesh.phi(i, s.angle) / mesh.teeth.period;
-      const j = Math.round((share - Math.floor(share)) * tableSteps) % tableSteps;
-      if (!this.rows.has(j) && performance.now() - began > budget) {
+      const place = mesh.place(i, s.angle);
+      if (!this.rows.has(place.key) && performance.now() - began > budget) {
         this.known = false;
         continue;
       }
-      const row = this.row(s.slice, j, s.turn);
+      const row = this.row(s.slice, place, s.turn);
       mesh.flanks().forEach(([from, to], flank) => {
         if (row.least[flank] > s.limit) return;
         const lean = i * mesh.pitch + spin, at = turned(0, this.seat, lean);

@@ -17,11 +17,20 @@ const english = {
   forces: "Forces under load",
   meshHelp: "Drag inside the flexspline to turn the wave generator, elsewhere to move the picture; after a click the "
     + "wheel zooms. Keys: space plays, arrows turn, plus and minus zoom, 0 shows the whole drive, 1 one tooth.",
+  loaded: "Under torque", loadedAt: "Under", loadedCase: "surface", loadedTwist: "the drive twists by",
+  loadedAngle: "wave generator at",
+  loadedTrue: "Nothing is exaggerated: the cup is bent and turned as computed, for this place of the wave generator "
+    + "only. The teeth are drawn rigid and with sharp edges: where a tooth enters a flank (vermilion), both yield by "
+    + "about as much.",
+  loadedHelp: "Drag to move the picture; after a click the wheel zooms. Keys: plus and minus zoom, 0 shows the whole "
+    + "drive, 1 one tooth.",
   canvas: "Teeth of both splines", accuracy: "Poses are interpolated from the program's own to",
   outlines: "outlines are exact to", case: "Case", contactGap: "contact gap", light: "Light", dark: "Dark",
   theme: "Light or dark", cells: "place across tooth spaces and slices", left: "left flank", right: "right flank",
   spaceAngle: "tooth space, degrees from the major axis", height: "z [mm]", gapMap: "Smallest gap of each flank [um]",
   turnHelp: "Drag or use the arrow keys to turn", surface: "One tooth space over the face width",
+  thinMap: "Each slice of a flank has the colour of its smallest gap. The shape drawn is that of",
+  atMajor: "at the major axis", atMinor: "at the minor axis",
   space: "Tooth space", coning: "Radial displacement of the wall", tilt: "Tilt", radial: "radial displacement [um]",
   torqueTwist: "Twist against torque", twist: "twist [arcmin]", torque: "torque [N m]",
   stiffness: "Stiffness against torque", stiffnessUnit: "stiffness [N m/arcmin]",
@@ -29,13 +38,22 @@ const english = {
   toothForces: "Force of each tooth, all teeth unrolled",
     pressureMap: "Pressure over tooth spaces and face width [MPa]",
   stress: "Stress of the cup's section [MPa]", sectionAngle: "Angle from the major axis", members: "Twist by member",
-  balls: "Bearing: forces around the ring", band: "bands show the estimated error",
-  noBand: "the errors were not estimated", differs: "differs beyond both errors", same: "within the errors",
-  overlaid: "Tooth spaces laid over each other", noError: "without an error: any difference is marked",
+  balls: "Bearing: forces around the ring", band: "Bands show the estimated error.",
+  noBand: "The errors were not estimated.", differs: "differs beyond both errors", same: "within the errors",
+  overlaid: "Tooth spaces laid over each other", noError: "differs; no error is stated",
   path: "Wire path", pass: "Pass", face: "Face", lower: "lower", upper: "upper", nominal: "contour of the part",
   residuals: "Material that no pass reaches", jump: "Show", noResiduals: "No pass leaves more than its limit.",
   places: "places", tooth: "first in tooth space", on: "on", flank: "a flank", root: "the root",
     onlyOne: "This report holds one drive.",
+  rules: "Design rules", rule: "Rule", usual: "Usual", accepted: "Accepted", found: "This drive", source: "Source",
+  any: "any", notAbove: "at most", notBelow: "at least", withinRange: "within the usual range",
+  rulesNote: "What a design is judged by, in the plane z = 0. m: module, z_f and z_c: teeth of flexspline and circular "
+    + "spline, n: waves, w0: radial deformation.",
+  built: "Program built with", keyFigures: "Figures to look at first", atTorque: "At", andMore: "and more",
+  interference: "interference",
+  white: "empty: no force", bottomOpen: "left: bottom of the cup, right: open end; the axis lies below",
+  noErrorNote: "Where the error is empty the program states none: counts, given values, and figures whose error is "
+    + "not determined.", allPasses: "all", wholePart: "Whole part",
   hoverHint: "Point at the picture to read values.", version: "hdconj", printed: "written", summary: "Printed summary",
   tiltChart: "Contact fraction against tilt", tiltUnit: "tilt [deg]", fraction: "contact fraction",
 };

@@ -31,6 +31,14 @@ def one_tooth(page):
     page.locator("canvas.mesh").first.screenshot(path=Path(FOLDER) / "one-tooth.png")
 
 
+def under_torque(page):
+    page.get_by_role("button", name="Under torque").click()
+    page.locator("label:has-text('Slice') select").select_option(index=8)
+    page.get_by_role("button", name="Zoom in").click()
+    page.wait_for_timeout(1500)
+    page.locator("canvas.mesh").first.screenshot(path=Path(FOLDER) / "under-torque.png")
+
+
 def tooth_space(page):
     page.locator("#axial").scroll_into_view_if_needed()
     page.wait_for_timeout(500)
@@ -39,4 +47,6 @@ def tooth_space(page):
 
 with tempfile.TemporaryDirectory() as scratch, sync_playwright() as playwright:
     take(playwright, scratch, [], "#a=2", "light", one_tooth, "one-tooth")
+    take(playwright, scratch, [SCENES / "type-50-elastic.toml", "--set", "slices.count=9", "--with", "load", "--no-curve"],
+         "#vx=-0.9&vy=25.45&vw=1.6", "light", under_torque, "loaded")
     take(playwright, scratch, [SCENES / "type-50-coned.toml", "--with", "contact"], "", "dark", tooth_space, "space")

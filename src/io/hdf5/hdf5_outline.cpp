@@ -3,11 +3,10 @@
 
 #include "hdconj/result_files.hpp"
 #include "hdf5_reader.hpp"
+#include "io/layout/results.hpp"
 
 namespace hdconj::io::hdf5 {
 namespace {
-
-constexpr int newest_format = 2;
 
 std::vector<OutlinePiece> pieces_of(hid_t place, std::size_t points)
 {
@@ -66,7 +65,7 @@ StoredOutline read_outline(std::filesystem::path const& file)
     StoredKind const result{"no result file of hdconj", "make one: hdconj solve -o FILE.h5", nullptr};
     return read_stored(file, result, [](File const& opened) {
         require(text_of(opened, "format") == "hdconj", "it is of another program");
-        require(number_of(opened, "format_version") <= newest_format, "it was written by a newer version");
+        require(number_of(opened, "format_version") <= io::layout::format_version, "it was written by a newer version");
         return StoredOutline{text_of(opened, "scene"), outline_of(opened)};
     });
 }

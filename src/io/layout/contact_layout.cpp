@@ -24,6 +24,20 @@ void write_closest(Writer const& place, char const* dim, std::string const& pref
                  "where, in the frame of the tooth space", dim);
 }
 
+void write_smallest_gaps(Writer const& place, SmallestGaps const& gaps, std::size_t slices)
+{
+    Shape const shape = {gaps.angle.size(), 2, slices};
+    if (gaps.gap.size() != shape[0] * shape[1] * shape[2])
+        throw std::logic_error("the smallest gaps of a case do not match its spaces and slices");
+    layout::write_flanks(place);
+    place.numbers("angle", gaps.angle, {"rad", "centre line of the space, clockwise from the major axis", {"angle"}});
+    place.array("gap", shape, gaps.gap.data(),
+                {"mm",
+                 "smallest gap of the flank in the plane of the slice; negative: interference",
+                 {"angle", "flank", "z"},
+                 layout::Owner::result});
+}
+
 void write_contact_case(Writer const& place, ContactCase const& each, bool estimated)
 {
     auto const& slices = each.slices;
@@ -41,6 +55,8 @@ void write_contact_case(Writer const& place, ContactCase const& each, bool estim
                              return ClosestPlace{slice.root, slice.root_error};
                          }),
                   estimated);
+    if (!each.gaps.angle.empty())
+        place.group("gaps", [&](Writer const& gaps) { write_smallest_gaps(gaps, each.gaps, slices.size()); });
     if (!each.revolution.empty()) {
         place.group("revolution", [&](Writer const& turn) {
             write_columns(turn, "wave_generator", figures::state_figures(), each.revolution, "", estimated);

@@ -203,6 +203,20 @@ void write_shape(Writer const& place, CupShape const& shape)
         write_checked(place, "stress", size, shape.stress, {"MPa", "von Mises stress", dims, Owner::result});
 }
 
+void write_teeth(Writer const& place, LoadedTeeth const& teeth)
+{
+    std::size_t const count = teeth.phi.size(), slices = teeth.z.size();
+    if (teeth.origin.size() != count * slices)
+        throw std::logic_error("the loaded teeth do not match their angles and slices");
+    place.attribute("turn_rad", teeth.turn);
+    place.numbers("z", teeth.z, {"mm", "slices", {"z"}});
+    place.numbers("phi", teeth.phi, {"rad", "undeformed angles of the teeth, clockwise from the major axis", {"phi"}});
+    place.array("origin", {count, slices, 2}, teeth.origin.front().data(),
+                {"mm", "origin of the tooth's frame, y along the major axis", {"phi", "z", "xy"}, Owner::result});
+    write_checked(place, "lean", {count, slices}, teeth.lean,
+                  {"rad", "angle of the tooth's y axis, clockwise from the major axis", {"phi", "z"}, Owner::result});
+}
+
 void write_pitch_errors(Writer const& place, PitchErrors const& errors)
 {
     auto const write = [&](std::string const& ring, std::vector<double> const& places, char const* dimension) {
@@ -259,6 +273,8 @@ void layout::write_result(Writer const& root, LoadStudy const& study, Measuremen
         load.group("cup", [&](Writer const& cup) { write_cup(cup, study.cup, study.balls); });
         if (!study.shape.r.empty())
             load.group("shape", [&](Writer const& shape) { write_shape(shape, study.shape); });
+        if (!study.teeth.phi.empty())
+            load.group("loaded_teeth", [&](Writer const& teeth) { write_teeth(teeth, study.teeth); });
         write_pitch_errors(load, study.pitch_errors);
         if (measured != nullptr)
             load.group("measured", [&](Writer const& place) { write_measured(place, *measured); });

@@ -12,8 +12,12 @@
 #include "hdconj/wanted_curve.hpp"
 #include "hdconj/wedm.hpp"
 #include "io/mesh/spline_surface.hpp"
+#include "layout_record.hpp"
 
 namespace hdconj::io::layout {
+
+/// Number of the layout of a result file; goes up when a reader of the old one would misread the new one.
+inline constexpr int format_version = 2;
 
 /// What the file of records of a study says it is.
 inline constexpr char const* accuracy_format = "hdconj-accuracy";
@@ -21,6 +25,10 @@ inline constexpr int accuracy_version = 2;
 
 /// Now, or SOURCE_DATE_EPOCH where that is set (reproducible files): ISO 8601, UTC.
 [[nodiscard]] std::string date_text();
+
+/// Everything that a result file may hold, with every part that only some drives have: what read_layout() looks for.
+/// @param balls  of the bearing: forces of single balls are in N, those of a line of balls (0) in N/mm
+[[nodiscard]] RecordedGroup whole_layout(int balls);
 
 /// All of docs/reference/hdf5.md up to `/circular_spline`, summary and time.
 void write_solution(Writer const& root, Solution const& solution);

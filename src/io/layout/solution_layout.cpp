@@ -29,13 +29,10 @@ using layout::column;
 using layout::Owner;
 using layout::Writer;
 
-/// Number of this layout; goes up when a reader of the old one would misread the new one.
-constexpr int format_version = 2;
-
 void write_provenance(Writer const& root, Solution const& solution)
 {
     root.attribute("format", std::string("hdconj"));
-    root.attribute("format_version", format_version);
+    root.attribute("format_version", layout::format_version);
     root.attribute("program_version", std::string(program_version()));
     root.attribute("git_revision", std::string(git_revision()));
     root.attribute("build", std::string(build_description()));

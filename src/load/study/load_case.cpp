@@ -281,7 +281,10 @@ SolvedCase load_case(contact::ContactContext const& context, DrivePair const& dr
     elastic::HarmonicField field = cup_field(fine.model, rated.branch.last.forces, context.threads);
     enter_stress(context, drives, field, rated.errors.last_forces, result);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    return {std::move(result), std::move(field)};
+    LoadedTeeth teeth;
+    if (!problem.deviation)
+        teeth = loaded_teeth(context, fine.model.drive, rated.branch.last.shape, rated.branch.last.state.turn);
+    return {std::move(result), std::move(field), std::move(teeth)};
 }
 
 }  // namespace hdconj::load

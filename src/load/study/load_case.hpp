@@ -20,11 +20,12 @@ struct CaseObserver
     std::function<void(double)> on_state;          ///< after each torque: the fraction of the case that is done
 };
 
-/// A case and the displacement of the whole cup at its largest torque.
+/// A case, and the displacement of the whole cup and its teeth at the largest torque.
 struct SolvedCase
 {
     LoadCase result;
     elastic::HarmonicField field;
+    LoadedTeeth teeth;
 };
 
 /// @param drives   with a coarse grid: errors are estimated

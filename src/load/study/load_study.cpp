@@ -67,6 +67,7 @@ void add_cases(contact::ContactContext const& context, DrivePair const& drives, 
             if (last == 0 || rated_line_load(study.cases[last]) < rated_line_load(study.cases[study.written_case])) {
                 study.written_case = last;
                 study.shape = cup_shape(drives.fine.model, solved.field, context.threads);
+                study.teeth = std::move(solved.teeth);
             }
         } catch (NumericalError const& error) {
             study.missing.push_back(contact::no_row(surfaces[i], error.what()));

@@ -109,6 +109,26 @@ LoadedShape loaded_shape(contact::ContactContext const& context, ElasticDrive co
     return shape;
 }
 
+LoadedTeeth loaded_teeth(contact::ContactContext const& context, ElasticDrive const& drive, LoadedShape const& shape,
+                         double turn)
+{
+    LoadedTeeth teeth;
+    teeth.turn = turn;
+    teeth.z = drive.slice_z;
+    int const count = context.scene.drive.flexspline_teeth;
+    double const ratio = conjugate::tooth_ratio(context.scene);
+    for (int i = shape.places.first; i < shape.places.first + count; ++i) {
+        double const phi = 2 * std::numbers::pi * i / count + drive.phase, space = ratio * phi;
+        teeth.phi.push_back(phi);
+        for (std::size_t k = 0; k < shape.places.slices; ++k) {
+            Pose const& pose = shape.places.at(i, k);
+            teeth.origin.push_back(turned_clockwise(pose.origin, space));
+            teeth.lean.push_back(std::atan2(pose.sine, pose.cosine) + space);
+        }
+    }
+    return teeth;
+}
+
 double normal_displacement(ElasticDrive const& drive, LoadedShape const& shape, FlankContact const& c)
 {
     double const phi = 2 * std::numbers::pi * c.tooth / drive.flexspline_teeth + drive.phase;

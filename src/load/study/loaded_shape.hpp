@@ -6,6 +6,7 @@
 
 #include "contact/gap_field.hpp"
 #include "contact/study/contact_context.hpp"
+#include "hdconj/loaded_cup.hpp"
 #include "load/equilibrium.hpp"
 
 namespace hdconj::load {
@@ -26,6 +27,10 @@ struct LoadedShape
 /// the slices.
 [[nodiscard]] LoadedShape loaded_shape(contact::ContactContext const& context, ElasticDrive const& drive,
                                        Eigen::MatrixXd const& forces);
+
+/// The teeth of a shape, for LoadStudy. @param turn  of the circular spline
+[[nodiscard]] LoadedTeeth loaded_teeth(contact::ContactContext const& context, ElasticDrive const& drive,
+                                       LoadedShape const& shape, double turn);
 
 /// Displacement of the tooth of a flank contact along its normal [mm] by the linear model.
 [[nodiscard]] double normal_displacement(ElasticDrive const& drive, LoadedShape const& shape, FlankContact const& c);

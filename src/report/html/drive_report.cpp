@@ -5,6 +5,7 @@
 #include "hdconj/error.hpp"
 #include "hdconj/report.hpp"
 #include "hdconj/solve.hpp"
+#include "stored_result.hpp"
 
 namespace hdconj {
 namespace {
@@ -29,6 +30,13 @@ void try_part(ReportedDrive& drive, std::string_view part, bool asked, Compute c
     }
 }
 
+bool is_asked(ReportOptions const& options, ReportPart part)
+{
+    return std::find(options.parts.begin(), options.parts.end(), part) != options.parts.end();
+}
+
+LeftOut const no_run{"run", "the program does not compute the drive while it runs"};
+
 }  // namespace
 
 Faults check_report(Scene const& scene)
@@ -42,9 +50,7 @@ Faults check_report(Scene const& scene)
 ReportedDrive report_drive(Scene const& scene, ReportOptions const& options, StageObserver const& on_stage,
                            Progress const& progress)
 {
-    auto const asked = [&](ReportPart part) {
-        return std::find(options.parts.begin(), options.parts.end(), part) != options.parts.end();
-    };
+    auto const asked = [&](ReportPart part) { return is_asked(options, part); };
     ReportedDrive drive;
     drive.solution = solve(scene, on_stage);
     try_part(drive, "contact", asked(ReportPart::contact), [&] {
@@ -60,6 +66,9 @@ ReportedDrive report_drive(Scene const& scene, ReportOptions const& options, Sta
         drive.load = study_load(scene, options.load, on_stage, progress);
         for (auto const& cause : drive.load->missing)
             drive.left_out.push_back({"load", cause, true});
+        if (drive.load->teeth.phi.empty())
+            drive.left_out.push_back(
+                {"teeth under torque", "the scene has errors of the rings, by which each space stands elsewhere"});
     });
     try_part(drive, "wedm", asked(ReportPart::wedm), [&] {
         if (Faults faults = check_wedm(scene); !faults.empty())
@@ -67,7 +76,27 @@ ReportedDrive report_drive(Scene const& scene, ReportOptions const& options, Sta
         drive.wire = wire_set_ups(scene, on_stage);
     });
     try_part(drive, "teeth in mesh", true, [&] { drive.teeth = turning_teeth(scene, drive.outline().z, on_stage); });
-    drive.left_out.push_back({"run", "the program does not compute the drive while it runs"});
+    drive.left_out.push_back(no_run);
+    return drive;
+}
+
+ReportedDrive complete_drive(ReportedDrive drive, ReportOptions const& options, StageObserver const& on_stage)
+{
+    bool const is_loaded = drive.stored->parts.contains("load");
+    for (ReportPart const part : {ReportPart::contact, ReportPart::load, ReportPart::wedm}) {
+        std::string const name(to_string(part));
+        if (!drive.stored->parts.contains(name))
+            drive.left_out.push_back({name,
+                                      "the result file holds none; hdconj report SCENE --with " + name + " has it",
+                                      is_asked(options, part)});
+    }
+    try_part(drive, "teeth in mesh", true, [&] {
+        Scene const& scene = drive.solution.scene;
+        drive.teeth =
+            turning_teeth(is_loaded ? loaded_scene(scene) : scene, drive.solution.circular_spline.z, on_stage);
+        drive.origin += " The motion of the teeth was computed from the scene that the file holds.";
+    });
+    drive.left_out.push_back(no_run);
     return drive;
 }
 

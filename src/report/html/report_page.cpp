@@ -1,26 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page of a report: data as JSON between the parts of the page that web/ holds.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
 #include <stdexcept>
 
 #include "hdconj/contact_files.hpp"
+#include "hdconj/judgement.hpp"
 #include "hdconj/load_files.hpp"
 #include "hdconj/report.hpp"
 #include "hdconj/result_files.hpp"
 #include "hdconj/version.hpp"
 #include "hdconj/wire_files.hpp"
 #include "io/layout/results.hpp"
-#include "io/scene/note_json.hpp"
 #include "json_group.hpp"
+#include "page_data.hpp"
 #include "page_parts.hpp"
 #include "static_picture.hpp"
+#include "stored_result.hpp"
 
 namespace hdconj::report {
 namespace {
-
-/// What a study repeats of the solution, and what no view shows.
-std::set<std::string> const of_solution{"flexspline", "neutral_curve", "envelope", "conjugate_zones", "undecided",
-                                        "notes",      "summary",       "timing",   "circular_spline", "xy",
-                                        "end"};
 
 std::string_view page_part(std::string_view name)
 {
@@ -58,18 +59,20 @@ Json spline_json(CircularSplineOutline const& outline)
 /// The results of the parts, each with its layout.
 Json results_json(ReportedDrive const& drive)
 {
-    using io::layout::Writer;
-    Json results = {{"solve", layout_json({"circular_spline", "neutral_curve"}, [&](Writer const& root) {
-                         io::layout::write_result(root, drive.solution);
-                     })}};
+    if (drive.stored)
+        return drive.stored->parts;
+    Json results;
+    auto const add = [&](char const* part, auto const& result) {
+        results[part] = layout_json(left_of_part(part),
+                                    [&](io::layout::Writer const& root) { io::layout::write_result(root, result); });
+    };
+    add("solve", drive.solution);
     if (drive.contact)
-        results["contact"] =
-            layout_json(of_solution, [&](Writer const& root) { io::layout::write_result(root, *drive.contact); });
+        add("contact", *drive.contact);
     if (drive.load)
-        results["load"] =
-            layout_json(of_solution, [&](Writer const& root) { io::layout::write_result(root, *drive.load); });
+        add("load", *drive.load);
     if (!drive.wire.empty())
-        results["wedm"] = layout_json({"xy"}, [&](Writer const& root) { io::layout::write_result(root, drive.wire); });
+        add("wedm", drive.wire);
     return results;
 }
 
@@ -89,18 +92,90 @@ Json residuals_json(WireSetUps const& wire)
     return list;
 }
 
-/// What is printed above everything else: warnings of the judgement first.
+/// The solutions that the page is of: with `load` also that of the drive on its elastic cup.
+std::vector<Solution const*> solutions_of(ReportedDrive const& drive)
+{
+    std::vector<Solution const*> all{&drive.solution};
+    if (drive.load)
+        all.push_back(&drive.load->solution);
+    return all;
+}
+
+void add_once(Json& list, Json const& more)
+{
+    for (Json const& each : more)
+        if (std::find(list.begin(), list.end(), each) == list.end())
+            list.push_back(each);
+}
+
+/// Warnings of the judgement.
+Json judgement_json(ReportedDrive const& drive)
+{
+    Json notes = Json::array();
+    for (Solution const* solution : solutions_of(drive))
+        add_once(notes, list_of(solution->judgement, [](Note const& note) -> Json {
+                     return {{"code", to_string(note.code)},
+                             {"severity", to_string(note.severity)},
+                             {"place", note.place},
+                             {"cause", note.cause},
+                             {"advice", note.advice}};
+                 }));
+    return notes;
+}
+
+Json range_json(DesignRange const& range)
+{
+    return {number(range.low), number(range.high)};
+}
+
+/// The rules that a design is judged by.
+Json limits_json()
+{
+    return list_of(design_limits(), [](DesignLimit const& limit) -> Json {
+        return {{"code", to_string(limit.code)},
+                {"figure", limit.figure},
+                {"unit", limit.unit},
+                {"usual", range_json(limit.usual)},
+                {"accepted", range_json(limit.accepted)},
+                {"source", limit.source}};
+    });
+}
+
+/// What is printed beside them.
 Json notes_json(ReportedDrive const& drive)
 {
-    Json notes = drive.solution.notes;
+    Json notes = Json::array();
+    for (Solution const* solution : solutions_of(drive))
+        add_once(notes, solution->notes);
     for (auto const& program : drive.wire)
         for (auto const& warning : program.warnings)
             notes.push_back("wire: " + warning);
     return notes;
 }
 
+/// The single figures of a result file: the program prints its summaries of what it computes.
+std::string stored_text(Json const& parts)
+{
+    std::string text;
+    Json const& summary = parts.at("solve").at("groups").at("summary");
+    Json const& values = summary.at("attributes");
+    for (Json const& figure : summary.at("figures")) {
+        auto const [name, value, error] =
+            std::array{figure[0].get<std::string>(), figure[1].get<std::string>(), figure[2].get<std::string>()};
+        if (!values.contains(value) || !values.at(value).is_number())
+            continue;
+        text += fmt::format("{:<28} {:>14.9g}", name, values.at(value).get<double>());
+        if (!error.empty() && values.contains(error) && values.at(error).is_number())
+            text += fmt::format(" +- {:.2g}", values.at(error).get<double>());
+        text += fmt::format(" {}\n", figure[3] == "1" ? "" : figure[3].get<std::string>());
+    }
+    return text;
+}
+
 std::string text_of(ReportedDrive const& drive)
 {
+    if (drive.stored)
+        return stored_text(drive.stored->parts);
     std::string text = drive.contact ? summary_text(*drive.contact) : summary_text(drive.solution);
     if (drive.load)
         text += '\n' + summary_text(*drive.load);
@@ -116,15 +191,16 @@ Json drive_json(ReportedDrive const& drive)
             {"flexspline_teeth", scene.drive.flexspline_teeth},
             {"circular_spline_teeth", scene.drive.circular_spline_teeth},
             {"module", scene.drive.module},
+            {"origin", drive.origin},
             {"scene", scene.text},
-            {"judgement", io::json_of(drive.solution.judgement)},
+            {"judgement", judgement_json(drive)},
             {"notes", notes_json(drive)},
-            {"left_out", list_of(drive.left_out,
-                                 [](LeftOut const& each) -> Json {
-                                     return {{"part", each.part}, {"why", each.why}, {"failed", each.failed}};
-                                 })},
+            {"left_out", left_out_json(drive.left_out)},
             {"outline_error", drive.solution.error.largest()},
             {"spline", spline_json(drive.outline())},
+            {"loaded_spline", drive.load && !drive.load->teeth.phi.empty()
+                                  ? spline_json(drive.load->solution.circular_spline)
+                                  : Json(nullptr)},
             {"teeth", teeth_json(drive)},
             {"results", results_json(drive)},
             {"residuals", residuals_json(drive.wire)},
@@ -174,11 +250,10 @@ std::string report_page(std::vector<ReportedDrive> const& drives)
 {
     if (drives.empty())
         throw std::logic_error("a report of no drive");
-    report::Json const data = {{"program_version", program_version()},
-                               {"git_revision", git_revision()},
-                               {"build", build_description()},
-                               {"date", io::layout::date_text()},
-                               {"drives", report::list_of(drives, report::drive_json)}};
+    report::Json const data = {
+        {"program_version", program_version()}, {"git_revision", git_revision()},
+        {"build", build_description()},         {"date", io::layout::date_text()},
+        {"limits", report::limits_json()},      {"drives", report::list_of(drives, report::drive_json)}};
     std::string title = "hdconj:";
     for (ReportedDrive const& drive : drives)
         title += (&drive == &drives.front() ? " " : ", ") + drive.solution.scene.drive.name;

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The layout of a result that has every part.
+#include "results.hpp"
+
+namespace hdconj::io {
+namespace {
+
+Solution solution_with_all()
+{
+    Solution solution;
+    solution.check.emplace();
+    solution.notes.emplace_back();
+    solution.judgement.emplace_back();
+    solution.branches.emplace_back();
+    return solution;
+}
+
+ContactStudy contact_with_all()
+{
+    ContactStudy study;
+    study.solution = solution_with_all();
+    ContactCase& each = study.cases.emplace_back();
+    each.slices.emplace_back();
+    each.revolution.emplace_back();
+    each.gaps = {{0}, {0, 0}};
+    study.best.emplace_back();
+    study.map = {{0}, {0}, {0}, {0, 0}};
+    return study;
+}
+
+LoadStudy load_with_all(int balls)
+{
+    LoadStudy study;
+    study.solution = solution_with_all();
+    study.balls = balls;
+    study.shape = {{0}, {0}, {{0, 0, 0}}, {0}, {0}, {0}, {0}, {0}};
+    study.teeth = {0, {0}, {0}, {Vec2::Zero()}, {0}};
+    study.pitch_errors = {{0}, {0}};
+    LoadCase& each = study.cases.emplace_back();
+    each.curve.emplace_back().twist = 1;
+    each.unsettled.emplace_back();
+    each.members.emplace_back();
+    each.catalogue.emplace();
+    each.estimated = true;
+    each.error.twist = 1;  // more than a third: the figure is named as not converged
+    each.contacts.emplace_back();
+    each.bearing = {{0}, {0}, {0}, {0}, {0}};
+    LoadMap& map = each.map;
+    map.z = map.angle = {0};
+    map.force = map.line_load = map.pressure = map.gap = map.height = {0, 0};
+    return study;
+}
+
+}  // namespace
+
+layout::RecordedGroup layout::whole_layout(int balls)
+{
+    RecordedGroup root;
+    LayoutRecorder recorder(root);
+    write_result(Writer(recorder), contact_with_all());
+    RecordedGroup loaded;
+    LayoutRecorder of_load(loaded);
+    Measurement const measured;
+    write_result(Writer(of_load), load_with_all(balls), &measured);
+    root.groups.push_back(std::move(loaded.groups.back()));
+    return root;
+}
+
+}  // namespace hdconj::io

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "part_of_case.hpp"
+
+#include "base/text.hpp"
+#include "hdconj/error.hpp"
+#include "hdconj/solve.hpp"
+#include "surface/build_slices.hpp"
+
+namespace hdconj::pipeline {
+namespace {
+
+using surface::SurfaceSpec;
+using surface::ToothSurfaceBuilder;
+
+void write_with(Solution& out, contact::ContactStudyData& data, SurfaceSpec const& spec, double tip,
+                double side_clearance)
+{
+    std::vector<double> const& z = data.maker->z();
+    surface::SurfaceSampling const sampling{data.scene.solver.tolerance, 0, true};
+    if (side_clearance == 0) {
+        if (z.size() > 1)
+            surface::write_outlines(out, data.maker->outline(spec, tip, sampling), data.tooth, z, spec.surface);
+        return;
+    }
+    Scene scene = contact::middle_scene(data.scene);
+    scene.circular_spline.backlash_offset = side_clearance;
+    scene.circular_spline.inner_radius = tip;
+    Solution base = solve(scene);
+    if (z.size() == 1) {
+        out.circular_spline = base.circular_spline;
+        out.error.chord = base.error.chord;
+        out.error.point = base.error.point;
+        return;
+    }
+    base.scene.coning = data.scene.coning;
+    ToothSurfaceBuilder builder(base, data.tooth, data.shape, z, data.threads);
+    surface::write_outlines(out, builder.outline(spec, tip, sampling), data.tooth, z, spec.surface);
+}
+
+}  // namespace
+
+double write_part(Solution& out, contact::ContactStudyData& data, SurfaceSpec const& spec, double tip,
+                  double side_clearance)
+{
+    try {
+        write_with(out, data, spec, tip, side_clearance);
+        return side_clearance;
+    } catch (NumericalError const& error) {
+        if (side_clearance == 0)
+            throw;
+        write_with(out, data, spec, tip, 0);
+        out.notes.push_back("the outline is written without side clearance, because with " +
+                            short_number(side_clearance) + " mm it cannot be made: " + error.what());
+        return 0;
+    }
+}
+
+}  // namespace hdconj::pipeline

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `hdconj report` as a user meets it: what the page of a result file holds, what is refused, what --json says. The page
+// itself: tests/web.
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "cli/hdconj_run.hpp"
+#include "support/catch.hpp"
+#include "support/read_hdf5.hpp"
+
+namespace hdconj::test::report_output_cases {
+
+using nlohmann::json;
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string const scenes = HDCONJ_SOURCE_DIR "/data/scenes/";
+std::string const narrow = "'" + scenes + "type-50.toml' --set slices.count=3 --set circular_spline.width=2 ";
+
+/// The data that a page holds of its first drive.
+json drive_of(fs::path const& page)
+{
+    std::string const text = content(page), mark = "id=\"data\">";
+    std::size_t const from = text.find(mark) + mark.size();
+    return json::parse(text.substr(from, text.find("</script>", from) - from)).at("drives").at(0);
+}
+
+/// Without the times of the run, and without figures that this result has not: a page passes over them.
+json without_times(json part)
+{
+    if (!part.is_object())
+        return part;
+    for (char const* const name : {"seconds", "timing", "figures"})
+        part.erase(name);
+    for (auto& each : part)
+        each = without_times(each);
+    return part;
+}
+
+struct Run
+{
+    std::string verb, arguments, part;
+};
+
+void change_version(fs::path const& file, int version)
+{
+    io::hdf5::File const opened(H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT), "open");
+    io::hdf5::Attribute const attribute(H5Aopen(opened, "format_version", H5P_DEFAULT), "open");
+    io::hdf5::checked(H5Awrite(attribute, H5T_NATIVE_INT, &version), "write");
+}
+
+}  // namespace
+
+TEST_CASE("the page of a result file holds the numbers of the page that is computed", "[report]")
+{
+    TemporaryFolder const folder;
+    for (Run const& each :
+         {Run{"solve", narrow, "solve"}, Run{"contact", narrow + "--tilt 0,0.1 --revolution 3 ", "contact"},
+          Run{"load", "--set slices.count=3 --no-curve ", "load"}}) {
+        INFO(each.verb);
+        REQUIRE(hdconj_run(each.verb + " " + each.arguments + "-o a.h5 -q", folder.path()).status == 0);
+        auto const computed =
+            hdconj_run("report " + each.arguments + "--with " + each.part + " -o computed.html", folder.path());
+        REQUIRE(computed.status == 0);
+        auto const read = hdconj_run("report a.h5 -o read.html", folder.path());
+        REQUIRE(read.status == 0);
+        json const here = drive_of(folder / "read.html"), there = drive_of(folder / "computed.html");
+        json const numbers = without_times(there.at("results").at(each.part).at("groups"));
+        CHECK(without_times(here.at("results").at(each.part).at("groups")) == numbers);
+        CHECK(numbers.dump().size() > 10000);
+        bool const is_loaded = each.verb == "load";  // the spline is that of the loaded drive then
+        for (char const* const key : {"scene", "judgement", "flexspline_teeth", "name"})
+            CHECK(here.at(key) == there.at(key));
+        CHECK((here.at("outline_error") == there.at("outline_error")) == !is_loaded);
+        CHECK(here.at("spline") == there.at(is_loaded ? "loaded_spline" : "spline"));
+        CHECK((here.at("teeth") == there.at("teeth")) == !is_loaded);
+        CHECK_THAT(here.at("origin").get<std::string>(), ContainsSubstring("a.h5") && ContainsSubstring("computed"));
+        CHECK(there.at("origin") == "");
+    }
+}
+
+TEST_CASE("a file that is no sound result is refused with what to do", "[report]")
+{
+    TemporaryFolder const folder;
+    REQUIRE(hdconj_run("solve -o a.h5 -q", folder.path()).status == 0);
+    fs::copy_file(folder / "a.h5", folder / "cut.h5");
+    fs::resize_file(folder / "cut.h5", fs::file_size(folder / "a.h5") / 2);
+    fs::copy_file(folder / "a.h5", folder / "cut");  // told by its first bytes
+    fs::resize_file(folder / "cut", 1000);
+    std::ofstream(folder / "text.h5") << "[drive]\n";
+    for (int const version : {1, 3}) {
+        fs::path const file = folder / ("version" + std::to_string(version) + ".h5");
+        fs::copy_file(folder / "a.h5", file);
+        change_version(file, version);
+    }
+    for (auto const& [name, cause] :
+         {std::pair{"cut.h5", "missing or damaged"}, std::pair{"cut", "missing or damaged"},
+          std::pair{"text.h5", "no HDF5 file"}, std::pair{"none.h5", "no such file"},
+          std::pair{"version1.h5", "older version"}, std::pair{"version3.h5", "newer version"}}) {
+        auto const done = hdconj_run(std::string("report ") + name + " -o page.html", folder.path());
+        INFO(done.err);
+        CHECK(done.status == 2);
+        CHECK_THAT(done.err, ContainsSubstring(name) && ContainsSubstring(cause) && ContainsSubstring("-o FILE.h5"));
+        CHECK_FALSE(fs::exists(folder / "page.html"));
+    }
+    auto const idle = hdconj_run("report a.h5 --set drive.module=0.3 --tilt 0.1 -o page.html", folder.path());
+    CHECK(idle.status == 2);
+    CHECK_THAT(idle.err,
+               ContainsSubstring("--set") && ContainsSubstring("--tilt") && ContainsSubstring("result files"));
+    auto const own = hdconj_run("report a.h5 -o a.h5", folder.path());
+    CHECK(own.status == 2);
+    CHECK_THAT(own.err, ContainsSubstring("would replace it"));
+}
+
+TEST_CASE("report --json says what was written and left out", "[report]")
+{
+    TemporaryFolder const folder;
+    REQUIRE(hdconj_run("solve -o a.h5 -q", folder.path()).status == 0);
+    // a file and a scene in one page; the file has no contact
+    auto const done = hdconj_run("report a.h5 " + narrow + "--with contact --json -o both.html", folder.path());
+    CHECK(done.status == 1);
+    json const said = json::parse(done.out);
+    CHECK(said.at("format") == "hdconj-report");
+    CHECK(said.at("files").at("html").at("path") == "both.html");
+    CHECK(said.at("files").at("html").at("bytes") == fs::file_size(folder / "both.html"));
+    json const& file = said.at("drives").at(0);
+    json const& scene = said.at("drives").at(1);
+    CHECK_THAT(file.at("origin").get<std::string>(), ContainsSubstring("a.h5"));
+    CHECK(scene.at("origin").is_null());
+    CHECK(file.at("parts") == json{"solve"});
+    CHECK(scene.at("parts") == json{"solve", "contact"});
+    json const& left = file.at("left_out").at(0);
+    CHECK(left.at("part") == "contact");
+    CHECK(left.at("failed") == true);
+    CHECK_THAT(left.at("why").get<std::string>(), ContainsSubstring("--with contact"));
+}
+
+}  // namespace hdconj::test::report_output_cases

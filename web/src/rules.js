@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rules that a design is judged by, and what was found.
+
+import { make } from "./dom.js";
+import { say } from "./texts.js";
+
+/** @param {(number|null)[]} range @param {string} unit */
+function rangeText(range, unit) {
+  const [low, high] = range.map((end) => (end === null ? null : Number(end.toPrecision(3))));
+  const ending = unit === "1" ? "" : " " + unit;
+  if (low === null) return high === null ? say("any") : `${say("notAbove")} ${high}${ending}`;
+  return high === null ? `${say("notBelow")} ${low}${ending}` : `${low} ... ${high}${ending}`;
+}
+
+/** @param {import("./data.js").Limit[]} limits @param {import("./data.js").Drive} drive */
+export function rulesView(limits, drive) {
+  const head = [say("rule"), say("usual"), say("accepted"), say("found"), say("source")];
+  const rows = limits.map((limit) => {
+    const note = drive.judgement.find((each) => each.code === limit.code);
+    return make("tr", { class: note ? note.severity : undefined },
+      make("th", { scope: "row" }, limit.code, make("small", {}, limit.figure)),
+      ...[rangeText(limit.usual, limit.unit), rangeText(limit.accepted, limit.unit),
+        note ? `${note.severity}: ${note.cause}` : say("withinRange"), limit.source]
+        .map((text, i) => make("td", { "data-head": head[i + 1] }, text)));
+  });
+  return make("div", {}, make("p", { class: "note" }, say("rulesNote")),
+    make("div", { "class": "scroll", "tabindex": 0, "role": "region", "aria-label": say("rules") },
+      make("table", { class: "rules" },
+        make("thead", {}, make("tr", {}, ...head.map((text) => make("th", { scope: "col" }, text)))),
+        make("tbody", {}, ...rows))));
+}
