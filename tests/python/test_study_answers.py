@@ -125,6 +125,27 @@ def test_an_error_that_was_not_estimated_is_no_number():
         assert set(errors) == set(values) and all(math.isnan(error) for error in errors.values())
 
 
+@pytest.mark.parametrize("verb, options", [
+    ("solve", {}), ("contact", {}), ("contact", {"errors": False}),
+    ("load", {"torque": 5, "curve": False}), ("load", {"torque": 5, "curve": False, "errors": False}),
+])  # fmt: skip
+def test_figures_of_a_row_are_those_of_the_result(verb, options):
+    """Workers read them without the arrays of the result: the same values, errors and units."""
+    scene = hdconj.Scene.load(os.path.join(os.environ["HDCONJ_SOURCE"], "data/scenes/type-50-elastic.toml"))
+    small = {"slices.count": 3, "contact.flank_points": 20, "solver.tolerance": 1e-3}
+    result = getattr(hdconj, verb)(scene.with_(small), **options)
+    values, errors, units = _drive.figures_of(verb, result, True)
+    assert len(result.figures) > 20
+    for name, figure in result.figures.items():
+        assert units[f"{verb}.{name}"] == figure.unit
+        value, error = (np.asarray(np.nan if each is None else each, dtype=float).reshape(-1)[-1]
+                        for each in (figure.value, figure.error))  # fmt: skip
+        assert np.array_equal(values[f"{verb}.{name}"], value, equal_nan=True), name
+        assert np.array_equal(errors.get(f"{verb}.{name}", np.nan), error, equal_nan=True), name
+    assert f"{verb}.conjugate_zone_length" in values
+    assert f"{verb}.conjugate_zone_length" not in _drive.figures_of(verb, result, True, {f"{verb}.r_m"})[0]
+
+
 def test_better_is_beyond_the_error():
     values = np.array([[1.0, 1.0], [1.05, 1.0], [1.3, 1.0], [0.5, 2.0]])
     assert list(dominated(values, np.full((4, 2), 0.1))) == [False, False, True, False]
