@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Completion of hdconj for bash: verbs, options, their words, scene files.
-# The test docs.completion compares the verbs and the options with those of the program.
+# The test docs.completion compares the verbs and the options with those of the program, python.study_faults those of
+# hdconj study.
 
 _hdconj()
 {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
     local common="--help --set --threads --json --quiet"
-    local verbs="init design check solve contact load wedm accuracy inspect export report help version"
+    local verbs="init design check solve contact load wedm accuracy inspect export report study help version"
+    local study="check run optimise status best picture"
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
         case $current in
@@ -56,6 +58,19 @@ _hdconj()
         inspect) options="$common --part --plane --probe --register --deviations --output --picture --as-tooth" ;;
         export) options="$common --calculix --contact --vtu --steps" ;;
         report) options="--help --set --threads --quiet --output --with --tilt --revolution --no-curve" ;;
+        study)
+            if [ "$COMP_CWORD" -eq 2 ]; then
+                case $current in
+                    -*) COMPREPLY=($(compgen -W "--help" -- "$current")) ;;
+                    *) COMPREPLY=($(compgen -W "$study" -- "$current")) ;;
+                esac
+                return
+            fi
+            case ${COMP_WORDS[2]} in
+                run | optimise) options="--help --jobs --scheduler --shard-seconds --quiet" ;;
+                best) options="--help --csv --scene" ;;
+                *) options="--help" ;;
+            esac ;;
     esac
     case $current in
         -*) COMPREPLY=($(compgen -W "$options" -- "$current")) ;;

@@ -33,14 +33,14 @@ def _toml_value(value: Value) -> str:
     return repr(value)
 
 
-def _toml(tables: Mapping[str, Any], path: tuple[str, ...] = ()) -> str:
+def toml_text(tables: Mapping[str, Any], path: tuple[str, ...] = ()) -> str:
     """Nested dictionaries as the tables of TOML."""
     own = {key: item for key, item in tables.items() if not isinstance(item, Mapping)}
     text = f"[{'.'.join(path)}]\n" if path and (own or not tables) else ""
     text += "".join(f"{key} = {_toml_value(item)}\n" for key, item in own.items() if item is not None)
     for key, item in tables.items():
         if isinstance(item, Mapping):
-            text += _toml(item, (*path, key))
+            text += toml_text(item, (*path, key))
     return text
 
 
@@ -108,7 +108,7 @@ class Scene:
     @classmethod
     def from_dict(cls, tables: Mapping[str, Any], name: str = "dictionary") -> Scene:
         """Read a scene from nested dictionaries, the tables of TOML; a key with None is left out."""
-        return cls.from_toml(_toml(tables), name)
+        return cls.from_toml(toml_text(tables), name)
 
     def with_(self, changes: Mapping[str, Value]) -> Scene:
         """The same scene with some keys changed, as ``--set`` of the program does.

@@ -119,11 +119,21 @@ class Group(Mapping[str, Member]):
         return {row[0]: self._figure(*row[1:]) for row in self._parts.figures}
 
     def _figure(self, value: str, error: str, unit: str, meaning: str, is_attribute: bool) -> Figure:
-        try:
-            estimate = (self._attribute(error) if is_attribute else self[error]) if error else None
-        except KeyError:  # where errors stand apart, not every group has them
-            estimate = None
+        estimate = self._estimate(error, is_attribute) if error else None
         return Figure(self.attrs[value] if is_attribute else self[value], estimate, unit, meaning)
+
+    def _estimate(self, error: str, is_attribute: bool) -> Any:
+        """An error; not a number where `estimated` beside it says that there is none, and None where there is none."""
+        try:
+            if is_attribute:
+                return self._attribute(error)
+            found, apart = self[error], error.rpartition("/")[0]
+        except KeyError:  # where errors stand apart, not every group has them
+            return None
+        marks = self.groups[apart].datasets.get("estimated") if apart in self.groups else None
+        if marks is None or marks.values.all():
+            return found
+        return frozen(np.where(marks.values != 0, found, np.nan)) if marks.values.any() else None
 
     def _attribute(self, path: str) -> Any:
         """An attribute of this group, or of one in it."""

@@ -7,6 +7,7 @@
 #include <exception>
 
 #include "hdconj/base/stop.hpp"
+#include "hdconj/elastic_cup.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/judgement.hpp"
 #include "hdconj/load.hpp"
@@ -96,6 +97,11 @@ void add_scene(nb::module_& module)
         .def_prop_ro("text", [](SceneHandle const& scene) { return text_of(scene.as_read().text); })
         .def_prop_ro("name", [](SceneHandle const& scene) { return text_of(scene.as_read().drive.name); })
         .def("check_json", check_text, "name"_a, "verb"_a);
+    module.def("keep_elastic_bodies", keep_elastic_bodies, "count"_a);
+    module.def("elastic_body_count", [] {
+        ElasticBodyCount const count = elastic_body_count();
+        return nb::make_tuple(count.computed, count.reused);
+    });
     module.def("builtin_scene_text", [] { return std::string(builtin_scene_text()); });
     module.attr("version") = std::string(program_version());
     module.attr("revision") = std::string(git_revision());

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "call.hpp"
+#include "figures.hpp"
 #include "hdconj/accuracy_files.hpp"
 #include "hdconj/contact_files.hpp"
 #include "hdconj/design_files.hpp"
@@ -273,6 +274,7 @@ void add_verbs(nb::module_& module)
 {
     nb::class_<Result>(module, "Result")
         .def("layout", [](nb::handle_t<Result> self) { return layout_of(nb::cast<Result const&>(self), self); })
+        .def("figures", figures_of)
         .def("json", [](Result const& result) { return text_of(result.json()); })
         .def("text", [](Result const& result) { return text_of(result.text()); })
         .def_prop_ro("missing", &Result::missing)

@@ -95,9 +95,9 @@ void validate_cup(Scene const& scene, double inner_radius, Faults& faults)
 std::shared_ptr<elastic::BentCup const> bent_cup(Scene const& scene, double inner_radius,
                                                  wavegen::AnyWaveShape const& shape, int threads)
 {
-    auto cup = std::make_shared<elastic::BentCup const>(
-        cup_section(scene, inner_radius), bearing_of(scene), shape,
-        elastic::BentCupGrid{scene.bearing->angles, scene.bearing->circles}, threads);
+    elastic::BentCupGrid const grid{scene.bearing->angles, scene.bearing->circles};
+    auto cup = elastic::solved_cup(cup_section(scene, inner_radius), bearing_of(scene),
+                                   elastic::cam_series(shape, grid.angles), grid, threads);
     auto const& balls = cup->contact().ball_force;
     bool const loose = !balls.empty() && *std::max_element(balls.begin(), balls.end()) <= 0;
     if (loose)
@@ -113,12 +113,13 @@ BentCupError cup_error(Scene const& scene, elastic::BentCup const& cup, wavegen:
                        double width, int threads)
 {
     elastic::BentCupGrid const grid = elastic::discretised_otherwise({scene.bearing->angles, scene.bearing->circles});
-    elastic::BentCup const other(cup.section(), cup.bearing(), shape, grid, threads);
+    auto const other =
+        elastic::solved_cup(cup.section(), cup.bearing(), elastic::cam_series(shape, grid.angles), grid, threads);
     std::vector<double> z = {cup.bearing().middle};
     if (width > 0)
         for (double const side : {-0.5, 0.5})
             z.push_back(cup.bearing().middle + side * width);
-    return elastic::bent_cup_error(cup, other, z, r_m);
+    return elastic::bent_cup_error(cup, *other, z, r_m);
 }
 
 wavegen::MaterialDisplacement displacement_at(elastic::BentCup const& cup, double z, double r_m)

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <utility>
 
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/error.hpp"
+#include "kept_results.hpp"
 
 namespace hdconj::elastic {
 namespace {
@@ -36,6 +38,46 @@ void require_sound(Bearing const& bearing)
         refuse_bearing("radial stiffness of the balls", "must be above 0");
 }
 
+/// What the outer ring does in one harmonic, whatever the cam: under 1 N/rad on each circle of its surface, and where
+/// the cam lifts the line of balls by 1 mm.
+struct RingResponse
+{
+    Eigen::MatrixXd compliance;           ///< between the circles [mm/(N/rad)]
+    Eigen::VectorXd rise;                 ///< of the circles for 1 mm of the cam
+    double reaction;                      ///< of the line of balls for 1 mm of the cam [N/rad]
+    Eigen::RowVectorXd reaction_to_load;  ///< for a load on each circle
+};
+
+/// @param supports  the first holds the line of balls radially
+std::shared_ptr<std::vector<RingResponse> const> ring_responses(FourierSolid const& solid, Supports const& supports,
+                                                                std::vector<Station> const& stations,
+                                                                std::vector<int> const& harmonics, int threads)
+{
+    auto const depends_on = [&](Dependencies& dependencies) {
+        dependencies.add(solid.mesh());
+        dependencies.add(supports);
+        dependencies.add(stations);
+        dependencies.add(harmonics);
+    };
+    return kept_or_made<std::vector<RingResponse>>(depends_on, [&] {
+        Eigen::MatrixXd const shares = station_shares(solid, stations);
+        Eigen::Index const ball = unknown_of(supports.front().node, Direction::radial);
+        double const spring = supports.front().stiffness;
+        std::vector<RingResponse> result(harmonics.size());
+        parallel_for(harmonics.size(), threads, 1, [&](std::size_t i) {
+            HarmonicSolver const solver(solid, supports, harmonics[i]);
+            Eigen::MatrixXd const loaded = solver(shares);
+            Eigen::MatrixXd const c = shares.transpose() * loaded;
+            Eigen::VectorXd lift = Eigen::VectorXd::Zero(solid.unknowns());
+            lift[ball] = spring < 0 ? 1 : spring;
+            Eigen::VectorXd const lifted = spring < 0 ? solver.moved(lift) : solver(lift);
+            result[i] = {(c + c.transpose()) / 2, shares.transpose() * lifted, solver.forces(lifted)(ball, 0),
+                         solver.forces(loaded).row(ball)};
+        });
+        return result;
+    });
+}
+
 /// Puts the outer ring between the cam, the series @p cosine and @p sine with @p waves, and the surface.
 void add_ring(BearingSurface& surface, Bearing const& bearing, double inner_radius, int waves,
               Eigen::VectorXd const& cosine, Eigen::VectorXd const& sine, int threads)
@@ -59,31 +101,23 @@ void add_ring(BearingSurface& surface, Bearing const& bearing, double inner_radi
     std::vector<Station> stations;
     for (double const at : z)
         stations.push_back(wall_station(solid.mesh(), at, 1, Direction::radial));
-    Eigen::MatrixXd const shares = station_shares(solid, stations);
-    Eigen::Index const ball = unknown_of(balls, Direction::radial);
     Eigen::Index const terms = cosine.size();
     surface.reaction_cosine = surface.reaction_sine = surface.reaction_to_lift = Eigen::VectorXd::Zero(terms);
     surface.reaction_to_load = Eigen::MatrixXd::Zero(terms, static_cast<Eigen::Index>(z.size()));
     std::vector<int> harmonics = harmonics_of(waves, waves * static_cast<int>(terms - 1));
-    std::vector<Eigen::MatrixXd> compliance(harmonics.size());
-    parallel_for(harmonics.size(), threads, 1, [&](std::size_t i) {
+    auto const of_ring = ring_responses(solid, supports, stations, harmonics, threads);
+    std::vector<Eigen::MatrixXd> compliance;
+    for (std::size_t i = 0; i < harmonics.size(); ++i) {
         auto const k = static_cast<Eigen::Index>(i);
-        HarmonicSolver const solver(solid, supports, harmonics[i]);
-        Eigen::MatrixXd const loaded = solver(shares);
-        Eigen::MatrixXd const c = shares.transpose() * loaded;
-        Eigen::VectorXd lift = Eigen::VectorXd::Zero(solid.unknowns());
-        lift[ball] = spring < 0 ? 1 : spring;
-        Eigen::VectorXd const lifted = spring < 0 ? solver.moved(lift) : solver(lift);
-        Eigen::VectorXd const rise = shares.transpose() * lifted;  // of the surface for 1 mm of the cam
-        double const reaction = solver.forces(lifted)(ball, 0);
-        compliance[i] = (c + c.transpose()) / 2;
-        surface.cosine.col(k) = rise * cosine[k];
-        surface.sine.col(k) = rise * sine[k];
-        surface.reaction_cosine[k] = reaction * cosine[k];
-        surface.reaction_sine[k] = reaction * sine[k];
-        surface.reaction_to_lift[k] = reaction;
-        surface.reaction_to_load.row(k) = solver.forces(loaded).row(ball);
-    });
+        RingResponse const& of = (*of_ring)[i];
+        compliance.push_back(of.compliance);
+        surface.cosine.col(k) = of.rise * cosine[k];
+        surface.sine.col(k) = of.rise * sine[k];
+        surface.reaction_cosine[k] = of.reaction * cosine[k];
+        surface.reaction_sine[k] = of.reaction * sine[k];
+        surface.reaction_to_lift[k] = of.reaction;
+        surface.reaction_to_load.row(k) = of.reaction_to_load;
+    }
     surface.compliance.emplace(std::vector<Direction>(z.size(), Direction::radial), std::move(harmonics),
                                std::move(compliance));
 }

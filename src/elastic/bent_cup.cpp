@@ -8,6 +8,7 @@
 #include <string>
 
 #include "hdconj/error.hpp"
+#include "kept_results.hpp"
 
 namespace hdconj::elastic {
 namespace {
@@ -34,6 +35,20 @@ BentCup::BentCup(CupSection const& section, Bearing const& bearing, CamSeries co
       contact_(solve_wave_generator(solid_, section.inner_radius, bearing, cam, circles, {}, threads)),
       field_(field_of(solid_, contact_, cam.waves, threads))
 {
+}
+
+std::shared_ptr<BentCup const> solved_cup(CupSection const& section, Bearing const& bearing, CamSeries const& cam,
+                                          BentCupGrid const& grid, int threads)
+{
+    auto const depends_on = [&](Dependencies& dependencies) {
+        dependencies.add(section);
+        dependencies.add(bearing);
+        dependencies.add(cam);
+        dependencies.add(grid.circles);
+        dependencies.add(grid.layers);
+    };
+    return kept_or_made<BentCup>(depends_on,
+                                 [&] { return BentCup(section, bearing, cam, grid.circles, threads, grid.layers); });
 }
 
 SectionPoint BentCup::place(double z, double radius) const

@@ -2,6 +2,7 @@
 // The cup bent by its wave generator, and the displacement of the teeth on it.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "harmonic_field.hpp"
@@ -70,6 +71,11 @@ class BentCup
     WaveGeneratorContact contact_;
     HarmonicField field_;
 };
+
+/// Such a cup, unless keep_elastic_bodies() has it.
+/// @throws NumericalError as BentCup does
+[[nodiscard]] std::shared_ptr<BentCup const> solved_cup(CupSection const& section, Bearing const& bearing,
+                                                        CamSeries const& cam, BentCupGrid const& grid, int threads);
 
 /// Differences between two cups of the same bodies; displacements are compared at even angles of a lobe.
 /// @param z       heights above the bottom [mm]

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "hdconj/base/parallel.hpp"
+#include "kept_results.hpp"
 
 namespace hdconj::elastic {
 namespace {
@@ -139,14 +140,23 @@ Eigen::MatrixXd station_shares(FourierSolid const& solid, std::vector<Station> c
     return shares;
 }
 
-UnitFields unit_fields(FourierSolid const& solid, Supports const& supports, std::vector<Station> const& stations,
-                       std::vector<int> const& harmonics, int threads)
+std::shared_ptr<UnitFields const> unit_fields(FourierSolid const& solid, Supports const& supports,
+                                              std::vector<Station> const& stations, std::vector<int> const& harmonics,
+                                              int threads)
 {
-    Eigen::MatrixXd const shares = station_shares(solid, stations);
-    UnitFields result{harmonics, std::vector<Eigen::MatrixXd>(harmonics.size())};
-    parallel_for(harmonics.size(), threads, 1,
-                 [&](std::size_t i) { result.moved[i] = HarmonicSolver(solid, supports, harmonics[i])(shares); });
-    return result;
+    auto const depends_on = [&](Dependencies& dependencies) {
+        dependencies.add(solid.mesh());
+        dependencies.add(supports);
+        dependencies.add(stations);
+        dependencies.add(harmonics);
+    };
+    return kept_or_made<UnitFields>(depends_on, [&] {
+        Eigen::MatrixXd const shares = station_shares(solid, stations);
+        UnitFields result{harmonics, std::vector<Eigen::MatrixXd>(harmonics.size())};
+        parallel_for(harmonics.size(), threads, 1,
+                     [&](std::size_t i) { result.moved[i] = HarmonicSolver(solid, supports, harmonics[i])(shares); });
+        return result;
+    });
 }
 
 Influence influence_of_fields(FourierSolid const& solid, UnitFields const& unit, std::vector<Station> const& stations,
@@ -169,7 +179,7 @@ Influence influence_of_fields(FourierSolid const& solid, UnitFields const& unit,
 Influence influence(FourierSolid const& solid, Supports const& supports, std::vector<Station> const& stations,
                     std::vector<int> const& harmonics, int threads)
 {
-    return influence_of_fields(solid, unit_fields(solid, supports, stations, harmonics, threads), stations, threads);
+    return influence_of_fields(solid, *unit_fields(solid, supports, stations, harmonics, threads), stations, threads);
 }
 
 }  // namespace hdconj::elastic

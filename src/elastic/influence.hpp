@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
 #include "harmonic_solver.hpp"
@@ -105,11 +106,12 @@ struct UnitFields
     std::vector<Eigen::MatrixXd> moved;  ///< one for each harmonic, unknowns x stations
 };
 
-/// One factorisation for each of @p harmonics, spread over @p threads. Same bits for any number of them.
+/// One factorisation for each of @p harmonics, spread over @p threads, unless keep_elastic_bodies() has them. Same bits
+/// for any number of threads.
 /// @throws NumericalError as HarmonicSolver does
-[[nodiscard]] UnitFields unit_fields(FourierSolid const& solid, Supports const& supports,
-                                     std::vector<Station> const& stations, std::vector<int> const& harmonics,
-                                     int threads = 1);
+[[nodiscard]] std::shared_ptr<UnitFields const> unit_fields(FourierSolid const& solid, Supports const& supports,
+                                                            std::vector<Station> const& stations,
+                                                            std::vector<int> const& harmonics, int threads = 1);
 
 /// Compliance between @p stations, those that @p unit was made for.
 [[nodiscard]] Influence influence_of_fields(FourierSolid const& solid, UnitFields const& unit,

@@ -198,3 +198,17 @@ def test_no_second_hdf5(first, second, tmp_path):
     assert lines[1].count("libhdf5") == 1
     linked = subprocess.run(["ldd", hdconj._core.__file__], capture_output=True, text=True, check=True)
     assert "hdf5" not in linked.stdout
+
+
+def test_what_was_not_estimated_has_no_error():
+    """A load without errors leaves them out, as a contact does; the file keeps zeros and their mark."""
+    scene = hdconj.Scene.load(SOURCE / "data/scenes/type-50-elastic.toml")
+    small = {"slices.count": 3, "contact.flank_points": 20, "solver.tolerance": 1e-3}
+    for errors in (True, False):
+        result = hdconj.load(scene.with_(small), torque=5, curve=False, errors=errors)
+        curve = result["load/case_000/curve"]
+        for figure in (result.figures["twist"], result.load.figures["twist"], curve.figures["twist"]):
+            assert figure.error[0] > 0 if errors else figure.error is None
+        assert list(result["load/error/estimated"]) == [errors] and (result["load/error/twist"][0] > 0) == errors
+    whole = hdconj.contact(scene.with_({**small, "slices.count": 2}), errors=False)
+    assert whole.figures["contact_area"].error is None

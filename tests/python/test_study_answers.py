@@ -125,6 +125,27 @@ def test_an_error_that_was_not_estimated_is_no_number():
         assert set(errors) == set(values) and all(math.isnan(error) for error in errors.values())
 
 
+@pytest.mark.parametrize("verb, options", [
+    ("solve", {}), ("contact", {}), ("contact", {"errors": False}),
+    ("load", {"torque": 5, "curve": False}), ("load", {"torque": 5, "curve": False, "errors": False}),
+])  # fmt: skip
+def test_figures_of_a_row_are_those_of_the_result(verb, options):
+    """Workers read them without the arrays of the result: the same values, errors and units."""
+    scene = hdconj.Scene.load(os.path.join(os.environ["HDCONJ_SOURCE"], "data/scenes/type-50-elastic.toml"))
+    small = {"slices.count": 3, "contact.flank_points": 20, "solver.tolerance": 1e-3}
+    result = getattr(hdconj, verb)(scene.with_(small), **options)
+    values, errors, units = _drive.figures_of(verb, result, True)
+    assert len(result.figures) > 20
+    for name, figure in result.figures.items():
+        assert units[f"{verb}.{name}"] == figure.unit
+        value, error = (np.asarray(np.nan if each is None else each, dtype=float).reshape(-1)[-1]
+                        for each in (figure.value, figure.error))  # fmt: skip
+        assert np.array_equal(values[f"{verb}.{name}"], value, equal_nan=True), name
+        assert np.array_equal(errors.get(f"{verb}.{name}", np.nan), error, equal_nan=True), name
+    assert f"{verb}.conjugate_zone_length" in values
+    assert f"{verb}.conjugate_zone_length" not in _drive.figures_of(verb, result, True, {f"{verb}.r_m"})[0]
+
+
 def test_better_is_beyond_the_error():
     values = np.array([[1.0, 1.0], [1.05, 1.0], [1.3, 1.0], [0.5, 2.0]])
     assert list(dominated(values, np.full((4, 2), 0.1))) == [False, False, True, False]
@@ -195,3 +216,39 @@ def test_search_against_brute_force(tmp_path, method):
     step = np.nanmax(np.abs(np.diff(np.asarray(values), axis=1)))  # what the grid does not see
     assert other["zones"] >= best["zones"] - min(step, 0.02 * best["zones"])
     assert other["land"] >= 0.15
+
+
+CONTACT = """
+scene = "SCENE"
+[set]
+"slices.count" = 3
+"slices.surface" = "tilted"
+"contact.flank_points" = 20
+"solver.tolerance" = 1e-4
+[vary]
+"tilt.angle_deg" = { from = 0.0, to = 0.3, COUNT }
+"flexspline.profile.convex_radius" = { from = 0.26, to = 0.29, COUNT }
+[compute]
+verb = "contact"
+survivors = 1
+[figures]
+clearance = { value = "1000 * contact.least_side_clearance", unit = "um" }
+[objectives]
+clearance = "min"
+"""
+
+
+@pytest.mark.parametrize("method", ["nsga2", "cmaes"])
+def test_search_of_contacts_against_brute_force(tmp_path, method):
+    """On a slice of type-50 a search of 200 drives finds the grid's least side clearance within its error, or less."""
+    text = CONTACT.replace("SCENE", os.path.join(os.environ["HDCONJ_SOURCE"], "data/scenes/type-50-coned.toml"))
+    points = 41 if os.environ.get("HDCONJ_FULL") else 13
+    gridded = text.replace("COUNT", f"count = {points}") + '[sample]\nmethod = "grid"\n'
+    study.run(study.read_recipe(gridded), tmp_path / "grid", jobs=2, progress=False)
+    searched = text.replace(", COUNT", "") + SEARCH.format(method, 20)
+    study.optimise(study.read_recipe(searched), tmp_path / "search", jobs=2, progress=False)
+    grid, found = study.open(tmp_path / "grid"), study.open(tmp_path / "search")
+    best, other = grid.best(1).iloc[0], found.best(1).iloc[0]
+    assert best["clearance"] < grid.frame["clearance"].median() - 1
+    assert best["clearance_error"] < 0.1 and other["clearance_error"] < 0.1
+    assert other["clearance"] <= best["clearance"] + best["clearance_error"] + other["clearance_error"]

@@ -2,6 +2,7 @@
 """Studies that cannot be run are refused with all faults, before anything is computed."""
 
 import os
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -9,6 +10,7 @@ import pytest
 import hdconj
 
 study = pytest.importorskip("hdconj.study")
+from hdconj.study.__main__ import _parser  # noqa: E402
 
 GOOD = """
 [vary]
@@ -156,3 +158,22 @@ STUDIES = sorted(Path(os.environ["HDCONJ_SOURCE"], "data/studies").glob("*.toml"
 @pytest.mark.parametrize("file", STUDIES, ids=lambda file: file.stem)
 def test_the_studies_that_come_with_the_program(file):
     assert study.check(file).drives > 0
+
+
+def test_bash_completes_the_command():
+    """data/completion/hdconj.bash knows the verbs of hdconj study and their long options, no more and no fewer."""
+    parser = _parser()
+    verbs = next(action.choices for action in parser._actions if action.choices)
+    assert completed("") == set(verbs)
+    for name, verb in verbs.items():
+        options = {option for action in verb._actions for option in action.option_strings if option.startswith("--")}
+        assert completed(name, "--") == options
+
+
+def completed(*words):
+    """What bash offers for the last word after hdconj study."""
+    file = Path(os.environ["HDCONJ_SOURCE"], "data/completion/hdconj.bash")
+    script = (f'source "{file}"; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); COMPREPLY=(); _hdconj; '
+              'printf "%s\\n" "${COMPREPLY[@]}"')  # fmt: skip
+    command = ["bash", "-c", script, "bash", "hdconj", "study", *words]
+    return set(subprocess.run(command, capture_output=True, text=True, check=True).stdout.split())

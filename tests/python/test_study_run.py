@@ -14,6 +14,7 @@ import socket
 import subprocess
 import sys
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -22,7 +23,7 @@ import hdconj
 
 study = pytest.importorskip("hdconj.study")
 pytest.importorskip("distributed")
-from hdconj.study import _store  # noqa: E402
+from hdconj.study import _drive, _store  # noqa: E402
 
 KILLS = 20 if os.environ.get("HDCONJ_FULL") else 1
 TEXT = """
@@ -288,6 +289,110 @@ def test_the_folder_repeats_the_study(expected, tmp_path):
     about = json.loads((first / "study.json").read_text())
     assert about["program"].startswith(hdconj.__version__) and len(about["scene_sha256"]) == 64
     assert about["packages"]["numpy"] == np.__version__ and about["machine"]["cores"] > 0
+
+
+FILES = """
+scene = "scenes/drive.toml"
+[set]
+"solver.tolerance" = 1e-3
+[vary]
+"wave_generator.file" = { list = ["a/cam.csv", 'b/cam.csv', "nowhere.csv"] }
+"flexspline.wall" = { from = 0.6, to = 0.8, count = 2 }
+[sample]
+method = "grid"
+[figures]
+depth = "solve.space_depth"
+[objectives]
+depth = "max"
+"""
+
+
+def write_with_files(folder):
+    """A study whose scene reads its tooth from a file, and its cam from one of two files of the same name."""
+    scenes, source = folder / "scenes", Path(os.environ["HDCONJ_SOURCE"], "data/scenes")
+    for name, height in (("a", 0.25), ("b", 0.24)):
+        (scenes / name).mkdir(parents=True)
+        angles = np.linspace(0, 180, 37)
+        rows = [f"{angle},{height * np.cos(2 * np.radians(angle)):.6f}" for angle in angles]
+        (scenes / name / "cam.csv").write_text("\n".join(rows))
+    shutil.copy(source / "points-flank.csv", folder)
+    text = (source / "points.toml").read_text().replace("points-flank.csv", "../points-flank.csv")
+    cosine = 'family = "cosine"\nradial_deformation = 0.25'
+    assert cosine in text
+    (scenes / "drive.toml").write_text(text.replace(cosine, 'family = "table"\nfile = "a/cam.csv"'))
+    (folder / "study.toml").write_text(FILES)
+    return folder / "study.toml"
+
+
+def test_the_folder_has_the_files_that_the_scene_names(tmp_path):
+    file, first = write_with_files(tmp_path), tmp_path / "first"
+    study.run(file, first, jobs=1, progress=False)
+    found = study.open(first)
+    assert list(found.frame["code"]) == ["", "", "", "", "scene", "scene"]
+    depth = list(found.frame["depth"][:4])
+    assert len(set(depth)) == 4  # every cam and every wall
+    names = {each.name for each in (first / "files").iterdir()}
+    assert len(names) == 3 and {"cam.csv", "points-flank.csv"} < names
+    assert study.run(file, first, jobs=1, progress=False).done == 0
+    cam = tmp_path / "scenes/b/cam.csv"
+    cam.write_text(cam.read_text().replace("0.24", "0.23"))
+    with pytest.raises(hdconj.InputError, match="holds rows of another study"):
+        study.run(file, first, jobs=1, progress=False)
+    shutil.rmtree(tmp_path / "scenes")
+    (tmp_path / "points-flank.csv").unlink()
+    study.run(first / "study.toml", tmp_path / "second", jobs=1, progress=False)
+    again = study.open(tmp_path / "second").frame
+    assert found.frame.drop(columns="cause").equals(again.drop(columns="cause"))  # which names the missing file
+    assert [hdconj.solve(found.scene(i)).figures["space_depth"].value for i in range(4)] == depth
+    best = tmp_path / "elsewhere" / "best.toml"
+    best.parent.mkdir()
+    said = subprocess.run(command("best", first, "--scene", best), capture_output=True, text=True, cwd=tmp_path)
+    assert said.returncode == 0, said.stderr
+    assert hdconj.solve(best).figures["space_depth"].value == max(depth)
+
+
+SHARED = """
+scene = "SCENE"
+[set]
+"slices.count" = 3
+"slices.surface" = "tilted"
+"contact.flank_points" = 20
+"solver.tolerance" = 1e-3
+"circular_spline.backlash_offset" = "auto"
+[vary]
+"tilt.angle_deg" = { from = 0.0, to = 0.2, count = 3 }
+[sample]
+method = "grid"
+[compute]
+verb = ["contact", "load"]
+load = { torque = 5, curve = false }
+[figures]
+area = "contact.contact_area"
+twist = "load.twist"
+stress = "load.largest_stress"
+"""
+
+
+def test_what_drives_share_is_computed_once():
+    """Cup and bearing are the same for every tilt: their responses are computed for the first drive only."""
+    scene = Path(os.environ["HDCONJ_SOURCE"], "data/scenes/type-50-elastic.toml")
+    given = study.read_recipe(SHARED.replace("SCENE", str(scene)))
+    samples = [(i, given.values(i)) for i in range(3)]
+
+    def counted(compute):
+        """Rows, and how many responses were computed and taken over for them."""
+        before = hdconj._core.elastic_body_count()
+        rows = compute()
+        return rows, *np.subtract(hdconj._core.elastic_body_count(), before)
+
+    alone, of_all, none = counted(lambda: [_drive.row_of(given, sample, True)[0] for sample in samples])
+    try:
+        first, of_first, _ = counted(lambda: _drive.rows_of(given, samples[:1], True)[0])
+        others, of_others, reused = counted(lambda: _drive.rows_of(given, samples[1:], True)[0])
+    finally:
+        hdconj._core.keep_elastic_bodies(0)
+    assert first + others == alone and all(row["code"] == "" for row in alone)
+    assert none == 0 and 0 < of_first < of_all / 3 and of_others == 0 and reused > 0
 
 
 def test_a_row_is_the_drive_alone(expected, tmp_path):

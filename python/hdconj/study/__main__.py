@@ -6,6 +6,7 @@ from __future__ import annotations
 import argparse
 import sys
 from collections.abc import Sequence
+from pathlib import Path
 from typing import Any
 
 PACKAGES = "pip install 'hdconj[study]'"
@@ -79,8 +80,7 @@ def print_best(study: Any, options: argparse.Namespace) -> None:
     errors = [name for name in table.columns if name.endswith("_error") and table[name].isna().all()]
     print(table.drop(columns=[*errors, "code", "stage", "place", "cause"]).to_string(index=False, float_format=_number))
     if options.scene and len(table):
-        with open(options.scene, "w", encoding="utf-8") as file:
-            file.write(study.recipe.scene_of(study.values(table.iloc[0])).to_toml())
+        study.folder.write_scene(Path(options.scene), study.recipe.scene_of(study.values(table.iloc[0])))
 
 
 def _run(options: argparse.Namespace) -> None:

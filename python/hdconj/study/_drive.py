@@ -7,7 +7,7 @@ import inspect
 import pickle
 import subprocess
 import sys
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from functools import lru_cache
 from typing import Any
 
@@ -15,6 +15,7 @@ import numpy as np
 
 import hdconj
 
+from .. import _core
 from .._errors import FileError, InputError, NumericalError
 from ._keys import Value
 from ._recipe import Recipe
@@ -22,61 +23,38 @@ from ._recipe import Recipe
 Row = dict[str, Any]
 Sample = tuple[int, Mapping[str, Value]]
 KILLED = "killed-worker"
+_KEPT = 6  # responses of cups and bearings that a worker keeps for the next drives; a drive has four
 _TRIES = 3  # of a drive that kills its process: another process might have been the reason
 
 
-def _scalar(value: Any) -> float:
-    """The last entry of a column: of the only case, at the largest torque."""
-    flat = np.asarray(value, dtype=float).reshape(-1)
-    return float(flat[-1]) if flat.size else float("nan")
-
-
-def _entry(layout: Any, path: str, is_attribute: bool) -> Any:
-    """A column or an attribute of a group of the extension; None where it is not there."""
-    attrs, datasets, links, groups, _ = layout
-    name, _, rest = path.partition("/")
-    if rest:
-        return _entry(groups[name], rest, is_attribute) if name in groups else None
-    if is_attribute:
-        return attrs.get(name)
-    entry = datasets.get(links.get(name, name))
-    return None if entry is None else entry[0]
-
-
-def _collect(layout: Any, before: str, found: dict[str, tuple[Any, Any, str]], deep: bool) -> None:
-    """Value, error and unit of all figures of a group, and of the groups in it."""
-    for name, value, error, unit, _, is_attribute in layout[4]:
-        estimate = _entry(layout, error, is_attribute) if error else None
-        found[f"{before}.{name}"] = (_entry(layout, value, is_attribute), estimate, unit)
-    for name, inner in layout[3].items() if deep else ():
-        _collect(inner, f"{before}.{name}", found, True)
-
-
-def figures_of(verb: str, result: Any, errors: bool) -> tuple[dict[str, float], dict[str, float], dict[str, str]]:
+def figures_of(
+    verb: str, result: Any, errors: bool, wanted: Collection[str] | None = None
+) -> tuple[dict[str, float], dict[str, float], dict[str, str]]:
     """Values, errors and units of all single figures of a result, under names that begin with the verb.
 
     It reads what the extension gives: the arrays of a result, which nobody asks for here, take as long as a solve.
+    ``wanted`` names figures; the length of the conjugate zones, which needs arrays, is left out where it is not there.
     """
-    layout = result._made.layout()
-    groups = layout[3]
-    found: dict[str, tuple[Any, Any, str]] = {}
-    _collect(layout, verb, found, False)
-    for name in ("summary", result._main):
-        if name in groups:
-            _collect(groups[name], verb, found, name == result._main)
     values, estimates, units = {}, {}, {}
-    for name, (value, error, unit) in found.items():
-        values[name], units[name] = _scalar(value), unit
-        if not errors:
-            estimates[name] = float("nan")
-        elif error is not None:
-            estimates[name] = _scalar(error)
+    rows = result._made.figures()
+    for part in ("", "summary", result._main):
+        for group, name, value, error, unit in rows:
+            head, _, inner = group.partition("/")
+            if head != part or (inner and head != result._main):
+                continue
+            path = ".".join([verb, *inner.split("/"), name] if inner else [verb, name])
+            values[path], units[path] = value, unit
+            if not errors:
+                estimates[path] = float("nan")
+            elif error is not None:
+                estimates[path] = error
+    zones = f"{verb}.conjugate_zone_length"
+    groups = result._made.layout()[3] if wanted is None or zones in wanted else {}
     if "conjugate_zones" in groups:
-        phi, on_boundary = (_entry(groups["conjugate_zones"], name, False) for name in ("phi", "on_boundary"))
-        length = np.abs(np.diff(np.asarray(phi), axis=1))[:, 0]
-        values[f"{verb}.conjugate_zone_length"] = float(length[np.asarray(on_boundary) != 0].sum())
-        estimates[f"{verb}.conjugate_zone_length"] = float("nan")
-        units[f"{verb}.conjugate_zone_length"] = "rad"
+        datasets = groups["conjugate_zones"][1]
+        phi, on_boundary = (np.asarray(datasets[name][0]) for name in ("phi", "on_boundary"))
+        values[zones] = float(np.abs(np.diff(phi, axis=1))[:, 0][on_boundary != 0].sum())
+        estimates[zones], units[zones] = float("nan"), "rad"
     return values, estimates, units
 
 
@@ -99,7 +77,7 @@ def compute(recipe: Recipe, values: Mapping[str, Value], errors: bool) -> tuple[
         result = call(scene, **options, **({"errors": errors} if has_errors else {}))
         if result.missing:
             raise NumericalError("missing-case", verb, "the only case", "; ".join(result.missing))
-        own, own_errors, own_units = figures_of(verb, result, errors or not has_errors)
+        own, own_errors, own_units = figures_of(verb, result, errors or not has_errors, recipe.figure_names)
         known |= own
         estimates |= own_errors
         units |= own_units
@@ -143,6 +121,7 @@ def _known(recipe: Recipe, values: Mapping[str, Value]) -> Row:
 
 def rows_of(recipe: Recipe, samples: Sequence[Sample], errors: bool) -> tuple[list[Row], dict[str, str]]:
     """Rows of several drives, in order, and the units of their figures."""
+    _core.keep_elastic_bodies(_KEPT)
     rows: list[Row] = []
     units: dict[str, str] = {}
     for sample in samples:

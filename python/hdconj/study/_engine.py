@@ -26,6 +26,13 @@ WINDOW = 4  # shards a worker has in hand
 SHARD_SECONDS = 10.0  # of work in a shard; between 2 and 60
 LONGEST_SHARD = 2000  # drives
 WORKERS_SECONDS = 60.0  # without any worker
+# Dask looks at itself a hundred times a second, for its dashboard: 6 % of a core.
+WATCHED_RARELY = {
+    "distributed.worker.profile.enabled": False,
+    "distributed.admin.tick.interval": "1s",
+    "distributed.admin.system-monitor.interval": "5s",
+    "distributed.admin.system-monitor.gil.enabled": False,
+}
 # What Dask's calls raise when the scheduler dies.
 LOST = (OSError, RuntimeError, asyncio.CancelledError, concurrent.futures.CancelledError)
 
@@ -73,7 +80,10 @@ def engine(jobs: int = 0, scheduler: str | None = None) -> Iterator[Any]:
                 _quietly(client.close)
         return
     # A worker that dies takes the blame at once: its shards are tried with care, in processes of their own.
-    settings = {**quiet, "distributed.scheduler.allowed-failures": 0, "distributed.worker.memory.terminate": False}
+    settings = {
+        **quiet, **WATCHED_RARELY, "distributed.scheduler.allowed-failures": 0,
+        "distributed.worker.memory.terminate": False,
+    }  # fmt: skip
     spaces = {"OMP_NUM_THREADS": "1", **({} if "GOMP_SPINCOUNT" in os.environ else {"GOMP_SPINCOUNT": "3000"})}
     settings["distributed.nanny.pre-spawn-environ"] = {
         **dask.config.get("distributed.nanny.pre-spawn-environ"),

@@ -101,7 +101,7 @@ def optimise(
     _refuse_unfit(recipe)
     place, told = Folder(folder), Told()
     with place.locked():
-        about = prepare(place, recipe, "optimise")
+        recipe, about = prepare(place, recipe, "optimise")
         (place.place / "asked").mkdir(exist_ok=True)
         with engine(jobs, scheduler) as client:
             search, first = Search(recipe), 0
@@ -177,12 +177,12 @@ def write_best(study: Study) -> list[Path]:
     distance = ((values - values.min(axis=0)) / np.where(spread > 0, spread, 1)) ** 2
     scenes = [study.recipe.scene_of(study.values(row)) for row in best.to_dict("records")]
     nearest = int(distance.sum(axis=1).argmin())
-    write_whole(files[0], scenes[nearest].to_toml().encode("utf-8", "surrogateescape"))
+    study.folder.write_scene(files[0], scenes[nearest])
     if len(study.recipe.objectives) > 1:
         (folder / "pareto").mkdir(exist_ok=True)
         for old in (folder / "pareto").glob("*.toml"):
             old.unlink()
         for number, scene in zip(best["sample"], scenes):
             files.append(folder / "pareto" / f"sample-{int(number):06d}.toml")
-            write_whole(files[-1], scene.to_toml().encode("utf-8", "surrogateescape"))
+            study.folder.write_scene(files[-1], scene)
     return files

@@ -16,7 +16,7 @@ from typing import Any
 import hdconj
 
 from .._errors import Fault, InputError
-from .._scene import Scene
+from .._scene import Scene, toml_text
 from ._expression import Expression
 from ._keys import LAWS, Key, Value, is_number, read_key
 from ._recipe import Recipe, flat
@@ -104,7 +104,7 @@ class _Reader:
         if given is None:
             scene = Scene()
         elif isinstance(given, dict):
-            scene = Scene.from_dict(given, "[scene]")
+            scene = Scene.from_toml(toml_text(given), "[scene]", self.folder)
         elif isinstance(given, str):
             scene = Scene.load(self.folder / given)
         else:

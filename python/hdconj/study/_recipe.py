@@ -11,6 +11,7 @@ from functools import cached_property
 from typing import Any
 
 from .._scene import Scene
+from ._data_files import checksum, contents, renamed
 from ._expression import Expression
 from ._keys import Key, Value
 from ._sample import sample_count, values_of
@@ -76,19 +77,31 @@ class Recipe:
         """The scene of a drive; names without a dot are the study's own."""
         return self.scene.with_({path: value for path, value in linked.items() if "." in path})
 
+    @cached_property
+    def figure_names(self) -> frozenset[str]:
+        """What the expressions under [figures] read."""
+        return frozenset(name for _, expression in self.figures for name in expression.names)
+
     @property
     def units(self) -> dict[str, str]:
         """Units that the study gives to its figures."""
         return {name: item["unit"] for name, item in self.tables["figures"].items() if isinstance(item, dict)}
 
+    @cached_property
+    def files(self) -> dict[str, bytes]:
+        """What the files hold that the scene names, under their names."""
+        return contents(self.scene, self.keys)
+
     def identity(self) -> str:
-        """A hash of what decides the rows."""
+        """A hash of what decides the rows; of a file its content counts, and not its name."""
         kept = {name: table for name, table in self.tables.items() if name not in (*_LATER, "scene")}
         kept["sample"] = {k: v for k, v in kept.get("sample", {}).items() if k != "count" or self.method == "lhs"}
         kept["compute"] = {k: v for k, v in kept.get("compute", {}).items() if k != "survivors"}
         kept["optimise"] = {k: v for k, v in kept.get("optimise", {}).items() if k != "generations"}
         kept["scene"] = self.scene.to_dict()
-        return hashlib.sha256(json.dumps(kept, sort_keys=True, default=str).encode()).hexdigest()
+        words = json.dumps(kept, sort_keys=True, default=str)
+        words = renamed(words, {name: checksum(content) for name, content in self.files.items()})
+        return hashlib.sha256(words.encode()).hexdigest()
 
 
 def flat(tables: Mapping[str, Any], before: str = "") -> dict[str, Any]:

@@ -117,7 +117,7 @@ def run(
     recipe = study if isinstance(study, Recipe) else load_recipe(study)
     place = Folder(folder)
     with place.locked():
-        about = prepare(place, recipe, "run")
+        recipe, about = prepare(place, recipe, "run")
         numbers = place.missing(range(recipe.drives))
         samples: list[Sample] = [(number, recipe.values(number)) for number in numbers]
         with lazily(samples or recipe.survivors, jobs, scheduler) as client:
@@ -137,8 +137,11 @@ def lazily(needed: Any, jobs: int, scheduler: str | None) -> Any:
     return engine(jobs, scheduler) if needed else nullcontext()
 
 
-def prepare(place: Folder, recipe: Recipe, kind: str) -> dict[str, Any]:
-    """Makes the folder the study's and computes the first drive, once."""
+def prepare(place: Folder, recipe: Recipe, kind: str) -> tuple[Recipe, dict[str, Any]]:
+    """Makes the folder the study's and computes the first drive, once.
+
+    The recipe that comes back is what workers take: it reads files of numbers from the folder.
+    """
     is_new = not (place.place / "study.json").exists()
     first = first_drive(recipe) if is_new else None
     about = place.begin(recipe, kind)
@@ -148,7 +151,7 @@ def prepare(place: Folder, recipe: Recipe, kind: str) -> dict[str, Any]:
         about |= {"seconds_of_first": first[2], "units": first[1], "first": fault_of(first[0])}
         place.note(about)
     about.setdefault("seconds_of_first", 1.0)
-    return about
+    return load_recipe(place.place.resolve() / "study.toml") if recipe.files else recipe, about
 
 
 def fault_of(row: Row) -> str:

@@ -23,6 +23,8 @@ import pyarrow.parquet as pq
 import hdconj
 
 from .._errors import FileError, Fault, InputError
+from .._scene import Scene
+from ._data_files import FOLDER, copies, renamed, scene_text
 from ._drive import Row
 from ._read import fault_text
 from ._recipe import Recipe
@@ -185,10 +187,20 @@ class Folder:
             if next(self.rows.glob("*"), None) is not None:
                 raise refuse(self.place, "holds rows of no study", "name another folder")
             about = {**same, "scene_sha256": hashlib.sha256(recipe.scene.to_toml().encode()).hexdigest(), **made}
-        write_whole(self.place / "scene.toml", recipe.scene.to_toml().encode("utf-8", "surrogateescape"))
-        write_whole(self.place / "study.toml", _own_scene(recipe).encode())
+        names = copies(recipe.files)
+        if names:
+            (self.place / FOLDER).mkdir(exist_ok=True)
+        for name, copy in names.items():
+            write_whole(self.place / copy, recipe.files[name])
+        scene = renamed(recipe.scene.to_toml(), names)
+        write_whole(self.place / "scene.toml", scene.encode("utf-8", "surrogateescape"))
+        write_whole(self.place / "study.toml", renamed(_own_scene(recipe), names).encode())
         self.note(about)
         return about
+
+    def write_scene(self, file: Path, scene: Scene) -> None:
+        """Writes the scene of a drive, whose files are found from where it stands."""
+        write_whole(file, scene_text(scene, file.parent).encode("utf-8", "surrogateescape"))
 
     def note(self, about: Mapping[str, Any]) -> None:
         """Writes study.json."""

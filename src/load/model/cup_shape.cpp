@@ -66,13 +66,13 @@ elastic::HarmonicField cup_field(LoadModel const& model, Eigen::MatrixXd const& 
             auto const turn = static_cast<Eigen::Index>(layout.turn(slice));
             auto const radial = static_cast<Eigen::Index>(layout.radial(slice)),
                        tangential = static_cast<Eigen::Index>(layout.tangential(slice));
-            double const n = model.unit.harmonics[static_cast<std::size_t>(k)];
+            double const n = model.unit->harmonics[static_cast<std::size_t>(k)];
             even(tangential, k) += loads.even(turn, k) / model.radius;
             odd(tangential, k) += loads.odd(turn, k) / model.radius;
             even(radial, k) += n * loads.even(turn, k) / model.radius;
             odd(radial, k) += n * loads.odd(turn, k) / model.radius;
         }
-    return elastic::harmonic_field(model.unit, even, odd, threads);
+    return elastic::harmonic_field(*model.unit, even, odd, threads);
 }
 
 CupShape cup_shape(LoadModel const& model, elastic::HarmonicField const& field, int threads)

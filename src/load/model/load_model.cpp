@@ -112,9 +112,10 @@ LoadModel load_model(contact::ContactContext const& context, LoadGrid const& res
     DriveStations const layout{placed.circles.size(), z.size()};
     CupStations stations = cup_stations(scene, solid.mesh(), placed.circles, middle, z, placed.spread);
     std::vector<int> const orders = elastic::harmonics_of(sectors, highest);
-    elastic::UnitFields unit = elastic::unit_fields(solid, {}, stations.places, orders, context.threads);
+    std::shared_ptr<elastic::UnitFields const> unit =
+        elastic::unit_fields(solid, {}, stations.places, orders, context.threads);
     std::vector<HarmonicResponse> harmonics =
-        cup_responses(solid, unit, stations, layout, context.geometry.r_m, context.threads);
+        cup_responses(solid, *unit, stations, layout, context.geometry.r_m, context.threads);
 
     ElasticDrive drive{
         .stations = layout,

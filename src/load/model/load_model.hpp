@@ -2,6 +2,7 @@
 // The elastic drive of a scene.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "contact/study/contact_context.hpp"
@@ -14,9 +15,9 @@ namespace hdconj::load {
 struct LoadModel
 {
     elastic::FourierSolid solid;
-    elastic::UnitFields unit;  ///< of the drive's stations but for the turns
-    double radius;             ///< at which turns are taken [mm]
-    double middle;             ///< of the bearing above the cup's bottom [mm]
+    std::shared_ptr<elastic::UnitFields const> unit;  ///< of the drive's stations but for the turns
+    double radius;                                    ///< at which turns are taken [mm]
+    double middle;                                    ///< of the bearing above the cup's bottom [mm]
     ElasticDrive drive;
 };
 

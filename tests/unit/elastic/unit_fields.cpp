@@ -32,7 +32,7 @@ struct Cup
 TEST_CASE("influence and field of unit fields are those of the solid", "[unit_fields]")
 {
     Cup const cup;
-    elastic::UnitFields const unit = unit_fields(cup.solid, {}, cup.stations, cup.harmonics, 1);
+    elastic::UnitFields const unit = *unit_fields(cup.solid, {}, cup.stations, cup.harmonics, 1);
     elastic::Influence const own = influence(cup.solid, {}, cup.stations, cup.harmonics),
                              made = influence_of_fields(cup.solid, unit, cup.stations);
     REQUIRE(made.harmonics() == own.harmonics());
@@ -65,8 +65,8 @@ TEST_CASE("influence and field of unit fields are those of the solid", "[unit_fi
 TEST_CASE("unit fields have the same bits on any number of threads", "[unit_fields]")
 {
     Cup const cup;
-    elastic::UnitFields const two = unit_fields(cup.solid, {}, cup.stations, cup.harmonics, 2);
-    CHECK(unit_fields(cup.solid, {}, cup.stations, cup.harmonics, 1).moved == two.moved);
+    elastic::UnitFields const two = *unit_fields(cup.solid, {}, cup.stations, cup.harmonics, 2);
+    CHECK(unit_fields(cup.solid, {}, cup.stations, cup.harmonics, 1)->moved == two.moved);
 }
 
 }  // namespace hdconj::test::unit_fields_cases
