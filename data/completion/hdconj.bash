@@ -55,7 +55,7 @@ _hdconj()
             options="$common --study --output --sample --repeats --quick --from --budget --error --page" ;;
         inspect) options="$common --part --plane --probe --register --deviations --output --picture --as-tooth" ;;
         export) options="$common --calculix --contact --vtu --steps" ;;
-        report) options="--help --set --threads --quiet --output --with --tilt --revolution --no-curve" ;;
+        report) options="--help --set --threads --json --quiet --output --with --tilt --revolution --no-curve" ;;
     esac
     case $current in
         -*) COMPREPLY=($(compgen -W "$options" -- "$current")) ;;
