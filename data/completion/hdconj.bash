@@ -57,7 +57,7 @@ _hdconj()
             options="$common --study --output --sample --repeats --quick --from --budget --error --page" ;;
         inspect) options="$common --part --plane --probe --register --deviations --output --picture --as-tooth" ;;
         export) options="$common --calculix --contact --vtu --steps" ;;
-        report) options="--help --set --threads --quiet --output --with --tilt --revolution --no-curve" ;;
+        report) options="--help --set --threads --json --quiet --output --with --tilt --revolution --no-curve" ;;
         study)
             if [ "$COMP_CWORD" -eq 2 ]; then
                 case $current in
