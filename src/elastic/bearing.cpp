@@ -54,7 +54,7 @@ std::shared_ptr<std::vector<RingResponse> const> ring_responses(FourierSolid con
                                                                 std::vector<int> const& harmonics, int threads)
 {
     auto const depends_on = [&](Dependencies& dependencies) {
-        dependencies.add(solid.mesh());
+        dependencies.add(solid);
         dependencies.add(supports);
         dependencies.add(stations);
         dependencies.add(harmonics);

@@ -177,7 +177,10 @@ void assemble(QuadraticElement const& nodes, ElementStiffness const& k, Eigen::S
 }  // namespace
 
 FourierSolid::FourierSolid(SectionMesh mesh, Quadrature quadrature)
-    : mesh_(std::move(mesh)), pattern_(stiffness_pattern(mesh_)), elimination_(elimination_order(pattern_))
+    : mesh_(std::move(mesh)),
+      quadrature_(quadrature),
+      pattern_(stiffness_pattern(mesh_)),
+      elimination_(elimination_order(pattern_))
 {
     for (Eigen::VectorXd& values : power_)
         values = Eigen::VectorXd::Zero(pattern_.nonZeros());

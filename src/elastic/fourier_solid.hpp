@@ -59,6 +59,7 @@ class FourierSolid
     explicit FourierSolid(SectionMesh mesh, Quadrature quadrature = Quadrature::reduced);
 
     [[nodiscard]] SectionMesh const& mesh() const { return mesh_; }
+    [[nodiscard]] Quadrature quadrature() const { return quadrature_; }
     [[nodiscard]] Eigen::Index unknowns() const { return static_cast<Eigen::Index>(3 * mesh_.nodes.size()); }
     [[nodiscard]] Eigen::SparseMatrix<double> stiffness(int harmonic) const;
     /// All unknowns in an order that keeps Cholesky factors sparse (minimum degree), for every harmonic.
@@ -66,6 +67,7 @@ class FourierSolid
 
   private:
     SectionMesh mesh_;
+    Quadrature quadrature_;
     Eigen::SparseMatrix<double> pattern_;   ///< of every harmonic's stiffness
     std::array<Eigen::VectorXd, 3> power_;  ///< of n: K_0, K_1, K_2, the pattern's values
     std::vector<int> elimination_;

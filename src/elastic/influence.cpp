@@ -145,7 +145,7 @@ std::shared_ptr<UnitFields const> unit_fields(FourierSolid const& solid, Support
                                               int threads)
 {
     auto const depends_on = [&](Dependencies& dependencies) {
-        dependencies.add(solid.mesh());
+        dependencies.add(solid);
         dependencies.add(supports);
         dependencies.add(stations);
         dependencies.add(harmonics);

@@ -66,6 +66,12 @@ void Dependencies::add(SectionMesh const& mesh)
             add(mesh.outer->stress.data()[i]);
 }
 
+void Dependencies::add(FourierSolid const& solid)
+{
+    add(solid.mesh());
+    add(solid.quadrature());
+}
+
 void Dependencies::add(Station const& station)
 {
     add(station.place.element);
@@ -95,6 +101,9 @@ void Dependencies::add(CupSection const& section)
 
 void Dependencies::add(Bearing const& bearing)
 {
+    static_assert(sizeof(Bearing) == 4 * sizeof(double) + sizeof(std::optional<BearingRing>) &&
+                      sizeof(BearingRing) == 2 * sizeof(double) + sizeof(std::optional<double>) + sizeof(Elasticity),
+                  "every member belongs here");
     for (double const length : {bearing.middle, bearing.width, bearing.fit, bearing.cam_oversize})
         add(length);
     add(bearing.ring.has_value());

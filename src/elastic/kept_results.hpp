@@ -36,6 +36,7 @@ class Dependencies
     void add(QuadraticElement const& element);
     void add(Elasticity const& material);
     void add(SectionMesh const& mesh);
+    void add(FourierSolid const& solid);
     void add(Station const& station);
     void add(Support const& support);
     void add(CupSection const& section);

@@ -23,9 +23,10 @@ struct Keeping
     Keeping& operator=(Keeping const&) = delete;
 };
 
-std::shared_ptr<elastic::UnitFields const> fields_of(elastic::CupSection const& section, double z, int highest = 4)
+std::shared_ptr<elastic::UnitFields const> fields_of(elastic::CupSection const& section, double z, int highest = 4,
+                                                     elastic::Quadrature quadrature = elastic::Quadrature::reduced)
 {
-    elastic::FourierSolid const solid(elastic::section_mesh(section));
+    elastic::FourierSolid const solid(elastic::section_mesh(section), quadrature);
     std::vector<elastic::Station> const stations{
         elastic::wall_station(solid.mesh(), z, 0.5, elastic::Direction::radial)};
     return elastic::unit_fields(solid, {}, stations, elastic::harmonics_of(2, highest));
@@ -82,6 +83,7 @@ TEST_CASE("unit fields are found by exact values only", "[kept_results]")
     CHECK(fields_of(other, 9) != toothed);
     CHECK(fields_of(section, std::nextafter(9.0, 10.0)) != first);
     CHECK(fields_of(section, 9, 6) != first);
+    CHECK(fields_of(section, 9, 4, elastic::Quadrature::full) != first);
     CHECK(fields_of(section, 9) == first);
 }
 
