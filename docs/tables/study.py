@@ -227,18 +227,19 @@ def liu(_):
             text = text.replace(old, new)
         text = text.replace("../scenes", f"{ROOT}/data/scenes")
         with tempfile.TemporaryDirectory() as folder:
+            before = resource.getrusage(resource.RUSAGE_CHILDREN)
             study.run(study.read_recipe(text), folder, progress=False)
+            seconds = sum(resource.getrusage(resource.RUSAGE_CHILDREN)[:2]) - sum(before[:2])
             done = study.open(folder)
             good = done.frame[done.feasible()].head(100)
-            seconds = done.status()["worker_seconds"] / len(done.frame) * len(good)
         for figure in ("pressure", "force"):
             values = good[figure]
             middle = float(values.median())
             rows.append((name, figure, len(good), int((done.frame["code"] != "").sum()), float(values.min()), middle,
                          float(values.max()), float(values.min()) / middle, float(values.max()) / middle,
                          seconds))  # fmt: skip
-    write("liu", ("variant", "figure", "drives", "cannot be made", "least", "median", "most", "least / median",
-                  "most / median", "time of one core [s]"), rows)  # fmt: skip
+    write("liu", ("variant", "figure", "drives", "cannot be made", "least", "median", "most", "least of median",
+                  "most of median", "processor time [s]"), rows)  # fmt: skip
 
 
 if __name__ == "__main__":
