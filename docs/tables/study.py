@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Measures studies: docs/tables/study.py TABLE [PAIRS]
 
-TABLE is one of: overhead, workers, search, liu. Tables are written as data/reference/study-TABLE.csv; draw makes the
-picture of search. The interpreter must have the package hdconj[study].
+TABLE is one of: overhead, workers, shard, search, liu. Tables are written as data/reference/study-TABLE.csv; draw makes
+the picture of search. The interpreter must have the package hdconj[study].
 """
 
 import os
@@ -94,30 +94,50 @@ def overhead(pairs):
 
 
 def workers(pairs):
-    """Drives a second with one worker and with two, the fastest of several runs; what the command spends on a shard."""
-    from hdconj import study
-    from hdconj.study._engine import compute_rows, engine
+    """Processor time of a drive, command and scheduler included, with one worker and with two at once.
 
+    Whole cores would compute workers/time drives a second. Other work of the machine does not count.
+    """
     rows = []
-    for name, text, count in (("solve", SOLVE, 4000), ("contact", CONTACT, 160)):
-        recipe = study.read_recipe(text.replace("COUNT", str(count)))
-        samples = [(number, recipe.values(number)) for number in range(count)]
-        for jobs in (1, 2):
-            runs = []
-            for _ in range(pairs):
-                with engine(jobs) as client, tempfile.TemporaryDirectory() as folder:
-                    compute_rows(client, recipe, samples[:4], Path(folder), errors=False, shown=False)  # starts workers
-                    for file in Path(folder).iterdir():
-                        file.unlink()
-                    own, begin = time.process_time(), time.perf_counter()
-                    compute_rows(client, recipe, samples, Path(folder), errors=False, seconds=0.02, shard_seconds=2,
-                                 shown=False)  # fmt: skip
-                    own, begin = time.process_time() - own, time.perf_counter() - begin
-                    runs.append((count / begin, len(list(Path(folder).iterdir())), own))
-            rate, shards, own = max(runs)
-            rows.append((name, jobs, rate, count / shards, own / shards * 1000, own / count * 1000))
-    write("workers", ("verb", "workers", "drives a second", "drives in a shard", "command for a shard [ms]",
-                      "command for a drive [ms]"), rows)  # fmt: skip
+    for name, text, few, many in (("solve", SOLVE, 500, 2500), ("contact", CONTACT, 20, 120)):
+        spent = {1: [], 2: []}
+        for _ in range(pairs):
+            for jobs in spent:
+                spent[jobs].append(per_drive(text, few, many, lambda file, out: [
+                    sys.executable, "-m", "hdconj.study", "run", file, "-o", out, "--jobs", str(jobs),
+                    "--quiet"]))  # fmt: skip
+        for jobs, times in spent.items():
+            rows.append((name, jobs, statistics.median(times), 1000 * jobs / statistics.median(times)))
+    write("workers", ("verb", "workers", "processor time [ms]", "drives a second"), rows)
+
+
+def shard(_):
+    """What the command spends on a shard whose rows come back from a worker: taking it in, and writing its file."""
+    from hdconj import study
+    from hdconj.study._engine import engine
+    from hdconj.study._store import schema_of, write_shard
+
+    recipe, rows = study.read_recipe(SOLVE.replace("COUNT", "8")), []
+    row = {"sample": 0, **recipe.values(0), **dict.fromkeys(("land", "land_error", "depth", "depth_error"), 0.1),
+           **dict.fromkeys(("code", "stage", "place", "cause"), "")}  # fmt: skip
+    for drives, shards in ((1, 200), (200, 50), (2000, 10)):
+        with engine(1) as client, tempfile.TemporaryDirectory() as folder:
+            made = [{**row, "sample": i, "land": i / 7} for i in range(drives)]
+            begin = time.process_time()
+            for future in [client.submit(_rows_like, row, drives, i, pure=False) for i in range(shards)]:
+                future.result()
+            taken = (time.process_time() - begin) / shards
+            begin = time.process_time()
+            for i in range(shards):
+                for each in made:
+                    each["sample"] += drives
+                write_shard(Path(folder), made, schema_of(recipe), {"units": {}, "seconds": 1.0, "errors": False})
+            rows.append((drives, 1000 * taken, 1000 * (time.process_time() - begin) / shards))
+    write("shard", ("drives", "taking in [ms]", "writing [ms]"), rows)
+
+
+def _rows_like(row, drives, seed):
+    return [{**row, "sample": i, "land": (i + seed) / 7} for i in range(drives)]
 
 
 SEARCHED = """
@@ -227,20 +247,22 @@ def liu(_):
             text = text.replace(old, new)
         text = text.replace("../scenes", f"{ROOT}/data/scenes")
         with tempfile.TemporaryDirectory() as folder:
+            before = resource.getrusage(resource.RUSAGE_CHILDREN)
             study.run(study.read_recipe(text), folder, progress=False)
+            seconds = sum(resource.getrusage(resource.RUSAGE_CHILDREN)[:2]) - sum(before[:2])
             done = study.open(folder)
             good = done.frame[done.feasible()].head(100)
-            seconds = done.status()["worker_seconds"] / len(done.frame) * len(good)
         for figure in ("pressure", "force"):
             values = good[figure]
             middle = float(values.median())
             rows.append((name, figure, len(good), int((done.frame["code"] != "").sum()), float(values.min()), middle,
                          float(values.max()), float(values.min()) / middle, float(values.max()) / middle,
                          seconds))  # fmt: skip
-    write("liu", ("variant", "figure", "drives", "cannot be made", "least", "median", "most", "least / median",
-                  "most / median", "time of one core [s]"), rows)  # fmt: skip
+    write("liu", ("variant", "figure", "drives", "cannot be made", "least", "median", "most", "least of median",
+                  "most of median", "processor time [s]"), rows)  # fmt: skip
 
 
 if __name__ == "__main__":
-    tables = {"overhead": overhead, "workers": workers, "search": search, "draw": draw, "liu": liu}
+    tables = {"overhead": overhead, "workers": workers, "shard": shard, "search": search,
+              "draw": draw, "liu": liu}  # fmt: skip
     tables[sys.argv[1]](int(sys.argv[2]) if len(sys.argv) > 2 else 5)
