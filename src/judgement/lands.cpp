@@ -57,7 +57,7 @@ std::optional<double> radius_of_land(Solution const& solution, double width)
 
 std::string modules(double share)
 {
-    return short_number(share, 2) + " m";
+    return short_number(share, 2) + " modules";
 }
 
 /// What is wrong with a land of @p note.
