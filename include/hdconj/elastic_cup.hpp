@@ -42,12 +42,13 @@ struct BentCupError
 /// @param count  of each kind, at about 10 MB of memory each; 0, before the first call too: none
 void keep_elastic_bodies(std::size_t count);
 
-/// How often such responses were computed or taken from those that were kept, since the program began.
+/// Responses of elastic bodies to unit loads since the program began.
 struct ElasticBodyCount
 {
-    std::size_t computed = 0;
-    std::size_t reused = 0;
+    std::size_t computed = 0;  ///< how often they were computed
+    std::size_t reused = 0;    ///< how often they were taken from those that were kept
 };
+/// What keep_elastic_bodies() has saved so far.
 [[nodiscard]] ElasticBodyCount elastic_body_count();
 
 /// One line of text: coning, forces, and whether the ring leaves its balls.
