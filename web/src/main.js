@@ -34,7 +34,9 @@ function warnings(drive) {
   const failed = drive.left_out.filter((each) => each.failed)
     .map((each) => make("li", { class: "warning" }, `${each.part}: ${each.why}`));
   const all = [...failed, ...notes, ...others];
-  return make("section", { "class": "warnings", "aria-label": say("warnings") }, make("h2", {}, say("warnings")),
+  const alarming = failed.length > 0 || drive.judgement.some((note) => note.severity === "warning");
+  const title = say(others.length && !alarming ? "notes" : "warnings");
+  return make("section", { "class": alarming ? "warnings" : "notes", "aria-label": title }, make("h2", {}, title),
     all.length ? make("ul", {}, ...all) : make("p", {}, say("noWarnings")));
 }
 
