@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <limits>
 #include <nlohmann/json.hpp>
+#include <regex>
 #include <set>
 #include <sstream>
 
@@ -251,11 +252,12 @@ TEST_CASE("a simulation is laid beside the loop of its own cup at the cup", "[lo
     at_cup.found = measured_stiffness(at_cup.curve);
     auto const text = summary_text(study, {}, &at_cup);
     INFO(text);
+    auto const says = [&text](char const* line) { return std::regex_search(text, std::regex(line)); };
     CHECK(at_cup.found.backlash.value == Approx(cup * study.cases[1].backlash).epsilon(1e-6));
     CHECK(at_cup.found.first.value == Approx(study.cases[1].stages.first / cup / cup).epsilon(1e-6));
-    CHECK_THAT(text, Catch::Matchers::Matches("[^]*backlash \\[arcmin\\] +6\\.613 \\+-[^\n]* 6\\.613\n[^]*"));
-    CHECK_THAT(text, Catch::Matchers::Matches("[^]*first stage \\[N m/deg\\] +86\\.75 \\+-[^\n]* 86\\.75\n[^]*"));
-    CHECK_THAT(text, Catch::Matchers::Matches("[^]*knee between them \\[N m\\] +11\\.25 \\+-[^\n]* 11\\.25\n[^]*"));
+    CHECK(says("backlash \\[arcmin\\] +6\\.613 \\+-[^\n]* 6\\.613\n"));
+    CHECK(says("first stage \\[N m/deg\\] +86\\.75 \\+-[^\n]* 86\\.75\n"));
+    CHECK(says("knee between them \\[N m\\] +11\\.25 \\+-[^\n]* 11\\.25\n"));
     CHECK_THAT(text, ContainsSubstring("its angles are 1.06667 times"));
     CHECK(nlohmann::json::parse(summary_json(study, {}, &at_cup))
               .at("load")
