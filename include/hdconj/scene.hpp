@@ -180,18 +180,30 @@ struct RingErrors
     double eccentricity_phase = 0;  ///< where the ring stands out, clockwise from its tooth or space 0 [rad]
     double wobble = 0;              ///< angle between the ring's axis and the drive's, in the middle of the width [rad]
     double wobble_phase = 0;        ///< the same as eccentricity_phase, at the cup's open end [rad]
-    int line = 0;                   ///< of the table in the scene file, 1-based; 0: by --set
+    double profile_slope = 0;       ///< of the flanks: excess of metal at the tip over the root [mm]
+    scene::NumberRows profile_form;  ///< rows of height above the pitch line and excess of metal [mm]
+    int line = 0;                    ///< of the table in the scene file, 1-based; 0: by --set
+};
+
+/// Errors of the wave generator: how it is made and how it sits on its axis.
+struct WaveGeneratorErrors
+{
+    double eccentricity = 0;          ///< of the wave generator against the axis [mm]
+    double eccentricity_phase = 0;    ///< where it stands out, clockwise from its major axis [rad]
+    scene::NumberRows cam_deviation;  ///< rows of angle from the major axis [rad] and radial excess [mm]
+    int line = 0;                     ///< of the table in the scene file, 1-based; 0: by --set
 };
 
 /// Effect: errors of making and assembly. Only the verb `load` reads it.
 struct Errors
 {
-    std::optional<RingErrors> flexspline;       ///< effect [errors.flexspline]
-    std::optional<RingErrors> circular_spline;  ///< effect [errors.circular_spline]
-    int seed = 0;                               ///< of random places of teeth
-    double profile_slope = 0;                   ///< of the flexspline's flanks: excess at the tip over the root [mm]
-    scene::NumberRows profile_form;             ///< rows of height above the pitch line and excess [mm]
-    int line = 0;                               ///< of the table in the scene file, 1-based; 0: by --set
+    std::optional<RingErrors> flexspline;               ///< effect [errors.flexspline]
+    std::optional<RingErrors> circular_spline;          ///< effect [errors.circular_spline]
+    std::optional<WaveGeneratorErrors> wave_generator;  ///< effect [errors.wave_generator]
+    int seed = 0;                                       ///< of random places of teeth
+    double profile_slope = 0;        ///< of the flexspline's flanks: excess at the tip over the root [mm]
+    scene::NumberRows profile_form;  ///< rows of height above the pitch line and excess [mm]
+    int line = 0;                    ///< of the table in the scene file, 1-based; 0: by --set
 };
 
 /// What contact is asked for. Only the verb `contact` reads it.
@@ -213,6 +225,32 @@ struct LoadRequest
     std::optional<double> second_torque;  ///< T2 of the stiffness K2 [N mm]; default 0.625 of the rated one
     std::optional<double> edge_radius;    ///< of the lands' edges under load [mm]; default 1/25 of the module
     int line = 0;                         ///< of the table in the scene file, 1-based; 0: by --set
+};
+
+/// What a running drive is asked for. Only the verb `run` reads it.
+struct RunRequest
+{
+    RunningMember output = RunningMember::flexspline;  ///< the member that turns; the other one is held
+    int positions = 0;                                 ///< of the wave generator; 0: as many as needed
+    std::vector<double> torques;                       ///< on the output, of the efficiency [N mm]
+    std::vector<double> speeds;                        ///< of the wave generator [rad/s]
+    std::vector<double> temperatures;                  ///< of the lubricant [degrees Celsius]
+    int line = 0;                                      ///< of the table in the scene file, 1-based; 0: by --set
+};
+
+/// Effect: what the drive loses while it runs. Only the verb `run` reads it.
+struct Friction
+{
+    double flanks = 0;                     ///< coefficient of sliding flanks
+    std::optional<double> flanks_at_rest;  ///< the same as the speed goes to 0; absent: Coulomb's law
+    double stribeck_speed = 0;             ///< of sliding at which their difference has fallen to 1/e [mm/s]
+    double bearing_load = 0;               ///< Palmgren's f1: M1 = f1 P d_m
+    double bearing_speed = 0;              ///< Palmgren's f0: M0 = 1e-7 f0 (nu n)^(2/3) d_m^3
+    std::optional<double> viscosity_40;    ///< of the lubricant at 40 degrees Celsius [mm^2/s]
+    std::optional<double> viscosity_100;   ///< of the lubricant at 100 degrees Celsius [mm^2/s]
+    double seal = 0;                       ///< torque of the seals on the wave generator's shaft [N mm]
+    double churning = 0;                   ///< torque for each unit of the shaft's speed [N mm s/rad]
+    int line = 0;                          ///< of the table in the scene file, 1-based; 0: by --set
 };
 
 /// How the part is cut by wire. Only the verb `wedm` reads it. Lengths in mm.
@@ -272,6 +310,8 @@ struct Scene
     std::optional<Errors> errors;           ///< effect [errors]
     std::optional<ContactRequest> contact;  ///< table [contact]
     std::optional<LoadRequest> load;        ///< table [load]
+    std::optional<RunRequest> running;      ///< table [running]
+    std::optional<Friction> friction;       ///< effect [friction]
     std::optional<WireRequest> wedm;        ///< table [wedm]
 
     std::string text;                                    ///< the scene as given, after --set

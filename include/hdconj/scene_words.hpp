@@ -48,6 +48,13 @@ enum class AxialShift
     none     ///< sections stay in their planes
 };
 
+/// Which ring of teeth turns while the drive runs; the other one is held.
+enum class RunningMember
+{
+    flexspline,      ///< the cup turns, the circular spline is held
+    circular_spline  ///< the circular spline turns, the cup is held
+};
+
 /// What a wire can cut.
 enum class WirePart
 {
@@ -83,6 +90,9 @@ inline constexpr std::array<std::string_view, 2> words_of<AxialShift>{"mapped", 
 /// Words of WirePart.
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<WirePart>{"circular-spline", "flexspline"};
+/// Words of RunningMember.
+template <>
+inline constexpr std::array<std::string_view, 2> words_of<RunningMember>{"flexspline", "circular-spline"};
 /// Words of WireStop.
 template <>
 inline constexpr std::array<std::string_view, 2> words_of<WireStop>{"M0", "M1"};
