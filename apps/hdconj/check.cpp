@@ -7,6 +7,7 @@
 #include "hdconj/plan.hpp"
 #include "hdconj/profile/registry.hpp"
 #include "hdconj/read_scene.hpp"
+#include "hdconj/running.hpp"
 #include "hdconj/wavegen/registry.hpp"
 #include "run_verb.hpp"
 
@@ -34,6 +35,8 @@ Plan plan_of(CheckArguments const& own, Scene const& scene)
                                "leave it out, or use the scene that hdconj solve --completed writes"});
     if (own.verb == "load")
         return make_plan(loaded_scene(scene), Verb::load);
+    if (own.verb == "run")
+        return plan_run(scene);
     bool const contact = own.verb.empty() ? scene.contact.has_value() : own.verb == "contact";
     return make_plan(scene, contact ? Verb::contact : Verb::solve);
 }
@@ -75,7 +78,7 @@ void add_check(CLI::App& program, CommonOptions& common)
     verb.add_flag("--plan", own.only_plan, "print the plan and nothing else");
     verb.add_option("--for", own.verb,
                     "the verb to plan for [contact where the scene has a table [contact], else solve]")
-        ->check(CLI::IsMember({"solve", "contact", "load"}));
+        ->check(CLI::IsMember({"solve", "contact", "load", "run"}));
     verb.footer("Families:\n" + families_text("flexspline.profile.family", profile::profile_families()) +
                 families_text("wave_generator.family", wavegen::wave_generator_families()) +
                 "Examples:\n"

@@ -35,6 +35,7 @@ constexpr char const* examples =
     "  hdconj solve hdconj.toml         the conjugate circular spline\n"
     "  hdconj contact hdconj.toml       how much flank touches, and what tilt does to it\n"
     "  hdconj load hdconj.toml          the elastic cup, and the teeth under torque\n"
+    "  hdconj run hdconj.toml           transmission error, friction and efficiency while it turns\n"
     "  hdconj wedm hdconj.toml          files to cut it by wire\n"
     "  hdconj accuracy hdconj.toml      what accuracy costs in time\n"
     "  hdconj inspect hdconj.toml points.csv\n"
@@ -187,8 +188,8 @@ int run(int argc, char** argv)
         "circular spline that meshes with it without interference."};
     describe_program(program);
     CommonOptions common;
-    for (auto const add : {add_init, add_design, add_check, add_solve, add_contact, add_load, add_wedm, add_accuracy,
-                           add_inspect, add_export, add_report})
+    for (auto const add : {add_init, add_design, add_check, add_solve, add_contact, add_load, add_run, add_wedm,
+                           add_accuracy, add_inspect, add_export, add_report})
         add(program, common);
     std::vector<std::string> words = command_line(argc, argv);
     if (words.empty()) {

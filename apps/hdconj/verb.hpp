@@ -99,6 +99,7 @@ void add_check(CLI::App& program, CommonOptions& common);
 void add_solve(CLI::App& program, CommonOptions& common);
 void add_contact(CLI::App& program, CommonOptions& common);
 void add_load(CLI::App& program, CommonOptions& common);
+void add_run(CLI::App& program, CommonOptions& common);
 void add_wedm(CLI::App& program, CommonOptions& common);
 void add_accuracy(CLI::App& program, CommonOptions& common);
 void add_inspect(CLI::App& program, CommonOptions& common);

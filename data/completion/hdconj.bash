@@ -7,7 +7,7 @@ _hdconj()
 {
     local current=${COMP_WORDS[COMP_CWORD]} previous=${COMP_WORDS[COMP_CWORD - 1]}
     local common="--help --set --threads --json --quiet"
-    local verbs="init design check solve contact load wedm accuracy inspect export report study help version"
+    local verbs="init design check solve contact load run wedm accuracy inspect export report study help version"
     local study="check run optimise status best picture"
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
@@ -34,7 +34,7 @@ _hdconj()
             return ;;
         --register) COMPREPLY=($(compgen -W "datum turn least-squares minimum-zone" -- "$current")); return ;;
         --with) COMPREPLY=($(compgen -W "solve contact load wedm" -- "$current")); return ;;
-        --for) COMPREPLY=($(compgen -W "solve contact load" -- "$current")); return ;;
+        --for) COMPREPLY=($(compgen -W "solve contact load run" -- "$current")); return ;;
     esac
 
     local options
@@ -52,6 +52,7 @@ _hdconj()
             options="$common --strict --torque --points --tilt --surface --kind --no-curve --no-errors --output"
             options="$options --picture --vtu --measured --torque-constant --counts-per-turn --ratio --efficiency"
             options="$options --output-member" ;;
+        run) options="$common --strict --torque --positions --no-errors --output --picture" ;;
         wedm) options="$common --strict --part --tilt --output --from --dialect --decimals --picture" ;;
         accuracy)
             options="$common --study --output --sample --repeats --quick --from --budget --error --page" ;;

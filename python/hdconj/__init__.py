@@ -27,13 +27,26 @@ from ._results import (
     Measurement,
     NeutralCurve,
     Result,
+    RunStudy,
     Solution,
     StepSolid,
     WireProgram,
 )
 from ._scene import Scene
 from ._tree import Dataset, Figure, Group
-from ._verbs import accuracy, contact, design, find_neutral_curve, inspect, load, read_measured, report, solve, wedm
+from ._verbs import (
+    accuracy,
+    contact,
+    design,
+    find_neutral_curve,
+    inspect,
+    load,
+    read_measured,
+    report,
+    run,
+    solve,
+    wedm,
+)
 
 __version__ = _core.version
 __all__ = [
@@ -52,6 +65,7 @@ __all__ = [
     "NeutralCurve",
     "NumericalError",
     "Result",
+    "RunStudy",
     "Scene",
     "Solution",
     "StepSolid",
@@ -66,6 +80,7 @@ __all__ = [
     "read",
     "read_measured",
     "report",
+    "run",
     "solve",
     "wedm",
 ]

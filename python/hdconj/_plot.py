@@ -64,6 +64,17 @@ def _load(result: Any, ax: Any) -> None:
     _labelled(ax, "twist of the circular spline [arcmin]", "torque [N m]")
 
 
+def _running(result: Any, ax: Any) -> None:
+    """Transmission error of each sequence over its positions, the mean left out."""
+    for name in sorted(key for key in result.running if key.startswith("sequence_")):
+        sequence = result.running[name]
+        to_arcsec = 180 * 3600 / math.pi
+        label = f"{sequence.attrs['span']}, {sequence.attrs['torque_Nmm'] / 1000:g} N m"
+        error = (sequence.error - sequence.error.mean()) * to_arcsec
+        ax.plot(sequence.angle * (180 / math.pi), error, ".-", label=label)
+    _labelled(ax, "angle of the wave generator [deg]", "transmission error [arcsec]")
+
+
 def _wire(result: Any, ax: Any) -> None:
     """The contour and the first pass in both faces of the first set-up."""
     part = result.set_up_1
@@ -101,6 +112,7 @@ _DRAWINGS: dict[type, Callable[[Any, Any], None]] = {
     _results.Solution: _solution,
     _results.ContactStudy: _contact,
     _results.LoadStudy: _load,
+    _results.RunStudy: _running,
     _results.WireProgram: _wire,
     _results.Accuracy: _accuracy,
     _results.Inspection: _inspection,

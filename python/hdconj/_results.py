@@ -245,6 +245,13 @@ class LoadStudy(Result):
     _main = "load"
 
 
+class RunStudy(Result):
+    """Result of :func:`hdconj.run`: the drive while it turns."""
+
+    __slots__ = ()
+    _main = "running"
+
+
 class WireProgram(Result):
     """Result of :func:`hdconj.wedm`: paths of the wire in both faces, set-up by set-up."""
 

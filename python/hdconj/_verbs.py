@@ -185,6 +185,41 @@ def load(
         return _results.LoadStudy._computed(_core.load(asked._core, *options, *call), asked)
 
 
+def run(
+    scene: SceneLike = None,
+    *,
+    torque: float | None = None,
+    positions: int | None = None,
+    errors: bool = True,
+    progress: Progress = False,
+) -> _results.RunStudy:
+    """Run the drive: transmission error, torque on the wave generator, friction and efficiency.
+
+    Parameters
+    ----------
+    scene : Scene, path, mapping or None
+        The drive; None: the built-in one. Its table ``[running]`` says which member turns, its table
+        ``[friction]`` what it loses.
+    torque : float, optional
+        Largest torque on the output in N m; 0: first contact only, in the shape that the scene
+        prescribes. None: ``load.torque``, which is a torque on the circular spline.
+    positions : int, optional
+        Of the wave generator over one tooth pitch; None: the scene's, or 16.
+    errors : bool
+        False: no second grid; the same figures without their errors, in less time.
+    progress : bool or callable
+        As for :func:`contact`.
+
+    Returns
+    -------
+    RunStudy
+        Transmission errors in rad, torques in N mm, speeds in rad/s.
+    """
+    asked = scene_of(scene)
+    with _calling(progress) as call:
+        return _results.RunStudy._computed(_core.run(asked._core, torque, positions, errors, *call), asked)
+
+
 def wedm(
     scene: SceneLike = None,
     *,

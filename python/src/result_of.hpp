@@ -12,6 +12,7 @@
 #include "hdconj/design_files.hpp"
 #include "hdconj/inspect_files.hpp"
 #include "hdconj/result_files.hpp"
+#include "hdconj/running_files.hpp"
 #include "hdconj/wanted_curve_files.hpp"
 #include "result.hpp"
 
@@ -85,6 +86,11 @@ inline std::vector<std::string> missing_of(ContactStudy const& value)
 inline std::vector<std::string> missing_of(LoadedDrive const& value)
 {
     return value.study.missing;
+}
+
+inline std::vector<std::string> missing_of(RunStudy const& value)
+{
+    return value.missing;
 }
 
 template <class Value>

@@ -21,6 +21,7 @@
 #include "hdconj/read_scene.hpp"
 #include "hdconj/report.hpp"
 #include "hdconj/result_files.hpp"
+#include "hdconj/running_files.hpp"
 #include "hdconj/solve.hpp"
 #include "hdconj/units.hpp"
 #include "layout.hpp"
@@ -122,6 +123,21 @@ ResultPointer run_load(SceneHandle const& handle, std::optional<double> torque, 
         measurement = dynamic_cast<ResultOf<Measurement> const&>(*measured).value();
     return run(observer, is_main, [&](Observer const& told) {
         return result_of(LoadedDrive{study_load(scene, options, told.stages(), told.shares()), std::move(measurement)});
+    });
+}
+
+ResultPointer run_run(SceneHandle const& handle, std::optional<double> torque, std::optional<int> positions,
+                      bool errors, nb::handle observer, bool is_main)
+{
+    Scene const& scene = handle.sound();
+    RunOptions options;
+    if (torque)
+        options.torque = *torque * newton_metre;
+    options.positions = positions;
+    options.errors = errors;
+    refuse(check_run(scene, options));
+    return run(observer, is_main, [&](Observer const& told) {
+        return result_of(study_run(scene, options, told.stages(), told.shares()));
     });
 }
 
@@ -285,6 +301,8 @@ void add_verbs(nb::module_& module)
                "revolution"_a, "errors"_a, "observer"_a.none(), "is_main"_a);
     module.def("load", run_load, "scene"_a, "torque"_a.none(), "points"_a.none(), "tilts_deg"_a, "surfaces"_a,
                "kinds"_a, "curve"_a, "errors"_a, "measured"_a.none(), "observer"_a.none(), "is_main"_a);
+    module.def("run", run_run, "scene"_a, "torque"_a.none(), "positions"_a.none(), "errors"_a, "observer"_a.none(),
+               "is_main"_a);
     module.def("wedm", run_wedm, "scene"_a, "folder"_a, "dialects"_a, "observer"_a.none(), "is_main"_a);
     module.def("accuracy", run_accuracy, "scene"_a, "studies"_a, "sample"_a, "repeats"_a, "quick"_a,
                "observer"_a.none(), "is_main"_a);

@@ -90,6 +90,9 @@ class GapField
     /// Angle of the centre line of @p space from the major axis, -pi ... pi.
     [[nodiscard]] double space_angle(std::size_t space) const { return space_angle_[space]; }
 
+    /// Its number: the space beside tooth 0 of ToothPoses is 0, the others follow clockwise.
+    [[nodiscard]] int space_number(std::size_t space) const { return space_number_[space]; }
+
     [[nodiscard]] double gap(Index const& i, double turn) const;
 
     /// Gap of the flank between its points, at @p s as FlankGrid::between() counts.

@@ -5,6 +5,7 @@
 #include "hdconj/scene/schema.hpp"
 
 #include <limits>
+#include <numbers>
 #include <type_traits>
 
 #include "hdconj/units.hpp"
@@ -14,6 +15,7 @@ namespace {
 
 using Q = Quantity;
 
+constexpr double rpm = 2 * std::numbers::pi / 60;  // [rad/s]
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 double number(Parameter const& parameter)
@@ -492,6 +494,67 @@ std::vector<KeySpec> load()
          "0.01", to<&Scene::load, &LoadRequest::edge_radius>}};
 }
 
+/// Numbers of a list, each times @p unit.
+template <auto list>
+void to_numbers(Scene& scene, Parameter const& parameter, double unit)
+{
+    for (auto const& row : std::get<NumberRows>(parameter.value))
+        ((*scene.running).*list).push_back(row.front() * unit);
+}
+
+std::vector<KeySpec> running()
+{
+    auto const list = [](std::string_view key, std::string_view meaning, std::string_view form) {
+        return with_words(optional(key, Q::rows, meaning, 1, bounds::most_running_values), {form});
+    };
+    return {
+        {choice<RunningMember>("output", "the member that turns at the output; the other one is held", false),
+         "\"flexspline\"", to<&Scene::running, &RunRequest::output>, "flexspline"},
+        {optional("positions", Q::count, "of the wave generator over one tooth pitch; absent: 16",
+                  bounds::fewest_positions, bounds::most_positions),
+         "16", to<&Scene::running, &RunRequest::positions>},
+        {list("torques", "on the output in N m, of the efficiency; absent: 10, 25, 50 and 100 % of the largest torque",
+              "[torque]"),
+         "[5, 14, 28]", [](Scene& s, Parameter const& p) { to_numbers<&RunRequest::torques>(s, p, newton_metre); }},
+        {list("speeds", "of the wave generator in rpm, of the efficiency; absent: 500, 1000, 2000 and 3500", "[speed]"),
+         "[500, 2000]", [](Scene& s, Parameter const& p) { to_numbers<&RunRequest::speeds>(s, p, rpm); }},
+        {list("temperatures", "of the lubricant in degrees Celsius, of the efficiency; absent: 40", "[temperature]"),
+         "[0, 40]", [](Scene& s, Parameter const& p) { to_numbers<&RunRequest::temperatures>(s, p, 1); }}};
+}
+
+std::vector<KeySpec> friction()
+{
+    return {
+        {required("flanks", Q::number, "coefficient of sliding flanks", 0, bounds::largest_friction), "0.08",
+         to<&Scene::friction, &Friction::flanks>},
+        {optional("flanks_at_rest", Q::number,
+                  "the same as the sliding speed goes to 0; absent: flanks, at every speed (Coulomb)", 0,
+                  bounds::largest_friction),
+         "0.12", to<&Scene::friction, &Friction::flanks_at_rest>},
+        {optional("stribeck_speed", Q::number,
+                  "sliding speed in mm/s at which the difference of both has fallen to 1/e; with flanks_at_rest", 0,
+                  bounds::largest_speed),
+         "20.0", to<&Scene::friction, &Friction::stribeck_speed>, 0.0},
+        {optional("bearing_load", Q::number, "Palmgren's f1 of the wave generator's bearing: M1 = f1 P d_m", 0, 1),
+         "0.0005", to<&Scene::friction, &Friction::bearing_load>, 0.0},
+        {optional("bearing_speed", Q::number,
+                  "Palmgren's f0 of the same: M0 = 1e-7 f0 (nu n)^(2/3) d_m^3, with both viscosities", 0,
+                  bounds::largest_bearing_factor),
+         "2.0", to<&Scene::friction, &Friction::bearing_speed>, 0.0},
+        {optional("viscosity_40", Q::number, "kinematic, of the lubricant at 40 degrees Celsius, in mm^2/s",
+                  bounds::least_viscosity, bounds::largest_viscosity),
+         "100.0", to<&Scene::friction, &Friction::viscosity_40>},
+        {optional("viscosity_100", Q::number, "the same at 100 degrees Celsius", bounds::least_viscosity,
+                  bounds::largest_viscosity),
+         "11.0", to<&Scene::friction, &Friction::viscosity_100>},
+        {optional("seal", Q::number, "torque of the seals on the wave generator's shaft, in N m", 0,
+                  bounds::largest_torque),
+         "0.02", [](Scene& s, Parameter const& p) { s.friction->seal = number(p) * newton_metre; }, 0.0},
+        {optional("churning", Q::number, "torque on that shaft for each 1000 rpm, in N m", 0, bounds::largest_torque),
+         "0.004", [](Scene& s, Parameter const& p) { s.friction->churning = number(p) * newton_metre / (1000 * rpm); },
+         0.0}};
+}
+
 std::vector<KeySpec> wedm()
 {
     return {
@@ -609,6 +672,9 @@ std::vector<TableSpec> const& scene_schema()
          begin<&Scene::errors, &Errors::circular_spline>, ring_errors<&Errors::circular_spline>()},
         {"contact", "settings of the verb contact", effect, FamilyKind::none, begin<&Scene::contact>, contact()},
         {"load", "settings of the verb load", effect, FamilyKind::none, begin<&Scene::load>, load()},
+        {"running", "settings of the verb run", effect, FamilyKind::none, begin<&Scene::running>, running()},
+        {"friction", "effect: what the drive loses while it runs; for the verb run", effect, FamilyKind::none,
+         begin<&Scene::friction>, friction()},
         {"wedm", "settings of the verb wedm: a part cut by wire", effect, FamilyKind::none, begin<&Scene::wedm>,
          wedm()}};
     return tables;

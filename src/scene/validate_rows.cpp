@@ -12,6 +12,8 @@ namespace {
 
 using Kind = RawValue::Kind;
 
+constexpr double absolute_zero = 273.15;  // below 0 degrees Celsius
+
 /// Column names of a form: "[radius, sweep_deg]" -> radius, sweep_deg.
 std::vector<std::string_view> columns_of(std::string_view form)
 {
@@ -53,6 +55,10 @@ std::string column_fault(RawValue const& value, std::string_view column)
         return "is not a finite number";
     if (column.ends_with("_deg"))
         return "";
+    if (column == "torque" || column == "speed")
+        return value.number > 0 ? "" : "must be larger than 0";
+    if (column == "temperature")
+        return value.number > -absolute_zero ? "" : "is below absolute zero";
     if (column == "radius")
         return value.number == 0 ? "must not be 0" : "";
     if (column == "length" && value.number < 0)

@@ -156,6 +156,8 @@ Faults cross_faults(SceneReading const& reading)
     add_axial_faults(reading, faults);
     add_wanted_faults(reading, faults);
     add_relief_faults(reading, faults);
+    if (reading.scene.friction)
+        add_running_faults(reading, faults);
     if (reading.scene.wedm)
         add_wedm_faults(reading, faults);
     locate(faults, reading.scene);

@@ -188,6 +188,10 @@ std::string row_form(ParameterSpec const& spec)
     for (auto const form : spec.words)
         forms += (forms.empty() ? "" : " or ") + std::string(form);
     bool const has_angles = forms.find("_deg") != std::string::npos;
+    for (auto const& [form, unit] : {std::pair("[torque]", "in N m"), std::pair("[speed]", "in rpm"),
+                                     std::pair("[temperature]", "in degrees Celsius")})
+        if (forms == form)
+            return forms + ", " + unit;
     return forms + (has_angles ? ", in mm and degrees" : ", in mm");
 }
 

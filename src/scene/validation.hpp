@@ -129,6 +129,9 @@ void add_wanted_faults(SceneReading const& reading, Faults& faults);
 /// Reliefs: how far flanks stand back.
 void add_relief_faults(SceneReading const& reading, Faults& faults);
 
+/// Friction of the running drive, and the temperatures of its lubricant.
+void add_running_faults(SceneReading const& reading, Faults& faults);
+
 /// The wire of [wedm].
 void add_wedm_faults(SceneReading const& reading, Faults& faults);
 

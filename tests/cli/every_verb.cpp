@@ -46,6 +46,7 @@ std::vector<Verb> const& verbs()
         {"solve", "", {{"--set flexspline.wall=-1 ", 2, "flexspline.wall"}}},
         {"contact", coned, {{"--tilt 50 ", 2, "--tilt = 50"}, {"--tilt 20 ", 1, "hdconj: slices: "}}},
         {"load", "--set slices.count=3 --no-curve ", {{"--torque=-1 ", 2, "--torque"}}},
+        {"run", "--set slices.count=1 --no-errors --positions 4 ", {{"--torque=-1 ", 2, "--torque"}}},
     };
     return table;
 }
@@ -69,6 +70,10 @@ std::vector<ThreadedRun> const& threaded_runs()
          "--set slices.count=3 --points 2 ",
          {"/load/case_000/curve/twist", "/load/case_000/map/force", "/load/case_000/map/gap", "/load/shape/u_r",
           "/load/cup/w_major"}},
+        {"run",
+         "--set slices.count=3 --positions 4 --set friction.flanks=0.1 ",
+         {"/running/sequence_000/error", "/running/sequence_001/error", "/running/sequence_001/wave_generator_torque",
+          "/running/sequence_001/spectrum/amplitude", "/running/losses/efficiency"}},
     };
     return table;
 }
@@ -93,8 +98,18 @@ std::vector<FullRun> const& full_runs()
          "--set slices.count=3 --points 2 --vtu a.vtu ",
          {"a-curve.svg", "a-stiffness.svg", "a-pressure.svg", "a-cup.svg", "a-stress.svg"},
          2},
+        {"run",
+         "--set slices.count=1 --no-errors --positions 4 --set friction.flanks=0.1 ",
+         {"a-error.svg", "a-spectrum.svg", "a-efficiency.svg"},
+         1},
     };
     return table;
+}
+
+/// What the part of a verb is called in its summary.
+char const* part_of(std::string const& verb)
+{
+    return verb == "run" ? "running" : verb.c_str();
 }
 
 }  // namespace
@@ -143,7 +158,7 @@ TEST_CASE("every verb: a failure leaves the result that is there", "[program]")
 
 TEST_CASE("every verb: a missing gnuplot is told before the work", "[program]")
 {
-    for (std::string const verb : {"solve", "contact", "load", "wedm"}) {
+    for (std::string const verb : {"solve", "contact", "load", "run", "wedm"}) {
         INFO(verb);
         TemporaryFolder const folder;
         auto const failed = run("PATH=/nowhere && " + program + " " + verb + " -o out --picture a.svg", folder.path());
@@ -163,7 +178,7 @@ TEST_CASE("every verb: the number of threads changes no bit of any figure", "[pr
         auto const two = hdconj_run(arguments + "two.h5 --threads 2", folder.path());
         REQUIRE(one.status == 0);
         REQUIRE(two.status == 0);
-        char const* const part = each.verb.c_str();
+        char const* const part = part_of(each.verb);
         CHECK(without_times(json::parse(one.out), part).dump() == without_times(json::parse(two.out), part).dump());
         auto const a = open_file(folder / "one.h5"), b = open_file(folder / "two.h5");
         for (char const* name : each.datasets) {

@@ -165,7 +165,7 @@ def test_pages_of_a_notebook(solution):
 def test_every_function_is_documented_with_its_units():
     for name in hdconj.__all__:
         assert inspect.getdoc(getattr(hdconj, name)), name
-    for name in ("solve", "contact", "load", "wedm", "accuracy", "inspect", "read_measured", "design"):
+    for name in ("solve", "contact", "load", "run", "wedm", "accuracy", "inspect", "read_measured", "design"):
         text = inspect.getdoc(getattr(hdconj, name))
         for argument in inspect.signature(getattr(hdconj, name)).parameters:
             assert argument in text, (name, argument)

@@ -85,6 +85,14 @@ def test_load(tmp_path):
     compare(study, ["load", "--set=slices.count=3", "--points=2"], tmp_path)
 
 
+def test_run(tmp_path):
+    scene = hdconj.Scene().with_({"slices.count": 1, "friction.flanks": 0.08, "running.torques": [10.0]})
+    study = hdconj.run(scene, torque=10, positions=4, errors=False)
+    words = ["--set=slices.count=1", "--set=friction.flanks=0.08", "--set=running.torques=[10.0]"]
+    compare(study, ["run", *words, "--torque=10", "--positions=4", "--no-errors"], tmp_path)
+    assert study.running.losses.efficiency[0] == 0
+
+
 @pytest.mark.parametrize("member", ["cup", "circular-spline"])
 def test_load_beside_a_measurement(member, tmp_path):
     file = SOURCE / "data/measured/torque-twist.csv"

@@ -25,8 +25,10 @@ inline nlohmann::json without_times(nlohmann::json summary, char const* verb)
 {
     summary.erase("timing");
     summary.erase("files");
-    for (auto& each : summary.at(verb).at("cases"))
-        each.erase("time_s");
+    for (char const* const rows : {"cases", "sequences"})
+        if (summary.at(verb).contains(rows))
+            for (auto& each : summary.at(verb).at(rows))
+                each.erase("time_s");
     return summary;
 }
 

@@ -95,8 +95,16 @@ inline constexpr int most_torques = 1000;
 inline constexpr int largest_seed = 1000000;  ///< of random numbers
 inline constexpr int fewest_harmonics = 8;
 inline constexpr int most_harmonics = 400;
-inline constexpr int most_passes = 20;     ///< of the wire
-inline constexpr int fewest_decimals = 2;  ///< of rounded wire coordinates in mm
+inline constexpr int fewest_positions = 4;  ///< of the wave generator over a tooth pitch
+inline constexpr int most_positions = 1000;
+inline constexpr int most_running_values = 50;         ///< torques, speeds or temperatures of a running drive
+inline constexpr double largest_friction = 1;          ///< coefficient
+inline constexpr double largest_speed = 1e6;           ///< [rpm], of sliding [mm/s]
+inline constexpr double largest_bearing_factor = 100;  ///< Palmgren's f0
+inline constexpr double least_viscosity = 1;           ///< [mm^2/s]
+inline constexpr double largest_viscosity = 1e5;       ///< [mm^2/s]
+inline constexpr int most_passes = 20;                 ///< of the wire
+inline constexpr int fewest_decimals = 2;              ///< of rounded wire coordinates in mm
 inline constexpr int most_decimals = 9;
 }  // namespace bounds
 

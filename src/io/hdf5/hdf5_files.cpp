@@ -6,6 +6,7 @@
 #include "hdconj/inspect_files.hpp"
 #include "hdconj/load_files.hpp"
 #include "hdconj/result_files.hpp"
+#include "hdconj/running_files.hpp"
 #include "hdconj/wanted_curve_files.hpp"
 #include "hdf5_writer.hpp"
 
@@ -40,6 +41,11 @@ void write_hdf5(ContactStudy const& study, std::filesystem::path const& file)
 void write_hdf5(LoadStudy const& study, std::filesystem::path const& file, Measurement const* measured)
 {
     io::hdf5::write_file(file, [&](Writer const& root) { io::layout::write_result(root, study, measured); });
+}
+
+void write_hdf5(RunStudy const& study, std::filesystem::path const& file)
+{
+    io::hdf5::write_file(file, [&](Writer const& root) { io::layout::write_result(root, study); });
 }
 
 void write_hdf5(WantedCurve const& found, std::filesystem::path const& file)

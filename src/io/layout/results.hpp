@@ -8,6 +8,7 @@
 #include "hdconj/inspect.hpp"
 #include "hdconj/load.hpp"
 #include "hdconj/measured.hpp"
+#include "hdconj/running.hpp"
 #include "hdconj/solution.hpp"
 #include "hdconj/wanted_curve.hpp"
 #include "hdconj/wedm.hpp"
@@ -61,6 +62,7 @@ void write_result(Writer const& root, Solution const& solution);
 void write_result(Writer const& root, ContactStudy const& study);
 /// @param measured  written beside the simulation; null: none
 void write_result(Writer const& root, LoadStudy const& study, Measurement const* measured = nullptr);
+void write_result(Writer const& root, RunStudy const& study);
 void write_result(Writer const& root, Inspection const& inspection);
 void write_result(Writer const& root, WantedCurve const& found);
 /// What `/load/measured` holds.

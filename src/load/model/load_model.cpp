@@ -82,6 +82,11 @@ std::vector<HarmonicResponse> cup_responses(elastic::FourierSolid const& solid, 
     return result;
 }
 
+int highest_harmonic(LoadGrid const& resolution, RingGrid const& around)
+{
+    return std::min(resolution.harmonics, around.highest_harmonic()) / around.sectors * around.sectors;
+}
+
 }  // namespace
 
 LoadGrid load_grid(contact::ContactContext const& context)
@@ -97,7 +102,7 @@ LoadModel load_model(contact::ContactContext const& context, LoadGrid const& res
     Scene const& scene = context.scene;
     RingGrid const around = ring_grid(scene);
     int const sectors = around.sectors, grid = around.angles();
-    int const highest = std::min(resolution.harmonics, around.highest_harmonic()) / sectors * sectors;
+    int const highest = highest_harmonic(resolution, around);
 
     elastic::CupSection const section = drive::cup_section(scene, context.geometry.flexspline_inner_radius);
     PlacedBearing const placed = placed_bearing(context, resolution.circles, around);
@@ -135,6 +140,23 @@ LoadModel load_model(contact::ContactContext const& context, LoadGrid const& res
     add_wave_generator(drive, placed, context, around, highest);
     drive.bearing_compliance = bearing_compliance(drive, context.threads);
     return {std::move(solid), std::move(unit), context.geometry.r_m, middle, std::move(drive)};
+}
+
+ElasticDrive drive_at(LoadModel const& model, contact::ContactContext const& context, LoadGrid const& resolution,
+                      double phase)
+{
+    RingGrid const around = ring_grid(context.scene);
+    ElasticDrive drive = model.drive;
+    drive.phase = phase;
+    drive.bearing_steps.clear();
+    drive.outer_ring.reset();
+    drive.balls.reset();
+    drive.between_balls.reset();
+    add_wave_generator(drive, placed_bearing(context, resolution.circles, around), context, around,
+                       highest_harmonic(resolution, around));
+    if (drive.between_balls)
+        drive.bearing_compliance = bearing_compliance(drive, context.threads);
+    return drive;
 }
 
 }  // namespace hdconj::load

@@ -38,4 +38,9 @@ struct LoadGrid
 /// takes
 [[nodiscard]] LoadModel load_model(contact::ContactContext const& context, LoadGrid const& resolution);
 
+/// The drive of @p model after the wave generator has turned: tooth 0 stands at the undeformed angle @p phase [rad].
+/// What a unit force does to the cup stays as it is; the wave generator is placed anew.
+[[nodiscard]] ElasticDrive drive_at(LoadModel const& model, contact::ContactContext const& context,
+                                    LoadGrid const& resolution, double phase);
+
 }  // namespace hdconj::load

@@ -12,7 +12,6 @@
 #include "base/text.hpp"
 #include "branch_on_grids.hpp"
 #include "catalogue_figures.hpp"
-#include "contact/study/contact_case.hpp"
 #include "grid_error.hpp"
 #include "hdconj/error.hpp"
 #include "load/model/cup_shape.hpp"
@@ -37,16 +36,8 @@ namespace {
                          "write " + advice + ", or a larger circular_spline.inner_radius");
 }
 
-/// A surface with the play that it leaves.
-struct SurfaceWithPlay
-{
-    contact::FlankSurface surface;
-    Play play;
-    bool side_clearance_increased = false;  ///< the side clearance is larger than the scene gives
-};
+}  // namespace
 
-/// The surface with the scene's side clearance or, where with that the assembled teeth press on both flanks, with the
-/// smallest that clears.
 SurfaceWithPlay surface_with_play(contact::ContactContext const& context, AssembledDrive const& drive,
                                   surface::SurfaceSpec const& choice)
 {
@@ -67,6 +58,8 @@ SurfaceWithPlay surface_with_play(contact::ContactContext const& context, Assemb
         refuse_assembly(context.scene, choice, surface.offset);
     return {std::move(surface), *play, side_clearance_increased};
 }
+
+namespace {
 
 /// What is known of a case before any torque.
 LoadCase assembled_case(contact::ContactContext const& context, surface::SurfaceSpec const& choice,

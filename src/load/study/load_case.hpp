@@ -6,12 +6,28 @@
 #include <vector>
 
 #include "coarse_path.hpp"
+#include "contact/study/contact_case.hpp"
 #include "contact/study/contact_context.hpp"
 #include "elastic/harmonic_field.hpp"
 #include "hdconj/load.hpp"
 #include "loaded_scene.hpp"
+#include "play.hpp"
 
 namespace hdconj::load {
+
+/// A surface with the play that it leaves.
+struct SurfaceWithPlay
+{
+    contact::FlankSurface surface;
+    Play play;
+    bool side_clearance_increased = false;  ///< the side clearance is larger than the scene gives
+};
+
+/// The surface with the scene's side clearance or, where with that the assembled teeth press on both flanks, with the
+/// smallest that clears.
+/// @throws NumericalError where the teeth interfere at every turn
+[[nodiscard]] SurfaceWithPlay surface_with_play(contact::ContactContext const& context, AssembledDrive const& drive,
+                                                surface::SurfaceSpec const& choice);
 
 /// Who is told of a case while it is computed.
 struct CaseObserver

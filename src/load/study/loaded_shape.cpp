@@ -79,34 +79,40 @@ LoadedShape loaded_shape(contact::ContactContext const& context, ElasticDrive co
 {
     LoadedShape shape;
     shape.series = displacements(drive, forces, context.threads);
+    shape.places = tooth_poses(context, drive, shape.series, drive.phase);
+    return shape;
+}
+
+contact::ToothPoses tooth_poses(contact::ContactContext const& context, ElasticDrive const& drive,
+                                std::vector<std::vector<double>> const& series, double phase)
+{
     double const r_m = context.geometry.r_m;
     std::size_t const slices = drive.stations.slices;
     std::vector<std::optional<motion::MaterialMotion>> motions(slices);
     parallel_for(slices, context.threads, 2, [&](std::size_t k) {
-        motions[k].emplace(displacement_of(drive, shape.series[drive.stations.radial(k)],
-                                           shape.series[drive.stations.tangential(k)], r_m),
-                           r_m, conjugate::tooth_ratio(context.scene));
+        motions[k].emplace(
+            displacement_of(drive, series[drive.stations.radial(k)], series[drive.stations.tangential(k)], r_m), r_m,
+            conjugate::tooth_ratio(context.scene));
     });
-    std::array<int, 2> const needed = contact::teeth_needed(context.scene.drive.flexspline_teeth,
-                                                            context.scene.drive.circular_spline_teeth, drive.phase);
+    std::array<int, 2> const needed =
+        contact::teeth_needed(context.scene.drive.flexspline_teeth, context.scene.drive.circular_spline_teeth, phase);
     auto const teeth = static_cast<std::size_t>(needed[1] - needed[0] + 1);
-    shape.places = contact::ToothPoses{needed[0], slices, std::vector<Pose>(teeth * slices)};
+    contact::ToothPoses places{needed[0], slices, std::vector<Pose>(teeth * slices)};
     std::vector<double> const& z = drive.slice_z;
     constexpr std::size_t grain = 32;
     parallel_for(teeth, context.threads, grain, [&](std::size_t i) {
         double const phi =
-            2 * std::numbers::pi * (needed[0] + static_cast<int>(i)) / context.scene.drive.flexspline_teeth +
-            drive.phase;
+            2 * std::numbers::pi * (needed[0] + static_cast<int>(i)) / context.scene.drive.flexspline_teeth + phase;
         std::vector<MovedSlice> tooth(slices);
         SeriesPlace const at(drive, phi);
         for (std::size_t k = 0; k < slices; ++k) {
-            SeriesValue const along = at(shape.series[drive.stations.axial(k)]);
+            SeriesValue const along = at(series[drive.stations.axial(k)]);
             tooth[k] = {motions[k]->pose(phi), z[k] + along.value, along.slope};
         }
         for (std::size_t k = 0; k < slices; ++k)
-            shape.places.pose[i * slices + k] = slices < 2 ? tooth[k].pose : section(tooth, z[k], r_m);
+            places.pose[i * slices + k] = slices < 2 ? tooth[k].pose : section(tooth, z[k], r_m);
     });
-    return shape;
+    return places;
 }
 
 LoadedTeeth loaded_teeth(contact::ContactContext const& context, ElasticDrive const& drive, LoadedShape const& shape,

@@ -28,6 +28,12 @@ struct LoadedShape
 [[nodiscard]] LoadedShape loaded_shape(contact::ContactContext const& context, ElasticDrive const& drive,
                                        Eigen::MatrixXd const& forces);
 
+/// Poses of the teeth on a cup with the displacements @p series, as loaded_shape() takes them.
+/// @param phase  undeformed angle of tooth 0 [rad]: other than that of @p drive where the wave generator has turned by
+/// a little and the shape with it
+[[nodiscard]] contact::ToothPoses tooth_poses(contact::ContactContext const& context, ElasticDrive const& drive,
+                                              std::vector<std::vector<double>> const& series, double phase);
+
 /// The teeth of a shape, for LoadStudy. @param turn  of the circular spline
 [[nodiscard]] LoadedTeeth loaded_teeth(contact::ContactContext const& context, ElasticDrive const& drive,
                                        LoadedShape const& shape, double turn);

@@ -11,6 +11,7 @@
 #include "hdconj/file/atomic_file.hpp"
 #include "hdconj/inspect_files.hpp"
 #include "hdconj/load_files.hpp"
+#include "hdconj/running_files.hpp"
 #include "hdconj/wanted_curve_files.hpp"
 #include "hdconj/wire_files.hpp"
 #include "plots.hpp"
@@ -147,6 +148,29 @@ std::vector<WrittenFile> write_load_pictures(LoadStudy const& study, std::filesy
     }
     if (report::has_balls(study))
         written.push_back(write_drawing("picture_balls", report::load_ball_script(study), names.balls));
+    return written;
+}
+
+RunPictures run_picture_names(std::filesystem::path const& file)
+{
+    return {picture_part(file, "error"), picture_part(file, "spectrum"), picture_part(file, "efficiency")};
+}
+
+void check_run_pictures(std::filesystem::path const& file)
+{
+    auto const names = run_picture_names(file);
+    report::check_pictures({names.error, names.spectrum, names.efficiency});
+}
+
+std::vector<WrittenFile> write_run_pictures(RunStudy const& study, std::filesystem::path const& file)
+{
+    check_run_pictures(file);
+    auto const names = run_picture_names(file);
+    std::vector<WrittenFile> written = {
+        write_drawing("picture_error", report::run_error_script(study), names.error),
+        write_drawing("picture_spectrum", report::run_spectrum_script(study), names.spectrum)};
+    if (study.losses)
+        written.push_back(write_drawing("picture_efficiency", report::run_efficiency_script(study), names.efficiency));
     return written;
 }
 

@@ -11,6 +11,7 @@
 #include "hdconj/accuracy_files.hpp"
 #include "hdconj/contact.hpp"
 #include "hdconj/inspect.hpp"
+#include "hdconj/running.hpp"
 #include "hdconj/solution.hpp"
 #include "hdconj/wanted_curve.hpp"
 #include "hdconj/wedm.hpp"
@@ -48,6 +49,13 @@ namespace hdconj::report {
 [[nodiscard]] bool has_balls(LoadStudy const& study);
 /// Forces of the balls all round the ring at the largest torque of the case shown. Needs balls.
 [[nodiscard]] std::string load_ball_script(LoadStudy const& study);
+
+/// Transmission error over the wave generator: a curve for each sequence. Needs a sequence.
+[[nodiscard]] std::string run_error_script(RunStudy const& study);
+/// Orders of the transmission error: bars for each sequence. Needs a sequence.
+[[nodiscard]] std::string run_spectrum_script(RunStudy const& study);
+/// Efficiency over torque: a curve for each speed and temperature. Needs losses.
+[[nodiscard]] std::string run_efficiency_script(RunStudy const& study);
 
 /// One tooth space in both faces, the wire of every pass and its circles.
 [[nodiscard]] std::string wire_tooth_script(WireProgram const& program);

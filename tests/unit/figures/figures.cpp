@@ -6,6 +6,7 @@
 #include "figures/inspect_figures.hpp"
 #include "figures/load_figures.hpp"
 #include "figures/measured_figures.hpp"
+#include "figures/running_figures.hpp"
 #include "figures/summary_figures.hpp"
 #include "figures/wire_figures.hpp"
 #include "support/catch.hpp"
@@ -78,6 +79,13 @@ TEST_CASE("docs/reference/json.md and docs/reference/hdf5.md name every figure o
     collect(figures::pitch_rows(), keys, columns);
     collect(figures::plane_rows(), keys, columns);
     collect(figures::eccentricity_rows(), keys, columns);
+    collect(figures::run_study_figures(), keys, columns);
+    collect(figures::run_sequence_figures(true), keys, columns);
+    collect(figures::run_position_rows(true), keys, columns);
+    collect(figures::run_order_rows(), keys, columns);
+    collect(figures::efficiency_rows(), keys, columns);
+    collect(figures::run_loss_figures(), keys, columns);
+    collect(figures::back_driving_figures(), keys, columns);
     collect(figures::level_figures(), keys, none);
     collect(figures::advice_figures(), keys, none);
     keys.merge(std::set<std::string>(summary));

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "running_figures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numbers>
+
+#include "number_text.hpp"
+
+namespace hdconj::figures {
+
+using namespace unit;
+
+namespace {
+
+inline constexpr Unit arcsec{"rad", "arcsec", "arcsec", 60 * per_arcmin};
+inline constexpr Unit rpm{"rad/s", "rpm", "rpm", 60 / (2 * std::numbers::pi)};
+inline constexpr Unit celsius{"degC", "degC", "deg C"};
+inline constexpr Unit turn{"rad", "deg", "deg", per_deg};
+
+constexpr std::array error_figures = {
+    pair<&RunSequence::peak_to_peak, &RunSequence::peak_to_peak_error>(
+        "peak_to_peak", arcsec, "transmission error, peak to peak over the positions",
+        {"peak to peak", significant<3>, two_digits}),
+    pair<&RunSequence::rms, &RunSequence::rms_error>("rms", arcsec, "its root mean square about the mean",
+                                                     {"rms", significant<3>, two_digits}),
+    figure<&RunSequence::seconds>("seconds", second, "wall time", {"time", significant<3>})
+        .keyed("time")
+        .without(hdf5)};
+
+constexpr std::array torque_figures = {
+    pair<&RunSequence::mean_torque, &RunSequence::mean_torque_error>(
+        "mean_torque", newton_metre, "on the wave generator without friction, mean over the positions",
+        {"mean", significant<4>, two_digits}),
+    pair<&RunSequence::torque_ripple, &RunSequence::torque_ripple_error>(
+        "torque_ripple", newton_metre, "peak to peak of that torque", {"ripple", significant<3>, two_digits})};
+
+template <class Row, std::size_t n, std::size_t m>
+constexpr auto both(std::array<Row, n> const& first, std::array<Row, m> const& second)
+{
+    std::array<Row, n + m> all{};
+    std::ranges::copy(second, std::ranges::copy(first, all.begin()).out);
+    return all;
+}
+
+constexpr std::array place_rows = {
+    figure<&RunPosition::angle>("angle", turn, "of the wave generator against the ring that is held"),
+    figure<&RunPosition::error>("error", arcsec, "transmission error: by how much the output is ahead")};
+
+constexpr std::array torque_rows = {
+    figure<&RunPosition::wave_generator_torque>("wave_generator_torque", newton_metre,
+                                                "on the wave generator without friction, by its bearing"),
+    figure<&RunPosition::torque_by_teeth>("torque_by_teeth", newton_metre, "the same by the forces of the teeth")};
+
+}  // namespace
+
+Rows<RunStudy> run_study_figures()
+{
+    using T = RunStudy;
+    static constexpr std::array rows = {
+        figure<&T::ratio>("ratio", one, "turns of the wave generator for one of the output", {"ratio", decimals<4>}),
+        figure<&T::torque>("torque", newton_metre, "largest torque on the output; 0: first contact only",
+                           {"torque on the output", significant<5>}),
+        figure<&T::spline_torque>("spline_torque", newton_metre, "the same on the circular spline",
+                                  {"on the circular spline", significant<5>}),
+        figure<&T::backlash_offset>("backlash_offset", um, "side clearance of the flanks",
+                                    {"side clearance", fixed<2>})};
+    return Rows<T>(rows);
+}
+
+Rows<RunSequence> run_sequence_figures(bool under_torque)
+{
+    static constexpr std::array all = both(error_figures, torque_figures);
+    return under_torque ? Rows<RunSequence>(all) : Rows<RunSequence>(error_figures);
+}
+
+Rows<RunPosition> run_position_rows(bool under_torque)
+{
+    static constexpr std::array all = both(place_rows, torque_rows);
+    return under_torque ? Rows<RunPosition>(all) : Rows<RunPosition>(place_rows);
+}
+
+Rows<RunOrder> run_order_rows()
+{
+    using T = RunOrder;
+    static constexpr std::array rows = {
+        figure<&T::per_input>("per_input", one, "periods in a turn of the wave generator",
+                              {"per input turn", significant<5>}),
+        figure<&T::per_output>("per_output", one, "periods in a turn of the output"),
+        figure<&T::amplitude>("amplitude", arcsec, "of amplitude cos(per_input angle - phase)",
+                              {"amplitude", significant<3>}),
+        figure<&T::phase>("phase", turn, "of the same")};
+    return Rows<T>(rows);
+}
+
+Rows<EfficiencyRow> efficiency_rows()
+{
+    using T = EfficiencyRow;
+    static constexpr std::array rows = {
+        figure<&T::torque>("torque", newton_metre, "on the output", {"torque", significant<4>}),
+        figure<&T::speed>("speed", rpm, "of the wave generator", {"speed", significant<5>}),
+        figure<&T::temperature>("temperature", celsius, "of the lubricant", {"temperature", significant<4>}),
+        pair<&T::efficiency, &T::efficiency_error>("efficiency", one,
+                                                   "power of the output over that of the wave generator",
+                                                   {"efficiency", fixed<1>, two_digits, &percent}),
+        figure<&T::input_torque>("input_torque", newton_metre,
+                                 "that drives the wave generator; at torque 0 the no-load running torque",
+                                 {"input", significant<4>}),
+        figure<&T::flanks>("flank_loss", newton_metre, "part that sliding flanks take", {"flanks", significant<3>}),
+        figure<&T::bearing_load>("bearing_load_loss", newton_metre, "that of the bearing under load, M1",
+                                 {"bearing M1", significant<3>}),
+        figure<&T::bearing_speed>("bearing_speed_loss", newton_metre, "that of the bearing's lubricant, M0",
+                                  {"bearing M0", significant<3>}),
+        figure<&T::seal>("seal_loss", newton_metre, "of the seals", {"seals", significant<3>}),
+        figure<&T::churning>("churning_loss", newton_metre, "of the lubricant around the wave generator",
+                             {"churning", significant<3>})};
+    return Rows<T>(rows);
+}
+
+Rows<RunLosses> run_loss_figures()
+{
+    using T = RunLosses;
+    static constexpr std::array rows = {
+        figure<&T::starting_torque>("starting_torque", newton_metre,
+                                    "turns the wave generator from rest, without torque on the output",
+                                    {"starting torque", significant<4>}),
+        figure<&T::ball_load>("ball_load", newton, "sum of the forces of the balls at the largest torque",
+                              {"sum of ball forces", significant<4>}),
+        figure<&T::bearing_diameter>("bearing_diameter", mm, "mean diameter of the wave generator's bearing",
+                                     {"mean bearing diameter", decimals<3>}),
+        figure<&T::largest_sliding>("largest_sliding", mm_per_rad,
+                                    "of loaded flanks for each rad of the wave generator",
+                                    {"largest sliding", significant<3>})};
+    return Rows<T>(rows);
+}
+
+Rows<BackDriving> back_driving_figures()
+{
+    using T = BackDriving;
+    static constexpr std::array rows = {pair<&T::torque, &T::error>(
+        "back_driving_torque", newton_metre, "on the output, at which the wave generator begins to turn",
+        {"back-driving torque", significant<3>, two_digits})};
+    return Rows<T>(rows);
+}
+
+std::string span_words(RunSpan span)
+{
+    return span == RunSpan::tooth_pitch  ? "one tooth pitch"
+           : span == RunSpan::input_turn ? "a turn of the wave generator, at whole pitches"
+                                         : "until both rings meet as before, at whole pitches";
+}
+
+RunOrder const* largest_order(RunSequence const& sequence)
+{
+    auto const found = std::ranges::max_element(sequence.orders, {}, &RunOrder::amplitude);
+    return found == sequence.orders.end() ? nullptr : &*found;
+}
+
+}  // namespace hdconj::figures

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <memory>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "contact/study/surface_choices.hpp"
+#include "hdconj/error.hpp"
+#include "hdconj/running.hpp"
+#include "load/model/ring_errors.hpp"
+#include "load/study/grid_error.hpp"
+#include "load/study/load_case.hpp"
+#include "load/study/loaded_scene.hpp"
+#include "part_of_case.hpp"
+#include "running/losses.hpp"
+#include "running/run_scene.hpp"
+#include "running/sequences.hpp"
+
+namespace hdconj {
+namespace {
+
+using running::SequenceObserver;
+using running::SpanPlan;
+
+/// Which rings of teeth have errors that differ from tooth to tooth.
+struct RingsWithErrors
+{
+    explicit RingsWithErrors(Scene const& scene, running::RunningMotion const& motion)
+    {
+        bool const cup = scene.errors && scene.errors->flexspline,
+                   spline = scene.errors && scene.errors->circular_spline;
+        held = motion.turns_cup() ? spline : cup;
+        turning = motion.turns_cup() ? cup : spline;
+    }
+    bool held = false, turning = false;
+};
+
+/// Sequences that @p scene calls for: over a tooth pitch always; over a turn of the wave generator against a ring that
+/// has errors; over a turn of the output, first contacts only, where both have.
+struct Spans
+{
+    SpanPlan pitch;
+    std::optional<SpanPlan> input, output;
+};
+
+Spans spans_of(Scene const& scene, running::RunTask const& task)
+{
+    // a balance of the whole ring takes seconds, a first contact milliseconds: 16 times as many as over a tooth pitch
+    constexpr int under_torque = 32, first_contacts_each = 16, positions_per_turn = 16;
+    RingsWithErrors const rings(scene, task.motion);
+    Spans spans{running::tooth_pitch_plan(task.positions), {}, {}};
+    int const held = task.motion.held_teeth();
+    if (rings.held || rings.turning)
+        spans.input = running::whole_pitch_plan(
+            RunSpan::input_turn, rings.held ? held : task.motion.turning_teeth(),
+            task.torque > 0 ? std::max(under_torque, task.positions) : first_contacts_each * task.positions);
+    if (rings.held && rings.turning) {
+        int const period = std::lcm(held, task.motion.turning_teeth());
+        spans.output = running::whole_pitch_plan(RunSpan::output_turn, period, period / held * positions_per_turn);
+    }
+    return spans;
+}
+
+/// Tells how many of all positions are done.
+class PositionProgress
+{
+  public:
+    PositionProgress(Progress progress, std::size_t all) : progress_(std::move(progress)), all_(all) {}
+    void step()
+    {
+        ++done_;
+        if (progress_)
+            progress_("run", std::min(1.0, static_cast<double>(done_) / static_cast<double>(all_)));
+    }
+
+  private:
+    Progress progress_;
+    std::size_t all_, done_ = 0;
+};
+
+/// Adds a sequence that has positions.
+void add(RunSequence sequence, RunStudy& study)
+{
+    if (!sequence.positions.empty())
+        study.sequences.push_back(std::move(sequence));
+}
+
+/// First contacts in the shape that the scene prescribes. The flanks are as exact as the solver's tolerance.
+void run_prescribed(contact::ContactStudyData& data, running::RunTask const& task, SequenceObserver const& observer,
+                    surface::SurfaceSpec const& spec, RunStudy& study)
+{
+    contact::ContactContext const& context = *data.context;
+    contact::FlankSurface const surface = contact::flank_surface(context, spec);
+    study.backlash_offset = surface.offset;
+    Spans const spans = spans_of(context.scene, task);
+    auto const turn_at = [&](double pitches) {
+        return running::first_contact(context, surface.grid, task.motion, pitches);
+    };
+    double const angle = 2 * context.tolerance.length / context.geometry.r_m;
+    for (SpanPlan const* plan :
+         {&spans.pitch, spans.input ? &*spans.input : nullptr, spans.output ? &*spans.output : nullptr}) {
+        if (plan == nullptr)
+            continue;
+        RunSequence sequence = running::first_contacts(*plan, task.motion, turn_at, observer);
+        sequence.peak_to_peak_error += 2 * angle;
+        sequence.rms_error += angle;
+        sequence.estimated = true;
+        add(std::move(sequence), study);
+    }
+    pipeline::write_part(study.solution, data, spec, surface.tip, surface.offset);
+}
+
+/// The same drive on the grid asked for and, where there is one, on the coarse grid.
+struct GridPair
+{
+    running::TurningDrive const& fine;
+    running::TurningDrive const* coarse;  ///< null: none
+    double safety;                        ///< of the difference of both in losses
+    /// The same of sequences, whose difference is taken at its largest: a quarter. Of type-50 at 5 to 33 slices, with
+    /// one outline and with one for each slice, the error so found was at least twice the distance from the finest.
+    [[nodiscard]] double safety_of_sequences() const { return safety / 4; }
+};
+
+void run_elastic_span(SpanPlan const& plan, GridPair const& drives, running::RunTask const& task,
+                      SequenceObserver const& observer, bool under_torque, RunStudy& study)
+{
+    SequenceObserver const silent{observer.stop, observer.on_position, {}};
+    auto const sequence_of = [&](running::TurningDrive const& drive, SequenceObserver const& told) {
+        return under_torque
+                   ? running::balanced(plan, drive, task.motion, task.torque, told)
+                   : running::first_contacts(
+                         plan, task.motion, [&](double pitches) { return drive.first_contact(pitches); }, told);
+    };
+    RunSequence sequence = sequence_of(drives.fine, observer);
+    if (drives.coarse != nullptr)
+        running::add_grid_error(sequence, sequence_of(*drives.coarse, silent), drives.safety_of_sequences());
+    add(std::move(sequence), study);
+}
+
+/// Everything of an elastic drive.
+void run_elastic(contact::ContactStudyData& data, running::RunTask const& task, RunOptions const& options,
+                 SequenceObserver const& observer, surface::SurfaceSpec const& spec, RunStudy& study)
+{
+    contact::ContactContext const& context = *data.context;
+    load::LoadGrid const grid = load::load_grid(context);
+    load::LoadModel model = data.clock.value_of(Stage::influence, [&] { return load::load_model(context, grid); });
+    load::AssembledDrive const fine = data.clock.value_of(Stage::assembly, [&] {
+        load::LoadedDrive unloaded = load::assembly(context, model.drive);
+        return load::AssembledDrive{grid, std::move(model), std::move(unloaded)};
+    });
+    load::SurfaceWithPlay const assembled = load::surface_with_play(context, fine, spec);
+    study.backlash_offset = assembled.surface.offset;
+    contact::FlankGrid const& flanks = assembled.surface.grid;
+    double const middle = load::middle_of(assembled.play);
+    running::TurningDrive const drive(context, fine, flanks, task.motion, middle);
+    std::vector<load::AssembledDrive> const coarse = load::coarser_drives(context, options.errors ? 1 : 0);
+    std::optional<contact::FlankGrid> coarse_flanks;
+    std::optional<running::TurningDrive> coarse_drive;
+    if (!coarse.empty()) {
+        coarse_flanks = load::coarsened(flanks);
+        coarse_drive.emplace(context, coarse.front(), *coarse_flanks, task.motion, middle);
+    }
+    GridPair const drives{drive, coarse_drive ? &*coarse_drive : nullptr, load::grid_safety(flanks.slices())};
+    Spans const spans = spans_of(context.scene, task);
+    data.clock.run(Stage::load, [&] {
+        for (SpanPlan const* plan : {&spans.pitch, spans.input ? &*spans.input : nullptr})
+            for (bool const under_torque : {false, true})
+                if (plan != nullptr)
+                    run_elastic_span(*plan, drives, task, observer, under_torque, study);
+        if (spans.output)
+            run_elastic_span(*spans.output, {drive, nullptr, 0}, task, observer, false, study);
+        if (!context.scene.friction)
+            return;
+        auto const runs = running::loaded_runs(drive, task, observer);
+        SequenceObserver const silent{observer.stop, observer.on_position, {}};
+        auto const others = coarse_drive ? running::loaded_runs(*coarse_drive, task, silent) : decltype(runs)();
+        running::LossModel const losses{
+            *context.scene.friction, task.motion,
+            running::bearing_diameter(context.scene, context.geometry.flexspline_inner_radius)};
+        if (!runs.empty())
+            study.losses = running::run_losses(losses, task, runs, others, drives.safety);
+    });
+    pipeline::write_part(study.solution, data, spec, assembled.surface.tip, assembled.surface.offset);
+}
+
+/// Positions of all sequences, on both grids.
+std::size_t positions_of(Scene const& scene, running::RunTask const& task, bool errors)
+{
+    Spans const spans = spans_of(scene, task);
+    std::size_t const grids = task.torque > 0 && errors ? 2 : 1, states = task.torque > 0 ? 2 : 1;
+    std::size_t all = grids * states * (spans.pitch.pitches.size() + (spans.input ? spans.input->pitches.size() : 0));
+    if (spans.output)
+        all += spans.output->pitches.size();
+    return all + (scene.friction ? grids * running::loss_positions : 0);
+}
+
+}  // namespace
+
+RunStudy study_run(Scene const& scene, RunOptions const& options, StageObserver const& on_stage,
+                   Progress const& progress)
+{
+    Scene const checked = running::checked_run_scene(scene, options);
+    running::RunTask const task = running::run_task(checked, options);
+    bool const elastic = task.torque > 0;
+    std::unique_ptr<contact::ContactStudyData> const data =
+        elastic ? load::contact_data(checked, on_stage).data
+                : std::make_unique<contact::ContactStudyData>(checked, Verb::load, on_stage);
+    RunStudy study;
+    study.output = task.motion.output;
+    study.ratio = task.motion.ratio();
+    study.elastic = elastic;
+    study.torque = task.torque;
+    study.spline_torque = task.motion.spline_torque(task.torque);
+    study.solution = data->middle;
+    PositionProgress told(progress, positions_of(checked, task, options.errors));
+    SequenceObserver const observer{options.stop, [&] { told.step(); },
+                                    [&](std::string const& cause) { study.missing.push_back(cause); }};
+    surface::SurfaceSpec const spec = contact::surface_choices(checked, {}).front();
+    if (elastic)
+        run_elastic(*data, task, options, observer, spec, study);
+    else
+        data->clock.run(Stage::load, [&] { run_prescribed(*data, task, observer, spec, study); });
+    if (study.sequences.empty() && options.stop && options.stop())
+        throw NumericalError(ErrorCode::stopped, "run", "positions", "the run was stopped before the first");
+    if (study.sequences.empty())
+        throw NumericalError(ErrorCode::not_converged, "run", "positions of the wave generator", study.missing.front(),
+                             "write a smaller torque, or another circular_spline.backlash_offset");
+    study.solution.plan = plan_run(scene, options);
+    study.solution.scene = scene;
+    std::vector<StageTime> const times = data->clock.times();
+    study.solution.timing.insert(study.solution.timing.end(), times.begin(), times.end());
+    return study;
+}
+
+}  // namespace hdconj

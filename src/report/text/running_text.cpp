@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
+#include "figures/number_text.hpp"
+#include "figures/running_figures.hpp"
+#include "hdconj/running_files.hpp"
+#include "summary_page.hpp"
+
+namespace hdconj::report {
+namespace {
+
+/// A figure, none of which is negative, with its error; where that exceeds a third of it, what it is at most.
+template <class Record>
+std::string told_with_error(figures::Rows<Record> const& rows, Record const& record, char const* name, bool estimated)
+{
+    auto const& row = rows[name];
+    if (!estimated)
+        return row.value_with_unit(record) + " (no error estimate)";
+    double const value = row.value(record), error = row.error(record);
+    if (figures::is_unconverged(value, error))
+        return "at most " + row.text.error(row.text_unit().shown(value + error)) + " " + row.text_unit().text;
+    return row.value_text(record) + " +- " + row.error_text(record) + " " + row.text_unit().text;
+}
+
+void write_sequence(Page& page, RunSequence const& sequence)
+{
+    bool const under_torque = sequence.torque != 0;
+    auto const rows = figures::run_sequence_figures(under_torque);
+    page.line("\n{}, {} positions, {}", figures::span_words(sequence.span), sequence.positions.size(),
+              under_torque ? fmt::format("{:g} N m", sequence.torque * per_newton_metre) : "unloaded");
+    page.line("  transmission error        {}, rms {}",
+              told_with_error(rows, sequence, "peak_to_peak", sequence.estimated),
+              told_with_error(rows, sequence, "rms", sequence.estimated));
+    std::vector<RunOrder> largest = sequence.orders;
+    std::ranges::sort(largest, std::ranges::greater(), &RunOrder::amplitude);
+    constexpr std::size_t shown = 3;
+    std::string orders;
+    for (std::size_t i = 0; i < std::min(shown, largest.size()); ++i) {
+        Told const told(figures::run_order_rows(), largest[i]);
+        orders += (i > 0 ? ", " : "") + told.with_unit("amplitude") + " at " + told("per_input");
+    }
+    if (!orders.empty())
+        page.line("  largest orders            {} per input turn", orders);
+    if (under_torque)
+        page.line("  wave generator torque     {}, ripple {}, without friction",
+                  told_with_error(rows, sequence, "mean_torque", true),
+                  told_with_error(rows, sequence, "torque_ripple", true));
+    page.line("  time                      {}", rows["seconds"].value_with_unit(sequence));
+}
+
+void write_efficiency(Page& page, RunLosses const& losses)
+{
+    auto const rows = figures::efficiency_rows();
+    page.line("\n{:>12} {:>8} {:>8} {:>12} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}", "temperature", "speed", "torque",
+              "efficiency", "+-", "input", "flanks", "M1", "M0", "seals", "churning");
+    page.line("{:>12} {:>8} {:>8} {:>12} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}", "deg C", "rpm", "N m", "%", "%",
+              "N m", "N m", "N m", "N m", "N m", "N m");
+    for (EfficiencyRow const& each : losses.efficiency) {
+        Told const told(rows, each);
+        page.line("{:>12} {:>8} {:>8} {:>12} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}", told("temperature"),
+                  told("speed"), told("torque"), told("efficiency"), losses.estimated ? told.error("efficiency") : "-",
+                  told("input_torque"), told("flank_loss"), told("bearing_load_loss"), told("bearing_speed_loss"),
+                  told("seal_loss"), told("churning_loss"));
+    }
+    page.line(
+        "  input: torque that drives the wave generator, at torque 0 the no-load running torque; behind it what "
+        "is lost of it");
+}
+
+void write_losses(Page& page, RunLosses const& losses)
+{
+    auto const rows = figures::run_loss_figures();
+    page.line("\nfriction");
+    page.figure(rows["starting_torque"], losses, "on the wave generator, no torque on the output");
+    if (losses.back_driving) {
+        figures::BackDriving const back{*losses.back_driving, losses.back_driving_error};
+        page.line("  back-driving torque       {}, on the output",
+                  told_with_error(figures::back_driving_figures(), back, "back_driving_torque", losses.estimated));
+    } else
+        page.figure("back-driving torque", "not found", "up to the largest torque");
+    page.figure(rows["ball_load"], losses, "at the largest torque");
+    page.figure(rows["bearing_diameter"], losses);
+    page.figure(rows["largest_sliding"], losses, "of loaded flanks, for each rad of the wave generator");
+    write_efficiency(page, losses);
+}
+
+}  // namespace
+}  // namespace hdconj::report
+
+namespace hdconj {
+
+std::string summary_text(RunStudy const& study, std::vector<WrittenFile> const& written)
+{
+    report::Page page;
+    report::write_drive(page, study.solution);
+    auto const rows = figures::run_study_figures();
+    page.line("\nrunning: the {} turns, {}", study.output == RunningMember::flexspline ? "cup" : "circular spline",
+              study.elastic ? "elastic cup" : "in the shape that the scene prescribes");
+    page.figure(rows["ratio"], study, "turns of the wave generator for one of the output");
+    if (study.torque > 0) {
+        page.figure(rows["torque"], study);
+        page.figure(rows["spline_torque"], study);
+    }
+    page.figure(rows["backlash_offset"], study, "of the flanks");
+    for (RunSequence const& each : study.sequences)
+        report::write_sequence(page, each);
+    if (study.losses)
+        report::write_losses(page, *study.losses);
+    std::vector<std::string> notes = study.solution.notes;
+    notes.insert(notes.end(), study.missing.begin(), study.missing.end());
+    report::write_notes(page, notes);
+    report::write_end(page, study.solution, written);
+    return page.text();
+}
+
+}  // namespace hdconj

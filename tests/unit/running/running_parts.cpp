@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+/// @file
+/// Parts of a running drive: orders, errors that go back, lubricant, bearing, flanks.
+#include <cmath>
+#include <numbers>
+#include <numeric>
+#include <vector>
+
+#include "hdconj/units.hpp"
+#include "running/friction_loss.hpp"
+#include "running/sequences.hpp"
+#include "running/spectrum.hpp"
+#include "support/catch.hpp"
+
+namespace hdconj::test::running_part_cases {
+
+namespace {
+
+using std::numbers::pi;
+
+constexpr double rpm = 2 * pi / 60;
+
+running::LossModel loss_model(Friction const& friction)
+{
+    Drive drive;
+    drive.flexspline_teeth = 200;
+    drive.circular_spline_teeth = 202;
+    return {friction, running::RunningMotion(drive, RunningMember::flexspline), 40};
+}
+
+}  // namespace
+
+TEST_CASE("harmonics are those that a function was made of", "[running]")
+{
+    std::vector<double> x, f;
+    for (int i = 0; i < 37; ++i) {
+        x.push_back(2 * pi * i / 37 + 0.01 * std::sin(i));  // uneven
+        f.push_back(7 + 2 * std::cos(3 * x.back() - 0.4) + 0.5 * std::cos(11 * x.back() + 1));
+    }
+    for (running::Harmonic const& each : running::harmonics(x, f, 15)) {
+        CAPTURE(each.order);
+        double const is = each.order == 3 ? 2 : each.order == 11 ? 0.5 : 0;
+        CHECK(std::abs(each.amplitude - is) < 1e-12);
+        if (is > 0)
+            CHECK(each.phase == Approx(each.order == 3 ? 0.4 : -1).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("whole pitches move the errors of both rings and leave the phase", "[running]")
+{
+    Drive drive;
+    drive.flexspline_teeth = 200;
+    drive.circular_spline_teeth = 202;
+    running::RunningMotion const motion(drive, RunningMember::flexspline);
+    CHECK(motion.ratio() == 100);
+    CHECK(running::RunningMotion(drive, RunningMember::circular_spline).ratio() == 101);
+    running::RingPlace const place = running::ring_place(motion, 7.25);
+    CHECK(place.pitches == 7);
+    CHECK(place.phase == Approx(-0.25 * 2 * pi / 200));
+    CHECK(running::ring_place(motion, -0.5).pitches == -1);
+    CHECK(running::ring_place(motion, 0.5).pitches == 0);
+    contact::FlankDeviation errors;
+    errors.teeth.resize(5);
+    errors.teeth[3].turn = 1;
+    CHECK(running::gone_back(errors, 1).teeth[2].turn == 1);
+    CHECK(running::gone_back(errors, -3).teeth[1].turn == 1);
+    CHECK(running::gone_back(errors, 5).teeth[3].turn == 1);
+}
+
+TEST_CASE("positions at whole pitches are whole and fill the period", "[running]")
+{
+    auto const plan = running::whole_pitch_plan(RunSpan::input_turn, 202, 32);
+    REQUIRE(plan.pitches.size() == 32);
+    for (std::size_t i = 0; i < plan.pitches.size(); ++i) {
+        CHECK(plan.pitches[i] == std::round(plan.pitches[i]));
+        CHECK(std::abs(plan.pitches[i] - 202.0 * static_cast<double>(i) / 32) <= 0.5);
+    }
+    CHECK(running::whole_pitch_plan(RunSpan::input_turn, 12, 32).pitches.size() == 12);
+}
+
+TEST_CASE("viscosity goes through both values and falls between them", "[running]")
+{
+    Friction friction;
+    friction.viscosity_40 = 100;
+    friction.viscosity_100 = 11;
+    CHECK(running::viscosity(friction, 40) == Approx(100));
+    CHECK(running::viscosity(friction, 100) == Approx(11));
+    // ISO VG 100 of viscosity index 95: the chart of ASTM D341 gives some 30 mm^2/s at 70 degrees
+    CHECK(running::viscosity(friction, 70) > 26);
+    CHECK(running::viscosity(friction, 70) < 31);
+    CHECK(running::viscosity(friction, 0) > running::viscosity(friction, 20));
+}
+
+TEST_CASE("Palmgren's torque of the lubricant is continuous where its two laws meet", "[running]")
+{
+    Friction friction;
+    friction.bearing_speed = 2;
+    double const below = running::lubricant_torque(friction, 40, 20, 99 * rpm),
+                 above = running::lubricant_torque(friction, 40, 20, 101 * rpm);
+    CHECK(below == Approx(160e-7 * 2 * 40 * 40 * 40));
+    CHECK(above == Approx(below).epsilon(0.02));
+    CHECK(running::lubricant_torque(friction, 40, 20, 800 * rpm) ==
+          Approx(1e-7 * 2 * std::pow(16000, 2.0 / 3) * 64000));
+}
+
+TEST_CASE("the equivalent load of a bearing is that of forces that go with cos^(3/2)", "[running]")
+{
+    Friction friction;
+    friction.bearing_load = 1;
+    double load = 0, sum = 0;  // of 10000 balls on one half
+    for (int i = 0; i < 10000; ++i) {
+        double const cosine = std::cos(pi * (i + 0.5) / 10000 - pi / 2);
+        sum += std::pow(cosine, 1.5);
+        load += std::pow(cosine, 2.5);
+    }
+    CHECK(running::load_torque(friction, 1, sum) == Approx(load).epsilon(1e-4));
+}
+
+TEST_CASE("flanks rub by Coulomb's law, or by Stribeck's from rest on", "[running]")
+{
+    Friction friction;
+    friction.flanks = 0.08;
+    CHECK(running::flank_coefficient(friction, 0) == 0.08);
+    CHECK(running::flank_coefficient(friction, 1e3) == 0.08);
+    friction.flanks_at_rest = 0.12;
+    friction.stribeck_speed = 20;
+    CHECK(running::flank_coefficient(friction, 0) == Approx(0.12));
+    CHECK(running::flank_coefficient(friction, 20) == Approx(0.08 + 0.04 / std::exp(1.0)));
+}
+
+TEST_CASE("without losses the efficiency is 1, and a constant loss takes all of a small torque", "[running]")
+{
+    running::LoadedRun run{1000, {{{{10, 0.5, 0}}, 1}}, 300};
+    EfficiencyRow const none = running::efficiency_at(loss_model({}), run, 100, 40);
+    CHECK(none.efficiency == 1);
+    CHECK(none.input_torque == 10);
+    Friction friction;
+    friction.seal = 5;
+    double last = -1;
+    for (double const torque : {0.0, 1.0, 100.0, 1e6}) {
+        run.torque = torque;
+        double const now = running::efficiency_at(loss_model(friction), run, 100, 40).efficiency;
+        CHECK(now == Approx(torque / 100 / (torque / 100 + 5)));
+        CHECK(now > last);
+        last = now;
+    }
+    // 10 N slide by 0.5 mm/rad of the cup, which passes the wave generator 1.01 times as fast
+    friction = {};
+    friction.flanks = 0.1;
+    CHECK(running::efficiency_at(loss_model(friction), run, 100, 40).flanks == Approx(0.1 * 10 * 0.5 * 1.01));
+}
+
+TEST_CASE("the wave generator is driven back where the torque has overcome what rests", "[running]")
+{
+    Friction friction;
+    friction.flanks = 0.1;
+    friction.seal = 5;
+    auto const run_at = [](double torque) { return running::LoadedRun{torque, {{{{torque / 20, 0.5, 0}}, 1}}, 0}; };
+    // T/100 = 5 + 0.1 T/20 0.5 1.01
+    double const is = 5 / (0.01 - 0.1 * 0.5 * 1.01 / 20);
+    auto const found = running::back_driving_torque(loss_model(friction), {run_at(0), run_at(500), run_at(1000)});
+    REQUIRE(found);
+    CHECK(*found == Approx(is));
+    CHECK_FALSE(running::back_driving_torque(loss_model(friction), {run_at(0), run_at(is / 2)}));
+}
+
+TEST_CASE("figures of a sequence are those of the function that it samples", "[running]")
+{
+    Drive drive;
+    drive.flexspline_teeth = 200;
+    drive.circular_spline_teeth = 202;
+    running::RunningMotion const motion(drive, RunningMember::flexspline);
+    auto const plan = running::whole_pitch_plan(RunSpan::input_turn, 202, 64);
+    RunSequence const found = running::first_contacts(
+        plan, motion, [&](double pitches) { return -3e-6 * std::cos(2 * pi * 4 * pitches / 202) / motion.turn_rate(); },
+        {});
+    CHECK(found.peak_to_peak == Approx(6e-6).epsilon(0.02));
+    CHECK(found.rms == Approx(3e-6 / std::sqrt(2)).epsilon(0.01));
+    for (RunOrder const& each : found.orders) {
+        CHECK(each.per_output == Approx(100 * each.per_input));
+        CHECK(std::abs(each.amplitude - (std::lround(each.per_input) == 4 ? 3e-6 : 0)) < 1e-15);
+    }
+}
+
+}  // namespace hdconj::test::running_part_cases
