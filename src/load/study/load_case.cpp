@@ -90,7 +90,7 @@ LoadCase assembled_case(contact::ContactContext const& context, surface::Surface
 /// Whether the drive under a torque is the mirror image of itself under the opposite one.
 bool is_mirror_image(contact::ContactContext const& context)
 {
-    return contact::has_mirrored_flanks(context) && !has_ring_errors(context.scene) &&
+    return contact::has_mirrored_flanks(context) && !break_the_mirror(context.scene) &&
            context.request.wave_generator == 0 && context.scene.bearing->ball_phase == 0;
 }
 
