@@ -238,7 +238,7 @@ std::vector<BadScene> const& wrong_tables()
         {"errors of another ring", "", "[errors.bearing]\neccentricity = 0.001\n", "errors.bearing", "unknown", ""},
         {"profile of the flexspline in two tables", "[drive]",
          "[errors]\nprofile_slope = 0.002\n[errors.flexspline]\nprofile_slope = 0.001\n[drive]",
-         "errors.flexspline.profile_slope", "says the same", "remove one", 4},
+         "errors.flexspline.profile_slope", "says the same", "remove one"},
         {"form of the circular spline out of order", "",
          "[errors.circular_spline]\nprofile_form = [[0, 0], [0.1, 0], [0.05, 0], [0.2, 0]]\n",
          "errors.circular_spline.profile_form", "do not grow", "each height once"},

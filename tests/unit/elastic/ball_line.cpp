@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "elastic/wave_generator_contact.hpp"
@@ -175,6 +176,22 @@ TEST_CASE("points that the ring's harmonics cannot tell apart are refused", "[ba
     CHECK_THROWS_AS(ball_line({}, 2, contacts, 16, false), NumericalError);
     elastic::BallLine const line = elastic::ball_line(surface, 2, contacts, 16, false);
     CHECK((line.stiffness - line.stiffness.transpose()).norm() == 0);
+}
+
+TEST_CASE("a cam that is shifted moves the ring on its balls as a whole and bends nothing", "[balls]")
+{
+    constexpr double turned = 0.3, shift = 0.25;
+    auto const cam = cosine_series(16, false, turned, 1);
+    for (std::optional<double> const stiffness : {std::optional<double>(), std::optional<double>(2000)}) {
+        elastic::Bearing bearing = bearing_with_ring(0);
+        bearing.ring->radial_stiffness = stiffness;
+        elastic::BearingSurface const surface = elastic::bearing_surface(bearing, inner_radius, cam, {6, 9, 12});
+        for (Index z = 0; z < 3; ++z) {
+            CHECK(surface.cosine(z, 1) == Approx(shift * std::cos(turned)).epsilon(1e-8));
+            CHECK(surface.sine(z, 1) == Approx(shift * std::sin(turned)).epsilon(1e-8));
+        }
+        CHECK(std::abs(surface.reaction_to_lift[1]) < 1e-6 * surface.reaction_to_lift[2]);
+    }
 }
 
 }  // namespace hdconj::test::ball_line_cases
