@@ -60,8 +60,8 @@ void add_init(CLI::App& program, CommonOptions& common)
     verb.add_flag("--force", own.force, "write over a file that is there");
     verb.add_flag("-q,--quiet", common.quiet, "no talk on standard error");
     verb.footer(
-        "A ready drive has the ratio 100, a cup half as long as its pitch diameter, and all dimensions as\n"
-        "`hdconj design` makes them. They are this program's own, and no maker's.");
+        "A ready drive has the ratio 100, a cup half as long as its pitch diameter, a rated torque, and all\n"
+        "dimensions as `hdconj design` makes them. They are this program's own, and no maker's.");
 }
 
 }  // namespace hdconj::cli

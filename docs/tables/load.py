@@ -466,7 +466,7 @@ def errors(program):
 
 def estimates(program):
     """Distance to a grid four times finer over the estimate, of twelve random drives that chose no factor."""
-    wish = random.Random(505)
+    wish = random.Random(7117)
     found = {}
     for _ in range(12):
         keys, arguments = random_drive(wish)

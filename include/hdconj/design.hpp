@@ -139,17 +139,18 @@ struct Design
 /// without those that have their standard value there.
 [[nodiscard]] std::vector<DesignDifference> differences(Design const& design, Scene const& other);
 
-/// A ready drive, by its pitch diameter.
+/// A ready drive, by its pitch diameter and rated torque.
 struct ReadyDrive
 {
     std::string_view name;  ///< "size-14"
     double diameter;        ///< wish [mm]
+    double torque;          ///< wish [N mm]
 };
 
 /// Drives that `init --like` writes: the sizes that catalogues have, with dimensions of our own by these rules.
 [[nodiscard]] std::vector<ReadyDrive> const& ready_drives();
 
-/// The wishes of the ready drive @p name: ratio 100, a cup half as long as the pitch diameter.
+/// The wishes of the ready drive @p name: ratio 100, a cup half as long as the pitch diameter, its torque.
 /// @throws std::logic_error where no ready drive has that name
 [[nodiscard]] DesignWishes ready_wishes(std::string_view name);
 

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "base/text.hpp"
+#include "hdconj/units.hpp"
 #include "nearest_wishes.hpp"
 #include "wall_search.hpp"
 #include "wishes.hpp"
@@ -96,9 +97,13 @@ Design design_drive(DesignWishes const& wishes, std::function<void(std::string c
 
 std::vector<ReadyDrive> const& ready_drives()
 {
-    // pitch diameters that go with these sizes; the rules round them to standard modules
-    static std::vector<ReadyDrive> const drives{
-        {"size-14", 35}, {"size-17", 43}, {"size-20", 51}, {"size-25", 63}, {"size-32", 82}};
+    // Pitch diameters that go with these sizes; the rules round them to standard modules. Torques grow with the cube of
+    // the diameter, from the 28 N m of type-50 on.
+    static std::vector<ReadyDrive> const drives{{"size-14", 35, 9 * newton_metre},
+                                                {"size-17", 43, 17 * newton_metre},
+                                                {"size-20", 51, 28 * newton_metre},
+                                                {"size-25", 63, 55 * newton_metre},
+                                                {"size-32", 82, 120 * newton_metre}};
     return drives;
 }
 
@@ -110,6 +115,7 @@ DesignWishes ready_wishes(std::string_view name)
         DesignWishes wishes;
         wishes.name = name;
         wishes.diameter = drive.diameter;
+        wishes.torque = drive.torque;
         constexpr double half = 0.5;
         wishes.length_ratio = half;
         return wishes;

@@ -50,7 +50,7 @@ void hold(numeric::Complementarity& problem, RingBlock const& block)
 {
     if (block.compliance.size() == 0)
         return;
-    problem.compliance.block(block.first, block.first, block.rows, block.rows) = block.compliance;
+    problem.compliance.bottomRightCorner(block.rows, block.rows) = block.compliance;
     problem.approach.segment(block.first, block.rows) = block.approach;
 }
 
@@ -93,12 +93,12 @@ void release(numeric::Complementarity& problem, RingBlock& block, BallLine const
 {
     Index const first = block.first, rows = block.rows;
     if (block.compliance.size() == 0) {
-        block.compliance = problem.compliance.block(first, first, rows, rows);
+        block.compliance = problem.compliance.bottomRightCorner(rows, rows);
         block.approach = problem.approach.segment(first, rows);
     }
     MatrixXd const lift = line.lift(Eigen::all, ring.points);
     MatrixXd const eased = ring.stiffness.matrixL().solve((lift * ring.scale.asDiagonal()).transpose());
-    problem.compliance.block(first, first, rows, rows) += eased.transpose() * eased;
+    problem.compliance.bottomRightCorner(rows, rows) += eased.transpose() * eased;
     problem.approach.segment(first, rows) += lift * ring.moved(line.held);
 }
 

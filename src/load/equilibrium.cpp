@@ -2,6 +2,7 @@
 #include "equilibrium.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -29,73 +30,86 @@ double between(PointResponse const& response, Footing const& a, Footing const& b
     return sum;
 }
 
-/// Copies the rows above @p above of the columns [@p begin, @p begin + @p width) from the lower triangle, tile by tile
-/// so that they stay in the cache.
-void mirror_tiles(MatrixXd& a, Index begin, Index width, Index above, Index tile)
+/// Compliance of the flank contacts, with each other and with those of the bearing. A force on a tooth opens gaps of
+/// flanks, a force of the bearing closes them.
+class FlankCompliance
 {
-    for (Index i = 0; i < above; i += tile) {
-        Index const height = std::min(tile, above - i);
-        a.block(i, begin, height, width) = a.block(begin, i, width, height).transpose();
+  public:
+    FlankCompliance(ElasticDrive const& drive, LinearGaps const& gaps, std::size_t flanks,
+                    std::vector<BearingNode> nodes)
+        : response_(drive.response), own_(gaps.compliance.own), couplings_(flanks), nodes_(std::move(nodes))
+    {
+        for (std::size_t i = 0; i < flanks; ++i)
+            feet_.push_back(footing(drive, gaps.contacts[i]));
+        for (LocalCompliance::Coupling const& c : gaps.compliance.couplings) {
+            couplings_[c.first].emplace_back(c.second, c.compliance);
+            couplings_[c.second].emplace_back(c.first, c.compliance);
+        }
     }
-}
 
-/// Compliance between all contacts. The block of the bearing is that of the drive.
-MatrixXd compliance_of(ElasticDrive const& drive, LinearGaps const& gaps, std::size_t flanks,
-                       std::vector<BearingNode> const& nodes, int threads)
-{
-    std::size_t const count = flanks + nodes.size();
-    std::vector<Footing> feet;
-    for (std::size_t i = 0; i < flanks; ++i)
-        feet.push_back(footing(drive, gaps.contacts[i]));
-    MatrixXd a(static_cast<Index>(count), static_cast<Index>(count));
-    auto const first = static_cast<Index>(flanks), bearing = static_cast<Index>(nodes.size());
-    constexpr std::size_t grain = 16;
-    // Columns of flanks from the diagonal down. A force on a tooth opens gaps of flanks, a force of the bearing closes
-    // them.
-    parallel_for(flanks, threads, grain, [&](std::size_t col) {
-        auto const j = static_cast<Index>(col);
-        for (std::size_t row = col; row < flanks; ++row)
-            a(static_cast<Index>(row), j) = between(drive.response, feet[row], feet[col]);
-        for (std::size_t row = 0; row < nodes.size(); ++row) {
-            double& value = a(first + static_cast<Index>(row), j);
-            value = 0;
-            std::size_t const place = drive.response.place(nodes[row].at - feet[col].at);
-            for (std::size_t i = 0; i < 3; ++i)
-                value -= feet[col].share[i] * drive.response.at(nodes[row].height, feet[col].station[i], place);
+    [[nodiscard]] VectorXd diagonal() const
+    {
+        VectorXd result(static_cast<Index>(feet_.size()));
+        for (std::size_t i = 0; i < feet_.size(); ++i)
+            result[static_cast<Index>(i)] = between(response_, feet_[i], feet_[i]) + own_[i];
+        return result;
+    }
+
+    /// ColumnsOnDemand::Fill
+    void operator()(Index column, VectorXd& values) const
+    {
+        auto const j = static_cast<std::size_t>(column);
+        if (j >= feet_.size()) {
+            for (std::size_t i = 0; i < feet_.size(); ++i)
+                values[static_cast<Index>(i)] = with_bearing(feet_[i], nodes_[j - feet_.size()]);
+            return;
         }
-        a(j, j) += gaps.compliance.own[col];
-    });
-    if (flanks > 0)
-        for (LocalCompliance::Coupling const& c : gaps.compliance.couplings)
-            a(static_cast<Index>(c.second), static_cast<Index>(c.first)) += c.compliance;
-    // The upper triangle, and the block of the bearing, which no torque changes.
-    constexpr Index tile = 32;
-    constexpr std::size_t tiles_worth_a_thread = 2;
-    parallel_for((count + tile - 1) / tile, threads, tiles_worth_a_thread, [&](std::size_t t) {
-        Index const begin = static_cast<Index>(t) * tile, width = std::min(tile, a.cols() - begin);
-        mirror_tiles(a, begin, width, std::min(begin, first), tile);
-        for (Index j = begin; j < begin + width; ++j) {
-            for (Index i = begin; i < std::min(j, first); ++i)
-                a(i, j) = a(j, i);
-            if (j >= first)
-                a.col(j).tail(bearing) = drive.bearing_compliance.col(j - first);
-        }
-    });
-    return a;
-}
+        // The matrix is symmetric to the last bit.
+        for (std::size_t i = 0; i < feet_.size(); ++i)
+            values[static_cast<Index>(i)] = between(response_, feet_[std::max(i, j)], feet_[std::min(i, j)]);
+        values[column] += own_[j];
+        for (auto const& [other, compliance] : couplings_[j])
+            values[static_cast<Index>(other)] += compliance;
+        for (std::size_t i = 0; i < nodes_.size(); ++i)
+            values[static_cast<Index>(feet_.size() + i)] = with_bearing(feet_[j], nodes_[i]);
+    }
+
+  private:
+    PointResponse const& response_;
+    std::vector<double> const& own_;
+    std::vector<std::vector<std::pair<std::size_t, double>>> couplings_;  ///< of each flank contact
+    std::vector<Footing> feet_;
+    std::vector<BearingNode> nodes_;
+
+    [[nodiscard]] double with_bearing(Footing const& foot, BearingNode const& node) const
+    {
+        double value = 0;
+        std::size_t const place = response_.place(node.at - foot.at);
+        for (std::size_t i = 0; i < 3; ++i)
+            value -= foot.share[i] * response_.at(node.height, foot.station[i], place);
+        return value;
+    }
+};
 
 /// The complementarity problem of the contacts: those of the first @p flanks flank contacts, then those of the bearing
 /// in the order of bearing_nodes(). A torque adds its equation as border and total.
 /// @throws NumericalError when no flank can carry the torque
 numeric::Complementarity contact_problem(ElasticDrive const& drive, LinearGaps const& gaps, std::size_t flanks,
-                                         std::optional<double> torque, int threads)
+                                         std::optional<double> torque)
 {
     std::vector<BearingNode> const nodes = bearing_nodes(drive);
     if (drive.bearing_compliance.rows() != static_cast<Index>(nodes.size()))
         throw std::logic_error("a drive without the compliance of its bearing's contacts");
     auto const count = static_cast<Index>(flanks + nodes.size());
     numeric::Complementarity problem;
-    problem.compliance = compliance_of(drive, gaps, flanks, nodes, threads);
+    // No torque changes the block of the bearing; of the flank contacts, few carry a force.
+    problem.compliance = drive.bearing_compliance;
+    if (flanks > 0) {
+        FlankCompliance compliance(drive, gaps, flanks, nodes);
+        VectorXd diagonal = compliance.diagonal();
+        problem.leading = std::make_shared<numeric::ColumnsOnDemand>(
+            std::move(diagonal), static_cast<Index>(nodes.size()), std::move(compliance));
+    }
     problem.approach.resize(count);
     VectorXd lever = VectorXd::Zero(count);
     for (std::size_t i = 0; i < flanks; ++i) {
@@ -123,7 +137,7 @@ Equilibrium equilibrium(ElasticDrive const& drive, LinearGaps const& gaps, std::
                         Equilibrium const* guess, int threads)
 {
     std::size_t const flanks = torque ? gaps.contacts.size() : 0;  // without torque none is in the problem
-    numeric::Complementarity problem = contact_problem(drive, gaps, flanks, torque, threads);
+    numeric::Complementarity problem = contact_problem(drive, gaps, flanks, torque);
     Start start = equilibrium_start(drive, gaps, problem, flanks, guess, threads);
     numeric::ComplementarityOptions const options{
         .start = std::move(start.contacts), .scalar = gaps.turn, .threads = threads};

@@ -8,7 +8,7 @@
 
 #include "elastic_drive.hpp"
 #include "hdconj/error.hpp"
-#include "numeric/dense.hpp"
+#include "numeric/compliance.hpp"
 
 namespace hdconj::load {
 namespace {
@@ -69,7 +69,7 @@ ThinnedLayout thinned_layout(Layout const& whole)
 numeric::Complementarity part_of(numeric::Complementarity const& whole, std::vector<int> const& kept, int threads)
 {
     numeric::Complementarity part{
-        numeric::principal_part(whole.compliance, kept, threads), whole.approach(kept), {}, whole.total};
+        numeric::principal_part(whole, kept, threads), whole.approach(kept), {}, whole.total};
     if (whole.border.size() > 0)
         part.border = whole.border(kept);
     return part;

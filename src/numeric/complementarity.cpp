@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "complementarity_system.hpp"
-#include "dense.hpp"
+#include "compliance.hpp"
 
 namespace hdconj::numeric {
 
@@ -21,6 +21,7 @@ std::optional<ComplementaritySolution> active_set(ComplementaritySystem& system,
     Complementarity const& problem = system.problem();
     constexpr int patience = 40;        // steps without a lower energy: twice as many as whole solutions take
     constexpr double rounding = 1e-14;  // of forces and gaps, against the largest: less is neither push nor overlap
+    double const largest_diagonal = diagonal_of(problem).maxCoeff();
     std::set<std::vector<int>> seen;
     double least = std::numeric_limits<double>::infinity();
     int waited = 0;
@@ -34,7 +35,7 @@ std::optional<ComplementaritySolution> active_set(ComplementaritySystem& system,
         VectorXd const f = system.close(contacts, false);
         VectorXd const g = system.gaps(f);
         double const length = (problem.approach.cwiseAbs() + system.closed_by_s().cwiseAbs()).maxCoeff() * rounding;
-        double const force = f.cwiseAbs().maxCoeff() * rounding + length / problem.compliance.diagonal().maxCoeff();
+        double const force = f.cwiseAbs().maxCoeff() * rounding + length / largest_diagonal;
         std::vector<bool> was(static_cast<std::size_t>(system.count()), false);
         for (int i : contacts)
             was[static_cast<std::size_t>(i)] = true;
@@ -89,7 +90,7 @@ double residual_of(Complementarity const& problem, VectorXd const& force, Vector
 
 double complementarity_residual(Complementarity const& problem, VectorXd const& force, double scalar, int threads)
 {
-    return force.size() == 0 ? 0 : residual_of(problem, force, times(problem.compliance, force, threads), scalar);
+    return force.size() == 0 ? 0 : residual_of(problem, force, times(problem, force, threads), scalar);
 }
 
 ComplementaritySolution solve_complementarity(Complementarity const& problem, ComplementarityOptions const& options)

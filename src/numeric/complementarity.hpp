@@ -4,7 +4,10 @@
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <vector>
+
+#include "columns_on_demand.hpp"
 
 namespace hdconj::numeric {
 
@@ -17,10 +20,11 @@ namespace hdconj::numeric {
 /// closes gap i by b_i s, and T the load on it. Domain: G symmetric positive definite.
 struct Complementarity
 {
-    Eigen::MatrixXd compliance;  ///< G
-    Eigen::VectorXd approach;    ///< d
-    Eigen::VectorXd border;      ///< b; empty: none, and no s
-    double total = 0;            ///< T
+    Eigen::MatrixXd compliance;                          ///< G, or its block of the last contacts
+    Eigen::VectorXd approach;                            ///< d
+    Eigen::VectorXd border;                              ///< b; empty: none, and no s
+    double total = 0;                                    ///< T
+    std::shared_ptr<ColumnsOnDemand> leading = nullptr;  ///< the rest of G; null: there is none
 };
 
 /// How a solution was found.

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "compliance.hpp"
 #include "dense.hpp"
 #include "hdconj/error.hpp"
 
@@ -18,23 +19,6 @@ using Eigen::VectorXd;
 void fail_complementarity(std::string const& cause)
 {
     throw NumericalError(ErrorCode::not_converged, "contact of elastic bodies", "complementarity problem", cause);
-}
-
-double work_of(Eigen::MatrixXd const& compliance, VectorXd const& force)
-{
-    std::vector<Index> on;
-    for (Index i = 0; i < force.size(); ++i)
-        if (force[i] != 0)
-            on.push_back(i);
-    double work = 0;
-    for (std::size_t j = 0; j < on.size(); ++j) {
-        auto const column = compliance.col(on[j]);
-        double below = 0;
-        for (std::size_t i = j + 1; i < on.size(); ++i)
-            below += column[on[i]] * force[on[i]];
-        work += force[on[j]] * (2 * below + column[on[j]] * force[on[j]]);
-    }
-    return work;
 }
 
 ComplementaritySystem::ComplementaritySystem(Complementarity const& problem, double scalar, int threads)
@@ -57,12 +41,12 @@ bool ComplementaritySystem::on_border(std::vector<int> const& contacts) const
 
 VectorXd ComplementaritySystem::gaps(VectorXd const& f) const
 {
-    return times(problem_.compliance, f, threads_) - problem_.approach - closed_by_s();
+    return times(problem_, f, threads_) - problem_.approach - closed_by_s();
 }
 
 double ComplementaritySystem::energy_at_s(VectorXd const& f) const
 {
-    return work_of(problem_.compliance, f) / 2 - f.dot(problem_.approach + closed_by_s());
+    return work_of(problem_, f, threads_) / 2 - f.dot(problem_.approach + closed_by_s());
 }
 
 std::vector<int> ComplementaritySystem::overlapping() const
@@ -93,7 +77,7 @@ VectorXd ComplementaritySystem::close(std::vector<int> const& contacts, bool kee
     VectorXd f = VectorXd::Zero(count_);
     if (contacts.empty())
         return f;
-    Cholesky const factor(lower_principal_part(problem_.compliance, contacts, threads_), threads_);
+    Cholesky const factor(lower_principal_part(problem_, contacts, threads_), threads_);
     if (!factor.found())
         fail_complementarity("the compliance matrix is not positive definite");
     VectorXd const x = factor.solve(problem_.approach(contacts));
@@ -126,7 +110,7 @@ ComplementaritySolution ComplementaritySystem::solution(VectorXd f, ContactMetho
         else
             f[i] = 0;
     }
-    VectorXd const elastic = times(problem_.compliance, f, threads_);
+    VectorXd const elastic = times(problem_, f, threads_);
     result.gap = elastic - problem_.approach - closed_by_s();
     result.residual = residual_of(problem_, f, elastic, s);
     result.energy = f.dot(elastic) / 2 - f.dot(problem_.approach);

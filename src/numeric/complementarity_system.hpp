@@ -63,9 +63,6 @@ class ComplementaritySystem
 [[nodiscard]] double residual_of(Complementarity const& problem, Eigen::VectorXd const& force,
                                  Eigen::VectorXd const& elastic, double scalar);
 
-/// f'G f
-[[nodiscard]] double work_of(Eigen::MatrixXd const& compliance, Eigen::VectorXd const& force);
-
 [[noreturn]] void fail_complementarity(std::string const& cause);
 
 }  // namespace hdconj::numeric

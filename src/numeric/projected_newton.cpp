@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "complementarity_system.hpp"
+#include "compliance.hpp"
 #include "hdconj/base/tolerance.hpp"
 
 namespace hdconj::numeric {
@@ -22,7 +23,7 @@ VectorXd projected_at_s(ComplementaritySystem& system, VectorXd f)
     constexpr int most = 10000;
     constexpr int most_halvings = 60;
     constexpr double sufficient = 1e-4;  // share of the decrease that the slope promises (Armijo)
-    VectorXd const diagonal = system.problem().compliance.diagonal();
+    VectorXd const diagonal = diagonal_of(system.problem());
     double energy = system.energy_at_s(f);
     for (int step = 0; step < most; ++step) {
         VectorXd const g = system.gaps(f);

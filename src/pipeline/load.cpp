@@ -48,9 +48,9 @@ LoadStudy study_load(Scene const& scene, LoadOptions const& options, StageObserv
     load::LoadGrid const grid = load::load_grid(context);
     load::LoadModel model = clock.value_of(Stage::influence, [&] { return load::load_model(context, grid); });
     LoadStudy study;
-    load::DrivePair drives = clock.value_of(Stage::assembly, [&] {
+    load::DriveGrids drives = clock.value_of(Stage::assembly, [&] {
         load::LoadedDrive unloaded = load::assembly(context, model.drive);
-        load::DrivePair assembled{{grid, std::move(model), std::move(unloaded)}, std::nullopt, {}};
+        load::DriveGrids assembled{{grid, std::move(model), std::move(unloaded)}};
         study.cup = load::assembled_cup(context, assembled.fine);
         return assembled;
     });
@@ -63,8 +63,8 @@ LoadStudy study_load(Scene const& scene, LoadOptions const& options, StageObserv
     }
     clock.run(Stage::load, [&] {
         if (options.errors)
-            drives.coarse = load::coarse_drive(context);
-        if (drives.coarse)
+            drives.coarser = load::coarser_drives(context);
+        if (!drives.coarser.empty())
             load::estimate_errors(context, drives, study.cup);
         load::add_cases(context, drives, options, observer, study);
     });

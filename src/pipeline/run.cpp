@@ -154,13 +154,12 @@ void run_elastic(contact::ContactStudyData& data, running::RunTask const& task, 
     contact::FlankGrid const& flanks = assembled.surface.grid;
     double const middle = load::middle_of(assembled.play);
     running::TurningDrive const drive(context, fine, flanks, task.motion, middle);
-    std::optional<load::AssembledDrive> coarse = options.errors ? load::coarse_drive(context) : std::nullopt;
-    std::optional<contact::FlankGrid> coarse_flanks;
+    std::vector<load::AssembledDrive> const coarser =
+        options.errors ? load::coarser_drives(context) : std::vector<load::AssembledDrive>();
+    contact::FlankGrid const coarse_flanks = coarser.empty() ? contact::FlankGrid() : load::coarsened(flanks);
     std::optional<running::TurningDrive> coarse_drive;
-    if (coarse) {
-        coarse_flanks = load::coarsened(flanks, coarse->grid.slices);
-        coarse_drive.emplace(context, *coarse, *coarse_flanks, task.motion, middle);
-    }
+    if (!coarser.empty())
+        coarse_drive.emplace(context, coarser.front(), coarse_flanks, task.motion, middle);
     GridPair const drives{drive, coarse_drive ? &*coarse_drive : nullptr, load::grid_safety(flanks.slices())};
     Spans const spans = spans_of(context.scene, task);
     data.clock.run(Stage::load, [&] {

@@ -101,7 +101,7 @@ TEST_CASE("init refuses a drive that it does not have", "[cli][design]")
     check_refused("init", {"a.toml --like ''", "--like", "", "size-20"}, folder);
 }
 
-TEST_CASE("init writes ready drives that solve without a note", "[cli][design]")
+TEST_CASE("init writes ready drives that solve without a note and carry their torque", "[cli][design]")
 {
     TemporaryFolder folder;
     for (std::string const size : {"size-14", "size-32"}) {
@@ -113,6 +113,9 @@ TEST_CASE("init writes ready drives that solve without a note", "[cli][design]")
         CHECK(solved.status == 0);
         CHECK(solved.out.find("judgement") == std::string::npos);
         CHECK(solved.out.find(size + ":") != std::string::npos);
+        auto const loaded = hdconj_run("load " + size + ".toml --no-curve --no-errors", folder.path());
+        INFO(loaded.err);
+        CHECK(loaded.status == 0);
     }
 }
 

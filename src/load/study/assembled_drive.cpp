@@ -53,32 +53,35 @@ LoadedDrive assembly(contact::ContactContext const& context, ElasticDrive const&
     return result;
 }
 
-std::optional<AssembledDrive> coarse_drive(contact::ContactContext const& context)
+std::vector<AssembledDrive> coarser_drives(contact::ContactContext const& context)
 {
-    constexpr std::size_t fewest_slices = 3;
+    constexpr std::size_t most = 2, fewest_slices = 3;
     constexpr int fewest_circles = 2, fewest_harmonics = 8;
+    std::vector<AssembledDrive> drives;
     LoadGrid grid = load_grid(context);
-    if (grid.slices.size() < fewest_slices)
-        return std::nullopt;
-    grid.slices = about_half(grid.slices.size());
-    grid.circles = std::max(std::min(grid.circles, fewest_circles), (grid.circles + 1) / 2);
-    grid.harmonics = std::max(std::min(grid.harmonics, fewest_harmonics), grid.harmonics / 2);
     // The error of the elements shows on a finer mesh: there cannot be less than one element across the wall.
     grid.layers = 2;
-    try {
-        LoadModel model = load_model(context, grid);
-        LoadedDrive unloaded = assembly(context, model.drive);
-        return AssembledDrive{std::move(grid), std::move(model), std::move(unloaded)};
-    } catch (NumericalError const& error) {
-        if (!error.is_infeasible())
-            throw;
-        return std::nullopt;  // such as more rigid balls than half of the harmonics resolve
+    while (drives.size() < most && grid.slices.size() >= fewest_slices) {
+        grid.slices = selected(grid.slices, about_half(grid.slices.size()));
+        grid.circles = std::max(std::min(grid.circles, fewest_circles), (grid.circles + 1) / 2);
+        grid.harmonics = std::max(std::min(grid.harmonics, fewest_harmonics), grid.harmonics / 2);
+        try {
+            LoadModel model = load_model(context, grid);
+            LoadedDrive unloaded = assembly(context, model.drive);
+            drives.push_back({grid, std::move(model), std::move(unloaded)});
+        } catch (NumericalError const& error) {
+            if (!error.is_infeasible())
+                throw;
+            return drives;  // such as more rigid balls than half of the harmonics resolve
+        }
     }
+    return drives;
 }
 
-contact::FlankGrid coarsened(contact::FlankGrid const& grid, std::vector<std::size_t> const& slices)
+contact::FlankGrid coarsened(contact::FlankGrid const& grid)
 {
     contact::FlankGrid result;
+    std::vector<std::size_t> const slices = about_half(grid.slices());
     std::vector<std::size_t> const points =
         grid.points() > 2 ? about_half(grid.points()) : std::vector<std::size_t>{0, 1};
     result.z = selected(grid.z, slices);

@@ -2,7 +2,6 @@
 // A drive on one grid, assembled: the cup on its wave generator, no tooth in contact.
 #pragma once
 
-#include <optional>
 #include <vector>
 
 #include "contact/flank_grid.hpp"
@@ -23,12 +22,13 @@ struct AssembledDrive
     LoadedDrive unloaded;
 };
 
-/// The drive with every second slice, flank point, circle of the bearing and half of the harmonics, on a mesh with two
-/// elements across the wall. Nothing for fewer than three slices, and where the coarse grid has no solution.
-[[nodiscard]] std::optional<AssembledDrive> coarse_drive(contact::ContactContext const& context);
+/// The drive on grids that are each half as fine as the one before: every second slice, flank point and circle of the
+/// bearing, and half of the harmonics, on a mesh with two elements across the wall. Fewer than two where there are
+/// fewer than five slices, or a coarse grid has no solution; none for fewer than three slices.
+[[nodiscard]] std::vector<AssembledDrive> coarser_drives(contact::ContactContext const& context);
 
-/// The slices @p slices of a grid, with every second of its points and the last.
-[[nodiscard]] contact::FlankGrid coarsened(contact::FlankGrid const& grid, std::vector<std::size_t> const& slices);
+/// Every second slice of a grid and every second of its points, with the last ones.
+[[nodiscard]] contact::FlankGrid coarsened(contact::FlankGrid const& grid);
 
 /// Figures of the cup as it is assembled, with an error of the stress only.
 [[nodiscard]] AssembledCup assembled_cup(contact::ContactContext const& context, AssembledDrive const& drive);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "grid_error.hpp"
 #include "torque_branch.hpp"
 
 namespace hdconj::load {
@@ -65,7 +66,8 @@ StiffnessStages lines_of(CurveBranches const& curve)
 }  // namespace
 
 std::optional<CatalogueFigures> catalogue_figures(CatalogueTorques const& torques, CurveBranches const& fine,
-                                                  CurveBranches const* coarse, double safety, double relative_twist)
+                                                  std::vector<CurveBranches> const& coarser, double safety,
+                                                  double relative_twist)
 {
     std::optional<Slopes> const found = slopes_of(torques, fine);
     if (!found)
@@ -75,31 +77,45 @@ std::optional<CatalogueFigures> catalogue_figures(CatalogueTorques const& torque
                             .k2 = {found->k[1]},
                             .k3 = {found->k[2]},
                             .lost_motion = found->lost_motion};
-    std::optional<Slopes> const other = coarse ? slopes_of(torques, *coarse) : std::nullopt;
-    if (!other)
+    std::array<std::vector<double>, 3> k;
+    std::vector<double> lost_motion;
+    for (CurveBranches const& curve : coarser) {
+        std::optional<Slopes> const other = slopes_of(torques, curve);
+        if (!other)
+            break;
+        for (std::size_t i = 0; i < k.size(); ++i)
+            k[i].push_back(other->k[i]);
+        lost_motion.push_back(other->lost_motion);
+    }
+    if (lost_motion.empty())
         return result;
-    // Two grids may agree by chance in one of them: relative to its size, none gets less than the worst.
-    constexpr double slopes = 1.25, lost_motion = 2.4;  // times the safety, see grid_error.cpp
+    // Grids may agree by chance in one of them: relative to its size, none gets less than the worst.
+    constexpr double slope_factor = 1, lost_motion_factor = 3;  // times the safety, see grid_error.cpp
     double relative = 0;
-    for (std::size_t i = 0; i < found->k.size(); ++i)
-        relative = std::max(relative, slopes * safety * std::abs(found->k[i] - other->k[i]) / found->k[i]);
+    for (std::size_t i = 0; i < k.size(); ++i)
+        relative = std::max(relative, slope_factor * safety * grid_difference(found->k[i], k[i]) / found->k[i]);
     for (Stiffness* const figure : {&result.k1, &result.k2, &result.k3})
         figure->error = relative * figure->value;
-    result.lost_motion_error = std::max(lost_motion * safety * std::abs(found->lost_motion - other->lost_motion),
+    result.lost_motion_error = std::max(lost_motion_factor * safety * grid_difference(found->lost_motion, lost_motion),
                                         relative_twist * result.lost_motion);
     result.estimated = true;
     return result;
 }
 
-StiffnessStages stages_of(CurveBranches const& fine, CurveBranches const* coarse, double safety)
+StiffnessStages stages_of(CurveBranches const& fine, std::vector<CurveBranches> const& coarser, double safety)
 {
     StiffnessStages stages = lines_of(fine);
-    StiffnessStages const other = coarse ? lines_of(*coarse) : stages;
+    std::vector<StiffnessStages> others;
+    for (CurveBranches const& curve : coarser)
+        others.push_back(lines_of(curve));
+    std::vector<double> values(others.size());
     for (auto const& [error, figure] : {std::pair(&StiffnessStages::first_error, &StiffnessStages::first),
                                         std::pair(&StiffnessStages::second_error, &StiffnessStages::second),
                                         std::pair(&StiffnessStages::knee_error, &StiffnessStages::knee),
-                                        std::pair(&StiffnessStages::knee_twist_error, &StiffnessStages::knee_twist)})
-        stages.*error = safety * std::abs(stages.*figure - other.*figure);
+                                        std::pair(&StiffnessStages::knee_twist_error, &StiffnessStages::knee_twist)}) {
+        std::ranges::transform(others, values.begin(), figure);
+        stages.*error = values.empty() ? 0 : safety * grid_difference(stages.*figure, values);
+    }
     return stages;
 }
 

@@ -12,20 +12,22 @@ namespace hdconj::load {
 /// Both signs of torque on one grid, each in order of growing size from zero on.
 struct CurveBranches
 {
-    std::vector<LoadedState> const& forth;
-    std::vector<LoadedState> const& back;
+    std::vector<LoadedState> forth;
+    std::vector<LoadedState> back;
     double free = 0;  ///< twist at zero torque where `forth` begins [rad]
 };
 
 /// K1, K2, K3 and lost motion from the states at their torques; nothing where one of them is missing.
-/// @param coarse          of the same drive, for the errors; null: none
+/// @param coarser         the same drive on grids that are each half as fine as the one before; empty: no errors
 /// @param relative_twist  relative error of the twist along the branch, the least of the lost motion
 [[nodiscard]] std::optional<CatalogueFigures> catalogue_figures(CatalogueTorques const& torques,
-                                                                CurveBranches const& fine, CurveBranches const* coarse,
+                                                                CurveBranches const& fine,
+                                                                std::vector<CurveBranches> const& coarser,
                                                                 double safety, double relative_twist);
 
 /// Two lines through the polygon of the states of `forth`, at even torques: so that they do not depend on where the
-/// states lie. The errors are those of the grid; all zero without @p coarse. Fewer than two states: all zero.
-[[nodiscard]] StiffnessStages stages_of(CurveBranches const& fine, CurveBranches const* coarse, double safety);
+/// states lie. The errors are those of the grid; all zero without @p coarser. Fewer than two states: all zero.
+[[nodiscard]] StiffnessStages stages_of(CurveBranches const& fine, std::vector<CurveBranches> const& coarser,
+                                        double safety);
 
 }  // namespace hdconj::load

@@ -5,181 +5,148 @@
 #include <cmath>
 
 #include "bearing_map.hpp"
-#include "hdconj/error.hpp"
-#include "load_problem.hpp"
 
 namespace hdconj::load {
 namespace {
 
-/// How an error follows from the difference of two grids.
+/// How the error of a figure follows from its difference between grids. `usual` and `factor` are those of 48 random
+/// drives: the mean of the differences, and what lets none of the errors be too small (docs/explanation/load.md).
 struct ErrorRule
 {
     double LoadedState::*figure;
-    /// Times grid_safety(). Chosen so that no estimate of twelve random drives was too small
-    /// (docs/explanation/load.md).
-    double factor;
+    double usual;                          ///< difference relative to the figure; 0: not used
+    double factor;                         ///< of the error over the difference, times grid_safety()
+    double LoadedState::*scale = nullptr;  ///< that the difference is relative to; null: the figure
 };
 
-constexpr ErrorRule error_rules[] = {{&LoadedState::twist, 1},
-                                     {&LoadedState::stiffness, 1},
-                                     {&LoadedState::contact_area, 2},
-                                     {&LoadedState::contact_fraction, 2},
-                                     {&LoadedState::fraction_within_gap, 2},
-                                     {&LoadedState::carrying_fraction, 2},
-                                     {&LoadedState::largest_pressure, 1},
-                                     {&LoadedState::largest_force, 0.4},
-                                     {&LoadedState::largest_line_load, 0.8},
-                                     {&LoadedState::flank_pressure, 1},
-                                     {&LoadedState::edge_force, 0.5},
-                                     {&LoadedState::edge_fraction, 1},
-                                     {&LoadedState::flowing_fraction, 1},
-                                     {&LoadedState::wave_generator_force, 1},
-                                     {&LoadedState::wave_generator_torque, 1.25},
-                                     {&LoadedState::lobe_force, 1},
-                                     {&LoadedState::lobe_force_across, 0.3},
-                                     {&LoadedState::lobe_z, 1},
-                                     {&LoadedState::ball_force, 0.5}};
+using S = LoadedState;
+constexpr ErrorRule error_rules[] = {
+    {&S::twist, 0.014, 1.5},
+    {&S::stiffness, 0.039, 0.65},
+    {&S::contact_area, 0.51, 2},
+    {&S::contact_fraction, 0.51, 2},
+    {&S::fraction_within_gap, 0.41, 1.3},
+    {&S::carrying_fraction, 0, 2},
+    {&S::largest_pressure, 0.22, 1.3},
+    {&S::largest_force, 0.136, 0.35},
+    {&S::largest_line_load, 0.28, 0.25},
+    {&S::flank_pressure, 0, 0.5},
+    {&S::edge_force, 0.21, 0.25},
+    {&S::edge_fraction, 0, 0.12},
+    {&S::flowing_fraction, 0, 1},
+    {&S::wave_generator_force, 0.0021, 0.6},
+    {&S::wave_generator_torque, 0.0057, 1.1},
+    {&S::lobe_force, 0.0024, 0.6},
+    {&S::lobe_force_across, 0.011, 0.12, &S::lobe_force},
+    {&S::ball_force, 0.0135, 1},
+};
 
-/// Errors of @p a by its differences from @p b on a coarser grid. Two grids may agree by chance: no error is less than
-/// what those of related figures make of it.
-/// @param half_width  of the bearing [mm]
-LoadedState error_between(LoadedState const& a, LoadedState const& b, double safety, double half_width)
+/// Largest difference between the forces of the balls of two grids.
+double bearing_distance(AssembledDrive const& a, AssembledDrive const& b)
 {
+    return ball_distance(bearing_map(a.model.drive, a.unloaded.state), bearing_map(b.model.drive, b.unloaded.state),
+                         a.model.drive.response.sectors());
+}
+
+/// The middle one of @p values. Domain: at least one.
+double median(std::vector<double> values)
+{
+    auto const middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+    std::ranges::nth_element(values, middle);
+    return *middle;
+}
+
+/// Errors of @p a by its differences from @p coarser. In one figure grids may agree by chance: there the others tell
+/// how far the drive's differences are from the usual ones, and no figure gets less than that much of its own usual
+/// one.
+/// @param half_width  of the bearing [mm]
+LoadedState error_of(LoadedState const& a, std::vector<LoadedState> const& coarser, double safety, double half_width)
+{
+    auto const difference = [&](double LoadedState::*figure) {
+        std::vector<double> values(coarser.size());
+        std::ranges::transform(coarser, values.begin(), figure);
+        return grid_difference(a.*figure, values);
+    };
+    auto const usual = [&](ErrorRule const& rule) {
+        return rule.usual * std::abs(a.*(rule.scale ? rule.scale : rule.figure));
+    };
+    std::vector<double> over_usual = {0};
+    for (ErrorRule const& rule : error_rules)
+        if (usual(rule) > 0)
+            over_usual.push_back(difference(rule.figure) / usual(rule));
+    double const spread = median(over_usual);
     LoadedState d;
-    for (auto const& [figure, factor] : error_rules)
-        d.*figure = factor * safety * std::abs(a.*figure - b.*figure);
-    auto const relative = [&](double LoadedState::*figure) {
-        return a.*figure != 0 ? d.*figure / std::abs(a.*figure) : 0;
-    };
-    auto const raise = [&](double LoadedState::*figure, double least) {
-        d.*figure = std::max(d.*figure, least * std::abs(a.*figure));
-    };
-    double const bearing = std::max(relative(&LoadedState::wave_generator_force), relative(&LoadedState::lobe_force));
-    raise(&LoadedState::wave_generator_force, bearing);
-    raise(&LoadedState::lobe_force, bearing);
-    d.lobe_z = std::max(d.lobe_z, bearing * half_width);
+    for (ErrorRule const& rule : error_rules)
+        d.*rule.figure = rule.factor * safety * std::max(difference(rule.figure), spread * usual(rule));
+    constexpr double usual_height = 0.0015, height_factor = 1.6;  // of half the bearing's width
+    d.lobe_z = height_factor * safety * std::max(difference(&LoadedState::lobe_z), spread * usual_height * half_width);
     // Forces on single slices have no strip between slices: what is under pressure lies within the gap.
     if (a.contact_fraction == 0 && a.teeth > 0)
         d.contact_fraction = std::max(d.contact_fraction, a.fraction_within_gap);
-    raise(&LoadedState::largest_pressure, relative(&LoadedState::contact_fraction) / 2);
-    raise(&LoadedState::largest_force, relative(&LoadedState::twist));
-    for (double LoadedState::*const figure : {&LoadedState::largest_line_load, &LoadedState::edge_force})
-        raise(figure, relative(&LoadedState::largest_force));
-    raise(&LoadedState::wave_generator_torque, relative(&LoadedState::twist) / 4);
-    // Both grids may have all forces on edges where a finer one has some beside them, at a pressure that is unknown.
-    raise(&LoadedState::edge_fraction, std::min(1.0, relative(&LoadedState::twist)));
+    // All grids may have all forces on edges where a finer one has some beside them, at a pressure that is unknown.
+    if (a.twist != 0)
+        d.edge_fraction = std::max(d.edge_fraction, std::min(1.0, d.twist / std::abs(a.twist)) * a.edge_fraction);
     if (a.flank_pressure == 0)
         d.flank_pressure = a.largest_pressure;
-    d.teeth = std::abs(a.teeth - b.teeth);
-    d.balls = std::abs(a.balls - b.balls);
+    d.teeth = std::abs(a.teeth - coarser.front().teeth);
+    d.balls = std::abs(a.balls - coarser.front().balls);
     return d;
 }
 
 }  // namespace
 
-double stress_error(double fine, double coarse, double at_corners, double safety)
+double grid_difference(double fine, std::span<double const> coarser)
 {
-    constexpr double part = 0.25;
-    return part * (safety * std::abs(fine - coarse) + at_corners);
+    double const half = std::abs(fine - coarser[0]);
+    return coarser.size() == 1 ? half : std::max(half, std::abs(coarser[0] - coarser[1]) / 2);
 }
 
-namespace {
-
-/// The twist of a branch is an integral over all contacts that have closed: relative to its size, none gets less than
-/// the worst, or than itself where that is smaller. A stiffness is local: none gets less than the median.
-void raise_along_branch(std::vector<LoadedState> const& states, std::vector<std::optional<LoadedState>>& errors)
+double stress_error(double fine, std::span<double const> coarser, double at_corners, double safety)
 {
-    for (double LoadedState::*const figure : {&LoadedState::twist, &LoadedState::stiffness}) {
-        std::vector<double> relative;
-        for (std::size_t i = 0; i < states.size(); ++i)
-            if (errors[i] && states[i].*figure != 0)
-                relative.push_back((*errors[i]).*figure / std::abs(states[i].*figure));
-        if (relative.empty())
-            continue;
-        std::ranges::sort(relative);
-        double const least =
-            figure == &LoadedState::twist ? std::min(relative.back(), 1.0) : relative[relative.size() / 2];
-        for (std::size_t i = 0; i < states.size(); ++i)
-            if (auto& error = errors[i])
-                (*error).*figure = std::max((*error).*figure, least * std::abs(states[i].*figure));
-    }
+    constexpr double part = 0.125;
+    return part * (safety * grid_difference(fine, coarser) + at_corners);
 }
 
-}  // namespace
-
-void estimate_errors(contact::ContactContext const& context, DrivePair const& drives, AssembledCup& cup)
+void estimate_errors(contact::ContactContext const& context, DriveGrids const& drives, AssembledCup& cup)
 {
     double const safety = grid_safety(cup.z.size());
-    AssembledCup const coarse = assembled_cup(context, *drives.coarse);
-    ElasticDrive const &fine_drive = drives.fine.model.drive, &coarse_drive = drives.coarse->model.drive;
-    double const balls =
-        ball_distance(bearing_map(fine_drive, drives.fine.unloaded.state),
-                      bearing_map(coarse_drive, drives.coarse->unloaded.state), fine_drive.response.sectors());
-    cup.coning_major_error = safety * std::abs(cup.coning_major - coarse.coning_major);
-    cup.coning_minor_error = safety * std::abs(cup.coning_minor - coarse.coning_minor);
-    constexpr double force = 0.4, ball = 0.15;  // they converge faster than the shape
-    cup.wave_generator_force_error = force * safety * std::abs(cup.wave_generator_force - coarse.wave_generator_force);
-    cup.ball_force_error = ball * safety * std::max(balls, std::abs(cup.ball_force - coarse.ball_force));
-    cup.largest_stress_error =
-        stress_error(cup.largest_stress, coarse.largest_stress, cup.largest_stress_error, safety);
+    std::vector<AssembledCup> coarser;
+    std::vector<double> balls;
+    for (AssembledDrive const& drive : drives.coarser) {
+        coarser.push_back(assembled_cup(context, drive));
+        balls.push_back(bearing_distance(drives.fine, drive));
+    }
+    auto const difference = [&](double AssembledCup::*figure) {
+        std::vector<double> values(coarser.size());
+        std::ranges::transform(coarser, values.begin(), figure);
+        return grid_difference(cup.*figure, values);
+    };
+    cup.coning_major_error = safety * difference(&AssembledCup::coning_major);
+    cup.coning_minor_error = safety * difference(&AssembledCup::coning_minor);
+    constexpr double force = 0.4, ball = 0.06;  // they converge faster than the shape
+    cup.wave_generator_force_error = force * safety * difference(&AssembledCup::wave_generator_force);
+    cup.ball_force_error = ball * safety * std::max(grid_difference(0, balls), difference(&AssembledCup::ball_force));
+    std::vector<double> stress(coarser.size());
+    std::ranges::transform(coarser, stress.begin(), &AssembledCup::largest_stress);
+    cup.largest_stress_error = stress_error(cup.largest_stress, stress, cup.largest_stress_error, safety);
     cup.estimated = true;
 }
 
-std::optional<TorqueContinuation> coarse_path(LoadProblem const& problem, LoadedDrive const& unloaded,
-                                              TorqueContinuation const& fine)
+std::vector<std::optional<LoadedState>> branch_errors(LoadProblem const& problem, TorqueBranch const& branch,
+                                                      std::vector<CoarseBranch> const& coarser)
 {
-    try {
-        std::optional<Play> const play =
-            fine.pressed ? play_of(problem, unloaded.shape) : play_about(problem, unloaded.shape, fine.middle);
-        if (play)
-            return torque_continuation(problem, unloaded, *play);
-    } catch (NumericalError const& error) {
-        if (!error.is_infeasible())
-            throw;
-        // There is nothing to compare with.
-    }
-    return std::nullopt;
-}
-
-BranchErrors branch_errors(TorqueContinuation const& coarse, TorqueBranch const& branch, double safety)
-{
-    constexpr double ball_factor = 0.5;  // as of the largest of them
-    constexpr int most_failures = 3;     // torques without an equilibrium, after which no more are tried
-    BranchErrors errors;
-    errors.states.assign(branch.states.size(), std::nullopt);
-    ElasticDrive const& drive = coarse.problem.drive;
-    std::vector<std::size_t> solved;
-    std::vector<double> balls;
-    LoadedDrive at = coarse.start;
-    for (std::size_t i = 0; i < branch.states.size() && i < solved.size() + most_failures; ++i) {
-        try {
-            at = advance(coarse, at, branch.states[i].torque);
-        } catch (NumericalError const& error) {
-            if (!error.is_infeasible())
-                throw;
-            continue;
-        }
-        errors.coarse.push_back(loaded_state(coarse.problem, at, coarse.middle));
-        solved.push_back(i);
-        balls.push_back(ball_distance(branch.bearing[i], bearing_map(drive, at.state), drive.response.sectors()));
-        if (i + 1 == branch.states.size())
-            errors.last_forces = at.forces;
-    }
-    if (solved.empty())
-        return errors;
-    if (branch.states.size() == 1)
-        errors.coarse.back().stiffness = stiffness_at(coarse, at);
-    else
-        enter_stiffness(errors.coarse, free_twist(coarse, branch.states.back().torque));
+    ElasticDrive const& drive = problem.drive;
     double const half_width = 0.5 * (drive.bearing_z.back() - drive.bearing_z.front());
-    for (std::size_t k = 0; k < solved.size(); ++k) {
-        LoadedState const& state = branch.states[solved[k]];
-        LoadedState error = error_between(state, errors.coarse[k], safety, half_width);
-        error.twist += state.gap_mismatch / coarse.problem.context.geometry.r_m;
-        error.ball_force = std::max(error.ball_force, ball_factor * safety * balls[k]);
-        errors.states[solved[k]] = error;
+    std::vector<std::optional<LoadedState>> errors(branch.states.size());
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+        std::vector<LoadedState> states;
+        for (auto each = coarser.begin(); each != coarser.end() && each->states[i]; ++each)
+            states.push_back(*each->states[i]);
+        if (states.empty())
+            continue;
+        errors[i] = error_of(branch.states[i], states, grid_safety(drive.slice_z.size()), half_width);
+        errors[i]->twist += branch.states[i].gap_mismatch / problem.context.geometry.r_m;
     }
-    raise_along_branch(branch.states, errors.states);
     return errors;
 }
 

@@ -1,59 +1,46 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Estimated discretisation errors, from the same drive on a coarser grid.
+// Estimated discretisation errors, from the same drive on two coarser grids.
 #pragma once
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "assembled_drive.hpp"
-#include "torque_branch.hpp"
+#include "coarse_path.hpp"
 
 namespace hdconj::load {
 
-/// The grid asked for and a coarser one, with what yields in series with either.
-struct DrivePair
-{
-    AssembledDrive fine;
-    std::optional<AssembledDrive> coarse;
-    std::vector<TwistMember> series = {};  ///< with their stiffness
-};
+/// Distance of a figure from its value on an infinitely fine grid, as its values on the grid asked for and on coarser
+/// ones tell it. Two grids may agree by chance, three hardly do.
+/// @param coarser  at least one value, each on a grid half as fine as the one before
+[[nodiscard]] double grid_difference(double fine, std::span<double const> coarser);
 
-/// Estimated error over the difference to a grid half as fine: two grids, first order, safety 3 of Roache's index (J.
-/// Fluids Eng. 116, 1994), and a third more, since grids and meshes may differ in opposite senses. Below nine slices
-/// the coarse grid has fewer than five and no longer converges regularly: three times as much.
+/// Estimated error over grid_difference(): first order, safety 3 of Roache's index (J. Fluids Eng. 116, 1994), and a
+/// third more, since grids and meshes may differ in opposite senses. Below nine slices the coarse grids have fewer than
+/// five and no longer converge regularly: three times as much.
 [[nodiscard]] inline double grid_safety(std::size_t slices)
 {
-    constexpr double two_grids = 4;
+    constexpr double regular_safety = 4;
     constexpr std::size_t regular = 9;
-    return slices < regular ? two_grids * 3 : two_grids;
+    return slices < regular ? regular_safety * 3 : regular_safety;
 }
 
-/// Error of the largest stress from two grids and from the corners of its element, which the stress is extrapolated to.
-/// All in MPa. A quarter of their sum: of 24 random drives the sum was at least eighteen times the distance from a grid
-/// four times finer, and of five drives with fillets at least nine times.
-[[nodiscard]] double stress_error(double fine, double coarse, double at_corners, double safety);
-
 /// Enters the errors of @p cup, as it is on the fine grid.
-/// Domain: a pair with a coarse grid.
-void estimate_errors(contact::ContactContext const& context, DrivePair const& drives, AssembledCup& cup);
+/// Domain: drives with a coarse grid.
+void estimate_errors(contact::ContactContext const& context, DriveGrids const& drives, AssembledCup& cup);
 
-/// The coarse grid's path with the surface of @p flanks, about the middle of @p fine; nothing where that has no play or
-/// no balance without torque.
-/// @param problem  on the coarse grid
-[[nodiscard]] std::optional<TorqueContinuation> coarse_path(LoadProblem const& problem, LoadedDrive const& unloaded,
-                                                            TorqueContinuation const& fine);
+/// Errors of the states of @p branch.
+/// @param coarser  at least one, each on a grid half as fine as the one before
+/// @returns one for each state; none where the first of the coarser grids has no equilibrium
+[[nodiscard]] std::vector<std::optional<LoadedState>> branch_errors(LoadProblem const& problem,
+                                                                    TorqueBranch const& branch,
+                                                                    std::vector<CoarseBranch> const& coarser);
 
-/// Errors of the states of a branch.
-struct BranchErrors
-{
-    std::vector<std::optional<LoadedState>> states;  ///< none where the coarse grid has no equilibrium
-    std::vector<LoadedState> coarse;                 ///< the equilibria that it has
-    Eigen::MatrixXd last_forces;                     ///< on the coarse cup at the last torque; empty: unknown
-};
-
-/// @param coarse  path on the coarse grid
-/// @param branch  on the fine grid, with stiffness
-[[nodiscard]] BranchErrors branch_errors(TorqueContinuation const& coarse, TorqueBranch const& branch, double safety);
+/// Error of the largest stress from its values on all grids and from the corners of its element, which the stress is
+/// extrapolated to. All in MPa. An eighth of their sum: of 24 random drives the sum was at least eighteen times the
+/// distance from a grid four times finer, and of five drives with fillets at least nine times.
+[[nodiscard]] double stress_error(double fine, std::span<double const> coarser, double at_corners, double safety);
 
 }  // namespace hdconj::load

@@ -4,17 +4,17 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <numbers>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "base/text.hpp"
-#include "bearing_map.hpp"
+#include "branch_on_grids.hpp"
 #include "catalogue_figures.hpp"
+#include "grid_error.hpp"
 #include "hdconj/error.hpp"
 #include "load/model/cup_shape.hpp"
-#include "load/model/ring_errors.hpp"
 #include "load_problem.hpp"
 #include "twist_members.hpp"
 
@@ -80,87 +80,14 @@ LoadCase assembled_case(contact::ContactContext const& context, surface::Surface
     return result;
 }
 
-/// Whether the drive under a torque is the mirror image of itself under the opposite one.
-bool is_mirror_image(contact::ContactContext const& context)
-{
-    return contact::has_mirrored_flanks(context) && !has_ring_errors(context.scene) &&
-           context.request.wave_generator == 0 && context.scene.bearing->ball_phase == 0;
-}
-
-/// A branch with its errors.
-struct BranchWithErrors
-{
-    TorqueBranch branch;
-    BranchErrors errors;  ///< empty without a coarse grid
-};
-
-/// The paths of a case on the grid asked for and on the coarse grid.
-struct PathPair
-{
-    TorqueContinuation const& fine;
-    TorqueContinuation const* coarse;  ///< null: none
-    double safety;                     ///< of errors
-    double series;                     ///< compliance in series with the teeth [rad/(N mm)]; 0: none
-};
-
-BranchWithErrors solved_branch(PathPair const& paths, BranchTorques const& torques,
-                               std::function<void(double)> const& on_state)
-{
-    BranchWithErrors result{torque_branch(paths.fine, torques, on_state), {}};
-    if (torques.given.size() == 1)
-        result.branch.states.back().stiffness = stiffness_at(paths.fine, result.branch.last);
-    else
-        enter_stiffness(result.branch.states, free_twist(paths.fine, torques.given.back()));
-    if (paths.coarse)
-        result.errors = branch_errors(*paths.coarse, result.branch, paths.safety);
-    result.errors.states.resize(result.branch.states.size());
-    if (paths.series > 0)
-        add_in_series(paths.series, result.branch.states, result.errors);
-    return result;
-}
-
-/// The branch of the opposite torques, as far as the run is not stopped before: solved, or the mirror image of
-/// @p forth.
-/// @param space_angle  of LoadMap
-BranchWithErrors opposite_branch(contact::ContactContext const& context, PathPair const& paths,
-                                 BranchWithErrors const& forth, std::vector<double> const& space_angle,
-                                 std::function<bool()> const& stop, std::function<void(double)> const& on_state)
-{
-    if (!is_mirror_image(context)) {
-        BranchTorques opposite{.given = {}, .stop = stop};
-        for (LoadedState const& state : forth.branch.states)
-            if (state.torque != 0)
-                opposite.given.push_back(-state.torque);
-        try {
-            return opposite.given.empty() ? BranchWithErrors() : solved_branch(paths, opposite, on_state);
-        } catch (NumericalError const& error) {
-            if (error.code() != ErrorCode::stopped)
-                throw;
-            return {};
-        }
-    }
-    double const period = 2 * std::numbers::pi / paths.fine.problem.drive.response.sectors();
-    BranchWithErrors back;
-    for (std::size_t i = 0; i < forth.branch.states.size(); ++i)
-        if (forth.branch.states[i].torque != 0) {
-            back.branch.states.push_back(mirror_image(forth.branch.states[i], space_angle, period));
-            back.errors.states.push_back(forth.errors.states[i]);
-        }
-    for (UnsettledTorque const& each : forth.branch.unsettled)
-        back.branch.unsettled.push_back({-each.torque, each.cause});
-    for (LoadedState const& state : forth.errors.coarse)
-        back.errors.coarse.push_back(mirror_image(state, space_angle, period));
-    return back;
-}
-
 /// Enters both branches, in order of growing torque.
 void enter_curve(BranchWithErrors const& forth, BranchWithErrors const& back, LoadCase& result)
 {
     auto const append = [](auto& all, auto const& more) { all.insert(all.end(), more.begin(), more.end()); };
     result.curve.assign(back.branch.states.rbegin(), back.branch.states.rend());
-    result.curve_error.assign(back.errors.states.rbegin(), back.errors.states.rend());
+    result.curve_error.assign(back.errors.rbegin(), back.errors.rend());
     append(result.curve, forth.branch.states);
-    append(result.curve_error, forth.errors.states);
+    append(result.curve_error, forth.errors);
     result.rated = result.curve.size() - 1;
     if (result.curve.back().torque < 0) {
         std::ranges::reverse(result.curve);
@@ -172,8 +99,8 @@ void enter_curve(BranchWithErrors const& forth, BranchWithErrors const& back, Lo
 }
 
 /// Enters all torques and what follows from them. @returns the branch of the rated torque
-BranchWithErrors solve_curve(contact::ContactContext const& context, PathPair const& paths, LoadingPath const& torques,
-                             CaseObserver const& observer, LoadCase& result)
+BranchWithErrors solve_curve(contact::ContactContext const& context, PathsOnGrids const& paths,
+                             LoadingPath const& torques, CaseObserver const& observer, LoadCase& result)
 {
     bool const twice = torques.curve && !is_mirror_image(context);
     auto const told = [&](double from) {
@@ -195,21 +122,23 @@ BranchWithErrors solve_curve(contact::ContactContext const& context, PathPair co
     enter_curve(forth, back, result);
     double const rated = forth.branch.states.back().torque;
     CurveBranches const fine{forth.branch.states, back.branch.states, free_twist(paths.fine, rated)};
-    std::optional<CurveBranches> coarse;
-    if (paths.coarse && forth.errors.states.back())
-        coarse.emplace(CurveBranches{forth.errors.coarse, back.errors.coarse, free_twist(*paths.coarse, rated)});
-    result.stages = stages_of(fine, coarse ? &*coarse : nullptr, paths.safety);
+    std::vector<CurveBranches> coarser;
+    for (std::size_t g = 0; g < back.coarser.size() && forth.coarser[g].states.back(); ++g)
+        coarser.push_back(
+            {forth.coarser[g].solved(), back.coarser[g].solved(), free_twist(*paths.coarser[g]->path, rated)});
+    double const safety = grid_safety(paths.fine.problem.flanks.slices());
+    result.stages = stages_of(fine, coarser, safety);
     LoadedState const& state = forth.branch.states.back();
-    double const relative_twist = coarse ? forth.errors.states.back()->twist / std::abs(state.twist) : 0;
+    double const relative_twist = coarser.empty() ? 0 : forth.errors.back()->twist / std::abs(state.twist);
     if (rated == torques.forth.given.back())
-        result.catalogue = catalogue_figures(catalogue_torques(context.scene, rated), fine, coarse ? &*coarse : nullptr,
-                                             paths.safety, relative_twist);
+        result.catalogue =
+            catalogue_figures(catalogue_torques(context.scene, rated), fine, coarser, safety, relative_twist);
     return forth;
 }
 
-/// Enters the largest stress at the largest torque and, where @p coarse_forces are known, its error.
-void enter_stress(contact::ContactContext const& context, DrivePair const& drives, elastic::HarmonicField const& field,
-                  Eigen::MatrixXd const& coarse_forces, LoadCase& result)
+/// Enters the largest stress at the largest torque and its error, as far as @p coarser know their forces.
+void enter_stress(contact::ContactContext const& context, DriveGrids const& drives, elastic::HarmonicField const& field,
+                  std::vector<CoarseBranch> const& coarser, LoadCase& result)
 {
     LoadModel const& model = drives.fine.model;
     CupStress const stress = cup_stress(model, field, context.threads);
@@ -220,16 +149,20 @@ void enter_stress(contact::ContactContext const& context, DrivePair const& drive
     state.stress_phi = stress.peak.phi;
     if (!result.estimated)
         return;
-    LoadModel const& coarse = drives.coarse->model;
-    CupStress const other = cup_stress(coarse, cup_field(coarse, coarse_forces, context.threads), context.threads);
+    std::vector<double> others;
+    for (std::size_t g = 0; g < coarser.size() && coarser[g].last_forces.size() > 0; ++g) {
+        LoadModel const& coarse = drives.coarser[g].model;
+        elastic::HarmonicField const other = cup_field(coarse, coarser[g].last_forces, context.threads);
+        others.push_back(cup_stress(coarse, other, context.threads).peak.stress);
+    }
     result.error.largest_stress =
-        stress_error(stress.peak.stress, other.peak.stress, stress.at_corners, grid_safety(model.drive.slice_z.size()));
+        stress_error(stress.peak.stress, others, stress.at_corners, grid_safety(model.drive.slice_z.size()));
     result.curve_error[result.rated]->largest_stress = result.error.largest_stress;
 }
 
 }  // namespace
 
-SolvedCase load_case(contact::ContactContext const& context, DrivePair const& drives,
+SolvedCase load_case(contact::ContactContext const& context, DriveGrids const& drives,
                      surface::SurfaceSpec const& choice, LoadingPath const& torques, CaseObserver const& observer)
 {
     auto const begin = std::chrono::steady_clock::now();
@@ -242,37 +175,31 @@ SolvedCase load_case(contact::ContactContext const& context, DrivePair const& dr
     LoadProblem const problem = load_problem(context, fine.model.drive, flanks);
     TorqueContinuation const path = torque_continuation(problem, fine.unloaded, assembled.play);
 
-    std::optional<contact::FlankGrid> coarse_flanks;
-    std::optional<LoadProblem> coarse_problem;
-    std::optional<TorqueContinuation> coarse;
-    double const safety = grid_safety(flanks.slices());
-    if (drives.coarse) {
-        coarse_flanks = coarsened(flanks, drives.coarse->grid.slices);
-        coarse_problem.emplace(load_problem(context, drives.coarse->model.drive, *coarse_flanks));
-        if (std::optional<TorqueContinuation> found = coarse_path(*coarse_problem, drives.coarse->unloaded, path))
-            coarse.emplace(std::move(*found));
-    }
-    if (coarse) {
+    std::vector<std::unique_ptr<CoarsePath>> const coarser = coarse_paths(context, drives, path);
+    if (!coarser.empty()) {
         // Teeth that press on both flanks are a balance, whose error varies more than that of a gap.
-        double const pressed = result.backlash < 0 ? 3 : 1;
-        result.backlash_error = pressed * safety * std::abs(width_of(path.play) - width_of(coarse->play));
+        double const factor = result.backlash < 0 ? 1.2 : 0.4;
+        std::vector<double> widths;
+        for (auto const& each : coarser)
+            widths.push_back(width_of(each->path->play));
+        result.backlash_error = factor * grid_safety(flanks.slices()) * grid_difference(width_of(path.play), widths);
     }
 
-    BranchWithErrors const rated = solve_curve(
-        context, {path, coarse ? &*coarse : nullptr, safety, compliance_of(drives.series)}, torques, observer, result);
+    BranchWithErrors const rated =
+        solve_curve(context, {path, coarser, compliance_of(drives.series)}, torques, observer, result);
     LoadedState const& state = result.curve[result.rated];
     result.members = twist_members(state, free_twist(path, state.torque),
                                    cup_in_torsion(fine.model.drive, fine.model.radius), drives.series);
     std::vector<double> const& z = result.map.z;
     result.pressure_at_edge =
         z.size() > 1 && state.largest_pressure > 0 && (state.pressure_z <= z.front() || state.pressure_z >= z.back());
-    if (!drives.coarse)
+    if (drives.coarser.empty())
         result.curve_error.clear();
-    result.estimated = drives.coarse && result.curve_error[result.rated];
+    result.estimated = !drives.coarser.empty() && result.curve_error[result.rated];
     if (result.estimated)
         result.error = *result.curve_error[result.rated];
     elastic::HarmonicField field = cup_field(fine.model, rated.branch.last.forces, context.threads);
-    enter_stress(context, drives, field, rated.errors.last_forces, result);
+    enter_stress(context, drives, field, rated.coarser, result);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     LoadedTeeth teeth;
     if (!problem.deviation)

@@ -5,10 +5,10 @@
 #include <functional>
 #include <vector>
 
+#include "coarse_path.hpp"
 #include "contact/study/contact_case.hpp"
 #include "contact/study/contact_context.hpp"
 #include "elastic/harmonic_field.hpp"
-#include "grid_error.hpp"
 #include "hdconj/load.hpp"
 #include "loaded_scene.hpp"
 #include "play.hpp"
@@ -44,9 +44,9 @@ struct SolvedCase
     LoadedTeeth teeth;
 };
 
-/// @param drives   with a coarse grid: errors are estimated
+/// @param drives   with coarser grids: errors are estimated
 /// @throws NumericalError where the teeth interfere at every turn, or no torque has an equilibrium
-[[nodiscard]] SolvedCase load_case(contact::ContactContext const& context, DrivePair const& drives,
+[[nodiscard]] SolvedCase load_case(contact::ContactContext const& context, DriveGrids const& drives,
                                    surface::SurfaceSpec const& choice, LoadingPath const& torques,
                                    CaseObserver const& observer);
 

@@ -41,7 +41,7 @@ void tell_assembly(LoadObserver const& observer, AssembledCup const& cup)
                         to_deg(std::atan(cup.coning_minor)), cup.largest_stress));
 }
 
-void add_cases(contact::ContactContext const& context, DrivePair const& drives, LoadOptions const& options,
+void add_cases(contact::ContactContext const& context, DriveGrids const& drives, LoadOptions const& options,
                LoadObserver const& observer, LoadStudy& study)
 {
     std::vector<surface::SurfaceSpec> const surfaces =

@@ -24,7 +24,7 @@ void tell_assembly(LoadObserver const& observer, AssembledCup const& cup);
 /// Adds every case that scene and options ask for to @p study, names those that are missing, and draws the cup of the
 /// case shown.
 /// @throws NumericalError of the first case where none can be computed
-void add_cases(contact::ContactContext const& context, DrivePair const& drives, LoadOptions const& options,
+void add_cases(contact::ContactContext const& context, DriveGrids const& drives, LoadOptions const& options,
                LoadObserver const& observer, LoadStudy& study);
 
 }  // namespace hdconj::load

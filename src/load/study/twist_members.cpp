@@ -2,7 +2,6 @@
 #include "twist_members.hpp"
 
 #include <numbers>
-#include <optional>
 #include <utility>
 
 #include "base/text.hpp"
@@ -63,23 +62,10 @@ double cup_in_torsion(ElasticDrive const& drive, double radius)
     return 2 * std::numbers::pi * radius * radius * width * width / moved;
 }
 
-void add_in_series(double compliance, std::vector<LoadedState>& states)
+void add_in_series(double compliance, LoadedState& state)
 {
-    for (LoadedState& state : states) {
-        state.twist += compliance * state.torque;
-        state.stiffness /= 1 + compliance * state.stiffness;
-    }
-}
-
-void add_in_series(double compliance, std::vector<LoadedState>& states, BranchErrors& errors)
-{
-    for (std::size_t i = 0; i < states.size(); ++i)
-        if (auto& error = errors.states[i]) {
-            double const softer = 1 + compliance * states[i].stiffness;
-            error->stiffness /= softer * softer;
-        }
-    add_in_series(compliance, states);
-    add_in_series(compliance, errors.coarse);
+    state.twist += compliance * state.torque;
+    state.stiffness /= softening(compliance, state.stiffness);
 }
 
 std::vector<TwistMember> twist_members(LoadedState const& state, double free, double cup,

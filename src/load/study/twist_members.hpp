@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "elastic/elasticity.hpp"
-#include "grid_error.hpp"
 #include "hdconj/load.hpp"
+#include "load/elastic_drive.hpp"
 
 namespace hdconj::load {
 
@@ -28,10 +28,14 @@ namespace hdconj::load {
 /// @param radius  at which the stations of the slices stand [mm]
 [[nodiscard]] double cup_in_torsion(ElasticDrive const& drive, double radius);
 
-/// What a compliance in series makes of states of teeth, cup and bearing: theta + c T, 1/K + c.
-void add_in_series(double compliance, std::vector<LoadedState>& states);
-/// The same, with the errors of the states: dK (K/K_teeth)^2.
-void add_in_series(double compliance, std::vector<LoadedState>& states, BranchErrors& errors);
+/// Stiffness of a spring over that of the same with @p compliance in series: 1 + c K.
+[[nodiscard]] inline double softening(double compliance, double stiffness)
+{
+    return 1 + compliance * stiffness;
+}
+
+/// What a compliance in series makes of a state of teeth, cup and bearing: theta + c T, K/(1 + c K).
+void add_in_series(double compliance, LoadedState& state);
 
 /// What the twist of @p state consists of: half the backlash, teeth with their bearing (the rest), cup, @p series.
 /// None without torque.

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The matrix G of a complementarity problem, of which some columns are computed when they are needed.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "complementarity.hpp"
+
+namespace hdconj::numeric {
+
+// Every result has the same bits for every number of threads, and whether or not columns are computed on demand.
+// Columns that are not finite numbers are refused: NumericalError.
+
+/// G x, from the columns where x is not 0.
+[[nodiscard]] Eigen::VectorXd times(Complementarity const& problem, Eigen::VectorXd const& x, int threads);
+
+/// Rows and columns @p which of G.
+[[nodiscard]] Eigen::MatrixXd principal_part(Complementarity const& problem, std::vector<int> const& which,
+                                             int threads);
+
+/// Its lower triangle alone, as that of dense.hpp. @param which  increasing
+[[nodiscard]] Eigen::MatrixXd lower_principal_part(Complementarity const& problem, std::vector<int> const& which,
+                                                   int threads);
+
+/// The diagonal of G.
+[[nodiscard]] Eigen::VectorXd diagonal_of(Complementarity const& problem);
+
+/// f'G f
+[[nodiscard]] double work_of(Complementarity const& problem, Eigen::VectorXd const& force, int threads);
+
+}  // namespace hdconj::numeric

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "numeric/compliance.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <atomic>
+#include <limits>
+#include <memory>
+#include <random>
+#include <vector>
+
+#include "hdconj/error.hpp"
+#include "support/catch.hpp"
+
+namespace hdconj::test::compliance_cases {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+/// A contact problem with a border, few of whose contacts close.
+numeric::Complementarity dense_problem(Index n, unsigned seed)
+{
+    std::mt19937_64 random(seed);
+    std::uniform_real_distribution<double> even(-1, 1);
+    auto const any = [&](auto const&) { return even(random); };
+    MatrixXd const m = MatrixXd::NullaryExpr(n, n, [&](Index, Index) { return even(random); });
+    VectorXd const approach = VectorXd::NullaryExpr(n, [&](Index i) { return any(i) - 0.8; });
+    VectorXd const border = VectorXd::NullaryExpr(n, [&](Index i) { return 1 + 0.1 * any(i); });
+    MatrixXd compliance = m * m.transpose();
+    compliance = (0.5 * (compliance + compliance.transpose())).eval();
+    compliance.diagonal().array() += static_cast<double>(n);
+    return {compliance, approach, border, 0.01};
+}
+
+/// The same with its first @p first columns on demand, each filled once.
+numeric::Complementarity on_demand(numeric::Complementarity const& dense, Index first, std::atomic<int>& filled)
+{
+    MatrixXd const all = dense.compliance;
+    Index const rest = all.rows() - first;
+    numeric::Complementarity result{all.bottomRightCorner(rest, rest), dense.approach, dense.border, dense.total};
+    result.leading = std::make_shared<numeric::ColumnsOnDemand>(all.diagonal().head(first), rest,
+                                                                [all, &filled](Index j, VectorXd& values) {
+                                                                    ++filled;
+                                                                    values = all.col(j).head(values.size());
+                                                                });
+    return result;
+}
+
+}  // namespace
+
+TEST_CASE("compliance: columns on demand give the bits of the dense matrix and are computed for closed contacts only",
+          "[complementarity][parallel]")
+{
+    constexpr Index n = 700;
+    numeric::Complementarity const dense = dense_problem(n, 3);
+    for (Index const first : {Index{1}, Index{300}, n}) {
+        for (numeric::ContactMethod const method :
+             {numeric::ContactMethod::active_set, numeric::ContactMethod::projected}) {
+            numeric::ComplementarityOptions options{.first = method};
+            auto const expected = numeric::solve_complementarity(dense, options);
+            REQUIRE(!expected.contacts.empty());
+            REQUIRE(expected.contacts.size() < n / 3);
+            for (int const threads : {1, 2, 3}) {
+                CAPTURE(first, method, threads);
+                options.threads = threads;
+                std::atomic<int> filled = 0;
+                numeric::Complementarity const problem = on_demand(dense, first, filled);
+                auto const found = numeric::solve_complementarity(problem, options);
+                CHECK(found.force == expected.force);
+                CHECK(found.gap == expected.gap);
+                CHECK(found.scalar == expected.scalar);
+                CHECK(found.energy == expected.energy);
+                CHECK(found.iterations == expected.iterations);
+                CHECK(problem.leading->computed() == static_cast<std::size_t>(filled));
+                CHECK(filled < n);
+            }
+        }
+    }
+}
+
+TEST_CASE("compliance: parts and products with columns on demand are those of the dense matrix", "[complementarity]")
+{
+    constexpr Index n = 400;
+    numeric::Complementarity const dense = dense_problem(n, 5);
+    std::vector<int> which;
+    for (int i = 0; i < n; i += 3)
+        which.push_back(i);
+    VectorXd x = dense.approach;
+    for (Index i = 0; i < n; i += 2)
+        x[i] = 0;
+    for (Index const first : {Index{1}, Index{150}, Index{399}, n}) {
+        CAPTURE(first);
+        std::atomic<int> filled = 0;
+        CHECK(numeric::times(on_demand(dense, first, filled), x, 2) == numeric::times(dense, x, 1));
+        CHECK(filled == n / 2);
+        CHECK(numeric::principal_part(on_demand(dense, first, filled), which, 2) == dense.compliance(which, which));
+        MatrixXd const lower =
+            numeric::lower_principal_part(on_demand(dense, first, filled), which, 2).triangularView<Eigen::Lower>();
+        CHECK(lower == MatrixXd(MatrixXd(dense.compliance(which, which)).triangularView<Eigen::Lower>()));
+        CHECK(numeric::diagonal_of(on_demand(dense, first, filled)) == dense.compliance.diagonal());
+        CHECK(numeric::work_of(on_demand(dense, first, filled), x, 2) == numeric::work_of(dense, x, 1));
+    }
+}
+
+TEST_CASE("compliance: a column that is not a number is refused", "[complementarity]")
+{
+    numeric::Complementarity dense = dense_problem(50, 7);
+    dense.compliance(3, 40) = dense.compliance(40, 3) = std::numeric_limits<double>::quiet_NaN();
+    std::atomic<int> filled = 0;
+    VectorXd x = VectorXd::Zero(50);
+    x[3] = 1;
+    CHECK_THROWS_AS(numeric::times(on_demand(dense, 10, filled), x, 1), NumericalError);
+}
+
+}  // namespace hdconj::test::compliance_cases
