@@ -58,6 +58,7 @@ if [ "$quick" != quick ]; then
   keep l-curve.svg load-curve.svg
   keep l-stiffness.svg load-stiffness.svg
   keep l-pressure.svg load-pressure.svg
+  keep l-flank.svg load/flank.svg
   run load "$scenes/type-50-elastic.toml" --surface tilted --set circular_spline.backlash_offset=0.065 \
     --measured ../data/measured/torque-twist.csv --torque-constant 0.119 --counts-per-turn 2000 --picture "$scratch/m.svg"
   keep m-curve.svg measured-curve.svg

@@ -23,7 +23,7 @@ struct InspectArguments
     std::string registration = std::string(to_string(Registration::least_squares));
     std::optional<double> plane;
     double probe = 0;
-    std::string output, deviations, picture, as_tooth;
+    std::string output, deviations, pitch, picture, as_tooth;
 };
 
 /// Options with their values, whose words have been checked.
@@ -65,6 +65,7 @@ int run_inspect(CommonOptions const& given, InspectArguments const& asked)
     add_file(work, "hdf5", "--output", own.output,
              [](Inspection const& result, fs::path const& file) { write_hdf5(result, file); });
     add_file(work, "deviations", "--deviations", own.deviations, write_deviations);
+    add_file(work, "pitch", "--pitch", own.pitch, write_pitch);
     add_file(work, "picture", "--picture", own.picture, write_chart, check_picture);
     add_file(work, "scene", "--as-tooth", own.as_tooth, write_measured_tooth);
     if (!own.as_tooth.empty())
@@ -114,6 +115,8 @@ void add_inspect(CLI::App& program, CommonOptions& common)
     add_option(verb, "--register", own.registration, "datum, turn, least-squares, minimum-zone [least-squares]", "WORD",
                one_of<Registration>());
     add_name(verb, "--deviations", own.deviations, "every point with its deviation", "FILE.csv");
+    add_name(verb, "--pitch", own.pitch, "place of each tooth along the pitch circle, for [errors] of a scene",
+             "FILE.csv");
     add_name(verb, "-o,--output", own.output, "result file, HDF5 [none]", "FILE.h5");
     add_name(verb, "--picture", own.picture, "chart of one page, needs gnuplot", "FILE.svg|FILE.png");
     add_name(verb, "--as-tooth", own.as_tooth, "the scene with the mean measured tooth; its points in NAME-tooth.csv",

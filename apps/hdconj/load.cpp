@@ -43,13 +43,13 @@ void add_files(Work<LoadStudy>& work, CommonOptions const& common, LoadArguments
     if (own.picture.empty())
         return;
     fs::path const picture = own.picture;
-    auto const [curve, stiffness, pressure, cup, stress, balls] = load_picture_names(picture);
+    auto const [curve, stiffness, pressure, flank, residual, cup, stress, balls] = load_picture_names(picture);
     work.outputs.push_back(
         {{"picture",
           "--picture",
           picture,
           [picture] { check_load_pictures(picture); },
-          {curve, stiffness, pressure, cup, stress, balls}},
+          {curve, stiffness, pressure, flank, residual, cup, stress, balls}},
          [picture, measured](LoadStudy const& study) { return write_load_pictures(study, picture, measured); }});
 }
 
@@ -197,7 +197,8 @@ void add_load(CLI::App& program, CommonOptions& common)
              "FILE");
     add_name(
         verb, "--picture", own.picture,
-        "drawings NAME-curve, NAME-pressure, NAME-cup, NAME-stress and, of single balls, NAME-balls; needs gnuplot",
+        "drawings NAME-curve, -stiffness, -residual, -pressure, -flank, -cup, -stress and -balls, as far as there is "
+        "something to draw; needs gnuplot",
         "NAME.svg|NAME.png");
     add_name(verb, "--vtu", own.vtu, "the deformed cup with its stress, for ParaView", "FILE.vtu");
     add_rig(verb, own);

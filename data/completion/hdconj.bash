@@ -56,7 +56,7 @@ _hdconj()
         wedm) options="$common --strict --part --tilt --output --from --dialect --decimals --picture" ;;
         accuracy)
             options="$common --study --output --sample --repeats --quick --from --budget --error --page" ;;
-        inspect) options="$common --part --plane --probe --register --deviations --output --picture --as-tooth" ;;
+        inspect) options="$common --part --plane --probe --register --deviations --pitch --output --picture --as-tooth" ;;
         export) options="$common --calculix --contact --vtu --steps" ;;
         report) options="--help --set --threads --json --quiet --output --with --tilt --revolution --no-curve" ;;
         study)

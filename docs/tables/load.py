@@ -5,7 +5,7 @@
   docs/tables/load.py PROGRAM [--csv] [TABLE ...]
 
 TABLE is any of: stages, curve, prototypes, members, shares, grid, thesis, tilted, surfaces, bearing, fixed, balls,
-reliefs, flow, errors, estimates; all of them without one. With --csv a table is comma-separated, as
+phases, reliefs, flow, errors, estimates; all of them without one. With --csv a table is comma-separated, as
 data/reference/load-TABLE.csv has it, in place of Markdown.
 """
 
@@ -345,6 +345,56 @@ def balls(program):
         )
 
 
+PHASES = 6  # places of the balls, evenly over the distance of two of them
+# Of a figure: path in the load object, and words
+OF_BALLS = [
+    (("cup", "wave_generator_force_N"), "force on the cup"),
+    (("cup", "coning_major_deg"), "coning"),
+    (("rated", "twist_arcmin"), "twist"),
+    (("rated", "largest_force_N"), "largest force of a tooth"),
+    (("rated", "wave_generator_force_N"), "force on the cup at 28 N m"),
+    (("rated", "largest_stress_MPa"), "stress of the cup at 28 N m"),
+]
+
+
+def phases(program):
+    """Single balls in place of a line: by how much figures change in the mean of all places of the balls, and by how
+    much they vary with the place (largest less smallest), both in percent of what a line of balls gives. Without an
+    outer edge of teeth in play, an outline per slice."""
+
+    def found(result):
+        if isinstance(result, str):
+            sys.exit(result)
+        parts = {"cup": result["cup"], "rated": result["cases"][0]["rated"]}
+        return [parts[part][name] for (part, name), _ in OF_BALLS]
+
+    options = ["--surface", "per-slice", "--no-curve", "--no-errors"]
+    head("ring [mm]", "balls", "distance [mm]", *(words + end for _, words in OF_BALLS for end in (" [%]", " varies [%]")))
+    for ring in (1.2, 0.8):
+        keys = {"circular_spline__backlash_offset": 0.04, "bearing__ring_thickness": ring}
+        line = found(load(program, *options, **keys))
+        for count in (100, 50, 30, 23, 22, 18, 14, 10):
+            places = [
+                found(
+                    load(
+                        program,
+                        *options,
+                        **keys,
+                        bearing__balls=count,
+                        bearing__ball_phase_deg=360 / count * place / PHASES,
+                    )
+                )
+                for place in range(PHASES)
+            ]
+            cells = []
+            for base, *values in zip(line, *places):
+                cells += [
+                    "%.2f" % (100 * (sum(values) / PHASES / base - 1)),
+                    "%.2f" % (100 * (max(values) - min(values)) / base),
+                ]
+            row(ring, count, "%.2f" % (2 * math.pi * (23.997 - ring) / count), *cells)
+
+
 TIP = {"tip_relief__amount": 0.004, "tip_relief__from_height": 0.1}
 RELIEFS = {
     "none": {},
@@ -428,6 +478,12 @@ def flow(program):
         )
 
 
+def cam_deviation(waves):
+    """2 um of the cosine of so many times the angle from the major axis."""
+    rows = [[angle, 0.002 * round(math.cos(math.radians(waves * angle)), 9)] for angle in range(0, 360, 5)]
+    return {"errors__wave_generator__cam_deviation": rows}
+
+
 def errors(program):
     """What errors of making and assembly do to twist and forces, with one outline."""
     head("errors", "backlash [arcmin]", "twist [arcmin]", "+-", "stiffness [N m/deg]", "+-", "teeth", "force [N]", "+-")
@@ -446,6 +502,19 @@ def errors(program):
         ),
         ("profile slope +3 um", {"errors__profile_slope": 0.003}),
         ("profile slope -3 um", {"errors__profile_slope": -0.003}),
+        ("circular spline's profile slope +3 um", {"errors__circular_spline__profile_slope": 0.003}),
+        ("circular spline's profile slope -3 um", {"errors__circular_spline__profile_slope": -0.003}),
+        *(
+            (
+                f"wave generator 5 um eccentric, phase {phase} deg",
+                {
+                    "errors__wave_generator__eccentricity": 0.005,
+                    "errors__wave_generator__eccentricity_phase_deg": phase,
+                },
+            )
+            for phase in (0, 90)
+        ),
+        *((f"cam deviates by 2 um, {waves} waves in a turn", cam_deviation(waves)) for waves in (2, 3)),
     ]
     for name, keys in variants:
         keys = {"circular_spline__backlash_offset": 0.08, **keys}
@@ -535,6 +604,7 @@ TABLES = {
     "bearing": bearing,
     "fixed": fixed,
     "balls": balls,
+    "phases": phases,
     "reliefs": reliefs,
     "flow": flow,
     "errors": errors,

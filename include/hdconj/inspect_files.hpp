@@ -23,6 +23,12 @@ namespace hdconj {
 /// @throws FileError where it cannot be written
 void write_deviations(Inspection const& inspection, std::filesystem::path const& file);
 
+/// The place of each tooth with both flanks along the pitch circle, clockwise: tooth, place, uncertainty. Of the first
+/// plane; the place of a tooth is the mean of those of its flanks. A scene takes the file of a whole ring in place of
+/// the list errors.flexspline.pitch or errors.circular_spline.pitch.
+/// @throws FileError where it cannot be written
+void write_pitch(Inspection const& inspection, std::filesystem::path const& file);
+
 /// All figures and points, layout in docs/reference/hdf5.md.
 /// @throws FileError where it cannot be written
 void write_hdf5(Inspection const& inspection, std::filesystem::path const& file);

@@ -31,12 +31,14 @@ void write_hdf5(LoadStudy const& study, std::filesystem::path const& file, Measu
 [[nodiscard]] std::string summary_json(LoadStudy const& study, std::vector<WrittenFile> const& written = {},
                                        Measurement const* measured = nullptr);
 
-/// Names of the pictures of a study: NAME.svg or .png stands for five.
+/// Names of the pictures of a study, for which NAME.svg or NAME.png stands.
 struct LoadPictures
 {
     std::filesystem::path curve;  ///< NAME-curve.svg: torque against twist, all cases, with the two lines of each stage
     std::filesystem::path stiffness;  ///< NAME-stiffness.svg: stiffness against torque, all cases, with K1, K2, K3
     std::filesystem::path pressure;   ///< NAME-pressure.svg: pressure over tooth space and slice
+    std::filesystem::path flank;      ///< NAME-flank.svg: pressure on the flank that carries most
+    std::filesystem::path residual;   ///< NAME-residual.svg: a measured curve less its lines and less the simulation
     std::filesystem::path cup;        ///< NAME-cup.svg: deformed section of the cup at the major and the minor axis
     std::filesystem::path stress;     ///< NAME-stress.svg: the same coloured by von Mises stress
     std::filesystem::path balls;      ///< NAME-balls.svg: forces of single balls around the ring
@@ -53,8 +55,8 @@ void check_load_pictures(std::filesystem::path const& file);
 /// @param study     what is drawn
 /// @param file      NAME.svg or NAME.png, see load_picture_names()
 /// @param measured  drawn into the curve; null: none
-/// @returns the files that were written, of the kinds "picture_curve", "picture_pressure", "picture_cup",
-/// "picture_stress", "picture_balls"
+/// @returns the files that were written, of the kinds "picture_curve", "picture_stiffness", "picture_residual",
+/// "picture_pressure", "picture_flank", "picture_cup", "picture_stress", "picture_balls"
 /// @throws InputError for another ending; FileError when gnuplot is missing or a file cannot be written
 std::vector<WrittenFile> write_load_pictures(LoadStudy const& study, std::filesystem::path const& file,
                                              Measurement const* measured = nullptr);

@@ -27,7 +27,9 @@ struct FlankDeviation
     /// By how much the flexspline's flanks stand back at a height of the tooth frame [mm]; null: by nothing. The land
     /// counts as the edge beside it.
     std::function<double(double)> height{};
-    double excess = 0;                   ///< at no height do flanks stand out by more [mm]
+    double excess = 0;  ///< at no height do flanks stand out by more [mm]
+    /// By how much the circular spline's flanks stand back at a distance from its axis [mm]; null: by nothing.
+    std::function<double(double)> radius{};
     std::vector<Displacement> teeth{};   ///< of the flexspline, from tooth 0 on; empty: none
     std::vector<Displacement> spaces{};  ///< of the circular spline, from space 0 on; empty: none
     std::vector<double> z{};             ///< (k) place of a slice from the middle of the width [mm]; empty: 0

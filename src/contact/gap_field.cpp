@@ -105,7 +105,7 @@ double GapField::nearest(Candidates const& teeth, Vec2 const& q) const
         distance::NearestPoint const found = distance_(x);
         best = std::min(best, has_heights() ? found.distance + deviation_->height(found.point.y()) : found.distance);
     }
-    return best;
+    return best + standing_back(q);
 }
 
 void GapField::nearest(Candidates const& teeth, Vec2 const* q, std::size_t count, double less, double* out) const
@@ -135,22 +135,10 @@ void GapField::nearest(Candidates const& teeth, Vec2 const* q, std::size_t count
             }
         }
         for (std::size_t l = 0; l < lanes && i + l < count; ++l)
-            out[i + l] = best[l] - less;
+            out[i + l] = best[l] + standing_back(q[i + l]) - less;
     }
     for (; i < count; ++i)
         out[i] = nearest(teeth, q[i]) - less;
-}
-
-/// Gradient of distance and deviation at @p x, whose distance has the gradient @p normal. Along the normal the nearest
-/// point stays.
-Vec2 GapField::deviating_normal(Vec2 const& x, Vec2 const& normal) const
-{
-    // of the pitch: the truncation goes with its square, the rounding with its inverse
-    constexpr double step = 1e-5;
-    double const h = step * pitch_ * reach_;
-    Vec2 const along = left_of(normal);
-    auto const at = [&](double way) { return deviation_->height(distance_(x + way * along).point.y()); };
-    return (normal + (at(h) - at(-h)) / (2 * h) * along).normalized();
 }
 
 double GapField::radius(int flank, std::size_t slice) const
@@ -208,9 +196,10 @@ GapField::Touch GapField::touch(NearTeeth const& near, Vec2 const& q) const
             found.normal = deviating_normal(x, found.normal);
         }
         if (found.distance < best.nearest.distance)
-            best = {candidate(near.space, c), found, tooth.rotate_back(found.normal), near.turn};
+            best = {candidate(near.space, c), found, tooth.rotate_back(found.normal), near.turn, Vec2::Zero()};
     }
-    best.nearest.distance += opening(near.slice);
+    best.nearest.distance += opening(near.slice) + standing_back(q);
+    best.rise = rise(q);
     best.turn = turn_between(near.space, best.tooth, near.turn);
     return best;
 }

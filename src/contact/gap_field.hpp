@@ -120,13 +120,18 @@ class GapField
     void along(std::size_t space, int flank, std::size_t slice, double turn, double* out) const;
 
     /// The tooth that is nearest to a flank point, and its nearest point in its own frame. Where flanks deviate, the
-    /// distance contains the deviation and the normal is its gradient: that of the flank that is made.
+    /// distance contains the deviations of both, and the normal is that of the tooth that is made.
     struct Touch
     {
         int tooth = 0;  ///< number as in ToothPoses
         distance::NearestPoint nearest;
         Vec2 normal = Vec2::Zero();  ///< outward from the tooth, in the frame of the space
         double turn = 0;             ///< of the tooth against the space, clockwise [rad]
+        Vec2 rise = Vec2::Zero();    ///< gradient of the deviation of the circular spline, in the frame of the space
+
+        /// Of the gap, from point to point of the circular spline. Where it is across the nominal flank, the normal is
+        /// across the flank that is made.
+        [[nodiscard]] Vec2 gradient() const { return normal + rise; }
     };
     [[nodiscard]] Touch touch(Index const& i, double turn) const;
 
@@ -174,6 +179,12 @@ class GapField
     /// How far a gap may be below the distance of the nominal tooth.
     [[nodiscard]] double excess() const { return deviation_ ? deviation_->excess : 0; }
     [[nodiscard]] bool has_heights() const { return deviation_ && deviation_->height; }
+    /// How far a point of the circular spline stands back.
+    [[nodiscard]] double standing_back(Vec2 const& q) const
+    {
+        return deviation_ && deviation_->radius ? deviation_->radius(q.norm()) : 0;
+    }
+    [[nodiscard]] Vec2 rise(Vec2 const& q) const;
     [[nodiscard]] Vec2 deviating_normal(Vec2 const& x, Vec2 const& normal) const;
     [[nodiscard]] int candidate(std::size_t space, int c) const;
     /// Turn of a tooth against a space, where the flexspline is turned by @p turn.

@@ -58,7 +58,7 @@ StripContact contact_of(FlankView const& view, GapMinimum const& at, contact::Ga
     double const half = 0.5 * (strip.behind + strip.ahead), place = view.curve.arc_length_at(at.place);
     double const on_circle = std::sqrt(2 * view.search.strip_depth * view.radius);
     double const wide = view.radius > 0 ? std::clamp(half / (2 * on_circle) - 1, 0.0, 1.0) : 1.0;
-    bool const on_edge = (at.at_end && place <= 0) || wide == 0;
+    bool const on_edge = (at.at_end && place <= 0 && !view.search.wide_edges) || wide == 0;
     FlankCurve::Place const middle =
         on_edge ? at.place : view.curve.place(place + 0.5 * wide * (strip.ahead - strip.behind));
     FlankContact c = contact_at(view, middle, on_edge ? touch : view.touch(view.curve.point(middle)));

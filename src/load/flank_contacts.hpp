@@ -43,7 +43,8 @@ struct FlankSearch
     std::size_t spaces = 0;
     double phase = 0;  ///< undeformed angle of tooth 0 [rad]
     int flexspline_teeth = 0;
-    double strip_depth = 0;  ///< how much more gap belongs to one contact: that at the edges of a typical strip [mm]
+    double strip_depth = 0;   ///< how much more gap belongs to one contact: that at the edges of a typical strip [mm]
+    bool wide_edges = false;  ///< a wide strip has its force in the middle although its least gap is on an edge
 };
 
 /// Finds the local minima of the gap along every (space, flank, slice), each with the strip of the flank that belongs

@@ -27,7 +27,7 @@ struct FlankView
     /// Derivative of the gap along the flank; at an end of a stretch, from within the stretch.
     [[nodiscard]] double slope(FlankCurve::Place const& at) const
     {
-        return touch(curve.point(at)).normal.dot(curve.tangent(at));
+        return touch(curve.point(at)).gradient().dot(curve.tangent(at));
     }
 };
 

@@ -62,8 +62,9 @@ LoadStudy study_load(Scene const& scene, LoadOptions const& options, StageObserv
         });
     }
     clock.run(Stage::load, [&] {
+        constexpr std::size_t coarser_grids = 2;
         if (options.errors)
-            drives.coarser = load::coarser_drives(context);
+            drives.coarser = load::coarser_drives(context, coarser_grids);
         if (!drives.coarser.empty())
             load::estimate_errors(context, drives, study.cup);
         load::add_cases(context, drives, options, observer, study);

@@ -163,12 +163,13 @@ void run_elastic(contact::ContactStudyData& data, running::RunTask const& task, 
     contact::FlankGrid const& flanks = assembled.surface.grid;
     double const middle = load::middle_of(assembled.play);
     running::TurningDrive const drive(context, fine, flanks, task.motion, middle);
-    std::vector<load::AssembledDrive> const coarser =
-        options.errors ? load::coarser_drives(context) : std::vector<load::AssembledDrive>();
-    contact::FlankGrid const coarse_flanks = coarser.empty() ? contact::FlankGrid() : load::coarsened(flanks);
+    std::vector<load::AssembledDrive> const coarse = load::coarser_drives(context, options.errors ? 1 : 0);
+    std::optional<contact::FlankGrid> coarse_flanks;
     std::optional<running::TurningDrive> coarse_drive;
-    if (!coarser.empty())
-        coarse_drive.emplace(context, coarser.front(), coarse_flanks, task.motion, middle);
+    if (!coarse.empty()) {
+        coarse_flanks = load::coarsened(flanks);
+        coarse_drive.emplace(context, coarse.front(), *coarse_flanks, task.motion, middle);
+    }
     GridPair const drives{drive, coarse_drive ? &*coarse_drive : nullptr, load::grid_safety(flanks.slices())};
     data.clock.run(Stage::load, [&] {
         for (PlannedSequence const& each : planned_sequences(context.scene, task))

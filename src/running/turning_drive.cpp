@@ -27,7 +27,7 @@ double first_contact(contact::ContactContext const& context, contact::FlankGrid 
                      RunningMotion const& motion, double pitches)
 {
     auto const [whole, phase] = ring_place(motion, pitches);
-    std::optional<contact::FlankDeviation> deviation = load::flank_deviation(context, flanks.z);
+    std::optional<contact::FlankDeviation> deviation = load::flank_deviation(context, flanks);
     if (deviation)
         deviation = gone_back(std::move(*deviation), whole);
     contact::ToothPoses const places = contact::tooth_places(context, phase, flanks.z);

@@ -4,54 +4,16 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <optional>
-#include <span>
 #include <utility>
 
 #include "base/text.hpp"
+#include "column_units.hpp"
 #include "file/csv.hpp"
 #include "hdconj/scene/parameter_fault.hpp"
 #include "hdconj/scene/schema.hpp"
-#include "hdconj/units.hpp"
 
 namespace hdconj::scene {
 namespace {
-
-using file::ColumnUnit;
-
-constexpr double inch = 25.4;
-constexpr std::array lengths = {ColumnUnit{"mm", 1},           ColumnUnit{"um", um},        ColumnUnit{"\xc2\xb5m", um},
-                                ColumnUnit{"\xce\xbcm", um},   ColumnUnit{"nm", um / 1000}, ColumnUnit{"cm", 10},
-                                ColumnUnit{"m", 1000},         ColumnUnit{"inch", inch},    ColumnUnit{"in", inch},
-                                ColumnUnit{"mil", inch / 1000}};
-constexpr std::array angles = {ColumnUnit{"deg", 1},           ColumnUnit{"\xc2\xb0", 1},
-                               ColumnUnit{"degree", 1},        ColumnUnit{"degrees", 1},
-                               ColumnUnit{"arcmin", 1.0 / 60}, ColumnUnit{"arcsec", 1.0 / 3600},
-                               ColumnUnit{"rad", per_deg},     ColumnUnit{"mrad", per_deg / 1000}};
-
-std::optional<double> factor_of(std::string_view unit, ColumnQuantity quantity)
-{
-    auto const units =
-        quantity == ColumnQuantity::length ? std::span<ColumnUnit const>(lengths) : std::span<ColumnUnit const>(angles);
-    return file::factor_of(units, file::lower_case(unit));
-}
-
-bool is_unit(std::string_view text)
-{
-    return factor_of(text, ColumnQuantity::length) || factor_of(text, ColumnQuantity::angle);
-}
-
-std::string_view without_blanks(std::string_view text)
-{
-    return file::trimmed(text, " \t\r\"'");
-}
-
-/// The unit that stands in brackets; nothing where there are none.
-std::optional<std::string_view> bracketed(std::string_view text)
-{
-    auto const unit = file::heading_of(text).unit;
-    return unit ? std::optional(without_blanks(*unit)) : std::nullopt;
-}
 
 /// Headings between commas, semicolons or tabs; where there are none, between blanks, a bracket with the word before
 /// it.
@@ -73,16 +35,6 @@ std::vector<std::string_view> headings_of(std::string_view header)
     return headings;
 }
 
-/// The unit that a heading names, whether it is known or not; nothing where it names none.
-std::optional<std::string_view> unit_in(std::string_view heading)
-{
-    if (auto const inside = bracketed(heading))
-        return inside;
-    auto const before = heading.find_last_of("_ ");
-    std::string_view const last = before == std::string_view::npos ? heading : heading.substr(before + 1);
-    return is_unit(last) ? std::optional(last) : std::nullopt;
-}
-
 /// What a header says of its two columns.
 struct ColumnUnits
 {
@@ -97,13 +49,9 @@ ColumnUnits column_units(std::string_view header, std::array<ColumnQuantity, 2> 
 {
     ColumnUnits found;
     auto const headings = headings_of(without_blanks(header));
-    auto const write = [&](std::size_t k) {
-        return columns[k] == ColumnQuantity::length ? "write a length in [mm], [um], [nm], [cm], [m], [inch] or [mil]"
-                                                    : "write an angle in [deg], [arcmin], [arcsec], [rad] or [mrad]";
-    };
     if (headings.size() != columns.size()) {
         // a title is no header, but one with a unit may be meant for the columns
-        if (auto const unit = bracketed(header); unit && is_unit(*unit)) {
+        if (auto const unit = unit_in_brackets(header); unit && is_unit(*unit)) {
             found.reason = "names the unit [" + std::string(*unit) + "], and not of which of two columns";
             found.remedy = columns[0] == ColumnQuantity::length
                                ? "write the header x [mm],y [mm], or remove it"
@@ -115,11 +63,11 @@ ColumnUnits column_units(std::string_view header, std::array<ColumnQuantity, 2> 
         auto const unit = unit_in(headings[k]);
         if (!unit)
             continue;
-        auto const factor = factor_of(*unit, columns[k]);
+        auto const factor = factor_of_unit(*unit, columns[k]);
         if (!factor) {
             found.reason =
                 "column " + std::to_string(k + 1) + ", " + std::string(headings[k]) + ": the unit is not known";
-            found.remedy = write(k);
+            found.remedy = known_units(columns[k]);
             return found;
         }
         found.factor[k] = *factor;

@@ -128,19 +128,33 @@ std::string members_in_series(Compliance const& compliance)
     return keys;
 }
 
+/// Which profile errors a table gives, each after a comma.
+std::string profile_reason(double slope, scene::NumberRows const& form)
+{
+    return (slope != 0 ? ", profile_slope = " + in_mm(slope) : "") +
+           (!form.empty() ? ", profile_form of " + std::to_string(form.size()) + " rows" : "");
+}
+
 /// Which errors there are.
 std::string errors_reason(Errors const& errors)
 {
-    std::string text = "errors.seed = " + std::to_string(errors.seed);
+    std::string text =
+        "errors.seed = " + std::to_string(errors.seed) + profile_reason(errors.profile_slope, errors.profile_form);
     auto const add = [&](std::string const& ring, std::optional<RingErrors> const& of) {
         if (!of)
             return;
         text += "; " + ring + ": " +
                 (of->pitch.empty() ? "pitch_deviation = " + in_mm(of->pitch_deviation) : "pitch of each tooth") +
-                ", eccentricity = " + in_mm(of->eccentricity) + ", wobble_deg = " + number_text(to_deg(of->wobble));
+                ", eccentricity = " + in_mm(of->eccentricity) + ", wobble_deg = " + number_text(to_deg(of->wobble)) +
+                profile_reason(of->profile_slope, of->profile_form);
     };
     add("flexspline", errors.flexspline);
     add("circular_spline", errors.circular_spline);
+    if (auto const& cam = errors.wave_generator)
+        text +=
+            "; wave_generator: eccentricity = " + in_mm(cam->eccentricity) +
+            (cam->cam_deviation.empty() ? ""
+                                        : ", cam_deviation of " + std::to_string(cam->cam_deviation.size()) + " rows");
     return text;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reliefs: how far flanks stand back from their nominal form.
+// Reliefs and errors: how far flanks and cams are from their nominal form.
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -35,6 +35,40 @@ void check_wobble(SceneReading const& reading, std::string const& key, double wo
                "write at most " + at_most_text(to_deg(std::atan(most / half))));
 }
 
+/// Whether the first numbers of @p rows grow from row to row.
+bool are_growing(NumberRows const& rows)
+{
+    return std::ranges::adjacent_find(rows, [](auto const& a, auto const& b) { return !(b[0] > a[0]); }) == rows.end();
+}
+
+/// The largest size of the second numbers of @p rows.
+double largest_excess(NumberRows const& rows)
+{
+    double largest = 0;
+    for (auto const& row : rows)
+        largest = std::max(largest, std::abs(row[1]));
+    return largest;
+}
+
+/// @param table  the table of the keys profile_slope and profile_form, with its dot
+void check_profile(SceneReading const& reading, std::string const& table, double slope, NumberRows const& form,
+                   Faults& faults)
+{
+    if (!are_growing(form))
+        add_at(faults, table + "profile_form", "", "heights do not grow from row to row",
+               "write each height once, from the root to the tip");
+    check_amount(reading, table + "profile_form", largest_excess(form), faults);
+    check_amount(reading, table + "profile_slope", std::abs(slope), faults);
+}
+
+/// Refuses a profile of the flexspline that stands in two tables.
+void check_twice(Scene const& scene, std::string const& key, Faults& faults)
+{
+    if (scene.given.contains("errors." + key) && scene.given.contains("errors.flexspline." + key))
+        add_at(faults, "errors.flexspline." + key, "", "errors." + key + " says the same of the same flanks",
+               "remove one of errors." + key + " and errors.flexspline." + key);
+}
+
 /// Errors of one ring. Its pitches stand in one list, or are random.
 void check_ring(SceneReading const& reading, std::string const& ring, std::optional<RingErrors> const& errors,
                 int teeth, Faults& faults)
@@ -45,6 +79,7 @@ void check_ring(SceneReading const& reading, std::string const& ring, std::optio
     check_amount(reading, path + "pitch_deviation", errors->pitch_deviation, faults);
     check_amount(reading, path + "eccentricity", errors->eccentricity, faults);
     check_wobble(reading, path + "wobble_deg", errors->wobble, faults);
+    check_profile(reading, path, errors->profile_slope, errors->profile_form, faults);
     if (!knows(reading, {path + "pitch", "drive." + ring + "_teeth"}))
         return;
     auto const count = static_cast<int>(errors->pitch.size());
@@ -60,19 +95,17 @@ void check_ring(SceneReading const& reading, std::string const& ring, std::optio
     check_amount(reading, path + "pitch", largest, faults);
 }
 
-void check_profile(SceneReading const& reading, Errors const& errors, Faults& faults)
+void check_wave_generator(SceneReading const& reading, WaveGeneratorErrors const& errors, Faults& faults)
 {
-    double largest = 0;
-    bool rising = true;
-    for (std::size_t i = 0; i < errors.profile_form.size(); ++i) {
-        rising = rising && (i == 0 || errors.profile_form[i][0] > errors.profile_form[i - 1][0]);
-        largest = std::max(largest, std::abs(errors.profile_form[i][1]));
-    }
-    if (!rising)
-        add_at(faults, "errors.profile_form", "", "heights do not grow from row to row",
-               "write each height once, from the root to the tip");
-    check_amount(reading, "errors.profile_form", largest, faults);
-    check_amount(reading, "errors.profile_slope", std::abs(errors.profile_slope), faults);
+    std::string const table = "errors.wave_generator.", cam = table + "cam_deviation";
+    check_amount(reading, table + "eccentricity", errors.eccentricity, faults);
+    check_amount(reading, cam, largest_excess(errors.cam_deviation), faults);
+    if (!are_growing(errors.cam_deviation))
+        add_at(faults, cam, "", "angles do not grow from row to row", "write each angle once, in growing order");
+    else if (!errors.cam_deviation.empty() &&
+             !(errors.cam_deviation.back()[0] - errors.cam_deviation.front()[0] < from_deg(360)))
+        add_at(faults, cam, "", "the angles span a whole turn or more",
+               "leave out what repeats the first row after 360 degrees");
 }
 
 }  // namespace
@@ -83,7 +116,11 @@ void add_relief_faults(SceneReading const& reading, Faults& faults)
     if (scene.tip_relief)
         check_amount(reading, "tip_relief.amount", scene.tip_relief->amount, faults);
     if (scene.errors) {
-        check_profile(reading, *scene.errors, faults);
+        check_profile(reading, "errors.", scene.errors->profile_slope, scene.errors->profile_form, faults);
+        for (char const* key : {"profile_slope", "profile_form"})
+            check_twice(scene, key, faults);
+        if (scene.errors->wave_generator)
+            check_wave_generator(reading, *scene.errors->wave_generator, faults);
         check_ring(reading, "flexspline", scene.errors->flexspline, scene.drive.flexspline_teeth, faults);
         check_ring(reading, "circular_spline", scene.errors->circular_spline, scene.drive.circular_spline_teeth,
                    faults);

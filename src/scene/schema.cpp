@@ -421,13 +421,28 @@ std::vector<KeySpec> errors()
                                  "of the flexspline's flanks: heights above the pitch line and the material there "
                                  "beyond the slope",
                                  bounds::fewest_form_rows, bounds::most_rows),
-                        {"[height, excess]"}),
+                        {"[height, excess]", row_file}),
              "[[-0.3, 0], [-0.1, 0.001], [0.1, 0.001], [0.2, 0]]",
              [](Scene& s, Parameter const& p) { s.errors->profile_form = std::get<NumberRows>(p.value); }}};
 }
 
+/// What the heights of a ring's profile are, in words.
+struct ProfileWords
+{
+    std::string_view slope, form;
+};
+
+constexpr ProfileWords flexspline_profile{
+    "of its flanks: the same as errors.profile_slope",
+    "of its flanks: the same as errors.profile_form",
+};
+constexpr ProfileWords spline_profile{
+    "of its flanks: how much more material the tip has than the root; none at the pitch circle, m z_c/2",
+    "of its flanks: heights from the pitch circle towards the axis and the material there beyond the slope",
+};
+
 template <auto ring>
-std::vector<KeySpec> ring_errors()
+std::vector<KeySpec> ring_errors(ProfileWords const& profile)
 {
     return {{optional("pitch_deviation", Q::nonnegative_length,
                       "standard deviation of the random places of teeth along the pitch circle"),
@@ -436,7 +451,7 @@ std::vector<KeySpec> ring_errors()
                                  "the place of each tooth along the pitch circle, clockwise, from tooth 0 on; in place "
                                  "of pitch_deviation",
                                  1, bounds::most_rows),
-                        {"[place]"}),
+                        {"[place]", row_file}),
              "[0.001, -0.002]",
              [](Scene& s, Parameter const& p) {
                  for (auto const& row : std::get<NumberRows>(p.value))
@@ -453,7 +468,30 @@ std::vector<KeySpec> ring_errors()
              "0.02", to_rad<&Scene::errors, ring, &RingErrors::wobble>, 0.0},
             {optional("wobble_phase_deg", Q::angle_deg,
                       "where the ring stands out at the cup's open end, clockwise from its tooth 0"),
-             "30", to_rad<&Scene::errors, ring, &RingErrors::wobble_phase>, 0.0}};
+             "30", to_rad<&Scene::errors, ring, &RingErrors::wobble_phase>, 0.0},
+            {optional("profile_slope", Q::length, profile.slope), "0.002",
+             to<&Scene::errors, ring, &RingErrors::profile_slope>, 0.0},
+            {with_words(optional("profile_form", Q::rows, profile.form, bounds::fewest_form_rows, bounds::most_rows),
+                        {"[height, excess]", row_file}),
+             "[[-0.3, 0], [-0.1, 0.001], [0.1, 0.001], [0.2, 0]]",
+             [](Scene& s, Parameter const& p) { ((*s.errors).*ring)->profile_form = std::get<NumberRows>(p.value); }}};
+}
+
+std::vector<KeySpec> wave_generator_errors()
+{
+    return {{optional("eccentricity", Q::nonnegative_length,
+                      "of cam and bearing against the axis of the drive, which the shaft keeps"),
+             "0.005", to<&Scene::errors, &Errors::wave_generator, &WaveGeneratorErrors::eccentricity>, 0.0},
+            {optional("eccentricity_phase_deg", Q::angle_deg, "where it stands out, clockwise from its major axis"),
+             "30", to_rad<&Scene::errors, &Errors::wave_generator, &WaveGeneratorErrors::eccentricity_phase>, 0.0},
+            {with_words(optional("cam_deviation", Q::rows,
+                                 "angles clockwise from the major axis, over a whole turn, and the radial excess there",
+                                 bounds::fewest_form_rows, bounds::most_rows),
+                        {"[angle_deg, excess]", row_file}),
+             "[[0, 0.002], [90, 0], [180, -0.001], [270, 0]]", [](Scene& s, Parameter const& p) {
+                 for (auto const& row : std::get<NumberRows>(p.value))
+                     s.errors->wave_generator->cam_deviation.push_back({row[0] * deg, row[1]});
+             }}};
 }
 
 std::vector<KeySpec> contact()
@@ -667,9 +705,11 @@ std::vector<TableSpec> const& scene_schema()
         {"errors", "effect: errors of making and assembly; for the verb load", effect, FamilyKind::none,
          begin<&Scene::errors>, errors()},
         {"errors.flexspline", "effect: errors of the flexspline's ring of teeth", effect, FamilyKind::none,
-         begin<&Scene::errors, &Errors::flexspline>, ring_errors<&Errors::flexspline>()},
+         begin<&Scene::errors, &Errors::flexspline>, ring_errors<&Errors::flexspline>(flexspline_profile)},
         {"errors.circular_spline", "effect: errors of the circular spline's ring of teeth", effect, FamilyKind::none,
-         begin<&Scene::errors, &Errors::circular_spline>, ring_errors<&Errors::circular_spline>()},
+         begin<&Scene::errors, &Errors::circular_spline>, ring_errors<&Errors::circular_spline>(spline_profile)},
+        {"errors.wave_generator", "effect: errors of the wave generator", effect, FamilyKind::none,
+         begin<&Scene::errors, &Errors::wave_generator>, wave_generator_errors()},
         {"contact", "settings of the verb contact", effect, FamilyKind::none, begin<&Scene::contact>, contact()},
         {"load", "settings of the verb load", effect, FamilyKind::none, begin<&Scene::load>, load()},
         {"running", "settings of the verb run", effect, FamilyKind::none, begin<&Scene::running>, running()},

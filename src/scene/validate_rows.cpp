@@ -14,19 +14,6 @@ using Kind = RawValue::Kind;
 
 constexpr double absolute_zero = 273.15;  // below 0 degrees Celsius
 
-/// Column names of a form: "[radius, sweep_deg]" -> radius, sweep_deg.
-std::vector<std::string_view> columns_of(std::string_view form)
-{
-    std::vector<std::string_view> columns;
-    std::string_view rest = form.substr(1, form.size() - 2);
-    for (std::size_t comma = 0; comma != std::string_view::npos;) {
-        comma = rest.find(", ");
-        columns.push_back(rest.substr(0, comma));
-        rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 2);
-    }
-    return columns;
-}
-
 bool is_number(RawValue const& value)
 {
     return value.kind == Kind::integer || value.kind == Kind::number;
@@ -99,10 +86,23 @@ std::vector<std::string> row_faults(RawValue const& row, std::vector<std::string
 
 }  // namespace
 
+std::vector<std::string_view> columns_of(std::string_view form)
+{
+    std::vector<std::string_view> columns;
+    std::string_view rest = form.substr(1, form.size() - 2);
+    for (std::size_t comma = 0; comma != std::string_view::npos;) {
+        comma = rest.find(", ");
+        columns.push_back(rest.substr(0, comma));
+        rest.remove_prefix(comma == std::string_view::npos ? rest.size() : comma + 2);
+    }
+    return columns;
+}
+
 std::variant<Parameter, Faults> validate_rows(ParameterSpec const& spec, RawEntry const& entry, std::string const& path)
 {
     constexpr std::size_t most_faults = 20;
     auto const& rows = entry.value.items;
+    std::vector<std::string_view> const forms = row_forms(spec);
     Faults faults;
     NumberRows numbers;
     auto const add = [&](std::string reason) {
@@ -131,7 +131,7 @@ std::variant<Parameter, Faults> validate_rows(ParameterSpec const& spec, RawEntr
         return faults;
     }
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        for (auto const& fault : row_faults(rows[i], spec.words))
+        for (auto const& fault : row_faults(rows[i], forms))
             add_row(rows[i], i + 1, fault);
         if (faults.size() >= most_faults) {
             add("rows after row " + std::to_string(i + 1) + " were not looked at");

@@ -38,7 +38,7 @@ std::optional<Parameter> take_value(Validation& validation, TableSpec const& tab
     std::string const path = join(table.path, spec.key);
     validation.attempted.insert(path);
     validation.reading.scene.given[path] = {entry.line, entry.value.written};
-    auto verdict = validate_value(spec, example, entry, spelled);
+    auto verdict = validate_value(spec, example, entry, spelled, validation.reading.scene.folder);
     if (auto* const faults = std::get_if<Faults>(&verdict)) {
         std::move(faults->begin(), faults->end(), std::back_inserter(validation.reading.faults));
         return std::nullopt;
@@ -164,9 +164,10 @@ Faults cross_faults(SceneReading const& reading)
     return faults;
 }
 
-SceneReading validate_scene(RawValue const& root, SceneFamilies const& families)
+SceneReading validate_scene(RawValue const& root, SceneFamilies const& families, std::filesystem::path const& folder)
 {
     Validation validation{families, {}};
+    validation.reading.scene.folder = folder;
     for (auto const& entry : root.entries)
         validate_member(validation, {"", "", &root}, entry);
     validate_missing(validation);

@@ -182,10 +182,17 @@ Verdict refusal_of(ParameterSpec const& spec, RawValue const& value, std::string
 
 }  // namespace
 
+std::vector<std::string_view> row_forms(ParameterSpec const& spec)
+{
+    std::vector<std::string_view> forms = spec.words;
+    std::erase(forms, row_file);
+    return forms;
+}
+
 std::string row_form(ParameterSpec const& spec)
 {
     std::string forms;
-    for (auto const form : spec.words)
+    for (auto const form : row_forms(spec))
         forms += (forms.empty() ? "" : " or ") + std::string(form);
     bool const has_angles = forms.find("_deg") != std::string::npos;
     for (auto const& [form, unit] : {std::pair("[torque]", "in N m"), std::pair("[speed]", "in rpm"),
@@ -201,7 +208,7 @@ std::string expectation(ParameterSpec const& spec)
     bool const below = std::isfinite(spec.at_least);
     bool const above = std::isfinite(spec.at_most);
     if (spec.quantity == Quantity::rows)
-        return base;
+        return base + (takes_file(spec) ? ", or a file " + std::string(row_file) : "");
     if (below && above)
         return base + " from " + number_text(spec.at_least) + " to " + number_text(spec.at_most);
     if (below)
@@ -217,11 +224,19 @@ std::string write_instead(ParameterSpec const& spec, std::string_view example)
                                           : text + ", such as " + std::string(spec.key) + " = " + std::string(example);
 }
 
+bool takes_file(ParameterSpec const& spec)
+{
+    return std::ranges::find(spec.words, row_file) != spec.words.end();
+}
+
 std::variant<Parameter, Faults> validate_value(ParameterSpec const& spec, std::string_view example,
-                                               RawEntry const& entry, std::string const& path)
+                                               RawEntry const& entry, std::string const& path,
+                                               std::filesystem::path const& folder)
 {
     if (spec.quantity == Quantity::rows && entry.value.kind == Kind::array)
         return validate_rows(spec, entry, path);
+    if (spec.quantity == Quantity::rows && entry.value.kind == Kind::text && takes_file(spec))
+        return rows_of_file(spec, entry, path, folder);
     auto const refusal = refusal_of(spec, entry.value, write_instead(spec, example));
     if (refusal)
         return Faults{{path,

@@ -98,6 +98,15 @@ void validate_missing(Validation& validation);
 /// What one row of a list takes: "[x, y], in mm".
 [[nodiscard]] std::string row_form(ParameterSpec const& spec);
 
+/// The forms that a row of a list may have.
+[[nodiscard]] std::vector<std::string_view> row_forms(ParameterSpec const& spec);
+
+/// Column names of a form: "[radius, sweep_deg]" -> radius, sweep_deg.
+[[nodiscard]] std::vector<std::string_view> columns_of(std::string_view form);
+
+/// Whether a CSV file may stand in place of a list.
+[[nodiscard]] bool takes_file(ParameterSpec const& spec);
+
 /// "write " and the expectation, with @p example when there is one.
 [[nodiscard]] std::string write_instead(ParameterSpec const& spec, std::string_view example);
 
@@ -105,12 +114,22 @@ void validate_missing(Validation& validation);
 /// list.
 /// @param path     key path for the message
 /// @param example  good value for the remedy; may be empty
+/// @param folder   where relative file names start
 [[nodiscard]] std::variant<Parameter, Faults> validate_value(ParameterSpec const& spec, std::string_view example,
-                                                             RawEntry const& entry, std::string const& path);
+                                                             RawEntry const& entry, std::string const& path,
+                                                             std::filesystem::path const& folder);
 
 /// The same for a list of lists of numbers.
 [[nodiscard]] std::variant<Parameter, Faults> validate_rows(ParameterSpec const& spec, RawEntry const& entry,
                                                             std::string const& path);
+
+/// The same for a CSV file in place of the list. Its header names the columns of the list with their units, in any
+/// order: "tooth,place [um]". Where rows are teeth a column `tooth` may number them from 1 on; then their order does
+/// not matter. Other columns are passed over.
+/// @param folder  where a relative name starts
+[[nodiscard]] std::variant<Parameter, Faults> rows_of_file(ParameterSpec const& spec, RawEntry const& entry,
+                                                           std::string const& path,
+                                                           std::filesystem::path const& folder);
 
 // What must hold between values, table by table. Each adds what it finds to @p faults.
 

@@ -96,7 +96,7 @@ std::vector<FullRun> const& full_runs()
          4},
         {"load",
          "--set slices.count=3 --points 2 --vtu a.vtu ",
-         {"a-curve.svg", "a-stiffness.svg", "a-pressure.svg", "a-cup.svg", "a-stress.svg"},
+         {"a-curve.svg", "a-stiffness.svg", "a-pressure.svg", "a-flank.svg", "a-cup.svg", "a-stress.svg"},
          2},
         {"run",
          "--set slices.count=1 --no-errors --positions 4 --set friction.flanks=0.1 ",

@@ -76,9 +76,10 @@ TEST_CASE("inspect writes result, chart and a scene of the measured tooth that s
 {
     TemporaryFolder const folder;
     bool const draws = !is_missing("gnuplot");
-    auto const done = hdconj_run("inspect " + type50 + ring + "--probe 0.05 --json -o a.h5 --as-tooth cut.toml" +
-                                     (draws ? " --picture a.svg" : ""),
-                                 folder.path());
+    auto const done =
+        hdconj_run("inspect " + type50 + ring + "--probe 0.05 --json -o a.h5 --as-tooth cut.toml --pitch p.csv" +
+                       (draws ? " --picture a.svg" : ""),
+                   folder.path());
     INFO(done.err);
     REQUIRE(done.status == 0);
     auto const found = json::parse(done.out);
@@ -91,6 +92,10 @@ TEST_CASE("inspect writes result, chart and a scene of the measured tooth that s
     if (draws)
         CHECK_THAT(content(folder / "a.svg"), ContainsSubstring("</svg>") && ContainsSubstring("runout"));
     CHECK(std::filesystem::exists(folder / "cut-tooth.csv"));
+    CHECK_THAT(content(folder / "p.csv"), ContainsSubstring("tooth,place [um],uncertainty [um]\n1,"));
+    auto const some = hdconj_run("check " + type50 + "--set 'errors.flexspline.pitch=\"p.csv\"'", folder.path());
+    CHECK(some.status == 2);  // the file has 14 teeth
+    CHECK_THAT(some.err, ContainsSubstring("errors.flexspline.pitch"));
     auto const solved = hdconj_run("solve cut.toml --json -o cut.h5", folder.path());
     INFO(solved.err);
     REQUIRE(solved.status == 0);

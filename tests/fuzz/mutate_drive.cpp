@@ -457,7 +457,8 @@ class Mutation
         scene::NumberRows rows;
         int const count = (std::isfinite(spec.at_least) ? static_cast<int>(spec.at_least) : 1) + below(6);
         for (int i = 0; i < count; ++i) {
-            std::istringstream form(std::string(spec.words.empty() ? "[x, y]" : one_of(spec.words)));
+            std::string_view const chosen = spec.words.empty() ? "[x, y]" : one_of(spec.words);
+            std::istringstream form(std::string(chosen == scene::row_file ? spec.words.front() : chosen));
             std::vector<double> row;
             for (std::string column; std::getline(form, column, ',');) {
                 bool const height = column.find('y') != std::string::npos;

@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "hdconj/load.hpp"
-#include "hdconj/read_scene.hpp"
-#include "hdconj/units.hpp"
+#include "law/errors/load_at_torque.hpp"
 #include "support/catch.hpp"
 
 namespace hdconj::test::load_error_cases {
@@ -20,37 +19,11 @@ namespace {
 
 using Keys = std::vector<std::string>;
 
-/// Few enough slices, points and harmonics that a torque of the whole ring takes a second. The bearing presses at twice
-/// as many even angles as there are harmonics: with 50 at every second tooth, a grid that is its own mirror image.
-LoadStudy at_torque(double torque, Keys const& more = {})
-{
-    Keys keys{"slices.count=3", "contact.flank_points=80", "circular_spline.backlash_offset=0.09", "bearing.circles=5",
-              "load.harmonics=50"};
-    keys.insert(keys.end(), more.begin(), more.end());
-    LoadOptions options;
-    options.torque = torque * newton_metre;
-    options.curve = false;
-    return study_load(builtin_scene(keys), options);
-}
-
-LoadedState const& only(LoadStudy const& study)
-{
-    return study.cases.front().curve.front();
-}
-
 constexpr int z_f = 200, z_c = 202;
-
-std::string list(std::vector<double> const& places)
-{
-    std::string text;
-    for (double const place : places)
-        text += (text.empty() ? "[" : ", ") + std::to_string(place);
-    return text + "]";
-}
 
 std::string pitch(char const* ring, std::vector<double> const& places)
 {
-    return std::string("errors.") + ring + ".pitch=" + list(places);
+    return std::string("errors.") + ring + ".pitch=" + scene_list(places);
 }
 
 /// Random places within 2 um, which come again after @p period teeth.
@@ -64,30 +37,21 @@ std::vector<double> repeated(int teeth, int period)
     return places;
 }
 
-void check_same(LoadedState const& a, LoadedState const& b, double same = 1e-4)
-{
-    CHECK(a.twist == Approx(b.twist).epsilon(same));
-    CHECK(a.largest_force == Approx(b.largest_force).epsilon(10 * same));
-    CHECK(a.wave_generator_force == Approx(b.wave_generator_force).epsilon(same));
-    CHECK(a.wave_generator_torque == Approx(b.wave_generator_torque).epsilon(10 * same));
-    CHECK(a.teeth == b.teeth);
-}
-
 }  // namespace
 
 TEST_CASE("errors of nothing on the whole ring are those of one lobe", "[load][errors]")
 {
-    LoadStudy const plain = at_torque(15);
+    LoadStudy const& plain = plain_load();
     REQUIRE(plain.sectors == 2);
     // 1 nm on one space, which touches nothing, is enough to make the lobes differ
     std::vector<double> places(z_c, 0);
     places[z_c / 4] = 1e-6;
-    LoadStudy const whole = at_torque(15, {pitch("circular_spline", places)});
+    LoadStudy const whole = load_at_torque(15, {pitch("circular_spline", places)});
     CHECK(whole.sectors == 1);
-    check_same(only(whole), only(plain));
+    check_same_state(only_state(whole), only_state(plain));
     CHECK(whole.cases.front().backlash == Approx(plain.cases.front().backlash).epsilon(1e-6));
     // a list of nothing leaves the lobes alike, and every bit as it is
-    LoadStudy const zero = at_torque(15, {pitch("circular_spline", std::vector<double>(z_c, 0))});
+    LoadStudy const zero = load_at_torque(15, {pitch("circular_spline", std::vector<double>(z_c, 0))});
     CHECK(zero.sectors == 2);
     CHECK(zero.cases.front().map.force == plain.cases.front().map.force);
 }
@@ -95,33 +59,33 @@ TEST_CASE("errors of nothing on the whole ring are those of one lobe", "[load][e
 TEST_CASE("errors that both lobes have are those of one lobe", "[load][errors]")
 {
     Keys both{pitch("flexspline", repeated(z_f, z_f / 2)), pitch("circular_spline", repeated(z_c, z_c / 2))};
-    LoadStudy const half = at_torque(15, both);
+    LoadStudy const half = load_at_torque(15, both);
     CHECK(half.sectors == 2);
     std::vector<double> places = repeated(z_c, z_c / 2);
     places[z_c / 4] += 1e-6;
     both.back() = pitch("circular_spline", places);
-    LoadStudy const whole = at_torque(15, both);
+    LoadStudy const whole = load_at_torque(15, both);
     CHECK(whole.sectors == 1);
-    check_same(only(whole), only(half));
-    CHECK(std::abs(only(half).twist / only(at_torque(15)).twist - 1) > 1e-3);
+    check_same_state(only_state(whole), only_state(half));
+    CHECK(std::abs(only_state(half).twist / only_state(plain_load()).twist - 1) > 1e-3);
 }
 
 TEST_CASE("a ring whose teeth all stand beside their places is turned, and nothing else", "[load][errors]")
 {
-    LoadStudy const plain = at_torque(15);
+    LoadStudy const& plain = plain_load();
     for (auto const& [ring, teeth] : {std::pair("flexspline", z_f), std::pair("circular_spline", z_c)}) {
         CAPTURE(ring);
         LoadStudy const turned =
-            at_torque(15, {pitch(ring, std::vector<double>(static_cast<std::size_t>(teeth), 4e-3))});
+            load_at_torque(15, {pitch(ring, std::vector<double>(static_cast<std::size_t>(teeth), 4e-3))});
         CHECK(turned.sectors == 2);
         CHECK(turned.cases.front().backlash == Approx(plain.cases.front().backlash).epsilon(1e-6));
-        check_same(only(turned), only(plain));
+        check_same_state(only_state(turned), only_state(plain));
     }
 }
 
 TEST_CASE("a tooth that stands ahead carries more, and a space that stands ahead less", "[load][errors]")
 {
-    LoadStudy const plain = at_torque(15);
+    LoadStudy const& plain = plain_load();
     LoadMap const& map = plain.cases.front().map;
     auto const force_in = [](LoadMap const& of, double angle) {
         double force = 0;
@@ -143,11 +107,12 @@ TEST_CASE("a tooth that stands ahead carries more, and a space that stands ahead
         CAPTURE(ring);
         std::vector<double> places(static_cast<std::size_t>(teeth), 0);
         places[static_cast<std::size_t>((number + teeth) % teeth)] = 5e-4;
-        LoadStudy const one = at_torque(15, {pitch(ring, places)});
+        LoadStudy const one = load_at_torque(15, {pitch(ring, places)});
         CHECK(one.sectors == 1);
         double const force = force_in(one.cases.front().map, angle);
         CHECK((more ? force > base : force < base));
-        CHECK((more ? only(one).twist < only(plain).twist : only(one).twist > only(plain).twist));
+        CHECK(
+            (more ? only_state(one).twist < only_state(plain).twist : only_state(one).twist > only_state(plain).twist));
     }
 }
 
@@ -160,22 +125,23 @@ TEST_CASE("errors in a mirror under the opposite torque are the mirror image", "
         return result;
     };
     std::vector<double> const teeth = repeated(z_f, z_f), spaces = repeated(z_c, z_c);
-    LoadStudy const forth = at_torque(15, {pitch("flexspline", teeth), pitch("circular_spline", spaces)});
+    LoadStudy const forth = load_at_torque(15, {pitch("flexspline", teeth), pitch("circular_spline", spaces)});
     LoadStudy const back =
-        at_torque(-15, {pitch("flexspline", mirrored(teeth)), pitch("circular_spline", mirrored(spaces))});
+        load_at_torque(-15, {pitch("flexspline", mirrored(teeth)), pitch("circular_spline", mirrored(spaces))});
     CHECK(forth.sectors == 1);
-    CHECK(only(back).twist == Approx(-only(forth).twist).epsilon(1e-4));
-    CHECK(only(back).largest_force == Approx(only(forth).largest_force).epsilon(1e-3));
+    CHECK(only_state(back).twist == Approx(-only_state(forth).twist).epsilon(1e-4));
+    CHECK(only_state(back).largest_force == Approx(only_state(forth).largest_force).epsilon(1e-3));
     CHECK(back.cases.front().backlash == Approx(forth.cases.front().backlash).epsilon(1e-6));
     // the drive itself is not
-    LoadStudy const other = at_torque(-15, {pitch("flexspline", teeth), pitch("circular_spline", spaces)});
-    CHECK(std::abs(-only(other).twist / only(forth).twist - 1) > 1e-4);
+    LoadStudy const other = load_at_torque(-15, {pitch("flexspline", teeth), pitch("circular_spline", spaces)});
+    CHECK(std::abs(-only_state(other).twist / only_state(forth).twist - 1) > 1e-4);
 }
 
 TEST_CASE("a seed gives the same random places again, and another seed others", "[load][errors]")
 {
     auto const twist = [](char const* seed) {
-        return only(at_torque(15, {std::string("errors.seed=") + seed, "errors.flexspline.pitch_deviation=0.002"}))
+        return only_state(
+                   load_at_torque(15, {std::string("errors.seed=") + seed, "errors.flexspline.pitch_deviation=0.002"}))
             .twist;
     };
     double const first = twist("1");
@@ -185,29 +151,30 @@ TEST_CASE("a seed gives the same random places again, and another seed others", 
 
 TEST_CASE("a ring that is eccentric or wobbles is the same drive after half a turn", "[load][errors]")
 {
-    LoadStudy const plain = at_torque(15);
+    LoadStudy const& plain = plain_load();
     for (std::string const ring : {"flexspline", "circular_spline"})
         for (auto const& [error, amount] : {std::pair("eccentricity", "=0.004"), std::pair("wobble", "_deg=0.1")}) {
             CAPTURE(ring, error);
             std::string const key = "errors." + ring + "." + error;
             auto const turned = [&key, amount = amount](char const* phase) {
-                return at_torque(15, {key + amount, key + "_phase_deg=" + phase});
+                return load_at_torque(15, {key + amount, key + "_phase_deg=" + phase});
             };
             LoadStudy const one = turned("70"), other = turned("250");
             CHECK(one.sectors == 1);
-            check_same(only(one), only(other));
-            CHECK(std::abs(only(one).largest_force / only(plain).largest_force - 1) > 0.01);
+            check_same_state(only_state(one), only_state(other));
+            CHECK(std::abs(only_state(one).largest_force / only_state(plain).largest_force - 1) > 0.01);
         }
 }
 
 TEST_CASE("a profile with more material everywhere is a smaller side clearance", "[load][errors]")
 {
     std::string const form = "errors.profile_form=[[-0.3, 0.003], [-0.1, 0.003], [0.1, 0.003], [0.2, 0.003]]";
-    LoadStudy const thick = at_torque(15, {form}), close = at_torque(15, {"circular_spline.backlash_offset=0.087"});
+    LoadStudy const thick = load_at_torque(15, {form}),
+                    close = load_at_torque(15, {"circular_spline.backlash_offset=0.087"});
     CHECK(thick.sectors == 2);
     // the land is cut at another place of the flank
     CHECK(thick.cases.front().backlash == Approx(close.cases.front().backlash).epsilon(1e-3));
-    check_same(only(thick), only(close), 1e-3);
+    check_same_state(only_state(thick), only_state(close), 1e-3);
 }
 
 TEST_CASE("a slope of the profile is the form of a straight line", "[load][errors]")
@@ -217,10 +184,10 @@ TEST_CASE("a slope of the profile is the form of a straight line", "[load][error
     std::string rows;
     for (double const y : {-0.303, -0.1, 0.05, 0.225})
         rows += (rows.empty() ? "[" : ", ") + ("[" + std::to_string(y) + ", ") + std::to_string(slope * y) + "]";
-    LoadStudy const straight = at_torque(15, {"errors.profile_slope=0.002"}),
-                    form = at_torque(15, {"errors.profile_form=" + rows + "]"});
-    check_same(only(straight), only(form), 1e-3);
-    CHECK(std::abs(only(straight).twist / only(at_torque(15)).twist - 1) > 1e-3);
+    LoadStudy const straight = load_at_torque(15, {"errors.profile_slope=0.002"}),
+                    form = load_at_torque(15, {"errors.profile_form=" + rows + "]"});
+    check_same_state(only_state(straight), only_state(form), 1e-3);
+    CHECK(std::abs(only_state(straight).twist / only_state(plain_load()).twist - 1) > 1e-3);
 }
 
 TEST_CASE("a form of the profile that is a tip relief does what that does", "[load][errors]")
@@ -229,8 +196,8 @@ TEST_CASE("a form of the profile that is a tip relief does what that does", "[lo
     for (double y = 0.06; y < 0.23; y += 0.005)
         rows +=
             ", [" + std::to_string(y) + ", " + std::to_string(-0.003 * std::pow((y - 0.05) / (0.225 - 0.05), 2)) + "]";
-    check_same(only(at_torque(15, {"errors.profile_form=" + rows + "]"})),
-               only(at_torque(15, {"tip_relief.amount=0.003", "tip_relief.from_height=0.05"})), 2e-3);
+    check_same_state(only_state(load_at_torque(15, {"errors.profile_form=" + rows + "]"})),
+                     only_state(load_at_torque(15, {"tip_relief.amount=0.003", "tip_relief.from_height=0.05"})), 2e-3);
 }
 
 }  // namespace hdconj::test::load_error_cases

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "contact/clearance/part_flanks.hpp"
+#include "contact/flank_deviation.hpp"
+#include "contact/gap_field.hpp"
 #include "contact/study/contact_case.hpp"
 #include "contact/study/place_teeth.hpp"
 #include "contact/study/refined_flanks.hpp"
@@ -146,5 +148,20 @@ inline double oracle_parameter(oracle::Motion<double> const& motion, double phi)
     }
     return 0.5 * (low + high);
 }
+
+/// A drive with one outline on three slices, and its gaps for any deviation.
+struct ConedFlanks
+{
+    ConedDrive drive{builtin_scene(coned()), 3};
+    contact::FlankGrid grid = drive.flanks(drive.surface(ToothSurface::tilted), 60);
+    contact::ToothPoses places = contact::tooth_places(*drive.context, 0, drive.context->maker.z());
+
+    [[nodiscard]] contact::GapField field(contact::FlankDeviation const* deviation) const
+    {
+        return {
+            drive.tooth, grid,     places, drive.scene.drive.flexspline_teeth, drive.scene.drive.circular_spline_teeth,
+            0,           deviation};
+    }
+};
 
 }  // namespace hdconj::test

@@ -3,6 +3,7 @@
 // other.
 #pragma once
 
+#include <filesystem>
 #include <set>
 #include <string>
 #include <vector>
@@ -33,8 +34,9 @@ struct SceneReading
     bool geometry_known = false;               ///< all that check_scene needs is there: its faults can be found too
 };
 
-/// Validates @p root, the top table of a scene.
-[[nodiscard]] SceneReading validate_scene(RawValue const& root, SceneFamilies const& families);
+/// Validates @p root, the top table of a scene. @param folder  where relative file names start
+[[nodiscard]] SceneReading validate_scene(RawValue const& root, SceneFamilies const& families,
+                                          std::filesystem::path const& folder = {});
 
 /// Faults between values that are each right: tooth difference and waves, tolerance and module, effects that
 /// exclude each other. Only values in @p reading.known are checked.

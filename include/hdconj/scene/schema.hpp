@@ -53,6 +53,9 @@ struct TableSpec
 /// All tables, a table before its sub-tables, in the order of docs/reference/scene.md.
 [[nodiscard]] std::vector<TableSpec> const& scene_schema();
 
+/// Among the forms of a list's rows: a CSV file may stand in place of the list.
+inline constexpr std::string_view row_file = "\"NAME.csv\"";
+
 /// Bounds that keep typing errors out; nothing in the mathematics needs them.
 namespace bounds {
 inline constexpr double least_module = 1e-4;   ///< [mm]

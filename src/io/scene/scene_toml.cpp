@@ -33,14 +33,15 @@ Faults parse(std::string_view text, std::string const& name, toml::table& docume
     return {};
 }
 
-scene::SceneReading validated(toml::table const& document, std::string_view text, std::string const& name)
+scene::SceneReading validated(toml::table const& document, std::string_view text, std::string const& name,
+                              std::filesystem::path const& folder)
 {
     if (document.empty()) {
         return {
             {}, {{name, 0, "", "the scene is empty", "write a scene; `hdconj init` writes one to edit"}}, {}, false};
     }
     return scene::validate_scene(io::raw_of(document, text),
-                                 {profile::profile_families(), wavegen::wave_generator_families()});
+                                 {profile::profile_families(), wavegen::wave_generator_families()}, folder);
 }
 
 /// An InputError on the way is a list of faults as well.
@@ -71,7 +72,7 @@ scene::SceneReading examine_scene(std::string_view text, std::string const& name
     append(faults, io::apply_overrides(document, overrides));
     scene::SceneReading reading;
     if (has_document)
-        reading = validated(document, text, name);
+        reading = validated(document, text, name, folder);
     append(reading.faults, std::move(faults));
     sort_by_place(reading.faults);
     reading.scene.text = overrides.empty() ? std::string(text) : io::toml_text(document);

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ring_errors.hpp"
 
+#include <algorithm>
 #include <boost/random/normal_distribution.hpp>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
 #include <optional>
 #include <random>
+
+#include "hdconj/wavegen/table_cam.hpp"
 
 namespace hdconj::load {
 namespace {
@@ -70,6 +73,63 @@ RingDisplacements ring_displacements(Scene const& scene)
                              drive.module)};
 }
 
+std::function<SurfaceDeviation(double)> wave_generator_deviation(Scene const& scene)
+{
+    if (!scene.errors || !scene.errors->wave_generator)
+        return nullptr;
+    WaveGeneratorErrors const& errors = *scene.errors->wave_generator;
+    bool const has_cam = std::ranges::any_of(errors.cam_deviation, [](auto const& row) { return row[1] != 0; });
+    if (errors.eccentricity == 0 && !has_cam)
+        return nullptr;
+    auto const eccentric = [amount = errors.eccentricity, phase = errors.eccentricity_phase](double angle) {
+        return SurfaceDeviation{amount * std::cos(angle - phase), -amount * std::sin(angle - phase)};
+    };
+    if (!has_cam)
+        return eccentric;
+    std::vector<double> angles, values;
+    for (auto const& row : errors.cam_deviation) {
+        angles.push_back(row[0]);
+        values.push_back(row[1]);
+    }
+    wavegen::TableCam const cam(angles, values, 1);
+    double const mean = values.front() - cam(angles.front()).w;  // which a cam does not have
+    return [=](double angle) {
+        SurfaceDeviation const shifted = eccentric(angle);
+        wavegen::RadialDisplacement const at = cam(angle);
+        return SurfaceDeviation{shifted.out + mean + at.w, shifted.slope + at.w1};
+    };
+}
+
+bool break_the_mirror(Scene const& scene)
+{
+    if (!scene.errors)
+        return false;
+    auto const displaced = [](std::optional<RingErrors> const& ring) {
+        return ring &&
+               (ring->pitch_deviation != 0 || !ring->pitch.empty() || ring->eccentricity != 0 || ring->wobble != 0);
+    };
+    return displaced(scene.errors->flexspline) || displaced(scene.errors->circular_spline) ||
+           wave_generator_deviation(scene) != nullptr;
+}
+
+namespace {
+
+/// Whether @p deviation is the same after each of @p parts of the turn.
+bool repeats(std::function<SurfaceDeviation(double)> const& deviation, int parts)
+{
+    constexpr int samples = 720;
+    constexpr double same = 1e-9;  // mm
+    double const part = 2 * std::numbers::pi / parts;
+    for (int i = 0; deviation && i < samples; ++i) {
+        double const angle = 2 * std::numbers::pi * i / samples;
+        if (std::abs(deviation(angle + part).out - deviation(angle).out) > same)
+            return false;
+    }
+    return true;
+}
+
+}  // namespace
+
 bool errors_repeat(Scene const& scene, int parts)
 {
     RingDisplacements const all = ring_displacements(scene);
@@ -81,7 +141,7 @@ bool errors_repeat(Scene const& scene, int parts)
                 return false;
         return true;
     };
-    return parts == 1 || (repeat(all.teeth) && repeat(all.spaces));
+    return parts == 1 || (repeat(all.teeth) && repeat(all.spaces) && repeats(wave_generator_deviation(scene), parts));
 }
 
 }  // namespace hdconj::load

@@ -18,13 +18,16 @@ namespace {
 
 constexpr int most_angles = 128;  // of the wave generator's contact in one sector
 
-/// The shape at even angles of one sector.
-std::vector<double> sampled(wavegen::AnyWaveShape const& shape, int sectors, int samples)
+/// The shape of the cam with its errors, as series over one sector.
+elastic::CamSeries made_cam(contact::ContactContext const& context, int sectors, int samples)
 {
+    auto const deviation = wave_generator_deviation(context.scene);
     std::vector<double> w;
-    for (int i = 0; i < samples; ++i)
-        w.push_back(shape(2 * std::numbers::pi * i / (sectors * samples)).w);
-    return w;
+    for (int i = 0; i < samples; ++i) {
+        double const angle = 2 * std::numbers::pi * i / (sectors * samples);
+        w.push_back(context.shape(angle).w + (deviation ? deviation(angle).out : 0));
+    }
+    return elastic::cam_series(w, sectors, !deviation && context.shape.even());
 }
 
 /// Angles of the bearing's contacts in the order of ElasticDrive::bearing_steps [rad].
@@ -134,10 +137,9 @@ void add_wave_generator(ElasticDrive& drive, PlacedBearing const& placed, contac
     for (int i = 0; i < angles; ++i)
         drive.bearing_steps.push_back(static_cast<int>(static_cast<long>(i) * grid / angles));
     std::vector<double> const phi = contact_angles(drive.bearing_steps, drive.phase, placed.spread);
-    elastic::CamSeries const cam =
-        elastic::cam_series(sampled(context.shape, sectors, samples), sectors, context.shape.even());
-    elastic::BearingSurface const surface = elastic::bearing_surface(
-        placed.bearing, context.geometry.flexspline_inner_radius, cam, placed.circles, context.threads);
+    elastic::BearingSurface const surface =
+        elastic::bearing_surface(placed.bearing, context.geometry.flexspline_inner_radius,
+                                 made_cam(context, sectors, samples), placed.circles, context.threads);
     drive.needed = unloaded_surface(surface, sectors, phi);
     if (surface.compliance)
         add_ring(drive, placed, surface, context, around, std::min(samples, most_angles), phi);

@@ -53,9 +53,9 @@ LoadedDrive assembly(contact::ContactContext const& context, ElasticDrive const&
     return result;
 }
 
-std::vector<AssembledDrive> coarser_drives(contact::ContactContext const& context)
+std::vector<AssembledDrive> coarser_drives(contact::ContactContext const& context, std::size_t most)
 {
-    constexpr std::size_t most = 2, fewest_slices = 3;
+    constexpr std::size_t fewest_slices = 3;
     constexpr int fewest_circles = 2, fewest_harmonics = 8;
     std::vector<AssembledDrive> drives;
     LoadGrid grid = load_grid(context);

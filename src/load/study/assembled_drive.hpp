@@ -23,9 +23,9 @@ struct AssembledDrive
 };
 
 /// The drive on grids that are each half as fine as the one before: every second slice, flank point and circle of the
-/// bearing, and half of the harmonics, on a mesh with two elements across the wall. Fewer than two where there are
-/// fewer than five slices, or a coarse grid has no solution; none for fewer than three slices.
-[[nodiscard]] std::vector<AssembledDrive> coarser_drives(contact::ContactContext const& context);
+/// bearing, and half of the harmonics, on a mesh with two elements across the wall. Fewer than @p most where a grid
+/// would have fewer than two slices, or a coarse grid has no solution.
+[[nodiscard]] std::vector<AssembledDrive> coarser_drives(contact::ContactContext const& context, std::size_t most);
 
 /// Every second slice of a grid and every second of its points, with the last ones.
 [[nodiscard]] contact::FlankGrid coarsened(contact::FlankGrid const& grid);

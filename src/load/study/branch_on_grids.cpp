@@ -14,7 +14,7 @@ namespace hdconj::load {
 
 bool is_mirror_image(contact::ContactContext const& context)
 {
-    return contact::has_mirrored_flanks(context) && !has_ring_errors(context.scene) &&
+    return contact::has_mirrored_flanks(context) && !break_the_mirror(context.scene) &&
            context.request.wave_generator == 0 && context.scene.bearing->ball_phase == 0;
 }
 

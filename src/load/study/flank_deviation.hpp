@@ -3,18 +3,18 @@
 #pragma once
 
 #include <optional>
-#include <vector>
 
 #include "contact/flank_deviation.hpp"
+#include "contact/flank_grid.hpp"
 #include "contact/study/contact_context.hpp"
 
 namespace hdconj::load {
 
-/// Reliefs and errors of @p context in the planes @p z; nothing where its scene has none.
+/// Reliefs and errors of @p context in the planes of @p flanks; nothing where its scene has none.
 ///
 /// Reliefs grow with the square of the distance from where they begin. The flank goes on smoothly there, so that the
 /// relief makes no edge of its own.
 [[nodiscard]] std::optional<contact::FlankDeviation> flank_deviation(contact::ContactContext const& context,
-                                                                     std::vector<double> const& z);
+                                                                     contact::FlankGrid const& flanks);
 
 }  // namespace hdconj::load

@@ -14,7 +14,7 @@ LoadProblem load_problem(contact::ContactContext const& context, ElasticDrive co
     Scene const& scene = context.scene;
     return {context, drive, flanks,
             with_round_edges(flanks, edge_radius(scene), std::numbers::pi / scene.drive.circular_spline_teeth),
-            flank_deviation(context, flanks.z)};
+            flank_deviation(context, flanks)};
 }
 
 double edge_radius(Scene const& scene)

@@ -11,6 +11,7 @@
 #include "flank_table.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "line_load.hpp"
+#include "load/model/ring_errors.hpp"
 
 namespace hdconj::load {
 namespace {
@@ -129,16 +130,19 @@ void enter_flanks(LoadProblem const& problem, LoadedDrive const& loaded, LoadedS
 void enter_wave_generator(LoadProblem const& problem, Equilibrium const& forces, LoadedState& state)
 {
     ElasticDrive const& drive = problem.drive;
-    wavegen::AnyWaveShape const& shape = problem.context.shape;
+    auto const deviation = wave_generator_deviation(problem.context.scene);
+    auto const slope = [&](double phi) {
+        return problem.context.shape(phi).w1 + (deviation ? deviation(phi).slope : 0);
+    };
     for (std::size_t w = 0; w < drive.bearing_steps.size(); ++w) {
         double const force = forces.bearing.col(static_cast<Eigen::Index>(w)).sum();
         state.wave_generator_force += force;
         double const phi = drive.phase + drive.response.step() * drive.bearing_steps[w];
         if (!drive.balls)
-            state.wave_generator_torque -= force * shape(phi).w1;
+            state.wave_generator_torque -= force * slope(phi);
     }
     for (std::size_t b = 0; b < forces.balls.size(); ++b)
-        state.wave_generator_torque -= forces.balls[b] * shape(drive.balls->phi[b]).w1;
+        state.wave_generator_torque -= forces.balls[b] * slope(drive.balls->phi[b]);
     state.wave_generator_force *= drive.response.sectors();
     state.wave_generator_torque *= drive.response.sectors();
 }

@@ -26,14 +26,23 @@ struct Attempt
     double depth;      ///< of the strips, as a multiple of the standard one
     int first_mixing;  ///< iteration from which on forces are mixed: by then the contacts have been found
     int most_iterations;
-    bool hold = false;  ///< loaded contacts stay where their minimum of the gap vanishes
+    bool hold = false;        ///< loaded contacts stay where their minimum of the gap vanishes
+    bool wide_edges = false;  ///< of FlankSearch
 };
 
 /// Where two strips of a flank are about to merge, or one of two minima to vanish, the iteration alternates between one
 /// contact and two; it does not where contacts are held, or with another depth. Mixing leads back to an unstable
-/// equilibrium for ever; without it the next stable one is reached.
-constexpr Attempt attempts[] = {{1, 3, 25}, {0.5, 3, 25},  {1, 3, 40, true},  {1, 40, 60},
-                                {2, 3, 25}, {0.25, 3, 25}, {0.5, 3, 40, true}};
+/// equilibrium for ever; without it the next stable one is reached. Where the gap hardly changes between an edge and
+/// the flank beside it, the least gap jumps from one to the other; the middle of the strip does not.
+constexpr Attempt attempts[] = {{1, 3, 25},
+                                {0.5, 3, 25},
+                                {1, 3, 40, true},
+                                {1, 40, 60},
+                                {2, 3, 25},
+                                {0.25, 3, 25},
+                                {0.5, 3, 40, true},
+                                {1, 3, 40, false, true},
+                                {0.5, 3, 40, true, true}};
 
 std::string place_of(double torque)
 {
@@ -79,7 +88,8 @@ Linearisation linearised(LoadProblem const& problem, LoadedDrive const& now, Att
     LinearGaps& gaps = result.gaps;
     gaps.turn = now.state.turn;
     contact::GapField const field = gap_field(problem, now.shape, problem.edges);
-    FlankSearch const search = flank_search(problem, gaps.turn, search_limit(problem), attempt.depth);
+    FlankSearch search = flank_search(problem, gaps.turn, search_limit(problem), attempt.depth);
+    search.wide_edges = attempt.wide_edges;
     gaps.contacts = flank_contacts(field, search, problem.context.threads);
     if (attempt.hold)
         hold_contacts(field, search, now.contacts, now.state.flank, gaps.contacts);

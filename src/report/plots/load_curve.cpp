@@ -8,6 +8,7 @@
 #include "hdconj/units.hpp"
 #include "plot.hpp"
 #include "plots.hpp"
+#include "rig_samples.hpp"
 
 namespace hdconj::report {
 namespace {
@@ -58,16 +59,10 @@ void add_stages(PlotColumns& columns, LoadCase const& each)
 /// The points of the rig as of the circular spline, whose curves they are laid over.
 PlotColumns rig_points(Measurement const& measured)
 {
-    auto const &twist = measured.curve.twist, &torque = measured.curve.torque;
     double const per_spline = measured.curve.rig.angle_per_spline;
-    constexpr std::size_t most = 4000;  // few enough for a picture that one can still open
     PlotColumns points;
-    double const drift = measured.found.drift.value / static_cast<double>(twist.size());
-    double const half = static_cast<double>(twist.size() - 1) / 2;  // the middle of the log has no drift
-    for (std::size_t i = 0; i < twist.size(); i += twist.size() / most + 1) {
-        double const angle = twist[i] - measured.found.middle - drift * (static_cast<double>(i) - half);
-        add_point(points, angle / per_spline, torque[i] * per_spline);
-    }
+    for (RigSample const& each : rig_samples(measured))
+        add_point(points, each.twist / per_spline, each.torque * per_spline);
     return points;
 }
 
@@ -83,6 +78,18 @@ PlotColumns rig_figures(Measurement const& measured)
 }
 
 }  // namespace
+
+std::vector<RigSample> rig_samples(Measurement const& measured)
+{
+    auto const &twist = measured.curve.twist, &torque = measured.curve.torque;
+    constexpr std::size_t most = 4000;
+    std::vector<RigSample> samples;
+    double const drift = measured.found.drift.value / static_cast<double>(twist.size());
+    double const half = static_cast<double>(twist.size() - 1) / 2;  // the middle of the log has no drift
+    for (std::size_t i = 0; i < twist.size(); i += twist.size() / most + 1)
+        samples.push_back({twist[i] - measured.found.middle - drift * (static_cast<double>(i) - half), torque[i]});
+    return samples;
+}
 
 bool has_curve(LoadStudy const& study)
 {

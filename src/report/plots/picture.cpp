@@ -119,14 +119,15 @@ std::vector<WrittenFile> write_contact_pictures(ContactStudy const& study, std::
 
 LoadPictures load_picture_names(std::filesystem::path const& file)
 {
-    return {picture_part(file, "curve"), picture_part(file, "stiffness"), picture_part(file, "pressure"),
-            picture_part(file, "cup"),   picture_part(file, "stress"),    picture_part(file, "balls")};
+    return {picture_part(file, "curve"),  picture_part(file, "stiffness"), picture_part(file, "pressure"),
+            picture_part(file, "flank"),  picture_part(file, "residual"),  picture_part(file, "cup"),
+            picture_part(file, "stress"), picture_part(file, "balls")};
 }
 
 void check_load_pictures(std::filesystem::path const& file)
 {
-    auto const [curve, stiffness, pressure, cup, stress, balls] = load_picture_names(file);
-    report::check_pictures({curve, stiffness, pressure, cup, stress, balls});
+    auto const [curve, stiffness, pressure, flank, residual, cup, stress, balls] = load_picture_names(file);
+    report::check_pictures({curve, stiffness, pressure, flank, residual, cup, stress, balls});
 }
 
 std::vector<WrittenFile> write_load_pictures(LoadStudy const& study, std::filesystem::path const& file,
@@ -139,8 +140,13 @@ std::vector<WrittenFile> write_load_pictures(LoadStudy const& study, std::filesy
         written.push_back(write_drawing("picture_curve", report::load_curve_script(study, measured), names.curve));
     if (report::has_curve(study))
         written.push_back(write_drawing("picture_stiffness", report::load_stiffness_script(study), names.stiffness));
+    if (measured != nullptr)
+        written.push_back(
+            write_drawing("picture_residual", report::load_residual_script(study, *measured), names.residual));
     if (auto const* shown = figures::shown_case(study); shown != nullptr && !shown->map.angle.empty())
         written.push_back(write_drawing("picture_pressure", report::load_pressure_script(study), names.pressure));
+    if (report::has_loaded_flank(study))
+        written.push_back(write_drawing("picture_flank", report::load_flank_script(study), names.flank));
     if (!study.shape.cells.empty()) {
         written.push_back(write_drawing("picture_cup", report::load_cup_script(study), names.cup));
         if (!study.shape.stress.empty())

@@ -40,6 +40,12 @@ namespace hdconj::report {
 [[nodiscard]] std::string load_stiffness_script(LoadStudy const& study);
 /// Pressure over tooth space and slice of the case shown, and the force on each tooth. Needs its map.
 [[nodiscard]] std::string load_pressure_script(LoadStudy const& study);
+/// Whether some flank of the case shown carries force.
+[[nodiscard]] bool has_loaded_flank(LoadStudy const& study);
+/// The flank that carries most: where it is pressed, and how much over the face width. Needs has_loaded_flank().
+[[nodiscard]] std::string load_flank_script(LoadStudy const& study);
+/// Angles of a rig less those of its own straight lines, and less those of the case shown.
+[[nodiscard]] std::string load_residual_script(LoadStudy const& study, Measurement const& measured);
 /// Section of the cup, as it is and deformed, at the major and the minor axis. Needs a shape.
 [[nodiscard]] std::string load_cup_script(LoadStudy const& study);
 /// Section of the cup coloured by the largest stress over all angles, and the stress around the axis where it is

@@ -16,21 +16,6 @@ namespace hdconj::test::flank_deviation_cases {
 
 namespace {
 
-/// A drive with one outline on three slices, and its gaps for any deviation.
-struct Flanks
-{
-    ConedDrive drive{builtin_scene(coned()), 3};
-    contact::FlankGrid grid = drive.flanks(drive.surface(ToothSurface::tilted), 60);
-    contact::ToothPoses places = contact::tooth_places(*drive.context, 0, drive.context->maker.z());
-
-    [[nodiscard]] contact::GapField field(contact::FlankDeviation const* deviation) const
-    {
-        return {
-            drive.tooth, grid,     places, drive.scene.drive.flexspline_teeth, drive.scene.drive.circular_spline_teeth,
-            0,           deviation};
-    }
-};
-
 /// A relief that begins at the height @p from above the pitch line.
 struct Relief
 {
@@ -75,7 +60,7 @@ double distance_to(std::vector<Vec2> const& polygon, Vec2 const& x)
 
 TEST_CASE("flanks that deviate by nothing keep every bit of their gaps", "[gap_field]")
 {
-    Flanks const flanks;
+    ConedFlanks const flanks;
     contact::FlankDeviation const none;
     contact::FlankDeviation const zero{{0, 0, 0}};
     GapMap const map = flanks.field(nullptr).map(1e-4, 1);
@@ -85,7 +70,7 @@ TEST_CASE("flanks that deviate by nothing keep every bit of their gaps", "[gap_f
 
 TEST_CASE("a slice that stands back opens all its gaps by the same amount", "[gap_field]")
 {
-    Flanks const flanks;
+    ConedFlanks const flanks;
     contact::FlankDeviation const ends{{4e-3, 0, 1e-3}};
     GapMap const before = flanks.field(nullptr).map(0, 1), after = flanks.field(&ends).map(0, 1);
     for (std::size_t space = 0; space < before.angle.size(); space += 7)
@@ -98,7 +83,7 @@ TEST_CASE("a slice that stands back opens all its gaps by the same amount", "[ga
 
 TEST_CASE("gaps with a tip relief are distances to the relieved tooth, and their normals its normals", "[gap_field]")
 {
-    Flanks const flanks;
+    ConedFlanks const flanks;
     profile::Profile const& tooth = flanks.drive.tooth;
     Relief const relief{4e-3, 0.05, tooth.pitch_line, tooth.addendum};
     contact::FlankDeviation const tip{{}, relief};
@@ -135,7 +120,7 @@ TEST_CASE("gaps with a tip relief are distances to the relieved tooth, and their
 
 TEST_CASE("rings that are turned as a whole are a turn of the flexspline", "[gap_field]")
 {
-    Flanks const flanks;
+    ConedFlanks const flanks;
     constexpr double turn = 2e-4, beside = 1.3e-4;
     contact::GapField const plain = flanks.field(nullptr);
     auto const check = [&](contact::FlankDeviation const& deviation, double same_turn) {
@@ -156,7 +141,7 @@ TEST_CASE("rings that are turned as a whole are a turn of the flexspline", "[gap
 
 TEST_CASE("an eccentric ring changes gaps in opposite zones by opposite amounts", "[gap_field]")
 {
-    Flanks const flanks;
+    ConedFlanks const flanks;
     constexpr double e = 1e-4, direction = 0.4;
     // flanks and teeth are no more curved than their radii of 0.1 mm tell
     constexpr double second_order = e * e / 0.1;
@@ -197,7 +182,7 @@ TEST_CASE("an eccentric ring changes gaps in opposite zones by opposite amounts"
 
 TEST_CASE("a ring that wobbles is eccentric in each slice by another amount", "[gap_field]")
 {
-    Flanks const flanks;
+    ConedFlanks const flanks;
     std::vector<double> const& z = flanks.drive.context->maker.z();
     REQUIRE(z.size() == 3);
     auto const ring = [](int count, double eccentric, double wobble) {

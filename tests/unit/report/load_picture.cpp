@@ -1,4 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
 #include "hdconj/error.hpp"
 #include "hdconj/file/atomic_file.hpp"
 #include "hdconj/load_files.hpp"
@@ -53,7 +57,8 @@ TEST_CASE("pictures of a load study are drawn as SVG and PNG under names of thei
     auto const measured = measurement();
     auto const written = write_load_pictures(study, folder / "a.b.svg", &measured);
     CHECK(names_of(written) == FileNames{"picture_curve: a.b-curve.svg", "picture_stiffness: a.b-stiffness.svg",
-                                         "picture_pressure: a.b-pressure.svg", "picture_cup: a.b-cup.svg",
+                                         "picture_residual: a.b-residual.svg", "picture_pressure: a.b-pressure.svg",
+                                         "picture_flank: a.b-flank.svg", "picture_cup: a.b-cup.svg",
                                          "picture_stress: a.b-stress.svg"});
     for (auto const& each : written) {
         auto const svg = content(each.file);
@@ -67,15 +72,18 @@ TEST_CASE("pictures of a load study are drawn as SVG and PNG under names of thei
                                              ContainsSubstring("98.7 and 182.8 N m/°"));
     CHECK_THAT(content(written[1].file),
                ContainsSubstring("stiffness [N m/°]") && ContainsSubstring("K1 5.6,  K2 10.5,  K3 12.0 ·10³ N m/rad"));
-    CHECK_THAT(content(written[2].file),
-               ContainsSubstring("no force") && ContainsSubstring("6.11 N/mm") && ContainsSubstring("repeats 2 times"));
+    CHECK_THAT(content(written[2].file), ContainsSubstring("two straight lines") && ContainsSubstring("simulation"));
     CHECK_THAT(content(written[3].file),
-               ContainsSubstring("minor axis, 90°") && ContainsSubstring("displaced by 2 times"));
+               ContainsSubstring("no force") && ContainsSubstring("6.11 N/mm") && ContainsSubstring("repeats 2 times"));
     CHECK_THAT(content(written[4].file),
+               ContainsSubstring("which carries most") && ContainsSubstring("line load [N/mm]"));
+    CHECK_THAT(content(written[5].file),
+               ContainsSubstring("minor axis, 90°") && ContainsSubstring("displaced by 2 times"));
+    CHECK_THAT(content(written[6].file),
                ContainsSubstring("largest over all angles") && ContainsSubstring("z = -4.65 mm"));
     for (auto const& each : write_load_pictures(study, folder / "c.PNG", nullptr))
         CHECK(content(each.file).rfind("\x89PNG", 0) == 0);
-    CHECK(folder.names().size() == 10);
+    CHECK(folder.names().size() == 13);
 }
 
 TEST_CASE("forces of single balls are drawn around the whole ring", "[load][picture]")
@@ -117,7 +125,7 @@ TEST_CASE("only what a load study holds is drawn", "[load][picture]")
     study.shape.stress.clear();
     CHECK_FALSE(report::has_curve(study));
     CHECK(names_of(write_load_pictures(study, folder / "a.svg")) ==
-          FileNames{"picture_pressure: a-pressure.svg", "picture_cup: a-cup.svg"});
+          FileNames{"picture_pressure: a-pressure.svg", "picture_flank: a-flank.svg", "picture_cup: a-cup.svg"});
     auto const measured = measurement();
     CHECK(names_of(write_load_pictures(study, folder / "b.svg", &measured)).front() == "picture_curve: b-curve.svg");
     // No load at all, one angle, one tooth: still a picture.
@@ -130,6 +138,63 @@ TEST_CASE("only what a load study holds is drawn", "[load][picture]")
     study.shape.stress.assign(study.shape.u_r.size(), 0.0);
     CHECK(write_load_pictures(study, folder / "c.svg").size() == 3);
     CHECK(write_load_pictures(LoadStudy{}, folder / "d.svg").empty());
+}
+
+TEST_CASE("the flank that carries most is drawn with the strips of its contacts", "[load][picture]")
+{
+    auto study = sample::load_study(3);
+    LoadCase& shown = study.cases[study.written_case];
+    LoadMap& map = shown.map;
+    std::ranges::fill(map.force, 0);
+    std::size_t const space = 7;
+    map.force[map.index(space, GapMap::left, 1)] = 12;
+    map.force[map.index(space, GapMap::left, 0)] = 3;
+    map.force[map.index(space + 1, GapMap::right, 1)] = 14;  // less than both of the other flank
+    study.edge_radius = 0.01;
+    // the middle slice inside the flank, the first at an end of the width; the normal is half radial
+    Vec2 const at(0, shown.tip + 0.1), normal(std::sqrt(0.75), 0.5);
+    shown.contacts = {{7, GapMap::left, 1, at, normal, 0, 12, 0.008},
+                      {7, GapMap::left, 0, at, normal, 0, 3, 0.004},
+                      {8, GapMap::right, 1, at, normal, 0, 14, 0.008}};
+    REQUIRE(report::has_loaded_flank(study));
+    auto const script = report::load_flank_script(study);
+    auto const strips = plot_rows(script, "strips");
+    REQUIRE(strips.size() == 2);
+    double const height = 0.125 * study.solution.scene.drive.circular_spline_teeth - at.y();
+    CHECK(strips[0][0] == Approx(height - std::sqrt(0.75) * 0.008).epsilon(1e-4));
+    CHECK(strips[0][1] == Approx(height + std::sqrt(0.75) * 0.008).epsilon(1e-4));
+    double const slice = strips[0][3] - strips[0][2];
+    auto const sure = plot_rows(script, "sure"), unsure = plot_rows(script, "unsure");
+    REQUIRE(sure.size() == 1);
+    REQUIRE(unsure.size() == 1);
+    CHECK(sure[0][1] == Approx(2 * 12 / slice / (std::numbers::pi * 0.008)).epsilon(1e-4));
+    CHECK(unsure[0][0] == Approx(map.z.front()).epsilon(1e-4));
+    shown.contacts.clear();
+    CHECK_FALSE(report::has_loaded_flank(study));
+}
+
+TEST_CASE("a rig that follows its two lines has no residual, and one beside the simulation its distance",
+          "[load][picture]")
+{
+    auto study = sample::load_study(3);
+    auto const measured = measurement();
+    auto const script = report::load_residual_script(study, measured);
+    auto const lines = plot_rows(script, "lines"), curve = plot_rows(script, "curve");
+    REQUIRE(lines.size() > 20);
+    REQUIRE(curve.size() > 20);
+    // the rig's own noise
+    double worst = 0;
+    for (auto const& row : lines)
+        worst = std::max(worst, std::abs(row[1]));
+    CHECK(worst < 0.1);
+    // rig and sample are the same two stages but for the play
+    auto other = measured;
+    for (std::size_t i = 0; i < other.curve.twist.size(); ++i)
+        other.curve.twist[i] += 2 * minute;
+    auto const shifted = plot_rows(report::load_residual_script(study, other), "curve");
+    REQUIRE(shifted.size() == curve.size());
+    for (std::size_t i = 0; i < curve.size(); i += 10)
+        CHECK(shifted[i][1] - curve[i][1] == Approx(2).epsilon(1e-3));
 }
 
 TEST_CASE("load pictures that cannot be drawn are refused before the work", "[load][picture]")
