@@ -62,5 +62,12 @@ if [ "$quick" != quick ]; then
   run load "$scenes/type-50-elastic.toml" --surface tilted --set circular_spline.backlash_offset=0.065 \
     --measured ../data/measured/torque-twist.csv --torque-constant 0.119 --counts-per-turn 2000 --picture "$scratch/m.svg"
   keep m-curve.svg measured-curve.svg
+  run run "$scenes/type-50.toml" --set slices.count=9 --set slices.surface=per-slice \
+    --set circular_spline.backlash_offset=0.04 --set errors.circular_spline.pitch_deviation=0.002 \
+    --set friction.flanks=0.08 --set friction.bearing_load=0.0005 --set friction.bearing_speed=2 \
+    --set friction.viscosity_40=100 --set friction.viscosity_100=11 --set friction.seal=0.01 \
+    --set 'running.temperatures=[0, 40]' --set 'running.speeds=[500, 2000]' --picture "$scratch/r.svg"
+  keep r-error.svg run/error.svg
+  keep r-efficiency.svg run/efficiency.svg
 fi
-"$python" compact_svg.py figures/*.svg figures/inspect/*.svg figures/load/*.svg gallery/*.svg
+"$python" compact_svg.py figures/*.svg figures/inspect/*.svg figures/run/*.svg figures/load/*.svg gallery/*.svg

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "contact/study/surface_choices.hpp"
 #include "hdconj/error.hpp"
@@ -36,30 +37,40 @@ struct RingsWithErrors
     bool held = false, turning = false;
 };
 
-/// Sequences that @p scene calls for: over a tooth pitch always; over a turn of the wave generator against a ring that
-/// has errors; over a turn of the output, first contacts only, where both have.
-struct Spans
+/// A sequence to compute: first contacts, or balances.
+struct PlannedSequence
 {
-    SpanPlan pitch;
-    std::optional<SpanPlan> input, output;
+    SpanPlan plan;
+    bool under_torque = false;
 };
 
-Spans spans_of(Scene const& scene, running::RunTask const& task)
+/// Sequences that @p scene calls for: over a tooth pitch always; over a turn of the wave generator against a ring that
+/// has errors; until both rings meet as before, first contacts only, where both have. A balance of the whole ring takes
+/// seconds, a first contact milliseconds: of the latter a turn has more.
+std::vector<PlannedSequence> planned_sequences(Scene const& scene, running::RunTask const& task)
 {
-    // a balance of the whole ring takes seconds, a first contact milliseconds: 16 times as many as over a tooth pitch
-    constexpr int under_torque = 32, first_contacts_each = 16, positions_per_turn = 16;
+    constexpr int fewest_balances = 32, first_contacts_each = 16, positions_per_turn = 16;
     RingsWithErrors const rings(scene, task.motion);
-    Spans spans{running::tooth_pitch_plan(task.positions), {}, {}};
-    int const held = task.motion.held_teeth();
-    if (rings.held || rings.turning)
-        spans.input = running::whole_pitch_plan(
-            RunSpan::input_turn, rings.held ? held : task.motion.turning_teeth(),
-            task.torque > 0 ? std::max(under_torque, task.positions) : first_contacts_each * task.positions);
-    if (rings.held && rings.turning) {
-        int const period = std::lcm(held, task.motion.turning_teeth());
-        spans.output = running::whole_pitch_plan(RunSpan::output_turn, period, period / held * positions_per_turn);
+    bool const elastic = task.torque > 0;
+    int const held = task.motion.held_teeth(), turning = task.motion.turning_teeth();
+    std::vector<PlannedSequence> sequences;
+    auto const add = [&](RunSpan span, int period, int positions, bool under_torque) {
+        sequences.push_back({running::whole_pitch_plan(span, period, positions), under_torque});
+    };
+    sequences.push_back({running::tooth_pitch_plan(task.positions), false});
+    if (elastic)
+        sequences.push_back({running::tooth_pitch_plan(task.positions), true});
+    if (rings.held || rings.turning) {
+        int const period = rings.held ? held : turning;
+        add(RunSpan::input_turn, period, first_contacts_each * task.positions, false);
+        if (elastic)
+            add(RunSpan::input_turn, period, std::max(fewest_balances, task.positions), true);
     }
-    return spans;
+    if (rings.held && rings.turning) {
+        int const period = std::lcm(held, turning);
+        add(RunSpan::output_turn, period, period / held * positions_per_turn, false);
+    }
+    return sequences;
 }
 
 /// Tells how many of all positions are done.
@@ -93,16 +104,12 @@ void run_prescribed(contact::ContactStudyData& data, running::RunTask const& tas
     contact::ContactContext const& context = *data.context;
     contact::FlankSurface const surface = contact::flank_surface(context, spec);
     study.backlash_offset = surface.offset;
-    Spans const spans = spans_of(context.scene, task);
     auto const turn_at = [&](double pitches) {
         return running::first_contact(context, surface.grid, task.motion, pitches);
     };
     double const angle = 2 * context.tolerance.length / context.geometry.r_m;
-    for (SpanPlan const* plan :
-         {&spans.pitch, spans.input ? &*spans.input : nullptr, spans.output ? &*spans.output : nullptr}) {
-        if (plan == nullptr)
-            continue;
-        RunSequence sequence = running::first_contacts(*plan, task.motion, turn_at, observer);
+    for (auto const& [plan, under_torque] : planned_sequences(context.scene, task)) {
+        RunSequence sequence = running::first_contacts(plan, task.motion, turn_at, observer);
         sequence.peak_to_peak_error += 2 * angle;
         sequence.rms_error += angle;
         sequence.estimated = true;
@@ -122,18 +129,20 @@ struct GridPair
     [[nodiscard]] double safety_of_sequences() const { return safety / 4; }
 };
 
-void run_elastic_span(SpanPlan const& plan, GridPair const& drives, running::RunTask const& task,
-                      SequenceObserver const& observer, bool under_torque, RunStudy& study)
+/// A sequence with its errors; that until both rings meet is too long for a second grid.
+void run_elastic_sequence(PlannedSequence const& planned, GridPair const& drives, running::RunTask const& task,
+                          SequenceObserver const& observer, RunStudy& study)
 {
+    SpanPlan const& plan = planned.plan;
     SequenceObserver const silent{observer.stop, observer.on_position, {}};
     auto const sequence_of = [&](running::TurningDrive const& drive, SequenceObserver const& told) {
-        return under_torque
+        return planned.under_torque
                    ? running::balanced(plan, drive, task.motion, task.torque, told)
                    : running::first_contacts(
                          plan, task.motion, [&](double pitches) { return drive.first_contact(pitches); }, told);
     };
     RunSequence sequence = sequence_of(drives.fine, observer);
-    if (drives.coarse != nullptr)
+    if (drives.coarse != nullptr && plan.span != RunSpan::output_turn)
         running::add_grid_error(sequence, sequence_of(*drives.coarse, silent), drives.safety_of_sequences());
     add(std::move(sequence), study);
 }
@@ -162,14 +171,9 @@ void run_elastic(contact::ContactStudyData& data, running::RunTask const& task, 
         coarse_drive.emplace(context, coarse.front(), *coarse_flanks, task.motion, middle);
     }
     GridPair const drives{drive, coarse_drive ? &*coarse_drive : nullptr, load::grid_safety(flanks.slices())};
-    Spans const spans = spans_of(context.scene, task);
     data.clock.run(Stage::load, [&] {
-        for (SpanPlan const* plan : {&spans.pitch, spans.input ? &*spans.input : nullptr})
-            for (bool const under_torque : {false, true})
-                if (plan != nullptr)
-                    run_elastic_span(*plan, drives, task, observer, under_torque, study);
-        if (spans.output)
-            run_elastic_span(*spans.output, {drive, nullptr, 0}, task, observer, false, study);
+        for (PlannedSequence const& each : planned_sequences(context.scene, task))
+            run_elastic_sequence(each, drives, task, observer, study);
         if (!context.scene.friction)
             return;
         auto const runs = running::loaded_runs(drive, task, observer);
@@ -187,12 +191,11 @@ void run_elastic(contact::ContactStudyData& data, running::RunTask const& task, 
 /// Positions of all sequences, on both grids.
 std::size_t positions_of(Scene const& scene, running::RunTask const& task, bool errors)
 {
-    Spans const spans = spans_of(scene, task);
-    std::size_t const grids = task.torque > 0 && errors ? 2 : 1, states = task.torque > 0 ? 2 : 1;
-    std::size_t all = grids * states * (spans.pitch.pitches.size() + (spans.input ? spans.input->pitches.size() : 0));
-    if (spans.output)
-        all += spans.output->pitches.size();
-    return all + (scene.friction ? grids * running::loss_positions : 0);
+    std::size_t const grids = task.torque > 0 && errors ? 2 : 1;
+    std::size_t all = scene.friction ? grids * running::loss_positions : 0;
+    for (PlannedSequence const& each : planned_sequences(scene, task))
+        all += each.plan.pitches.size() * (each.plan.span == RunSpan::output_turn ? 1 : grids);
+    return all;
 }
 
 }  // namespace

@@ -90,7 +90,7 @@ def test_run(tmp_path):
     study = hdconj.run(scene, torque=10, positions=4, errors=False)
     words = ["--set=slices.count=1", "--set=friction.flanks=0.08", "--set=running.torques=[10.0]"]
     compare(study, ["run", *words, "--torque=10", "--positions=4", "--no-errors"], tmp_path)
-    assert study.running.losses.efficiency[0] == 0
+    assert 0.5 < study.running.losses.efficiency[1] < 1
 
 
 @pytest.mark.parametrize("member", ["cup", "circular-spline"])
