@@ -88,14 +88,13 @@ std::optional<double> back_driving_torque(LossModel const& model, std::vector<Lo
     auto const excess = [&](LoadedRun const& run) {
         return run.torque / model.motion.ratio() - resting_torque(model, run);
     };
-    for (std::size_t i = 0; i < runs.size(); ++i) {
+    for (std::size_t i = 1; i < runs.size(); ++i) {
         double const here = excess(runs[i]);
         if (here < 0)
             continue;
-        if (i == 0)
-            return runs[0].torque;
         double const before = excess(runs[i - 1]);
-        return runs[i - 1].torque - before * (runs[i].torque - runs[i - 1].torque) / (here - before);
+        double const share = here > before ? -before / (here - before) : 0;
+        return runs[i - 1].torque + share * (runs[i].torque - runs[i - 1].torque);
     }
     return std::nullopt;
 }

@@ -162,6 +162,11 @@ TEST_CASE("the wave generator is driven back where the torque has overcome what 
     REQUIRE(found);
     CHECK(*found == Approx(is));
     CHECK_FALSE(running::back_driving_torque(loss_model(friction), {run_at(0), run_at(is / 2)}));
+    // flanks alone: the least torque drives back, or none does
+    friction.seal = 0;
+    CHECK(running::back_driving_torque(loss_model(friction), {run_at(0), run_at(500)}) == 0);
+    friction.flanks = 1;
+    CHECK_FALSE(running::back_driving_torque(loss_model(friction), {run_at(0), run_at(500), run_at(1000)}));
 }
 
 TEST_CASE("figures of a sequence are those of the function that it samples", "[running]")
