@@ -68,8 +68,7 @@ ThinnedLayout thinned_layout(Layout const& whole)
 
 numeric::Complementarity part_of(numeric::Complementarity const& whole, std::vector<int> const& kept, int threads)
 {
-    numeric::Complementarity part{
-        numeric::principal_part(whole, kept, threads), whole.approach(kept), {}, whole.total};
+    numeric::Complementarity part{numeric::principal_part(whole, kept, threads), whole.approach(kept), {}, whole.total};
     if (whole.border.size() > 0)
         part.border = whole.border(kept);
     return part;

@@ -7,7 +7,7 @@
 
 #include "contact/study/contact_case.hpp"
 #include "contact/study/contact_context.hpp"
-#include "load/study/assembled_drive.hpp"
+#include "load/grids/assembled_drive.hpp"
 #include "running_motion.hpp"
 #include "sliding.hpp"
 

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "grid_error.hpp"
+#include "load/grids/grid_error.hpp"
 #include "torque_branch.hpp"
 
 namespace hdconj::load {

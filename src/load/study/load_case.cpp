@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "base/text.hpp"
-#include "branch_on_grids.hpp"
 #include "catalogue_figures.hpp"
-#include "grid_error.hpp"
 #include "hdconj/error.hpp"
+#include "load/grids/branch_on_grids.hpp"
+#include "load/grids/grid_error.hpp"
 #include "load/model/cup_shape.hpp"
 #include "load_problem.hpp"
 #include "twist_members.hpp"

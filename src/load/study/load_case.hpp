@@ -5,11 +5,11 @@
 #include <functional>
 #include <vector>
 
-#include "coarse_path.hpp"
 #include "contact/study/contact_case.hpp"
 #include "contact/study/contact_context.hpp"
 #include "elastic/harmonic_field.hpp"
 #include "hdconj/load.hpp"
+#include "load/grids/coarse_path.hpp"
 #include "loaded_scene.hpp"
 #include "play.hpp"
 

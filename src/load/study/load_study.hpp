@@ -5,8 +5,8 @@
 #include <functional>
 #include <string>
 
-#include "grid_error.hpp"
 #include "hdconj/contact.hpp"
+#include "load/grids/grid_error.hpp"
 #include "loaded_scene.hpp"
 
 namespace hdconj::load {

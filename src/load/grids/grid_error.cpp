@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bearing_map.hpp"
+#include "load/study/bearing_map.hpp"
 
 namespace hdconj::load {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "assembled_drive.hpp"
-#include "torque_branch.hpp"
+#include "load/study/torque_branch.hpp"
 
 namespace hdconj::load {
 

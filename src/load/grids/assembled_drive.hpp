@@ -7,7 +7,7 @@
 #include "contact/flank_grid.hpp"
 #include "hdconj/load.hpp"
 #include "load/model/load_model.hpp"
-#include "load_problem.hpp"
+#include "load/study/load_problem.hpp"
 
 namespace hdconj::load {
 

@@ -8,7 +8,7 @@
 #include "grid_error.hpp"
 #include "hdconj/error.hpp"
 #include "load/model/ring_errors.hpp"
-#include "twist_members.hpp"
+#include "load/study/twist_members.hpp"
 
 namespace hdconj::load {
 

@@ -5,10 +5,10 @@
 #include <numbers>
 #include <utility>
 
-#include "bearing_map.hpp"
 #include "hdconj/error.hpp"
 #include "load/elastic_drive.hpp"
 #include "load/model/cup_shape.hpp"
+#include "load/study/bearing_map.hpp"
 #include "numeric/moments.hpp"
 
 namespace hdconj::load {
