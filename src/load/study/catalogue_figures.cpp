@@ -90,7 +90,7 @@ std::optional<CatalogueFigures> catalogue_figures(CatalogueTorques const& torque
     if (lost_motion.empty())
         return result;
     // Grids may agree by chance in one of them: relative to its size, none gets less than the worst.
-    constexpr double slope_factor = 1, lost_motion_factor = 3;  // times the safety, see grid_error.cpp
+    constexpr double slope_factor = 1.25, lost_motion_factor = 4.2;  // times the safety, see grid_error.cpp
     double relative = 0;
     for (std::size_t i = 0; i < k.size(); ++i)
         relative = std::max(relative, slope_factor * safety * grid_difference(found->k[i], k[i]) / found->k[i]);

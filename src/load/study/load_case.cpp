@@ -178,7 +178,7 @@ SolvedCase load_case(contact::ContactContext const& context, DriveGrids const& d
     std::vector<std::unique_ptr<CoarsePath>> const coarser = coarse_paths(context, drives, path);
     if (!coarser.empty()) {
         // Teeth that press on both flanks are a balance, whose error varies more than that of a gap.
-        double const factor = result.backlash < 0 ? 1.2 : 0.4;
+        double const factor = result.backlash < 0 ? 2.4 : 0.8;
         std::vector<double> widths;
         for (auto const& each : coarser)
             widths.push_back(width_of(each->path->play));

@@ -86,7 +86,7 @@ TEST_CASE("thinning keeps ends and stays within its tolerance")
 
 TEST_CASE("every plot template says what it draws, and ends with a whole line")
 {
-    CHECK(report::plot_templates.size() == 18);
+    CHECK(report::plot_templates.size() == 23);
     for (auto const& each : report::plot_templates) {
         INFO(each.name);
         CHECK(each.text.starts_with("# SPDX-License-Identifier: GPL-3.0-or-later\n# "));
