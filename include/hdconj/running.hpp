@@ -31,8 +31,8 @@ enum class RunSpan
 struct RunPosition
 {
     double angle = 0;  ///< of the wave generator against the ring of teeth that is held [rad]
-    double error =
-        0;  ///< transmission error: by how much the output is ahead of angle/i in its working direction [rad]
+    /// Transmission error: by how much the output is ahead of angle/i in its working direction [rad].
+    double error = 0;
     double wave_generator_torque = 0;  ///< without friction, from the forces of its bearing; unloaded: 0 [N mm]
     double torque_by_teeth = 0;        ///< the same from the forces of the teeth [N mm]
 };
@@ -53,7 +53,7 @@ struct RunOrder
 /// every tooth is a constant, so that it does not look like a low order.
 struct RunSequence
 {
-    RunSpan span = RunSpan::tooth_pitch;
+    RunSpan span = RunSpan::tooth_pitch;      ///< that the positions go over
     double torque = 0;                        ///< on the output [N mm]; 0: first contact of the loaded flanks
     std::vector<RunPosition> positions = {};  ///< in order of angle, the end of the period left out
     std::vector<RunOrder> orders = {};        ///< from the first on, as many as the positions tell apart

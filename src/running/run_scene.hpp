@@ -13,8 +13,8 @@ namespace hdconj::running {
 struct RunTask
 {
     RunningMotion motion;
-    double torque =
-        0;  ///< largest, on the output [N mm]; 0: first contact only, in the shape that the scene prescribes
+    /// Largest, on the output [N mm]; 0: first contact only, in the shape that the scene prescribes.
+    double torque = 0;
     int positions = 0;                      ///< over a tooth pitch
     std::vector<double> torques = {};       ///< on the output, of the efficiency, increasing [N mm]
     std::vector<double> speeds = {};        ///< of the wave generator [rad/s]
