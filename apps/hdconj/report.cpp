@@ -134,7 +134,7 @@ constexpr char const* report_footer =
     "page with its cause.\n"
     "Several drives are compared. A result file is shown as it was computed: from its scene only the\n"
     "motion of the teeth is computed. --with, --set, --tilt and the like are for scenes.\n"
-    "The drive while it runs is not computed, and a design from wishes is a scene first.\n"
+    "A design from wishes is a scene first.\n"
     "A part that is asked for and has no result is named with its cause. The rest is written, and the\n"
     "exit status is 1.\n"
     "Examples:\n"
@@ -148,15 +148,16 @@ void add_report(CLI::App& program, CommonOptions& common)
 {
     auto [verb, own] =
         add_verb(program, common, "report", "drives as one HTML page: figures, turning teeth, load, wire", run_report);
-    verb.add_option("SCENE", own.sources,
-                    "scene files in TOML, or result files of solve, contact and load; - for standard input; absent: "
-                    "the built-in drive")
+    verb.add_option(
+            "SCENE", own.sources,
+            "scene files in TOML, or result files of solve, contact, load and run; - for standard input; absent: "
+            "the built-in drive")
         ->check(is_name);
     add_computing_options(verb, common);
     verb.add_flag("--json", common.json, "one JSON object on standard output");
     add_name(verb, "-o,--output", own.output, "the page [the first scene file's name and .html, in this folder]",
              "FILE.html");
-    add_list(verb, "--with", own.parts, "what else is computed: solve, contact, load, wedm [solve]", "LIST",
+    add_list(verb, "--with", own.parts, "what else is computed: solve, contact, load, run, wedm [solve]", "LIST",
              one_of<ReportPart>());
     add_list(verb, "--tilt", own.tilts_deg, "tilt angles in degrees for contact, such as 0,0.1,0.2 [the scene's]",
              "LIST", angle("an angle in degrees such as 0.2"));

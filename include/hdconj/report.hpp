@@ -14,6 +14,7 @@
 #include "hdconj/contact.hpp"
 #include "hdconj/file/written_file.hpp"
 #include "hdconj/load.hpp"
+#include "hdconj/running.hpp"
 #include "hdconj/scene_words.hpp"
 #include "hdconj/solution.hpp"
 #include "hdconj/turning_teeth.hpp"
@@ -27,12 +28,13 @@ enum class ReportPart
     solve,    ///< circular spline, teeth in mesh; always there
     contact,  ///< gaps over the face width
     load,     ///< the drive under torque
+    run,      ///< the drive while it turns
     wedm      ///< wire paths
 };
 
 /// Words of ReportPart: the verbs that compute them.
 template <>
-inline constexpr std::array<std::string_view, 4> words_of<ReportPart>{"solve", "contact", "load", "wedm"};
+inline constexpr std::array<std::string_view, 5> words_of<ReportPart>{"solve", "contact", "load", "run", "wedm"};
 
 /// What is asked of each drive of a report.
 struct ReportOptions
@@ -40,6 +42,7 @@ struct ReportOptions
     std::vector<ReportPart> parts;  ///< beside ReportPart::solve
     ContactOptions contact;         ///< of the part `contact`
     LoadOptions load;               ///< of the part `load`
+    RunOptions run;                 ///< of the part `run`
 };
 
 /// A part that a report does not show.
@@ -63,6 +66,7 @@ struct ReportedDrive
     std::optional<TurningTeeth> teeth;                   ///< in the planes of outline()
     std::optional<ContactStudy> contact;                 ///< where asked for
     std::optional<LoadStudy> load;                       ///< where asked for
+    std::optional<RunStudy> run;                         ///< where asked for
     WireSetUps wire;                                     ///< where asked for, else empty
     std::shared_ptr<report::StoredResult const> stored;  ///< what a result file holds; null: all is computed
     std::string origin;             ///< the file, and what was computed beside it; empty: all is computed
@@ -77,8 +81,8 @@ struct ReportedDrive
 /// Scene and options against each other: a neutral curve that is wanted has no report.
 [[nodiscard]] Faults check_report(Scene const& scene);
 
-/// Computes the parts of a report by solve(), study_contact(), study_load() and wire_set_ups(). A part that cannot be
-/// computed leaves the others as they are and is named in ReportedDrive::left_out.
+/// Computes the parts of a report by solve(), study_contact(), study_load(), study_run() and wire_set_ups(). A part
+/// that cannot be computed leaves the others as they are and is named in ReportedDrive::left_out.
 /// @param scene     the drive, lengths in mm, angles in rad; domain: no faults by check_scene() and check_report()
 /// @param options   what is asked
 /// @param on_stage  is told each stage that begins; null: nobody
@@ -90,7 +94,7 @@ struct ReportedDrive
 /// Whether @p file is a result file rather than a scene: by its ending, .h5 or .hdf5, or by its first bytes.
 [[nodiscard]] bool is_result_file(std::filesystem::path const& file);
 
-/// A drive from what `solve`, `contact` or `load` wrote: ReportedDrive::stored and what stands beside it.
+/// A drive from what `solve`, `contact`, `load` or `run` wrote: ReportedDrive::stored and what stands beside it.
 /// @throws InputError where @p file is no such file, is cut off or damaged, or is of another version of the layout, and
 /// with the faults of a scene that this version refuses
 [[nodiscard]] ReportedDrive read_drive(std::filesystem::path const& file);

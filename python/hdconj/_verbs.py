@@ -387,7 +387,7 @@ def report(
     file : path
         The page. It opens from disk and needs no network.
     parts : str or sequence of str
-        What is computed beside the circular spline: "contact", "load", "wedm".
+        What is computed beside the circular spline: "contact", "load", "run", "wedm".
     tilts_deg : sequence of float
         Tilts of contact in degrees; empty: the scene's.
     revolution : int

@@ -82,6 +82,21 @@ TEST_CASE("the page of a result file holds the numbers of the page that is compu
     }
 }
 
+TEST_CASE("the page of a running drive's file holds the numbers of the page that is computed", "[report]")
+{
+    TemporaryFolder const folder;
+    std::string const scene = "--set slices.count=3 --set friction.flanks=0.08 --set running.positions=4 ";
+    REQUIRE(hdconj_run("run " + scene + "-o a.h5 -q", folder.path()).status == 0);
+    REQUIRE(hdconj_run("report " + scene + "--with run -o computed.html", folder.path()).status == 0);
+    REQUIRE(hdconj_run("report a.h5 -o read.html", folder.path()).status == 0);
+    json const here = drive_of(folder / "read.html"), there = drive_of(folder / "computed.html");
+    json const numbers = without_times(there.at("results").at("run").at("groups"));
+    CHECK(numbers.at("running").at("groups").contains("losses"));
+    CHECK(numbers.at("running").at("groups").contains("sequence_001"));
+    CHECK(without_times(here.at("results").at("run").at("groups")) == numbers);
+    CHECK(here.at("teeth").is_object());
+}
+
 TEST_CASE("a file that is no sound result is refused with what to do", "[report]")
 {
     TemporaryFolder const folder;

@@ -324,6 +324,25 @@ class Reports(unittest.TestCase):
             self.assertIn(HOSTILE, page.title())
             self.assertIsNone(page.evaluate("window.broken ?? null"))
 
+    def test_running_drive_is_the_program_s(self):
+        scene = f"{SOURCE}/data/scenes/type-50-elastic.toml"
+        keys = ("--set", "slices.count=3", "--set", "friction.flanks=0.08", "--set", "friction.seal=0.01")
+        result = Path(FOLDER.name) / "run.h5"
+        told = json.loads(hdconj("run", scene, *keys, "--positions", "4", "--no-errors", "--json", "-q", "-o",
+                                 str(result)))["running"]
+        with Page(report("run-read", str(result))) as page:
+            see(page, "run")
+            rows = {row.get_attribute("data-name"): float(row.get_attribute("data-value"))
+                    for row in page.locator("#run tr[data-name]").all()}
+            self.assertEqual(page.locator("#run svg.chart").count(), 2 * len(told["sequences"]) + 2)
+        self.assertEqual(rows["Ratio"], told["ratio"])
+        errors = [value for name, value in rows.items() if name.startswith("Transmission error")]
+        self.assertEqual(len(errors), len(told["sequences"]))
+        for shown, sequence in zip(errors, told["sequences"]):
+            self.assertAlmostEqual(shown, sequence["peak_to_peak_arcsec"], places=9)
+        starting = next(value for name, value in rows.items() if name.startswith("Starting torque"))
+        self.assertAlmostEqual(starting, told["losses"]["starting_torque_Nm"], places=12)
+
     def test_design_rules_are_those_of_the_judgement(self):
         wide = report("wide", TYPE_50, "--set", "wave_generator.radial_deformation=0.32")
         notes = json.loads(hdconj("solve", TYPE_50, "--set", "wave_generator.radial_deformation=0.32", "--json", "-q",

@@ -8,6 +8,7 @@ import { loadView } from "./load.js";
 import { meshView } from "./mesh.js";
 import { compareView, numbersView } from "./numbers.js";
 import { rulesView } from "./rules.js";
+import { runningView } from "./running.js";
 import { say } from "./texts.js";
 
 const element = /** @type {HTMLElement} */ (document.getElementById("data"));
@@ -76,6 +77,7 @@ function show(index) {
   const along = drive.spline.datasets && drive.spline.datasets.z && (drive.spline.datasets.z.shape || [0])[0] > 1;
   if (results.contact || results.load || along) sections.push(section("axial", say("axial"), () => axialView(drive)));
   if (results.load) sections.push(section("load", say("load"), () => loadView(drive)));
+  if (results.run) sections.push(section("run", say("running"), () => runningView(drive)));
   if (results.wedm) sections.push(section("wedm", say("wedm"), () => cuttingView(drive)));
   if (report.drives.length > 1) sections.push(section("compare", say("compare"), () => compareView(report.drives)));
   sections.push(section("rules", say("rules"), () => rulesView(report.limits, drive)),

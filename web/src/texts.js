@@ -56,6 +56,16 @@ const english = {
   noErrorNote: "Where the error is empty the program states none: counts, given values, and figures whose error is "
     + "not determined.", allPasses: "all", wholePart: "Whole part",
   hoverHint: "Point at the picture to read values.", version: "hdconj", printed: "written", summary: "Printed summary",
+  running: "While it runs", unloaded: "unloaded", tooth_pitch: "one tooth pitch",
+  input_turn: "a turn of the wave generator", output_turn: "until both rings meet as before",
+  orders: "periods in a turn of the wave generator",
+  amplitude: "amplitude [arcsec]", spectrum: "Orders of the transmission error",
+  transmissionError: "Transmission error",
+  ahead: "output ahead, mean left out [arcsec]", generatorAngle: "angle of the wave generator [deg]",
+  generatorTorque: "Torque on the wave generator, without friction", generatorTorqueUnit: "torque [N m]",
+  efficiency: "Efficiency against torque on the output", efficiencyUnit: "efficiency [%]", card: "Card of the drive",
+  ratio: "Ratio", ratedTorque: "Torque on the output", backlash: "Backlash", lostMotion: "Lost motion",
+  startingTorque: "Starting torque of the wave generator", backDriving: "Back-driving torque on the output",
   tiltChart: "Contact fraction against tilt", tiltUnit: "tilt [deg]", fraction: "contact fraction",
 };
 

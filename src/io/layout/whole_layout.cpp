@@ -51,6 +51,21 @@ LoadStudy load_with_all(int balls)
     return study;
 }
 
+RunStudy run_with_all()
+{
+    RunStudy study;
+    study.solution = solution_with_all();
+    study.missing.emplace_back();
+    RunSequence& sequence = study.sequences.emplace_back();
+    sequence.torque = 1;
+    sequence.positions.emplace_back();
+    sequence.orders.emplace_back();
+    RunLosses& losses = study.losses.emplace();
+    losses.back_driving = 0;
+    losses.efficiency.emplace_back();
+    return study;
+}
+
 }  // namespace
 
 layout::RecordedGroup layout::whole_layout(int balls)
@@ -63,6 +78,10 @@ layout::RecordedGroup layout::whole_layout(int balls)
     Measurement const measured;
     write_result(Writer(of_load), load_with_all(balls), &measured);
     root.groups.push_back(std::move(loaded.groups.back()));
+    RecordedGroup running;
+    LayoutRecorder of_run(running);
+    write_result(Writer(of_run), run_with_all());
+    root.groups.push_back(std::move(running.groups.back()));
     return root;
 }
 

@@ -35,8 +35,6 @@ bool is_asked(ReportOptions const& options, ReportPart part)
     return std::find(options.parts.begin(), options.parts.end(), part) != options.parts.end();
 }
 
-LeftOut const no_run{"run", "the program does not compute the drive while it runs"};
-
 }  // namespace
 
 Faults check_report(Scene const& scene)
@@ -70,20 +68,29 @@ ReportedDrive report_drive(Scene const& scene, ReportOptions const& options, Sta
             drive.left_out.push_back(
                 {"teeth under torque", "the scene has errors of the rings, by which each space stands elsewhere"});
     });
+    try_part(drive, "run", asked(ReportPart::run), [&] {
+        if (Faults faults = check_run(scene, options.run); !faults.empty())
+            throw InputError(std::move(faults));
+        drive.run = study_run(scene, options.run, on_stage, progress);
+        for (auto const& cause : drive.run->missing)
+            drive.left_out.push_back({"run", cause, true});
+    });
     try_part(drive, "wedm", asked(ReportPart::wedm), [&] {
         if (Faults faults = check_wedm(scene); !faults.empty())
             throw InputError(std::move(faults));
         drive.wire = wire_set_ups(scene, on_stage);
     });
     try_part(drive, "teeth in mesh", true, [&] { drive.teeth = turning_teeth(scene, drive.outline().z, on_stage); });
-    drive.left_out.push_back(no_run);
     return drive;
 }
 
 ReportedDrive complete_drive(ReportedDrive drive, ReportOptions const& options, StageObserver const& on_stage)
 {
-    bool const is_loaded = drive.stored->parts.contains("load");
-    for (ReportPart const part : {ReportPart::contact, ReportPart::load, ReportPart::wedm}) {
+    report::Json const& parts = drive.stored->parts;
+    bool const is_loaded =
+        parts.contains("load") ||
+        (parts.contains("run") && parts.at("run").at("groups").at("running").at("attributes").value("elastic", 0) != 0);
+    for (ReportPart const part : {ReportPart::contact, ReportPart::load, ReportPart::run, ReportPart::wedm}) {
         std::string const name(to_string(part));
         if (!drive.stored->parts.contains(name))
             drive.left_out.push_back({name,
@@ -96,7 +103,6 @@ ReportedDrive complete_drive(ReportedDrive drive, ReportOptions const& options, 
             turning_teeth(is_loaded ? loaded_scene(scene) : scene, drive.solution.circular_spline.z, on_stage);
         drive.origin += " The motion of the teeth was computed from the scene that the file holds.";
     });
-    drive.left_out.push_back(no_run);
     return drive;
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <fstream>
+#include <utility>
 
 #include "hdconj/read_scene.hpp"
 #include "hdconj/report.hpp"
@@ -21,7 +22,7 @@ using report::Json;
 using namespace io::hdf5;
 
 constexpr StoredKind result_file{"no result file that a report can show",
-                                 "make it anew: hdconj solve, contact or load, each with -o FILE.h5", nullptr};
+                                 "make it anew: hdconj solve, contact, load or run, each with -o FILE.h5", nullptr};
 
 /// The parts that the file holds, as the page has them when they are computed.
 Json parts_of(File const& file)
@@ -36,8 +37,9 @@ Json parts_of(File const& file)
     }
     io::layout::RecordedGroup const layout = io::layout::whole_layout(balls);
     Json parts;
-    for (char const* const part : {"solve", "contact", "load"}) {
-        if (std::string_view(part) != "solve" && !holds(part))
+    for (auto const& [part, group] : {std::pair("solve", "circular_spline"), std::pair("contact", "contact"),
+                                      std::pair("load", "load"), std::pair("run", "running")}) {
+        if (!holds(group))
             continue;
         report::JsonGroup root(report::left_of_part(part));
         read_layout(file, layout, root);

@@ -11,6 +11,7 @@
 #include "hdconj/load_files.hpp"
 #include "hdconj/report.hpp"
 #include "hdconj/result_files.hpp"
+#include "hdconj/running_files.hpp"
 #include "hdconj/version.hpp"
 #include "hdconj/wire_files.hpp"
 #include "io/layout/results.hpp"
@@ -71,6 +72,8 @@ Json results_json(ReportedDrive const& drive)
         add("contact", *drive.contact);
     if (drive.load)
         add("load", *drive.load);
+    if (drive.run)
+        add("run", *drive.run);
     if (!drive.wire.empty())
         add("wedm", drive.wire);
     return results;
@@ -179,6 +182,8 @@ std::string text_of(ReportedDrive const& drive)
     std::string text = drive.contact ? summary_text(*drive.contact) : summary_text(drive.solution);
     if (drive.load)
         text += '\n' + summary_text(*drive.load);
+    if (drive.run)
+        text += '\n' + summary_text(*drive.run);
     if (!drive.wire.empty())
         text += '\n' + summary_text(drive.wire);
     return text;
