@@ -45,8 +45,18 @@ def tooth_space(page):
     page.locator("#axial canvas").screenshot(path=Path(FOLDER) / "tooth-space.png")
 
 
+def running(page):
+    page.locator("#run").scroll_into_view_if_needed()
+    page.wait_for_timeout(800)
+    page.locator("#run").screenshot(path=Path(FOLDER) / "running.png")
+
+
+FRICTION = {"flanks": 0.08, "bearing_load": 0.0005, "bearing_speed": 2, "viscosity_40": 100, "viscosity_100": 11}
+
 with tempfile.TemporaryDirectory() as scratch, sync_playwright() as playwright:
     take(playwright, scratch, [], "#a=2", "light", one_tooth, "one-tooth")
     take(playwright, scratch, [SCENES / "type-50-elastic.toml", "--set", "slices.count=9", "--with", "load", "--no-curve"],
          "#vx=-0.9&vy=25.45&vw=1.6", "light", under_torque, "loaded")
     take(playwright, scratch, [SCENES / "type-50-coned.toml", "--with", "contact"], "", "dark", tooth_space, "space")
+    friction = [word for key, value in FRICTION.items() for word in ("--set", f"friction.{key}={value}")]
+    take(playwright, scratch, [SCENES / "type-50.toml", *friction, "--with", "load,run"], "", "light", running, "run")
