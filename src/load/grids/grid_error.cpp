@@ -56,9 +56,9 @@ double median(std::vector<double> values)
     return *middle;
 }
 
-/// Errors of @p a by its differences from @p coarser. In one figure grids may agree by chance: there the others tell
-/// how far the drive's differences are from the usual ones, and no figure gets less than that much of its own usual
-/// one.
+/// Errors of @p a from its differences to @p coarser. In a single figure grids may agree by chance. The median over all
+/// figures of difference over usual difference tells how far the drive as a whole has converged; no figure gets less
+/// than its usual difference times that median.
 /// @param half_width  of the bearing [mm]
 LoadedState error_of(LoadedState const& a, std::vector<LoadedState> const& coarser, double safety, double half_width)
 {
