@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "complementarity_system.hpp"
-#include "dense.hpp"
 #include "hdconj/base/parallel.hpp"
 
 namespace hdconj::numeric {
@@ -23,32 +22,37 @@ std::vector<Index> not_zero(VectorXd const& x)
     return which;
 }
 
-void require(ColumnsOnDemand& columns, std::vector<Index> const& which, int threads)
+/// Columns of G: those that were required, where they are computed on demand.
+class Columns
 {
-    if (!columns.require(which, threads))
-        fail_complementarity("a compliance is not a number");
-}
-
-/// Columns of G whose part beside the dense block has been required.
-struct Columns
-{
-    ColumnsOnDemand const& leading;
-    MatrixXd const& block;
+  public:
+    Columns(Complementarity const& problem, std::vector<Index> const& required, int threads)
+        : leading_(problem.leading.get()),
+          first_(leading_ != nullptr ? leading_->first() : 0),
+          block_(problem.compliance)
+    {
+        if (leading_ != nullptr && !leading_->require(required, threads))
+            fail_complementarity("a compliance is not a number");
+    }
 
     [[nodiscard]] double operator()(Index i, Index j) const
     {
-        Index const first = leading.first();
-        return i < first || j < first ? leading[j][i] : block(i - first, j - first);
+        return i < first_ || j < first_ ? (*leading_)[j][i] : block_(i - first_, j - first_);
     }
     /// sum += x times the rows [begin, begin + size) of column j.
     void add(Index j, double x, Index begin, Eigen::Ref<VectorXd> sum) const
     {
-        Index const first = leading.first();
-        Index const above = j < first ? sum.size() : std::clamp<Index>(first - begin, 0, sum.size());
-        sum.head(above) += x * leading[j].segment(begin, above);
+        Index const above = j < first_ ? sum.size() : std::clamp<Index>(first_ - begin, 0, sum.size());
+        if (above > 0)
+            sum.head(above) += x * (*leading_)[j].segment(begin, above);
         if (Index const below = sum.size() - above; below > 0)
-            sum.tail(below) += x * block.col(j - first).segment(begin + above - first, below);
+            sum.tail(below) += x * block_.col(j - first_).segment(begin + above - first_, below);
     }
+
+  private:
+    ColumnsOnDemand* leading_;  ///< null: all columns are in the block
+    Index first_;
+    MatrixXd const& block_;
 };
 
 /// Rows and columns @p which, of column j the rows from @p first_row(j) on.
@@ -69,12 +73,9 @@ MatrixXd part_of(Columns const& g, std::vector<int> const& which, int threads, F
 
 VectorXd times(Complementarity const& problem, VectorXd const& x, int threads)
 {
-    if (!problem.leading)
-        return times(problem.compliance, x, threads);
-    constexpr Index tile = 128;  // as that of dense.cpp, for the same bits
+    constexpr Index tile = 128;
     std::vector<Index> const which = not_zero(x);
-    require(*problem.leading, which, threads);
-    Columns const g{*problem.leading, problem.compliance};
+    Columns const g(problem, which, threads);
     VectorXd result = VectorXd::Zero(x.size());
     auto const tiles = static_cast<std::size_t>((x.size() + tile - 1) / tile);
     parallel_for(tiles, threads, 1, [&](std::size_t t) {
@@ -88,19 +89,16 @@ VectorXd times(Complementarity const& problem, VectorXd const& x, int threads)
 
 MatrixXd principal_part(Complementarity const& problem, std::vector<int> const& which, int threads)
 {
-    if (!problem.leading)
-        return principal_part(problem.compliance, which, threads);
-    require(*problem.leading, {which.begin(), which.end()}, threads);
-    return part_of({*problem.leading, problem.compliance}, which, threads, [](std::size_t) { return std::size_t{0}; });
+    Columns const g(problem, {which.begin(), which.end()}, threads);
+    return part_of(g, which, threads, [](std::size_t) { return std::size_t{0}; });
 }
 
 MatrixXd lower_principal_part(Complementarity const& problem, std::vector<int> const& which, int threads)
 {
-    if (!problem.leading)
-        return lower_principal_part(problem.compliance, which, threads);
     // Below the diagonal, columns of the dense block have no row of another one.
-    require(*problem.leading, {which.begin(), std::ranges::lower_bound(which, problem.leading->first())}, threads);
-    return part_of({*problem.leading, problem.compliance}, which, threads, [](std::size_t column) { return column; });
+    Index const first = problem.leading ? problem.leading->first() : 0;
+    Columns const g(problem, {which.begin(), std::ranges::lower_bound(which, first)}, threads);
+    return part_of(g, which, threads, [](std::size_t column) { return column; });
 }
 
 VectorXd diagonal_of(Complementarity const& problem)
@@ -115,17 +113,13 @@ VectorXd diagonal_of(Complementarity const& problem)
 double work_of(Complementarity const& problem, VectorXd const& force, int threads)
 {
     std::vector<Index> const on = not_zero(force);
-    if (problem.leading)
-        require(*problem.leading, on, threads);
-    auto const element = [&](Index i, Index j) {
-        return problem.leading ? Columns{*problem.leading, problem.compliance}(i, j) : problem.compliance(i, j);
-    };
+    Columns const g(problem, on, threads);
     double work = 0;
     for (std::size_t j = 0; j < on.size(); ++j) {
         double below = 0;
         for (std::size_t i = j + 1; i < on.size(); ++i)
-            below += element(on[i], on[j]) * force[on[i]];
-        work += force[on[j]] * (2 * below + element(on[j], on[j]) * force[on[j]]);
+            below += g(on[i], on[j]) * force[on[i]];
+        work += force[on[j]] * (2 * below + g(on[j], on[j]) * force[on[j]]);
     }
     return work;
 }

@@ -12,14 +12,15 @@ namespace hdconj::numeric {
 // Every result has the same bits for every number of threads, and whether or not columns are computed on demand.
 // Columns that are not finite numbers are refused: NumericalError.
 
-/// G x, from the columns where x is not 0.
+/// G x, from the columns where x is not 0: costs their number times the rows.
 [[nodiscard]] Eigen::VectorXd times(Complementarity const& problem, Eigen::VectorXd const& x, int threads);
 
 /// Rows and columns @p which of G.
 [[nodiscard]] Eigen::MatrixXd principal_part(Complementarity const& problem, std::vector<int> const& which,
                                              int threads);
 
-/// Its lower triangle alone, as that of dense.hpp. @param which  increasing
+/// Its lower triangle alone, which is what Cholesky looks at; elements above the diagonal are any numbers. Half the
+/// work. @param which  increasing
 [[nodiscard]] Eigen::MatrixXd lower_principal_part(Complementarity const& problem, std::vector<int> const& which,
                                                    int threads);
 

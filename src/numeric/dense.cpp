@@ -30,50 +30,7 @@ std::size_t tiles_of(Index length, Index tile)
     return static_cast<std::size_t>((length + tile - 1) / tile);
 }
 
-/// Rows and columns @p which of a matrix, of column j the rows from @p first_row(j) on.
-template <class FirstRow>
-MatrixXd part_of(MatrixXd const& a, std::vector<int> const& which, int threads, FirstRow const& first_row)
-{
-    auto const count = static_cast<Index>(which.size());
-    MatrixXd part(count, count);
-    parallel_for(which.size(), threads, grain_of(static_cast<double>(count)), [&](std::size_t j) {
-        double const* const from = a.col(which[j]).data();
-        double* const to = part.col(static_cast<Index>(j)).data();
-        for (std::size_t i = first_row(j); i < which.size(); ++i)
-            to[i] = from[which[i]];
-    });
-    return part;
-}
-
 }  // namespace
-
-MatrixXd principal_part(MatrixXd const& a, std::vector<int> const& which, int threads)
-{
-    return part_of(a, which, threads, [](std::size_t) { return std::size_t{0}; });
-}
-
-MatrixXd lower_principal_part(MatrixXd const& a, std::vector<int> const& which, int threads)
-{
-    return part_of(a, which, threads, [](std::size_t column) { return column; });
-}
-
-VectorXd times(MatrixXd const& a, VectorXd const& x, int threads)
-{
-    constexpr Index tile = 128;
-    std::vector<Index> columns;
-    for (Index j = 0; j < x.size(); ++j)
-        if (x[j] != 0)
-            columns.push_back(j);
-    VectorXd result = VectorXd::Zero(a.rows());
-    parallel_for(tiles_of(a.rows(), tile), threads,
-                 grain_of(static_cast<double>(tile) * static_cast<double>(columns.size())), [&](std::size_t t) {
-                     Index const first = static_cast<Index>(t) * tile, size = std::min(tile, a.rows() - first);
-                     auto sum = result.segment(first, size);
-                     for (Index const j : columns)
-                         sum += x[j] * a.col(j).segment(first, size);
-                 });
-    return result;
-}
 
 bool all_finite(MatrixXd const& a, int threads)
 {

@@ -4,20 +4,7 @@
 
 #include <Eigen/Core>
 
-#include <vector>
-
 namespace hdconj::numeric {
-
-/// Rows and columns @p which of a square matrix.
-[[nodiscard]] Eigen::MatrixXd principal_part(Eigen::MatrixXd const& a, std::vector<int> const& which, int threads);
-
-/// Its lower triangle alone, which is what Cholesky looks at; elements above the diagonal are any numbers. Half the
-/// work.
-[[nodiscard]] Eigen::MatrixXd lower_principal_part(Eigen::MatrixXd const& a, std::vector<int> const& which,
-                                                   int threads);
-
-/// A x, from the columns where x is not 0: costs their number times the rows.
-[[nodiscard]] Eigen::VectorXd times(Eigen::MatrixXd const& a, Eigen::VectorXd const& x, int threads);
 
 /// Whether every element is a finite number. Exact.
 [[nodiscard]] bool all_finite(Eigen::MatrixXd const& a, int threads);

@@ -9,6 +9,7 @@
 #include <random>
 #include <vector>
 
+#include "hdconj/base/tolerance.hpp"
 #include "hdconj/error.hpp"
 #include "support/catch.hpp"
 
@@ -91,15 +92,24 @@ TEST_CASE("compliance: parts and products with columns on demand are those of th
     VectorXd x = dense.approach;
     for (Index i = 0; i < n; i += 2)
         x[i] = 0;
+    MatrixXd const part = dense.compliance(which, which);
+    VectorXd const product = numeric::times(dense, x, 1);
+    CHECK((product - dense.compliance * x).norm() <= n * unit_roundoff * dense.compliance.norm() * x.norm());
+    for (int const threads : {1, 2, 4}) {
+        CHECK(numeric::principal_part(dense, which, threads) == part);
+        MatrixXd const lower = numeric::lower_principal_part(dense, which, threads).triangularView<Eigen::Lower>();
+        CHECK(lower == MatrixXd(part.triangularView<Eigen::Lower>()));
+        CHECK(numeric::times(dense, x, threads) == product);
+    }
     for (Index const first : {Index{1}, Index{150}, Index{399}, n}) {
         CAPTURE(first);
         std::atomic<int> filled = 0;
-        CHECK(numeric::times(on_demand(dense, first, filled), x, 2) == numeric::times(dense, x, 1));
+        CHECK(numeric::times(on_demand(dense, first, filled), x, 2) == product);
         CHECK(filled == n / 2);
-        CHECK(numeric::principal_part(on_demand(dense, first, filled), which, 2) == dense.compliance(which, which));
+        CHECK(numeric::principal_part(on_demand(dense, first, filled), which, 2) == part);
         MatrixXd const lower =
             numeric::lower_principal_part(on_demand(dense, first, filled), which, 2).triangularView<Eigen::Lower>();
-        CHECK(lower == MatrixXd(MatrixXd(dense.compliance(which, which)).triangularView<Eigen::Lower>()));
+        CHECK(lower == MatrixXd(part.triangularView<Eigen::Lower>()));
         CHECK(numeric::diagonal_of(on_demand(dense, first, filled)) == dense.compliance.diagonal());
         CHECK(numeric::work_of(on_demand(dense, first, filled), x, 2) == numeric::work_of(dense, x, 1));
     }

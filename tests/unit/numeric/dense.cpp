@@ -75,27 +75,11 @@ TEST_CASE("dense: what is not positive definite has no factor, wherever it shows
     CHECK(numeric::Cholesky(MatrixXd(0, 0), 2).found());
 }
 
-TEST_CASE(
-    "dense: parts, products and the search for what is not finite are the plain ones, with the same bits for every "
-    "number of threads",
-    "[dense][parallel]")
+TEST_CASE("dense: what is not finite is found with every number of threads", "[dense][parallel]")
 {
-    Index const n = 1100;  // enough for a second thread, of every job
+    Index const n = 1100;  // enough for a second thread
     MatrixXd const a = random_matrix(n, n, 5);
-    std::vector<int> which;
-    for (int i = 0; i < n; i += 2)
-        which.push_back(i);
-    VectorXd x = random_matrix(n, 1, 6).col(0);
-    for (Index i = 0; i < n; i += 3)
-        x[i] = 0;
-    MatrixXd const part = a(which, which);
-    VectorXd const product = numeric::times(a, x, 1);
-    CHECK((product - a * x).norm() <= static_cast<double>(n) * unit_roundoff * a.norm() * x.norm());
     for (int const threads : {1, 2, 4}) {
-        CHECK(numeric::principal_part(a, which, threads) == part);
-        MatrixXd const lower = numeric::lower_principal_part(a, which, threads).triangularView<Eigen::Lower>();
-        CHECK(lower == MatrixXd(part.triangularView<Eigen::Lower>()));
-        CHECK(numeric::times(a, x, threads) == product);
         CHECK(numeric::all_finite(a, threads));
         for (double const bad : {std::numeric_limits<double>::infinity(), std::numeric_limits<double>::quiet_NaN()}) {
             MatrixXd broken = a;
