@@ -9,6 +9,7 @@
 #include <optional>
 #include <random>
 
+#include "hdconj/base/tolerance.hpp"
 #include "hdconj/wavegen/table_cam.hpp"
 
 namespace hdconj::load {
@@ -114,11 +115,11 @@ bool break_the_mirror(Scene const& scene)
 
 namespace {
 
-/// Whether @p deviation is the same after each of @p parts of the turn.
-bool repeats(std::function<SurfaceDeviation(double)> const& deviation, int parts)
+/// Whether @p deviation of a ring of @p radius [mm] is the same after each of @p parts of the turn.
+bool repeats(std::function<SurfaceDeviation(double)> const& deviation, int parts, double radius)
 {
     constexpr int samples = 720;
-    constexpr double same = 1e-9;  // mm
+    double const same = Tolerance{0, radius}.coincidence();
     double const part = 2 * std::numbers::pi / parts;
     for (int i = 0; deviation && i < samples; ++i) {
         double const angle = 2 * std::numbers::pi * i / samples;
@@ -141,7 +142,9 @@ bool errors_repeat(Scene const& scene, int parts)
                 return false;
         return true;
     };
-    return parts == 1 || (repeat(all.teeth) && repeat(all.spaces) && repeats(wave_generator_deviation(scene), parts));
+    return parts == 1 ||
+           (repeat(all.teeth) && repeat(all.spaces) &&
+            repeats(wave_generator_deviation(scene), parts, scene.drive.module * scene.drive.flexspline_teeth / 2));
 }
 
 }  // namespace hdconj::load
