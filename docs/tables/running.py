@@ -78,13 +78,14 @@ def efficiency(program):
 
 def rest(program):
     """What it takes to start, and what drives the wave generator back."""
-    head("surface", "starting torque [N m]", "back-driving torque [N m]", "+-", "ball forces [N]",
-         "largest sliding [mm/rad]")
+    head("surface", "starting torque [N m]", "+-", "back-driving torque [N m]", "+-", "ball forces [N]", "+-",
+         "largest sliding [mm/rad]", "+-")
     for name, keys in (("tilted", {}), ("per-slice", PER_SLICE)):
         losses = run(program, **keys, **FRICTION)["losses"]
-        row(name, "%.3g" % losses["starting_torque_Nm"], "%.3g" % losses["back_driving_torque_Nm"],
-            "%.2g" % losses["back_driving_torque_error_Nm"], "%.4g" % losses["ball_load_N"],
-            "%.3g" % losses["largest_sliding_mm_per_rad"])
+        def of(figure, unit, digits):
+            return "%.*g" % (digits, losses[figure + unit]), "%.2g" % losses[figure + "_error" + unit]
+        row(name, *of("starting_torque", "_Nm", 3), *of("back_driving_torque", "_Nm", 3),
+            *of("ball_load", "_N", 4), *of("largest_sliding", "_mm_per_rad", 3))
 
 
 TABLES = {"sequences": sequences, "efficiency": efficiency, "rest": rest}

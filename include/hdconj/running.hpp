@@ -76,9 +76,10 @@ struct EfficiencyRow
     double speed = 0;             ///< of the wave generator [rad/s]
     double temperature = 0;       ///< of the lubricant [degrees Celsius]
     double efficiency = 0;        ///< power of the output over that of the wave generator
-    double efficiency_error = 0;  ///< 0 where RunStudy::losses_estimated is false
-    double input_torque = 0;   ///< that drives the wave generator; without torque on the output: no-load running torque
-    double flanks = 0;         ///< part that sliding flanks take
+    double efficiency_error = 0;  ///< this and the next error: 0 where RunLosses::estimated is false
+    double input_torque = 0;  ///< that drives the wave generator; without torque on the output: no-load running torque
+    double input_torque_error = 0;
+    double flanks = 0;         ///< part of the input that sliding flanks take; its error is that of the input
     double bearing_load = 0;   ///< that of the bearing under its balls' forces, Palmgren's M1
     double bearing_speed = 0;  ///< that of the bearing's lubricant, Palmgren's M0
     double seal = 0;           ///< of the seals
@@ -90,12 +91,15 @@ struct RunLosses
 {
     std::vector<EfficiencyRow> efficiency;  ///< torque within speed within temperature; the first torque is 0
     double starting_torque = 0;             ///< on the wave generator at rest, no torque on the output [N mm]
+    double starting_torque_error = 0;       ///< [N mm]
     std::optional<double> back_driving;     ///< torque on the output that turns the wave generator [N mm]; none: not
                                             ///< found up to the largest torque
     double back_driving_error = 0;          ///< [N mm]
     double ball_load = 0;                   ///< sum of the forces of the balls at the largest torque [N]
+    double ball_load_error = 0;             ///< [N]
     double bearing_diameter = 0;            ///< mean diameter d_m [mm]
     double largest_sliding = 0;             ///< of loaded flanks for each rad of the wave generator [mm/rad]
+    double largest_sliding_error = 0;       ///< [mm/rad]
     bool estimated = false;                 ///< false: the errors are 0 and mean nothing
 };
 
@@ -119,7 +123,7 @@ struct RunOptions
 {
     std::optional<double> torque;  ///< largest, on the output [N mm]; 0: first contact only
     std::optional<int> positions;  ///< over one tooth pitch
-    bool errors = true;            ///< false: no second grid
+    bool errors = true;            ///< false: one grid alone
     std::function<bool()> stop;    ///< asked before each position; true: what is there is the result. Null: never
 };
 

@@ -103,9 +103,9 @@ Rows<EfficiencyRow> efficiency_rows()
         pair<&T::efficiency, &T::efficiency_error>("efficiency", one,
                                                    "power of the output over that of the wave generator",
                                                    {"efficiency", fixed<1>, two_digits, &percent}),
-        figure<&T::input_torque>("input_torque", newton_metre,
-                                 "that drives the wave generator; at torque 0 the no-load running torque",
-                                 {"input", significant<4>}),
+        pair<&T::input_torque, &T::input_torque_error>(
+            "input_torque", newton_metre, "that drives the wave generator; at torque 0 the no-load running torque",
+            {"input", significant<4>, two_digits}),
         figure<&T::flanks>("flank_loss", newton_metre, "part that sliding flanks take", {"flanks", significant<3>}),
         figure<&T::bearing_load>("bearing_load_loss", newton_metre, "that of the bearing under load, M1",
                                  {"bearing M1", significant<3>}),
@@ -121,16 +121,17 @@ Rows<RunLosses> run_loss_figures()
 {
     using T = RunLosses;
     static constexpr std::array rows = {
-        figure<&T::starting_torque>("starting_torque", newton_metre,
-                                    "turns the wave generator from rest, without torque on the output",
-                                    {"starting torque", significant<4>}),
-        figure<&T::ball_load>("ball_load", newton, "sum of the forces of the balls at the largest torque",
-                              {"sum of ball forces", significant<4>}),
+        pair<&T::starting_torque, &T::starting_torque_error>(
+            "starting_torque", newton_metre, "turns the wave generator from rest, without torque on the output",
+            {"starting torque", significant<4>, two_digits}),
+        pair<&T::ball_load, &T::ball_load_error>("ball_load", newton,
+                                                 "sum of the forces of the balls at the largest torque",
+                                                 {"sum of ball forces", significant<4>, two_digits}),
         figure<&T::bearing_diameter>("bearing_diameter", mm, "mean diameter of the wave generator's bearing",
                                      {"mean bearing diameter", decimals<3>}),
-        figure<&T::largest_sliding>("largest_sliding", mm_per_rad,
-                                    "of loaded flanks for each rad of the wave generator",
-                                    {"largest sliding", significant<3>})};
+        pair<&T::largest_sliding, &T::largest_sliding_error>("largest_sliding", mm_per_rad,
+                                                             "of loaded flanks for each rad of the wave generator",
+                                                             {"largest sliding", significant<3>, two_digits})};
     return Rows<T>(rows);
 }
 

@@ -37,17 +37,35 @@ std::vector<EfficiencyRow> efficiency_rows(LossModel const& model, RunTask const
     return rows;
 }
 
-/// Adds @p factor times the difference of two sets of runs to the errors.
-void add_errors(LossModel const& model, RunTask const& task, std::vector<LoadedRun> const& runs,
-                std::vector<LoadedRun> const& others, double factor, RunLosses& losses)
+/// The figures without their errors.
+RunLosses losses_of(LossModel const& model, RunTask const& task, std::vector<LoadedRun> const& runs)
 {
-    std::vector<EfficiencyRow> const rows = efficiency_rows(model, task, others);
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        losses.efficiency[i].efficiency_error +=
-            factor * std::abs(losses.efficiency[i].efficiency - rows[i].efficiency);
-    auto const here = back_driving_torque(model, runs), there = back_driving_torque(model, others);
-    if (here && there)
-        losses.back_driving_error += factor * std::abs(*here - *there);
+    RunLosses losses;
+    losses.efficiency = efficiency_rows(model, task, runs);
+    losses.starting_torque = resting_torque(model, runs.front());
+    losses.back_driving = back_driving_torque(model, runs);
+    losses.ball_load = runs.back().ball_load;
+    losses.bearing_diameter = model.diameter;
+    for (WeighedContacts const& position : runs.back().sliding)
+        for (SlidingContact const& each : position.contacts)
+            losses.largest_sliding = std::max(losses.largest_sliding, model.motion.cup_rate() * each.sliding);
+    return losses;
+}
+
+/// Adds @p factor times the difference to @p other to the errors.
+void add_errors(RunLosses const& other, double factor, RunLosses& losses)
+{
+    auto const add = [factor](double& error, double here, double there) { error += factor * std::abs(here - there); };
+    for (std::size_t i = 0; i < losses.efficiency.size(); ++i) {
+        EfficiencyRow& row = losses.efficiency[i];
+        add(row.efficiency_error, row.efficiency, other.efficiency[i].efficiency);
+        add(row.input_torque_error, row.input_torque, other.efficiency[i].input_torque);
+    }
+    add(losses.starting_torque_error, losses.starting_torque, other.starting_torque);
+    if (losses.back_driving && other.back_driving)
+        add(losses.back_driving_error, *losses.back_driving, *other.back_driving);
+    add(losses.ball_load_error, losses.ball_load, other.ball_load);
+    add(losses.largest_sliding_error, losses.largest_sliding, other.largest_sliding);
 }
 
 }  // namespace
@@ -95,19 +113,11 @@ std::vector<LoadedRun> loaded_runs(TurningDrive const& drive, RunTask const& tas
 RunLosses run_losses(LossModel const& model, RunTask const& task, std::vector<LoadedRun> const& runs,
                      std::vector<LoadedRun> const& coarse, double safety)
 {
-    RunLosses losses;
-    losses.efficiency = efficiency_rows(model, task, runs);
-    losses.starting_torque = resting_torque(model, runs.front());
-    losses.back_driving = back_driving_torque(model, runs);
-    losses.ball_load = runs.back().ball_load;
-    losses.bearing_diameter = model.diameter;
-    for (WeighedContacts const& position : runs.back().sliding)
-        for (SlidingContact const& each : position.contacts)
-            losses.largest_sliding = std::max(losses.largest_sliding, model.motion.cup_rate() * each.sliding);
+    RunLosses losses = losses_of(model, task, runs);
     losses.estimated = coarse.size() == runs.size();
     if (losses.estimated) {
-        add_errors(model, task, runs, coarse, safety, losses);
-        add_errors(model, task, runs, every_second(runs), 1, losses);
+        add_errors(losses_of(model, task, coarse), safety, losses);
+        add_errors(losses_of(model, task, every_second(runs)), 1, losses);
     }
     return losses;
 }

@@ -51,16 +51,17 @@ void write_sequence(Page& page, RunSequence const& sequence)
 void write_efficiency(Page& page, RunLosses const& losses)
 {
     auto const rows = figures::efficiency_rows();
-    page.line("\n{:>12} {:>8} {:>8} {:>12} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}", "temperature", "speed", "torque",
-              "efficiency", "+-", "input", "flanks", "M1", "M0", "seals", "churning");
-    page.line("{:>12} {:>8} {:>8} {:>12} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}", "deg C", "rpm", "N m", "%", "%",
-              "N m", "N m", "N m", "N m", "N m", "N m");
+    constexpr auto columns = "{:>12} {:>8} {:>8} {:>12} {:>7} {:>9} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9}";
+    page.line("");
+    page.line(columns, "temperature", "speed", "torque", "efficiency", "+-", "input", "+-", "flanks", "M1", "M0",
+              "seals", "churning");
+    page.line(columns, "deg C", "rpm", "N m", "%", "%", "N m", "N m", "N m", "N m", "N m", "N m", "N m");
     for (EfficiencyRow const& each : losses.efficiency) {
         Told const told(rows, each);
-        page.line("{:>12} {:>8} {:>8} {:>12} {:>7} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}", told("temperature"),
-                  told("speed"), told("torque"), told("efficiency"), losses.estimated ? told.error("efficiency") : "-",
-                  told("input_torque"), told("flank_loss"), told("bearing_load_loss"), told("bearing_speed_loss"),
-                  told("seal_loss"), told("churning_loss"));
+        auto const error = [&](char const* name) { return losses.estimated ? told.error(name) : "-"; };
+        page.line(columns, told("temperature"), told("speed"), told("torque"), told("efficiency"), error("efficiency"),
+                  told("input_torque"), error("input_torque"), told("flank_loss"), told("bearing_load_loss"),
+                  told("bearing_speed_loss"), told("seal_loss"), told("churning_loss"));
     }
     page.line(
         "  input: torque that drives the wave generator, at torque 0 the no-load running torque; behind it what "
@@ -71,16 +72,20 @@ void write_losses(Page& page, RunLosses const& losses)
 {
     auto const rows = figures::run_loss_figures();
     page.line("\nfriction");
-    page.figure(rows["starting_torque"], losses, "on the wave generator, no torque on the output");
+    auto const line = [&](char const* name, char const* note) {
+        page.line("  {:<25} {}, {}", rows[name].text.label, told_with_error(rows, losses, name, losses.estimated),
+                  note);
+    };
+    line("starting_torque", "on the wave generator, no torque on the output");
     if (losses.back_driving) {
         figures::BackDriving const back{*losses.back_driving, losses.back_driving_error};
         page.line("  back-driving torque       {}, on the output",
                   told_with_error(figures::back_driving_figures(), back, "back_driving_torque", losses.estimated));
     } else
         page.figure("back-driving torque", "not found", "up to the largest torque");
-    page.figure(rows["ball_load"], losses, "at the largest torque");
+    line("ball_load", "at the largest torque");
     page.figure(rows["bearing_diameter"], losses);
-    page.figure(rows["largest_sliding"], losses, "of loaded flanks, for each rad of the wave generator");
+    line("largest_sliding", "of loaded flanks, for each rad of the wave generator");
     write_efficiency(page, losses);
 }
 
