@@ -192,7 +192,7 @@ void add_load(CLI::App& program, CommonOptions& common)
                whole_number(1, 1000));
     add_case_options(verb, own.cases, "tilt angles in degrees, such as 0,0.1,0.2 [the scene's]");
     verb.add_flag("--no-curve", own.no_curve, "the largest torque only: no curve, no K1, K2, K3");
-    verb.add_flag("--no-errors", own.no_errors, "no second grid: the same figures without their errors, in less time");
+    verb.add_flag("--no-errors", own.no_errors, "one grid alone: the same figures without their errors, in less time");
     add_name(verb, "-o,--output", own.output, "result file, HDF5 [the scene file's name and -load.h5, in this folder]",
              "FILE");
     add_name(

@@ -109,7 +109,7 @@ void add_run(CLI::App& program, CommonOptions& common)
                finite_number("write a torque in N m such as --torque 28"));
     add_option(verb, "--positions", own.positions, "of the wave generator over one tooth pitch [16]", "N",
                whole_number(4, 1000));
-    verb.add_flag("--no-errors", own.no_errors, "no second grid: the same figures without their errors, in less time");
+    verb.add_flag("--no-errors", own.no_errors, "one grid alone: the same figures without their errors, in less time");
     add_name(verb, "-o,--output", own.output, "result file, HDF5 [the scene file's name and -run.h5, in this folder]",
              "FILE");
     add_name(verb, "--picture", own.picture,

@@ -239,7 +239,7 @@ struct LoadOptions
     std::optional<double> torque;        ///< rated torque [N mm]
     std::optional<int> points;           ///< even torques on the way up, beside those of the catalogue's figures
     bool curve = true;                   ///< false: the rated torque only
-    bool errors = true;                  ///< false: no second grid, and no estimated errors
+    bool errors = true;                  ///< false: one grid alone, and no estimated errors
     std::function<bool()> stop;          ///< asked before each torque; true: what is there is the result. Null: never
 };
 

@@ -164,7 +164,7 @@ def load(
     curve : bool
         False: the largest torque only.
     errors : bool
-        False: no second grid; the same figures without their errors, in less time.
+        False: one grid alone; the same figures without their errors, in less time.
     measured : path or Measurement, optional
         Torque-angle curve of a test rig, to compare with. A file is read as :func:`read_measured`
         does without further arguments: the cup turns at the output.
@@ -206,7 +206,7 @@ def run(
     positions : int, optional
         Of the wave generator over one tooth pitch; None: the scene's, or 16.
     errors : bool
-        False: no second grid; the same figures without their errors, in less time.
+        False: one grid alone; the same figures without their errors, in less time.
     progress : bool or callable
         As for :func:`contact`.
 
