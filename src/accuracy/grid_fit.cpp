@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "grid_fit.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
 #include <variant>
 
 #include "hdconj/accuracy.hpp"
+#include "numeric/least_squares.hpp"
 
 namespace hdconj::accuracy {
 
@@ -69,7 +69,7 @@ std::vector<Vec2> GridAndFit::fitted(std::vector<Vec2> const& points, int degree
         for (Eigen::Index k = 0; k <= degree; ++k, power *= s)
             powers(i, k) = power;
     }
-    Eigen::VectorXd const c = powers.colPivHouseholderQr().solve(right);
+    Eigen::VectorXd const c = numeric::LeastSquares(powers).solve(right);
     constexpr int places = 400;
     std::vector<Vec2> curve;
     for (int i = 0; i <= places; ++i) {

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <numbers>
@@ -13,6 +12,7 @@
 #include "hdconj/error.hpp"
 #include "hdconj/numeric/bracketed_root.hpp"
 #include "hdconj/units.hpp"
+#include "numeric/least_squares.hpp"
 
 namespace hdconj::cam {
 namespace {
@@ -134,7 +134,7 @@ class Shooting
                 matrix(i, j) = j == 0 ? 1 : matrix(i, j - 1) * square;
             right[i] = at.state[0] - major_;
         }
-        Eigen::VectorXd const fit = matrix.colPivHouseholderQr().solve(right);
+        Eigen::VectorXd const fit = numeric::LeastSquares(matrix).solve(right);
         result.fit.coefficients.assign(fit.data(), fit.data() + fit_powers);
         result.fit.coefficients.front() += major_;
         double const state = tangential_state(result.fit, x1_);

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "spectrum.hpp"
 
-#include <Eigen/QR>
 #include <cmath>
+
+#include "numeric/least_squares.hpp"
 
 namespace hdconj::running {
 
@@ -19,7 +20,7 @@ std::vector<Harmonic> harmonics(std::vector<double> const& x, std::vector<double
         }
     }
     Eigen::VectorXd const wanted = Eigen::Map<Eigen::VectorXd const>(values.data(), count);
-    Eigen::VectorXd const found = basis.householderQr().solve(wanted);
+    Eigen::VectorXd const found = numeric::LeastSquares(basis).solve(wanted);
     std::vector<Harmonic> result;
     for (int k = 1; k <= highest; ++k)
         result.push_back({k, std::hypot(found[2 * k - 1], found[2 * k]), std::atan2(found[2 * k], found[2 * k - 1])});

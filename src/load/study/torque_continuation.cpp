@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "torque_continuation.hpp"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,6 +16,7 @@
 #include "hdconj/error.hpp"
 #include "hdconj/units.hpp"
 #include "load/elastic_drive.hpp"
+#include "numeric/least_squares.hpp"
 
 namespace hdconj::load {
 namespace {
@@ -172,7 +173,7 @@ void anderson_mix(std::vector<MixingStep> const& history, LoadedDrive& now)
         auto const k = static_cast<std::size_t>(i);
         differences.col(i) = history[k + 1].change - history[k].change;
     }
-    Eigen::VectorXd const weight = differences.colPivHouseholderQr().solve(last);
+    Eigen::VectorXd const weight = numeric::LeastSquares(differences).solve(last);
     for (Eigen::Index i = 0; i < others; ++i) {
         auto const k = static_cast<std::size_t>(i);
         now.forces -= weight[i] * (history[k + 1].forces - history[k].forces);
