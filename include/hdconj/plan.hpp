@@ -36,7 +36,8 @@ enum class Stage
     influence,       ///< what the elastic wall gives way by, harmonic by harmonic
     assembly,        ///< the cup on its wave generator, without torque
     compliance,      ///< torsional stiffnesses in series with the teeth
-    load             ///< teeth and wave generator in equilibrium, torque by torque
+    load,            ///< teeth and wave generator in equilibrium, torque by torque
+    run              ///< positions of the wave generator, one after the other
 };
 
 /// What is planned for.

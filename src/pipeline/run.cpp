@@ -171,7 +171,7 @@ void run_elastic(contact::ContactStudyData& data, running::RunTask const& task, 
         coarse_drive.emplace(context, coarse.front(), *coarse_flanks, task.motion, middle);
     }
     GridPair const drives{drive, coarse_drive ? &*coarse_drive : nullptr, load::grid_safety(flanks.slices())};
-    data.clock.run(Stage::load, [&] {
+    data.clock.run(Stage::run, [&] {
         for (PlannedSequence const& each : planned_sequences(context.scene, task))
             run_elastic_sequence(each, drives, task, observer, study);
         if (!context.scene.friction)
@@ -209,6 +209,7 @@ RunStudy study_run(Scene const& scene, RunOptions const& options, StageObserver 
     std::unique_ptr<contact::ContactStudyData> const data =
         elastic ? load::contact_data(checked, on_stage).data
                 : std::make_unique<contact::ContactStudyData>(checked, Verb::load, on_stage);
+    data->plan = plan_run(checked, options);  // the drive is there: from here on the stages of run
     RunStudy study;
     study.output = task.motion.output;
     study.ratio = task.motion.ratio();
@@ -223,7 +224,7 @@ RunStudy study_run(Scene const& scene, RunOptions const& options, StageObserver 
     if (elastic)
         run_elastic(*data, task, options, observer, spec, study);
     else
-        data->clock.run(Stage::load, [&] { run_prescribed(*data, task, observer, spec, study); });
+        data->clock.run(Stage::run, [&] { run_prescribed(*data, task, observer, spec, study); });
     if (study.sequences.empty() && options.stop && options.stop())
         throw NumericalError(ErrorCode::stopped, "run", "positions", "the run was stopped before the first");
     if (study.sequences.empty())

@@ -72,10 +72,11 @@ Plan plan_run(Scene const& scene, RunOptions const& options)
         std::erase_if(plan.stages, is_of_load);
     for (PlannedStage& each : plan.stages)
         if (each.stage == Stage::load)
-            each.reason = std::string("run: ") +
-                          (elastic ? "first contact and balance" : "first contact in the shape that is prescribed") +
-                          " at positions of the wave generator" +
-                          (scene.friction ? fmt::format(", friction.flanks = {:g}", scene.friction->flanks) : "");
+            each = {Stage::run,
+                    std::string("run: ") +
+                        (elastic ? "first contact and balance" : "first contact in the shape that is prescribed") +
+                        " at positions of the wave generator" +
+                        (scene.friction ? fmt::format(", friction.flanks = {:g}", scene.friction->flanks) : "")};
     std::erase_if(plan.absent, [](AbsentEffect const& each) { return each.remedy == "a table [compliance]"; });
     if (!scene.friction)
         plan.absent.push_back({"friction", "a table [friction]"});

@@ -179,11 +179,11 @@ bool Plan::has(Stage stage) const
 
 std::string to_string(Stage stage)
 {
-    constexpr std::array names{
-        "profile",        "cup",     "neutral_curve", "motion",     "envelope", "region",    "backlash",
-        "root_clearance", "outline", "interference",  "coning",     "surface",  "tilt",      "clearance",
-        "gap_map",        "contact", "tip_relief",    "end_relief", "errors",   "influence", "assembly",
-        "compliance",     "load"};
+    constexpr std::array names{"profile",  "cup",        "neutral_curve",  "motion",    "envelope",
+                               "region",   "backlash",   "root_clearance", "outline",   "interference",
+                               "coning",   "surface",    "tilt",           "clearance", "gap_map",
+                               "contact",  "tip_relief", "end_relief",     "errors",    "influence",
+                               "assembly", "compliance", "load",           "run"};
     return names.at(static_cast<std::size_t>(stage));
 }
 

@@ -214,6 +214,23 @@ TEST_CASE("a running drive is in the balance of load, and its wave generator car
     CHECK(by_teeth == Approx(mean).epsilon(5e-3));
 }
 
+TEST_CASE("the plan of run names the stages that run enters, and no balance without torque", "[running]")
+{
+    RunOptions options;
+    options.torque = 0;
+    options.positions = 4;
+    Scene const scene = builtin_scene({"contact.flank_points=60"});
+    std::vector<Stage> entered;
+    RunStudy const study = study_run(scene, options, [&](Stage stage) { entered.push_back(stage); });
+    CHECK(std::ranges::count(entered, Stage::run) == 1);
+    for (Stage const balance : {Stage::load, Stage::cup, Stage::influence, Stage::assembly}) {
+        CHECK(std::ranges::count(entered, balance) == 0);
+        CHECK_FALSE(study.solution.plan.has(balance));
+    }
+    CHECK(study.solution.plan.has(Stage::run));
+    CHECK(study.solution.timing.back().stage == "run");
+}
+
 TEST_CASE("friction takes what flanks and bearing rub, and nothing without a table of it", "[running]")
 {
     CHECK_FALSE(loaded({}).losses);
