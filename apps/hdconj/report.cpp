@@ -134,7 +134,7 @@ constexpr char const* report_footer =
     "page with its cause.\n"
     "Several drives are compared. A result file is shown as it was computed: from its scene only the\n"
     "motion of the teeth is computed. --with, --set, --tilt and the like are for scenes.\n"
-    "A design from wishes is a scene first.\n"
+    "--with design derives wishes from a scene and shows it beside the design that they make.\n"
     "A part that is asked for and has no result is named with its cause. The rest is written, and the\n"
     "exit status is 1.\n"
     "Examples:\n"
@@ -157,8 +157,8 @@ void add_report(CLI::App& program, CommonOptions& common)
     verb.add_flag("--json", common.json, "one JSON object on standard output");
     add_name(verb, "-o,--output", own.output, "the page [the first scene file's name and .html, in this folder]",
              "FILE.html");
-    add_list(verb, "--with", own.parts, "what else is computed: solve, contact, load, run, wedm [solve]", "LIST",
-             one_of<ReportPart>());
+    add_list(verb, "--with", own.parts, "what else is computed: solve, contact, load, run, wedm, design [solve]",
+             "LIST", one_of<ReportPart>());
     add_list(verb, "--tilt", own.tilts_deg, "tilt angles in degrees for contact, such as 0,0.1,0.2 [the scene's]",
              "LIST", angle("an angle in degrees such as 0.2"));
     add_option(verb, "--revolution", own.revolution, "angles of the wave generator at which contact is computed", "N",

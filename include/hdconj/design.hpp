@@ -13,6 +13,7 @@
 #include "hdconj/judgement.hpp"
 #include "hdconj/scene.hpp"
 #include "hdconj/scene/parameters.hpp"
+#include "hdconj/solution.hpp"
 
 namespace hdconj {
 
@@ -111,7 +112,8 @@ struct Design
     std::vector<MeshTrial> mesh;   ///< radial deformations tried, in growing order
     std::vector<WallTrial> walls;  ///< walls tried, in that order; empty without a torque
     std::vector<std::string> remarks;           ///< rules that are broken, and wishes that are met by the nearest value
-    std::vector<DesignDifference> differences;  ///< from type-50, where it was asked for; filled by who has its scene
+    std::vector<DesignDifference> differences;  ///< from another drive, where that was asked for
+    std::string other = "the built-in type-50";  ///< the drive that they are from
 
     /// The row of @p key. @throws std::logic_error where there is none
     [[nodiscard]] DesignRow const& row(std::string_view key) const;
@@ -138,6 +140,57 @@ struct Design
 /// The keys in which @p design and @p other differ, in the order of the design's rows; @p other's own keys last,
 /// without those that have their standard value there.
 [[nodiscard]] std::vector<DesignDifference> differences(Design const& design, Scene const& other);
+
+/// What a wish was taken from, where a scene makes the wishes.
+struct DerivedWish
+{
+    std::string option;  ///< of `hdconj design`, "--ratio"
+    std::string value;   ///< as it is written there; empty: the wish is left out
+    std::string from;    ///< the keys of the scene, or why they say nothing
+};
+
+/// Where a drive stands against a row of a design.
+enum class RuleStanding
+{
+    as_proposed,  ///< the same value
+    limited,      ///< the same value, outside the range of the rule
+    within,       ///< another value inside the range
+    outside,      ///< another value outside the range
+    differs,      ///< another value, and the rule has no range
+    unstated,     ///< the scene has no such line
+    no_key        ///< no scene holds it
+};
+/// Words of RuleStanding.
+template <>
+inline constexpr std::array<std::string_view, 7> words_of<RuleStanding>{
+    "as proposed",   "as proposed, outside the range", "within the range", "outside the range", "differs", "not stated",
+    "not in a scene"};
+
+/// A drive beside a row of a design.
+struct ComparedRow
+{
+    std::string here;  ///< the drive's value as a scene writes it; empty: none
+    RuleStanding standing = RuleStanding::no_key;
+};
+
+/// A drive against the design that its own wishes make.
+struct SceneDesign
+{
+    Design design;                     ///< with the differences of the drive from it
+    std::vector<DerivedWish> derived;  ///< in the order of the options
+    std::vector<ComparedRow> here;     ///< one for each row of the design
+};
+
+/// The wishes that a scene stands for: i = z_f/(z_c - z_f), module, length of the cup over m z_f, torque of [load],
+/// family, side clearance. What a scene does not hold has its standard value.
+/// @param derived  is given where each comes from; null: nobody asks
+/// @throws InputError for another difference of teeth or number of waves than two, for a tooth by points, and where the
+/// circular spline's tooth is the one that is given: the rules know none of them
+[[nodiscard]] DesignWishes wishes_of(Scene const& scene, std::vector<DerivedWish>* derived = nullptr);
+
+/// Designs a drive by wishes_of() and lays the solved one beside it.
+/// @throws as wishes_of() and design_drive()
+[[nodiscard]] SceneDesign design_beside(Solution const& drive);
 
 /// A ready drive, by its pitch diameter and rated torque.
 struct ReadyDrive

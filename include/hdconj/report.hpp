@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "hdconj/contact.hpp"
+#include "hdconj/design.hpp"
 #include "hdconj/file/written_file.hpp"
 #include "hdconj/load.hpp"
 #include "hdconj/running.hpp"
@@ -29,12 +30,14 @@ enum class ReportPart
     contact,  ///< gaps over the face width
     load,     ///< the drive under torque
     run,      ///< the drive while it turns
-    wedm      ///< wire paths
+    wedm,     ///< wire paths
+    design    ///< the drive against the design rules
 };
 
 /// Words of ReportPart: the verbs that compute them.
 template <>
-inline constexpr std::array<std::string_view, 5> words_of<ReportPart>{"solve", "contact", "load", "run", "wedm"};
+inline constexpr std::array<std::string_view, 6> words_of<ReportPart>{"solve", "contact", "load",
+                                                                      "run",   "wedm",    "design"};
 
 /// What is asked of each drive of a report.
 struct ReportOptions
@@ -68,6 +71,7 @@ struct ReportedDrive
     std::optional<LoadStudy> load;                       ///< where asked for
     std::optional<RunStudy> run;                         ///< where asked for
     WireSetUps wire;                                     ///< where asked for, else empty
+    std::optional<SceneDesign> design;                   ///< where asked for
     std::shared_ptr<report::StoredResult const> stored;  ///< what a result file holds; null: all is computed
     std::string origin;             ///< the file, and what was computed beside it; empty: all is computed
     std::vector<LeftOut> left_out;  ///< and why
@@ -81,7 +85,8 @@ struct ReportedDrive
 /// Scene and options against each other: a neutral curve that is wanted has no report.
 [[nodiscard]] Faults check_report(Scene const& scene);
 
-/// Computes the parts of a report by solve(), study_contact(), study_load(), study_run() and wire_set_ups(). A part
+/// Computes the parts of a report by solve(), study_contact(), study_load(), study_run(), wire_set_ups() and
+/// design_beside(). A part
 /// that cannot be computed leaves the others as they are and is named in ReportedDrive::left_out.
 /// @param scene     the drive, lengths in mm, angles in rad; domain: no faults by check_scene() and check_report()
 /// @param options   what is asked

@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "hdconj/units.hpp"
 #include "nearest_wishes.hpp"
+#include "same_value.hpp"
 #include "wall_search.hpp"
 #include "wishes.hpp"
 
@@ -41,9 +42,9 @@ void add_results(Design& design, MeshedSheet const& made)
                                std::move(source), DesignOrigin::figure, std::move(remark)});
     };
     MeshTrial const& mesh = made.mesh.trials[*made.mesh.best];
-    add("tip land of the circular spline", "as asked for", {design.wishes.land, open}, mesh.land, "modules", "solve");
-    add("teeth of a lobe in flank contact", "at least 1, usually 2", {1, open}, mesh.flank_contact, "1", "solve");
-    add("angle lost before a cusp over angle used", "at most 0.1", {0, 0.1}, mesh.lost, "1", "solve");
+    add(spline_land_row, "as asked for", {design.wishes.land, open}, mesh.land, "modules", "solve");
+    add(flank_contact_row, "at least 1, usually 2", {1, open}, mesh.flank_contact, "1", "solve");
+    add(lost_row, "at most 0.1", {0, 0.1}, mesh.lost, "1", "solve");
     if (made.walls.empty())
         return;
     WallTrial const& wall = made.walls.back();

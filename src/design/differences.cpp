@@ -7,6 +7,7 @@
 #include "base/text.hpp"
 #include "hdconj/design.hpp"
 #include "hdconj/scene/schema.hpp"
+#include "same_value.hpp"
 
 namespace hdconj {
 namespace {
@@ -23,16 +24,30 @@ std::string list_text(scene::NumberRows const& rows)
     return "[" + text + "]";
 }
 
-/// Whether two values of a scene mean the same: 7 and 7.0 do. Long lists are compared as far as messages hold them.
-bool same(std::string const& a, std::string const& b)
+/// Why @p design has no row for a key that a scene has.
+std::string reason_for_absence(Design const& design, std::string const& path)
+{
+    if (path.ends_with("_ramp"))
+        return "R_1 and R_2 are written as fillets, with which the largest stress converges";
+    if (path.starts_with("wedm."))
+        return "wire and spark gap are for the user to state";
+    if (path == "load.torque" && !design.wishes.torque)
+        return "no --torque is given";
+    return "no rule gives it";
+}
+
+}  // namespace
+
+namespace design {
+
+bool same_value(std::string const& a, std::string const& b)
 {
     auto const number_a = leading_number(a), number_b = leading_number(b);
     bool const numbers = number_a && number_b && number_a->rest.empty() && number_b->rest.empty();
     return numbers ? number_a->value == number_b->value : printable(a) == printable(b);
 }
 
-/// Whether @p written is what the scene's schema takes when the key @p path is absent.
-bool is_standard(std::string const& path, std::string const& written)
+std::optional<std::string> standard_value(std::string const& path)
 {
     for (auto const& table : scene::scene_schema())
         for (auto const& key : table.keys) {
@@ -40,24 +55,12 @@ bool is_standard(std::string const& path, std::string const& written)
                 continue;
             DesignRow row;
             row.value = *key.standard;
-            return same(row.written(), written);
+            return row.written();
         }
-    return false;
+    return std::nullopt;
 }
 
-/// Why the built-in scene has a key that no row has.
-std::string reason_for_absence(std::string const& path)
-{
-    if (path.ends_with("_ramp"))
-        return "R_1 and R_2 are written as fillets, with which the largest stress converges";
-    if (path.starts_with("wedm."))
-        return "wire and spark gap are for the user to state";
-    if (path.starts_with("load."))
-        return "no --torque is given";
-    return "no rule gives it";
-}
-
-}  // namespace
+}  // namespace design
 
 std::string DesignRow::written() const
 {
@@ -85,15 +88,19 @@ bool is_like(Design const& design, Scene const& other)
            a.module == b.module && design.scene.flexspline.profile.family == other.flexspline.profile.family;
 }
 
-std::vector<DesignDifference> differences(Design const& design, Scene const& other)
+std::vector<DesignDifference> differences(Design const& made, Scene const& other)
 {
     std::vector<DesignDifference> found;
     std::set<std::string, std::less<>> ours;
-    for (auto const& row : design.rows) {
+    auto const is_standard = [](std::string const& path, std::string const& written) {
+        auto const standard = design::standard_value(path);
+        return standard && design::same_value(*standard, written);
+    };
+    for (auto const& row : made.rows) {
         ours.insert(row.key);
         auto const there = other.given.find(row.key);
         std::string const theirs = there == other.given.end() ? "" : there->second.written;
-        bool const skipped = row.key.empty() || row.key == "drive.name" || same(row.written(), theirs);
+        bool const skipped = row.key.empty() || row.key == "drive.name" || design::same_value(row.written(), theirs);
         if (!skipped && !(theirs.empty() && is_standard(row.key, row.written())))
             found.push_back({row.key, row.written(), theirs,
                              row.rule + (row.range ? " = " + row.range_text() : "") +
@@ -101,7 +108,7 @@ std::vector<DesignDifference> differences(Design const& design, Scene const& oth
     }
     for (auto const& [path, key] : other.given)
         if (!key.written.empty() && !ours.contains(path) && !is_standard(path, key.written))
-            found.push_back({path, "", key.written, reason_for_absence(path)});
+            found.push_back({path, "", key.written, reason_for_absence(made, path)});
     return found;
 }
 

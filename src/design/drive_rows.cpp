@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "base/text.hpp"
+#include "same_value.hpp"
 #include "sheet.hpp"
 #include "wishes.hpp"
 
@@ -49,7 +50,7 @@ Sheet drive_rows(DesignWishes const& wishes)
     else
         rule("module", "m", "drive.module", "standard, nearest to d_r/z_f", module, "mm", "DIN 780-1, both series");
     rule("pitch diameter of the flexspline", "d_r", "", "m z_f", diameter, "mm", "thesis Table 4-1");
-    wish("length ratio", "", "", wishes.length_ratio, "1");
+    wish(length_ratio_row, "", "", wishes.length_ratio, "1");
     sheet.add({"length of the cup",
                "L",
                "flexspline.cup.length",

@@ -121,10 +121,10 @@ class MeshSearch
     void judge_pair(Solution const& solution, Attempt& made) const
     {
         MeshTrial& trial = made.trial;
-        PairGeometry const& g = solution.geometry;
-        trial.land = 2 * g.land_half_angle * g.circular_spline_inner_radius / sheet_["m"];
-        trial.flank_contact = sheet_["z_f"] * solution.flank_contact.angle / (2 * std::numbers::pi);
-        trial.lost = solution.flank_contact.used > 0 ? solution.flank_contact.lost / solution.flank_contact.used : 0;
+        MeshFigures const figures(solution);
+        trial.land = figures.land;
+        trial.flank_contact = figures.flank_contact;
+        trial.lost = figures.lost;
         for (Note const& note : solution.judgement) {
             if (!blocks(note, wishes_))
                 continue;
@@ -132,7 +132,7 @@ class MeshSearch
             if (trial.refusal.empty())
                 trial.refusal = note.cause;
         }
-        double const stress = judgement::bending_stress(solution.scene, g);
+        double const stress = judgement::bending_stress(solution.scene, solution.geometry);
         trial.wall_stress = stress > allowed_stress(wishes_);
         if (trial.wall_stress)
             trial.refusal = "bending the ring stresses it by " + short_number(stress, 3) + " MPa, and " +
@@ -148,6 +148,14 @@ class MeshSearch
 };
 
 }  // namespace
+
+MeshFigures::MeshFigures(Solution const& solution)
+    : land(2 * solution.geometry.land_half_angle * solution.geometry.circular_spline_inner_radius /
+           solution.scene.drive.module),
+      flank_contact(solution.scene.drive.flexspline_teeth * solution.flank_contact.angle / (2 * std::numbers::pi)),
+      lost(solution.flank_contact.used > 0 ? solution.flank_contact.lost / solution.flank_contact.used : 0)
+{
+}
 
 std::vector<DesignRow> mesh_rows(Sheet const& sheet, DesignWishes const& wishes, double ratio, double tip_radius)
 {

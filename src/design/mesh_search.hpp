@@ -21,6 +21,13 @@ struct MeshChoice
 /// @param sheet  teeth and body
 [[nodiscard]] MeshChoice search_mesh(Sheet const& sheet, DesignWishes const& wishes);
 
+/// Of a solved pair: tip land [modules], teeth in flank contact, angle lost before a cusp over angle used.
+struct MeshFigures
+{
+    explicit MeshFigures(Solution const& solution);
+    double land, flank_contact, lost;
+};
+
 /// The rows of the wave generator at the deformation ratio @p ratio with the tip circle @p tip_radius.
 [[nodiscard]] std::vector<DesignRow> mesh_rows(Sheet const& sheet, DesignWishes const& wishes, double ratio,
                                                double tip_radius);

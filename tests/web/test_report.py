@@ -334,7 +334,8 @@ class Reports(unittest.TestCase):
             see(page, "run")
             rows = {row.get_attribute("data-name"): float(row.get_attribute("data-value"))
                     for row in page.locator("#run tr[data-name]").all()}
-            self.assertEqual(page.locator("#run svg.chart").count(), 2 * len(told["sequences"]) + 2)
+            self.assertEqual(page.locator("#run svg.chart").count(), 2 * len(told["sequences"]) + 3)
+            self.assert_map_is_the_program_s(page, told["losses"]["efficiency"])
         self.assertEqual(rows["Ratio"], told["ratio"])
         errors = [value for name, value in rows.items() if name.startswith("Transmission error")]
         self.assertEqual(len(errors), len(told["sequences"]))
@@ -342,6 +343,66 @@ class Reports(unittest.TestCase):
             self.assertAlmostEqual(shown, sequence["peak_to_peak_arcsec"], places=9)
         starting = next(value for name, value in rows.items() if name.startswith("Starting torque"))
         self.assertAlmostEqual(starting, told["losses"]["starting_torque_Nm"], places=12)
+
+    def test_running_drive_without_scripts(self):
+        page = report("still", f"{SOURCE}/data/scenes/type-50-elastic.toml", "--set", "slices.count=3", "--set",
+                      "friction.flanks=0.08", "--set", "running.positions=4", "--set", "load.points=2", "--with",
+                      "run,load")
+        with Page(page, java_script_enabled=False) as opened:
+            titles = opened.locator("figure:has(svg.chart) figcaption").all_inner_texts()
+            self.assertEqual(titles, ["Stiffness", "Twist", "Transmission error, unloaded, over one tooth pitch",
+                                      "Transmission error, 27.72 N m, over one tooth pitch", "Efficiency"])
+            for picture in opened.locator("svg.chart").all():
+                self.assertGreater(picture.bounding_box()["height"], 100)
+            # the same points as the picture that the script draws
+            still = opened.locator("svg.chart").last.locator("polyline").evaluate_all(
+                "all => all.map(each => each.getAttribute('points').trim())")
+        with Page(page) as opened:
+            see(opened, "run")
+            drawn = opened.locator("#run svg.chart").last.locator("polyline").evaluate_all(
+                "all => all.map(each => each.getAttribute('points').trim())")
+        self.assertEqual(still, drawn)
+
+    def assert_map_is_the_program_s(self, page, rows):
+        """Every third of the computed points is read off the map; contours have labels."""
+        picture = page.locator("#run svg.chart:has(.contours)")
+        picture.scroll_into_view_if_needed()
+        nodes = picture.locator("circle.node")
+        self.assertEqual(nodes.count(), len(rows))
+        reading = picture.locator("xpath=..").locator(".reading")
+        for node, row in list(zip(nodes.all(), rows))[::3]:
+            box = node.bounding_box()
+            page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+            value = float(reading.inner_text().split(": ")[1].split()[0])
+            self.assertAlmostEqual(value, 100 * row["efficiency"], delta=0.3)  # where the pointer has whole pixels
+        labels = [int(text) for text in picture.locator(".contour-labels text").all_text_contents()]
+        self.assertGreater(len(labels), 3)
+        self.assertEqual(len(set(labels)), len(labels))
+
+    def test_design_of_a_scene_and_where_it_stands(self):
+        designed = json.loads(hdconj("design", "--ratio", "100", "--module", "0.25", "--length-ratio", "0.3",
+                                     "--torque", "28", "--json"))
+        with Page(report("design", TYPE_50, "--with", "design")) as page:
+            see(page, "design")
+            command = page.locator("#design pre").text_content()
+            self.assertIn("--ratio 100 --module 0.25 --length-ratio 0.3 --torque 28", command)
+            unlike = page.locator("#design [aria-label='Where this drive is not as proposed'] tbody tr")
+            rows = {row.locator("th").inner_text().split()[0]: row.locator("td").all_inner_texts()
+                    for row in unlike.all()}
+            self.assertEqual(list(rows), ["delta_2", "L_2", "R_1", "R_2", "R_3"])
+            self.assertEqual(rows["delta_2"][:4], ["0.5 mm", "outside the range", "0.35 ... 0.49 mm", "0.49 mm"])
+            every = page.locator("#design [aria-label='All rules'] tbody tr")
+            self.assertEqual(every.count(), len(designed["rows"]) - 1)  # but the name
+        given = report("given", f"{SOURCE}/data/scenes/type-50-coned.toml", "--with", "design")
+        with Page(given) as page:
+            self.assertEqual(page.locator("#design").count(), 1)
+        done = subprocess.run([PROGRAM, "report", f"{SOURCE}/data/scenes/circular-spline-given.toml", "--with", "design",
+                               "-o", f"{FOLDER.name}/none.html"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("design: circular_spline.profile.family", done.stderr)
+        with Page(Path(FOLDER.name) / "none.html") as page:
+            self.assertEqual(page.locator("#design").count(), 0)
+            self.assertIn("design: circular_spline.profile.family", page.locator(".warnings").inner_text())
 
     def test_design_rules_are_those_of_the_judgement(self):
         wide = report("wide", TYPE_50, "--set", "wave_generator.radial_deformation=0.32")

@@ -29,6 +29,11 @@ function scale(low, high, from, to) {
   return (/** @type {number} */ v) => from + (v - low) / span * (to - from);
 }
 
+/** @param {number} v @param {number[]} ends */
+function within(v, ends) {
+  return Math.min(ends[1], Math.max(ends[0], v));
+}
+
 /** Axes with their ticks and labels.
  * @param {(v: number) => number} x @param {(v: number) => number} y @param {number[]} xs @param {number[]} ys
  * @param {string} xLabel @param {string} yLabel */
@@ -119,7 +124,8 @@ export function chart(title, xLabel, yLabel, series) {
  * @param {string} title @param {string} xLabel @param {string} yLabel @param {ArrayLike<number>} xs
  * @param {ArrayLike<number>} values */
 export function bars(title, xLabel, yLabel, xs, values) {
-  const xr = range([xs]), yr = range([values, [0]]);
+  const ends = range([xs]), beside = 0.03 * (ends[1] - ends[0]) || 0.5, xr = [ends[0] - beside, ends[1] + beside];
+  const yr = range([values, [0]]);
   const x = scale(xr[0], xr[1], left, width - right), y = scale(yr[0], yr[1], height - bottom, top);
   const picture = svg("svg", { "viewBox": `0 0 ${width} ${height}`, "class": "chart", "role": "img",
     "aria-label": title },
@@ -141,8 +147,11 @@ export function bars(title, xLabel, yLabel, xs, values) {
  * @param {string} title @param {string} xLabel @param {string} yLabel @param {ArrayLike<number>} xs
  * @param {ArrayLike<number>} ys @param {(i: number, j: number) => number} value
  * @param {(v: number) => string} paint @param {Node} key  what the colours mean
+ * @param {{read?: (x: number, y: number) => string,
+ *   over?: (x: (v: number) => number, y: (v: number) => number) => Element}} [more]  the text at the pointer, of the
+ *   values there, and what is drawn over the cells
  */
-export function heatMap(title, xLabel, yLabel, xs, ys, value, paint, key) {
+export function heatMap(title, xLabel, yLabel, xs, ys, value, paint, key, more = {}) {
   const xr = range([xs]), yr = range([ys]);
   const stepX = (xr[1] - xr[0]) / Math.max(1, xs.length - 1) || 1, stepY = (yr[1] - yr[0]) / Math.max(1,
     ys.length - 1) || 1;
@@ -168,7 +177,7 @@ export function heatMap(title, xLabel, yLabel, xs, ys, value, paint, key) {
   };
   redraw();
   onTheme(picture, redraw);
-  picture.append(cells, axes(x, y, wx, wy, xLabel, yLabel));
+  picture.append(cells, axes(x, y, wx, wy, xLabel, yLabel), ...(more.over ? [more.over(x, y)] : []));
   const reading = make("div", { class: "reading" }, say("hoverHint"));
   picture.addEventListener("pointermove", (/** @type {PointerEvent} */ e) => {
     const box = picture.getBoundingClientRect();
@@ -176,7 +185,7 @@ export function heatMap(title, xLabel, yLabel, xs, ys, value, paint, key) {
     const vy = wy[1] - ((e.clientY - box.top) / box.height * height - top) / (height - bottom - top) * (wy[1] - wy[0]);
     const i = Math.round((vx - xs[0]) / stepX), j = Math.round((vy - ys[0]) / stepY);
     if (i < 0 || j < 0 || i >= xs.length || j >= ys.length) return;
-    reading.textContent = `${shown(xs[i])}, ${shown(ys[j])}: ${shown(value(i, j))}`;
+    reading.textContent = more.read ? more.read(within(vx, xr), within(vy, yr)) : `${shown(xs[i])}, ${shown(ys[j])}: ${shown(value(i, j))}`;
   });
   return { figure: framed(title, picture, reading, key), redraw };
 }

@@ -14,10 +14,15 @@
  * @typedef {{code: string, severity: string, cause: string, advice: string, place: string}} Note
  * @typedef {{set_up: number, pass: number, tooth: number, x: number, y: number, upper: boolean, height: number,
  *   meshing: boolean}} Residual
+ * @typedef {{name: string, symbol: string, key: string, rule: string, unit: string, source: string, remark: string,
+ *   written: string, range_text: string, here: string, standing: string}} DesignRow
+ * @typedef {{rows: DesignRow[], derived: {option: string, value: string, from: string}[],
+ *   differences: {key: string, here: string, type_50: string, why: string}[]}} Design
  * @typedef {{name: string, flexspline_teeth: number, circular_spline_teeth: number, module: number, scene: string,
  *   origin: string, judgement: Note[], notes: string[]|null, left_out: {part: string, why: string, failed: boolean}[],
  *   outline_error: number, spline: Group, loaded_spline: Group|null, teeth: Teeth|null,
- *   results: Record<string, Group>, residuals: Residual[], text: string}} Drive
+ *   results: Record<string, Group>, residuals: Residual[], design: Design|null,
+ *   text: string}} Drive
  * @typedef {{program_version: string, git_revision: string, build: string, date: string, limits: Limit[],
  *   drives: Drive[]}} Report
  * @typedef {{part: string, group: string, name: string, index: number, value: number, error: number|null,

@@ -3,6 +3,7 @@
 
 import { axialView } from "./axial.js";
 import { cuttingView } from "./cutting.js";
+import { designView } from "./design.js";
 import { choice, make, remember, remembered } from "./dom.js";
 import { loadView } from "./load.js";
 import { meshView } from "./mesh.js";
@@ -80,6 +81,8 @@ function show(index) {
   if (results.run) sections.push(section("run", say("running"), () => runningView(drive)));
   if (results.wedm) sections.push(section("wedm", say("wedm"), () => cuttingView(drive)));
   if (report.drives.length > 1) sections.push(section("compare", say("compare"), () => compareView(report.drives)));
+  const design = drive.design;
+  if (design) sections.push(section("design", say("design"), () => designView(design)));
   sections.push(section("rules", say("rules"), () => rulesView(report.limits, drive)),
     section("numbers", say("numbers"), () => numbersView(drive)),
     section("scene", say("scene"), () => make("pre", { tabindex: 0 }, drive.scene)),

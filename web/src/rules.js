@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rules that a design is judged by, and what was found.
 
+import { wideTable } from "./design.js";
 import { make } from "./dom.js";
 import { say } from "./texts.js";
 
@@ -17,15 +18,10 @@ export function rulesView(limits, drive) {
   const head = [say("rule"), say("usual"), say("accepted"), say("found"), say("source")];
   const rows = limits.map((limit) => {
     const note = drive.judgement.find((each) => each.code === limit.code);
-    return make("tr", { class: note ? note.severity : undefined },
-      make("th", { scope: "row" }, limit.code, make("small", {}, limit.figure)),
-      ...[rangeText(limit.usual, limit.unit), rangeText(limit.accepted, limit.unit),
-        note ? `${note.severity}: ${note.cause}` : say("withinRange"), limit.source]
-        .map((text, i) => make("td", { "data-head": head[i + 1] }, text)));
+    return { kind: note ? note.severity : undefined, cells: [
+      make("span", {}, limit.code, make("small", {}, limit.figure)), rangeText(limit.usual, limit.unit),
+      rangeText(limit.accepted, limit.unit), note ? `${note.severity}: ${note.cause}` : say("withinRange"),
+      limit.source] };
   });
-  return make("div", {}, make("p", { class: "note" }, say("rulesNote")),
-    make("div", { "class": "scroll", "tabindex": 0, "role": "region", "aria-label": say("rules") },
-      make("table", { class: "rules" },
-        make("thead", {}, make("tr", {}, ...head.map((text) => make("th", { scope: "col" }, text)))),
-        make("tbody", {}, ...rows))));
+  return make("div", {}, make("p", { class: "note" }, say("rulesNote")), wideTable(say("rules"), head, rows));
 }

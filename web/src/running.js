@@ -4,6 +4,7 @@
 import { bars, chart } from "./chart.js";
 import { brief, column, groupAt, shown, shownError, valuesOf } from "./data.js";
 import { make } from "./dom.js";
+import { efficiencyMaps } from "./efficiency.js";
 import { say } from "./texts.js";
 
 const arcsecond = Math.PI / 180 / 3600, degree = Math.PI / 180, newtonMetre = 1000, perMinute = 2 * Math.PI / 60;
@@ -27,7 +28,7 @@ function sequencesOf(running) {
     .map(([, group]) => {
       const of = group.attributes || {}, torque = of.torque_Nmm / newtonMetre;
       return { group, of, torque: of.torque_Nmm,
-        name: `${say(of.span)}, ${torque ? `${brief(torque)} N m` : say("unloaded")}` };
+        name: `${say(of.span)}, ${torque ? `${brief(torque)}\u00a0N\u00a0m` : say("unloaded")}` };
     });
 }
 
@@ -114,5 +115,5 @@ export function runningView(drive) {
     return made;
   });
   return make("div", { class: "figures" }, card(drive, running, losses), ...figures,
-    ...(losses ? [efficiencyChart(losses)] : []));
+    ...(losses ? [...efficiencyMaps(losses), efficiencyChart(losses)] : []));
 }

@@ -80,6 +80,7 @@ ReportedDrive report_drive(Scene const& scene, ReportOptions const& options, Sta
             throw InputError(std::move(faults));
         drive.wire = wire_set_ups(scene, on_stage);
     });
+    try_part(drive, "design", asked(ReportPart::design), [&] { drive.design = design_beside(drive.solution); });
     try_part(drive, "teeth in mesh", true, [&] { drive.teeth = turning_teeth(scene, drive.outline().z, on_stage); });
     return drive;
 }
@@ -90,7 +91,8 @@ ReportedDrive complete_drive(ReportedDrive drive, ReportOptions const& options, 
     bool const is_loaded =
         parts.contains("load") ||
         (parts.contains("run") && parts.at("run").at("groups").at("running").at("attributes").value("elastic", 0) != 0);
-    for (ReportPart const part : {ReportPart::contact, ReportPart::load, ReportPart::run, ReportPart::wedm}) {
+    for (ReportPart const part :
+         {ReportPart::contact, ReportPart::load, ReportPart::run, ReportPart::wedm, ReportPart::design}) {
         std::string const name(to_string(part));
         if (!drive.stored->parts.contains(name))
             drive.left_out.push_back({name,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstring>
 #include <numeric>
 #include <vector>
 
@@ -16,9 +17,10 @@ static_assert(std::endian::native == std::endian::little, "arrays are written as
 constexpr std::size_t most_doubles = 4096;   // of an array that keeps its precision
 constexpr std::size_t most_values = 200000;  // of one that is not thinned
 
+constexpr std::string_view letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+
 std::string base64(unsigned char const* bytes, std::size_t count)
 {
-    constexpr char const* letters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     std::string text;
     text.reserve((count + 2) / 3 * 4);
     for (std::size_t i = 0; i < count; i += 3) {
@@ -31,6 +33,31 @@ std::string base64(unsigned char const* bytes, std::size_t count)
         text += i + 2 < count ? letters[all & 63] : '=';
     }
     return text;
+}
+
+/// The bytes that base64() made @p text of.
+std::string bytes_of(std::string_view text)
+{
+    std::string bytes;
+    unsigned all = 0;
+    int bits = 0;
+    for (char const letter : text) {
+        if (letter == '=')
+            break;
+        all = all << 6 | static_cast<unsigned>(letters.find(letter));
+        bits += 6;
+        if (bits >= 8)
+            bytes += static_cast<char>(all >> (bits -= 8) & 255);
+    }
+    return bytes;
+}
+
+template <class Number>
+std::vector<double> numbers_in(std::string const& bytes)
+{
+    std::vector<Number> numbers(bytes.size() / sizeof(Number));
+    std::memcpy(numbers.data(), bytes.data(), numbers.size() * sizeof(Number));
+    return {numbers.begin(), numbers.end()};
 }
 
 /// The dimension along which a map of @p dims may be thinned; none: their number.
@@ -88,6 +115,13 @@ Json array_json(io::layout::Shape const& shape, double const* values)
     std::vector<float> single(count);
     std::transform(values, values + count, single.begin(), [](double value) { return static_cast<float>(value); });
     return array_json("f4", shape, single.data(), count * sizeof(float));
+}
+
+std::vector<double> array_values(Json const& array)
+{
+    std::string const type = array.at("type").get<std::string>(),
+                      bytes = bytes_of(array.at("data").get_ref<std::string const&>());
+    return type == "f8" ? numbers_in<double>(bytes) : type == "f4" ? numbers_in<float>(bytes) : numbers_in<int>(bytes);
 }
 
 void JsonGroup::group(std::string const& name, std::function<void(io::layout::GroupSink&)> const& fill)

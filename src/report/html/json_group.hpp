@@ -5,6 +5,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "io/layout/writer.hpp"
 #include "report/json/summary_object.hpp"
@@ -16,6 +17,9 @@ namespace hdconj::report {
 [[nodiscard]] Json array_json(std::string_view type, io::layout::Shape const& shape, void const* values,
                               std::size_t bytes);
 [[nodiscard]] Json array_json(io::layout::Shape const& shape, double const* values);
+
+/// The numbers of such an array.
+[[nodiscard]] std::vector<double> array_values(Json const& array);
 
 /// A group as {attributes, datasets, groups, figures}.
 class JsonGroup final : public io::layout::GroupSink

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "hdconj/contact_files.hpp"
+#include "hdconj/design_files.hpp"
 #include "hdconj/judgement.hpp"
 #include "hdconj/load_files.hpp"
 #include "hdconj/report.hpp"
@@ -18,6 +19,8 @@
 #include "json_group.hpp"
 #include "page_data.hpp"
 #include "page_parts.hpp"
+#include "report/json/design_object.hpp"
+#include "static_chart.hpp"
 #include "static_picture.hpp"
 #include "stored_result.hpp"
 
@@ -186,6 +189,8 @@ std::string text_of(ReportedDrive const& drive)
         text += '\n' + summary_text(*drive.run);
     if (!drive.wire.empty())
         text += '\n' + summary_text(drive.wire);
+    if (drive.design)
+        text += '\n' + summary_text(drive.design->design);
     return text;
 }
 
@@ -208,6 +213,7 @@ Json drive_json(ReportedDrive const& drive)
                                   : Json(nullptr)},
             {"teeth", teeth_json(drive)},
             {"results", results_json(drive)},
+            {"design", drive.design ? beside_object(*drive.design) : Json(nullptr)},
             {"residuals", residuals_json(drive.wire)},
             {"text", text_of(drive)}};
 }
@@ -236,13 +242,15 @@ std::string script_data(Json const& data)
     return text;
 }
 
-/// What is read where scripts do not run: a picture and the printed summary of each drive.
-std::string static_part(std::vector<ReportedDrive> const& drives)
+/// What is read where scripts do not run: pictures and the printed summary of each drive.
+/// @param data  of the drives, as drive_json() makes them
+std::string static_part(std::vector<ReportedDrive> const& drives, Json const& data)
 {
     std::string html;
-    for (ReportedDrive const& drive : drives)
-        html += "<h2>" + escaped(drive.solution.scene.drive.name) + "</h2>" + static_picture(drive) + "<pre>" +
-                escaped(text_of(drive)) + "</pre>";
+    for (std::size_t i = 0; i < drives.size(); ++i)
+        html += "<h2>" + escaped(drives[i].solution.scene.drive.name) + "</h2>" + static_picture(drives[i]) +
+                static_charts(data[i].at("results")) + "<pre>" +
+                escaped(data[i].at("text").get_ref<std::string const&>()) + "</pre>";
     return html;
 }
 
@@ -268,7 +276,7 @@ std::string report_page(std::vector<ReportedDrive> const& drives)
     // in the order of the page, in one pass: what is put in is not looked at again
     for (auto const& [mark, text] : {std::pair<std::string_view, std::string>{"@TITLE@", report::escaped(title)},
                                      {"@STYLE@", std::string(report::page_part("style"))},
-                                     {"@STATIC@", report::static_part(drives)},
+                                     {"@STATIC@", report::static_part(drives, data.at("drives"))},
                                      {"@DATA@", report::script_data(data)},
                                      {"@SCRIPT@", std::string(report::page_part("bundle"))}}) {
         std::size_t const next = page.find(mark, at);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The keys are an interface, described in docs/reference/json.md.
+#include "design_object.hpp"
 #include "hdconj/design_files.hpp"
 #include "hdconj/version.hpp"
-#include "summary_object.hpp"
 
 namespace hdconj::report {
 namespace {
@@ -54,6 +54,33 @@ Json difference_object(DesignDifference const& each)
 }
 
 }  // namespace
+
+Json design_object(Design const& design)
+{
+    return {{"name", design.wishes.name},
+            {"rows", list_of(design.rows, row_object)},
+            {"mesh", list_of(design.mesh, trial_object)},
+            {"walls", list_of(design.walls, wall_object)},
+            {"remarks", design.remarks},
+            {"differences", list_of(design.differences, difference_object)}};
+}
+
+Json beside_object(SceneDesign const& made)
+{
+    Json object = design_object(made.design);
+    for (std::size_t i = 0; i < made.here.size(); ++i) {
+        Json& row = object["rows"][i];
+        row["written"] = made.design.rows[i].written();
+        row["range_text"] = made.design.rows[i].range_text();
+        row["here"] = made.here[i].here;
+        row["standing"] = to_string(made.here[i].standing);
+    }
+    object["derived"] = list_of(made.derived, [](DerivedWish const& wish) -> Json {
+        return {{"option", wish.option}, {"value", wish.value}, {"from", wish.from}};
+    });
+    return object;
+}
+
 }  // namespace hdconj::report
 
 namespace hdconj {
@@ -65,13 +92,8 @@ std::string summary_json(Design const& design, std::vector<WrittenFile> const& w
     Json object = {{"format", "hdconj-design"},
                    {"format_version", format_version},
                    {"program_version", program_version()},
-                   {"git_revision", git_revision()},
-                   {"name", design.wishes.name},
-                   {"rows", report::list_of(design.rows, report::row_object)},
-                   {"mesh", report::list_of(design.mesh, report::trial_object)},
-                   {"walls", report::list_of(design.walls, report::wall_object)},
-                   {"remarks", design.remarks},
-                   {"differences", report::list_of(design.differences, report::difference_object)}};
+                   {"git_revision", git_revision()}};
+    object.update(report::design_object(design));
     object["files"] = report::files_object(written);
     return report::printed(object);
 }

@@ -22,7 +22,8 @@ Json parts_of(ReportedDrive const& drive)
     parts.push_back("solve");
     for (auto const& [name, is_there] :
          {std::pair{"contact", drive.contact.has_value()}, std::pair{"load", drive.load.has_value()},
-          std::pair{"run", drive.run.has_value()}, std::pair{"wedm", !drive.wire.empty()}})
+          std::pair{"run", drive.run.has_value()}, std::pair{"wedm", !drive.wire.empty()},
+          std::pair{"design", drive.design.has_value()}})
         if (is_there)
             parts.push_back(name);
     return parts;

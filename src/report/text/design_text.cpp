@@ -53,8 +53,8 @@ void write_differences(Page& page, Design const& design)
 {
     if (design.differences.empty())
         return;
-    page.line("\ndifferences from the built-in type-50");
-    page.line("  {:<36}{:>10}{:>12}  {}", "key", "here", "type-50", "why");
+    page.line("\ndifferences from {}", design.other);
+    page.line("  {:<36}{:>10}{:>12}  {}", "key", "here", "there", "why");
     auto const shown = [](std::string const& value) { return value.empty() ? "absent" : value; };
     for (auto const& each : design.differences)
         page.line("  {:<36}{:>10}{:>12}  {}", each.key, shown(each.here), shown(each.type_50), each.why);

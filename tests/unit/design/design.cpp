@@ -72,6 +72,66 @@ TEST_CASE("what a design differs in from type-50 is named with its rule", "[desi
     CHECK(differences(designed_50(), designed_50().scene).empty());
 }
 
+TEST_CASE("a scene stands for wishes, and each says where it comes from", "[design]")
+{
+    std::vector<DerivedWish> derived;
+    DesignWishes const wishes = wishes_of(builtin_scene(), &derived);
+    CHECK(wishes.ratio == 100);
+    CHECK(wishes.module == 0.25);
+    CHECK(wishes.length_ratio == 0.3);
+    CHECK(wishes.torque == 28000);
+    CHECK(wishes.family == "double-circular-arc");
+    CHECK(check_design(wishes).empty());
+    CHECK(derived.size() == 9);
+    for (DerivedWish const& wish : derived)
+        CHECK_FALSE(wish.from.empty());
+
+    Scene ring = builtin_scene();
+    ring.flexspline.cup.reset();
+    ring.load.reset();
+    CHECK_FALSE(wishes_of(ring).torque.has_value());
+    CHECK(wishes_of(ring).length_ratio == DesignWishes().length_ratio);
+
+    Scene three = builtin_scene();
+    three.wave_generator.waves = 3;
+    three.drive.circular_spline_teeth = 203;
+    three.flexspline.profile.family = "points";
+    try {
+        (void)wishes_of(three);
+        FAIL("three waves have no wishes");
+    } catch (InputError const& error) {
+        CHECK(error.faults().size() == 3);
+    }
+}
+
+TEST_CASE("a drive beside the design of its wishes", "[design]")
+{
+    Scene const scene = parse_scene(scene_text(designed_50()), "designed.toml");
+    SceneDesign const own = design_beside(solve(scene));
+    CHECK(own.design.differences.empty());
+    for (std::size_t i = 0; i < own.here.size(); ++i) {
+        INFO(own.design.rows[i].name);
+        CHECK((own.here[i].standing == RuleStanding::as_proposed || own.here[i].standing == RuleStanding::limited ||
+               own.here[i].standing == RuleStanding::no_key));
+    }
+
+    SceneDesign const made = design_beside(solve(builtin_scene()));
+    auto const standing = [&](std::string_view symbol) {
+        for (std::size_t i = 0; i < made.here.size(); ++i)
+            if (made.design.rows[i].symbol == symbol)
+                return to_string(made.here[i].standing);
+        return std::string_view();
+    };
+    CHECK(standing("delta") == "as proposed");
+    CHECK(standing("delta_2") == "outside the range");  // 0.5 mm, at most 0.7 * 0.7 mm
+    CHECK(standing("L_2") == "as proposed, outside the range");
+    CHECK(standing("R_1") == "not stated");
+    CHECK(standing("d_rn") == "as proposed");
+    CHECK(standing("t") == "not in a scene");
+    CHECK(made.design.other == "type-50");
+    CHECK_FALSE(made.design.differences.empty());
+}
+
 TEST_CASE("the rules that the thesis breaks are named", "[design]")
 {
     std::string all;
