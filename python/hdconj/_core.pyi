@@ -93,8 +93,9 @@ def inspect(
     observer: _Observer,
     is_main: bool,
 ) -> Result: ...
+def is_result_file(file: str) -> bool: ...
 def report(
-    scenes: list[Scene],
+    sources: list[Scene | tuple[str, Any]],
     file: str,
     parts: list[str],
     tilts_deg: list[float],

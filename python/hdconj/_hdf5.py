@@ -4,13 +4,15 @@
 from __future__ import annotations
 
 import os
+import zlib
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
+from typing import Any, BinaryIO
 
 import h5py  # type: ignore[import-untyped]
 import numpy as np
 
+from ._errors import FileError
 from ._files import whole_file
 from ._tree import Array, Dataset, Group, dataset
 
@@ -68,10 +70,36 @@ def _write_group(group: Group, place: Any, outer: dict[str, Any]) -> None:
         _write_group(inner, place.create_group(name), scales)
 
 
+# A line behind the end that HDF5 passes over, and that a program which changes the file cuts off.
+_MARK = b"hdconj crc32 "
+
+
+def _checksum_line(file: BinaryIO, size: int) -> bytes:
+    crc = 0
+    file.seek(0)
+    while size > 0 and (block := file.read(min(size, 1 << 20))):
+        crc = zlib.crc32(block, crc)
+        size -= len(block)
+    return _MARK + b"%08x\n" % crc
+
+
+def _check(name: str) -> None:
+    with open(name, "rb") as file:
+        size = file.seek(0, os.SEEK_END) - len(_MARK) - 9
+        file.seek(max(size, 0))
+        line = file.read()
+        if size >= 0 and line.startswith(_MARK) and line != _checksum_line(file, size):
+            raise FileError(f"{name} is damaged: its bytes do not fit its checksum")
+
+
 def write(group: Group, file: str | os.PathLike[str]) -> None:
     """Write a result, whole or not at all."""
-    with whole_file(Path(file)) as name, h5py.File(name, "w") as made:
-        _write_group(group, made, {})
+    with whole_file(Path(file)) as name:
+        with h5py.File(name, "w") as made:
+            _write_group(group, made, {})
+        with open(name, "r+b") as written:
+            line = _checksum_line(written, os.path.getsize(name))
+            written.write(line)
 
 
 def _plain(value: Any) -> Any:
@@ -149,6 +177,13 @@ def read(file: str | os.PathLike[str]) -> Group:
     -------
     Group
         The root, with the arrays in memory.
+
+    Raises
+    ------
+    FileError
+        Bytes of the file are not those that were written.
     """
-    with h5py.File(file, "r") as stored:
+    name = os.fspath(file)
+    _check(name)
+    with h5py.File(name, "r") as stored:
         return Group._from_layout(_read_group(stored))

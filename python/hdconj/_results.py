@@ -119,10 +119,11 @@ class Result(Group):
         _hdf5.write(self, file)
 
     def report(self, file: str | os.PathLike[str]) -> None:
-        """Write one HTML page of the drive and of what this verb computes of it (:func:`report`), computed anew."""
+        """Write one HTML page (:func:`report`) of this result; of a verb that no page shows, of its scene."""
         from ._verbs import report
 
-        report(self._scene, file, parts=self._main if self._main in ("contact", "load") else ())
+        is_shown = isinstance(self, (Solution, ContactStudy, LoadStudy, RunStudy))
+        report(self if is_shown else self._scene, file)
 
     def to_xarray(self) -> Any:
         """All groups as an ``xarray.DataTree``."""

@@ -7,9 +7,9 @@ import os
 import threading
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from typing import Any, Optional, Union, cast
+from typing import Any, Optional, Union
 
-from . import _core, _results
+from . import _core, _hdf5, _results
 from ._scene import Scene, SceneLike, scene_of
 
 Progress = Union[bool, Callable[[str, Optional[float]], None]]
@@ -369,7 +369,7 @@ def read_measured(
 
 
 def report(
-    scenes: SceneLike | Sequence[SceneLike],
+    scenes: SceneLike | _results.Result | Sequence[SceneLike | _results.Result],
     file: str | os.PathLike[str],
     *,
     parts: str | Sequence[str] = (),
@@ -382,12 +382,14 @@ def report(
 
     Parameters
     ----------
-    scenes : Scene, path, mapping, None, or a list of these
-        The drives; None: the built-in one. Result files make a page on the command line only.
+    scenes : Scene, path, mapping, result, None, or a list of these
+        The drives; None: the built-in one. In place of a scene also a result of :func:`solve`, :func:`contact`,
+        :func:`load` or :func:`run`, or the path of its file. It is shown as it is: of its scene only the motion of the
+        teeth is computed.
     file : path
         The page. It opens from disk and needs no network.
     parts : str or sequence of str
-        What is computed beside the circular spline: "contact", "load", "run", "wedm".
+        What is computed of a scene beside the circular spline: "contact", "load", "run", "wedm", "design".
     tilts_deg : sequence of float
         Tilts of contact in degrees; empty: the scene's.
     revolution : int
@@ -402,8 +404,20 @@ def report(
     list of str
         Parts that were asked for and have no result, each with its cause.
     """
-    listed = list(scenes) if isinstance(scenes, (list, tuple)) else [cast(SceneLike, scenes)]
-    asked = [scene_of(scene)._core for scene in listed]
+
+
+    def source_of(given: Any) -> Any:
+        if isinstance(given, _results.Result):
+            return f"a result of {given.scene.name}", given
+        if isinstance(given, (str, os.PathLike)) and _core.is_result_file(name := os.fspath(given)):
+            try:
+                return name, _hdf5.read(name)
+            except (OSError, KeyError, RuntimeError, TypeError, ValueError) as error:
+                return name, str(error)  # a fault among those of the others
+        return scene_of(given)._core
+
+    listed: list[Any] = list(scenes) if isinstance(scenes, (list, tuple)) else [scenes]
+    asked = [source_of(each) for each in listed]
     with _calling(progress) as call:
         return _core.report(asked, os.fspath(file), _words(parts), list(tilts_deg), revolution, curve, *call)
 

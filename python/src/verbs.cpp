@@ -5,10 +5,12 @@
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/unique_ptr.h>
+#include <nanobind/stl/variant.h>
 #include <nanobind/stl/vector.h>
 
 #include <memory>
 #include <utility>
+#include <variant>
 
 #include "call.hpp"
 #include "figures.hpp"
@@ -25,8 +27,10 @@
 #include "hdconj/solve.hpp"
 #include "hdconj/units.hpp"
 #include "layout.hpp"
+#include "report/html/stored_drive.hpp"
 #include "result_of.hpp"
 #include "scene.hpp"
+#include "stored.hpp"
 
 namespace nb = nanobind;
 using namespace nb::literals;
@@ -214,17 +218,49 @@ std::vector<double> poses_of_teeth(SceneHandle const& handle, std::vector<double
     return rows;
 }
 
+/// A scene, or a result of that name.
+using ReportSource = std::variant<SceneHandle const*, std::pair<std::string, nb::object>>;
+
+ReportedDrive drive_of(std::string const& name, nb::object const& result)
+{
+    try {
+        if (nb::isinstance<nb::str>(result))  // why there is none
+            throw io::layout::Misfit(nb::cast<std::string>(result));
+        return report::drive_from(PythonGroup(result), name);
+    } catch (io::layout::Misfit const& misfit) {
+        throw InputError(Fault{name, 0, "", std::string("is no result that a report can show: ") + misfit.what(),
+                               "make it anew by hdconj.solve, contact, load or run"});
+    }
+}
+
+/// A drive that is read, or a scene to compute; with the faults of all.
+std::vector<std::variant<Scene const*, ReportedDrive>> drives_to_report(std::vector<ReportSource> const& sources,
+                                                                        Faults& faults)
+{
+    std::vector<std::variant<Scene const*, ReportedDrive>> drives;
+    for (ReportSource const& source : sources) {
+        try {
+            if (auto const* const handle = std::get_if<SceneHandle const*>(&source))
+                drives.emplace_back(&(*handle)->sound());
+            else
+                drives.emplace_back(std::apply(drive_of, std::get<1>(source)));
+            auto const* const scene = std::get_if<Scene const*>(&drives.back());
+            for (Fault const& fault :
+                 check_report(scene != nullptr ? **scene : std::get<ReportedDrive>(drives.back()).solution.scene))
+                faults.push_back(fault);
+        } catch (InputError const& error) {
+            faults.insert(faults.end(), error.faults().begin(), error.faults().end());
+        }
+    }
+    return drives;
+}
+
 /// Writes the page. @return what it leaves out though it was asked for, a line each
-Words run_report(std::vector<SceneHandle const*> const& handles, std::string const& file, Words const& parts,
+Words run_report(std::vector<ReportSource> const& sources, std::string const& file, Words const& parts,
                  std::vector<double> const& tilts_deg, int revolution, bool curve, nb::handle observer, bool is_main)
 {
     Faults faults;
-    std::vector<Scene const*> scenes;
-    for (SceneHandle const* handle : handles) {
-        scenes.push_back(&handle->sound());
-        for (Fault const& fault : check_report(*scenes.back()))
-            faults.push_back(fault);
-    }
+    auto const listed = drives_to_report(sources, faults);
     ReportOptions options;
     options.parts = values_of<ReportPart>(parts, "parts", faults);
     refuse(faults);
@@ -236,11 +272,13 @@ Words run_report(std::vector<SceneHandle const*> const& handles, std::string con
     return run(observer, is_main, [&](Observer const& told) {
         std::vector<ReportedDrive> drives;
         Words missing;
-        for (Scene const* scene : scenes) {
-            drives.push_back(report_drive(*scene, options, told.stages(), told.shares()));
-            for (LeftOut const& each : drives.back().left_out)
-                if (each.failed)
-                    missing.push_back(scene->drive.name + ": " + each.part + ": " + each.why);
+        for (auto const& each : listed) {
+            auto const* const scene = std::get_if<Scene const*>(&each);
+            drives.push_back(scene != nullptr ? report_drive(**scene, options, told.stages(), told.shares())
+                                              : complete_drive(std::get<ReportedDrive>(each), options, told.stages()));
+            for (LeftOut const& left : drives.back().left_out)
+                if (left.failed)
+                    missing.push_back(drives.back().solution.scene.drive.name + ": " + left.part + ": " + left.why);
         }
         file::write_text_atomically(file, report_page(drives));
         return missing;
@@ -308,7 +346,9 @@ void add_verbs(nb::module_& module)
                "observer"_a.none(), "is_main"_a);
     module.def("inspect", run_inspect, "scene"_a, "points"_a, "part"_a, "plane"_a.none(), "probe"_a, "register"_a,
                "observer"_a.none(), "is_main"_a);
-    module.def("report", run_report, "scenes"_a, "file"_a, "parts"_a, "tilts_deg"_a, "revolution"_a, "curve"_a,
+    module.def(
+        "is_result_file", [](std::string const& file) { return is_result_file(file); }, "file"_a);
+    module.def("report", run_report, "sources"_a, "file"_a, "parts"_a, "tilts_deg"_a, "revolution"_a, "curve"_a,
                "observer"_a.none(), "is_main"_a);
     module.def("read_measured", read_measured, "scene"_a, "file"_a, "torque_constant"_a.none(),
                "counts_per_turn"_a.none(), "ratio"_a.none(), "efficiency"_a.none(), "output_member"_a);

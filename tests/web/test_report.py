@@ -396,8 +396,9 @@ class Reports(unittest.TestCase):
         given = report("given", f"{SOURCE}/data/scenes/type-50-coned.toml", "--with", "design")
         with Page(given) as page:
             self.assertEqual(page.locator("#design").count(), 1)
-        done = subprocess.run([PROGRAM, "report", f"{SOURCE}/data/scenes/circular-spline-given.toml", "--with", "design",
-                               "-o", f"{FOLDER.name}/none.html"], capture_output=True, text=True)
+        reverse = f"{SOURCE}/data/scenes/circular-spline-given.toml"
+        done = subprocess.run([PROGRAM, "report", reverse, "--with", "design", "-o", f"{FOLDER.name}/none.html"],
+                              capture_output=True, text=True)
         self.assertEqual(done.returncode, 1)
         self.assertIn("design: circular_spline.profile.family", done.stderr)
         with Page(Path(FOLDER.name) / "none.html") as page:

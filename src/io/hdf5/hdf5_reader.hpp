@@ -12,16 +12,15 @@
 #include <type_traits>
 #include <vector>
 
+#include "checksum.hpp"
 #include "hdconj/error.hpp"
 #include "hdf5_handle.hpp"
+#include "io/layout/stored_group.hpp"
 
 namespace hdconj::io::hdf5 {
 
-/// What is read is no file of the kind that is wanted; what() is for the user, as a Failure of the library is not.
-class Misfit : public Failure
-{
-    using Failure::Failure;
-};
+using layout::Misfit;
+using layout::require;
 
 using OwnedText = std::unique_ptr<char, herr_t (*)(void*)>;
 
@@ -90,12 +89,6 @@ inline std::vector<std::string> texts_of(hid_t place, char const* name)
     return texts;
 }
 
-inline void require(bool holds, char const* cause)
-{
-    if (!holds)
-        throw Misfit(cause);
-}
-
 /// What keeps a file from being opened; empty: nothing.
 inline std::string why_unreadable(std::filesystem::path const& file)
 {
@@ -106,7 +99,9 @@ inline std::string why_unreadable(std::filesystem::path const& file)
         return "it is a folder";
     if (::access(file.c_str(), R_OK) != 0)
         return "it may not be read (permissions)";
-    return H5Fis_hdf5(file.c_str()) > 0 ? std::string() : "it is no HDF5 file";
+    if (H5Fis_hdf5(file.c_str()) <= 0)
+        return "it is no HDF5 file";
+    return is_damaged(file) ? "it is damaged: its bytes do not fit its checksum" : std::string();
 }
 
 /// A file of a user's as input.

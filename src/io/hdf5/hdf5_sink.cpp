@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "checksum.hpp"
 #include "file/atomic_file_posix.hpp"
 
 namespace hdconj::io::hdf5 {
@@ -53,6 +54,18 @@ void Sink::read(std::size_t at, std::size_t size, char* bytes) const
     }
 }
 
+std::string Sink::checksum_line() const
+{
+    Checksum checksum;
+    std::string bytes;
+    for (std::size_t at = 0; at < end_; at += bytes.size()) {
+        bytes.resize(std::min(beginning, end_ - at));
+        read(at, bytes.size(), bytes.data());
+        checksum.add(bytes);
+    }
+    return checksum.line();
+}
+
 int Sink::finish()
 {
     held_.resize(std::min(end_, most_held_));
@@ -60,6 +73,9 @@ int Sink::finish()
         error_ = goes_back_ ? file::posix::write_at(descriptor_, 0, held_) : file::posix::write_on(descriptor_, held_);
     if (error_ == 0 && goes_back_)
         error_ = file::posix::end_at(descriptor_, end_);
+    if (error_ == 0)
+        error_ = goes_back_ ? file::posix::write_at(descriptor_, end_, checksum_line())
+                            : file::posix::write_on(descriptor_, checksum_line());
     return error_;
 }
 
@@ -67,7 +83,7 @@ std::string Sink::bytes() const
 {
     std::string whole = held_;
     whole.resize(end_);
-    return whole;
+    return whole + checksum_line();
 }
 
 }  // namespace hdconj::io::hdf5

@@ -41,11 +41,11 @@ class Sink
     void end_at(std::size_t end) { end_ = end; }
     [[nodiscard]] std::size_t end() const { return end_; }
 
-    /// Writes what was held back; the file is whole then. @returns 0, or the system's error number of the first write
-    /// that failed
+    /// Writes what was held back and the line of the checksum; the file is whole then. @returns 0, or the system's
+    /// error number of the first write that failed
     [[nodiscard]] int finish();
     [[nodiscard]] int error() const { return error_; }
-    /// The whole file, for one that is all in memory.
+    /// The whole file with that line, for one that is all in memory.
     [[nodiscard]] std::string bytes() const;
 
     /// The file that writes here, as HDF5's driver knows it; nothing where there is none.
@@ -53,6 +53,8 @@ class Sink
     void written_by(Writing* file) { file_ = file; }
 
   private:
+    [[nodiscard]] std::string checksum_line() const;
+
     static constexpr int none = -1;
 
     std::size_t most_held_ = std::numeric_limits<std::size_t>::max();

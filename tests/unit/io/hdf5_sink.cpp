@@ -8,13 +8,18 @@
 
 #include <algorithm>
 #include <csignal>
+#include <fstream>
 #include <optional>
 #include <random>
 #include <thread>
 
 #include "file/atomic_file_posix.hpp"
 #include "hdconj/file/atomic_file.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/report.hpp"
 #include "hdconj/result_files.hpp"
+#include "hdconj/solve.hpp"
+#include "io/hdf5/checksum.hpp"
 #include "support/catch.hpp"
 #include "support/read_hdf5.hpp"
 #include "support/run_program.hpp"
@@ -88,7 +93,7 @@ TEST_CASE("a sink in a file is the sink in memory, wherever is written and read"
         direct.end_at(end);
         in_memory.end_at(end);
         CHECK(direct.finish() == 0);
-        CHECK(in_memory.bytes().size() == end);
+        CHECK(in_memory.bytes().size() == end + io::hdf5::Checksum::line_length);
         CHECK((content(folder / "a") == in_memory.bytes()));  // not spelt out: megabytes
     }
 }
@@ -164,7 +169,42 @@ TEST_CASE("an HDF5 file that outlives its sink writes nowhere")
         H5Gclose(group);
     H5Fflush(file, H5F_SCOPE_GLOBAL);
     CHECK(sink->end() == 0);
-    CHECK(sink->bytes().empty());
+    CHECK(sink->bytes() == "hdconj crc32 00000000\n");
+}
+
+TEST_CASE("a result file with a changed byte is refused before the library opens it", "[hdf5]")
+{
+    TemporaryFolder const folder;
+    std::filesystem::path const file = folder / "a.h5";
+    write_hdf5(solve(builtin_scene()), file);
+    std::string const whole = content(file);
+    std::string const line = whole.substr(whole.size() - io::hdf5::Checksum::line_length);
+    CHECK(line.starts_with(io::hdf5::Checksum::mark));
+    auto const is_read = [&](std::string const& bytes) {
+        std::ofstream(file, std::ios::binary) << bytes;
+        try {
+            return read_drive(file).solution.scene.drive.flexspline_teeth == 200;
+        } catch (InputError const&) {
+            return false;
+        }
+    };
+    CHECK(is_read(whole));
+    CHECK(is_read(whole.substr(0, whole.size() - line.size())));  // of an earlier version
+    CHECK_FALSE(is_read(whole.substr(0, whole.size() / 2)));
+    std::minstd_rand draw(1);
+    constexpr int damages = 1000;
+    int harmless = 0;
+    for (int i = 0; i < damages; ++i) {
+        std::size_t const at =
+            i < damages / 2 ? draw() % 4096 : draw() % whole.size();  // half in the superblock's part
+        std::string bytes = whole;
+        bytes[at] = static_cast<char>(bytes[at] ^ static_cast<char>(1 + draw() % 255));
+        bool const in_mark = at >= whole.size() - line.size() && at < whole.size() - 9;
+        harmless += in_mark ? 1 : 0;
+        if (is_read(bytes) != in_mark)
+            FAIL("byte " << at);
+    }
+    CHECK(harmless < 5);
 }
 
 }  // namespace hdconj::test::hdf5_sink_cases

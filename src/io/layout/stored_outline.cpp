@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include "stored_group.hpp"
+
+namespace hdconj::io::layout {
+namespace {
+
+std::vector<OutlinePiece> pieces_of(StoredGroup const& place, std::size_t points)
+{
+    auto const kinds = place.list<std::string>("kind"), segments = place.list<std::string>("segment_name");
+    auto const first = place.list<int>("first"), last = place.list<int>("last");
+    require(segments.size() == kinds.size() && first.size() == kinds.size() && last.size() == kinds.size(),
+            "lists of pieces differ in length");
+    std::vector<OutlinePiece> pieces;
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        require(first[i] >= 0 && last[i] >= first[i] && static_cast<std::size_t>(last[i]) < points,
+                "a piece lies outside the outline");
+        pieces.push_back(
+            {kinds[i], segments[i], static_cast<std::size_t>(first[i]), static_cast<std::size_t>(last[i])});
+    }
+    return pieces;
+}
+
+CircularSplineOutline outline_of(StoredGroup const& place)
+{
+    constexpr std::size_t slices_points_coordinates = 3, plane = 2;
+    CircularSplineOutline result;
+    result.z = place.list<double>("z");
+    StoredValues const outline = place.dataset("outline", 0, slices_points_coordinates);
+    auto const& flat = std::get<std::vector<double>>(outline.values);
+    std::size_t const slices = outline.shape[0], points = outline.shape[1];
+    require(outline.shape[2] == plane && slices == result.z.size() && slices > 0 && points > 0,
+            "outline and z do not go together");
+    for (double const value : flat)
+        require(std::isfinite(value), "a point of the outline is not finite");
+    for (std::size_t k = 0; k < slices; ++k) {
+        auto& slice = result.outline.emplace_back();
+        for (std::size_t i = 0; i < points; ++i) {
+            std::size_t const at = plane * (k * points + i);
+            slice.emplace_back(flat[at], flat[at + 1]);
+        }
+    }
+    result.landmarks = place.list<int>("landmarks");
+    for (int const landmark : result.landmarks)
+        require(landmark >= 0 && static_cast<std::size_t>(landmark) < points, "a landmark lies outside the outline");
+    result.pieces = pieces_of(*place.group("pieces"), points);
+    return result;
+}
+
+}  // namespace
+
+StoredOutline stored_outline(StoredGroup const& result)
+{
+    require(result.attribute<std::string>("format") == "hdconj", "it is of another program");
+    require(result.attribute<int>("format_version") <= format_version, "it was written by a newer version");
+    return {result.attribute<std::string>("scene"), outline_of(*result.group("circular_spline"))};
+}
+
+}  // namespace hdconj::io::layout

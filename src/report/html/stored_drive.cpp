@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A drive of a report from a stored result.
+#include "stored_drive.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <fstream>
+#include <utility>
+
+#include "hdconj/error.hpp"
+#include "hdconj/read_scene.hpp"
+#include "io/layout/results.hpp"
+#include "page_data.hpp"
+#include "stored_result.hpp"
+
+namespace hdconj {
+namespace {
+
+using io::layout::Misfit;
+using io::layout::require;
+using io::layout::StoredGroup;
+using report::Json;
+
+/// The parts that the result holds, as the page has them when they are computed.
+Json stored_parts(StoredGroup const& result)
+{
+    require(result.attribute<int>("format_version") == io::layout::format_version,
+            "it was written by an older version of hdconj");
+    int const balls = result.holds("load") ? result.group("load")->attribute<int>("balls") : 0;
+    io::layout::RecordedGroup const layout = io::layout::whole_layout(balls);
+    Json parts;
+    for (auto const& [part, group] : {std::pair("solve", "circular_spline"), std::pair("contact", "contact"),
+                                      std::pair("load", "load"), std::pair("run", "running")}) {
+        if (!result.holds(group))
+            continue;
+        report::JsonGroup root(report::left_of_part(part));
+        io::layout::read_layout(result, layout, root);
+        parts[part] = root.json();
+    }
+    return parts;
+}
+
+/// A figure of the summary that the page cannot do without.
+double summary_figure(Json const& attributes, char const* name)
+{
+    require(attributes.contains(name) && attributes.at(name).is_number(), "its summary has gaps");
+    return attributes.at(name).get<double>();
+}
+
+Notes stored_notes(Json const& solve)
+{
+    Notes notes;
+    if (!solve.at("groups").contains("notes"))
+        return notes;
+    Json const& columns = solve.at("groups").at("notes").at("datasets");
+    auto const text = [&](char const* name, std::size_t i) -> std::string {
+        return columns.at(name).at("texts").at(i).get<std::string>();
+    };
+    for (std::size_t i = 0; i < columns.at("cause").at("texts").size(); ++i) {
+        Note& note = notes.emplace_back();
+        note.code = from_word<NoteCode>(text("code", i)).value_or(note.code);
+        note.severity = from_word<Severity>(text("severity", i)).value_or(Severity::warning);
+        note.place = text("place", i);
+        note.cause = text("cause", i);
+        note.advice = text("advice", i);
+    }
+    return notes;
+}
+
+}  // namespace
+
+bool is_result_file(std::filesystem::path const& file)
+{
+    std::string ending = file.extension().string();
+    std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (ending == ".h5" || ending == ".hdf5")
+        return true;
+    constexpr std::array<char, 8> signature = {'\x89', 'H', 'D', 'F', '\r', '\n', '\x1a', '\n'};
+    std::array<char, signature.size()> first = {};
+    std::error_code error;
+    return std::filesystem::is_regular_file(file, error) &&
+           std::ifstream(file, std::ios::binary).read(first.data(), first.size()) && first == signature;
+}
+
+namespace report {
+
+ReportedDrive drive_from(StoredGroup const& result, std::filesystem::path const& file)
+{
+    StoredOutline stored = io::layout::stored_outline(result);
+    auto const made = std::make_shared<report::StoredResult>();
+    ReportedDrive drive;
+    drive.stored = made;
+    Solution& solution = drive.solution;
+    try {
+        made->parts = stored_parts(result);
+        Json const& solve = made->parts.at("solve");
+        Json const& summary = solve.at("groups").at("summary").at("attributes");
+        solution.geometry.circular_spline_inner_radius = summary_figure(summary, "tip_radius_mm");
+        solution.error.chord = summary_figure(summary, "error_chord_mm");
+        solution.error.point = summary_figure(summary, "error_point_mm");
+        solution.judgement = stored_notes(solve);
+        solution.notes = solve.at("attributes").value("notes", std::vector<std::string>{});
+        drive.origin =
+            fmt::format("Read from {}, which hdconj {} wrote at {}.", file.filename().string(),
+                        result.attribute<std::string>("program_version"), result.attribute<std::string>("date"));
+    } catch (Json::exception const&) {
+        throw Misfit("parts of it are missing or damaged");
+    }
+    scene::SceneReading reading = examine_scene(stored.scene, file.string());
+    examine_geometry(reading);
+    if (!reading.faults.empty())
+        throw InputError(Fault{file.string(), 0, "",
+                               fmt::format("holds a scene that this version refuses, {} fault{}, the first: {}",
+                                           reading.faults.size(), reading.faults.size() == 1 ? "" : "s",
+                                           reading.faults.front().path + " " + reading.faults.front().reason),
+                               "solve a scene of this version anew"});
+    solution.scene = std::move(reading.scene);
+    solution.circular_spline = std::move(stored.outline);
+    return drive;
+}
+
+}  // namespace report
+}  // namespace hdconj

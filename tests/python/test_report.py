@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Pages of `report`: of scenes, of result files, of results, and of both in one page."""
+
+import json
+from pathlib import Path
+
+import pytest
+from conftest import SOURCE, run_program
+
+import hdconj
+
+SCENE = {"slices.count": 3, "circular_spline.width": 2.0}
+
+
+def drives_of(page):
+    text = Path(page).read_text()
+    start = text.index('id="data">') + len('id="data">')
+    return json.loads(text[start : text.index("</script>", start)])["drives"]
+
+
+def test_result_files_and_scenes_in_one_page(tmp_path):
+    contact = hdconj.contact(hdconj.Scene().with_(SCENE), tilts_deg=[0, 0.1])
+    contact.to_hdf5(tmp_path / "contact.h5")
+    missing = hdconj.report(
+        [tmp_path / "contact.h5", str(SOURCE / "data/scenes/s-tooth.toml")], tmp_path / "both.html", parts="design"
+    )
+    read, computed = drives_of(tmp_path / "both.html")
+    assert "contact.h5" in read["origin"]
+    assert computed["origin"] == ""
+    assert set(read["results"]) == {"solve", "contact"}
+    assert read["teeth"] is not None
+    assert computed["design"]["rows"]
+    assert len(missing) == 1  # the file holds no design
+    assert "--with design" in missing[0]
+
+
+def test_a_result_reports_its_own_numbers(tmp_path):
+    contact = hdconj.contact(hdconj.Scene().with_(SCENE), tilts_deg=[0, 0.1])
+    contact.report(tmp_path / "own.html")
+    (drive,) = drives_of(tmp_path / "own.html")
+    groups = drive["results"]["contact"]["groups"]["contact"]["groups"]
+    assert {"case_000", "case_001"} <= set(groups)  # both tilts that were asked for
+
+
+def test_a_cut_file_and_a_bad_scene_are_refused_together(tmp_path):
+    hdconj.solve().to_hdf5(tmp_path / "whole.h5")
+    whole = (tmp_path / "whole.h5").read_bytes()
+    (tmp_path / "cut.h5").write_bytes(whole[: len(whole) // 2])
+    bad = hdconj.Scene().with_({"drive.module": -1})
+    with pytest.raises(hdconj.InputError) as caught:
+        hdconj.report([tmp_path / "cut.h5", bad], tmp_path / "none.html")
+    assert "cut.h5" in str(caught.value)
+    assert "drive.module" in str(caught.value)
+    assert not (tmp_path / "none.html").exists()
+
+
+def test_a_damaged_file_is_refused_and_one_without_checksum_read(tmp_path):
+    for name in ("python.h5", "program.h5"):
+        file = tmp_path / name
+        if name == "python.h5":
+            hdconj.solve().to_hdf5(file)
+        else:
+            run_program("solve", "-q", "-o", file)
+        whole = file.read_bytes()
+        assert whole[-22:].startswith(b"hdconj crc32 ")
+        points = hdconj.read(file).circular_spline.outline
+        for at in (0, 9, 100, len(whole) // 2, len(whole) - 2):
+            file.write_bytes(whole[:at] + bytes([whole[at] ^ 1]) + whole[at + 1 :])
+            with pytest.raises(hdconj.FileError, match="damaged"):
+                hdconj.read(file)
+        file.write_bytes(whole[:-22])
+        assert (hdconj.read(file).circular_spline.outline == points).all()
