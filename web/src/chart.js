@@ -45,8 +45,9 @@ function axes(x, y, xs, ys, xLabel, yLabel) {
   for (const v of ticks(ys[0], ys[1], 5))
     group.append(svg("line", { x1: left, x2: width - right, y1: y(v), y2: y(v) }),
       svg("text", { x: left - 6, y: y(v) + 4, "text-anchor": "end" }, String(v)));
-  group.append(svg("text", { x: (left + width - right) / 2, y: height - 6, "text-anchor": "middle" }, xLabel),
-    svg("text", { x: 14, y: (top + height - bottom) / 2, "text-anchor": "middle",
+  group.append(svg("text", { class: "label", x: (left + width - right) / 2, y: height - 6,
+    "text-anchor": "middle" }, xLabel),
+    svg("text", { class: "label", x: 14, y: (top + height - bottom) / 2, "text-anchor": "middle",
       transform: `rotate(-90 14 ${(top + height - bottom) / 2})` }, yLabel));
   return group;
 }
@@ -63,6 +64,16 @@ function range(lists) {
   return low <= high ? [low, high] : [0, 1];
 }
 
+/** The range of values with their bands, and whether it ends within a band: a few large errors shall not hide the curve.
+ * @param {[number, number]} values @param {[number, number]} bounds @returns {[[number, number], boolean]} */
+function shownRange(values, bounds) {
+  const span = values[1] - values[0];
+  if (!(span > 0)) return [bounds, false];
+  /** @type {[number, number]} */
+  const kept = [Math.max(bounds[0], values[0] - 0.75 * span), Math.min(bounds[1], values[1] + 0.75 * span)];
+  return [kept, kept[0] > bounds[0] || kept[1] < bounds[1]];
+}
+
 /** A figure around a picture, with the reading at the pointer.
  * @param {string} title @param {Element} picture
  * @param {HTMLElement} reading @param {...Node} more */
@@ -75,7 +86,7 @@ export function chart(title, xLabel, yLabel, series) {
   const all = series.filter((each) => each.x.length > 0);
   const bounds = all.map((s) => Array.from(s.y, (v, i) => [v - ((s.error && s.error[i]) || 0),
     v + ((s.error && s.error[i]) || 0)]).flat());
-  const xs = range(all.map((s) => s.x)), ys = range(bounds);
+  const xs = range(all.map((s) => s.x)), [ys, isCut] = shownRange(range(all.map((s) => s.y)), range(bounds));
   if (ys[0] > 0 && ys[0] < 0.5 * ys[1]) ys[0] = 0;
   const x = scale(xs[0], xs[1], left, width - right), y = scale(ys[0], ys[1], height - bottom, top);
   const picture = svg("svg", { "viewBox": `0 0 ${width} ${height}`, "class": "chart", "role": "img",
@@ -86,7 +97,8 @@ export function chart(title, xLabel, yLabel, series) {
     const line = points.map(([a, b]) => `${a.toFixed(1)},${b.toFixed(1)}`).join(" ");
     const e = s.error;
     if (e && Array.from(e).some((each) => each > 0)) {
-      const ends = Array.from(s.x, (v, i) => [x(v), y(s.y[i] + (e[i] || 0)), y(s.y[i] - (e[i] || 0))]
+      const ends = Array.from(s.x, (v, i) => [x(v), y(within(s.y[i] + (e[i] || 0), ys)),
+        y(within(s.y[i] - (e[i] || 0), ys))]
         .map((each) => each.toFixed(1)));
       if (s.dots) {
         picture.append(svg("path", { "class": `line s${n % 4}`, "d": ends.map(([a, b,
@@ -116,7 +128,8 @@ export function chart(title, xLabel, yLabel, series) {
       }
     reading.textContent = text;
   });
-  const names = make("div", { class: "names" }, ...all.map((s, n) => make("span", { class: `key s${n % 4}` }, s.name)));
+  const names = make("div", { class: "names" }, ...all.map((s, n) => make("span", { class: `key s${n % 4}` }, s.name)),
+    isCut ? make("span", {}, say("bandCut")) : null);
   return framed(title, picture, reading, names);
 }
 

@@ -112,6 +112,12 @@ export function shown(value, error) {
   return tidy(value.toPrecision(7));
 }
 
+/** Whether a figure is not known by its error: larger than a third of it, as the program's summary has it.
+ * @param {number} value @param {number|null} error */
+export function isUnknown(value, error) {
+  return error !== null && 3 * error > Math.abs(value);
+}
+
 /** An error to two digits.
  * @param {number|null} error */
 export function shownError(error) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A short table of the figures that one looks at first, in the units of a drawing.
 
-import { shown, shownError, valuesOf } from "./data.js";
+import { isUnknown, shown, shownError, valuesOf } from "./data.js";
 import { make } from "./dom.js";
 import { say } from "./texts.js";
 
@@ -15,8 +15,9 @@ function shownUnit(name, units) {
 }
 
 /** The figures of row @p index of a group whose names are @p wanted, in that order.
- * @param {import("./data.js").Group|undefined} group @param {number} index @param {string[]} wanted */
-export function keyFigures(group, index, wanted) {
+ * @param {import("./data.js").Group|undefined} group @param {number} index @param {string[]} wanted
+ * @param {boolean} [judged]  whether a large error is called what it is; a gap may well be 0 */
+export function keyFigures(group, index, wanted, judged) {
   const rows = wanted.map((name) => {
     const place = ((group && group.figures) || []).find((each) => each[0] === name && !each[5]);
     if (!group || !place) return null;
@@ -26,7 +27,8 @@ export function keyFigures(group, index, wanted) {
     return make("tr", { "data-name": name, "data-value": value },
       make("th", { scope: "row" }, name.replace(/_/g, " "), make("small", {}, place[4])),
       make("td", {}, shown(value, error === null ? null : error * factor)),
-      make("td", {}, error === null ? "" : "± " + shownError(error * factor)), make("td", {}, unit));
+      make("td", {}, error === null ? "" : "± " + shownError(error * factor)), make("td", {}, unit,
+        judged && isUnknown(values[index], error) ? make("em", {}, say("notDetermined")) : null));
   });
   return make("table", { "class": "keys", "aria-label": say("keyFigures") }, make("tbody", {}, ...rows));
 }

@@ -45,7 +45,7 @@ function caseFigures(load, index) {
   const all = [make("div", { class: "wide" }, make("h3", {}, `${say("atTorque")} ${
     brief(column(load, "torque")[index] / newtonMetre)} N m`), keyFigures(load, index, ["twist", "stiffness",
     "backlash", "teeth", "largest_force", "flank_pressure", "largest_line_load", "largest_stress",
-    "wave_generator_force", "ball_force"]))];
+    "wave_generator_force", "ball_force"], true))];
   if (isCurve)
     all.push(make("p", { class: "note" }, known.some((k) => k !== 0) ? say("band") : say("noBand")),
       curveOf(say("stiffness"), say("torque"), say("stiffnessUnit"), "torque", newtonMetre, "stiffness", perArcmin),

@@ -87,7 +87,7 @@ function show(index) {
     section("numbers", say("numbers"), () => numbersView(drive)),
     section("scene", say("scene"), () => make("pre", { tabindex: 0 }, drive.scene)),
     section("about", say("about"), () => about(drive)));
-  const nav = make("nav", { "aria-label": say("about") },
+  const nav = make("nav", { "aria-label": say("contents") },
     ...sections.map((each) => make("a", { href: "#" + each.id, click: (/** @type {Event} */ e) => {
       e.preventDefault(); // the hash holds the state
       each.scrollIntoView({ behavior: "smooth" });

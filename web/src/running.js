@@ -2,7 +2,7 @@
 // The drive while it turns, and the figures that a catalogue has of it.
 
 import { bars, chart } from "./chart.js";
-import { brief, column, groupAt, shown, shownError, valuesOf } from "./data.js";
+import { brief, column, groupAt, isUnknown, shown, shownError, valuesOf } from "./data.js";
 import { make } from "./dom.js";
 import { efficiencyMaps } from "./efficiency.js";
 import { say } from "./texts.js";
@@ -96,7 +96,8 @@ function card(drive, running, losses) {
   return make("div", { class: "wide" }, make("h3", {}, say("card")), make("table", { "class": "keys",
     "aria-label": say("card") }, make("tbody", {}, ...rows.map(([name, value, error, units]) => make("tr",
     { "data-name": name, "data-value": value }, make("th", { scope: "row" }, name), make("td", {}, shown(value, error)),
-    make("td", {}, error === null ? "" : "± " + shownError(error)), make("td", {}, units))))));
+    make("td", {}, error === null ? "" : "± " + shownError(error)), make("td", {}, units,
+      isUnknown(value, error) ? make("em", {}, say("notDetermined")) : null))))));
 }
 
 /** @param {import("./data.js").Drive} drive */

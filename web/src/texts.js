@@ -40,6 +40,7 @@ const english = {
     pressureMap: "Pressure over tooth spaces and face width [MPa]",
   stress: "Stress of the cup's section [MPa]", sectionAngle: "Angle from the major axis", members: "Twist by member",
   balls: "Bearing: forces around the ring", band: "Bands show the estimated error.",
+  bandCut: "The band leaves the picture where the error is larger.", notDetermined: "not determined", contents: "Contents",
   noBand: "The errors were not estimated.", differs: "differs beyond both errors", same: "within the errors",
   overlaid: "Tooth spaces laid over each other", noError: "differs; no error is stated",
   path: "Wire path", pass: "Pass", face: "Face", lower: "lower", upper: "upper", nominal: "contour of the part",

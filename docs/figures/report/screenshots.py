@@ -49,6 +49,17 @@ def running(page):
     page.locator("#run").scroll_into_view_if_needed()
     page.wait_for_timeout(800)
     page.locator("#run").screenshot(path=Path(FOLDER) / "running.png")
+    efficiency = page.locator("#run figure:has(.contours)")
+    efficiency.scroll_into_view_if_needed()
+    box = efficiency.locator("svg").bounding_box()
+    page.mouse.move(box["x"] + 0.7 * box["width"], box["y"] + 0.3 * box["height"])
+    efficiency.screenshot(path=Path(FOLDER) / "efficiency-map.png")
+
+
+def against_rules(page):
+    page.locator("#design").scroll_into_view_if_needed()
+    page.wait_for_timeout(500)
+    page.locator("#design .whole").screenshot(path=Path(FOLDER) / "design-rules.png")
 
 
 FRICTION = {"flanks": 0.08, "bearing_load": 0.0005, "bearing_speed": 2, "viscosity_40": 100, "viscosity_100": 11}
@@ -60,3 +71,4 @@ with tempfile.TemporaryDirectory() as scratch, sync_playwright() as playwright:
     take(playwright, scratch, [SCENES / "type-50-coned.toml", "--with", "contact"], "", "dark", tooth_space, "space")
     friction = [word for key, value in FRICTION.items() for word in ("--set", f"friction.{key}={value}")]
     take(playwright, scratch, [SCENES / "type-50.toml", *friction, "--with", "load,run"], "", "light", running, "run")
+    take(playwright, scratch, ["--with", "design"], "", "light", against_rules, "design")

@@ -47,21 +47,42 @@ struct Axis
     }
 };
 
-/// The axis that holds all values and, with their errors, their bands.
-Axis axis_of(std::vector<Curve> const& curves, std::vector<double> Curve::*values, bool banded, double from, double to)
+/// Least and greatest of the values, each with @p share of its error on either side.
+std::array<double, 2> range_of(std::vector<Curve> const& curves, std::vector<double> Curve::*values, double share)
 {
     double low = std::numeric_limits<double>::infinity(), high = -low;
     for (Curve const& curve : curves)
         for (std::size_t i = 0; i < (curve.*values).size(); ++i) {
-            double const value = (curve.*values)[i], error = banded && !curve.error.empty() ? curve.error[i] : 0;
+            double const value = (curve.*values)[i], error = curve.error.empty() ? 0 : share * curve.error[i];
             if (!std::isfinite(value + error))
                 continue;
             low = std::min(low, value - error);
             high = std::max(high, value + error);
         }
-    if (!(low < high))
-        return {std::isfinite(low) ? low - 1 : 0, std::isfinite(low) ? low + 1 : 1, from, to};
-    return {banded && low > 0 && low < high / 2 ? 0 : low, high, from, to};
+    return low <= high ? std::array{low, high} : std::array{0.0, 1.0};
+}
+
+/// The axis of places along the curves.
+Axis across(std::vector<Curve> const& curves)
+{
+    auto const [low, high] = range_of(curves, &Curve::x, 0);
+    return {low, high > low ? high : low + 1, left, width - right};
+}
+
+/// The axis of values with their bands; a few large errors shall not hide the curve, as in web/src/chart.js.
+Axis upward(std::vector<Curve> const& curves)
+{
+    constexpr double most_of_band = 0.75;  // on either side, of the span of the values
+    auto const values = range_of(curves, &Curve::y, 0), bounds = range_of(curves, &Curve::y, 1);
+    double const span = values[1] - values[0];
+    double low = bounds[0], high = bounds[1];
+    if (span > 0) {
+        low = std::max(low, values[0] - most_of_band * span);
+        high = std::min(high, values[1] + most_of_band * span);
+    }
+    if (low > 0 && low < high / 2)
+        low = 0;
+    return {low, high > low ? high : low + 1, height - bottom, top};
 }
 
 std::string points_text(Curve const& curve, Axis const& x, Axis const& y, double share)
@@ -69,7 +90,8 @@ std::string points_text(Curve const& curve, Axis const& x, Axis const& y, double
     std::string text;
     for (std::size_t i = 0; i < curve.x.size(); ++i)
         if (double const value = curve.y[i] + (share == 0 ? 0 : share * curve.error[i]); std::isfinite(value))
-            fmt::format_to(std::back_inserter(text), "{:.1f},{:.1f} ", x(curve.x[i]), y(value));
+            fmt::format_to(std::back_inserter(text), "{:.1f},{:.1f} ", x(curve.x[i]),
+                           y(std::clamp(value, y.low, y.high)));
     return text;
 }
 
@@ -100,8 +122,7 @@ std::string chart(std::string_view title, std::string_view x_label, std::string_
                   std::vector<Curve> const& curves)
 {
     constexpr int styles = 4;
-    Axis const x = axis_of(curves, &Curve::x, false, left, width - right),
-               y = axis_of(curves, &Curve::y, true, height - bottom, top);
+    Axis const x = across(curves), y = upward(curves);
     std::string lines, names;
     for (std::size_t n = 0; n < curves.size(); ++n) {
         Curve const& curve = curves[n];
