@@ -67,6 +67,12 @@ def contact_page():
     return report("contact", TYPE_50, *CLEARANCE, "--with", "contact", "--revolution", str(ANGLES))
 
 
+def running_page():
+    return report("running", f"{SOURCE}/data/scenes/type-50-elastic.toml", "--set", "slices.count=3", "--set",
+                  "friction.flanks=0.08", "--set", "running.positions=4", "--set", "load.points=2", "--with",
+                  "run,load,design")
+
+
 def two_drives():
     other = Path(FOLDER.name) / "other.toml"
     text = Path(TYPE_50).read_text().replace('"type-50"', "'''" + HOSTILE + "'''").replace(
@@ -141,7 +147,7 @@ def see(page, section):
 
 class Reports(unittest.TestCase):
     def test_opens_without_network_and_without_errors(self):
-        for file in (contact_page(), two_drives()):
+        for file in (contact_page(), two_drives(), running_page()):
             opened = Page(file)
             with opened as page:
                 for section in page.locator("main > section[id]").all():
@@ -345,9 +351,7 @@ class Reports(unittest.TestCase):
         self.assertAlmostEqual(starting, told["losses"]["starting_torque_Nm"], places=12)
 
     def test_running_drive_without_scripts(self):
-        page = report("still", f"{SOURCE}/data/scenes/type-50-elastic.toml", "--set", "slices.count=3", "--set",
-                      "friction.flanks=0.08", "--set", "running.positions=4", "--set", "load.points=2", "--with",
-                      "run,load")
+        page = running_page()
         with Page(page, java_script_enabled=False) as opened:
             titles = opened.locator("figure:has(svg.chart) figcaption").all_inner_texts()
             self.assertEqual(titles, ["Stiffness", "Twist", "Transmission error, unloaded, over one tooth pitch",
@@ -430,6 +434,9 @@ class Reports(unittest.TestCase):
         with Page(two_drives()) as page:
             settled(page)
             page.evaluate("window.dispatchEvent(new Event('beforeprint'))")
+            page.emulate_media(media="print")  # a circle stays one
+            self.assertEqual(page.locator("canvas.mesh").first.evaluate("each => getComputedStyle(each).objectFit"),
+                             "contain")
             paper = page.pdf(format="A4")
             self.assertTrue(paper.startswith(b"%PDF"))
             self.assertGreater(paper.count(b"/Type /Page"), 2)
@@ -441,8 +448,9 @@ class Reports(unittest.TestCase):
 
     def test_is_accessible(self):
         from axe_playwright_python.sync_playwright import Axe
-        for scheme in ("light", "dark"):
-            with Page(contact_page(), color_scheme=scheme) as page:
+        for file, scheme in ((contact_page(), "light"), (contact_page(), "dark"), (running_page(), "light"),
+                             (running_page(), "dark")):
+            with Page(file, color_scheme=scheme) as page:
                 for section in page.locator("main > section[id]").all():
                     see(page, section.get_attribute("id"))
                 found = Axe().run(page).response["violations"]

@@ -73,7 +73,7 @@ const english = {
   generatorTorque: "Torque on the wave generator, without friction", generatorTorqueUnit: "torque [N m]",
   efficiency: "Efficiency against torque on the output", efficiencyMap: "Efficiency over torque and speed [%]",
   generatorSpeed: "speed of the wave generator [rpm]", outputTorque: "torque on the output [N m]",
-  computedPoints: "dots: computed. Between them the torque lost is interpolated in straight lines",
+  computedPoints: "Dots are computed. Between them the torque lost is interpolated in straight lines",
   leftOutPoint: "interpolated across a computed point, the map is off by at most",
   percentPoints: "points of efficiency", efficiencyUnit: "efficiency [%]", card: "Card of the drive",
   ratio: "Ratio", ratedTorque: "Torque on the output", backlash: "Backlash", lostMotion: "Lost motion",

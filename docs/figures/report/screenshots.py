@@ -46,9 +46,11 @@ def tooth_space(page):
 
 
 def running(page):
-    page.locator("#run").scroll_into_view_if_needed()
+    page.set_viewport_size({"width": 1100, "height": 940})
+    page.evaluate("document.getElementById('run').scrollIntoView()")
     page.wait_for_timeout(800)
-    page.locator("#run").screenshot(path=Path(FOLDER) / "running.png")
+    page.evaluate("document.getElementById('run').scrollIntoView()")
+    page.screenshot(path=Path(FOLDER) / "running.png")
     efficiency = page.locator("#run figure:has(.contours)")
     efficiency.scroll_into_view_if_needed()
     box = efficiency.locator("svg").bounding_box()
