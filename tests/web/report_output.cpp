@@ -20,12 +20,17 @@ namespace fs = std::filesystem;
 std::string const scenes = HDCONJ_SOURCE_DIR "/data/scenes/";
 std::string const narrow = "'" + scenes + "type-50.toml' --set slices.count=3 --set circular_spline.width=2 ";
 
-/// The data that a page holds of its first drive.
-json drive_of(fs::path const& page)
+/// The data that a page holds of its drives.
+json drives_of(fs::path const& page)
 {
     std::string const text = content(page), mark = "id=\"data\">";
     std::size_t const from = text.find(mark) + mark.size();
-    return json::parse(text.substr(from, text.find("</script>", from) - from)).at("drives").at(0);
+    return json::parse(text.substr(from, text.find("</script>", from) - from)).at("drives");
+}
+
+json drive_of(fs::path const& page)
+{
+    return drives_of(page).at(0);
 }
 
 /// Without the times of the run, and without figures that this result has not: a page passes over them.
@@ -135,7 +140,7 @@ TEST_CASE("report --json says what was written and left out", "[report]")
     TemporaryFolder const folder;
     REQUIRE(hdconj_run("solve -o a.h5 -q", folder.path()).status == 0);
     // a file and a scene in one page; the file has no contact
-    auto const done = hdconj_run("report a.h5 " + narrow + "--with contact --json -o both.html", folder.path());
+    auto const done = hdconj_run("report a.h5 " + narrow + "--with contact,design --json -o both.html", folder.path());
     CHECK(done.status == 1);
     json const said = json::parse(done.out);
     CHECK(said.at("format") == "hdconj-report");
@@ -146,7 +151,11 @@ TEST_CASE("report --json says what was written and left out", "[report]")
     CHECK_THAT(file.at("origin").get<std::string>(), ContainsSubstring("a.h5"));
     CHECK(scene.at("origin").is_null());
     CHECK(file.at("parts") == json{"solve"});
-    CHECK(scene.at("parts") == json{"solve", "contact"});
+    CHECK(scene.at("parts") == json{"solve", "contact", "design"});
+    json const design = drives_of(folder / "both.html").at(1).at("design");
+    CHECK(design.at("rows").size() == 53);
+    for (json const& row : design.at("rows"))
+        CHECK(row.at("here").is_string());
     json const& left = file.at("left_out").at(0);
     CHECK(left.at("part") == "contact");
     CHECK(left.at("failed") == true);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#include "results.hpp"
 #include "stored_group.hpp"
 
 namespace hdconj::io::layout {
