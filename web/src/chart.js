@@ -64,7 +64,8 @@ function range(lists) {
   return low <= high ? [low, high] : [0, 1];
 }
 
-/** The range of values with their bands, and whether it ends within a band: a few large errors shall not hide the curve.
+/** The range of values with their bands, and whether it ends within a band: a few large errors shall not hide the
+ * curve.
  * @param {[number, number]} values @param {[number, number]} bounds @returns {[[number, number], boolean]} */
 function shownRange(values, bounds) {
   const span = values[1] - values[0];
@@ -72,6 +73,13 @@ function shownRange(values, bounds) {
   /** @type {[number, number]} */
   const kept = [Math.max(bounds[0], values[0] - 0.75 * span), Math.min(bounds[1], values[1] + 0.75 * span)];
   return [kept, kept[0] > bounds[0] || kept[1] < bounds[1]];
+}
+
+/** Acts where a pointer moves or a finger taps.
+ * @param {Element} picture @param {(e: PointerEvent) => void} act */
+function onPoint(picture, act) {
+  for (const type of ["pointermove", "pointerdown"])
+    picture.addEventListener(type, (e) => act(/** @type {PointerEvent} */ (e)));
 }
 
 /** A figure around a picture, with the reading at the pointer.
@@ -114,7 +122,7 @@ export function chart(title, xLabel, yLabel, series) {
         "r": 2.6 }));
   });
   const reading = make("div", { class: "reading" }, say("hoverHint"));
-  picture.addEventListener("pointermove", (/** @type {PointerEvent} */ e) => {
+  onPoint(picture, (e) => {
     const box = picture.getBoundingClientRect(), px = (e.clientX - box.left) / box.width * width;
     const py = (e.clientY - box.top) / box.height * height;
     let best = Infinity, text = "";
@@ -146,7 +154,7 @@ export function bars(title, xLabel, yLabel, xs, values) {
   const path = Array.from(xs, (v, i) => `M${x(v).toFixed(1)} ${y(0).toFixed(1)}V${y(values[i]).toFixed(1)}`).join("");
   picture.append(svg("path", { class: "bars s0", d: path }));
   const reading = make("div", { class: "reading" }, say("hoverHint"));
-  picture.addEventListener("pointermove", (/** @type {PointerEvent} */ e) => {
+  onPoint(picture, (e) => {
     const box = picture.getBoundingClientRect(), px = (e.clientX - box.left) / box.width * width;
     let best = 0;
     for (let i = 1; i < xs.length; ++i) if (Math.abs(x(xs[i]) - px) < Math.abs(x(xs[best]) - px)) best = i;
@@ -192,13 +200,14 @@ export function heatMap(title, xLabel, yLabel, xs, ys, value, paint, key, more =
   onTheme(picture, redraw);
   picture.append(cells, axes(x, y, wx, wy, xLabel, yLabel), ...(more.over ? [more.over(x, y)] : []));
   const reading = make("div", { class: "reading" }, say("hoverHint"));
-  picture.addEventListener("pointermove", (/** @type {PointerEvent} */ e) => {
+  onPoint(picture, (e) => {
     const box = picture.getBoundingClientRect();
     const vx = wx[0] + ((e.clientX - box.left) / box.width * width - left) / (width - right - left) * (wx[1] - wx[0]);
     const vy = wy[1] - ((e.clientY - box.top) / box.height * height - top) / (height - bottom - top) * (wy[1] - wy[0]);
     const i = Math.round((vx - xs[0]) / stepX), j = Math.round((vy - ys[0]) / stepY);
     if (i < 0 || j < 0 || i >= xs.length || j >= ys.length) return;
-    reading.textContent = more.read ? more.read(within(vx, xr), within(vy, yr)) : `${shown(xs[i])}, ${shown(ys[j])}: ${shown(value(i, j))}`;
+    reading.textContent = more.read ? more.read(within(vx, xr), within(vy, yr))
+      : `${shown(xs[i])}, ${shown(ys[j])}: ${shown(value(i, j))}`;
   });
   return { figure: framed(title, picture, reading, key), redraw };
 }

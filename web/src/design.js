@@ -44,7 +44,8 @@ export function designView(design) {
         design.derived.map((wish) => ({ cells: [wish.option, wish.value, wish.from] })))),
     make("p", { class: "standing" }, `${rows.length} ${say("rulesCount")}, ${unlike.length} ${say("unlikeCount")}, ${
       rows.filter((row) => isOutside(row.standing)).length} ${say("outsideCount")}`),
-    ...(unlike.length ? [make("h3", {}, say("unlike")), make("div", { class: "whole" }, table(say("unlike"), unlike))] : []),
+    ...(unlike.length ? [make("h3", {}, say("unlike")), make("div", { class: "whole" }, table(say("unlike"), unlike))]
+      : []),
     make("h3", {}, say("allRules")), table(say("allRules"), rows),
     ...(others.length ? [make("h3", {}, say("noRule")), wideTable(say("noRule"), [say("key"), say("found"), say("why")],
       others.map((each) => ({ cells: [each.key, each.type_50, each.why] })))] : []));

@@ -111,7 +111,8 @@ function contours(xs, ys, value, levels, x, y) {
     const best = pieces.map((piece) => piece[0]).reduce((a, b) => (room(b) > room(a) ? b : a));
     if (room(best) < 24) continue;
     taken.push(best);
-    labels.append(svg("text", { x: best[0], y: best[1] + 4, "text-anchor": "middle" }, String(Math.round(100 * level))));
+    labels.append(svg("text", { x: best[0], y: best[1] + 4, "text-anchor": "middle" },
+      String(Math.round(100 * level))));
   }
   group.append(labels);
   return group;
@@ -147,8 +148,9 @@ export function efficiencyMaps(losses) {
     };
     const off = interpolationError(grid);
     const most = Math.ceil(10 * Math.max(...all.flat())) / 10; // the colours end at full tens of per cent
-    const key = make("span", {}, legend("0 %", `${Math.round(100 * most)} %`, true), make("p", { class: "note" }, say("computedPoints") + (off
-      === null ? "." : `; ${say("leftOutPoint")} ${shownError(100 * off)} ${say("percentPoints")}.`)));
+    const exactness = off === null ? "" : `; ${say("leftOutPoint")} ${shownError(100 * off)} ${say("percentPoints")}`;
+    const key = make("span", {}, legend("0 %", `${Math.round(100 * most)} %`, true),
+      make("p", { class: "note" }, `${say("computedPoints")}${exactness}.`));
     return [heatMap(`${say("efficiencyMap")}, ${brief(temperature)} °C`, say("outputTorque"), say("generatorSpeed"),
       toTorque, toSpeed, value, (v) => strong(v / most), key, { read, over }).figure];
   });

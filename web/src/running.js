@@ -106,9 +106,11 @@ export function runningView(drive) {
   if (!running) return null;
   const losses = groupAt(running, "losses");
   const figures = sequencesOf(running).flatMap(({ group, torque, name }) => {
-    const angle = by(column(group, "angle"), degree);
+    const angle = by(column(group, "angle"), degree), [span] = rowOf("", group, "peak_to_peak", 0, arcsecond, "");
+    const peaks = span ? `${say("peakToPeak")} ${shown(span[1], span[2])}${span[2] === null ? ""
+      : ` ± ${shownError(span[2])}`} arcsec` : name;
     const made = [chart(`${say("transmissionError")}: ${name}`, say("generatorAngle"), say("ahead"),
-      [{ name, x: angle, y: aboutMean(by(column(group, "error"), arcsecond)) }]),
+      [{ name: peaks, x: angle, y: aboutMean(by(column(group, "error"), arcsecond)) }]),
     spectrum(group, `${say("spectrum")}: ${name}`)];
     if (torque)
       made.push(chart(`${say("generatorTorque")}: ${name}`, say("generatorAngle"), say("generatorTorqueUnit"),
