@@ -21,8 +21,9 @@ namespace fs = std::filesystem;
 struct DesignArguments
 {
     DesignWishes wishes;
-    double diameter = NAN, module = NAN, torque = NAN;  ///< NaN: not given
-    std::string output;                                 ///< the scene; empty: none is written
+    double diameter = NAN, module = NAN, torque = NAN;                 ///< NaN: not given
+    double fatigue = NAN, youngs_modulus = NAN, poissons_ratio = NAN;  ///< NaN: not given
+    std::string output;                                                ///< the scene; empty: none is written
     bool force = false;
 };
 
@@ -37,6 +38,9 @@ DesignWishes wishes_of(DesignArguments const& own)
     wishes.diameter = given(own.diameter);
     wishes.module = given(own.module);
     wishes.torque = given(own.torque, newton_metre);
+    wishes.fatigue = given(own.fatigue);
+    wishes.youngs_modulus = given(own.youngs_modulus);
+    wishes.poissons_ratio = given(own.poissons_ratio);
     if (!own.output.empty())
         wishes.name = file_name(fs::path(own.output).stem().string());
     return wishes;
@@ -91,7 +95,14 @@ void add_wishes(CLI::App& verb, DesignArguments& own)
     number("--torque", own.torque, "rated torque on the circular spline in N m, for which the wall is chosen [none]",
            "NM", "28");
     verb.add_option("--family", wishes.family, "of the flexspline's tooth [double-circular-arc]")->type_name("WORD");
-    verb.add_option("--material", wishes.material, "of the flexspline [30CrMnSiA]")->type_name("WORD");
+    verb.add_option("--material", wishes.material,
+                    "of the flexspline: 30CrMnSiA, 40CrNiMoA, 42CrMo4, 34CrNiMo6, 30CrNiMo8 or your own [30CrMnSiA]")
+        ->type_name("WORD");
+    number("--fatigue", own.fatigue, "its fatigue strength in alternating bending, in MPa [of the material]", "MPA",
+           "550");
+    number("--youngs-modulus", own.youngs_modulus, "its modulus of elasticity in MPa [of the material]", "MPA",
+           "206000");
+    number("--poissons-ratio", own.poissons_ratio, "its Poisson's ratio [of the material]", "NU", "0.3");
     number("--land", wishes.land, "least tip land in modules [0.4]", "M", "0.4");
     number("--clearance", wishes.clearance, "side clearance of each flank in mm [0]", "MM", "0.02");
     number("--safety", wishes.safety, "least fatigue strength over largest stress of the cup [1.5]", "S", "1.5");

@@ -42,7 +42,7 @@ _hdconj()
         init) options="--help --like --force --quiet" ;;
         design)
             options="--help --ratio --diameter --module --length-ratio --torque --family --material --land --clearance"
-            options="$options --safety --output --force --json --quiet" ;;
+            options="$options --safety --fatigue --youngs-modulus --poissons-ratio --output --force --json --quiet" ;;
         check) options="$common --strict --plan --for" ;;
         solve) options="$common --strict --output --dxf --picture --spline-tooth --cam --inner-surface --completed --verbose" ;;
         contact)

@@ -26,7 +26,10 @@ struct DesignWishes
     double length_ratio = 0.25;                  ///< cup length over pitch diameter
     std::optional<double> torque;                ///< rated torque on the circular spline [N mm]; default none
     std::string family = "double-circular-arc";  ///< of the flexspline's tooth
-    std::string material = "30CrMnSiA";          ///< of the flexspline
+    std::string material = "30CrMnSiA";          ///< of the flexspline; any name where all three figures are given
+    std::optional<double> fatigue;               ///< of the flexspline's steel, alternating bending [MPa]
+    std::optional<double> youngs_modulus;        ///< of the flexspline's steel [MPa]
+    std::optional<double> poissons_ratio;        ///< of the flexspline's steel
     double land = 0.4;                           ///< least tip land of either member, in modules
     double clearance = 0;                        ///< side clearance of each flank of the circular spline [mm]
     double safety = 1.5;                         ///< least fatigue strength over largest stress

@@ -432,8 +432,8 @@ def design(ratio: float, *, progress: Progress = False, **wishes: Any) -> _resul
     progress : bool or callable
         As for :func:`solve`.
     **wishes
-        diameter [mm], module [mm], length_ratio, torque [N m], family, material, land [modules], clearance [mm],
-        safety, name; as the options of ``hdconj design``.
+        diameter [mm], module [mm], length_ratio, torque [N m], family, material, fatigue [MPa], youngs_modulus [MPa],
+        poissons_ratio, land [modules], clearance [mm], safety, name; as the options of ``hdconj design``.
 
     Returns
     -------

@@ -162,29 +162,30 @@ DesignRow equation(std::string name, std::string symbol, std::string key, std::s
             ""};
 }
 
-void add_steel(Sheet& sheet, Material const& steel, std::string const& table, std::string const& member)
+void add_steel(Sheet& sheet, Material const& steel, DesignWishes const& given, std::string const& table,
+               std::string const& member)
 {
-    std::string const rule = "of " + std::string(steel.name), source(steel.source);
-    sheet.add({"modulus of elasticity, " + member,
-               "E",
-               table + ".youngs_modulus",
-               rule,
-               {},
-               steel.youngs_modulus,
-               "MPa",
-               source,
-               DesignOrigin::rule,
-               ""});
-    sheet.add({"Poisson's ratio, " + member,
-               "nu",
-               table + ".poissons_ratio",
-               rule,
-               {},
-               steel.poissons_ratio,
-               "1",
-               source,
-               DesignOrigin::rule,
-               ""});
+    std::string const rule = "of " + steel.name + (steel.treatment.empty() ? "" : ", " + steel.treatment);
+    auto const add = [&](char const* name, char const* symbol, std::string const& key, double value, char const* unit,
+                         std::string const& source, bool wish) {
+        sheet.add({name + (", " + member),
+                   symbol,
+                   key,
+                   rule,
+                   {},
+                   value,
+                   unit,
+                   source,
+                   wish ? DesignOrigin::wish : DesignOrigin::rule,
+                   ""});
+    };
+    if (steel.yield > 0)
+        add("yield strength", "sigma_s", "", steel.yield, "MPa", steel.strength_source, false);
+    add("fatigue strength", "sigma_-1", "", steel.fatigue, "MPa", steel.fatigue_source, given.fatigue.has_value());
+    add("modulus of elasticity", "E", table + ".youngs_modulus", steel.youngs_modulus, "MPa", steel.elastic_source,
+        given.youngs_modulus.has_value());
+    add("Poisson's ratio", "nu", table + ".poissons_ratio", steel.poissons_ratio, "1", steel.elastic_source,
+        given.poissons_ratio.has_value());
 }
 
 /// The ring is wider than its teeth, which lie inside those of the flexspline.
@@ -207,7 +208,7 @@ void add_spline_rows(Sheet& sheet, DesignWishes const& wishes)
                "wish",
                DesignOrigin::wish,
                ""});
-    add_steel(sheet, spline_material(), "circular_spline", "circular spline");
+    add_steel(sheet, spline_material(), {}, "circular_spline", "circular spline");
 }
 
 void add_bearing_rows(Sheet& sheet)
@@ -245,7 +246,7 @@ void add_body_rows(Sheet& sheet, DesignWishes const& wishes, double wall)
     sheet.add(std::move(inner));
     sheet.add(equation("radius of the clamped flange", "", "flexspline.cup.flange_radius", "d_1/2", sheet["d_1"] / 2,
                        table_4_1));
-    add_steel(sheet, material_of(wishes), "flexspline.cup", "flexspline");
+    add_steel(sheet, material_of(wishes), wishes, "flexspline.cup", "flexspline");
     add_spline_rows(sheet, wishes);
     add_bearing_rows(sheet);
     if (wishes.torque)

@@ -102,6 +102,19 @@ std::optional<double> nearest_torque(DesignWishes wishes, MeshedSheet const& fai
     return std::nullopt;
 }
 
+/// The weakest steel of the table that stands the stress @p most with the safety of the wishes; nothing where none
+/// does, or where another modulus would change the stress.
+std::optional<std::string> stronger_steel(DesignWishes const& wishes, double most)
+{
+    std::optional<Material> best;
+    Material const asked = material_of(wishes);
+    for (Material const& each : flexspline_materials())
+        if (each.fatigue >= wishes.safety * most && each.youngs_modulus == asked.youngs_modulus &&
+            each.poissons_ratio == asked.poissons_ratio && (!best || each.fatigue < best->fatigue))
+            best = each;
+    return best ? std::optional(best->name) : std::nullopt;
+}
+
 Faults nearest_load(DesignWishes const& wishes, MeshedSheet const& failed)
 {
     WallTrial const& last = failed.walls.back();
@@ -115,6 +128,8 @@ Faults nearest_load(DesignWishes const& wishes, MeshedSheet const& failed)
     double const safety = std::floor(hundredths * material_of(wishes).fatigue / most) / hundredths;
     if (most > 0 && safety >= 1 && safety < wishes.safety)
         faults.push_back(fault_of("--safety", short_number(wishes.safety), reason, short_number(safety)));
+    if (auto const steel = stronger_steel(wishes, most); most > 0 && steel)
+        faults.push_back(fault_of("--material", printable(wishes.material), reason, *steel));
     if (faults.empty())
         faults.push_back({"--torque", 0, short_number(*wishes.torque / newton_metre), reason,
                           "write a larger --diameter or a larger --ratio, which bend the wall less"});

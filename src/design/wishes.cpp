@@ -8,6 +8,7 @@
 #include "base/text.hpp"
 #include "hdconj/base/suggest.hpp"
 #include "hdconj/profile/registry.hpp"
+#include "hdconj/scene/schema.hpp"
 #include "hdconj/units.hpp"
 
 namespace hdconj {
@@ -124,7 +125,27 @@ class WishFaults
                   "write --family b-spline, a tooth by points of the scene");
         else
             one_of("--family", wishes_.family, families);
-        one_of("--material", wishes_.material, materials);
+        material(materials);
+    }
+    /// A steel of the table, or the figures of another one.
+    void material(std::vector<std::string_view> const& known)
+    {
+        if (wishes_.fatigue)
+            positive("--fatigue", *wishes_.fatigue, "write a stress in MPa such as 550");
+        if (wishes_.youngs_modulus && positive("--youngs-modulus", *wishes_.youngs_modulus, "write 206000"))
+            within("--youngs-modulus", *wishes_.youngs_modulus,
+                   {scene::bounds::least_modulus, scene::bounds::largest_modulus},
+                   "a modulus of elasticity in MPa, 206000 of steel");
+        if (wishes_.poissons_ratio)
+            within("--poissons-ratio", *wishes_.poissons_ratio, {0, scene::bounds::largest_poissons_ratio},
+                   "steel has 0.3");
+        bool const own = wishes_.fatigue && wishes_.youngs_modulus && wishes_.poissons_ratio;
+        if (own && !wishes_.material.empty())
+            return;
+        std::size_t const before = faults_.size();
+        one_of("--material", wishes_.material, known);
+        if (faults_.size() > before)
+            faults_.back().remedy += ", or give another steel by --fatigue, --youngs-modulus and --poissons-ratio";
     }
     void one_of(char const* path, std::string const& word, std::vector<std::string_view> const& words)
     {
@@ -141,25 +162,6 @@ class WishFaults
 };
 
 }  // namespace
-
-std::vector<Material> const& flexspline_materials()
-{
-    static std::vector<Material> const materials{
-        {"30CrMnSiA", 1800, 1600, 670, 206e3, 0.3, "thesis 3.3 and Table 4-2"}};
-    return materials;
-}
-
-Material const& spline_material()
-{
-    static constexpr Material steel_45{"45", 700, 500, 340, 210e3, 0.31, "thesis 3.3 and Table 4-3"};
-    return steel_45;
-}
-
-Material const& material_of(DesignWishes const& wishes)
-{
-    auto const& all = flexspline_materials();
-    return *std::find_if(all.begin(), all.end(), [&](Material const& each) { return each.name == wishes.material; });
-}
 
 bool agree(double a, double b)
 {

@@ -9,21 +9,22 @@ namespace hdconj::design {
 /// Mechanical properties of a steel.
 struct Material
 {
-    std::string_view name;
-    double tensile;         ///< sigma_b [MPa]
-    double yield;           ///< sigma_s [MPa]
-    double fatigue;         ///< sigma_-1 [MPa]
-    double youngs_modulus;  ///< [MPa]
-    double poissons_ratio;
-    std::string_view source;
+    std::string name, treatment;
+    double tensile = 0;         ///< sigma_b [MPa]; 0: not given
+    double yield = 0;           ///< sigma_s [MPa]; 0: not given
+    double fatigue = 0;         ///< sigma_-1, alternating bending [MPa]
+    double youngs_modulus = 0;  ///< [MPa]
+    double poissons_ratio = 0;
+    std::string strength_source, fatigue_source, elastic_source;
 };
 
 /// Materials of the flexspline.
 [[nodiscard]] std::vector<Material> const& flexspline_materials();
 /// Of the circular spline: steel 45.
 [[nodiscard]] Material const& spline_material();
-/// That of the wishes. @pre check_design() finds no fault with it
-[[nodiscard]] Material const& material_of(DesignWishes const& wishes);
+/// That of the wishes: a steel of the table, with the figures of the wishes in place of its own, or a steel of these
+/// figures alone. @pre check_design() finds no fault with it
+[[nodiscard]] Material material_of(DesignWishes const& wishes);
 
 /// The largest stress that the wishes allow: fatigue strength over safety [MPa].
 [[nodiscard]] double allowed_stress(DesignWishes const& wishes);

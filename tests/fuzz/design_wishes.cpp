@@ -34,6 +34,12 @@ DesignWishes wishes_of(std::string const& text)
             wishes.family = value;
         else if (wish == "material")
             wishes.material = value;
+        else if (wish == "fatigue")
+            wishes.fatigue = number;
+        else if (wish == "youngs-modulus")
+            wishes.youngs_modulus = number;
+        else if (wish == "poissons-ratio")
+            wishes.poissons_ratio = number;
         else if (wish == "clearance")
             wishes.clearance = number;
     }

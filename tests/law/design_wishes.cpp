@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Seeded wishes of a designer: each gives a scene that solve, contact and load take, or a refusal that names a wish.
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -142,6 +143,56 @@ TEST_CASE("with a torque the wall keeps the safety, and a larger torque is refus
         CHECK(*wishes.torque > 28 * newton_metre);
         CHECK_NOTHROW(design_drive(wishes));
     }
+}
+
+TEST_CASE("without a torque steels of the same stiffness make the same drive", "[design]")
+{
+    DesignWishes wishes;
+    wishes.diameter = 50;
+    Scene const scene = design_drive(wishes).scene;
+    for (char const* const steel : {"40CrNiMoA", "42CrMo4", "34CrNiMo6", "30CrNiMo8"}) {
+        INFO(steel);
+        wishes.material = steel;
+        Design const made = design_drive(wishes);
+        CHECK(differences(made, scene).empty());
+        auto const names_it = [&](DesignRow const& row) { return row.rule.starts_with("of " + wishes.material); };
+        CHECK(std::count_if(made.rows.begin(), made.rows.end(), names_it) == 4);
+    }
+    // a steel by its own figures is the steel of the table that has the same
+    wishes.material = "the one of the thesis";
+    wishes.fatigue = 670;
+    wishes.youngs_modulus = 206e3;
+    wishes.poissons_ratio = 0.3;
+    CHECK(differences(design_drive(wishes), scene).empty());
+}
+
+TEST_CASE("with a torque a weaker steel has less safety at the same stress, and a refusal names a steel that works",
+          "[design]")
+{
+    DesignWishes wishes;
+    wishes.diameter = 50;
+    wishes.length_ratio = 0.5;
+    wishes.torque = 28 * newton_metre;
+    double const stress = design_drive(wishes).walls.back().loaded;
+    wishes.material = "40CrNiMoA";
+    Design const weaker = design_drive(wishes);
+    CHECK(weaker.walls.back().loaded == stress);
+    CHECK(std::abs(weaker.rows.back().number() - 0.5 * 980 / stress) < 1e-3);  // four digits are printed
+    // the short cup is stressed too much for 42CrMo4: a stronger steel is named, and works
+    wishes.material = "42CrMo4";
+    wishes.length_ratio = 0.25;
+    std::string named;
+    try {
+        (void)design_drive(wishes);
+        FAIL("a stress of 408 MPa is too much for 550/1.5 MPa");
+    } catch (InputError const& error) {
+        for (Fault const& fault : error.faults())
+            if (fault.path == "--material")
+                named = fault.remedy.substr(fault.remedy.rfind(' ') + 1);
+    }
+    REQUIRE_FALSE(named.empty());
+    wishes.material = named;
+    CHECK_NOTHROW(design_drive(wishes));
 }
 
 }  // namespace hdconj::test::design_wishes_cases
