@@ -13,6 +13,7 @@
 
 #include "hdconj/base/tolerance.hpp"
 #include "hdconj/conjugate/arc_polygons.hpp"
+#include "hdconj/conjugate/boundary_piece.hpp"
 #include "hdconj/conjugate/crossing.hpp"
 #include "hdconj/envelope/branch.hpp"
 #include "hdconj/error.hpp"
@@ -20,41 +21,16 @@
 
 namespace hdconj::conjugate {
 
-/// A stretch of the boundary of one pitch: on a contact arc, or on the tip circle.
-struct BoundaryPiece
-{
-    int arc = -1;      ///< index into the arcs given; -1: land on the tip circle
-    int copy = 0;      ///< the tooth this many pitches clockwise of the one at the y axis
-    double begin = 0;  ///< u where the boundary (left to right) enters; on a land the angle from the y axis
-    double end = 0;
-};
-
-/// What the boundary is made of, left mid-land to right mid-land.
-struct ToothSpace
-{
-    std::vector<BoundaryPiece> pieces;
-    std::size_t segments = 0;  ///< given to the arrangement, all attempts
-};
-
-/// Whether two runs share an end point that both their polygons have; positions count vertices.
-[[nodiscard]] inline bool shared_end(std::vector<Vec2> const& before, double end, std::vector<Vec2> const& after,
-                                     double begin)
-{
-    auto const is_end = [](std::vector<Vec2> const& polygon, double position) {
-        return position == 0 || position == static_cast<double>(polygon.size() - 1);
-    };
-    auto const vertex = [](std::vector<Vec2> const& polygon, double position) {
-        return polygon[static_cast<std::size_t>(position)];
-    };
-    return is_end(before, end) && is_end(after, begin) && vertex(before, end) == vertex(after, begin);
-}
-
 /// Finds the tooth space of design 3.3 for the bounding arcs of an envelope: outer boundary of the swept region,
 /// neighbours included, cut at the tip circle.
 ///
 /// Polygons of the arcs decide only which arc follows which; where two arcs cross, the corner is then solved on the
 /// arcs themselves. If the polygons mislead (a corner does not converge where they cross), they are made 16 times
 /// finer.
+///
+/// A flank that was itself made by two conjugate zones touches the space twice. Two arcs then run side by side, and
+/// where they cross is known worse than where they are. If the finest polygons still find no corner between arcs that
+/// are no farther apart than a small part of the tolerance, the boundary changes from one to the other across the gap.
 template <motion::RelativeMotion Motion>
 class ToothSpaceFinder
 {
@@ -75,9 +51,11 @@ class ToothSpaceFinder
     {
         double chord = chord_;
         constexpr int attempts = 5;
-        for (int attempt = 0; attempt < attempts; ++attempt, chord /= 16)
+        for (int attempt = 0; attempt < attempts; ++attempt, chord /= 16) {
+            across_gaps_ = attempt + 1 == attempts;
             if (auto const space = find(std::max(chord, tolerance_.coincidence()), attempt > 0))
                 return *space;
+        }
         throw NumericalError(code_, "region", place_,
                              "the boundary of the tooth space could not be put together: " + cause_, remedy_, set_);
     }
@@ -216,6 +194,7 @@ class ToothSpaceFinder
                 return std::nullopt;
         }
         drop_roundings(space.pieces);
+        space.gap = gap_;
         return space;
     }
 
@@ -273,6 +252,15 @@ class ToothSpaceFinder
         TurnedArc<Motion> const arc_a = turned(a);
         TurnedArc<Motion> const arc_b = turned(b);
         auto const exact = crossing_of_arcs(arc_a, a.end, arc_b, b.begin, chord, tolerance_);
+        if (!exact && across_gaps_) {
+            constexpr double small_part = 0x1p-4;  // of the tolerance, as in ToothBodyFinder
+            NearestOnArc const there = nearest_on(arc_b, arc_a.point(a.end).p, b.begin);
+            if (there.gap <= small_part * tolerance_.length) {
+                b.begin = there.u;
+                gap_ = std::max(gap_, there.gap);
+                return true;
+            }
+        }
         if (!exact)
             return fail(ErrorCode::no_outline, near_text(arc_a.point(a.end).p),
                         "two curves of contact that bound it there only come close", remedy_of_open_boundary),
@@ -290,6 +278,8 @@ class ToothSpaceFinder
     double chord_;
     SweptPolygons swept_{pitch_};
     std::size_t segments_ = 0;
+    bool across_gaps_ = false;
+    double gap_ = 0;
     ErrorCode code_ = ErrorCode::no_outline;
     std::string place_ = "tooth space";
     std::string cause_, remedy_;

@@ -55,7 +55,9 @@ void ConjugateSolver::find_boundary()
 {
     if (is_moved())
         clock_.run_rest(Stage::backlash, [&] { trace_moved(); });
-    auto const wanted = [&] { return out_.scene.circular_spline.backlash_offset - tolerance_.coincidence(); };
+    auto const wanted = [&] {
+        return out_.scene.circular_spline.backlash_offset - tolerance_.coincidence() - 2 * final_.space.gap;
+    };
     assemble_until_clear(
         out_, first_chord(), [&](double c) { assemble(c); }, wanted, "");
 }
@@ -213,7 +215,7 @@ void ConjugateSolver::publish()
     cs.outline.push_back(
         outline.points);  // a copy: what was grown in the midst of other work keeps pages that a file needs next
     out_.error.chord = outline.chord;
-    out_.error.point = outline.error;
+    out_.error.point = outline.error + final_.space.gap;
     out_.error.clearance = out_.error.point + tolerance_.roundoff();
     for (std::size_t i = 0; i < branches_.size(); ++i) {
         std::size_t const before = out_.zones.size();

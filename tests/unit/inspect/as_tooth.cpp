@@ -2,6 +2,7 @@
 // A member is measured and takes the place of what the scene gave: the other member is then solved for.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 #include "drive/drive.hpp"
@@ -124,6 +125,19 @@ TEST_CASE("both members of a drive whose circular spline is given come back when
         CHECK(std::abs(ring.r_m - before.geometry.r_m) < 1e-12);
         CHECK(std::abs(ring.pitch_line - before.geometry.pitch_line) < 1e-12);
         CHECK(ring.flexspline_inner_radius == before.geometry.flexspline_inner_radius);
+        // each place of the given flank that it touches, it touches twice: both contacts make the same curve again
+        Solution const after = solve(cut);
+        CHECK(after.certificate.certified());
+        auto const touched = [&](OutlinePiece const& piece) {
+            std::vector<Vec2> const& given = before.circular_spline.outline.front();
+            std::size_t const middle =
+                (static_cast<std::size_t>(piece.first) + static_cast<std::size_t>(piece.last)) / 2;
+            return piece.kind == "flank" && given[middle].norm() < before.geometry.circular_spline_inner_radius + 0.2;
+        };
+        std::vector<OutlinePiece> flanks;
+        std::ranges::copy_if(before.circular_spline.pieces, std::back_inserter(flanks), touched);
+        REQUIRE(flanks.size() == 2);
+        CHECK(share_on(before.circular_spline.outline.front(), flanks, after.circular_spline.outline.front()) > 0.9);
     }
 }
 
