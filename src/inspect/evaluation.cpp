@@ -14,6 +14,7 @@
 #include "mean_flank.hpp"
 #include "registration.hpp"
 #include "ring_figures.hpp"
+#include "zone_error.hpp"
 
 namespace hdconj::inspect {
 namespace {
@@ -161,8 +162,10 @@ void add_points(Inspection& result, Fitted const& found, PlanePoints const& on, 
     result.placement.rms = count > 0 ? std::sqrt(sum / static_cast<double>(count)) : 0;
 }
 
-/// Turn and shift with what noise makes of them; of the minimum zone by the bound that both have in common.
-void add_placement(Inspection& result, Fitted const& found, NominalPart const& part, Intervals const& intervals)
+/// Turn and shift with what noise makes of them.
+/// @returns what the registration's error adds to other figures, see RingData
+Eigen::Matrix3d add_placement(Inspection& result, Fitted const& found, NominalPart const& part,
+                              Intervals const& intervals, int threads)
 {
     int const unknowns = unknowns_of(result.options.registration);
     PartPlacement& placement = result.placement;
@@ -171,24 +174,34 @@ void add_placement(Inspection& result, Fitted const& found, NominalPart const& p
     placement.turn.value = at.turn;
     placement.shift_x.value = at.shift.x();
     placement.shift_y.value = at.shift.y();
+    Eigen::Matrix3d of_figures = Eigen::Matrix3d::Zero();
     if (unknowns == 0)
-        return;
+        return of_figures;
     std::vector<PointView> used;
+    std::vector<std::size_t> points;
     for (std::size_t i = 0; i < found.views.size(); ++i)
-        if (found.used[i] && found.views[i].on)
+        if (found.used[i] && found.views[i].on) {
             used.push_back(found.views[i]);
+            points.push_back(i);
+        }
     Eigen::MatrixXd const rows = jacobian(used, at, part, unknowns);
-    Eigen::MatrixXd const inverse = (rows.transpose() * rows).inverse();
-    bool const least_squares = result.options.registration != Registration::minimum_zone;
-    auto const error = [&](Eigen::Index i) {
-        double const all = static_cast<double>(used.size());
-        return intervals.half_width(inverse(i, i) * (least_squares ? 1 : all));
-    };
-    placement.turn.error = error(0) / part.planes.front().reference_radius;
-    if (unknowns == most_unknowns) {
-        placement.shift_x.error = error(1);
-        placement.shift_y.error = error(2);
+    Eigen::Vector3d error = Eigen::Vector3d::Zero();
+    double const noise = intervals.noise();
+    if (result.options.registration == Registration::minimum_zone && noise > part.tolerance().roundoff()) {
+        ZoneError const zone = zone_error(rows, without_noise(points, used, found.fits, noise), noise, threads);
+        error = zone.half_width.array() + intervals.systematic();
+        of_figures = zone.covariance / (noise * noise);
+    } else {
+        Eigen::MatrixXd const inverse = (rows.transpose() * rows).inverse();
+        for (Eigen::Index i = 0; i < unknowns; ++i)
+            error[i] = intervals.half_width(inverse(i, i));
     }
+    placement.turn.error = error[0] / part.planes.front().reference_radius;
+    if (unknowns == most_unknowns) {
+        placement.shift_x.error = error[1];
+        placement.shift_y.error = error[2];
+    }
+    return of_figures;
 }
 
 void add_nominal(Inspection& result, NominalPart const& part, std::vector<double> const& z)
@@ -259,8 +272,8 @@ Inspection evaluated(Scene const& scene, NominalPart const& part, std::vector<do
     result.noise = intervals.noise();
     result.freedom = intervals.freedom();
     add_points(result, found, on, measured, part, z);
-    add_placement(result, found, part, intervals);
-    RingData data{read, on.points, z, found.placement, found.fits, numbers_of(found, on, measured), {}};
+    Eigen::Matrix3d const registration = add_placement(result, found, part, intervals, scene.solver.threads);
+    RingData data{read, on.points, z, found.placement, found.fits, numbers_of(found, on, measured), {}, registration};
     data.teeth = tooth_fits(data);
     result.flanks = flank_figures(data, intervals);
     result.teeth = tooth_figures(data, intervals);

@@ -172,6 +172,7 @@ std::optional<FlankFit> flank_fit(PointReader const& read, std::vector<PlanePoin
     Eigen::Matrix3d to_turn = Eigen::Matrix3d::Identity();
     Eigen::Vector3d const by_turn = fit.parabola.by_turn;
     to_turn.col(0) << -1 / by_turn[0], -by_turn[1] / by_turn[0], -by_turn[2] / by_turn[0];
+    fit.by_coefficients = to_turn;
     fit.covariance = to_turn * fit.parabola.covariance * to_turn.transpose();
     return fit;
 }

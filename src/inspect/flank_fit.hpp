@@ -39,6 +39,8 @@ struct FlankFit
     std::vector<std::size_t> strays;
     FlankParabola parabola;  ///< after the turn
     double turn = 0;         ///< beyond the placement, clockwise [rad]
+    /// Change of turn, b and -c with the coefficients of the parabola before the turn.
+    Eigen::Matrix3d by_coefficients = Eigen::Matrix3d::Zero();
     /// Of turn, b and -c, for noise of variance 1.
     Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
 };

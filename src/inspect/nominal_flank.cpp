@@ -84,8 +84,10 @@ NominalFlank::NominalFlank(profile::Profile flank, bool root_first, bool space)
       space_(space)
 {
     double length = 0;
-    for (auto const& piece : flank_->pieces)
+    for (auto const& piece : flank_->pieces) {
+        starts_.push_back(profile::start_of(piece.shape).point);
         ends_.push_back(length += length_to(piece.shape, 1));
+    }
 }
 
 FlankFoot NominalFlank::operator()(Vec2 const& p) const
@@ -101,6 +103,11 @@ double NominalFlank::arc_length(Vec2 const& foot) const
     double least = std::numeric_limits<double>::infinity(), at = 0;
     for (std::size_t i = 0; i < ends_.size(); ++i) {
         PieceShape const& shape = shape_of(*flank_, i);
+        // a point of the piece is no farther from its start than the piece is long
+        constexpr double margin = 2;
+        double const piece_length = ends_[i] - (i == 0 ? 0 : ends_[i - 1]);
+        if (std::isfinite(least) && (starts_[i] - foot).norm() > margin * piece_length)
+            continue;
         double const t = local_parameter(shape, foot);
         double const away = (profile::point_at(shape, t) - foot).squaredNorm();
         if (away < least) {

@@ -19,9 +19,27 @@ double position_of(RingData const& data, FlankFit const& fit)
     return data.radius(fit) * fit.turn;
 }
 
-double position_variance(RingData const& data, FlankFit const& fit)
+Eigen::RowVector3d position_row(RingData const& data, FlankFit const& fit)
+{
+    return data.radius(fit) * data.by_registration(fit).row(0);
+}
+
+/// Of the noise of its own points.
+double own_variance(RingData const& data, FlankFit const& fit)
 {
     return data.radius(fit) * data.radius(fit) * fit.covariance(0, 0);
+}
+
+double position_variance(RingData const& data, FlankFit const& fit)
+{
+    return own_variance(data, fit) + data.variance_of(position_row(data, fit));
+}
+
+/// Of the difference between the positions of two flanks.
+double difference_variance(RingData const& data, FlankFit const& a, FlankFit const& b)
+{
+    return own_variance(data, a) + own_variance(data, b) +
+           data.variance_of(position_row(data, b) - position_row(data, a));
 }
 
 /// The range of values along a flank: each point has the variance 1.
@@ -33,41 +51,18 @@ Uncertain range_along(std::vector<double> const& values, Intervals const& interv
     return range_of(candidates, intervals).figure;
 }
 
-/// Completes @p tooth. @returns whether its parabolas can be taken through 0
-bool find_radial_shift(RingData const& data, ToothFit& tooth)
+/// What the registration's error adds to the variance of a tooth's radial shift.
+double radial_variance(RingData const& data, FlankFit const& fit)
 {
-    FlankGroup const &left_group = data.fits[tooth.left].group, &right_group = data.fits[tooth.right].group;
-    constexpr int most_steps = 60;
-    double const rounding = data.part().tolerance().roundoff();
-    Placement at = data.placement;
-    Vec2 shift = Vec2::Zero();
-    for (int step = 0; step < most_steps; ++step) {
-        auto const left = flank_parabola(data.read, data.points, left_group, at);
-        auto const right = flank_parabola(data.read, data.points, right_group, at);
-        if (!left || !right)
-            return false;
-        Eigen::Matrix2d slopes;
-        slopes << left->by_shift.row(0), right->by_shift.row(0);
-        Eigen::Matrix2d const inverse = slopes.inverse();
-        Vec2 const by = -inverse * Vec2(left->coefficient[0], right->coefficient[0]);
-        if (!by.allFinite())
-            return false;
-        shift += by;
-        at.shift =
-            data.placement.shift + turned_clockwise(data.read.from_tooth(shift, left_group.tooth), data.placement.turn);
-        if (by.norm() <= rounding || step + 1 == most_steps) {
-            Vec2 const row = inverse.row(1).transpose().cwiseAbs2();
-            tooth.radial = shift.y();
-            tooth.radial_variance = row.x() * left->covariance(0, 0) + row.y() * right->covariance(0, 0);
-            return true;
-        }
-    }
-    return false;
+    Eigen::RowVector3d row(0, 0, 0);
+    row.tail<2>() = data.shift_of_tooth(fit.group.tooth).row(1);
+    return data.variance_of(row);
 }
 
 /// Amplitude and direction of the first harmonic of radial shifts round the ring.
-void add_eccentricity(PlaneFigures& plane, std::vector<Candidate> const& radial, std::vector<double> const& angle,
-                      Intervals const& intervals)
+/// @param own  variance of a tooth's radial shift by the noise of its own points, in the mean
+void add_eccentricity(RingData const& data, PlaneFigures& plane, std::vector<Candidate> const& radial,
+                      std::vector<double> const& angle, double own, Intervals const& intervals)
 {
     constexpr std::size_t fewest_teeth = 4;  // one more than a mean and a harmonic have coefficients
     constexpr double least_spread = 1e-3;    // of the pivots: some eighth of a turn
@@ -90,11 +85,10 @@ void add_eccentricity(PlaneFigures& plane, std::vector<Candidate> const& radial,
     Eigen::Matrix3d const inverse = (basis.transpose() * basis).inverse();
     double const size = harmonic.tail<2>().norm();
     Vec2 const along = size > 0 ? Vec2(harmonic.tail<2>() / size) : Vec2(0, 1);
-    double variance = 0;
-    for (Candidate const& each : radial)
-        variance += each.variance / static_cast<double>(radial.size());
     plane.circle = true;
-    plane.eccentricity = intervals.figure(size, variance * along.dot(inverse.bottomRightCorner<2, 2>() * along));
+    Eigen::RowVector3d row(0, along.x(), along.y());
+    plane.eccentricity =
+        intervals.figure(size, own * along.dot(inverse.bottomRightCorner<2, 2>() * along) + data.variance_of(row));
     plane.direction = std::atan2(harmonic[1], harmonic[2]);
 }
 
@@ -109,8 +103,7 @@ std::vector<Candidate> pitches_of(RingData const& data, std::vector<std::size_t>
         if (step != 1 || side.size() < 2)
             continue;
         pitches.push_back({std::abs(position_of(data, after) - position_of(data, before)),
-                           position_variance(data, after) + position_variance(data, before),
-                           data.number[side[(k + 1) % side.size()]]});
+                           difference_variance(data, before, after), data.number[side[(k + 1) % side.size()]]});
     }
     return pitches;
 }
@@ -134,12 +127,14 @@ SideFigures figures_of_side(RingData const& data, std::vector<FlankFigures> cons
     std::vector<Uncertain const*> slopes, crownings;
     std::vector<Candidate> positions;
     double slope_variance = 0, crowning_variance = 0;
+    Eigen::Matrix3d by_registration = Eigen::Matrix3d::Zero();
     for (std::size_t const i : side) {
         FlankFigures const& each = flanks[i];
         slopes.push_back(&each.slope);
         crownings.push_back(&each.crowning);
         slope_variance += 4 * data.fits[i].covariance(1, 1);
         crowning_variance += data.fits[i].covariance(2, 2);
+        by_registration += data.by_registration(data.fits[i]);
         positions.push_back({each.position.value, position_variance(data, data.fits[i]), each.tooth});
         if (each.form.value > found.form.value || found.form_tooth == 0) {
             found.form = each.form;
@@ -150,8 +145,8 @@ SideFigures figures_of_side(RingData const& data, std::vector<FlankFigures> cons
             found.total_tooth = each.tooth;
         }
     }
-    found.slope = mean_of(slopes, slope_variance, intervals);
-    found.crowning = mean_of(crownings, crowning_variance, intervals);
+    found.slope = mean_of(slopes, slope_variance + 4 * data.variance_of(by_registration.row(1)), intervals);
+    found.crowning = mean_of(crownings, crowning_variance + data.variance_of(by_registration.row(2)), intervals);
     auto const pitches = pitches_of(data, side);
     found.pitches = pitches.size();
     if (pitches.empty()) {
@@ -170,29 +165,20 @@ SideFigures figures_of_side(RingData const& data, std::vector<FlankFigures> cons
 
 }  // namespace
 
-std::vector<ToothFit> tooth_fits(RingData const& data)
-{
-    std::vector<ToothFit> teeth;
-    for (std::size_t i = 1; i < data.fits.size(); ++i) {
-        FlankGroup const &a = data.fits[i - 1].group, &b = data.fits[i].group;
-        ToothFit tooth{i - 1, i};
-        if (a.plane == b.plane && a.tooth == b.tooth && !a.right && b.right && find_radial_shift(data, tooth))
-            teeth.push_back(tooth);
-    }
-    return teeth;
-}
-
 std::vector<FlankFigures> flank_figures(RingData const& data, Intervals const& intervals)
 {
     std::vector<FlankFigures> figures;
     for (std::size_t i = 0; i < data.fits.size(); ++i) {
         FlankFit const& fit = data.fits[i];
         FlankParabola const& parabola = fit.parabola;
+        Eigen::Matrix3d const by_registration = data.by_registration(fit);
         figures.push_back({data.z[fit.group.plane], data.number[i], fit.group.right, parabola.points.size(),
                            intervals.figure(position_of(data, fit), position_variance(data, fit)),
                            range_along(parabola.deviation, intervals),
-                           intervals.figure(2 * parabola.coefficient[1], 4 * fit.covariance(1, 1)),
-                           intervals.figure(-parabola.coefficient[2], fit.covariance(2, 2)),
+                           intervals.figure(2 * parabola.coefficient[1],
+                                            4 * (fit.covariance(1, 1) + data.variance_of(by_registration.row(1)))),
+                           intervals.figure(-parabola.coefficient[2],
+                                            fit.covariance(2, 2) + data.variance_of(by_registration.row(2))),
                            range_along(parabola.remainder, intervals)});
     }
     return figures;
@@ -206,8 +192,8 @@ std::vector<ToothFigures> tooth_figures(RingData const& data, Intervals const& i
         NominalPlane const& plane = data.part().planes[left.group.plane];
         figures.push_back({data.z[left.group.plane], data.number[tooth.left],
                            intervals.figure(plane.thickness() + position_of(data, right) - position_of(data, left),
-                                            position_variance(data, right) + position_variance(data, left)),
-                           intervals.figure(tooth.radial, tooth.radial_variance)});
+                                            difference_variance(data, left, right)),
+                           intervals.figure(tooth.radial, tooth.radial_variance + radial_variance(data, left))});
     }
     return figures;
 }
@@ -234,15 +220,19 @@ std::vector<PlaneFigures> plane_figures(RingData const& data, Intervals const& i
     for (std::size_t plane = 0; plane < data.z.size(); ++plane) {
         std::vector<Candidate> radial;
         std::vector<double> angle;
-        double wider = 0, variance = 0;
+        double wider = 0, variance = 0, own = 0;
+        Eigen::RowVector3d row(0, 0, 0);
         for (ToothFit const& tooth : data.teeth) {
             FlankFit const &left = data.fits[tooth.left], &right = data.fits[tooth.right];
             if (left.group.plane != plane)
                 continue;
-            radial.push_back({tooth.radial, tooth.radial_variance, data.number[tooth.left]});
+            radial.push_back(
+                {tooth.radial, tooth.radial_variance + radial_variance(data, left), data.number[tooth.left]});
+            own += tooth.radial_variance;
             angle.push_back(left.group.tooth * data.part().pitch());
             wider += position_of(data, right) - position_of(data, left);
-            variance += position_variance(data, right) + position_variance(data, left);
+            variance += own_variance(data, right) + own_variance(data, left);
+            row += position_row(data, right) - position_row(data, left);
         }
         if (radial.empty())
             continue;
@@ -250,12 +240,13 @@ std::vector<PlaneFigures> plane_figures(RingData const& data, Intervals const& i
         PlaneFigures found;
         found.z = data.z[plane];
         found.teeth = radial.size();
-        found.thickness = intervals.figure(data.part().planes[plane].thickness() + wider / n, variance / (n * n));
+        found.thickness = intervals.figure(data.part().planes[plane].thickness() + wider / n,
+                                           (variance + data.variance_of(row)) / (n * n));
         FigureRange const runout = range_of(radial, intervals);
         found.runout = runout.figure;
         found.near_tooth = runout.from;
         found.far_tooth = runout.to;
-        add_eccentricity(found, radial, angle, intervals);
+        add_eccentricity(data, found, radial, angle, own / n, intervals);
         figures.push_back(found);
     }
     return figures;

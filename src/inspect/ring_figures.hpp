@@ -2,6 +2,7 @@
 // Figures of flanks, teeth, sides and planes from the fits of the flanks.
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "flank_fit.hpp"
@@ -27,9 +28,21 @@ struct RingData
     std::vector<FlankFit> fits;
     std::vector<int> number;      ///< of the tooth of each fit
     std::vector<ToothFit> teeth;  ///< see tooth_fits()
+    /// Of the unknowns of the registration, turn times reference radius and shifts, for noise of variance 1. 0 where
+    /// points share a registration so widely that their own noise is all.
+    Eigen::Matrix3d registration = Eigen::Matrix3d::Zero();
 
     [[nodiscard]] NominalPart const& part() const { return read.part(); }
     [[nodiscard]] double radius(FlankFit const& fit) const { return part().planes[fit.group.plane].reference_radius; }
+    /// A shift of the measured part in the frame of a tooth.
+    [[nodiscard]] Eigen::Matrix2d shift_of_tooth(int tooth) const;
+    /// Change of turn, b and -c of a flank with the unknowns of the registration.
+    [[nodiscard]] Eigen::Matrix3d by_registration(FlankFit const& fit) const;
+    /// Variance of what changes by @p row with the unknowns of the registration.
+    [[nodiscard]] double variance_of(Eigen::RowVector3d const& row) const
+    {
+        return row * registration * row.transpose();
+    }
 };
 
 /// The teeth of @p data that have both flanks. Their outward shift is that of the shift in the plane which takes the

@@ -5,12 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "base/text.hpp"
 #include "drive/drive.hpp"
 #include "hdconj/check.hpp"
+#include "hdconj/scene/schema.hpp"
 #include "hdconj/solve.hpp"
 #include "inspect/evaluation.hpp"
+#include "surface/build_slices.hpp"
 
 namespace hdconj {
 namespace {
@@ -20,52 +23,46 @@ using inspect::NominalPart;
 /// A measured plane that is as near a slice as this is that slice [mm].
 constexpr double slice_thickness = 1e-6;
 
-/// The outline of the circular spline at height @p z: that of a slice, or between two the points between matched ones.
-std::vector<Vec2> outline_at(CircularSplineOutline const& spline, double z)
+/// The slice at height @p z; none where no slice is there.
+std::optional<std::size_t> slice_at(CircularSplineOutline const& spline, double z)
 {
-    if (spline.z.size() < 2)
-        return spline.outline.front();
-    if (z < spline.z.front() - slice_thickness || z > spline.z.back() + slice_thickness)
-        throw InputError(Fault{"--plane", 0, short_number(z),
-                               fmt::format("the circular spline stands between z = {} and {} mm",
-                                           short_number(spline.z.front()), short_number(spline.z.back())),
-                               "measure within its width, z = 0 in the middle of the bearing"});
-    std::size_t above = 1;
-    while (above + 1 < spline.z.size() && spline.z[above] < z)
-        ++above;
-    double const share = std::clamp((z - spline.z[above - 1]) / (spline.z[above] - spline.z[above - 1]), 0.0, 1.0);
-    std::vector<Vec2> outline = spline.outline[above - 1];
-    for (std::size_t i = 0; i < outline.size(); ++i)
-        outline[i] += share * (spline.outline[above][i] - outline[i]);
-    return outline;
+    auto const found = std::ranges::find_if(spline.z, [&](double s) { return std::abs(s - z) <= slice_thickness; });
+    return found == spline.z.end() ? std::nullopt : std::optional<std::size_t>(found - spline.z.begin());
 }
 
-/// Error of an outline between two slices whose points do not move along straight lines: what the line from every
-/// second slice misses. The ruled and the tilted surface have straight lines.
-double error_between(CircularSplineOutline const& spline)
-{
-    double worst = 0;
-    for (std::size_t k = 1; k + 1 < spline.z.size(); ++k) {
-        double const share = (spline.z[k] - spline.z[k - 1]) / (spline.z[k + 1] - spline.z[k - 1]);
-        for (std::size_t i = 0; i < spline.outline[k].size(); ++i) {
-            Vec2 const& before = spline.outline[k - 1][i];
-            worst =
-                std::max(worst, (before + share * (spline.outline[k + 1][i] - before) - spline.outline[k][i]).norm());
-        }
-    }
-    return worst / 4;
-}
-
-void add_spline_planes(NominalPart& part, Solution const& solution, std::vector<double> const& z)
+/// Gives the circular spline a slice in each of the measured planes @p z.
+void take_measured_planes(Solution& solution, std::vector<double> const& z)
 {
     auto const& spline = solution.circular_spline;
-    part.frame = drive::spline_tooth_frame(solution.scene, solution.geometry);
+    double const first = spline.z.front(), last = spline.z.back();
+    std::vector<double> places{first, last};
     for (double const each : z) {
-        bool const slice = std::any_of(spline.z.begin(), spline.z.end(),
-                                       [&](double s) { return std::abs(s - each) <= slice_thickness; });
-        double const error = solution.error.point + (slice ? 0 : error_between(spline));
-        part.planes.push_back(
-            inspect::plane_of_outline(outline_at(spline, each), spline.pieces, part.seat, true, error));
+        if (each < first - slice_thickness || each > last + slice_thickness)
+            throw InputError(Fault{"--plane", 0, short_number(each),
+                                   fmt::format("the circular spline stands between z = {} and {} mm",
+                                               short_number(first), short_number(last)),
+                                   "measure within its width, z = 0 in the middle of the bearing"});
+        if (std::min(each - first, last - each) > slice_thickness)
+            places.push_back(each);
+    }
+    if (std::ranges::all_of(z, [&](double each) { return slice_at(spline, each).has_value(); }))
+        return;
+    std::ranges::sort(places);
+    Faults faults;
+    profile::Profile const tooth = drive::given_tooth(solution.scene, faults);
+    surface::move_slices(solution, tooth, drive::wave_shape(solution.scene, tooth, faults), places);
+}
+
+void add_spline_planes(NominalPart& part, Solution solution, std::vector<double> const& z)
+{
+    part.frame = drive::spline_tooth_frame(solution.scene, solution.geometry);
+    auto const& spline = solution.circular_spline;
+    bool const sliced = spline.z.size() > 1;  // else the outline is the same at any height
+    if (sliced)
+        take_measured_planes(solution, z);
+    for (double const each : z) {
+        auto const& outline = spline.outline[sliced ? slice_at(spline, each).value() : 0];
+        part.planes.push_back(inspect::plane_of_outline(outline, spline.pieces, part.seat, true, solution.error.point));
     }
 }
 
@@ -90,6 +87,15 @@ void add_flexspline_planes(NominalPart& part, Solution const& solution, std::vec
                                                         part.seat, false, solution.error.point));
 }
 
+/// The scene with outlines so fine that a curve through their points misses them by less than 1e-9 mm where they are
+/// smooth.
+Scene finely_drawn(Scene scene)
+{
+    constexpr double finer = 16;
+    scene.solver.tolerance = std::max(scene.solver.tolerance / finer, scene::bounds::least_tolerance);
+    return scene;
+}
+
 }  // namespace
 
 Inspection inspect_points(Scene const& scene, PointFile const& measured, InspectOptions const& options,
@@ -103,7 +109,7 @@ Inspection inspect_points(Scene const& scene, PointFile const& measured, Inspect
     part.teeth = part.space ? scene.drive.circular_spline_teeth : scene.drive.flexspline_teeth;
     PairGeometry geometry;
     if (part.space || scene.is_reverse()) {
-        Solution const solution = solve(scene, on_stage);
+        Solution const solution = solve(finely_drawn(scene), on_stage);
         geometry = solution.geometry;
         part.space ? add_spline_planes(part, solution, z) : add_flexspline_planes(part, solution, z);
     } else {

@@ -44,6 +44,16 @@ void take_tip(Solution& out, conjugate::MatchedOutline const& outline, TipCircle
         conjugate::land_half_angle(middle[outline.landmarks[0]], middle[outline.landmarks[4]], pitch);
 }
 
+SurfaceSpec spec_of(Scene const& scene)
+{
+    SurfaceSpec spec{scene.slices->surface, TiltKind::radial, 0};
+    if (scene.tilt && scene.tilt->angle != 0) {
+        spec.kind = scene.tilt->kind;
+        spec.tilt = scene.tilt->angle;
+    }
+    return spec;
+}
+
 }  // namespace
 
 void write_outlines(Solution& out, conjugate::MatchedOutline const& outline, profile::Profile const& tooth,
@@ -65,11 +75,7 @@ void build_slices(Solution& out, profile::Profile const& tooth, wavegen::AnyWave
 {
     Scene const& scene = out.scene;
     std::vector<double> const z = slice_places(scene.slices->count, scene.circular_spline.width.value_or(0));
-    SurfaceSpec spec{scene.slices->surface, TiltKind::radial, 0};
-    if (scene.tilt && scene.tilt->angle != 0) {
-        spec.kind = scene.tilt->kind;
-        spec.tilt = scene.tilt->angle;
-    }
+    SurfaceSpec const spec = spec_of(scene);
     bool const follows = scene.coning && spec.surface != ToothSurface::tilted;
     if (!follows && !spec.is_drafted())
         return repeat_outline(out, z, spec.tilt, clock);
@@ -83,6 +89,17 @@ void build_slices(Solution& out, profile::Profile const& tooth, wavegen::AnyWave
     if (!made.note.empty())
         out.notes.push_back(made.note);
     take_tip(out, made.outline, made.tip);
+}
+
+void move_slices(Solution& out, profile::Profile const& tooth, wavegen::AnyWaveShape const& shape,
+                 std::vector<double> const& z)
+{
+    Scene const& scene = out.scene;
+    SurfaceSpec const spec = spec_of(scene);
+    Solution const base = out;
+    ToothSurfaceBuilder builder(base, tooth, shape, z, out.threads);
+    write_outlines(out, builder.outline(spec, base.geometry.circular_spline_inner_radius, {scene.solver.tolerance}),
+                   tooth, z, spec.surface);
 }
 
 }  // namespace hdconj::surface
