@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -12,6 +11,7 @@
 
 #include "base/text.hpp"
 #include "mean_flank.hpp"
+#include "numeric/least_squares.hpp"
 #include "registration.hpp"
 #include "ring_figures.hpp"
 #include "zone_error.hpp"
@@ -192,7 +192,7 @@ Eigen::Matrix3d add_placement(Inspection& result, Fitted const& found, NominalPa
         error = zone.half_width.array() + intervals.systematic();
         of_figures = zone.covariance / (noise * noise);
     } else {
-        Eigen::MatrixXd const inverse = (rows.transpose() * rows).inverse();
+        Eigen::MatrixXd const inverse = numeric::covariance(rows);
         for (Eigen::Index i = 0; i < unknowns; ++i)
             error[i] = intervals.half_width(inverse(i, i));
     }

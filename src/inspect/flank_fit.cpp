@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "flank_fit.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -9,6 +8,7 @@
 
 #include "hdconj/base/rigid_motion.hpp"
 #include "hdconj/error.hpp"
+#include "numeric/least_squares.hpp"
 
 namespace hdconj::inspect {
 namespace {
@@ -61,7 +61,7 @@ std::vector<double> robust_remainders(FlankParabola const& parabola, double leng
 {
     constexpr int rounds = 30;
     auto const n = static_cast<Eigen::Index>(parabola.points.size());
-    Eigen::MatrixX3d basis(n, 3);
+    Eigen::MatrixXd basis(n, 3);
     Eigen::VectorXd const deviation = Eigen::VectorXd::Map(parabola.deviation.data(), n);
     Eigen::VectorXd remainder = Eigen::VectorXd::Map(parabola.remainder.data(), n);
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -71,8 +71,8 @@ std::vector<double> robust_remainders(FlankParabola const& parabola, double leng
     for (int round = 0; round < rounds; ++round) {
         double const least = std::max(remainder.cwiseAbs().maxCoeff() * least_weight, unit_roundoff * length);
         Eigen::VectorXd const root = remainder.cwiseAbs().cwiseMax(least).cwiseInverse().cwiseSqrt();
-        Eigen::Vector3d const fitted =
-            (root.asDiagonal() * basis).colPivHouseholderQr().solve(root.cwiseProduct(deviation));
+        Eigen::VectorXd const fitted =
+            numeric::LeastSquares(root.asDiagonal() * basis).solve(Eigen::VectorXd(root.cwiseProduct(deviation)));
         remainder = deviation - basis * fitted;
     }
     return {remainder.data(), remainder.data() + n};
@@ -110,8 +110,7 @@ std::optional<FlankParabola> flank_parabola(PointReader const& read, std::vector
     if (sorted.points.size() < fewest_points ||
         sorted.arc_length.back() - sorted.arc_length.front() < least_cover * length)
         return std::nullopt;
-    Eigen::MatrixX3d basis(n, 3);
-    Eigen::MatrixX4d right(n, 4);
+    Eigen::MatrixXd basis(n, 3), right(n, 4);
     for (Eigen::Index i = 0; i < n; ++i) {
         auto const k = static_cast<std::size_t>(i);
         PointView const& view = sorted.views[k];
@@ -120,15 +119,15 @@ std::optional<FlankParabola> flank_parabola(PointReader const& read, std::vector
         Vec2 const by_shift = -read.to_tooth(view.normal, group.tooth);
         right.row(i) << view.deviation, view.by_turn(), by_shift.x(), by_shift.y();
     }
-    Eigen::ColPivHouseholderQR<Eigen::MatrixX3d> const qr(basis);
-    if (qr.rank() < 3)
+    numeric::LeastSquares const fit(basis);
+    if (fit.rank() < 3)
         return std::nullopt;
-    Eigen::Matrix<double, 3, 4> const fitted = qr.solve(right);
+    Eigen::Matrix<double, 3, 4> const fitted = fit.solve(right);
     FlankParabola parabola;
     parabola.coefficient = fitted.col(0);
     parabola.by_turn = fitted.col(1);
     parabola.by_shift = fitted.rightCols<2>();
-    parabola.covariance = (basis.transpose() * basis).inverse();
+    parabola.covariance = numeric::covariance(basis);
     Eigen::VectorXd const remainder = right.col(0) - basis * parabola.coefficient;
     for (Eigen::Index i = 0; i < n; ++i) {
         parabola.deviation.push_back(right(i, 0));

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mean_flank.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <utility>
 
 #include "hdconj/base/rigid_motion.hpp"
 #include "hdconj/numeric/bracketed_root.hpp"
+#include "numeric/least_squares.hpp"
 
 namespace hdconj::inspect {
 namespace {
@@ -57,7 +57,7 @@ MeanDeviation mean_deviation(RingData const& data)
     Eigen::MatrixXd basis(n, terms);
     for (Eigen::Index i = 0; i < n; ++i)
         basis.row(i) = powers_of(xi[static_cast<std::size_t>(i)]);
-    mean.coefficient = basis.colPivHouseholderQr().solve(Eigen::VectorXd::Map(deviation.data(), n));
+    mean.coefficient = numeric::LeastSquares(basis).solve(Eigen::VectorXd(Eigen::VectorXd::Map(deviation.data(), n)));
     return mean;
 }
 

@@ -7,12 +7,12 @@
 // equal in size. The constraint that is violated most replaces the reference whose multiplier falls to 0 first, so that
 // t grows with each exchange. Placement by placement the program is solved again until its steps are roundings.
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "hdconj/error.hpp"
+#include "numeric/least_squares.hpp"
 #include "registration.hpp"
 
 namespace hdconj::inspect {
@@ -48,14 +48,14 @@ VectorXd constraint_of(MatrixXd const& rows, Reference const& at)
 std::vector<Reference> first_references(MatrixXd const& rows)
 {
     Index const n = rows.cols();
-    Eigen::ColPivHouseholderQR<MatrixXd> const qr(rows.transpose());
+    numeric::LeastSquares const independent(rows.transpose());
     MatrixXd chosen(n, n + 1);
     for (Index i = 0; i <= n; ++i)
-        chosen.col(i) = rows.row(qr.colsPermutation().indices()[i]).transpose();
+        chosen.col(i) = rows.row(independent.chosen(i)).transpose();
     VectorXd const weight = Eigen::FullPivLU<MatrixXd>(chosen).kernel().col(0);
     std::vector<Reference> first;
     for (Index i = 0; i <= n; ++i)
-        first.push_back({qr.colsPermutation().indices()[i], weight[i] < 0 ? -1.0 : 1.0});
+        first.push_back({independent.chosen(i), weight[i] < 0 ? -1.0 : 1.0});
     return first;
 }
 

@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "hdconj/error.hpp"
+#include "numeric/least_squares.hpp"
 
 namespace hdconj::inspect {
 namespace {
@@ -51,11 +51,10 @@ Eigen::VectorXd least_squares_step(std::vector<PointView> const& views, Placemen
         deviations[static_cast<Eigen::Index>(i)] = -views[i].deviation;
     if (rows.rows() < unknowns)
         refuse_loose(what.registration, views.size());
-    Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(rows);
-    qr.setThreshold(least_rank);
-    if (qr.rank() < unknowns)
+    numeric::LeastSquares const fit(rows, least_rank);
+    if (fit.rank() < unknowns)
         refuse_loose(what.registration, views.size());
-    return qr.solve(deviations);
+    return fit.solve(deviations);
 }
 
 /// Keeps the views on a flank, and the same points.

@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ring_figures.hpp"
 
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "hdconj/base/rigid_motion.hpp"
+#include "numeric/least_squares.hpp"
 
 namespace hdconj::inspect {
 namespace {
@@ -67,22 +66,21 @@ void add_eccentricity(RingData const& data, PlaneFigures& plane, std::vector<Can
     constexpr std::size_t fewest_teeth = 4;  // one more than a mean and a harmonic have coefficients
     constexpr double least_spread = 1e-3;    // of the pivots: some eighth of a turn
     auto const n = static_cast<Eigen::Index>(radial.size());
-    Eigen::MatrixX3d basis(n, 3);
+    Eigen::MatrixXd basis(n, 3);
     Eigen::VectorXd value(n);
     for (Eigen::Index i = 0; i < n; ++i) {
         auto const k = static_cast<std::size_t>(i);
         basis.row(i) << 1, std::sin(angle[k]), std::cos(angle[k]);
         value[i] = radial[k].value;
     }
-    Eigen::ColPivHouseholderQR<Eigen::MatrixX3d> qr(basis);
-    qr.setThreshold(least_spread);
-    if (radial.size() < fewest_teeth || qr.rank() < 3) {
+    numeric::LeastSquares const fit(basis, least_spread);
+    if (radial.size() < fewest_teeth || fit.rank() < 3) {
         plane.eccentricity = {unknown, unknown};
         plane.direction = unknown;
         return;
     }
-    Eigen::Vector3d const harmonic = qr.solve(value);
-    Eigen::Matrix3d const inverse = (basis.transpose() * basis).inverse();
+    Eigen::Vector3d const harmonic = fit.solve(value);
+    Eigen::Matrix3d const inverse = numeric::covariance(basis);
     double const size = harmonic.tail<2>().norm();
     Vec2 const along = size > 0 ? Vec2(harmonic.tail<2>() / size) : Vec2(0, 1);
     plane.circle = true;
