@@ -3,9 +3,8 @@
 // and a program that changes the file cuts it off.
 #pragma once
 
-#include <boost/crc.hpp>
-
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -16,7 +15,7 @@ namespace hdconj::io::hdf5 {
 class Checksum
 {
   public:
-    void add(std::string_view bytes) { crc_.process_bytes(bytes.data(), bytes.size()); }
+    void add(std::string_view bytes);
     /// "hdconj crc32 cbf43926\n" of what was added.
     [[nodiscard]] std::string line() const;
 
@@ -24,7 +23,7 @@ class Checksum
     static constexpr std::size_t line_length = mark.size() + 9;
 
   private:
-    boost::crc_32_type crc_;
+    std::uint32_t state_ = ~std::uint32_t{0};
 };
 
 /// Whether @p file ends with a line that does not fit the bytes before it. A file without one is of another program, or

@@ -57,8 +57,10 @@ void Sink::read(std::size_t at, std::size_t size, char* bytes) const
 std::string Sink::checksum_line() const
 {
     Checksum checksum;
+    std::string_view const held = std::string_view(held_).substr(0, end_);
+    checksum.add(held);
     std::string bytes;
-    for (std::size_t at = 0; at < end_; at += bytes.size()) {
+    for (std::size_t at = held.size(); at < end_; at += bytes.size()) {
         bytes.resize(std::min(beginning, end_ - at));
         read(at, bytes.size(), bytes.data());
         checksum.add(bytes);

@@ -6,6 +6,9 @@
 #include <sys/resource.h>
 #include <sys/stat.h>
 
+#include <fmt/format.h>
+#include <boost/crc.hpp>
+
 #include <algorithm>
 #include <csignal>
 #include <fstream>
@@ -170,6 +173,27 @@ TEST_CASE("an HDF5 file that outlives its sink writes nowhere")
     H5Fflush(file, H5F_SCOPE_GLOBAL);
     CHECK(sink->end() == 0);
     CHECK(sink->bytes() == "hdconj crc32 00000000\n");
+}
+
+TEST_CASE("the checksum is CRC-32, in pieces of any size", "[hdf5]")
+{
+    using io::hdf5::Checksum;
+    Checksum known;
+    known.add("123456789");  // the check value of the catalogue of CRCs
+    CHECK(known.line() == "hdconj crc32 cbf43926\n");
+    std::minstd_rand draw(2);
+    std::string bytes(5000, ' ');
+    for (char& byte : bytes)
+        byte = static_cast<char>(draw() % 256);
+    boost::crc_32_type other;
+    other.process_bytes(bytes.data(), bytes.size());
+    Checksum pieces;
+    for (std::size_t at = 0; at < bytes.size();) {
+        std::string const piece = bytes.substr(at, draw() % 30);
+        pieces.add(piece);
+        at += piece.size();
+    }
+    CHECK(pieces.line() == fmt::format("hdconj crc32 {:08x}\n", other.checksum()));
 }
 
 TEST_CASE("a result file with a changed byte is refused before the library opens it", "[hdf5]")
