@@ -14,7 +14,7 @@ template <class Number>
 void append_little_endian(std::string& bytes, Number number)
 {
     auto const raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);
-    bytes.append(raw.begin(), raw.end());
+    bytes.append(raw.data(), raw.size());
 }
 
 template <class Number>
