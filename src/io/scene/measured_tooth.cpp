@@ -49,8 +49,10 @@ void give_flexspline(Inspection const& inspection, std::vector<std::string>& cha
     changes.push_back(set("flexspline.wall", ring.wall + rest));
     changes.push_back(set("flexspline.neutral_offset", ring.neutral_offset + rest / 2));
     double const root = pitch_line_radius(inspection.geometry) + inspection.mean_flank.back().y();
-    changes.push_back(set("circular_spline.inner_radius", std::max(inspection.geometry.circular_spline_inner_radius,
-                                                                   root + least_clearance(inspection.scene))));
+    // the measured flank ends where the corner of the tip circle made it: there either may be longer by rounding
+    changes.push_back(
+        set("circular_spline.inner_radius",
+            std::max(inspection.geometry.circular_spline_inner_radius, root) + least_clearance(inspection.scene)));
 }
 
 /// The circular spline's tooth was solved for: it is given now, with the side clearance that it was cut with, and the

@@ -141,4 +141,23 @@ TEST_CASE("both members of a drive whose circular spline is given come back when
     }
 }
 
+TEST_CASE("a flexspline whose foot was made by the corner of the tip circle can be solved again", "[inspect]")
+{
+    // with the tip circle of the drive before, rounding leaves an interference of 43 nm at that corner
+    Scene const scene =
+        examine_scene_file(
+            HDCONJ_SOURCE_DIR "/data/scenes/circular-spline-given.toml",
+            {"circular_spline.profile.addendum=0.2040", "circular_spline.profile.convex_radius=0.5723",
+             "circular_spline.profile.convex_rise=-0.1906", "circular_spline.profile.concave_radius=0.5044",
+             "flexspline.addendum=0.2142", "wave_generator.radial_deformation=0.2213"})
+            .scene;
+    TemporaryFolder const folder;
+    Solution const before = solve(scene);
+    PointFile const file = points_of(before.flexspline_outline, before.flexspline_pieces,
+                                     before.geometry.r_m + before.geometry.pitch_line, scene.drive.flexspline_teeth);
+    Solution const after = solve(with_measured(scene, file, InspectedPart::flexspline, folder));
+    CHECK(after.certificate.certified());
+    CHECK(after.error.point < scene.solver.tolerance / 16 + 1e-12);
+}
+
 }  // namespace hdconj::test::as_tooth_cases
