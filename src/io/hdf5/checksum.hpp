@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -23,7 +22,7 @@ class Checksum
     static constexpr std::size_t line_length = mark.size() + 9;
 
   private:
-    std::uint32_t state_ = ~std::uint32_t{0};
+    unsigned long state_ = 0;
 };
 
 /// Whether @p file ends with a line that does not fit the bytes before it. A file without one is of another program, or
