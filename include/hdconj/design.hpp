@@ -172,8 +172,8 @@ inline constexpr std::array<std::string_view, 7> words_of<RuleStanding>{
 /// A drive beside a row of a design.
 struct ComparedRow
 {
-    std::string here;  ///< the drive's value as a scene writes it; empty: none
-    RuleStanding standing = RuleStanding::no_key;
+    std::string here;                              ///< the drive's value as a scene writes it; empty: none
+    RuleStanding standing = RuleStanding::no_key;  ///< where it stands against the rule
 };
 
 /// A drive against the design that its own wishes make.
@@ -186,6 +186,7 @@ struct SceneDesign
 
 /// The wishes that a scene stands for: i = z_f/(z_c - z_f), module, length of the cup over m z_f, torque of [load],
 /// family, side clearance. What a scene does not hold has its standard value.
+/// @param scene    of a drive
 /// @param derived  is given where each comes from; null: nobody asks
 /// @throws InputError for another difference of teeth or number of waves than two, for a tooth by points, and where the
 /// circular spline's tooth is the one that is given: the rules know none of them

@@ -78,12 +78,12 @@ struct EfficiencyRow
     double efficiency = 0;        ///< power of the output over that of the wave generator
     double efficiency_error = 0;  ///< this and the next error: 0 where RunLosses::estimated is false
     double input_torque = 0;  ///< that drives the wave generator; without torque on the output: no-load running torque
-    double input_torque_error = 0;
-    double flanks = 0;         ///< part of the input that sliding flanks take; its error is that of the input
-    double bearing_load = 0;   ///< that of the bearing under its balls' forces, Palmgren's M1
-    double bearing_speed = 0;  ///< that of the bearing's lubricant, Palmgren's M0
-    double seal = 0;           ///< of the seals
-    double churning = 0;       ///< of the lubricant around the wave generator
+    double input_torque_error = 0;  ///< [N mm]
+    double flanks = 0;              ///< part of the input that sliding flanks take; its error is that of the input
+    double bearing_load = 0;        ///< that of the bearing under its balls' forces, Palmgren's M1
+    double bearing_speed = 0;       ///< that of the bearing's lubricant, Palmgren's M0
+    double seal = 0;                ///< of the seals
+    double churning = 0;            ///< of the lubricant around the wave generator
 };
 
 /// What the drive loses, and what it takes to start it.

