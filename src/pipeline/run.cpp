@@ -209,7 +209,8 @@ RunStudy study_run(Scene const& scene, RunOptions const& options, StageObserver 
     std::unique_ptr<contact::ContactStudyData> const data =
         elastic ? load::contact_data(checked, on_stage).data
                 : std::make_unique<contact::ContactStudyData>(checked, Verb::load, on_stage);
-    data->plan = plan_run(checked, options);  // the drive is there: from here on the stages of run
+    // The drive is solved by the plan of `load`. The clock enters only stages of its plan: from here on those of `run`.
+    data->plan = plan_run(checked, options);
     RunStudy study;
     study.output = task.motion.output;
     study.ratio = task.motion.ratio();
