@@ -74,6 +74,8 @@ struct LoadMap
     /// (s,2,k) smallest in the loaded shape [mm]; of a loaded contact minus its Hertz approach
     std::vector<double> gap;
     std::vector<double> height;  ///< (s,2,k) of that point along the flank, 0 at the land corner ... 1 at the flank end
+    std::vector<double> tooth_force;        ///< (s) on the tooth in the space, both flanks and all slices together [N]
+    std::vector<double> tooth_force_error;  ///< (s) estimated discretisation error [N]; empty: not estimated
 
     /// Place of a node in the datasets over (s,2,k).
     [[nodiscard]] std::size_t index(std::size_t space, int flank, std::size_t slice) const
@@ -99,11 +101,12 @@ struct ContactForce
 /// Forces of the bearing at one torque over one sector of the ring.
 struct BearingMap
 {
-    std::vector<double> angle;       ///< (i) from the major axis [rad]
-    std::vector<double> z;           ///< (j) above the middle of the bearing [mm]
-    std::vector<double> force;       ///< (i,j) on the cup, outward [N]
-    std::vector<double> ball_angle;  ///< (b) [rad]; empty: a rigid bearing
-    std::vector<double> ball_force;  ///< (b) of single balls [N], of a line [N/mm]
+    std::vector<double> angle;                  ///< (i) from the major axis [rad]
+    std::vector<double> z;                      ///< (j) above the middle of the bearing [mm]
+    std::vector<double> force;                  ///< (i,j) on the cup, outward [N]
+    std::vector<double> ball_angle;             ///< (b) [rad]; empty: a rigid bearing
+    std::vector<double> ball_force;             ///< (b) of single balls [N], of a line [N/mm]
+    std::vector<double> ball_force_error = {};  ///< (b) estimated discretisation error; empty: not estimated
 };
 
 /// Two straight lines through a torque-twist curve, and their bend (thesis 5-2: C = dT/dphi in two stages).

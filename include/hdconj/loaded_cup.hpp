@@ -54,6 +54,7 @@ struct AssembledCup
     double ball_phi = 0;                    ///< its angle [rad]
     int balls = 0;                          ///< single balls that carry force
     bool estimated = false;                 ///< the following errors are estimated, as those of a LoadCase
+    double displacement_error = 0;          ///< of each w_major and w_minor [mm]
     double coning_major_error = 0;          ///< [rad]
     double coning_minor_error = 0;          ///< [rad]
     double wave_generator_force_error = 0;  ///< [N]

@@ -269,10 +269,12 @@ Rows<TwistMember> twist_member_rows()
 {
     using T = TwistMember;
     static constexpr std::array rows = {
-        figure<&T::stiffness>("stiffness", newton_metre_per_rad, "torque over its twist; 0: it has none",
-                              {"stiffness", table_number}),
-        figure<&T::twist>("twist", arcmin, "its part of the twist", {"twist", fixed<2>}),
-        figure<&T::fraction>("fraction", one, "of the whole twist", {"share", significant<3>, nullptr, &percent})};
+        pair<&T::stiffness, &T::stiffness_error>("stiffness", newton_metre_per_rad,
+                                                 "torque over its twist; 0: it has none",
+                                                 {"stiffness", table_number, two_digits}),
+        pair<&T::twist, &T::twist_error>("twist", arcmin, "its part of the twist", {"twist", fixed<2>, two_digits}),
+        pair<&T::fraction, &T::fraction_error>("fraction", one, "of the whole twist",
+                                               {"share", significant<3>, two_digits, &percent})};
     return Rows<T>(rows);
 }
 

@@ -50,6 +50,39 @@ double sum_of_twists(LoadCase const& each)
 
 }  // namespace
 
+TEST_CASE("forces of single teeth and balls and twists of members are within their errors", "[load][errors]")
+{
+    LoadOptions options;
+    options.curve = false;
+    auto const on = [&](char const* slices, char const* points) {
+        Keys keys{"compliance.hub=300000", "bearing.balls=23"};
+        keys.insert(keys.end(), {std::string("slices.count=") + slices, "contact.flank_points=" + std::string(points)});
+        return study_load(quick(keys), options).cases.front();
+    };
+    LoadCase const each = on("5", "80"), finer = on("17", "320");
+    REQUIRE(each.estimated);
+    REQUIRE(each.map.tooth_force_error.size() == finer.map.tooth_force.size());
+    for (std::size_t s = 0; s < each.map.tooth_force.size(); ++s) {
+        CAPTURE(s, each.map.tooth_force[s]);
+        CHECK(std::abs(each.map.tooth_force[s] - finer.map.tooth_force[s]) <= each.map.tooth_force_error[s]);
+    }
+    BearingMap const &balls = each.bearing, &of_finer = finer.bearing;
+    REQUIRE(balls.ball_force_error.size() == balls.ball_force.size());
+    for (std::size_t b = 0; balls.ball_force.size() == of_finer.ball_force.size() && b < balls.ball_force.size(); ++b)
+        CHECK(std::abs(balls.ball_force[b] - of_finer.ball_force[b]) <= balls.ball_force_error[b]);
+    REQUIRE(each.members.size() == finer.members.size());
+    for (std::size_t m = 0; m < each.members.size(); ++m) {
+        CAPTURE(each.members[m].name);
+        CHECK(std::abs(each.members[m].twist - finer.members[m].twist) <=
+              each.members[m].twist_error + 1e-15 * std::abs(each.members[m].twist));
+    }
+    options.errors = false;
+    LoadCase const bare = study_load(quick(), options).cases.front();
+    CHECK(bare.map.tooth_force_error.empty());
+    CHECK(bare.bearing.ball_force_error.empty());
+    CHECK(bare.members[1].twist_error == 0);
+}
+
 TEST_CASE("members in series add their compliance to every figure of the curve", "[load][compliance]")
 {
     LoadOptions options;

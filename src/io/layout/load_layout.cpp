@@ -42,6 +42,12 @@ void write_load_map(Writer const& place, LoadMap const& map)
     write_checked(place, "line_load", shape, map.line_load,
                   {"N/mm", "force per length along the axis", dims, Owner::result});
     write_checked(place, "pressure", shape, map.pressure, {"MPa", "Hertz pressure", dims, Owner::result});
+    auto const by_tooth = [&](char const* name, std::vector<double> const& values, char const* meaning) {
+        if (!values.empty())
+            write_checked(place, name, {map.angle.size()}, values, {"N", meaning, {"angle"}, Owner::result});
+    };
+    by_tooth("tooth_force", map.tooth_force, "sum of the forces on the tooth in each space");
+    by_tooth("tooth_force_error", map.tooth_force_error, "estimated error of tooth_force");
     write_checked(place, "gap", shape, map.gap, {"mm", "smallest gap of the loaded shape", dims, Owner::result});
     layout::write_named(place, figures::flank_position_of_gap, [&](char const* name) {
         write_checked(place, name, shape, map.height,
@@ -86,6 +92,10 @@ void write_bearing(Writer const& place, BearingMap const& bearing, int balls)
         place.numbers("ball_angle", bearing.ball_angle, {"rad", "angles of the balls", {"ball_angle"}});
         write_checked(place, ball.name, {bearing.ball_angle.size()}, bearing.ball_force,
                       {ball.unit.stored, "force of a ball, or of the line of balls", {"ball_angle"}});
+        if (!bearing.ball_force_error.empty())
+            write_checked(place, std::string(ball.name) + "_error", {bearing.ball_angle.size()},
+                          bearing.ball_force_error,
+                          {ball.unit.stored, "estimated error of that force", {"ball_angle"}});
     }
 }
 
@@ -115,7 +125,7 @@ void write_load_case(Writer const& place, LoadCase const& each, int balls)
     if (!each.members.empty())
         place.group("members", [&](Writer const& group) {
             group.texts("name", column(each.members, &TwistMember::name), "members in series", "member");
-            write_columns(group, "member", figures::twist_member_rows(), each.members);
+            write_columns(group, "member", figures::twist_member_rows(), each.members, "", each.estimated);
         });
     if (auto const names = figures::unconverged_figures(each, balls); !names.empty())
         place.texts("not_converged", names, "figures whose error exceeds a third of them", "figure");
@@ -166,6 +176,8 @@ void write_cup(Writer const& place, AssembledCup const& cup, int balls)
     layout::write_attributes(place, figures::assembled_cup_figures(balls), cup);
     place.attribute("ball_force", cup.ball_force);
     place.attribute("estimated", cup.estimated ? 1 : 0);
+    if (cup.estimated)
+        place.attribute("displacement_error_mm", cup.displacement_error);
     place.numbers("z", cup.z, {"mm", "slices", {"z"}});
     write_checked(place, "w_major", {cup.z.size()}, cup.w_major,
                   {"mm", "radial displacement at the major axis", {"z"}});

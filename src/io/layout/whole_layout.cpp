@@ -34,6 +34,7 @@ LoadStudy load_with_all(int balls)
     study.solution = solution_with_all();
     study.balls = balls;
     study.shape = {{0}, {0}, {{0, 0, 0}}, {0}, {0}, {0}, {0}, {0}};
+    study.cup.estimated = true;
     study.teeth = {0, {0}, {0}, {Vec2::Zero()}, {0}};
     study.pitch_errors = {{0}, {0}};
     LoadCase& each = study.cases.emplace_back();
@@ -44,9 +45,9 @@ LoadStudy load_with_all(int balls)
     each.estimated = true;
     each.error.twist = 1;  // more than a third: the figure is named as not converged
     each.contacts.emplace_back();
-    each.bearing = {{0}, {0}, {0}, {0}, {0}};
+    each.bearing = {{0}, {0}, {0}, {0}, {0}, {0}};
     LoadMap& map = each.map;
-    map.z = map.angle = {0};
+    map.z = map.angle = map.tooth_force = map.tooth_force_error = {0};
     map.force = map.line_load = map.pressure = map.gap = map.height = {0, 0};
     return study;
 }
@@ -58,6 +59,7 @@ RunStudy run_with_all()
     study.missing.emplace_back();
     RunSequence& sequence = study.sequences.emplace_back();
     sequence.torque = 1;
+    sequence.estimated = true;
     sequence.positions.emplace_back();
     sequence.orders.emplace_back();
     RunLosses& losses = study.losses.emplace();

@@ -68,7 +68,7 @@ CoarseBranch coarse_branch(TorqueContinuation const& coarse, TorqueBranch const&
         solved.push_back(loaded_state(coarse.problem, at, coarse.middle));
         which.push_back(i);
         if (i + 1 == count)
-            result.last_forces = at.forces;
+            result.last = at;
     }
     if (solved.empty())
         return result;

@@ -44,7 +44,7 @@ struct CoarsePath
 struct CoarseBranch
 {
     std::vector<std::optional<LoadedState>> states;  ///< one for each torque; none: no equilibrium
-    Eigen::MatrixXd last_forces;                     ///< on the cup at the last torque; empty: unknown
+    std::optional<LoadedDrive> last;                 ///< at the last torque; none: no equilibrium
 
     /// The states that there are.
     [[nodiscard]] std::vector<LoadedState> solved() const;

@@ -48,6 +48,19 @@ double bearing_distance(AssembledDrive const& a, AssembledDrive const& b)
                          a.model.drive.response.sectors());
 }
 
+/// Largest difference between the displacements of two grids in the slices of the coarse one, which the fine one has.
+double displacement_distance(AssembledCup const& fine, AssembledCup const& coarse)
+{
+    double worst = 0;
+    for (std::size_t k = 0, at = 0; k < coarse.z.size(); ++k) {
+        while (at + 1 < fine.z.size() && fine.z[at] < coarse.z[k])
+            ++at;
+        worst = std::max(
+            {worst, std::abs(fine.w_major[at] - coarse.w_major[k]), std::abs(fine.w_minor[at] - coarse.w_minor[k])});
+    }
+    return worst;
+}
+
 /// The middle one of @p values. Domain: at least one.
 double median(std::vector<double> values)
 {
@@ -111,16 +124,18 @@ void estimate_errors(contact::ContactContext const& context, DriveGrids const& d
 {
     double const safety = grid_safety(cup.z.size());
     std::vector<AssembledCup> coarser;
-    std::vector<double> balls;
+    std::vector<double> balls, displacements;
     for (AssembledDrive const& drive : drives.coarser) {
         coarser.push_back(assembled_cup(context, drive));
         balls.push_back(bearing_distance(drives.fine, drive));
+        displacements.push_back(displacement_distance(cup, coarser.back()));
     }
     auto const difference = [&](double AssembledCup::*figure) {
         std::vector<double> values(coarser.size());
         std::ranges::transform(coarser, values.begin(), figure);
         return grid_difference(cup.*figure, values);
     };
+    cup.displacement_error = safety * grid_difference(0, displacements);
     cup.coning_major_error = safety * difference(&AssembledCup::coning_major);
     cup.coning_minor_error = safety * difference(&AssembledCup::coning_minor);
     constexpr double force = 0.4, ball = 0.08;  // they converge faster than the shape

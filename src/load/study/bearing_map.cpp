@@ -65,18 +65,21 @@ LobeReaction lobe_reaction(BearingMap const& bearing, int sectors, int waves)
     return lobe;
 }
 
+double ball_force_at(BearingMap const& map, double angle, int sectors)
+{
+    std::size_t const count = map.ball_angle.size();
+    double const place =
+        (angle - map.ball_angle.front()) * sectors / (2 * std::numbers::pi) * static_cast<double>(count);
+    double const share = place - std::floor(place);
+    auto const at = static_cast<std::size_t>(std::floor(place)) % count;
+    return (1 - share) * map.ball_force[at] + share * map.ball_force[(at + 1) % count];
+}
+
 double ball_distance(BearingMap const& fine, BearingMap const& coarse, int sectors)
 {
-    std::size_t const count = fine.ball_angle.size();
     double worst = 0;
-    for (std::size_t b = 0; count > 0 && b < coarse.ball_angle.size(); ++b) {
-        double const place = (coarse.ball_angle[b] - fine.ball_angle.front()) * sectors / (2 * std::numbers::pi) *
-                             static_cast<double>(count);
-        double const share = place - std::floor(place);
-        auto const at = static_cast<std::size_t>(std::floor(place)) % count;
-        double const here = (1 - share) * fine.ball_force[at] + share * fine.ball_force[(at + 1) % count];
-        worst = std::max(worst, std::abs(here - coarse.ball_force[b]));
-    }
+    for (std::size_t b = 0; !fine.ball_angle.empty() && b < coarse.ball_angle.size(); ++b)
+        worst = std::max(worst, std::abs(ball_force_at(fine, coarse.ball_angle[b], sectors) - coarse.ball_force[b]));
     return worst;
 }
 

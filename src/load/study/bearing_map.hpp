@@ -28,6 +28,9 @@ struct LobeReaction
 };
 [[nodiscard]] LobeReaction lobe_reaction(BearingMap const& bearing, int sectors, int waves);
 
+/// Force at @p angle of the balls, interpolated between neighbours: exact at a ball. Domain: a map with balls.
+[[nodiscard]] double ball_force_at(BearingMap const& map, double angle, int sectors);
+
 /// Largest difference between the forces of the balls of two grids; of a line, interpolated between its points. Unlike
 /// the difference of the two peaks it is not small by chance.
 [[nodiscard]] double ball_distance(BearingMap const& fine, BearingMap const& coarse, int sectors);

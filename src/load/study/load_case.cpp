@@ -13,6 +13,7 @@
 #include "catalogue_figures.hpp"
 #include "hdconj/error.hpp"
 #include "load/grids/branch_on_grids.hpp"
+#include "load/grids/force_errors.hpp"
 #include "load/grids/grid_error.hpp"
 #include "load/model/cup_shape.hpp"
 #include "load_problem.hpp"
@@ -150,9 +151,9 @@ void enter_stress(contact::ContactContext const& context, DriveGrids const& driv
     if (!result.estimated)
         return;
     std::vector<double> others;
-    for (std::size_t g = 0; g < coarser.size() && coarser[g].last_forces.size() > 0; ++g) {
+    for (std::size_t g = 0; g < coarser.size() && coarser[g].last; ++g) {
         LoadModel const& coarse = drives.coarser[g].model;
-        elastic::HarmonicField const other = cup_field(coarse, coarser[g].last_forces, context.threads);
+        elastic::HarmonicField const other = cup_field(coarse, coarser[g].last->forces, context.threads);
         others.push_back(cup_stress(coarse, other, context.threads).peak.stress);
     }
     result.error.largest_stress =
@@ -185,8 +186,8 @@ SolvedCase load_case(contact::ContactContext const& context, DriveGrids const& d
         result.backlash_error = factor * grid_safety(flanks.slices()) * grid_difference(width_of(path.play), widths);
     }
 
-    BranchWithErrors const rated =
-        solve_curve(context, {path, coarser, compliance_of(drives.series)}, torques, observer, result);
+    PathsOnGrids const paths{path, coarser, compliance_of(drives.series)};
+    BranchWithErrors const rated = solve_curve(context, paths, torques, observer, result);
     LoadedState const& state = result.curve[result.rated];
     result.members = twist_members(state, free_twist(path, state.torque),
                                    cup_in_torsion(fine.model.drive, fine.model.radius), drives.series);
@@ -198,6 +199,7 @@ SolvedCase load_case(contact::ContactContext const& context, DriveGrids const& d
     result.estimated = !drives.coarser.empty() && result.curve_error[result.rated];
     if (result.estimated)
         result.error = *result.curve_error[result.rated];
+    enter_force_errors(paths, drives, rated.coarser, result);
     elastic::HarmonicField field = cup_field(fine.model, rated.branch.last.forces, context.threads);
     enter_stress(context, drives, field, rated.coarser, result);
     result.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -159,6 +159,9 @@ LoadMap load_map(LoadProblem const& problem, LoadedDrive const& loaded)
     FlankSearch const search = flank_search(problem, 0, 0);
     for (std::size_t s = 0; s < search.spaces; ++s)
         map.angle.push_back(field.space_angle(search.first_space + s));
+    map.tooth_force.assign(search.spaces, 0);
+    for (std::size_t i = 0; i < table.force.size(); ++i)
+        map.tooth_force[i / (2 * table.slices)] += table.force[i];
     map.force = std::move(table.force);
     map.line_load = std::move(table.line_load);
     map.pressure = std::move(table.pressure);

@@ -30,6 +30,8 @@ Json bearing_object(BearingMap const& bearing, States const& rows)
     }
     auto const& ball = rows["ball_force"];
     object[ball.json_key()] = list_of(bearing.ball_force, number);
+    auto const& errors = bearing.ball_force_error;
+    object["ball_force_error" + ball.unit.suffix()] = errors.empty() ? Json(nullptr) : list_of(errors, number);
     return object;
 }
 
@@ -53,7 +55,7 @@ Json load_case_object(LoadCase const& each, int balls)
     object["members"] = Json::array();
     for (TwistMember const& member : each.members) {
         object["members"].push_back({{"name", member.name}});
-        add_figures(object["members"].back(), figures::twist_member_rows(), member);
+        add_figures(object["members"].back(), figures::twist_member_rows(), member, each.estimated);
     }
     object["curve"] = Json::array();
     for (std::size_t i = 0; i < each.curve.size(); ++i) {
@@ -68,6 +70,7 @@ Json cup_object(AssembledCup const& cup, figures::Rows<AssembledCup> const& rows
 {
     Json object = figures_object(rows, cup);
     object["error"] = cup.estimated ? errors_object(rows, cup) : Json(nullptr);
+    object["displacement_error_mm"] = cup.estimated ? number(cup.displacement_error) : Json(nullptr);
     object["slices"] = Json::array();
     for (std::size_t k = 0; k < cup.z.size(); ++k) {
         object["slices"].push_back({{"z_mm", number(cup.z[k])},

@@ -58,11 +58,14 @@ void write_members(Page& page, LoadStudy const& study)
         if (each.members.empty())
             continue;
         page.line("\ntwist at {} of {}, member by member", rated_torque(study), figures::case_name(each));
-        page.line("  {:<28}{:>12}{:>10}{:>9}", "", "N m/rad", "arcmin", "%");
+        constexpr auto columns = "  {:<28}{:>12}{:>10}{:>10}{:>10}{:>9}";
+        page.line(columns, "", "N m/rad", "+-", "arcmin", "+-", "%");
         for (TwistMember const& member : each.members) {
             Told const told(rows, member);
-            page.line("  {:<28}{:>12}{:>10}{:>9}", member.name, member.stiffness != 0 ? told("stiffness") : "-",
-                      told("twist"), told("fraction"));
+            auto const error = [&](char const* name) { return each.estimated ? told.error(name) : "-"; };
+            bool const yields = member.stiffness != 0;
+            page.line(columns, member.name, yields ? told("stiffness") : "-", yields ? error("stiffness") : "-",
+                      told("twist"), error("twist"), told("fraction"));
         }
     }
 }
