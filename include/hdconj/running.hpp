@@ -35,15 +35,19 @@ struct RunPosition
     double error = 0;
     double wave_generator_torque = 0;  ///< without friction, from the forces of its bearing; unloaded: 0 [N mm]
     double torque_by_teeth = 0;        ///< the same from the forces of the teeth [N mm]
+    double error_error = 0;            ///< of `error` about its mean over the positions [rad]
+    double torque_error = 0;           ///< of both torques [N mm]
 };
 
 /// One order of a transmission error: amplitude cos(order angle - phase).
 struct RunOrder
 {
-    double per_input = 0;   ///< periods in a turn of the wave generator
-    double per_output = 0;  ///< periods in a turn of the output
-    double amplitude = 0;   ///< [rad]
-    double phase = 0;       ///< [rad]
+    double per_input = 0;        ///< periods in a turn of the wave generator
+    double per_output = 0;       ///< periods in a turn of the output
+    double amplitude = 0;        ///< [rad]
+    double phase = 0;            ///< [rad]
+    double amplitude_error = 0;  ///< [rad]
+    double phase_error = 0;      ///< pi where the amplitude is not known [rad]
 };
 
 /// Positions of the wave generator under one torque, and what their transmission error comes to.
@@ -65,7 +69,7 @@ struct RunSequence
     double mean_torque_error = 0;             ///< difference of the mean by teeth or of T/i, the larger one [N mm]
     double torque_ripple = 0;                 ///< its peak to peak [N mm]
     double torque_ripple_error = 0;           ///< largest difference of both ways about their means, twice [N mm]
-    bool estimated = false;                   ///< false: errors are 0 and mean nothing
+    bool estimated = false;                   ///< false: errors are 0, or too small, and mean nothing
     double seconds = 0;                       ///< wall time [s]
 };
 

@@ -45,12 +45,14 @@ constexpr auto both(std::array<Row, n> const& first, std::array<Row, m> const& s
 
 constexpr std::array place_rows = {
     figure<&RunPosition::angle>("angle", turn, "of the wave generator against the ring that is held"),
-    figure<&RunPosition::error>("error", arcsec, "transmission error: by how much the output is ahead")};
+    pair<&RunPosition::error, &RunPosition::error_error>(
+        "error", arcsec, "transmission error: by how much the output is ahead; its own error is that about the mean")};
 
 constexpr std::array torque_rows = {
-    figure<&RunPosition::wave_generator_torque>("wave_generator_torque", newton_metre,
-                                                "on the wave generator without friction, by its bearing"),
-    figure<&RunPosition::torque_by_teeth>("torque_by_teeth", newton_metre, "the same by the forces of the teeth")};
+    pair<&RunPosition::wave_generator_torque, &RunPosition::torque_error>(
+        "wave_generator_torque", newton_metre, "on the wave generator without friction, by its bearing"),
+    pair<&RunPosition::torque_by_teeth, &RunPosition::torque_error>("torque_by_teeth", newton_metre,
+                                                                    "the same by the forces of the teeth")};
 
 }  // namespace
 
@@ -87,9 +89,9 @@ Rows<RunOrder> run_order_rows()
         figure<&T::per_input>("per_input", one, "periods in a turn of the wave generator",
                               {"per input turn", significant<5>}),
         figure<&T::per_output>("per_output", one, "periods in a turn of the output"),
-        figure<&T::amplitude>("amplitude", arcsec, "of amplitude cos(per_input angle - phase)",
-                              {"amplitude", significant<3>}),
-        figure<&T::phase>("phase", turn, "of the same")};
+        pair<&T::amplitude, &T::amplitude_error>("amplitude", arcsec, "of amplitude cos(per_input angle - phase)",
+                                                 {"amplitude", significant<3>, two_digits}),
+        pair<&T::phase, &T::phase_error>("phase", turn, "of the same; an error of 180 degrees: not known")};
     return Rows<T>(rows);
 }
 

@@ -110,9 +110,7 @@ void run_prescribed(contact::ContactStudyData& data, running::RunTask const& tas
     double const angle = 2 * context.tolerance.length / context.geometry.r_m;
     for (auto const& [plan, under_torque] : planned_sequences(context.scene, task)) {
         RunSequence sequence = running::first_contacts(plan, task.motion, turn_at, observer);
-        sequence.peak_to_peak_error += 2 * angle;
-        sequence.rms_error += angle;
-        sequence.estimated = true;
+        running::add_shape_error(sequence, angle);
         add(std::move(sequence), study);
     }
     pipeline::write_part(study.solution, data, spec, surface.tip, surface.offset);

@@ -17,6 +17,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+constexpr double single = 3;  // of the error of a single position or order over that of the sequence
+
 /// Peak to peak and root mean square about the mean.
 struct Spread
 {
@@ -49,17 +51,55 @@ std::vector<double> column(std::vector<RunPosition> const& positions, double Run
     return result;
 }
 
-void enter_orders(RunSequence& sequence, SpanPlan const& plan, RunningMotion const& motion)
+/// Harmonics of @p values at the positions of @p sequence, of which there are @p per_input in a turn of the wave
+/// generator.
+std::vector<Harmonic> harmonics_of(RunSequence const& sequence, std::vector<double> const& values, double per_input)
 {
     constexpr int most_orders = 200;
-    int const highest = std::min(most_orders, (static_cast<int>(sequence.positions.size()) - 1) / 2);
-    double const per_input = motion.held_teeth() / plan.period;
     std::vector<double> x;
     for (RunPosition const& each : sequence.positions)
         x.push_back(per_input * each.angle);
-    for (Harmonic const& each : harmonics(x, column(sequence.positions, &RunPosition::error), highest))
+    return harmonics(x, values, std::min(most_orders, (static_cast<int>(x.size()) - 1) / 2));
+}
+
+void add_amplitude_error(RunOrder& order, double error)
+{
+    order.amplitude_error += error;
+    order.phase_error =
+        order.amplitude_error < order.amplitude ? std::asin(order.amplitude_error / order.amplitude) : std::numbers::pi;
+}
+
+/// Orders above the highest one look like lower ones: with N positions jN + k for every j like k. An error with kinks
+/// has amplitudes that fall as c/k^2, with c from the upper half of the orders; all that look like k come to
+/// c((pi/N)^2/sin(pi k/N)^2 - 1/k^2). None where the positions are all there are.
+void enter_orders(RunSequence& sequence, SpanPlan const& plan, RunningMotion const& motion)
+{
+    double const per_input = motion.held_teeth() / plan.period;
+    for (Harmonic const& each : harmonics_of(sequence, column(sequence.positions, &RunPosition::error), per_input))
         sequence.orders.push_back(
             {each.order * per_input, each.order * per_input * motion.ratio(), each.amplitude, each.phase});
+    auto const count = static_cast<double>(sequence.positions.size());
+    std::size_t const half = sequence.orders.size() / 2;
+    bool const complete = plan.span != RunSpan::tooth_pitch && count >= plan.period;
+    double beyond = 0;  // amplitude times the square of the order
+    for (std::size_t i = half; !complete && i < sequence.orders.size(); ++i)
+        beyond = std::max(beyond, sequence.orders[i].amplitude * std::pow(static_cast<double>(i + 1), 2));
+    for (std::size_t i = 0; i < sequence.orders.size(); ++i) {
+        auto const k = static_cast<double>(i + 1);
+        double const all = std::numbers::pi / count / std::sin(std::numbers::pi * k / count);
+        add_amplitude_error(sequence.orders[i], beyond * (all * all - 1 / (k * k)));
+    }
+}
+
+/// Sizes of @p values, none less than their root mean square: a single one may be small by chance.
+std::vector<double> at_least_the_usual(std::vector<double> values)
+{
+    double squares = 0;
+    for (double const value : values)
+        squares += value * value / static_cast<double>(values.size());
+    for (double& value : values)
+        value = std::max(std::abs(value), std::sqrt(squares));
+    return values;
 }
 
 void enter_torque(RunSequence& sequence, RunningMotion const& motion)
@@ -71,10 +111,13 @@ void enter_torque(RunSequence& sequence, RunningMotion const& motion)
     double const by_energy = sequence.torque / motion.ratio();
     sequence.mean_torque_error = std::max(std::abs(torque.mean - by_teeth.mean), std::abs(torque.mean - by_energy));
     sequence.torque_ripple = torque.peak_to_peak;
+    std::vector<double> apart;
     for (RunPosition const& each : sequence.positions)
-        sequence.torque_ripple_error =
-            std::max(sequence.torque_ripple_error,
-                     2 * std::abs(each.wave_generator_torque - torque.mean - (each.torque_by_teeth - by_teeth.mean)));
+        apart.push_back(std::abs(each.wave_generator_torque - torque.mean - (each.torque_by_teeth - by_teeth.mean)));
+    sequence.torque_ripple_error = 2 * *std::ranges::max_element(apart);
+    std::vector<double> const errors = at_least_the_usual(apart);
+    for (std::size_t i = 0; i < errors.size(); ++i)
+        sequence.positions[i].torque_error = sequence.mean_torque_error + 2 * errors[i];
 }
 
 /// Places of a sequence one after the other; those that @p act has no result for are told and left out.
@@ -154,6 +197,29 @@ void add_grid_error(RunSequence& sequence, RunSequence const& coarse, double saf
     Spread const spread = spread_of(difference);
     sequence.peak_to_peak_error += safety * spread.peak_to_peak;
     sequence.rms_error += safety * spread.rms;
+    if (!sequence.orders.empty()) {
+        // what noise of this size has in a single order
+        double const usual = 2 * spread.rms / std::sqrt(static_cast<double>(difference.size()));
+        std::vector<Harmonic> const orders = harmonics_of(sequence, difference, sequence.orders.front().per_input);
+        for (std::size_t k = 0; k < orders.size(); ++k)
+            add_amplitude_error(sequence.orders[k], single * safety * std::max(orders[k].amplitude, usual));
+    }
+    for (double& each : difference)
+        each -= spread.mean;
+    std::vector<double> const errors = at_least_the_usual(difference);
+    for (std::size_t i = 0; i < errors.size(); ++i)
+        sequence.positions[i].error_error += single * safety * errors[i];
+    sequence.estimated = true;
+}
+
+void add_shape_error(RunSequence& sequence, double angle)
+{
+    sequence.peak_to_peak_error += 2 * angle;
+    sequence.rms_error += angle;
+    for (RunOrder& each : sequence.orders)
+        add_amplitude_error(each, angle);
+    for (RunPosition& each : sequence.positions)
+        each.error_error += angle;
     sequence.estimated = true;
 }
 

@@ -27,13 +27,17 @@ struct SpanPlan
 [[nodiscard]] SpanPlan whole_pitch_plan(RunSpan span, int period, int positions);
 
 /// Enters orders, peak to peak, rms, and the figures of the torque. Errors are those of the positions: how peak to peak
-/// and rms change at most where either half of them, every second one, is left out. Those of the torque are the
-/// differences of both of its ways, that of its mean also the difference from T/i.
+/// and rms change at most where either half of them, every second one, is left out; of an order, what higher ones look
+/// like it. Those of the torque are the differences of both of its ways, that of its mean also the difference from T/i.
 void enter_figures(RunSequence& sequence, SpanPlan const& plan, RunningMotion const& motion);
 
-/// Adds the error of the grid: what peak to peak and rms of the difference of both grids come to, times @p safety.
+/// Adds the error of the grid: what peak to peak and rms of the difference of both grids come to, times @p safety. Two
+/// grids may agree by chance in a single position or order: these get no less than what is usual, with a larger factor.
 /// @param coarse  the same positions on the coarse grid
 void add_grid_error(RunSequence& sequence, RunSequence const& coarse, double safety);
+
+/// Adds what an error of the shape of up to @p angle at each position comes to [rad].
+void add_shape_error(RunSequence& sequence, double angle);
 
 /// Who asks for positions, and is told of them.
 struct SequenceObserver

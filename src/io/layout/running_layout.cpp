@@ -17,10 +17,11 @@ void write_sequence(Writer const& place, RunSequence const& sequence)
     place.attribute("estimated", sequence.estimated ? 1 : 0);
     place.attribute("seconds", sequence.seconds);
     layout::write_attributes(place, figures::run_sequence_figures(under_torque), sequence);
-    layout::write_columns(place, "position", figures::run_position_rows(under_torque), sequence.positions);
+    layout::write_columns(place, "position", figures::run_position_rows(under_torque), sequence.positions, "",
+                          sequence.estimated);
     if (!sequence.orders.empty())
         place.group("spectrum", [&](Writer const& group) {
-            layout::write_columns(group, "order", figures::run_order_rows(), sequence.orders);
+            layout::write_columns(group, "order", figures::run_order_rows(), sequence.orders, "", sequence.estimated);
         });
 }
 

@@ -13,10 +13,11 @@ Json sequence_object(RunSequence const& sequence)
     Json object = {{"span", to_string(sequence.span)}, {"torque_Nm", number(sequence.torque * per_newton_metre)}};
     add_figures(object, figures::run_sequence_figures(under_torque), sequence, sequence.estimated);
     object["positions"] = list_of(sequence.positions, [&](RunPosition const& each) {
-        return figures_object(figures::run_position_rows(under_torque), each);
+        return figures_object(figures::run_position_rows(under_torque), each, sequence.estimated);
     });
-    object["spectrum"] =
-        list_of(sequence.orders, [](RunOrder const& each) { return figures_object(figures::run_order_rows(), each); });
+    object["spectrum"] = list_of(sequence.orders, [&](RunOrder const& each) {
+        return figures_object(figures::run_order_rows(), each, sequence.estimated);
+    });
     return object;
 }
 

@@ -37,7 +37,10 @@ void write_sequence(Page& page, RunSequence const& sequence)
     std::string orders;
     for (std::size_t i = 0; i < std::min(shown, largest.size()); ++i) {
         Told const told(figures::run_order_rows(), largest[i]);
-        orders += (i > 0 ? ", " : "") + told.with_unit("amplitude") + " at " + told("per_input");
+        std::string const amplitude = sequence.estimated
+                                          ? told_with_error(figures::run_order_rows(), largest[i], "amplitude", true)
+                                          : told.with_unit("amplitude");
+        orders += (i > 0 ? ", " : "") + amplitude + " at " + told("per_input");
     }
     if (!orders.empty())
         page.line("  largest orders            {} per input turn", orders);

@@ -78,6 +78,68 @@ TEST_CASE("positions at whole pitches are whole and fill the period", "[running]
     CHECK(running::whole_pitch_plan(RunSpan::input_turn, 12, 32).pitches.size() == 12);
 }
 
+namespace {
+
+running::RunningMotion motion_of_200()
+{
+    Drive drive;
+    drive.flexspline_teeth = 200;
+    drive.circular_spline_teeth = 202;
+    return {drive, RunningMember::flexspline};
+}
+
+/// A transmission error over one tooth pitch, whose place runs from -1/2 to 1/2.
+template <class Function>
+RunSequence sequence_of(int positions, Function error)
+{
+    running::SpanPlan const plan = running::tooth_pitch_plan(positions);
+    running::RunningMotion const motion = motion_of_200();
+    RunSequence sequence;
+    for (double const pitches : plan.pitches)
+        sequence.positions.push_back({.angle = pitches * motion.pitch(), .error = error(pitches)});
+    running::enter_figures(sequence, plan, motion);
+    return sequence;
+}
+
+}  // namespace
+
+TEST_CASE("a position's error is that about the mean, and none is small by chance", "[running]")
+{
+    auto const fine = [](double at) { return std::cos(2 * pi * at); };
+    auto const coarse = [](double at) { return 5 + std::cos(2 * pi * at) + 0.1 * std::sin(4 * pi * at); };
+    RunSequence sequence = sequence_of(16, fine);
+    RunSequence const before = sequence;
+    running::add_grid_error(sequence, sequence_of(16, coarse), 1);
+    CHECK(sequence.estimated);
+    double const rms = 0.1 / std::sqrt(2);
+    for (std::size_t i = 0; i < sequence.positions.size(); ++i) {
+        double const at = static_cast<double>(i) / 16 - 0.5, apart = std::abs(0.1 * std::sin(4 * pi * at));
+        CHECK(sequence.positions[i].error == before.positions[i].error);
+        CHECK(sequence.positions[i].error_error >= 2 * std::max(apart, rms));
+    }
+    REQUIRE(sequence.orders.size() == 7);
+    CHECK(sequence.orders[1].amplitude_error - before.orders[1].amplitude_error >= 0.2);
+    CHECK(sequence.orders[1].phase_error == pi);  // its amplitude is nothing but error
+    CHECK(sequence.orders[0].phase_error < 0.3);
+    // the shape's own error comes on top
+    double const one = sequence.positions[3].error_error;
+    running::add_shape_error(sequence, 0.5);
+    CHECK(sequence.positions[3].error_error == Approx(one + 0.5));
+}
+
+TEST_CASE("errors of orders contain what higher orders look like them", "[running]")
+{
+    // kinks: a triangle and the ripple of a rectified sine, whose orders do not end
+    for (auto const& error :
+         {+[](double at) { return std::abs(at); }, +[](double at) { return std::abs(std::sin(pi * at + 0.3)); }}) {
+        RunSequence const few = sequence_of(16, error), many = sequence_of(401, error);
+        for (std::size_t k = 0; k < few.orders.size(); ++k) {
+            CAPTURE(k);
+            CHECK(std::abs(few.orders[k].amplitude - many.orders[k].amplitude) <= few.orders[k].amplitude_error);
+        }
+    }
+}
+
 TEST_CASE("viscosity goes through both values and falls between them", "[running]")
 {
     Friction friction;
