@@ -367,6 +367,49 @@ class Reports(unittest.TestCase):
                 "all => all.map(each => each.getAttribute('points').trim())")
         self.assertEqual(still, drawn)
 
+    def test_every_curve_and_bar_has_its_error(self):
+        scene = f"{SOURCE}/data/scenes/type-50-elastic.toml"
+        keys = ("--set", "slices.count=5", "--set", "running.positions=4")
+        told = json.loads(hdconj("load", scene, "--set", "slices.count=5", "--no-curve", "--json", "-q", "-o",
+                                 f"{FOLDER.name}/bands.h5"))["load"]
+        with Page(report("bands", scene, *keys, "--no-curve", "--with", "load,run")) as page:
+            see(page, "load")
+            members = page.locator("#load figure:has(table)").locator("tr")
+            shown = {row.locator("th").inner_text(): row.locator("td").all_inner_texts() for row in members.all()}
+            for member in told["cases"][0]["members"]:
+                value, error, unit = shown[member["name"]]
+                self.assertAlmostEqual(float(value), member["twist_arcmin"], delta=member["twist_error_arcmin"])
+                self.assertAlmostEqual(float(error[2:]), member["twist_error_arcmin"],
+                                       delta=0.05 * member["twist_error_arcmin"])
+                self.assertEqual(unit, "arcmin")
+            forces = page.locator("#load svg.chart:has(.bars)")
+            self.assertEqual(forces.count(), 2)  # of teeth and of the bearing
+            self.assertEqual(page.locator("#load svg.chart:has(.bars) .whiskers").count(), 2)
+            forces.first.scroll_into_view_if_needed()
+            forces.first.hover()
+            self.assertIn("±", forces.first.locator("xpath=..").locator(".reading").inner_text())
+            for legend in page.locator("#load .legend:has(.bar)").all():
+                self.assertIn("±", legend.inner_text())
+            see(page, "run")
+            charts = page.locator("#run svg.chart")
+            self.assertEqual(charts.count(), page.locator("#run svg.chart:has(.band), "
+                                                          "#run svg.chart:has(.whiskers)").count())
+            see(page, "axial")
+            self.assertEqual(page.locator("#axial svg.chart .band").count(), 2)
+
+    def test_gaps_and_wire_without_scripts(self):
+        with Page(report("still", TYPE_50, "--with", "contact,wedm"), java_script_enabled=False) as opened:
+            titles = opened.locator("figure:has(svg.chart) figcaption").all_inner_texts()
+            self.assertEqual(titles, ["Smallest gap of each flank, left flank",
+                                      "Smallest gap of each flank, right flank",
+                                      "Wire path at one tooth space, lower face"])
+            for picture in opened.locator("svg.chart").all()[:2]:
+                self.assertGreater(picture.locator("path").count(), 3)  # a path for each colour
+            # nearly a pitch of the circular spline is seen, its contour inside the picture
+            contour = opened.locator("svg.chart").last.locator("path").first.bounding_box()
+            self.assertGreater(contour["width"], 300)
+            self.assertGreater(contour["height"], 50)
+
     def assert_map_is_the_program_s(self, page, rows):
         """Every third of the computed points is read off the map; contours have labels."""
         picture = page.locator("#run svg.chart:has(.contours)")

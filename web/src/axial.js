@@ -16,10 +16,13 @@ export function axialView(drive) {
   const contact = groupAt(drive.results.contact, "contact");
   const all = contact && groupAt(contact, "map") ? casesView(drive, contact) : [];
   const cup = groupAt(drive.results.load, "load/cup");
-  if (column(cup, "z").length)
+  if (column(cup, "z").length) {
+    const error = cup?.attributes?.displacement_error_mm;
     all.push(chart(say("coning"), say("height"), say("radial"), ["w_major", "w_minor"].map((name) => ({
       name: say(name === "w_major" ? "atMajor" : "atMinor"), x: column(cup, "z"),
-      y: Array.from(column(cup, name), (w) => w * 1000) }))));
+      y: Array.from(column(cup, name), (w) => w * 1000),
+      error: typeof error === "number" ? Array.from(column(cup, "z"), () => error * 1000) : undefined }))));
+  }
   if (!contact) all.push(surfaceFigure(drive, undefined, null));
   const shown = all.filter(Boolean);
   return shown.length ? make("div", { class: "figures" }, ...shown) : null;

@@ -84,7 +84,7 @@ function onPoint(picture, act) {
 
 /** A figure around a picture, with the reading at the pointer.
  * @param {string} title @param {Element} picture
- * @param {HTMLElement} reading @param {...Node} more */
+ * @param {HTMLElement} reading @param {...(Node|string)} more */
 function framed(title, picture, reading, ...more) {
   return make("figure", {}, make("figcaption", {}, title), picture, reading, ...more);
 }
@@ -141,26 +141,32 @@ export function chart(title, xLabel, yLabel, series) {
   return framed(title, picture, reading, names);
 }
 
-/** Bars, one for each x.
+/** Bars of what is never negative, one for each x, with their errors as thin lines where they are known.
  * @param {string} title @param {string} xLabel @param {string} yLabel @param {ArrayLike<number>} xs
- * @param {ArrayLike<number>} values */
-export function bars(title, xLabel, yLabel, xs, values) {
+ * @param {ArrayLike<number>} values @param {ArrayLike<number>} [errors]  empty or nothing: not known */
+export function bars(title, xLabel, yLabel, xs, values, errors = []) {
   const ends = range([xs]), beside = 0.03 * (ends[1] - ends[0]) || 0.5, xr = [ends[0] - beside, ends[1] + beside];
-  const yr = range([values, [0]]);
+  const bounds = [-1, 1].map((sign) => Array.from(values, (v, i) => Math.max(0, v + sign * (errors[i] || 0))));
+  const [yr, isCut] = shownRange(range([values, [0]]), range([...bounds, [0]]));
   const x = scale(xr[0], xr[1], left, width - right), y = scale(yr[0], yr[1], height - bottom, top);
   const picture = svg("svg", { "viewBox": `0 0 ${width} ${height}`, "class": "chart", "role": "img",
     "aria-label": title },
     axes(x, y, xr, yr, xLabel, yLabel));
   const path = Array.from(xs, (v, i) => `M${x(v).toFixed(1)} ${y(0).toFixed(1)}V${y(values[i]).toFixed(1)}`).join("");
-  picture.append(svg("path", { class: "bars s0", d: path }));
+  picture.append(svg("path", { class: errors.length ? "bars s0 known" : "bars s0", d: path }));
+  if (errors.length)
+    picture.append(svg("path", { class: "whiskers", d: Array.from(xs, (v, i) => errors[i] > 0
+      ? `M${x(v).toFixed(1)} ${bounds.map((b) => y(within(b[i], yr)).toFixed(1)).join("V")}` : "").join("") }));
   const reading = make("div", { class: "reading" }, say("hoverHint"));
   onPoint(picture, (e) => {
     const box = picture.getBoundingClientRect(), px = (e.clientX - box.left) / box.width * width;
     let best = 0;
     for (let i = 1; i < xs.length; ++i) if (Math.abs(x(xs[i]) - px) < Math.abs(x(xs[best]) - px)) best = i;
-    reading.textContent = `${shown(xs[best])}: ${shown(values[best])}`;
+    const error = errors.length ? errors[best] : null;
+    reading.textContent = `${shown(xs[best])}: ${shown(values[best], error)}${
+      error === null ? "" : ` ± ${shownError(error)}`}`;
   });
-  return framed(title, picture, reading);
+  return framed(title, picture, reading, isCut ? make("div", { class: "names" }, say("bandCut")) : "");
 }
 
 /**

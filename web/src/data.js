@@ -71,6 +71,13 @@ export function valuesOf(group, [, value, stated]) {
     (i < errors.length && (!estimated || known[i] !== 0) ? errors[i] : null) };
 }
 
+/** The error of row @p index of a figure; null where none is known.
+ * @param {Group|undefined} group @param {string} name @param {number} index */
+export function errorOf(group, name, index) {
+  const place = ((group && group.figures) || []).find((each) => each[0] === name && !each[5]);
+  return group && place ? valuesOf(group, place).errorAt(index) : null;
+}
+
 /** Every figure of a group and of those within it.
  * @param {string} part @param {Group} group @param {string} path @param {Figure[]} into */
 function collect(part, group, path, into) {
@@ -100,14 +107,14 @@ export function figuresOf(drive) {
   return all.sort((a, b) => Number(a.index >= 0) - Number(b.index >= 0)); // single figures before tables
 }
 
-/** A figure to the digits that its error leaves, seven without one.
+/** A figure to the digits that its error leaves, to the error's second; seven without one.
  * @param {number} value @param {number|null} [error] */
 export function shown(value, error) {
   if (!Number.isFinite(value)) return "–";
   if (value === 0 || (Number.isInteger(value) && !error)) return String(value);
   if (error && error > 0) {
     const digits = Math.floor(Math.log10(Math.abs(value))) - Math.floor(Math.log10(error)) + 2;
-    return tidy(value.toPrecision(Math.min(15, Math.max(2, digits))));
+    return digits < 1 ? "0" : tidy(value.toPrecision(Math.min(15, digits)));
   }
   return tidy(value.toPrecision(7));
 }

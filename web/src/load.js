@@ -2,7 +2,7 @@
 // The drive under torque.
 
 import { bars, chart, heatMap, strong } from "./chart.js";
-import { brief, column, groupAt, shown, shownError } from "./data.js";
+import { brief, column, errorOf, groupAt, isUnknown, shown, shownError } from "./data.js";
 import { choice, colour, legend, make, onTheme, remember, remembered } from "./dom.js";
 import { keyFigures } from "./keys.js";
 import { say } from "./texts.js";
@@ -51,11 +51,11 @@ function caseFigures(load, index) {
       curveOf(say("stiffness"), say("torque"), say("stiffnessUnit"), "torque", newtonMetre, "stiffness", perArcmin),
       curveOf(say("torqueTwist"), say("torque"), say("twist"), "torque", newtonMetre, "twist", arcminute),
       curveOf(say("pressure"), say("torque"), say("pressureUnit"), "torque", newtonMetre, "flank_pressure", 1));
-  all.push(...mapFigures(groupAt(group, "map"), (load.attributes && load.attributes.sectors) || 1));
+  all.push(...mapFigures(load, index, groupAt(group, "map")));
   const bearing = groupAt(group, "bearing"), balls = column(bearing, "ball_force");
   if (balls.length)
     all.push(bars(say("balls"), say("sectionAngle") + " [°]", say("force"), by(column(bearing, "ball_angle"),
-      degree), balls));
+      degree), balls, column(bearing, "ball_force_error")));
   const members = groupAt(group, "members");
   const names = members && members.datasets && members.datasets.name && members.datasets.name.texts;
   if (names) {
@@ -65,42 +65,53 @@ function caseFigures(load, index) {
         make("td", {}, e.length ? shown(twist[i], e[i] / arcminute) : brief(twist[i])),
         make("td", {}, e.length ? "± " + shownError(e[i] / arcminute) : ""), make("td", {}, "arcmin")))))));
   }
-  const cup = index === ((load.attributes && load.attributes.written_case) || 0) ? cupSection(groupAt(load, "shape"))
+  const cup = index === ((load.attributes && load.attributes.written_case) || 0) ? cupSection(load, index)
     : null;
   return make("div", { class: "figures" }, ...all, ...(cup ? [cup] : []));
 }
 
+/** The end of a scale of colours: the largest value, and the error that the program states of it.
+ * @param {import("./data.js").Group} load @param {number} index @param {string} name @param {number} largest
+ * @param {string} unit */
+function scaleEnd(load, index, name, largest, unit) {
+  const error = errorOf(load, name, index);
+  return error === null ? `${brief(largest)} ${unit}` : `${shown(largest, error)} ± ${shownError(error)} ${unit}${
+    isUnknown(largest, error) ? `, ${say("notDetermined")}` : ""}`;
+}
+
 /** Forces and pressures over all teeth: a sector repeats around the ring.
- * @param {import("./data.js").Group|undefined} map @param {number} sectors */
-function mapFigures(map, sectors) {
-  const angle = column(map, "angle"), z = column(map, "z"), force = column(map, "force");
-  const pressure = column(map, "pressure");
+ * @param {import("./data.js").Group} load @param {number} index
+ * @param {import("./data.js").Group|undefined} map */
+function mapFigures(load, index, map) {
+  const sectors = (load.attributes && load.attributes.sectors) || 1;
+  const angle = column(map, "angle"), z = column(map, "z");
+  const pressure = column(map, "pressure"), known = column(map, "tooth_force_error");
   if (!angle.length) return [];
   const turn = 2 * Math.PI / sectors;
   const places = Array.from({ length: sectors * angle.length }, (_, i) => {
     const a = angle[i % angle.length] + turn * Math.floor(i / angle.length);
     return { s: i % angle.length, at: (a - 2 * Math.PI * Math.floor(a / (2 * Math.PI) + 0.5)) / degree };
   }).sort((a, b) => a.at - b.at);
-  const sum = places.map(({ s }) => {
-    let all = 0;
-    for (let i = 0; i < 2 * z.length; ++i) all += force[s * 2 * z.length + i];
-    return all;
-  });
+  const force = column(map, "force"), nodes = 2 * z.length;
+  const onTooth = column(map, "tooth_force").length ? column(map, "tooth_force")
+    : angle.map((_, s) => force.slice(s * nodes, (s + 1) * nodes).reduce((all, f) => all + f, 0)); // of older files
+  const sum = places.map(({ s }) => onTooth[s]);
   const largest = pressure.reduce((a, b) => Math.max(a, b), 0) || 1;
   const xs = places.map((place) => place.at);
   /** @param {number} i @param {number} k */
   const value = (i, k) => Math.max(pressure[places[i].s * 2 * z.length + k],
     pressure[(places[i].s * 2 + 1) * z.length + k]) || NaN; // nothing is painted where no force is
-  return [bars(say("toothForces"), say("spaceAngle"), say("force"), xs, sum),
+  return [bars(say("toothForces"), say("spaceAngle"), say("force"), xs, sum,
+    known.length ? places.map(({ s }) => known[s]) : []),
     heatMap(say("pressureMap"), say("spaceAngle"), say("height"), xs, z, value, (v) => strong(v / largest),
-      make("span", {}, legend("0", `${brief(largest)} MPa`, true),
+      make("span", {}, legend("0", scaleEnd(load, index, "largest_pressure", largest, "MPa"), true),
         make("span", { class: "legend" }, say("white")))).figure];
 }
 
 /** The cup's section coloured by stress, at an angle that one chooses.
- * @param {import("./data.js").Group|undefined} shape */
-function cupSection(shape) {
-  const stress = column(shape, "stress"), r = column(shape, "r"), z = column(shape, "z");
+ * @param {import("./data.js").Group} load @param {number} index */
+function cupSection(load, index) {
+  const shape = groupAt(load, "shape"), stress = column(shape, "stress"), r = column(shape, "r"), z = column(shape, "z");
   const cells = column(shape, "cells"), phi = column(shape, "phi");
   if (!stress.length) return null;
   const kept = shape && shape.datasets && shape.datasets.stress.every ? shape.datasets.stress.every[1] : 1;
@@ -148,7 +159,7 @@ function cupSection(shape) {
   } });
   return make("figure", {}, make("figcaption", {}, say("stress")), canvas,
     make("label", { class: "wide" }, say("sectionAngle") + " ", slider), reading,
-    legend("0", `${brief(largest)} MPa`, true));
+    legend("0", scaleEnd(load, index, "largest_stress", largest, "MPa"), true));
 }
 
 /** @param {import("./data.js").Drive} drive */

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view of the teeth in mesh: controls, keys, readings.
 
-import { column, groupAt, shownError } from "./data.js";
+import { column, errorOf, groupAt, shown, shownError } from "./data.js";
 import { choice, legend, make, onTheme, remember, remembered, toggle } from "./dom.js";
 import { keyFigures } from "./keys.js";
 import { caseNames } from "./load.js";
@@ -241,7 +241,9 @@ function teethView(drive, loaded, show) {
     say("outlines")} ${shownError(drive.outline_error * 1000)} um.`;
   return make("div", { class: "view" }, controls, canvas,
     make("div", { class: "readings" }, make("span", {}, say("pointer") + " ", pointed),
-      make("span", {}, say("smallest") + " ", least), make("span", {}, say("gaps") + " ", legend("0", "50 um"))),
+      make("span", {}, say("smallest") + " ", least), make("span", {}, say("gaps") + " ", legend("0", "50 um")),
+      ...["flexspline", "spline", "generator"].map((part) => make("span", { class: `patch ${part}` },
+        say(part === "spline" ? "housing" : /** @type {"flexspline"|"generator"} */ (part))))),
     still ? make("p", { class: "loaded" }, loadedNote(drive, still)) : computed,
     make("p", { class: "note" }, say(still ? "loadedHelp" : "meshHelp") + " " + accuracy));
 }
@@ -252,9 +254,10 @@ function loadedNote(drive, mesh) {
   const load = groupAt(drive.results.load, "load"), index = load?.attributes?.written_case || 0;
   const map = groupAt(load, `case_${String(index).padStart(3, "0")}/map`);
   const torque = Number(((map?.attributes?.torque_Nmm || 0) / 1000).toPrecision(4));
-  const twist = Number((column(load, "twist")[index] / degree * 60).toPrecision(3));
+  const minutes = 60 / degree, twist = column(load, "twist")[index] * minutes, known = errorOf(load, "twist", index);
+  const error = known === null ? null : known * minutes;
   return `${say("loadedAt")} ${torque} N m, ${say("loadedCase")} ${caseNames(load)[index]}: ${say("loadedTwist")} ${
-    twist} arcmin, ${say("loadedAngle")} ${(mesh.loadedAngle / degree + 0).toFixed(2)}°. ${say("loadedTrue")}`;
+    shown(twist, error)}${error === null ? "" : ` ± ${shownError(error)}`} arcmin, ${say("loadedAngle")} ${(mesh.loadedAngle / degree + 0).toFixed(2)}°. ${say("loadedTrue")}`;
 }
 
 /** A length in um to 0.01, no minus before zero.

@@ -37,9 +37,11 @@ function sequencesOf(running) {
 function spectrum(group, title) {
   const room = 40, order = column(groupAt(group, "spectrum"), "per_input");
   const amplitude = by(column(groupAt(group, "spectrum"), "amplitude"), arcsecond);
+  const error = by(column(groupAt(group, "spectrum"), "amplitude_error"), arcsecond);
   const kept = amplitude.map((_, i) => i).sort((a, b) => amplitude[b] - amplitude[a]).slice(0, room)
     .sort((a, b) => a - b);
-  return bars(title, say("orders"), say("amplitude"), kept.map((i) => order[i]), kept.map((i) => amplitude[i]));
+  return bars(title, say("orders"), say("amplitude"), kept.map((i) => order[i]), kept.map((i) => amplitude[i]),
+    error.length ? kept.map((i) => error[i]) : []);
 }
 
 /** Efficiency against torque, a curve for each speed and temperature.
@@ -110,11 +112,13 @@ export function runningView(drive) {
     const peaks = span ? `${say("peakToPeak")} ${shown(span[1], span[2])}${span[2] === null ? ""
       : ` ± ${shownError(span[2])}`} arcsec` : name;
     const made = [chart(`${say("transmissionError")}: ${name}`, say("generatorAngle"), say("ahead"),
-      [{ name: peaks, x: angle, y: aboutMean(by(column(group, "error"), arcsecond)) }]),
+      [{ name: peaks, x: angle, y: aboutMean(by(column(group, "error"), arcsecond)),
+        error: by(column(group, "error_error"), arcsecond) }]),
     spectrum(group, `${say("spectrum")}: ${name}`)];
     if (torque)
       made.push(chart(`${say("generatorTorque")}: ${name}`, say("generatorAngle"), say("generatorTorqueUnit"),
-        [{ name, x: angle, y: by(column(group, "wave_generator_torque"), newtonMetre) }]));
+        [{ name, x: angle, y: by(column(group, "wave_generator_torque"), newtonMetre),
+          error: by(column(group, "wave_generator_torque_error"), newtonMetre) }]));
     return made;
   });
   return make("div", { class: "figures" }, card(drive, running, losses), ...figures,

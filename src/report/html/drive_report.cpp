@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Computes the parts of a report.
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "hdconj/error.hpp"
@@ -91,19 +93,21 @@ ReportedDrive complete_drive(ReportedDrive drive, ReportOptions const& options, 
     bool const is_loaded =
         parts.contains("load") ||
         (parts.contains("run") && parts.at("run").at("groups").at("running").at("attributes").value("elastic", 0) != 0);
-    for (ReportPart const part :
-         {ReportPart::contact, ReportPart::load, ReportPart::run, ReportPart::wedm, ReportPart::design}) {
+    for (ReportPart const part : {ReportPart::contact, ReportPart::load, ReportPart::run, ReportPart::wedm}) {
         std::string const name(to_string(part));
         if (!drive.stored->parts.contains(name))
             drive.left_out.push_back({name,
                                       "the result file holds none; hdconj report SCENE --with " + name + " has it",
                                       is_asked(options, part)});
     }
+    Scene const& scene = drive.solution.scene;
+    bool const has_design = is_asked(options, ReportPart::design);
+    try_part(drive, "design", has_design, [&] { drive.design = design_beside(solve(scene, on_stage)); });
     try_part(drive, "teeth in mesh", true, [&] {
-        Scene const& scene = drive.solution.scene;
         drive.teeth =
             turning_teeth(is_loaded ? loaded_scene(scene) : scene, drive.solution.circular_spline.z, on_stage);
-        drive.origin += " The motion of the teeth was computed from the scene that the file holds.";
+        drive.origin += fmt::format(" The motion of the teeth {}computed from the scene that the file holds.",
+                                    drive.design ? "and the comparison with the design rules were " : "was ");
     });
     return drive;
 }

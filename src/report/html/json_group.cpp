@@ -124,6 +124,44 @@ std::vector<double> array_values(Json const& array)
     return type == "f8" ? numbers_in<double>(bytes) : type == "f4" ? numbers_in<float>(bytes) : numbers_in<int>(bytes);
 }
 
+std::vector<double> column_of(Json const& group, char const* name, double unit)
+{
+    Json const sets = group.value("datasets", Json::object());
+    if (!sets.contains(name))
+        return {};
+    std::vector<double> values = array_values(sets.at(name));
+    for (double& value : values)
+        value /= unit;
+    return values;
+}
+
+Json group_at(Json const& root, std::initializer_list<std::string> path)
+{
+    Json const* group = &root;
+    for (std::string const& name : path) {
+        if (!group->contains("groups") || !group->at("groups").contains(name))
+            return Json::object();
+        group = &group->at("groups").at(name);
+    }
+    return *group;
+}
+
+std::vector<Json> groups_of(Json const& group, std::string_view beginning)
+{
+    std::vector<Json> found;
+    Json const groups = group.value("groups", Json::object());
+    for (auto const& [name, each] : groups.items())
+        if (name.starts_with(beginning))
+            found.push_back(each);
+    return found;
+}
+
+double attribute_of(Json const& group, char const* name)
+{
+    Json const attributes = group.value("attributes", Json::object());
+    return attributes.contains(name) && attributes.at(name).is_number() ? attributes.at(name).get<double>() : 0;
+}
+
 void JsonGroup::group(std::string const& name, std::function<void(io::layout::GroupSink&)> const& fill)
 {
     if (left_.contains(name))

@@ -2,6 +2,7 @@
 // The layout of a result as JSON, arrays in base64.
 #pragma once
 
+#include <initializer_list>
 #include <set>
 #include <string>
 #include <string_view>
@@ -20,6 +21,18 @@ namespace hdconj::report {
 
 /// The numbers of such an array.
 [[nodiscard]] std::vector<double> array_values(Json const& array);
+
+/// A column of such a group as @p unit; empty where there is none.
+[[nodiscard]] std::vector<double> column_of(Json const& group, char const* name, double unit = 1);
+
+/// A number among the attributes of such a group; 0 where there is none.
+[[nodiscard]] double attribute_of(Json const& group, char const* name);
+
+/// The group at the end of a path; empty where there is none.
+[[nodiscard]] Json group_at(Json const& root, std::initializer_list<std::string> path);
+
+/// The groups in such a group whose names begin with @p beginning, in their order.
+[[nodiscard]] std::vector<Json> groups_of(Json const& group, std::string_view beginning);
 
 /// A group as {attributes, datasets, groups, figures}.
 class JsonGroup final : public io::layout::GroupSink

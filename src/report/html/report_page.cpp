@@ -21,7 +21,9 @@
 #include "page_parts.hpp"
 #include "report/json/design_object.hpp"
 #include "static_chart.hpp"
+#include "static_map.hpp"
 #include "static_picture.hpp"
+#include "static_wire.hpp"
 #include "stored_result.hpp"
 
 namespace hdconj::report {
@@ -247,10 +249,13 @@ std::string script_data(Json const& data)
 std::string static_part(std::vector<ReportedDrive> const& drives, Json const& data)
 {
     std::string html;
-    for (std::size_t i = 0; i < drives.size(); ++i)
+    for (std::size_t i = 0; i < drives.size(); ++i) {
+        Json const& results = data[i].at("results");
         html += "<h2>" + escaped(drives[i].solution.scene.drive.name) + "</h2>" + static_picture(drives[i]) +
-                static_charts(data[i].at("results")) + "<pre>" +
+                "<div class=\"figures\">" + static_gap_maps(results.value("contact", Json::object())) +
+                static_charts(results) + static_wire_path(results.value("wedm", Json::object())) + "</div><pre>" +
                 escaped(data[i].at("text").get_ref<std::string const&>()) + "</pre>";
+    }
     return html;
 }
 

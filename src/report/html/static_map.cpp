@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "static_map.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <map>
+#include <vector>
+
+#include "hdconj/units.hpp"
+#include "static_axes.hpp"
+
+namespace hdconj::report {
+namespace static_cells {  // many sources are one translation unit
+namespace {
+
+constexpr double largest_shown = 20 * um, interference = 0.01 * um;
+
+/// Cividis in its light form, as web/src/dom.js has it: a small gap is dark, a large one light, interference vermilion.
+std::string colour_of(double gap)
+{
+    constexpr std::array<std::array<int, 3>, 6> cividis{
+        {{0, 32, 77}, {49, 68, 107}, {102, 105, 112}, {149, 144, 120}, {203, 186, 105}, {255, 234, 70}}};
+    if (gap < -interference)
+        return "#d55e00";
+    double const place = std::clamp(gap / largest_shown, 0.0, 1.0) * (cividis.size() - 1);
+    auto const at = std::min(static_cast<std::size_t>(place), cividis.size() - 2);
+    std::array<long, 3> mixed{};
+    for (std::size_t i = 0; i < 3; ++i)
+        mixed[i] = std::lround(cividis[at][i] + (cividis[at + 1][i] - cividis[at][i]) * (place - double(at)));
+    return fmt::format("#{:02x}{:02x}{:02x}", mixed[0], mixed[1], mixed[2]);
+}
+
+/// Borders between the cells around @p places, with those of the outer cells.
+std::vector<double> borders(std::vector<double> const& places)
+{
+    double const step = places.size() > 1 ? places[1] - places[0] : 1;
+    std::vector<double> all{places.front() - step / 2};
+    for (std::size_t i = 1; i < places.size(); ++i)
+        all.push_back((places[i - 1] + places[i]) / 2);
+    all.push_back(places.back() + (all.size() > 1 ? places.back() - all.back() : step / 2));
+    return all;
+}
+
+}  // namespace
+}  // namespace static_cells
+
+std::string static_gap_maps(Json const& contact)
+{
+    using namespace static_cells;
+    Json const map = group_at(contact, {"contact", "map"});
+    std::vector<double> const angle = column_of(map, "angle", deg), z = column_of(map, "z"),
+                              gap = column_of(map, "gap");
+    if (angle.empty() || z.empty() || gap.empty())
+        return "";
+    std::size_t const points = gap.size() / (angle.size() * 2 * z.size());
+    std::vector<double> const xs = borders(angle), ys = borders(z);
+    Axis const x = horizontal_axis(xs.front(), xs.back()), y = vertical_axis(ys.front(), ys.back());
+    std::string html;
+    for (std::size_t flank = 0; flank < 2; ++flank) {
+        std::map<std::string, std::string> cells;  // a path for each colour
+        for (std::size_t s = 0; s < angle.size(); ++s)
+            for (std::size_t k = 0; k < z.size(); ++k) {
+                auto const first = gap.begin() + static_cast<std::ptrdiff_t>(((s * 2 + flank) * z.size() + k) * points);
+                double const smallest = *std::min_element(first, first + static_cast<std::ptrdiff_t>(points));
+                fmt::format_to(std::back_inserter(cells[colour_of(smallest)]), "M{:.1f} {:.1f}H{:.1f}V{:.1f}H{:.1f}Z",
+                               x(xs[s]), y(ys[k]), x(xs[s + 1]), y(ys[k + 1]), x(xs[s]));
+            }
+        std::string drawing;
+        for (auto const& [colour, path] : cells)
+            drawing += fmt::format("<path fill=\"{}\" d=\"{}\"/>", colour, path);
+        html += static_figure(
+            fmt::format("Smallest gap of each flank, {} flank", flank == 0 ? "left" : "right"),
+            drawing + axes_svg(x, y, "tooth space, degrees from the major axis", "z [mm]"),
+            "<span>dark: touches</span><span>light: 20 um and more</span><span>vermilion: interference</span>");
+    }
+    return html;
+}
+
+}  // namespace hdconj::report
