@@ -127,7 +127,8 @@ struct GridPair
     [[nodiscard]] double safety_of_sequences() const { return safety / 4; }
 };
 
-/// A sequence with its errors; that until both rings meet is too long for a second grid.
+/// A sequence with its errors. That until both rings meet is too long for a second grid: it has those of the turn of
+/// the wave generator that was computed before it.
 void run_elastic_sequence(PlannedSequence const& planned, GridPair const& drives, running::RunTask const& task,
                           SequenceObserver const& observer, RunStudy& study)
 {
@@ -142,6 +143,10 @@ void run_elastic_sequence(PlannedSequence const& planned, GridPair const& drives
     RunSequence sequence = sequence_of(drives.fine, observer);
     if (drives.coarse != nullptr && plan.span != RunSpan::output_turn)
         running::add_grid_error(sequence, sequence_of(*drives.coarse, silent), drives.safety_of_sequences());
+    if (plan.span == RunSpan::output_turn)
+        for (RunSequence const& each : study.sequences)
+            if (each.span == RunSpan::input_turn && each.torque == 0)
+                running::add_error_of(sequence, each);
     add(std::move(sequence), study);
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double single = 3;  // of the error of a single position or order over that of the sequence
+constexpr double single = 3.5;  // of the error of a single position or order over that of the sequence
 
 /// Peak to peak and root mean square about the mean.
 struct Spread
@@ -51,15 +51,34 @@ std::vector<double> column(std::vector<RunPosition> const& positions, double Run
     return result;
 }
 
-/// Harmonics of @p values at the positions of @p sequence, of which there are @p per_input in a turn of the wave
-/// generator.
-std::vector<Harmonic> harmonics_of(RunSequence const& sequence, std::vector<double> const& values, double per_input)
+/// Harmonics of @p values at the positions of @p sequence.
+/// @param per_input  periods in a turn of the wave generator
+/// @param highest    order
+std::vector<Harmonic> harmonics_of(RunSequence const& sequence, std::vector<double> const& values, double per_input,
+                                   std::size_t highest)
 {
-    constexpr int most_orders = 200;
     std::vector<double> x;
     for (RunPosition const& each : sequence.positions)
         x.push_back(per_input * each.angle);
-    return harmonics(x, values, std::min(most_orders, (static_cast<int>(x.size()) - 1) / 2));
+    return harmonics(x, values, static_cast<int>(highest));
+}
+
+/// The highest order that the positions tell: less than half of them, and where some have no result less than half a
+/// period over the widest gap. Positions that are rounded to whole pitches stand up to a pitch further apart.
+std::size_t highest_order(RunSequence const& sequence, SpanPlan const& plan, double pitch)
+{
+    constexpr std::size_t most_orders = 200;
+    std::size_t const count = sequence.positions.size(), highest = std::min(most_orders, (count - 1) / 2);
+    if (count == plan.pitches.size())
+        return highest;
+    double const rounded =
+        plan.span != RunSpan::tooth_pitch && static_cast<double>(plan.pitches.size()) < plan.period ? 1 : 0;
+    double widest = sequence.positions.front().angle / pitch + plan.period - sequence.positions.back().angle / pitch;
+    for (std::size_t i = 1; i < count; ++i)
+        widest = std::max(widest, (sequence.positions[i].angle - sequence.positions[i - 1].angle) / pitch);
+    constexpr double rounding = 1e-9;  // of a quotient that is whole
+    return std::min(highest,
+                    static_cast<std::size_t>(std::ceil(plan.period / (2 * (widest - rounded)) - rounding)) - 1);
 }
 
 void add_amplitude_error(RunOrder& order, double error)
@@ -75,7 +94,8 @@ void add_amplitude_error(RunOrder& order, double error)
 void enter_orders(RunSequence& sequence, SpanPlan const& plan, RunningMotion const& motion)
 {
     double const per_input = motion.held_teeth() / plan.period;
-    for (Harmonic const& each : harmonics_of(sequence, column(sequence.positions, &RunPosition::error), per_input))
+    for (Harmonic const& each : harmonics_of(sequence, column(sequence.positions, &RunPosition::error), per_input,
+                                             highest_order(sequence, plan, motion.pitch())))
         sequence.orders.push_back(
             {each.order * per_input, each.order * per_input * motion.ratio(), each.amplitude, each.phase});
     auto const count = static_cast<double>(sequence.positions.size());
@@ -91,15 +111,18 @@ void enter_orders(RunSequence& sequence, SpanPlan const& plan, RunningMotion con
     }
 }
 
-/// Sizes of @p values, none less than their root mean square: a single one may be small by chance.
-std::vector<double> at_least_the_usual(std::vector<double> values)
+/// How large each of @p values may be: no less than both neighbours, or the root mean square of all, since a single one
+/// may be small by chance.
+std::vector<double> sizes_of(std::vector<double> const& values)
 {
     double squares = 0;
     for (double const value : values)
         squares += value * value / static_cast<double>(values.size());
-    for (double& value : values)
-        value = std::max(std::abs(value), std::sqrt(squares));
-    return values;
+    std::vector<double> sizes(values.size(), std::sqrt(squares));
+    for (std::size_t i = 0; i < sizes.size(); ++i)
+        for (std::size_t const step : {sizes.size() - 1, sizes.size(), sizes.size() + 1})
+            sizes[i] = std::max(sizes[i], std::abs(values[(i + step) % sizes.size()]));
+    return sizes;
 }
 
 void enter_torque(RunSequence& sequence, RunningMotion const& motion)
@@ -115,7 +138,7 @@ void enter_torque(RunSequence& sequence, RunningMotion const& motion)
     for (RunPosition const& each : sequence.positions)
         apart.push_back(std::abs(each.wave_generator_torque - torque.mean - (each.torque_by_teeth - by_teeth.mean)));
     sequence.torque_ripple_error = 2 * *std::ranges::max_element(apart);
-    std::vector<double> const errors = at_least_the_usual(apart);
+    std::vector<double> const errors = sizes_of(apart);
     for (std::size_t i = 0; i < errors.size(); ++i)
         sequence.positions[i].torque_error = sequence.mean_torque_error + 2 * errors[i];
 }
@@ -189,26 +212,54 @@ void enter_figures(RunSequence& sequence, SpanPlan const& plan, RunningMotion co
 
 void add_grid_error(RunSequence& sequence, RunSequence const& coarse, double safety)
 {
-    if (coarse.positions.size() != sequence.positions.size())
+    std::size_t const count = sequence.positions.size();
+    std::vector<double> difference, of_torque;
+    for (RunPosition const& each : coarse.positions) {
+        auto const found = std::ranges::find(sequence.positions, each.angle, &RunPosition::angle);
+        if (found == sequence.positions.end())
+            continue;
+        difference.push_back(found->error - each.error);
+        of_torque.push_back(found->wave_generator_torque - each.wave_generator_torque);
+    }
+    if (2 * difference.size() < count)
         return;
-    std::vector<double> difference;
-    for (std::size_t i = 0; i < sequence.positions.size(); ++i)
-        difference.push_back(sequence.positions[i].error - coarse.positions[i].error);
     Spread const spread = spread_of(difference);
     sequence.peak_to_peak_error += safety * spread.peak_to_peak;
     sequence.rms_error += safety * spread.rms;
-    if (!sequence.orders.empty()) {
-        // what noise of this size has in a single order
-        double const usual = 2 * spread.rms / std::sqrt(static_cast<double>(difference.size()));
-        std::vector<Harmonic> const orders = harmonics_of(sequence, difference, sequence.orders.front().per_input);
-        for (std::size_t k = 0; k < orders.size(); ++k)
-            add_amplitude_error(sequence.orders[k], single * safety * std::max(orders[k].amplitude, usual));
-    }
+    bool const everywhere = difference.size() == count;
+    // what noise of this size has in a single order; where positions are missing, the most that an order may have
+    double const usual = everywhere ? 2 * spread.rms / std::sqrt(static_cast<double>(count)) : 2 * spread.rms;
+    std::vector<double> orders(sequence.orders.size(), usual);
+    if (everywhere && !orders.empty())
+        std::ranges::transform(harmonics_of(sequence, difference, sequence.orders.front().per_input, orders.size()),
+                               orders.begin(),
+                               [usual](Harmonic const& each) { return std::max(each.amplitude, usual); });
+    for (std::size_t k = 0; k < orders.size(); ++k)
+        add_amplitude_error(sequence.orders[k], single * safety * orders[k]);
     for (double& each : difference)
         each -= spread.mean;
-    std::vector<double> const errors = at_least_the_usual(difference);
-    for (std::size_t i = 0; i < errors.size(); ++i)
+    std::vector<double> errors = sizes_of(difference), torque_errors = sizes_of(of_torque);
+    for (std::vector<double>* const all : {&errors, &torque_errors})
+        if (!everywhere)
+            all->assign(count, *std::ranges::max_element(*all));
+    for (std::size_t i = 0; i < count; ++i) {
         sequence.positions[i].error_error += single * safety * errors[i];
+        sequence.positions[i].torque_error += single * safety * torque_errors[i];
+    }
+    sequence.estimated = true;
+}
+
+void add_error_of(RunSequence& sequence, RunSequence const& like)
+{
+    if (!like.estimated)
+        return;
+    double const largest = std::ranges::max_element(like.positions, {}, &RunPosition::error_error)->error_error;
+    sequence.peak_to_peak_error += 2 * largest / single;
+    sequence.rms_error += largest / single;
+    for (RunOrder& each : sequence.orders)
+        add_amplitude_error(each, 2 * largest / std::sqrt(static_cast<double>(sequence.positions.size())));
+    for (RunPosition& each : sequence.positions)
+        each.error_error += largest;
     sequence.estimated = true;
 }
 

@@ -185,6 +185,23 @@ TEST_CASE("errors of both rings are followed until they meet as before", "[runni
     CHECK(whole.peak_to_peak >= 0.9 * sequence(study, RunSpan::input_turn, false).peak_to_peak);
 }
 
+TEST_CASE("tips that pass each other do not move the first contact", "[running]")
+{
+    // at half a pitch two tips interfere by 0.3 um along the radius
+    RunOptions options;
+    options.torque = 10 * newton_metre;
+    options.positions = 4;
+    options.errors = false;
+    int asked = 0;
+    options.stop = [&asked] { return ++asked > 4; };
+    RunStudy const study = study_run(read_scene(std::string(HDCONJ_SOURCE_DIR) + "/data/scenes/type-50-elastic.toml",
+                                                {"slices.count=3", "errors.flexspline.pitch_deviation=0.002"}),
+                                     options);
+    RunSequence const& contacts = sequence(study, RunSpan::tooth_pitch, false);
+    REQUIRE(contacts.positions.size() == 4);
+    CHECK(contacts.peak_to_peak < arcsec);
+}
+
 TEST_CASE("a running drive is in the balance of load, and its wave generator carries T/i", "[running]")
 {
     Keys const keys{"slices.count=1", "contact.flank_points=80", "circular_spline.backlash_offset=0.09",

@@ -12,23 +12,31 @@
 namespace hdconj::load {
 namespace {
 
-/// Turn from @p from on in the direction @p sense at which the first flank of either side touches: a tip may touch on
-/// the far side of its space. Newton's method on the smallest of all gaps, with steps within the gaps searched.
-double first_touch(LoadProblem const& problem, contact::GapField const& field, double from, double sense)
+double pitch_of(LoadProblem const& problem)
 {
-    double const limit = search_limit(problem);
+    return 2 * std::numbers::pi / problem.context.scene.drive.circular_spline_teeth;
+}
+
+/// Turn from @p from on in the direction @p sense at which the first flank of either side touches: a tip may touch on
+/// the far side of its space. Newton's method on the smallest of all gaps, with steps within the gaps searched. Teeth
+/// that interfere along a radius, as tips do that pass each other, are not opened by a turn: they do not count. Nothing
+/// where it does not converge within a pitch.
+std::optional<double> first_touch(LoadProblem const& problem, contact::GapField const& field, double from, double sense)
+{
+    constexpr double nearly_radial = 0.01;  // lever over the reach
+    double const limit = search_limit(problem), shortest_lever = nearly_radial * field.reach();
     double turn = from;
     constexpr int most_steps = 60;
-    for (int i = 0; i < most_steps; ++i) {
+    for (int i = 0; i < most_steps && std::abs(turn - from) <= pitch_of(problem); ++i) {
         double step = limit / field.reach();
         for (FlankContact const& c : flank_contacts(field, flank_search(problem, turn, limit), problem.context.threads))
-            if (sense * c.lever > 0)
-                step = std::min(step, c.gap / (sense * c.lever));
+            if (double const lever = sense * c.lever; lever > (c.gap < 0 ? shortest_lever : 0))
+                step = std::min(step, c.gap / lever);
         turn += sense * step;
         if (std::abs(step) * field.reach() <= gap_tolerance(problem))
-            break;
+            return turn;
     }
-    return turn;
+    return std::nullopt;
 }
 
 /// Gaps of one sector of the ring without a turn; the other sectors have the same.
@@ -48,9 +56,12 @@ GapMap sector_at_rest(LoadProblem const& problem, contact::GapField const& field
     return map;
 }
 
-Play touches_about(LoadProblem const& problem, contact::GapField const& field, double middle)
+/// Nothing where a side has no first touch.
+std::optional<Play> touches_about(LoadProblem const& problem, contact::GapField const& field, double middle)
 {
-    return {first_touch(problem, field, middle, 1), -first_touch(problem, field, middle, -1)};
+    std::optional<double> const right = first_touch(problem, field, middle, 1),
+                                left = first_touch(problem, field, middle, -1);
+    return right && left ? std::optional(Play{*right, -*left}) : std::nullopt;
 }
 
 }  // namespace
@@ -62,12 +73,12 @@ std::optional<Play> play_of(LoadProblem const& problem, LoadedShape const& shape
     int const threads = problem.context.threads;
     contact::GapField const field = gap_field(problem, shape, problem.edges);
     GapMap const rest = sector_at_rest(problem, field);
-    double const pitch = 2 * std::numbers::pi / drive.circular_spline_teeth;
+    double const pitch = pitch_of(problem);
     double const touches = model_accuracy * drive.module;
     try {
         Play const play{contact::turn_to_contact(field, rest, GapMap::right, pitch, threads, touches).turn,
                         contact::turn_to_contact(field, rest, GapMap::left, pitch, threads, touches).turn};
-        return width_of(play) < 0 ? play : touches_about(problem, field, middle_of(play));
+        return width_of(play) < 0 ? play : touches_about(problem, field, middle_of(play)).value_or(play);
     } catch (NumericalError const& error) {
         if (error.code() != ErrorCode::no_contact && error.code() != ErrorCode::not_converged)
             throw;
@@ -77,7 +88,11 @@ std::optional<Play> play_of(LoadProblem const& problem, LoadedShape const& shape
 
 Play play_about(LoadProblem const& problem, LoadedShape const& shape, double middle)
 {
-    return touches_about(problem, gap_field(problem, shape, problem.edges), middle);
+    if (std::optional<Play> const play = touches_about(problem, gap_field(problem, shape, problem.edges), middle))
+        return *play;
+    throw NumericalError(ErrorCode::interference, "load", "play",
+                         "the teeth interfere, and no turn within a pitch brings them apart",
+                         "write a larger circular_spline.backlash_offset");
 }
 
 }  // namespace hdconj::load

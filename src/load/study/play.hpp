@@ -30,7 +30,8 @@ struct Play
 /// every turn within a pitch; of negative width where they interfere by less.
 [[nodiscard]] std::optional<Play> play_of(LoadProblem const& problem, LoadedShape const& shape);
 
-/// The play about the turn @p middle, which lies within it.
+/// The play about the turn @p middle, which lies within it; of negative width where the teeth press on both flanks.
+/// @throws NumericalError where no turn within a pitch brings the teeth apart
 [[nodiscard]] Play play_about(LoadProblem const& problem, LoadedShape const& shape, double middle);
 
 }  // namespace hdconj::load

@@ -127,6 +127,39 @@ TEST_CASE("a position's error is that about the mean, and none is small by chanc
     CHECK(sequence.positions[3].error_error == Approx(one + 0.5));
 }
 
+TEST_CASE("a sequence with missing positions has fewer orders and all its errors", "[running]")
+{
+    auto const wave = [](double at) { return std::cos(2 * pi * at) + 0.2 * std::cos(6 * pi * at + 1); };
+    running::SpanPlan const plan = running::tooth_pitch_plan(16);
+    running::RunningMotion const motion = motion_of_200();
+    auto const without = [&](std::size_t left_out, auto error) {
+        RunSequence sequence;
+        for (std::size_t i = 0; i < plan.pitches.size(); ++i)
+            if (i != left_out)
+                sequence.positions.push_back(
+                    {.angle = plan.pitches[i] * motion.pitch(), .error = error(plan.pitches[i])});
+        running::enter_figures(sequence, plan, motion);
+        return sequence;
+    };
+    for (std::size_t const left_out : {0U, 5U, 15U}) {
+        RunSequence sequence = without(left_out, wave);
+        REQUIRE(sequence.orders.size() == 3);  // two steps wide: less than half of eight
+        CHECK(sequence.orders[0].amplitude == Approx(1));
+        CHECK(sequence.orders[2].amplitude == Approx(0.2));
+        running::add_grid_error(sequence, without(7, [&](double at) { return wave(at) + 0.01 * at; }), 1);
+        CHECK(sequence.estimated);
+        for (RunPosition const& each : sequence.positions)
+            CHECK(each.error_error > 0);
+        RunSequence longer = sequence_of(64, wave);
+        running::add_error_of(longer, sequence);
+        CHECK(longer.estimated);
+        CHECK(longer.positions[9].error_error == Approx(sequence.positions[9].error_error));
+    }
+    RunSequence alone = sequence_of(16, wave);
+    running::add_error_of(alone, sequence_of(16, wave));
+    CHECK_FALSE(alone.estimated);
+}
+
 TEST_CASE("errors of orders contain what higher orders look like them", "[running]")
 {
     // kinks: a triangle and the ripple of a rectified sine, whose orders do not end
