@@ -16,6 +16,7 @@
 #include "part_of_case.hpp"
 #include "running/losses.hpp"
 #include "running/run_scene.hpp"
+#include "running/sequence_figures.hpp"
 #include "running/sequences.hpp"
 
 namespace hdconj {

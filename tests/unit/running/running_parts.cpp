@@ -8,6 +8,7 @@
 
 #include "hdconj/units.hpp"
 #include "running/friction_loss.hpp"
+#include "running/sequence_figures.hpp"
 #include "running/sequences.hpp"
 #include "running/spectrum.hpp"
 #include "support/catch.hpp"

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where the positions of a sequence stand.
+#pragma once
+
+#include <vector>
+
+#include "hdconj/running.hpp"
+
+namespace hdconj::running {
+
+/// Where the positions of a sequence stand.
+struct SpanPlan
+{
+    RunSpan span = RunSpan::tooth_pitch;
+    std::vector<double> pitches;  ///< that the wave generator has turned at each position, increasing
+    double period = 1;            ///< after which all comes again [pitches]
+};
+
+/// Positions over one tooth pitch, even.
+[[nodiscard]] SpanPlan tooth_pitch_plan(int positions);
+
+/// Positions over @p period pitches, each a whole number, as even as these can be.
+[[nodiscard]] SpanPlan whole_pitch_plan(RunSpan span, int period, int positions);
+
+}  // namespace hdconj::running
