@@ -2,6 +2,7 @@
 #include "boundary_track.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "hdconj/numeric/bracketed_root.hpp"
 
@@ -23,12 +24,27 @@ std::vector<BoundaryStretch> stretches_of(ToothSpaceBoundary const& curve, std::
     return stretches;
 }
 
+namespace {
+
+/// Length of a curve from @p a to @p b as that of the circular arc with the same chord and the same turn of its normal:
+/// right to the fourth order of the chord, the chord itself only to the second. The chord where normals turn by more
+/// than a right angle, as over a cusp.
+double arc_length(envelope::EnvelopePoint const& a, envelope::EnvelopePoint const& b)
+{
+    double const chord = (b.p - a.p).norm(), along = a.n.dot(b.n);
+    if (!(along > 0))
+        return chord;
+    double const half = 0.5 * std::atan2(std::abs(cross(a.n, b.n)), along);
+    return half > 0 ? chord * half / std::sin(half) : chord;
+}
+
+}  // namespace
+
 BoundaryTrack::BoundaryTrack(ToothSpaceBoundary const& curve, std::vector<BoundaryStretch> const& stretches,
                              Measure measure, double chord)
     : curve_(&curve), measure_(measure)
 {
     std::vector<std::size_t> begins;  // index of the first station of each stretch
-    Vec2 before = Vec2::Zero();
     for (BoundaryStretch const& stretch : stretches) {
         begins.push_back(stations_.size());
         for (BoundaryPiece const& piece : stretch.pieces) {
@@ -36,9 +52,10 @@ BoundaryTrack::BoundaryTrack(ToothSpaceBoundary const& curve, std::vector<Bounda
             envelope::SampledArc const sampled = curve.sampled(piece, chord);
             for (std::size_t i = 0; i < sampled.points.size(); ++i) {
                 envelope::EnvelopePoint const& e = sampled.points[i];
-                if (i > 0)
-                    length_ += (e.p - before).norm();
-                before = e.p;
+                if (i > 0) {
+                    envelope::EnvelopePoint const& before = sampled.points[i - 1];
+                    length_ += measure == Measure::rulings ? arc_length(before, e) : (e.p - before.p).norm();
+                }
                 double const u = i == 0 ? piece.begin : i + 1 == sampled.points.size() ? piece.end : e.u;
                 stations_.push_back(
                     {measure != Measure::profile ? length_ : curve.profile_parameter(piece, u), pieces_.size() - 1, u});

@@ -24,8 +24,8 @@ enum class Measure
 {
     length,   ///< between the stations of its polygon in the wave generator's angle: where on the curve, but not at
               ///< which share of it to more than the polygon's step
-    rulings,  ///< length, along the chords of its polygon too: for points of different slices that are joined, where
-              ///< what lies between depends on which
+    rulings,  ///< length of the curve, not of its polygon, also within a chord: for points of different slices that are
+              ///< joined, where what lies between depends on which
     profile   ///< profile parameter of the contact
 };
 

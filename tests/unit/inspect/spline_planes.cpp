@@ -47,7 +47,7 @@ void add_points(PointFile& file, std::vector<Vec2> const& points, std::vector<Ou
                                        std::nullopt, static_cast<int>(file.points.size()) + 2});
 }
 
-void check_exact(Scene const& scene, PointFile const& file, double limit = exact)
+void check_exact(Scene const& scene, PointFile const& file)
 {
     Inspection const found =
         inspect_points(scene, file, {InspectedPart::circular_spline, std::nullopt, 0, Registration::datum});
@@ -56,7 +56,7 @@ void check_exact(Scene const& scene, PointFile const& file, double limit = exact
     for (PointDeviation const& point : found.points)
         if (point.fate == PointFate::used)
             worst = std::max(worst, std::abs(point.deviation));
-    CHECK(worst < limit);
+    CHECK(worst < exact);
     // points at the ends of a flank are beside it
     CHECK(static_cast<double>(found.beside + found.strays) < 0.03 * static_cast<double>(file.points.size()));
     double stated = 0;
@@ -116,7 +116,11 @@ TEST_CASE("between slices a radial tilt moves the outline outward", "[inspect]")
 
 TEST_CASE("between slices a ruled surface has straight lines", "[inspect]")
 {
-    Scene const scene = coned({"slices.count=2", "slices.surface=\"ruled\"", "coning.axial_shift=\"none\""});
+    // lines of two contact zones lie side by side: which points they join must not depend on how finely either is drawn
+    auto const change = GENERATE(as<std::string>{}, "wave_generator.radial_deformation=0.25",
+                                 "wave_generator.radial_deformation=0.24", "circular_spline.backlash_offset=0.004");
+    CAPTURE(change);
+    Scene const scene = coned({"slices.count=2", "slices.surface=\"ruled\"", "coning.axial_shift=\"none\"", change});
     Solution const ends = solve(scene);
     auto const& spline = ends.circular_spline;
     PointFile file{"ring", {}, true};
@@ -126,8 +130,7 @@ TEST_CASE("between slices a ruled surface has straight lines", "[inspect]")
             between[i] += (z - spline.z[0]) / (spline.z[1] - spline.z[0]) * (spline.outline[1][i] - between[i]);
         add_points(file, between, spline.pieces, z, scene.drive.circular_spline_teeth);
     }
-    constexpr double kinks = 2e-8;  // where lines of different contact zones lie side by side
-    check_exact(scene, file, kinks);
+    check_exact(scene, file);
 }
 
 }  // namespace hdconj::test::spline_planes_cases
