@@ -64,36 +64,56 @@ void assemble_until_clear(Solution const& out, double chord, Assemble&& assemble
         "a tooth interferes with the outline by " + std::to_string(wanted() - out.check->smallest_clearance) + " mm");
 }
 
-/// Requires that no stretch of a boundary longer than the tolerance vanishes at the offset, where the neighbours'
-/// offsets meet in front of it. A stretch that is only shortened is trimmed exactly and kept.
-/// @param kept   whether a piece is there after the offset
-/// @param point  point of a piece at u, before the offset
-/// @throws NumericalError with place and size of the largest stretch lost
-template <class Kept, class PointAt>
-void require_same_topology(std::vector<BoundaryPiece> const& before, Kept const& kept, PointAt const& point,
-                           double offset, double tolerance)
+/// Length and middle of a run of boundary pieces.
+struct RunMeasure
 {
-    double largest = 0;
-    Vec2 where = Vec2::Zero();
-    for (BoundaryPiece const& piece : before) {
-        if (piece.arc < 0 || kept(piece))
-            continue;
-        constexpr int steps = 16;
-        double length = 0;
-        Vec2 last = point(piece, piece.begin);
-        for (int i = 1; i <= steps; ++i) {
-            Vec2 const next = point(piece, piece.begin + (piece.end - piece.begin) * i / steps);
-            length += (next - last).norm();
-            last = next;
-            if (i == steps / 2 && length > largest / 2)
-                where = next;
+    double length = 0;
+    Vec2 middle = Vec2::Zero();
+};
+template <class PointAt>
+[[nodiscard]] RunMeasure measure_of(std::span<BoundaryPiece const> run, PointAt const& point)
+{
+    constexpr int steps = 16;
+    std::vector<Vec2> points;
+    std::vector<double> lengths;
+    RunMeasure measure;
+    for (BoundaryPiece const& piece : run)
+        for (int i = 0; i <= steps; ++i) {
+            points.push_back(point(piece, piece.begin + (piece.end - piece.begin) * i / steps));
+            measure.length += i > 0 ? (points.back() - points[points.size() - 2]).norm() : 0;
+            lengths.push_back(measure.length);
         }
-        largest = std::max(largest, length);
+    auto const half = std::ranges::lower_bound(lengths, measure.length / 2);
+    measure.middle = points[static_cast<std::size_t>(half - lengths.begin())];
+    return measure;
+}
+
+/// Requires that no stretch of a boundary longer than the tolerance vanishes at the offset, where the neighbours'
+/// offsets meet in front of it. A stretch that is only shortened is trimmed exactly and kept, even where whole pieces
+/// of a spline go with what is trimmed.
+/// @param goes_on  whether two neighbouring pieces are of one stretch
+/// @param kept     whether a piece is there after the offset
+/// @param point    point of a piece at u, before the offset
+/// @throws NumericalError with place and size of the largest stretch lost
+template <class GoesOn, class Kept, class PointAt>
+void require_same_topology(std::vector<BoundaryPiece> const& before, GoesOn const& goes_on, Kept const& kept,
+                           PointAt const& point, double offset, double tolerance)
+{
+    RunMeasure largest;
+    for (auto first = before.begin(); first != before.end();) {
+        auto last = first + 1;
+        while (last != before.end() && first->arc >= 0 && last->arc >= 0 && goes_on(*(last - 1), *last))
+            ++last;
+        if (first->arc >= 0 && std::none_of(first, last, kept)) {
+            RunMeasure const lost = measure_of(std::span(first, last), point);
+            largest = lost.length > largest.length ? lost : largest;
+        }
+        first = last;
     }
-    if (largest > tolerance)
-        throw NumericalError(ErrorCode::no_outline, "side clearance", near_text(where),
+    if (largest.length > tolerance)
+        throw NumericalError(ErrorCode::no_outline, "side clearance", near_text(largest.middle),
                              "a side clearance of " + short_number(offset) + " mm would remove a part of the flank " +
-                                 short_number(largest) + " mm long",
+                                 short_number(largest.length) + " mm long",
                              "write a smaller circular_spline.backlash_offset");
 }
 
@@ -118,13 +138,16 @@ inline void require_same_topology(envelope::AnyEnvelope const& base, std::vector
     auto const arc_of = [&](BoundaryPiece const& piece) -> envelope::ContactArc const& {
         return base_arcs[static_cast<std::size_t>(piece.arc)];
     };
+    auto const goes_on = [&](BoundaryPiece const& a, BoundaryPiece const& b) {
+        return outline_goes_on(base.profile(), a, arc_of(a), b, arc_of(b));
+    };
     auto const kept = [&](BoundaryPiece const& piece) {
         return has_contact(after.pieces, offset_arcs, arc_of(piece), piece.copy);
     };
     auto const point = [&](BoundaryPiece const& piece, double u) {
         return TurnedArc<motion::AnyMotion>{base, arc_of(piece), piece.copy * pitch}.point(u).p;
     };
-    require_same_topology(before.pieces, kept, point, offset, tolerance);
+    require_same_topology(before.pieces, goes_on, kept, point, offset, tolerance);
 }
 
 /// Outline points for the check from index @p first on: all of them; of a very fine outline every k-th beside the ends

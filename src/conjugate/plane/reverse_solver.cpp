@@ -178,6 +178,9 @@ class ReverseJob
         auto const arc_of = [](std::vector<Swept> const& teeth, BoundaryPiece const& p) -> envelope::ContactArc const& {
             return teeth[static_cast<std::size_t>(p.copy)].arcs[static_cast<std::size_t>(p.arc)];
         };
+        auto const goes_on = [&](BoundaryPiece const& a, BoundaryPiece const& b) {
+            return outline_goes_on(given_, a, arc_of(base_, a), b, arc_of(base_, b));
+        };
         auto const kept = [&](BoundaryPiece const& p) {
             return has_contact(pieces_of(shifted, p.copy), moved[static_cast<std::size_t>(p.copy)].arcs,
                                arc_of(base_, p), p.copy);
@@ -187,7 +190,8 @@ class ReverseJob
         };
         for (auto const* flank : {&body_.left, &body_.right}) {
             if (flank->size() > 2)
-                require_same_topology({flank->begin() + 1, flank->end() - 1}, kept, point, offset, tolerance_.length);
+                require_same_topology({flank->begin() + 1, flank->end() - 1}, goes_on, kept, point, offset,
+                                      tolerance_.length);
         }
     }
 
