@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "hdconj/error.hpp"
 #include "numeric/least_squares.hpp"
@@ -41,9 +42,14 @@ double search_cost(Registered const& what, double turn)
                                                               : "write --register turn, or measure both flanks"});
 }
 
-/// One Gauss-Newton step.
-Eigen::VectorXd least_squares_step(std::vector<PointView> const& views, Placement const& placement,
-                                   Registered const& what, int unknowns)
+/// One Gauss-Newton step, and the largest change of a deviation that it makes.
+struct LeastSquaresStep
+{
+    Eigen::VectorXd by;
+    double change;
+};
+LeastSquaresStep least_squares_step(std::vector<PointView> const& views, Placement const& placement,
+                                    Registered const& what, int unknowns)
 {
     Eigen::MatrixXd const rows = jacobian(views, placement, what.read.part(), unknowns);
     Eigen::VectorXd deviations(static_cast<Eigen::Index>(views.size()));
@@ -54,7 +60,9 @@ Eigen::VectorXd least_squares_step(std::vector<PointView> const& views, Placemen
     numeric::LeastSquares const fit(rows, least_rank);
     if (fit.rank() < unknowns)
         refuse_loose(what.registration, views.size());
-    return fit.solve(deviations);
+    Eigen::VectorXd by = fit.solve(deviations);
+    double const change = (rows * by).cwiseAbs().maxCoeff();
+    return {std::move(by), change};
 }
 
 /// Keeps the views on a flank, and the same points.
@@ -129,12 +137,17 @@ Placement registered(Registered const& what)
     NominalPart const& part = what.read.part();
     Placement placement{near_turn(what), Vec2::Zero()};
     Registered used = what;
+    double const rounding = part.tolerance().roundoff();
+    double before = std::numeric_limits<double>::infinity();
     for (int step = 0; step < most_registration_steps; ++step) {
         std::vector<PointView> views = views_of(used.read, used.points, placement, used.threads);
         keep_settled(views, step == settled_after ? &used.points : nullptr);
-        Eigen::VectorXd const by = least_squares_step(views, placement, what, unknowns);
+        auto const [by, change] = least_squares_step(views, placement, what, unknowns);
         placement = moved(placement, by, part);
-        if (step > settled_after && by.norm() <= part.tolerance().roundoff())
+        // a direction that the points hardly fix, such as the lean of one tooth, trembles by rounding for ever
+        bool const trembles = change <= rounding && by.norm() >= before;
+        before = by.norm();
+        if (step > settled_after && (before <= rounding || trembles))
             return what.registration == Registration::minimum_zone ? minimum_zone(used, placement) : placement;
     }
     throw NumericalError(ErrorCode::not_converged, "registration", std::string(to_string(what.registration)),
