@@ -2,6 +2,8 @@
 #include "mean_flank.hpp"
 
 #include <algorithm>
+#include <boost/math/distributions/students_t.hpp>
+#include <cmath>
 #include <utility>
 
 #include "hdconj/base/rigid_motion.hpp"
@@ -11,26 +13,65 @@
 namespace hdconj::inspect {
 namespace {
 
-constexpr int terms = 6;         // of the polynomial
+constexpr int most_terms = 6;    // of the polynomial
+constexpr int least_terms = 3;   // slope and crowning are figures of the teeth, and stay
 constexpr int even_steps = 160;  // along the flank: a spline through them keeps within nanometres
 
-Eigen::RowVectorXd powers_of(double xi)
+/// Powers of xi, columns of a matrix.
+Eigen::MatrixXd powers_of(Eigen::VectorXd const& xi, int terms)
 {
-    Eigen::RowVectorXd powers(terms);
-    double power = 1;
-    for (double& each : powers) {
-        each = power;
-        power *= xi;
-    }
+    Eigen::MatrixXd powers(xi.size(), terms);
+    powers.col(0).setOnes();
+    for (Eigen::Index k = 1; k < terms; ++k)
+        powers.col(k) = powers.col(k - 1).cwiseProduct(xi);
     return powers;
+}
+
+/// Coefficients of the powers of @p xi that fit @p deviation best: of the highest degree whose term noise does not
+/// explain.
+Eigen::VectorXd smoothed(Eigen::VectorXd const& xi, Eigen::VectorXd const& deviation)
+{
+    constexpr double by_chance = 1e-3;  // of two sides: so rarely does noise alone make a term
+    auto const n = static_cast<int>(xi.size());
+    int terms = std::min(most_terms, n - 1);
+    Eigen::MatrixXd const basis = powers_of(xi, terms);
+    Eigen::VectorXd coefficient = numeric::LeastSquares(basis).solve(deviation);
+    int const freedom = n - terms;
+    double const noise = (deviation - basis * coefficient).norm() / std::sqrt(freedom);
+    double const limit =
+        noise * quantile(complement(boost::math::students_t_distribution<double>(freedom), by_chance / 2));
+    while (terms > least_terms) {
+        Eigen::MatrixXd const shorter = basis.leftCols(terms);
+        // with the lower terms free, the highest is that of the orthogonal polynomials: independent of the others
+        double const variance = numeric::covariance(shorter)(terms - 1, terms - 1);
+        if (std::abs(coefficient[terms - 1]) > limit * std::sqrt(variance))
+            break;
+        --terms;
+        coefficient = numeric::LeastSquares(basis.leftCols(terms)).solve(deviation);
+    }
+    return coefficient;
 }
 
 /// What the flanks of the first plane have in common.
 struct MeanDeviation
 {
     Eigen::VectorXd coefficient;  ///< of the powers of xi
+    double first = 0, last = 0;   ///< xi of the points nearest to the ends
     double half_excess = 0;       ///< turn of the right flank that gives the mean thickness [rad]
     bool both_sides = false;
+
+    /// At @p xi; beyond the points the parabola that continues it, because higher terms soon run away there.
+    [[nodiscard]] double at(double xi) const
+    {
+        double const inside = std::clamp(xi, first, last), beyond = xi - inside;
+        double value = 0, slope = 0, bend = 0;
+        for (Eigen::Index k = coefficient.size(); k-- > 0;) {
+            bend = bend * inside + slope;
+            slope = slope * inside + value;
+            value = value * inside + coefficient[k];
+        }
+        return value + beyond * (slope + beyond * bend);
+    }
 };
 
 MeanDeviation mean_deviation(RingData const& data)
@@ -54,10 +95,10 @@ MeanDeviation mean_deviation(RingData const& data)
         return mean;
     mean.half_excess = (turn[1] / count[1] - turn[0] / count[0]) / 2;
     auto const n = static_cast<Eigen::Index>(xi.size());
-    Eigen::MatrixXd basis(n, terms);
-    for (Eigen::Index i = 0; i < n; ++i)
-        basis.row(i) = powers_of(xi[static_cast<std::size_t>(i)]);
-    mean.coefficient = numeric::LeastSquares(basis).solve(Eigen::VectorXd(Eigen::VectorXd::Map(deviation.data(), n)));
+    auto const [first, last] = std::ranges::minmax(xi);
+    mean.first = first;
+    mean.last = last;
+    mean.coefficient = smoothed(Eigen::VectorXd::Map(xi.data(), n), Eigen::VectorXd::Map(deviation.data(), n));
     return mean;
 }
 
@@ -76,26 +117,29 @@ class MeanCurve
     [[nodiscard]] Vec2 operator()(double s) const
     {
         auto const [point, normal] = flank_.at(s);
-        double const deviation = powers_of(2 * s / flank_.length() - 1) * mean_.coefficient;
+        double const deviation = mean_.at(2 * s / flank_.length() - 1);
         return frame_.inverse(turned_clockwise(point + deviation * normal + seat_, mean_.half_excess));
     }
-    /// The nominal height of an end.
-    [[nodiscard]] double height(double s) const { return frame_.inverse(flank_.at(s).point + seat_).y(); }
-
-    /// The arc length at which the curve is at the nominal height of the end @p s: that of the end where it does not
-    /// reach it.
-    [[nodiscard]] double reached(double s) const
+    /// Where the curve ends: at the nominal height of the end @p s. A flank that is cut or continued by more than a
+    /// step for that is almost level there, and keeps its own end.
+    struct End
     {
-        double const inside = s > 0 ? s - step() : step(), y = height(s);
+        double s = 0;  ///< arc length up to which the curve is followed
+        Vec2 point = Vec2::Zero();
+    };
+    [[nodiscard]] End end(double s) const
+    {
+        double const y = frame_.inverse(flank_.at(s).point + seat_).y(), inside = s > 0 ? s - step() : step();
         auto const found = numeric::bracketed_root([&](double at) { return (*this)(at).y() - y; }, std::min(s, inside),
                                                    std::max(s, inside));
-        return found.found ? found.x : s;
-    }
-    /// The point at the height @p y of the straight continuation from @p s.
-    [[nodiscard]] Vec2 continued(double s, double y) const
-    {
-        Vec2 const end = (*this)(s), along = frame_.rotate_back(right_of(flank_.at(s).normal));
-        return end + (y - end.y()) / along.y() * along;
+        if (found.found)
+            return {found.x, (*this)(found.x)};
+        Vec2 const last = (*this)(s), beyond = last - (*this)(inside);
+        Vec2 along = frame_.rotate_back(right_of(flank_.at(s).normal));
+        if (along.dot(beyond) < 0)
+            along = -along;
+        double const by = (y - last.y()) / along.y();
+        return {s, 0 <= by && by <= step() ? Vec2(last + by * along) : last};
     }
     [[nodiscard]] double step() const { return flank_.length() / even_steps; }
     [[nodiscard]] NominalFlank const& flank() const { return flank_; }
@@ -107,6 +151,15 @@ class MeanCurve
     Pose frame_;
 };
 
+/// Leaves out what is beyond the highest and the lowest point: an end that is almost level may bend back by its
+/// deviations.
+void cut_at_summits(std::vector<Vec2>& points)
+{
+    auto const [lowest, highest] = std::ranges::minmax_element(points, {}, [](Vec2 const& p) { return p.y(); });
+    if (highest < lowest)
+        points = std::vector<Vec2>(highest, lowest + 1);
+}
+
 }  // namespace
 
 std::vector<Vec2> mean_flank(RingData const& data)
@@ -115,22 +168,23 @@ std::vector<Vec2> mean_flank(RingData const& data)
     if (!mean.both_sides)
         return {};
     MeanCurve const curve(data, std::move(mean));
-    double const length = curve.flank().length(), root = curve.reached(0), tip = curve.reached(length);
+    double const length = curve.flank().length(), apart = curve.step() / 4;
+    auto const root = curve.end(0), tip = curve.end(length);
     std::vector<double> places = curve.flank().joints();
     for (int i = 1; i < even_steps; ++i)
         places.push_back(length * i / even_steps);
     std::sort(places.begin(), places.end());
-    std::vector<Vec2> points{curve.continued(root, curve.height(0))};
-    double const apart = curve.step() / 4;
-    double before = root;
+    std::vector<Vec2> points{root.point};
+    double before = root.s;
     for (double const s : places) {
-        if (s - before < apart || tip - s < apart)
+        if (s - before < apart || tip.s - s < apart)
             continue;
         points.push_back(curve(s));
         before = s;
     }
-    points.push_back(curve.continued(tip, curve.height(length)));
+    points.push_back(tip.point);
     std::reverse(points.begin(), points.end());
+    cut_at_summits(points);
     return points;  // from tip to root, as the family "points" has them
 }
 
