@@ -8,7 +8,9 @@
 #include "arguments.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/inspect_files.hpp"
+#include "hdconj/read_scene.hpp"
 #include "hdconj/result_files.hpp"
+#include "hdconj/solve.hpp"
 #include "run_verb.hpp"
 
 namespace hdconj::cli {
@@ -43,6 +45,27 @@ void check_probe(Scene const& scene, double probe, Faults& faults)
                           "write the radius of the ball in mm, such as --probe 0.1"});
 }
 
+/// A scene whose mean tooth solve refuses helps nobody: it is not written.
+/// @throws NumericalError with the cause, and how a tooth is measured better
+void refuse_unsolvable(Inspection const& found, fs::path const& scene_file)
+{
+    auto const refuse = [&](ErrorCode code, std::string const& cause) {
+        throw NumericalError(code, "as-tooth", scene_file.string(),
+                             "is not written, because solve refuses the mean tooth of the measured points: " + cause,
+                             "measure more teeth, or more points on each flank up to its ends; or leave --as-tooth "
+                             "out and see by --picture which deviation it is");
+    };
+    auto reading = measured_tooth_scene(found, scene_file);
+    examine_geometry(reading);
+    if (!reading.faults.empty())
+        refuse(ErrorCode::no_outline, describe(reading.faults));
+    try {
+        (void)solve(reading.scene);
+    } catch (NumericalError const& error) {
+        refuse(error.code(), error.what());
+    }
+}
+
 int run_inspect(CommonOptions const& given, InspectArguments const& asked)
 {
     CommonOptions common = given;
@@ -71,7 +94,10 @@ int run_inspect(CommonOptions const& given, InspectArguments const& asked)
     if (!own.as_tooth.empty())
         work.outputs.back().target.members = {measured_tooth_points(own.as_tooth)};
     work.compute = [&](ProgressLine const& progress) {
-        return inspect_points(reading.scene, measured.measured, options_of(own), progress.stages());
+        Inspection found = inspect_points(reading.scene, measured.measured, options_of(own), progress.stages());
+        if (!own.as_tooth.empty())
+            refuse_unsolvable(found, own.as_tooth);
+        return found;
     };
     work.text = [](Inspection const& result, Written const& written) { return summary_text(result, written); };
     work.json = [](Inspection const& result, Written const& written) { return summary_json(result, written); };

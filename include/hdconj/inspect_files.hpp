@@ -9,6 +9,7 @@
 
 #include "hdconj/file/written_file.hpp"
 #include "hdconj/inspect.hpp"
+#include "hdconj/scene/reading.hpp"
 
 namespace hdconj {
 
@@ -39,6 +40,13 @@ void write_chart(Inspection const& inspection, std::filesystem::path const& file
 
 /// The file of points that write_measured_tooth() writes beside @p scene_file: NAME-tooth.csv.
 [[nodiscard]] std::filesystem::path measured_tooth_points(std::filesystem::path const& scene_file);
+
+/// The scene that write_measured_tooth() writes, with the points in the scene itself (family "b-spline", the same
+/// spline): for whoever wants to solve it before it is written.
+/// @param scene_file  only its name and folder are used
+/// @throws FileError where there is no mean tooth
+[[nodiscard]] scene::SceneReading measured_tooth_scene(Inspection const& inspection,
+                                                       std::filesystem::path const& scene_file);
 
 /// The scene with the mean measured tooth in place of its own: family "points", with the points beside it. Where the
 /// scene gave the tooth of the other member only, the measured one is given in its place and the other is solved for: a

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What `inspect` prints and writes, what it refuses, and its registrations against SciPy.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "bad_commands.hpp"
+#include "support/measured_ring.hpp"
 #include "support/not_tried.hpp"
 #include "support/read_hdf5.hpp"
 
@@ -103,6 +106,28 @@ TEST_CASE("inspect writes result, chart and a scene of the measured tooth that s
     auto const nominal = hdconj_run("solve " + type50 + "--json -o b.h5", folder.path());
     double const depth = json::parse(solved.out).at("geometry").at("space_depth_mm");
     CHECK(std::abs(depth - json::parse(nominal.out).at("geometry").at("space_depth_mm").get<double>()) < 0.01);
+}
+
+TEST_CASE("a mean tooth that solve refuses is not written", "[inspect]")
+{
+    TemporaryFolder const folder;
+    MeasuredRing part;
+    part.measured = {0, 1, 2};
+    // the flanks lean until they cross below the tip
+    part.left.assign(3, {0, 0.12, 0, 0});
+    part.right.assign(3, {0, 0.12, 0, 0});
+    designs::Draws draws(1);
+    std::string points = "x,y\n";
+    for (PartPoint const& point : points_of(part, draws).points)
+        points += fmt::format("{},{}\n", point.where.x(), point.where.y());
+    write(folder / "lean.csv", points);
+    auto const done = hdconj_run("inspect lean.csv --register datum --as-tooth cut.toml", folder.path());
+    INFO(done.out << done.err);
+    CHECK(done.status == 1);
+    for (char const* words : {"as-tooth: cut.toml: is not written", "solve refuses", "measure more teeth"})
+        CHECK_THAT(done.err, ContainsSubstring(words));
+    CHECK_FALSE(std::filesystem::exists(folder / "cut.toml"));
+    CHECK_FALSE(std::filesystem::exists(folder / "cut-tooth.csv"));
 }
 
 TEST_CASE("inspect refuses what it cannot follow", "[inspect]")

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <iterator>
 
 #include "base/text.hpp"
 #include "hdconj/error.hpp"
@@ -71,13 +70,18 @@ void give_circular_spline(Inspection const& inspection, std::vector<std::string>
     changes.push_back(set("flexspline.dedendum", inspection.geometry.dedendum));
 }
 
-/// The keys of the scene that change: the profile, what goes with it, and the file of a wave generator, whose name is
-/// relative to the scene that was read.
-std::vector<std::string> changes_of(Inspection const& inspection, fs::path const& points)
+char const* profile_key(Inspection const& inspection)
+{
+    return inspection.options.part == InspectedPart::circular_spline ? "circular_spline.profile" : "flexspline.profile";
+}
+
+/// The keys of the scene that change beside the new profile's own: what goes with it, and the file of a wave generator,
+/// whose name is relative to the scene that was read.
+std::vector<std::string> changes_of(Inspection const& inspection)
 {
     Scene const& scene = inspection.scene;
     bool const spline = inspection.options.part == InspectedPart::circular_spline;
-    std::string const profile = spline ? "circular_spline.profile" : "flexspline.profile";
+    std::string const profile = profile_key(inspection);
     std::vector<std::string> changes;
     if (spline)
         changes.push_back(set("circular_spline.inner_radius",
@@ -88,14 +92,35 @@ std::vector<std::string> changes_of(Inspection const& inspection, fs::path const
         give_circular_spline(inspection, changes);
     else
         give_flexspline(inspection, changes);
-    changes.push_back(profile + ".family=\"points\"");
-    changes.push_back(profile + ".file=" + in_quotes(points.filename().string()));
     changes.push_back(profile + ".side=\"right\"");
     auto const& shape = scene.wave_generator.shape;
     if (shape.has("file"))
         changes.push_back("wave_generator.file=" +
                           in_quotes(fs::absolute(scene::number_file(shape, "file", scene.folder)).string()));
     return changes;
+}
+
+/// The scene with a profile of the family @p family, whose points are @p points, a key with its value.
+scene::SceneReading with_profile(Inspection const& inspection, std::string const& family, std::string const& points,
+                                 fs::path const& scene_file)
+{
+    std::vector<std::string> changes = changes_of(inspection);
+    std::string const profile = profile_key(inspection);
+    changes.push_back(profile + ".family=" + in_quotes(family));
+    changes.push_back(profile + "." + points);
+    return examine_scene(inspection.scene.text, scene_file.string(), scene_file.parent_path(), changes);
+}
+
+void require_mean_tooth(Inspection const& inspection, fs::path const& scene_file)
+{
+    if (inspection.mean_flank.empty())
+        throw FileError(scene_file.string(), "the points give no mean tooth: no tooth has figures of both flanks");
+}
+
+/// A point with @p separator between its coordinates.
+std::string point_text(Vec2 const& p, char const* separator)
+{
+    return fmt::format("{:.12f}{}{:.12f}", p.x(), separator, p.y());
 }
 
 }  // namespace
@@ -105,20 +130,28 @@ fs::path measured_tooth_points(fs::path const& scene_file)
     return scene_file.parent_path() / (scene_file.stem().string() + "-tooth.csv");
 }
 
+scene::SceneReading measured_tooth_scene(Inspection const& inspection, fs::path const& scene_file)
+{
+    require_mean_tooth(inspection, scene_file);
+    std::string points = "points=[";
+    for (Vec2 const& p : inspection.mean_flank)
+        points += "[" + point_text(p, ", ") + "], ";
+    return with_profile(inspection, "b-spline", points + "]", scene_file);
+}
+
 void write_measured_tooth(Inspection const& inspection, fs::path const& scene_file)
 {
-    if (inspection.mean_flank.empty())
-        throw FileError(scene_file.string(), "the points give no mean tooth: no tooth has figures of both flanks");
+    require_mean_tooth(inspection, scene_file);
     fs::path const points_file = measured_tooth_points(scene_file);
     std::string points = fmt::format(
-        "# mean right flank of the teeth in {}, from tip to root, y from the pitch line towards the tip\n# smoothed by "
-        "degree 5 against arc length; the tooth is its mirror image\nx [mm],y [mm]\n",
+        "# mean right flank of the teeth in {}, from tip to root, y from the pitch line towards the tip\n# smoothed "
+        "against arc length; the tooth is its mirror image\nx [mm],y [mm]\n",
         printable(inspection.file));
     for (Vec2 const& p : inspection.mean_flank)
-        fmt::format_to(std::back_inserter(points), "{:.12f},{:.12f}\n", p.x(), p.y());
+        points += point_text(p, ",") + "\n";
     file::write_text_atomically(points_file, points);
-    auto const changed = examine_scene(inspection.scene.text, scene_file.string(), scene_file.parent_path(),
-                                       changes_of(inspection, points_file));
+    auto const changed =
+        with_profile(inspection, "points", "file=" + in_quotes(points_file.filename().string()), scene_file);
     file::write_text_atomically(scene_file, changed.scene.text);
 }
 
