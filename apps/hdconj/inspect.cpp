@@ -2,6 +2,7 @@
 // The verb `inspect`: measured points of a part against its nominal outline.
 #include "hdconj/inspect.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -45,25 +46,32 @@ void check_probe(Scene const& scene, double probe, Faults& faults)
                           "write the radius of the ball in mm, such as --probe 0.1"});
 }
 
-/// A scene whose mean tooth solve refuses helps nobody: it is not written.
+/// A scene whose mean tooth solve refuses, or which makes no flank, helps nobody: it is not written.
 /// @throws NumericalError with the cause, and how a tooth is measured better
 void refuse_unsolvable(Inspection const& found, fs::path const& scene_file)
 {
-    auto const refuse = [&](ErrorCode code, std::string const& cause) {
+    auto const refuse = [&](ErrorCode code, std::string const& cause, std::string const& other) {
         throw NumericalError(code, "as-tooth", scene_file.string(),
-                             "is not written, because solve refuses the mean tooth of the measured points: " + cause,
-                             "measure more teeth, or more points on each flank up to its ends; or leave --as-tooth "
-                             "out and see by --picture which deviation it is");
+                             "is not written, because the mean tooth of the measured points cannot be used: " + cause,
+                             "measure more teeth, or more points on each flank up to its ends; or " + other);
     };
+    std::string const look = "leave --as-tooth out and see by --picture which deviation it is";
     auto reading = measured_tooth_scene(found, scene_file);
     examine_geometry(reading);
     if (!reading.faults.empty())
-        refuse(ErrorCode::no_outline, describe(reading.faults));
+        refuse(ErrorCode::no_outline, describe(reading.faults), look);
+    Solution solution;
     try {
-        (void)solve(reading.scene);
+        solution = solve(reading.scene);
     } catch (NumericalError const& error) {
-        refuse(error.code(), error.what());
+        refuse(error.code(), error.what(), look);
     }
+    bool const flank = std::ranges::any_of(solution.circular_spline.pieces,
+                                           [](OutlinePiece const& piece) { return piece.kind == "flank"; });
+    if (!flank && !reading.scene.is_reverse())
+        refuse(ErrorCode::no_outline,
+               "its tip alone makes the tooth space, and no flank, so that contact and load have nothing to work on",
+               "write a wave_generator.radial_deformation nearer to m (z_c - z_f)/2");
 }
 
 int run_inspect(CommonOptions const& given, InspectArguments const& asked)

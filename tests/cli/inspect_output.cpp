@@ -108,7 +108,7 @@ TEST_CASE("inspect writes result, chart and a scene of the measured tooth that s
     CHECK(std::abs(depth - json::parse(nominal.out).at("geometry").at("space_depth_mm").get<double>()) < 0.01);
 }
 
-TEST_CASE("a mean tooth that solve refuses is not written", "[inspect]")
+TEST_CASE("a mean tooth that solve refuses or that makes no flank is not written", "[inspect]")
 {
     TemporaryFolder const folder;
     MeasuredRing part;
@@ -124,10 +124,18 @@ TEST_CASE("a mean tooth that solve refuses is not written", "[inspect]")
     auto const done = hdconj_run("inspect lean.csv --register datum --as-tooth cut.toml", folder.path());
     INFO(done.out << done.err);
     CHECK(done.status == 1);
-    for (char const* words : {"as-tooth: cut.toml: is not written", "solve refuses", "measure more teeth"})
+    for (char const* words : {"as-tooth: cut.toml: is not written", "cannot be used", "measure more teeth"})
         CHECK_THAT(done.err, ContainsSubstring(words));
     CHECK_FALSE(std::filesystem::exists(folder / "cut.toml"));
     CHECK_FALSE(std::filesystem::exists(folder / "cut-tooth.csv"));
+    auto const no_flank = hdconj_run("inspect " + type50 + ring +
+                                         "--probe 0.05 --set wave_generator.radial_deformation=0.1 "
+                                         "--set circular_spline.inner_radius=25.15 --as-tooth cut.toml",
+                                     folder.path());
+    CHECK(no_flank.status == 1);
+    CHECK_THAT(no_flank.err, ContainsSubstring("its tip alone makes the tooth space") &&
+                                 ContainsSubstring("write a wave_generator.radial_deformation nearer"));
+    CHECK_FALSE(std::filesystem::exists(folder / "cut.toml"));
 }
 
 TEST_CASE("inspect refuses what it cannot follow", "[inspect]")
