@@ -150,12 +150,13 @@ TEST_CASE("report --json says what was written and left out", "[report]")
     json const& scene = said.at("drives").at(1);
     CHECK_THAT(file.at("origin").get<std::string>(), ContainsSubstring("a.h5"));
     CHECK(scene.at("origin").is_null());
-    CHECK(file.at("parts") == json{"solve"});
+    CHECK(file.at("parts") == json{"solve", "design"});
     CHECK(scene.at("parts") == json{"solve", "contact", "design"});
     json const design = drives_of(folder / "both.html").at(1).at("design");
     CHECK(design.at("rows").size() > 50);
     for (json const& row : design.at("rows"))
         CHECK(row.at("here").is_string());
+    CHECK(drives_of(folder / "both.html").at(0).at("design").at("rows").size() == design.at("rows").size());
     json const& left = file.at("left_out").at(0);
     CHECK(left.at("part") == "contact");
     CHECK(left.at("failed") == true);

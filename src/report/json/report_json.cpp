@@ -14,12 +14,11 @@ namespace {
 Json parts_of(ReportedDrive const& drive)
 {
     Json parts = Json::array();
-    if (drive.stored) {
+    if (drive.stored)
         for (auto const& each : drive.stored->parts.items())
             parts.push_back(each.key());
-        return parts;
-    }
-    parts.push_back("solve");
+    else
+        parts.push_back("solve");
     for (auto const& [name, is_there] :
          {std::pair{"contact", drive.contact.has_value()}, std::pair{"load", drive.load.has_value()},
           std::pair{"run", drive.run.has_value()}, std::pair{"wedm", !drive.wire.empty()},
