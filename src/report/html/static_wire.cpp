@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hdconj/base/vec2.hpp"
+#include "static_axes.hpp"
 
 namespace hdconj::report {
 namespace static_path {  // many sources are one translation unit
