@@ -144,10 +144,10 @@ Placement registered(Registered const& what)
         keep_settled(views, step == settled_after ? &used.points : nullptr);
         auto const [by, change] = least_squares_step(views, placement, what, unknowns);
         placement = moved(placement, by, part);
-        // a direction that the points hardly fix, such as the lean of one tooth, trembles by rounding for ever
-        bool const trembles = change <= rounding && by.norm() >= before;
+        // a direction that the points hardly determine, such as the lean of one tooth, changes by rounding at each step
+        bool const only_rounding = change <= rounding && by.norm() >= before;
         before = by.norm();
-        if (step > settled_after && (before <= rounding || trembles))
+        if (step > settled_after && (before <= rounding || only_rounding))
             return what.registration == Registration::minimum_zone ? minimum_zone(used, placement) : placement;
     }
     throw NumericalError(ErrorCode::not_converged, "registration", std::string(to_string(what.registration)),
