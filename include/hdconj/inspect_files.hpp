@@ -43,6 +43,7 @@ void write_chart(Inspection const& inspection, std::filesystem::path const& file
 
 /// The scene that write_measured_tooth() writes, with the points in the scene itself (family "b-spline", the same
 /// spline): for whoever wants to solve it before it is written.
+/// @param inspection  of one member's teeth, with a mean tooth
 /// @param scene_file  only its name and folder are used
 /// @throws FileError where there is no mean tooth
 [[nodiscard]] scene::SceneReading measured_tooth_scene(Inspection const& inspection,
