@@ -23,7 +23,7 @@ namespace ${NAMESPACE} {
   if(ROW)
     string(REPLACE "|" ";" files "${TEXT}")
     foreach(file IN LISTS files)
-      get_filename_component(stem "${file}" NAME_WE)
+      get_filename_component(stem "${file}" NAME_WLE)
       read_literal("${file}" literal)
       string(APPEND rows "    {\"${stem}\", ${literal}},\n")
     endforeach()

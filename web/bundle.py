@@ -1,10 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Makes web/bundle.js of web/src: checks the types with tsc, bundles with esbuild.
+"""Makes web/bundle.js of web/src: checks the types with tsc, bundles with esbuild. uPlot, which draws the curves,
+stands beside it as it is published (web/third_party).
 
     bundle.py           writes web/bundle.js
-    bundle.py --check   compares it with what the sources give; --control breaks a source, which must be caught
+    bundle.py --check   compares it with what the sources give, and uPlot with its checksums
+    bundle.py --control breaks sources, and uPlot, which must be caught
 """
+import hashlib
 import shutil
 import subprocess
 import sys
@@ -28,6 +31,13 @@ def differs(web, typed=True):
     return bundle(web, typed) != (web / "bundle.js").read_text()
 
 
+def changed(library):
+    """The files of a library that are not as it was published."""
+    sums = dict(reversed(line.split()) for line in (library / "SHA256SUMS").read_text().splitlines())
+    return [name for name, known in sums.items()
+            if hashlib.sha256((library / name).read_bytes()).hexdigest() != known]
+
+
 def control():
     """A source with a wrong type, and one that does another thing, must both be caught."""
     with tempfile.TemporaryDirectory() as folder:
@@ -43,6 +53,11 @@ def control():
                 caught = typed
             if not caught:
                 return "a changed source is not caught"
+        library = Path(folder) / "web/third_party/uPlot"
+        with open(library / "uPlot.iife.min.js", "a", encoding="utf-8") as source:
+            source.write("\n")
+        if changed(library) != ["uPlot.iife.min.js"]:
+            return "a changed file of uPlot is not caught"
     return ""
 
 
@@ -59,7 +74,8 @@ def main():
         print(fault or "a changed source is caught")
         return 1 if fault else 0
     elif "--check" in sys.argv:
-        fault = "web/bundle.js is not what web/src gives: run web/bundle.py" if differs(WEB) else ""
+        fault = "web/bundle.js is not what web/src gives: run web/bundle.py" if differs(WEB) else ", ".join(
+            f"third_party/uPlot/{name} is not as published" for name in changed(WEB / "third_party/uPlot"))
     else:
         (WEB / "bundle.js").write_text(bundle(WEB))
         fault = ""

@@ -13,7 +13,7 @@ from pathlib import Path
 CODE = (".hpp", ".cpp", ".py", ".cmake", ".sh")
 OTHER_TEXT = (".toml", ".txt", ".md", ".json", ".in", ".yml", ".yaml", ".csv")
 EDGES = ("src/io/", "src/file/", "src/figures/", "src/report/")  # rooms that write and do not compute
-SKIPPED = {".git", "build", "out", "__pycache__", ".cache"}
+SKIPPED = {".git", "build", "out", "__pycache__", ".cache", "third_party"}
 
 
 def files(root):

@@ -340,7 +340,8 @@ class Reports(unittest.TestCase):
             see(page, "run")
             rows = {row.get_attribute("data-name"): float(row.get_attribute("data-value"))
                     for row in page.locator("#run tr[data-name]").all()}
-            self.assertEqual(page.locator("#run svg.chart").count(), 2 * len(told["sequences"]) + 3)
+            self.assertEqual(page.locator("#run .curves canvas").count(), 2 * len(told["sequences"]) + 2)
+            self.assertEqual(page.locator("#run svg.chart").count(), 1)
             self.assert_map_is_the_program_s(page, told["losses"]["efficiency"])
         self.assertEqual(rows["Ratio"], told["ratio"])
         errors = [value for name, value in rows.items() if name.startswith("Transmission error")]
@@ -358,14 +359,24 @@ class Reports(unittest.TestCase):
                                       "Transmission error, 27.72 N m, over one tooth pitch", "Efficiency"])
             for picture in opened.locator("svg.chart").all():
                 self.assertGreater(picture.bounding_box()["height"], 100)
-            # the same points as the picture that the script draws
-            still = opened.locator("svg.chart").last.locator("polyline").evaluate_all(
-                "all => all.map(each => each.getAttribute('points').trim())")
+            still = [[[float(v) for v in point.split(",")] for point in line.split()]
+                     for line in opened.locator("svg.chart").last.locator("polyline").evaluate_all(
+                         "all => all.map(each => each.getAttribute('points'))")]
         with Page(page) as opened:
             see(opened, "run")
-            drawn = opened.locator("#run svg.chart").last.locator("polyline").evaluate_all(
-                "all => all.map(each => each.getAttribute('points').trim())")
-        self.assertEqual(still, drawn)
+            x, *curves = opened.locator("#run .curves").last.evaluate("each => each.plot.data.map(v => Array.from(v))")
+        # the same points as the script draws: each axis of the still picture is a straight scale of the values
+        self.assertEqual(len(still), len(curves))
+        self.assertGreater(len(x), 2)
+        places = [place for line in still for place in line]
+        values = [(a, b) for curve in curves for a, b in zip(x, curve) if b is not None]
+        self.assertEqual(len(places), len(values))
+        for axis in 0, 1:
+            low, high = (end(range(len(values)), key=lambda i: values[i][axis]) for end in (min, max))
+            per_unit = (places[high][axis] - places[low][axis]) / (values[high][axis] - values[low][axis])
+            for place, value in zip(places, values):
+                self.assertAlmostEqual(place[axis], places[low][axis] + per_unit * (value[axis] - values[low][axis]),
+                                       delta=0.11)  # two places, each rounded to a tenth of a pixel
 
     def test_every_curve_and_bar_has_its_error(self):
         scene = f"{SOURCE}/data/scenes/type-50-elastic.toml"
@@ -382,20 +393,39 @@ class Reports(unittest.TestCase):
                 self.assertAlmostEqual(float(error[2:]), member["twist_error_arcmin"],
                                        delta=0.05 * member["twist_error_arcmin"])
                 self.assertEqual(unit, "arcmin")
-            forces = page.locator("#load svg.chart:has(.bars)")
+            forces = page.locator("#load .curves[data-errors=whiskers]")
             self.assertEqual(forces.count(), 2)  # of teeth and of the bearing
-            self.assertEqual(page.locator("#load svg.chart:has(.bars) .whiskers").count(), 2)
             forces.first.scroll_into_view_if_needed()
-            forces.first.hover()
-            self.assertIn("±", forces.first.locator("xpath=..").locator(".reading").inner_text())
+            forces.first.locator(".u-over").hover()
+            page.wait_for_timeout(100)
+            self.assertIn("±", forces.first.locator(".u-legend").inner_text())
             for legend in page.locator("#load .legend:has(.bar)").all():
                 self.assertIn("±", legend.inner_text())
             see(page, "run")
-            charts = page.locator("#run svg.chart")
-            self.assertEqual(charts.count(), page.locator("#run svg.chart:has(.band), "
-                                                          "#run svg.chart:has(.whiskers)").count())
+            self.assertEqual(page.locator("#run .curves").count(), page.locator("#run .curves[data-errors]").count())
             see(page, "axial")
-            self.assertEqual(page.locator("#axial svg.chart .band").count(), 2)
+            self.assertEqual(page.locator("#axial .curves[data-errors=band]").count(), 1)
+
+    def test_drag_across_a_curve_zooms(self):
+        with Page(running_page()) as page:
+            see(page, "load")
+            curve = page.locator("#load .curves").first
+            curve.scroll_into_view_if_needed()
+            ends = "each => [each.plot.scales.x.min, each.plot.scales.x.max]"
+            low, high = whole = curve.evaluate(ends)
+            box = curve.locator(".u-over").bounding_box()
+            x, y = (lambda share: box["x"] + share * box["width"]), box["y"] + box["height"] / 2
+            page.mouse.move(x(0.25), y)
+            page.mouse.down()
+            page.mouse.move(x(0.75), y, steps=5)
+            page.mouse.up()
+            page.wait_for_timeout(100)
+            near, far = curve.evaluate(ends)
+            self.assertAlmostEqual(near, low + 0.25 * (high - low), delta=0.01 * (high - low))
+            self.assertAlmostEqual(far, low + 0.75 * (high - low), delta=0.01 * (high - low))
+            page.mouse.dblclick(x(0.5), y)
+            page.wait_for_timeout(100)
+            self.assertEqual(curve.evaluate(ends), whole)
 
     def test_gaps_and_wire_without_scripts(self):
         with Page(report("still", TYPE_50, "--with", "contact,wedm"), java_script_enabled=False) as opened:
@@ -566,7 +596,7 @@ class Reports(unittest.TestCase):
         self.assertLess(loaded.stat().st_size, 3_000_000)
         with Page(loaded) as page:
             see(page, "load")
-            self.assertGreater(page.locator("#load svg.chart").count(), 4)
+            self.assertGreater(page.locator("#load :is(svg.chart, .curves canvas)").count(), 4)
         large = report("large", f"{SOURCE}/data/scenes/type-50-coned.toml", "--set", "slices.count=40", "--with",
                        "contact")
         self.assertLess(large.stat().st_size, 10_000_000)

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What happens along the axis: map of gaps, one tooth space that one can turn, tilts.
 
-import { chart, heatMap } from "./chart.js";
+import { chart } from "./curves.js";
 import { column, groupAt } from "./data.js";
 import { choice, colour, legend, make, onTheme, remember, remembered, scaleColour } from "./dom.js";
+import { heatMap } from "./heat_map.js";
 import { keyFigures } from "./keys.js";
 import { caseNames } from "./load.js";
 import { say } from "./texts.js";

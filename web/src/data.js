@@ -144,3 +144,16 @@ function tidy(text) {
 export function brief(value) {
   return String(Number(value.toPrecision(4)));
 }
+
+/** From the smallest to the largest finite value.
+ * @param {ArrayLike<number>[]} lists @returns {[number, number]} */
+export function range(lists) {
+  let low = Infinity, high = -Infinity;
+  for (const list of lists)
+    for (let i = 0; i < list.length; ++i)
+      if (Number.isFinite(list[i])) {
+        low = Math.min(low, list[i]);
+        high = Math.max(high, list[i]);
+      }
+  return low <= high ? [low, high] : [0, 1];
+}

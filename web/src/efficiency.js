@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Efficiency over torque and speed as a map with contours.
 
-import { heatMap, strong } from "./chart.js";
+import { heatMap, strong } from "./heat_map.js";
 import { brief, column, shownError } from "./data.js";
 import { legend, make, svg } from "./dom.js";
 import { say } from "./texts.js";

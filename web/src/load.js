@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The drive under torque.
 
-import { bars, chart, heatMap, strong } from "./chart.js";
+import { bars, chart } from "./curves.js";
 import { brief, column, errorOf, groupAt, isUnknown, shown, shownError } from "./data.js";
 import { choice, colour, legend, make, onTheme, remember, remembered } from "./dom.js";
+import { heatMap, strong } from "./heat_map.js";
 import { keyFigures } from "./keys.js";
 import { say } from "./texts.js";
 
@@ -38,7 +39,7 @@ function caseFigures(load, index) {
   /** @param {string} title @param {string} xLabel @param {string} yLabel @param {string} xName @param {number} xUnit
    * @param {string} yName @param {number} yUnit */
   const curveOf = (title, xLabel, yLabel, xName, xUnit, yName, yUnit) => chart(title, xLabel, yLabel,
-    [{ name: yName, x: by(column(curve, xName), xUnit), y: by(column(curve, yName), yUnit), error: error(yName,
+    [{ name: yLabel, x: by(column(curve, xName), xUnit), y: by(column(curve, yName), yUnit), error: error(yName,
       yUnit) }]);
   const perArcmin = newtonMetre / arcminute;
   const isCurve = column(curve, "torque").length > 1;

@@ -111,6 +111,8 @@ function about(drive) {
   return make("div", {}, make("h3", {}, say("leftOut")),
     make("ul", {}, ...drive.left_out.map((each) => make("li", {}, `${each.part}: ${each.why}`))),
     make("p", {}, `${say("built")} ${report.build}`),
+    make("details", {}, make("summary", {}, say("curvesBy")),
+      make("pre", {}, (document.getElementById("licence") || app).textContent)),
     make("details", {}, make("summary", {}, say("summary")), make("pre", {}, drive.text)));
 }
 

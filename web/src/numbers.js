@@ -85,7 +85,8 @@ export function numbersView(drive) {
 /** @param {import("./data.js").Drive[]} drives */
 export function compareView(drives) {
   if (drives.length < 2) return null;
-  const tables = drives.map((drive) => new Map(figuresOf(drive).map((f) => [`${placeOf(f)} ${nameOf(f)}`, f])));
+  const tables = drives.map((drive) => new Map(figuresOf(drive).filter((f) => f.name !== "seconds")
+    .map((f) => [`${placeOf(f)} ${nameOf(f)}`, f]))); // how long the computer took says nothing of a drive
   const keys = [...new Set(tables.flatMap((table) => [...table.keys()]))];
   const rows = keys.map((key) => {
     const found = tables.map((table) => table.get(key)), known = found.filter(Boolean);
@@ -94,16 +95,17 @@ export function compareView(drives) {
     const exact = mark && known.some((f) => f && f.error === null);
     return {
       mark, search: `${key} ${first.units} ${first.meaning} ${mark ? say("differs") : ""}`.toLowerCase(),
-      cells: [placeOf(first), make("span", {}, nameOf(first), make("small", {}, first.meaning)),
+      cells: [placeOf(first), make("span", {}, nameOf(first), make("small", {}, first.meaning), mark
+        ? make("small", {}, make("strong", {}, "≠ " + say(exact ? "noError" : "differs")))
+        : known.length > 1 ? make("small", {}, say("same")) : null),
         ...found.map((f) => (f ? shown(f.value, f.error) + (f.error ? " ± " + shownError(f.error) : "") : "–")),
-        first.units === "1" ? "" : first.units,
-      mark ? "≠ " + say(exact ? "noError" : "differs") : known.length > 1 ? say("same") : ""],
+        first.units === "1" ? "" : first.units],
       csv: [placeOf(first), nameOf(first), ...found.map((f) => (f ? f.value : null)), first.units, mark ? "differs"
         : ""],
     };
   });
   rows.sort((a, b) => Number(b.mark) - Number(a.mark));
-  const head = [say("part"), say("figure"), ...drives.map((drive) => drive.name), say("unit"), ""];
+  const head = [say("part"), say("figure"), ...drives.map((drive) => drive.name), say("unit")];
   return make("div", {}, overlay(drives), searchable(head, rows, say("compare")));
 }
 

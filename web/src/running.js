@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The drive while it turns, and the figures that a catalogue has of it.
 
-import { bars, chart } from "./chart.js";
+import { bars, chart } from "./curves.js";
 import { brief, column, groupAt, isUnknown, shown, shownError, valuesOf } from "./data.js";
 import { make } from "./dom.js";
 import { efficiencyMaps } from "./efficiency.js";

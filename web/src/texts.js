@@ -61,11 +61,12 @@ const english = {
   noRule: "Keys of the scene that the proposed drive does not have",
   designNote: "hdconj design proposes a drive for the wishes that this scene stands for. A row holds this drive's "
     + "value, and what the rule proposes for it.",
-  built: "Program built with", keyFigures: "Figures to look at first", atTorque: "At", andMore: "and more",
+  built: "Program built with", curvesBy: "Curves are drawn by uPlot; its licence", keyFigures: "Figures to look at first", atTorque: "At", andMore: "and more",
   interference: "interference",
   white: "empty: no force", bottomOpen: "left: bottom of the cup, right: open end; the axis lies below",
   noErrorNote: "Where the error is empty the program states none: counts, given values, and figures whose error is "
     + "not determined.", allPasses: "all", wholePart: "Whole part",
+  curveHint: "point to read, drag to zoom, double click for the whole",
   hoverHint: "Point at the picture to read values.", version: "hdconj", printed: "written", summary: "Printed summary",
   running: "While it runs", unloaded: "unloaded", tooth_pitch: "one tooth pitch",
   input_turn: "a turn of the wave generator", output_turn: "until both rings meet as before",

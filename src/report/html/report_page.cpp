@@ -29,11 +29,11 @@
 namespace hdconj::report {
 namespace {
 
-std::string_view page_part(std::string_view name)
+std::string page_part(std::string_view name)
 {
     for (PagePart const& part : page_parts)
         if (part.name == name)
-            return part.text;
+            return std::string(part.text);
     throw std::logic_error("the page has no part " + std::string(name));
 }
 
@@ -275,24 +275,25 @@ std::string report_page(std::vector<ReportedDrive> const& drives)
     std::string title = "hdconj:";
     for (ReportedDrive const& drive : drives)
         title += (&drive == &drives.front() ? " " : ", ") + drive.solution.scene.drive.name;
-    std::string_view const page = report::page_part("page");
+    std::string const page = report::page_part("page");
     std::string html;
     std::size_t at = 0;
     // in the order of the page, in one pass: what is put in is not looked at again
     for (auto const& [mark, text] : {std::pair<std::string_view, std::string>{"@TITLE@", report::escaped(title)},
-                                     {"@STYLE@", std::string(report::page_part("style"))},
+                                     {"@LIBRARY_STYLE@", report::page_part("uPlot.min")},
+                                     {"@STYLE@", report::page_part("style")},
                                      {"@STATIC@", report::static_part(drives, data.at("drives"))},
                                      {"@DATA@", report::script_data(data)},
-                                     {"@SCRIPT@", std::string(report::page_part("bundle"))}}) {
+                                     {"@LICENCE@", report::page_part("uPlot-licence")},
+                                     {"@LIBRARY@", report::page_part("uPlot.iife.min")},
+                                     {"@SCRIPT@", report::page_part("bundle")}}) {
         std::size_t const next = page.find(mark, at);
         if (next == std::string_view::npos)
             throw std::logic_error("the page has no mark " + std::string(mark));
-        html += page.substr(at, next - at);
-        html += text;
+        html.append(page, at, next - at).append(text);
         at = next + mark.size();
     }
-    html += page.substr(at);
-    return html;
+    return html.append(page, at);
 }
 
 }  // namespace hdconj
