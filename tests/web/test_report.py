@@ -426,6 +426,20 @@ class Reports(unittest.TestCase):
             page.mouse.dblclick(x(0.5), y)
             page.wait_for_timeout(100)
             self.assertEqual(curve.evaluate(ends), whole)
+            values = curve.evaluate("each => Array.from(each.plot.data[0])")
+            curve.evaluate("each => { each.plot.setCursor({left: -10, top: -10}); each.focus(); }")
+            for value in values[:2]:
+                page.keyboard.press("ArrowRight")
+                page.wait_for_timeout(100)
+                self.assertAlmostEqual(float(curve.locator(".u-legend .u-value").first.inner_text()), value, places=6)
+
+    def test_tap_reads_a_curve(self):
+        with Page(running_page(), has_touch=True) as page:
+            see(page, "load")
+            curve = page.locator("#load .curves").first
+            curve.locator(".u-over").tap()
+            page.wait_for_timeout(100)
+            self.assertIn("±", curve.locator(".u-legend").inner_text())
 
     def test_gaps_and_wire_without_scripts(self):
         with Page(report("still", TYPE_50, "--with", "contact,wedm"), java_script_enabled=False) as opened:

@@ -76,7 +76,7 @@ function plotted(title, xLabel, yLabel, xs, [ys, isCut], all, style) {
     drawErrors(plot, s, colour(isBar ? "ink" : `s${n % 4}`), bands);
     host.dataset.errors = bands ? "band" : "whiskers";
   });
-  const host = make("div", { class: "curves" });
+  const host = make("div", { "class": "curves", "tabindex": 0, "role": "group", "aria-label": title });
   const plot = new uPlot({
     width, height,
     scales: { x: { time: false, range: (_, low, high) => (low === data[0][0] && high === data[0][data[0].length - 1]
@@ -94,6 +94,14 @@ function plotted(title, xLabel, yLabel, xs, [ys, isCut], all, style) {
   }, data, host);
   plot.ctx.canvas.setAttribute("role", "img");
   plot.ctx.canvas.setAttribute("aria-label", title);
+  host.querySelector(".u-legend").setAttribute("aria-live", "polite");
+  host.addEventListener("keydown", (/** @type {KeyboardEvent} */ e) => {
+    const step = { ArrowLeft: -1, ArrowRight: 1 }[e.key];
+    if (!step) return;
+    const at = plot.cursor.idx ?? (step > 0 ? -1 : data[0].length), x = data[0][at + step];
+    if (x !== undefined) plot.setCursor({ left: plot.valToPos(x, "x"), top: plot.over.clientHeight / 2 });
+    e.preventDefault();
+  });
   host.plot = plot; // for scripts of the reader, and for tests
   onTheme(host, () => plot.redraw());
   new ResizeObserver(() => {

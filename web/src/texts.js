@@ -66,7 +66,7 @@ const english = {
   white: "empty: no force", bottomOpen: "left: bottom of the cup, right: open end; the axis lies below",
   noErrorNote: "Where the error is empty the program states none: counts, given values, and figures whose error is "
     + "not determined.", allPasses: "all", wholePart: "Whole part",
-  curveHint: "point to read, drag to zoom, double click for the whole",
+  curveHint: "point or press arrow keys to read, drag to zoom, double click for the whole",
   hoverHint: "Point at the picture to read values.", version: "hdconj", printed: "written", summary: "Printed summary",
   running: "While it runs", unloaded: "unloaded", tooth_pitch: "one tooth pitch",
   input_turn: "a turn of the wave generator", output_turn: "until both rings meet as before",
