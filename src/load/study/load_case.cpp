@@ -50,10 +50,11 @@ SurfaceWithPlay surface_with_play(contact::ContactContext const& context, Assemb
     std::optional<Play> play = play_in(surface);
     bool side_clearance_increased = false;
     if (!automatic && !(play && width_of(*play) >= 0)) {
-        double const given = surface.offset;
-        surface = contact::flank_surface(context, choice, true);
-        side_clearance_increased = surface.offset > given + context.tolerance.length;
-        play = play_in(surface);
+        contact::FlankSurface cleared = contact::flank_surface(context, choice, true);
+        side_clearance_increased = cleared.offset > surface.offset + context.tolerance.length;
+        if (cleared.grid.point != surface.grid.point)  // the play of the same flanks is known
+            play = play_in(cleared);
+        surface = std::move(cleared);
     }
     if (!play)
         refuse_assembly(context.scene, choice, surface.offset);

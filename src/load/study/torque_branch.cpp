@@ -154,10 +154,11 @@ double stiffness_at(TorqueContinuation const& path, LoadedDrive const& drive)
     if (drive.torque == 0)
         return 0;
     try {
-        LoadedDrive const below = advance(path, drive, smaller * drive.torque);
-        double const twist = std::copysign(1, drive.torque) * (drive.state.turn - below.state.turn);
+        double const torque = smaller * drive.torque;
+        double const twist =
+            std::copysign(1, drive.torque) * (drive.state.turn - turn_near(path.problem, torque, drive));
         if (twist * path.problem.context.geometry.r_m > gap_tolerance(path.problem))
-            return std::abs(drive.torque - below.torque) / twist;
+            return std::abs(drive.torque - torque) / twist;
     } catch (NumericalError const& error) {
         if (!error.is_infeasible())
             throw;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "torque_continuation.hpp"
 
-#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -11,12 +10,12 @@
 #include <utility>
 #include <vector>
 
+#include "anderson_mixing.hpp"
 #include "base/text.hpp"
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/units.hpp"
 #include "load/elastic_drive.hpp"
-#include "numeric/least_squares.hpp"
 
 namespace hdconj::load {
 namespace {
@@ -48,6 +47,19 @@ constexpr Attempt attempts[] = {{1, 3, 25},
 std::string place_of(double torque)
 {
     return "torque of " + short_number(torque / newton_metre) + " N m";
+}
+
+/// A failure tells the torque.
+template <class Body>
+void at_torque(double torque, Body const& body)
+{
+    try {
+        body();
+    } catch (NumericalError const& error) {
+        if (error.stage() == "load")
+            throw;
+        throw error.inside("load", place_of(torque));
+    }
 }
 
 auto flank_of(FlankContact const& c)
@@ -133,54 +145,6 @@ void require_within_pitch(LoadProblem const& problem, double torque, double turn
                              "write a smaller torque");
 }
 
-// Anderson mixing (D. G. Anderson, J. ACM 12, 1965).
-
-/// One iteration of the loaded shape.
-struct MixingStep
-{
-    Eigen::MatrixXd forces;  ///< that the shape led to, on the stations of the cup
-    double turn = 0;         ///< that it led to [rad]
-    Eigen::VectorXd change;  ///< of all displacements against those of the shape itself [mm]
-};
-
-/// Displacements under @p forces and @p turn less those of @p shape at @p turn_of_shape: zero where the shape
-/// reproduces itself. Turns of teeth count as what they move the tips by.
-Eigen::VectorXd displacement_change(LoadProblem const& problem, LoadedShape const& shape, double turn_of_shape,
-                                    Eigen::MatrixXd const& forces, double turn)
-{
-    std::vector<std::vector<double>> const series = displacements(problem.drive, forces, problem.context.threads);
-    Eigen::VectorXd change(static_cast<Eigen::Index>(series.size() * series.front().size()) + 1);
-    Eigen::Index i = 0;
-    for (std::size_t station = 0; station < series.size(); ++station) {
-        double const scale = station >= problem.drive.stations.turn(0) ? problem.context.scene.drive.module : 1;
-        for (std::size_t k = 0; k < series[station].size(); ++k)
-            change[i++] = scale * (series[station][k] - shape.series[station][k]);
-    }
-    change[i] = (turn - turn_of_shape) * problem.context.geometry.r_m;
-    return change;
-}
-
-/// Forces and turn of @p now become the affine combination of those of @p history whose changes have the least sum of
-/// squares. Domain: a history whose last step is that of @p now.
-void anderson_mix(std::vector<MixingStep> const& history, LoadedDrive& now)
-{
-    auto const others = static_cast<Eigen::Index>(history.size() - 1);
-    if (others == 0)
-        return;
-    Eigen::VectorXd const& last = history.back().change;
-    Eigen::MatrixXd differences(last.size(), others);
-    for (Eigen::Index i = 0; i < others; ++i) {
-        auto const k = static_cast<std::size_t>(i);
-        differences.col(i) = history[k + 1].change - history[k].change;
-    }
-    Eigen::VectorXd const weight = numeric::LeastSquares(differences).solve(last);
-    for (Eigen::Index i = 0; i < others; ++i) {
-        auto const k = static_cast<std::size_t>(i);
-        now.forces -= weight[i] * (history[k + 1].forces - history[k].forces);
-        now.state.turn -= weight[i] * (history[k + 1].turn - history[k].turn);
-    }
-}
-
 /// The drive after an attempt.
 struct AttemptResult
 {
@@ -188,6 +152,16 @@ struct AttemptResult
     bool converged;
     double mismatch;  ///< of the gaps [mm]
 };
+
+/// Forces on the contacts of @p at under @p torque; the shape of @p now stays.
+void solve_forces(LoadProblem const& problem, double torque, Linearisation& at, LoadedDrive& now)
+{
+    now.state = solved_linear(problem, now, torque, at);
+    ++now.iterations;
+    now.steps += now.state.steps;
+    now.contacts = std::move(at.gaps.contacts);
+    now.forces = forces_on_cup(problem.drive, now.contacts, now.state);
+}
 
 AttemptResult attempted(LoadProblem const& problem, double torque, Attempt const& attempt, LoadedDrive now)
 {
@@ -221,13 +195,9 @@ AttemptResult attempted(LoadProblem const& problem, double torque, Attempt const
             } else if (iteration >= attempt.first_mixing + patience && iteration - at_least > patience)
                 break;
         }
-        now.state = solved_linear(problem, now, torque, at);
+        solve_forces(problem, torque, at, now);
         if (iteration >= first_check_of_turn)
             require_within_pitch(problem, torque, now.state.turn);
-        ++now.iterations;
-        now.steps += now.state.steps;
-        now.contacts = std::move(at.gaps.contacts);
-        now.forces = forces_on_cup(problem.drive, now.contacts, now.state);
         if (iteration >= attempt.first_mixing - 1)
             history.push_back({now.forces, now.state.turn,
                                displacement_change(problem, now.shape, at.gaps.turn, now.forces, now.state.turn)});
@@ -247,21 +217,33 @@ LoadedDrive converged_at(LoadProblem const& problem, double torque, LoadedDrive 
     AttemptResult result{start, false, 0};
     result.drive.torque = torque;
     result.drive.iterations = result.drive.steps = 0;
-    try {
-        for (Attempt const& attempt : attempts) {
-            result = attempted(problem, torque, attempt, std::move(result.drive));
-            if (result.converged)
-                return std::move(result.drive);
-        }
-    } catch (NumericalError const& error) {
-        if (error.stage() == "load")
-            throw;
-        throw error.inside("load", place_of(torque));
+    for (Attempt const& attempt : attempts) {
+        at_torque(torque, [&] { result = attempted(problem, torque, attempt, std::move(result.drive)); });
+        if (result.converged)
+            return std::move(result.drive);
     }
     throw NumericalError(ErrorCode::not_converged, "load", place_of(torque),
                          "forces and loaded shape do not converge: after " + std::to_string(result.drive.iterations) +
                              " iterations gaps still differ by " + short_number(result.mismatch * per_um) + " um",
                          "write a larger load.edge_radius, or another circular_spline.backlash_offset");
+}
+
+double turn_near(LoadProblem const& problem, double torque, LoadedDrive const& start)
+{
+    constexpr double enough = 0x1p-10;  // of the turn from the start on
+    constexpr int budget = 8;
+    LoadedDrive now = start;
+    for (int i = 0; i < budget; ++i) {
+        double const before = now.state.turn;
+        at_torque(torque, [&] {
+            Linearisation at = linearised(problem, now, attempts[0]);
+            solve_forces(problem, torque, at, now);
+        });
+        if (i > 0 && std::abs(now.state.turn - before) <= enough * std::abs(now.state.turn - start.state.turn))
+            return now.state.turn;
+        now.shape = loaded_shape(problem.context, problem.drive, now.forces);
+    }
+    return converged_at(problem, torque, start).state.turn;
 }
 
 TorqueContinuation torque_continuation(LoadProblem const& problem, LoadedDrive const& unloaded, Play const& play)

@@ -33,4 +33,11 @@ struct TorqueContinuation
 /// @throws NumericalError with the torque where the iteration does not converge, or no flank carries the torque
 [[nodiscard]] LoadedDrive converged_at(LoadProblem const& problem, double torque, LoadedDrive const& start);
 
+/// Turn at @p torque [N mm] near that of the equilibrium @p start, for a chord of the curve between them: iterated
+/// until it moves by no more than 2^-10 of the way from @p start. The turn settles long before all gaps do, where one
+/// contact among many alternates between two places; where it does not settle in eight iterations, converged_at() tells
+/// it.
+/// @throws NumericalError as converged_at() does
+[[nodiscard]] double turn_near(LoadProblem const& problem, double torque, LoadedDrive const& start);
+
 }  // namespace hdconj::load
