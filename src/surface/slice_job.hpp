@@ -2,6 +2,7 @@
 // One slice on its way to a boundary.
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "conjugate/plane/conjugate_solver.hpp"
@@ -38,10 +39,23 @@ struct SliceJob
     SliceJob(SliceJob const&) = delete;
     SliceJob& operator=(SliceJob const&) = delete;
 
+    /// Down to the tip circle @p tip [mm]; the last one is kept for who asks next.
+    [[nodiscard]] std::shared_ptr<conjugate::ToothSpaceBoundary const> boundary(double tip)
+    {
+        if (!found || found->tip_radius() != tip) {
+            out.geometry.circular_spline_inner_radius = tip;
+            solve->find_boundary();
+            found = std::make_shared<conjugate::ToothSpaceBoundary const>(solve->curve(motion.tooth));
+        }
+        return found;
+    }
+
     Solution out;
     drive::StageClock clock;
     SliceMotion motion;
     std::optional<conjugate::ConjugateSolver> solve;
+    double pointed = 0;  ///< ConjugateSolver::pointed_radius() [mm]
+    std::shared_ptr<conjugate::ToothSpaceBoundary const> found;
 };
 
 }  // namespace hdconj::surface

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tooth_surface.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <utility>
 
@@ -47,8 +49,7 @@ ToothSurfaceBuilder::ToothSurfaceBuilder(Solution const& base, profile::Profile 
       threads_(threads),
       tolerance_{base.scene.solver.tolerance, base.geometry.r_m + base.geometry.w0 + tooth.pitch_line + tooth.addendum},
       motions_(z_.size()),
-      jobs_(z_.size()),
-      pointed_(z_.size())
+      jobs_(z_.size())
 {
 }
 
@@ -68,8 +69,15 @@ bool ToothSurfaceBuilder::follows_sections()
     return sections_.has_value();
 }
 
+bool ToothSurfaceBuilder::shares(std::size_t k)
+{
+    return coarse_ != nullptr && k % 2 == 0 && coarse_->follows_sections() == follows_sections();
+}
+
 std::vector<SliceMotion> ToothSurfaceBuilder::motions_at(std::vector<double> const& planes)
 {
+    if (refined_ && planes == refined_->z_)
+        return refined_->motions_at(planes);
     bool const own = planes == z_;
     auto const sections =
         own || !follows_sections() ? std::nullopt : section_displacements(*base_, shape_, planes, threads_);
@@ -97,6 +105,8 @@ std::string ToothSurfaceBuilder::note_on_sections()
 SliceMotion const& ToothSurfaceBuilder::motion(std::size_t k)
 {
     bool const section = follows_sections();
+    if (shares(k))
+        return coarse_->motion(k / 2);
     if (!motions_[k])
         in_slice(z_[k], [&] {
             motions_[k] =
@@ -116,6 +126,7 @@ SliceMotion ToothSurfaceBuilder::motion_at(double z) const
 void ToothSurfaceBuilder::find_motions(std::vector<std::size_t> const& wanted)
 {
     (void)follows_sections();
+    (void)shares(0);
     constexpr std::size_t grain = 2;
     parallel_for(wanted.size(), threads_, grain, [&](std::size_t i) { (void)motion(wanted[i]); });
 }
@@ -135,11 +146,21 @@ void ToothSurfaceBuilder::prepare_middle()
     middle_job_ = std::move(made);
 }
 
-/// Motions, branches and pointed radii of the slices @p wanted.
+/// Branches and pointed radii of the slices @p wanted.
 /// @param middle_too  what middle() needs, beside them
 void ToothSurfaceBuilder::prepare(std::vector<std::size_t> const& wanted, bool middle_too)
 {
     find_motions(wanted);
+    std::vector<std::size_t> shared;
+    std::copy_if(wanted.begin(), wanted.end(), std::back_inserter(shared), [&](std::size_t k) { return shares(k); });
+    if (!shared.empty()) {
+        std::vector<std::size_t> coarse;
+        for (std::size_t const k : shared)
+            coarse.push_back(k / 2);
+        coarse_->prepare(coarse);
+        for (std::size_t const k : shared)
+            jobs_[k] = coarse_->jobs_[k / 2];
+    }
     parallel_for(wanted.size() + (middle_too ? 1 : 0), threads_, 1, [&](std::size_t i) {
         if (i == wanted.size())
             return prepare_middle();
@@ -147,9 +168,9 @@ void ToothSurfaceBuilder::prepare(std::vector<std::size_t> const& wanted, bool m
         if (jobs_[k])
             return;
         in_slice(z_[k], [&] {
-            auto made = std::make_unique<SliceJob>(*base_, *motions_[k], 1);
+            auto made = std::make_shared<SliceJob>(*base_, motion(k), 1);
             made->solve->find_branches_of_tooth();
-            pointed_[k] = made->solve->pointed_radius();
+            made->pointed = made->solve->pointed_radius();
             jobs_[k] = std::move(made);
         });
     });
@@ -157,9 +178,11 @@ void ToothSurfaceBuilder::prepare(std::vector<std::size_t> const& wanted, bool m
 
 ToothSurfaceBuilder& ToothSurfaceBuilder::refined()
 {
-    if (!refined_)
+    if (!refined_) {
         refined_ = std::make_unique<ToothSurfaceBuilder>(
             *base_, *tooth_, shape_, slice_places(static_cast<int>(2 * z_.size() - 1), 2 * z_.back()), threads_);
+        refined_->coarse_ = this;
+    }
     return *refined_;
 }
 
@@ -172,13 +195,8 @@ std::vector<std::size_t> ToothSurfaceBuilder::own_slices(SurfaceSpec const& spec
 
 conjugate::ToothSpaceBoundary const& ToothSurfaceBuilder::middle(double tip)
 {
-    if (middle_ && middle_->tip_radius() == tip)
-        return *middle_;
     prepare_middle();
-    middle_job_->out.geometry.circular_spline_inner_radius = tip;
-    middle_job_->solve->find_boundary();
-    middle_ = std::make_unique<conjugate::ToothSpaceBoundary>(middle_job_->solve->curve(middle_job_->motion.tooth));
-    return *middle_;
+    return *middle_job_->boundary(tip);
 }
 
 ToothSurfaceBuilder::Curves ToothSurfaceBuilder::solved(std::vector<std::size_t> const& wanted, double tip)
@@ -187,11 +205,7 @@ ToothSurfaceBuilder::Curves ToothSurfaceBuilder::solved(std::vector<std::size_t>
     Curves curves(wanted.size());
     parallel_for(wanted.size(), threads_, 1, [&](std::size_t i) {
         std::size_t const k = wanted[i];
-        in_slice(z_[k], [&] {
-            jobs_[k]->out.geometry.circular_spline_inner_radius = tip;
-            jobs_[k]->solve->find_boundary();
-            curves[i] = std::make_unique<conjugate::ToothSpaceBoundary>(jobs_[k]->solve->curve(jobs_[k]->motion.tooth));
-        });
+        in_slice(z_[k], [&] { curves[i] = jobs_[k]->boundary(tip); });
     });
     return curves;
 }

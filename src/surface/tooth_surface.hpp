@@ -122,7 +122,7 @@ class ToothSurfaceBuilder
     [[nodiscard]] ToothSurfaceBuilder& refined();
 
   private:
-    using Curves = std::vector<std::unique_ptr<conjugate::ToothSpaceBoundary>>;
+    using Curves = std::vector<std::shared_ptr<conjugate::ToothSpaceBoundary const>>;
     /// Least tip circles of z = 0 that leave the slice a land, clear the rim there and leave a land between drafted
     /// flanks [mm].
     struct SliceNeed
@@ -130,6 +130,8 @@ class ToothSurfaceBuilder
         double land = 0, rim = 0, draft = 0;
     };
 
+    /// Whether slice @p k is slice k/2 of the builder that this one refines, which then makes it.
+    [[nodiscard]] bool shares(std::size_t k);
     [[nodiscard]] double factor(double z) const;
     [[nodiscard]] double meeting_tip(double z, double tilt);
     [[nodiscard]] std::vector<SliceNeed> slice_needs(SurfaceSpec const& spec);
@@ -159,11 +161,10 @@ class ToothSurfaceBuilder
     std::optional<std::vector<wavegen::MaterialDisplacement>> sections_;
     bool sections_asked_ = false;
     std::vector<std::optional<SliceMotion>> motions_;
-    std::vector<std::unique_ptr<SliceJob>> jobs_;
-    std::vector<std::optional<double>> pointed_;
+    std::vector<std::shared_ptr<SliceJob>> jobs_;
     std::unique_ptr<SliceJob> middle_job_;
-    std::unique_ptr<conjugate::ToothSpaceBoundary> middle_;
     std::optional<conjugate::MatchedOutline> base_flank_;
+    ToothSurfaceBuilder* coarse_ = nullptr;  // whose refined() this is
     std::unique_ptr<ToothSurfaceBuilder> refined_;
 };
 

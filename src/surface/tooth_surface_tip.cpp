@@ -9,6 +9,7 @@
 #include "base/text.hpp"
 #include "hdconj/error.hpp"
 #include "moved_outline.hpp"
+#include "slice_job.hpp"
 #include "tooth_surface.hpp"
 
 namespace hdconj::surface {
@@ -96,8 +97,8 @@ std::vector<ToothSurfaceBuilder::SliceNeed> ToothSurfaceBuilder::slice_needs(Sur
         // an outline of this slice's own is solved before it is moved, and needs its land there too, clear of the rim
         bool const moved_outward = shift > 0 && follows_cone(spec);
         double const gained = moved_outward ? 0 : shift;
-        needs.push_back({*pointed_[own] + least - gained,
-                         g.r_m + motions_[own]->amplitude + g.pitch_line - g.dedendum + least - gained,
+        needs.push_back({jobs_[own]->pointed + least - gained,
+                         g.r_m + motion(own).amplitude + g.pitch_line - g.dedendum + least - gained,
                          spec.kind == TiltKind::draft ? meeting_tip(z_[k], spec.tilt) : 0});
     }
     return needs;
