@@ -108,15 +108,18 @@ double GapField::nearest(Candidates const& teeth, Vec2 const& q) const
     return best + standing_back(q);
 }
 
-void GapField::nearest(Candidates const& teeth, Vec2 const* q, std::size_t count, double less, double* out) const
+void GapField::nearest(NearTeeth const& near, Vec2 const* q, std::size_t count, double less, double* out,
+                       Vec2* gradient) const
 {
     using distance::Lanes, distance::lanes;
     distance::DistanceLanes const* const together = distance_.together();
     std::size_t i = 0;
     for (; together != nullptr && i + 1 < count; i += lanes) {
-        Lanes best, x, y, found, foot_y;
+        Lanes best, x, y;
+        std::array<Vec2, lanes> normal;
+        distance::DistanceLanes::Nearest found;
         best.fill(std::numeric_limits<double>::infinity());
-        for (Placement const& tooth : teeth) {
+        for (Placement const& tooth : near.teeth) {
             std::array<bool, lanes> asked{};
             bool any = false;
             for (std::size_t l = 0; l < lanes; ++l) {
@@ -128,17 +131,28 @@ void GapField::nearest(Candidates const& teeth, Vec2 const* q, std::size_t count
             }
             if (!any)
                 continue;
-            (*together)(x, y, found, foot_y);
+            (*together)(x, y, found);
             for (std::size_t l = 0; l < lanes; ++l) {
-                double const gap = has_heights() ? found[l] + deviation_->height(foot_y[l]) : found[l];
-                best[l] = asked[l] ? std::min(best[l], gap) : best[l];
+                double const gap =
+                    has_heights() ? found.distance[l] + deviation_->height(found.foot_y[l]) : found.distance[l];
+                asked[l] = asked[l] && gap < best[l];
+                best[l] = asked[l] ? gap : best[l];
             }
+            for (std::size_t l = 0; gradient != nullptr && l < lanes; ++l)
+                if (asked[l])
+                    normal[l] = tooth.rotate_back({found.normal_x[l], found.normal_y[l]});
         }
-        for (std::size_t l = 0; l < lanes && i + l < count; ++l)
+        for (std::size_t l = 0; l < lanes && i + l < count; ++l) {
             out[i + l] = best[l] + standing_back(q[i + l]) - less;
+            if (gradient != nullptr)
+                gradient[i + l] = deviation_ ? touch(near, q[i + l]).gradient() : normal[l];
+        }
     }
-    for (; i < count; ++i)
-        out[i] = nearest(teeth, q[i]) - less;
+    for (; i < count; ++i) {
+        out[i] = nearest(near.teeth, q[i]) - less;
+        if (gradient != nullptr)
+            gradient[i] = touch(near, q[i]).gradient();
+    }
 }
 
 double GapField::radius(int flank, std::size_t slice) const
@@ -215,11 +229,11 @@ GapMap GapField::map(double turn, int threads) const
     auto const grain = static_cast<std::size_t>(std::ceil(worth_a_thread / per_space));
     parallel_for(spaces(), threads, grain, [&](std::size_t space) {
         for (std::size_t k = 0; k < grid_->slices(); ++k) {
-            Candidates const teeth = candidates_of(space, k, turn);
+            NearTeeth const near = near_teeth(space, k, turn);
             for (int flank = 0; flank < 2; ++flank) {
                 double* const row = result.gap.data() + result.index(space, flank, k, 0);
                 auto const& line = grid_->point[static_cast<std::size_t>(flank)][k];
-                nearest(teeth, line.data(), points, deduction(flank, k), row);
+                gaps(near, flank, line.data(), points, row);
             }
         }
     });

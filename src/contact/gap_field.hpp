@@ -107,9 +107,11 @@ class GapField
     {
         gaps(near_teeth(space, slice, turn), flank, q, count, out);
     }
-    void gaps(NearTeeth const& near, int flank, Vec2 const* q, std::size_t count, double* out) const
+    /// @param gradient  gets Touch::gradient() of each; null: not asked
+    void gaps(NearTeeth const& near, int flank, Vec2 const* q, std::size_t count, double* out,
+              Vec2* gradient = nullptr) const
     {
-        nearest(near.teeth, q, count, deduction(flank, near.slice), out);
+        nearest(near, q, count, deduction(flank, near.slice), out, gradient);
     }
 
     /// The smallest gap between a point and its two neighbours on the flank, @p gap at the point: looked for at all
@@ -168,7 +170,8 @@ class GapField
     [[nodiscard]] Candidates candidates_of(std::size_t space, std::size_t slice, double turn) const;
     [[nodiscard]] double nearest(Candidates const& teeth, Vec2 const& q) const;
     /// The same of @p count points, less @p less, into @p out.
-    void nearest(Candidates const& teeth, Vec2 const* q, std::size_t count, double less, double* out) const;
+    void nearest(NearTeeth const& near, Vec2 const* q, std::size_t count, double less, double* out,
+                 Vec2* gradient) const;
     /// What is less than the distance of a point of the flank, for its gap.
     [[nodiscard]] double deduction(int flank, std::size_t slice) const { return radius(flank, slice) - opening(slice); }
     /// By how much all gaps of a slice are larger.

@@ -14,11 +14,13 @@ namespace {
 /// The nearest foot so far.
 struct Foot
 {
-    Lanes squared, x, y, n_x, n_y, open_end;
+    Lanes squared, x, y, n_x, n_y;
+    Lanes vertex;  ///< 0: none, on_joint or on_open_end
 };
+constexpr double on_joint = 1, on_open_end = 2;
 
 inline void offer(Foot& foot, std::size_t l, bool inside, double p_x, double p_y, double x, double y, double n_x,
-                  double n_y, double open_end)
+                  double n_y, double vertex)
 {
     double const away_x = p_x - x, away_y = p_y - y;
     double const squared = away_x * away_x + away_y * away_y;
@@ -28,22 +30,24 @@ inline void offer(Foot& foot, std::size_t l, bool inside, double p_x, double p_y
     foot.y[l] = nearer ? y : foot.y[l];
     foot.n_x[l] = nearer ? n_x : foot.n_x[l];
     foot.n_y[l] = nearer ? n_y : foot.n_y[l];
-    foot.open_end[l] = nearer ? open_end : foot.open_end[l];
+    foot.vertex[l] = nearer ? vertex : foot.vertex[l];
 }
 
 HDCONJ_TARGETS
 void distances(DistanceLanes::Vertex const* vertex, DistanceLanes::Piece const* piece, std::size_t pieces,
-               Lanes const& x, Lanes const& y, Lanes& distance, Lanes& foot_y)
+               Lanes const& x, Lanes const& y, DistanceLanes::Nearest& nearest)
 {
+    constexpr double aligned = 1 - 0x1p-20;  // as in ToothDistance
     Foot foot;
     for (std::size_t l = 0; l < lanes; ++l) {
         foot.squared[l] = std::numeric_limits<double>::infinity();
-        foot.x[l] = foot.y[l] = foot.n_x[l] = foot.n_y[l] = foot.open_end[l] = 0;
+        foot.x[l] = foot.y[l] = foot.n_x[l] = foot.n_y[l] = foot.vertex[l] = 0;
     }
     for (std::size_t i = 0; i <= pieces; ++i) {
         DistanceLanes::Vertex const v = vertex[i];
+        double const vertex_kind = v.open_end != 0 ? on_open_end : on_joint;
         for (std::size_t l = 0; l < lanes; ++l)
-            offer(foot, l, true, x[l], y[l], v.x, v.y, v.n_x, v.n_y, v.open_end);
+            offer(foot, l, true, x[l], y[l], v.x, v.y, v.n_x, v.n_y, vertex_kind);
     }
     for (std::size_t i = 0; i < pieces; ++i) {
         DistanceLanes::Piece const p = piece[i];
@@ -79,10 +83,16 @@ void distances(DistanceLanes::Vertex const* vertex, DistanceLanes::Piece const* 
         }
     }
     for (std::size_t l = 0; l < lanes; ++l) {
-        double const along = (x[l] - foot.x[l]) * foot.n_x[l] + (y[l] - foot.y[l]) * foot.n_y[l];
+        double const away_x = x[l] - foot.x[l], away_y = y[l] - foot.y[l];
+        double const along = away_x * foot.n_x[l] + away_y * foot.n_y[l];
         double const size = std::sqrt(foot.squared[l]);
-        distance[l] = ((foot.open_end[l] != 0) | (along >= 0)) ? size : -size;
-        foot_y[l] = foot.y[l];
+        bool const outside = (foot.vertex[l] == on_open_end) | (along >= 0);
+        bool const corner = (foot.vertex[l] != 0) & (size > 0) & (std::abs(along) < aligned * size);
+        double const scale = (outside ? 1.0 : -1.0) / size;
+        nearest.distance[l] = outside ? size : -size;
+        nearest.foot_y[l] = foot.y[l];
+        nearest.normal_x[l] = corner ? scale * away_x : foot.n_x[l];
+        nearest.normal_y[l] = corner ? scale * away_y : foot.n_y[l];
     }
 }
 
@@ -93,9 +103,9 @@ DistanceLanes::DistanceLanes(std::vector<Vertex> vertices, std::vector<Piece> pi
 {
 }
 
-void DistanceLanes::operator()(Lanes const& x, Lanes const& y, Lanes& distance, Lanes& foot_y) const
+void DistanceLanes::operator()(Lanes const& x, Lanes const& y, Nearest& nearest) const
 {
-    distances(vertices_.data(), pieces_.data(), pieces_.size(), x, y, distance, foot_y);
+    distances(vertices_.data(), pieces_.data(), pieces_.size(), x, y, nearest);
 }
 
 }  // namespace hdconj::distance

@@ -69,10 +69,11 @@ StripContact contact_of(FlankView const& view, GapMinimum const& at, contact::Ga
 }
 
 /// Adds the contacts of one flank to @p found. What lies in the strip of a smaller gap belongs to that strip.
-void add_contacts(FlankView const& view, std::vector<double> const& gap, std::vector<FlankContact>& found)
+void add_contacts(FlankView const& view, std::vector<double> const& gap, std::vector<Vec2> const& gradient,
+                  std::vector<FlankContact>& found)
 {
     std::vector<StripContact> here;
-    for (GapMinimum const& at : gap_minima(view, gap)) {
+    for (GapMinimum const& at : gap_minima(view, gap, gradient)) {
         contact::GapField::Touch const touch = view.touch(view.curve.point(at.place));
         if (touch.nearest.distance - view.radius <= view.search.limit)
             here.push_back(contact_of(view, at, touch));
@@ -104,6 +105,7 @@ std::vector<FlankContact> flank_contacts(contact::GapField const& field, FlankSe
     constexpr std::size_t grain = 4;
     parallel_for(search.spaces, threads, grain, [&](std::size_t s) {
         std::vector<double> gap(grid.points());
+        std::vector<Vec2> gradient(grid.points());
         std::size_t const space = search.first_space + s;
         std::vector<contact::GapField::NearTeeth> teeth;
         for (std::size_t k = 0; k < slices; ++k)
@@ -115,8 +117,8 @@ std::vector<FlankContact> flank_contacts(contact::GapField const& field, FlankSe
                                      flank, k,      field.radius(flank, k), teeth[k]};
                 if (is_far(view))
                     continue;
-                field.gaps(teeth[k], flank, grid.point[f][k].data(), gap.size(), gap.data());
-                add_contacts(view, gap, found[s]);
+                field.gaps(teeth[k], flank, grid.point[f][k].data(), gap.size(), gap.data(), gradient.data());
+                add_contacts(view, gap, gradient, found[s]);
             }
     });
     std::vector<FlankContact> all;

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "hdconj/base/rigid_motion.hpp"
 #include "hdconj/base/tolerance.hpp"
@@ -72,7 +71,8 @@ bool is_far(FlankView const& view)
     return true;
 }
 
-std::vector<GapMinimum> gap_minima(FlankView const& view, std::vector<double> const& gap)
+std::vector<GapMinimum> gap_minima(FlankView const& view, std::vector<double> const& gap,
+                                   std::vector<Vec2> const& gradient)
 {
     std::vector<GapMinimum> found;
     FlankCurve const& curve = view.curve;
@@ -82,19 +82,16 @@ std::vector<GapMinimum> gap_minima(FlankView const& view, std::vector<double> co
         return found;
     // The slopes at the ends of a stretch decide; stretches of no length are edges.
     bool falling = false, begun = false;
-    std::optional<Vec2> ahead;  // gradient at the end of the stretch before, which is where the next one begins
     for (std::size_t i = 0; i < last_point; ++i) {
         if (!(curve.length(i) > 0))
             continue;
         if (std::min(gap[i], gap[i + 1]) > view.search.limit + curve.length(i)) {
             falling = true;
             begun = true;
-            ahead.reset();
             continue;
         }
-        Vec2 const behind = ahead ? *ahead : view.touch(curve.points()[i]).gradient();
-        ahead = view.touch(curve.points()[i + 1]).gradient();
-        double const at_begin = behind.dot(curve.tangent({i, 0})), at_end = ahead->dot(curve.tangent({i, 1}));
+        double const at_begin = gradient[i].dot(curve.tangent({i, 0})),
+                     at_end = gradient[i + 1].dot(curve.tangent({i, 1}));
         if (!begun) {
             if (at_begin >= 0)
                 found.push_back({{i, 0}, true});

@@ -42,8 +42,10 @@ struct GapMinimum
 };
 
 /// All places below the limit where the gap turns from falling to rising, and ends of the flank.
-/// @param gap  at the points of the curve [mm]
-[[nodiscard]] std::vector<GapMinimum> gap_minima(FlankView const& view, std::vector<double> const& gap);
+/// @param gap       at the points of the curve [mm]
+/// @param gradient  of the gap there
+[[nodiscard]] std::vector<GapMinimum> gap_minima(FlankView const& view, std::vector<double> const& gap,
+                                                 std::vector<Vec2> const& gradient);
 
 /// Part of the flank around a minimum in which the gap exceeds that of the minimum by no more than the depth of the
 /// strip: distances along the flank from the minimum to both ends [mm], at most a tenth of the flank each.

@@ -38,11 +38,17 @@ class DistanceLanes
     /// Vertex i stands before piece i; the last one behind the last piece.
     DistanceLanes(std::vector<Vertex> vertices, std::vector<Piece> pieces);
 
+    /// What is nearest to each point, as NearestPoint says.
+    struct Nearest
+    {
+        Lanes distance;  ///< signed [mm]
+        Lanes foot_y;    ///< ordinate of the nearest point of the tooth [mm]
+        Lanes normal_x, normal_y;
+    };
+
     /// @param x         abscissae of the points in the frame of the tooth [mm]
     /// @param y         ordinates [mm]
-    /// @param distance  gets their signed distances from the tooth [mm]
-    /// @param foot_y    gets the ordinates of the nearest points of the tooth [mm]
-    void operator()(Lanes const& x, Lanes const& y, Lanes& distance, Lanes& foot_y) const;
+    void operator()(Lanes const& x, Lanes const& y, Nearest& nearest) const;
 
   private:
     std::vector<Vertex> vertices_;

@@ -22,7 +22,8 @@ TEST_CASE("distance lanes: eight points at once have the bits of one at a time",
     std::uniform_real_distribution<double> x(-0.5, 0.5), y(0.2, 1.4), near(-1e-3, 1e-3);
     int inside = 0, others = 0;
     for (int i = 0; i < 4000; ++i) {
-        distance::Lanes px, py, found, foot_y;
+        distance::Lanes px, py;
+        distance::DistanceLanes::Nearest found;
         for (std::size_t l = 0; l < distance::lanes; ++l) {
             Vec2 p(x(random), y(random));
             // on the profile and within a micrometre of it, where rounding decides
@@ -31,11 +32,13 @@ TEST_CASE("distance lanes: eight points at once have the bits of one at a time",
             px[l] = p.x();
             py[l] = p.y();
         }
-        (*distance.together())(px, py, found, foot_y);
+        (*distance.together())(px, py, found);
         for (std::size_t l = 0; l < distance::lanes; ++l) {
             distance::NearestPoint const alone = distance(Vec2(px[l], py[l]));
-            others += std::bit_cast<std::uint64_t>(found[l]) != std::bit_cast<std::uint64_t>(alone.distance) ? 1 : 0;
-            others += foot_y[l] != alone.point.y() ? 1 : 0;
+            others +=
+                std::bit_cast<std::uint64_t>(found.distance[l]) != std::bit_cast<std::uint64_t>(alone.distance) ? 1 : 0;
+            others += found.foot_y[l] != alone.point.y() ? 1 : 0;
+            others += found.normal_x[l] != alone.normal.x() || found.normal_y[l] != alone.normal.y() ? 1 : 0;
             inside += alone.distance < 0 ? 1 : 0;
         }
     }
