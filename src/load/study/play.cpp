@@ -21,10 +21,12 @@ double pitch_of(LoadProblem const& problem)
 /// the far side of its space. Newton's method on the smallest of all gaps, with steps within the gaps searched. Teeth
 /// that interfere along a radius, as tips do that pass each other, are not opened by a turn: they do not count. Nothing
 /// where it does not converge within a pitch.
-std::optional<double> first_touch(LoadProblem const& problem, contact::GapField const& field, double from, double sense)
+/// @param limit  of the gaps searched [mm]: a large one takes large steps, a small one looks at few flanks
+std::optional<double> first_touch(LoadProblem const& problem, contact::GapField const& field, double from, double sense,
+                                  double limit)
 {
     constexpr double nearly_radial = 0.01;  // lever over the reach
-    double const limit = search_limit(problem), shortest_lever = nearly_radial * field.reach();
+    double const shortest_lever = nearly_radial * field.reach();
     double turn = from;
     constexpr int most_steps = 60;
     for (int i = 0; i < most_steps && std::abs(turn - from) <= pitch_of(problem); ++i) {
@@ -57,10 +59,11 @@ GapMap sector_at_rest(LoadProblem const& problem, contact::GapField const& field
 }
 
 /// Nothing where a side has no first touch.
-std::optional<Play> touches_about(LoadProblem const& problem, contact::GapField const& field, double middle)
+std::optional<Play> touches_about(LoadProblem const& problem, contact::GapField const& field, double middle,
+                                  double limit)
 {
-    std::optional<double> const right = first_touch(problem, field, middle, 1),
-                                left = first_touch(problem, field, middle, -1);
+    std::optional<double> const right = first_touch(problem, field, middle, 1, limit),
+                                left = first_touch(problem, field, middle, -1, limit);
     return right && left ? std::optional(Play{*right, -*left}) : std::nullopt;
 }
 
@@ -78,7 +81,11 @@ std::optional<Play> play_of(LoadProblem const& problem, LoadedShape const& shape
     try {
         Play const play{contact::turn_to_contact(field, rest, GapMap::right, pitch, threads, touches).turn,
                         contact::turn_to_contact(field, rest, GapMap::left, pitch, threads, touches).turn};
-        return width_of(play) < 0 ? play : touches_about(problem, field, middle_of(play)).value_or(play);
+        if (width_of(play) < 0)
+            return play;
+        constexpr double beyond = 16;  // times what touches
+        double const limit = std::min(search_limit(problem), field.reach() * 0.5 * width_of(play) + beyond * touches);
+        return touches_about(problem, field, middle_of(play), limit).value_or(play);
     } catch (NumericalError const& error) {
         if (error.code() != ErrorCode::no_contact && error.code() != ErrorCode::not_converged)
             throw;
@@ -88,7 +95,8 @@ std::optional<Play> play_of(LoadProblem const& problem, LoadedShape const& shape
 
 Play play_about(LoadProblem const& problem, LoadedShape const& shape, double middle)
 {
-    if (std::optional<Play> const play = touches_about(problem, gap_field(problem, shape, problem.edges), middle))
+    if (std::optional<Play> const play =
+            touches_about(problem, gap_field(problem, shape, problem.edges), middle, search_limit(problem)))
         return *play;
     throw NumericalError(ErrorCode::interference, "load", "play",
                          "the teeth interfere, and no turn within a pitch brings them apart",
