@@ -22,6 +22,19 @@ double least_on_points(TurnMinima const& minima)
     return least;
 }
 
+/// The least that a convex distance may have between the neighbours @p i and @p q, above its chords on either side
+/// prolonged. Where the contact changes from one position of the tooth to another, one chord may be too high: the lower
+/// bound is told. Not a number where a point is not asked for.
+double least_of_convex(std::vector<Vec2> const& place, std::vector<distance::TurnMinimum> const& minima, std::size_t i,
+                       std::size_t q)
+{
+    auto const prolonged = [&](std::size_t from, std::size_t at) {
+        double const rise = std::max(0.0, minima[from].distance - minima[at].distance);
+        return minima[at].distance - rise * (place[q] - place[i]).norm() / (place[at] - place[from]).norm();
+    };
+    return std::min(prolonged(2 * i - q, i), prolonged(2 * q - i, q));
+}
+
 double least_of_slices(std::vector<Deepest> const& deepest)
 {
     double least = std::numeric_limits<double>::infinity();
@@ -99,6 +112,8 @@ Deepest SliceClearances::deepest(ClearanceSet const& set, std::size_t k, double 
     distance::FullTurnClearance<motion::AnyMotion> const& turn = *turns_[of(k)];
     FlankGrid const& grid = moved.flank;
     double const enough = 4 * unit_roundoff * context_.tolerance.scale;
+    constexpr double unseen = 1.0 / 4;  // of what clears: conjugate flanks touch everywhere, to rounding
+    double const shallow = unseen * clearance_accuracy(context_.tolerance);
     for (std::size_t i = 0; i < minima.size(); ++i) {
         std::size_t const j = i % grid.points();
         int const side = i < grid.points() ? GapMap::right : GapMap::left;
@@ -111,8 +126,13 @@ Deepest SliceClearances::deepest(ClearanceSet const& set, std::size_t k, double 
             if (step < 0 ? first : last)
                 continue;
             std::size_t const q = step < 0 ? i - 1 : i + 1;
+            double const lowest = std::min(below, best.turn.distance);
             // the distance falls no faster than the flank goes on
-            if (!(here - 0.5 * (place[i] - place[q]).norm() < std::min(below, best.turn.distance)))
+            if (!(here - 0.5 * (place[i] - place[q]).norm() < lowest))
+                continue;
+            bool const before = step < 0 ? !last : !first;
+            bool const after = step < 0 ? j > 1 : j + 2 < grid.points();
+            if (before && after && least_of_convex(place, minima, i, q) >= lowest - shallow)
                 continue;
             auto const at = [&](double s) {
                 Vec2 const p = grid.between(side, 0, s);

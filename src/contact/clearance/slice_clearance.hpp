@@ -73,7 +73,8 @@ class SliceClearances
                                         std::vector<std::vector<std::uint8_t>> const* wanted = nullptr) const;
 
     /// The deepest place of slice @p k, whose points' own minima are @p minima, between the points too where it may
-    /// fall below @p below: found as smallest_gap() does.
+    /// fall below @p below: found as smallest_gap() does. Dips that chords show to be shallower than a quarter of
+    /// clearance_accuracy() are left out.
     [[nodiscard]] Deepest deepest(ClearanceSet const& set, std::size_t k, double distance,
                                   std::vector<distance::TurnMinimum> const& minima, double below) const;
 
