@@ -7,7 +7,6 @@
 #include <numbers>
 
 #include "hdconj/base/parallel.hpp"
-#include "hdconj/base/tolerance.hpp"
 #include "hdconj/numeric/bracketed_minimum.hpp"
 
 namespace hdconj::contact {
@@ -38,12 +37,13 @@ std::array<int, 2> teeth_needed(int flexspline_teeth, int circular_spline_teeth,
 }
 
 GapField::GapField(profile::Profile const& tooth, FlankGrid const& grid, ToothPoses const& places, int flexspline_teeth,
-                   int circular_spline_teeth, double phase, FlankDeviation const* deviation)
+                   int circular_spline_teeth, double phase, FlankDeviation const* deviation, int lobes)
     : distance_(tooth),
       grid_(&grid),
       places_(&places),
       deviation_(deviation),
-      pitch_(2 * std::numbers::pi / circular_spline_teeth)
+      pitch_(2 * std::numbers::pi / circular_spline_teeth),
+      lobes_(lobes)
 {
     int const first = first_space(circular_spline_teeth);
     double const k = static_cast<double>(flexspline_teeth) / circular_spline_teeth;
@@ -227,7 +227,9 @@ GapMap GapField::map(double turn, int threads) const
     constexpr double worth_a_thread = 1e6;
     auto const per_space = nanoseconds_each * static_cast<double>(2 * grid_->slices() * points);
     auto const grain = static_cast<std::size_t>(std::ceil(worth_a_thread / per_space));
-    parallel_for(spaces(), threads, grain, [&](std::size_t space) {
+    std::size_t const lobe = spaces_of_lobe(), first = first_of_lobe();
+    parallel_for(lobe, threads, grain, [&](std::size_t s) {
+        std::size_t const space = first + s;
         for (std::size_t k = 0; k < grid_->slices(); ++k) {
             NearTeeth const near = near_teeth(space, k, turn);
             for (int flank = 0; flank < 2; ++flank) {
@@ -237,63 +239,15 @@ GapMap GapField::map(double turn, int threads) const
             }
         }
     });
+    auto const at = [&](std::size_t space) {
+        return result.gap.begin() + static_cast<std::ptrdiff_t>(result.index(space, 0, 0, 0));
+    };
+    for (std::size_t space = 0; space < spaces(); ++space)
+        if (space < first || space >= first + lobe) {
+            auto const same = at(first + (space + spaces() - first) % lobe);
+            std::copy(same, same + (at(1) - at(0)), at(space));
+        }
     return result;
-}
-
-SmallestGap smallest_on_line(GapField const& field, GapField::Index const& line, double const* gap, double turn,
-                             double below)
-{
-    std::size_t const points = field.grid().points();
-    GapField::Index at = line;
-    SmallestGap best{std::numeric_limits<double>::infinity(), at};
-    for (std::size_t i = 0; i < points; ++i) {
-        at.point = i;
-        if (gap[i] < best.gap)
-            best = {gap[i], at};
-        if (!(gap[i] - 0.5 * field.spacing() < std::min(below, best.gap)) || (i > 0 && gap[i - 1] < gap[i]) ||
-            (i + 1 < points && gap[i + 1] < gap[i]))
-            continue;
-        double const lowest = field.lowest_about(at, gap[i], turn, smallest_gap_accuracy(field));
-        if (lowest < best.gap)
-            best = {lowest, at};
-    }
-    return best;
-}
-
-double smallest_gap_accuracy(GapField const& field)
-{
-    return 4 * unit_roundoff * field.reach();
-}
-
-SmallestGap smallest_gap(GapField const& field, GapMap const& map, double turn, int flank, int threads)
-{
-    std::size_t const spaces = map.angle.size();
-    std::size_t const row = map.z.size() * map.station.size();
-    auto const asked = [&](int side) { return flank < 0 || side == flank; };
-    std::vector<double> least(2 * spaces, std::numeric_limits<double>::infinity());
-    constexpr std::size_t gaps_worth_a_thread = 1 << 17;
-    parallel_for(least.size(), threads, std::max<std::size_t>(1, gaps_worth_a_thread / std::max<std::size_t>(1, row)),
-                 [&](std::size_t i) {
-                     if (asked(static_cast<int>(i % 2)))
-                         least[i] = *std::min_element(map.gap.begin() + static_cast<std::ptrdiff_t>(i * row),
-                                                      map.gap.begin() + static_cast<std::ptrdiff_t>((i + 1) * row));
-                 });
-    double const on_points = *std::min_element(least.begin(), least.end());
-    std::vector<SmallestGap> found(spaces);
-    constexpr std::size_t spaces_worth_a_thread = 4;
-    parallel_for(spaces, threads, spaces_worth_a_thread, [&](std::size_t space) {
-        found[space].gap = std::numeric_limits<double>::infinity();
-        for (int const side : {static_cast<int>(GapMap::left), static_cast<int>(GapMap::right)})
-            for (std::size_t k = 0; asked(side) && k < map.z.size(); ++k) {
-                SmallestGap const line =
-                    smallest_on_line(field, {space, side, k, 0}, map.gap.data() + map.index(space, side, k, 0), turn,
-                                     std::min(on_points, found[space].gap));
-                if (line.gap < found[space].gap)
-                    found[space] = line;
-            }
-    });
-    return *std::min_element(found.begin(), found.end(),
-                             [](SmallestGap const& a, SmallestGap const& b) { return a.gap < b.gap; });
 }
 
 }  // namespace hdconj::contact

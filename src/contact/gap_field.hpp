@@ -46,8 +46,9 @@ class GapField
 
     /// @param phase      undeformed angle of tooth 0 [rad]
     /// @param deviation  of the flanks from those of @p tooth and @p grid; null: none
+    /// @param lobes      times that all gaps return around the ring, a divisor of both numbers of teeth
     GapField(profile::Profile const& tooth, FlankGrid const& grid, ToothPoses const& places, int flexspline_teeth,
-             int circular_spline_teeth, double phase, FlankDeviation const* deviation = nullptr);
+             int circular_spline_teeth, double phase, FlankDeviation const* deviation = nullptr, int lobes = 1);
     GapField(GapField const&) = delete;
     GapField& operator=(GapField const&) = delete;
 
@@ -87,6 +88,10 @@ class GapField
 
     [[nodiscard]] FlankGrid const& grid() const { return *grid_; }
     [[nodiscard]] std::size_t spaces() const { return space_angle_.size(); }
+    [[nodiscard]] int lobes() const { return lobes_; }
+    /// Spaces of one lobe, which stand for all: so many, about the major axis.
+    [[nodiscard]] std::size_t spaces_of_lobe() const { return spaces() / static_cast<std::size_t>(lobes_); }
+    [[nodiscard]] std::size_t first_of_lobe() const { return (spaces() - spaces_of_lobe()) / 2; }
     /// Angle of the centre line of @p space from the major axis, -pi ... pi.
     [[nodiscard]] double space_angle(std::size_t space) const { return space_angle_[space]; }
 
@@ -201,6 +206,7 @@ class GapField
     std::vector<int> space_number_;
     std::vector<int> nearest_tooth_;
     double pitch_;
+    int lobes_;
     double reach_ = 0;
     double spacing_ = 0;
 };
@@ -223,7 +229,8 @@ struct SmallestGap
 ///
 /// A gap falls no faster than the flank goes on, which drops most points; about the others that are smaller than their
 /// neighbours the exact gap is followed to its minimum (GapField::lowest_about()). A dip between two points that
-/// neither falls towards is not seen: its depth is less than what the gap changes over half their distance.
+/// neither falls towards is not seen: its depth is less than what the gap changes over half their distance. It lies in
+/// the lobe about the major axis.
 /// @param flank  GapMap::left or GapMap::right; below 0: both
 [[nodiscard]] SmallestGap smallest_gap(GapField const& field, GapMap const& map, double turn, int flank, int threads);
 

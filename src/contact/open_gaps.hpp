@@ -43,14 +43,15 @@ class OpenGaps
   public:
     /// @param level  gaps up to this count [mm]
     /// @param floor  known to be no more than any gap [mm]
-    OpenGaps(std::vector<OpenGap> open, bool anew, double level, double floor) : open_(std::move(open))
+    /// @param lobes  for so many lobes the spaces of one stand
+    OpenGaps(std::vector<OpenGap> open, bool anew, double level, double floor, int lobes = 1) : open_(std::move(open))
     {
         double more = 0, parabolas = std::numeric_limits<double>::infinity();
         for (OpenGap const& each : open_) {
             lowest_ = std::min(lowest_, each.lowest);
             parabolas = std::min(parabolas, each.least);
             more = std::max(more, std::min(each.second, level) - std::min(each.lowest, level));
-            missed_ = anew ? std::max(missed_, each.missed) : missed_ + each.missed;
+            missed_ = anew ? std::max(missed_, each.missed) : missed_ + lobes * each.missed;
         }
         least_ = std::min(lowest_, std::max({parabolas, anew ? lowest_ - 2 * more : parabolas, floor}));
         for (OpenGap const& each : open_)

@@ -230,8 +230,10 @@ ResolvedArea resolved_area(GapField const& field, std::vector<std::size_t> const
         all += space.all;
         second += space.second;
         fourth += space.fourth;
-        result.area.spaces += space.touches ? 1 : 0;
+        result.area.spaces += space.touches ? field.lobes() : 0;
     }
+    for (Sums* const sums : {&all, &second, &fourth})
+        *sums *= field.lobes();
     // all spaces have the same flanks
     result.area.contact = all[0];
     auto const every = [&](std::size_t stride) { return flank_area(grid, flank, width, stride); };

@@ -18,8 +18,8 @@ struct ResolvedArea
     double whole = 0;   ///< estimated error of the area of all flanks, of slices and chords [mm^2]
 };
 
-/// Area integral over the gaps of @p field at @p turn on the flanks @p flank of the spaces @p spaces; the others count
-/// with their area and without contact.
+/// Area integral over the gaps of @p field at @p turn on the flanks @p flank of the spaces @p spaces of one lobe, which
+/// stand for those of all; the others count with their area and without contact.
 ///
 /// Wherever the gap may cross @p limit between two neighbouring points it is looked at in 16 steps between them (8 for
 /// the half), on the exact flank and to the exact teeth; cells between slices as in contact_area(). So the error along

@@ -97,15 +97,16 @@ TurnToContact turn_to_contact(GapField const& field, GapMap const& at_rest, int 
     std::size_t const slices = at_rest.z.size();
     std::size_t const points = at_rest.station.size();
     auto const rivals_within = [&](double turn) {
-        std::vector<std::vector<std::size_t>> found(at_rest.angle.size());
+        std::vector<std::vector<std::size_t>> found(at_rest.angle.size() / static_cast<std::size_t>(field.lobes()));
         constexpr std::size_t gaps_worth_a_thread = 1 << 16;
         parallel_for(found.size(), threads,
                      std::max<std::size_t>(1, gaps_worth_a_thread / std::max<std::size_t>(1, slices * points)),
-                     [&](std::size_t space) {
+                     [&](std::size_t s) {
+                         std::size_t const space = field.first_of_lobe() + s;
                          for (std::size_t k = 0; k < slices; ++k)
                              for (std::size_t i = 0; i < points; ++i)
                                  if (at_rest.at(space, flank, k, i) <= reach * turn + between)
-                                     found[space].push_back((space * slices + k) * points + i);
+                                     found[s].push_back((space * slices + k) * points + i);
                      });
         Rivals rivals{flank, slices, points, {}};
         for (auto const& each : found)

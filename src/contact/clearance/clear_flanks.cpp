@@ -60,7 +60,7 @@ double clearance_for_assembly(CaseSurface const& surface, GapsAtRest& rest, Clea
         for (double const phase : phases) {
             auto const places = context.places(context, phase);
             GapField const field(context.tooth, moved, *places, context.scene.drive.flexspline_teeth,
-                                 context.scene.drive.circular_spline_teeth, phase);
+                                 context.scene.drive.circular_spline_teeth, phase, nullptr, lobes_of(context));
             smallest = std::min(smallest,
                                 smallest_gap(field, *rest(context, moved, field, phase), 0, -1, context.threads).gap);
         }

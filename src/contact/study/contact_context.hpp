@@ -2,6 +2,8 @@
 // What all surfaces of a study are computed with.
 #pragma once
 
+#include <numeric>
+
 #include "drive/stage_clock.hpp"
 #include "hdconj/base/tolerance.hpp"
 #include "hdconj/solution.hpp"
@@ -32,6 +34,13 @@ struct ContactContext
 [[nodiscard]] inline bool has_mirrored_flanks(ContactContext const& context)
 {
     return context.tooth.mirror_symmetric && context.maker.motion(0).motion.symmetric();
+}
+
+/// Times that teeth, spaces and wave are the same around the ring.
+[[nodiscard]] inline int lobes_of(ContactContext const& context)
+{
+    auto const& drive = context.scene.drive;
+    return std::gcd(context.scene.wave_generator.waves, std::gcd(drive.flexspline_teeth, drive.circular_spline_teeth));
 }
 
 /// Side clearance that a scene gives; "auto" gives none [mm].

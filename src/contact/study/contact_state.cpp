@@ -22,9 +22,9 @@
 namespace hdconj::contact {
 namespace {
 
-/// Spaces in which the gap of @p flank may be within @p limit between the points and slices of @p map: where it is
-/// twice that, and one space on.
-std::vector<std::size_t> spaces_near(GapMap const& map, int flank, double limit)
+/// Spaces of one lobe in which the gap of @p flank may be within @p limit between the points and slices of @p map:
+/// where it is twice that, and one space on.
+std::vector<std::size_t> spaces_near(GapField const& field, GapMap const& map, int flank, double limit)
 {
     constexpr double few = 2;
     constexpr std::size_t on = 1;
@@ -39,7 +39,7 @@ std::vector<std::size_t> spaces_near(GapMap const& map, int flank, double limit)
             wanted[(s + spaces + i - on) % spaces] = 1;
     }
     std::vector<std::size_t> found;
-    for (std::size_t s = 0; s < spaces; ++s)
+    for (std::size_t s = field.first_of_lobe(); s < field.first_of_lobe() + field.spaces_of_lobe(); ++s)
         if (wanted[s] != 0)
             found.push_back(s);
     return found;
@@ -76,20 +76,21 @@ void write_place(GapField const& field, GapMap const& rest, int threads, Contact
 {
     std::size_t const slices = rest.z.size(), points = rest.station.size();
     double const level = state.smallest_gap + state.smallest_gap_error;
-    std::vector<std::vector<double>> low(rest.angle.size(),
+    std::vector<std::vector<double>> low(field.spaces_of_lobe(),
                                          std::vector<double>(slices, std::numeric_limits<double>::infinity()));
     constexpr std::size_t grain = 4;
-    parallel_for(low.size(), threads, grain, [&](std::size_t space) {
+    parallel_for(low.size(), threads, grain, [&](std::size_t s) {
+        std::size_t const space = field.first_of_lobe() + s;
         for (int const flank : {static_cast<int>(GapMap::left), static_cast<int>(GapMap::right)})
             for (std::size_t k = 0; k < slices; ++k) {
                 double const* const gap = rest.gap.data() + rest.index(space, flank, k, 0);
                 double const on_points = *std::min_element(gap, gap + points);
                 bool const follow = on_points > level && on_points - 0.5 * field.spacing() <= level;
-                low[space][k] = std::min({low[space][k], on_points,
-                                          follow ? smallest_on_line(field, {space, flank, k, 0}, gap, 0,
-                                                                    level + smallest_gap_accuracy(field))
-                                                       .gap
-                                                 : on_points});
+                low[s][k] = std::min({low[s][k], on_points,
+                                      follow ? smallest_on_line(field, {space, flank, k, 0}, gap, 0,
+                                                                level + smallest_gap_accuracy(field))
+                                                   .gap
+                                             : on_points});
             }
     });
     std::vector<double> excess(slices, std::numeric_limits<double>::infinity());
@@ -97,7 +98,7 @@ void write_place(GapField const& field, GapMap const& rest, int threads, Contact
     for (auto const& space : low) {
         for (std::size_t k = 0; k < slices; ++k)
             excess[k] = std::min(excess[k], space[k] - state.smallest_gap);
-        state.smallest_spaces += *std::min_element(space.begin(), space.end()) <= level ? 1 : 0;
+        state.smallest_spaces += *std::min_element(space.begin(), space.end()) <= level ? field.lobes() : 0;
     }
     PlaceRange const range = place_range(rest.z, excess, state.smallest_gap_error);
     state.smallest_z_from = range.from;
@@ -111,7 +112,7 @@ PlayEstimate play(PhaseWork const& work, FlankGrid const& grid)
     ContactContext const& context = work.context;
     int const z_f = context.scene.drive.flexspline_teeth, z_c = context.scene.drive.circular_spline_teeth;
     auto const places = context.places(context, work.phase);
-    GapField const field(context.tooth, grid, *places, z_f, z_c, work.phase);
+    GapField const field(context.tooth, grid, *places, z_f, z_c, work.phase, nullptr, lobes_of(context));
     Turned const free = turned(work, grid, field);
     PlayEstimate result{free.turn_to_contact + free.reverse_turn_to_contact, 0};
     if (!work.errors)
@@ -121,11 +122,12 @@ PlayEstimate play(PhaseWork const& work, FlankGrid const& grid)
         for (int const flank : {static_cast<int>(GapMap::right), static_cast<int>(GapMap::left)}) {
             double const turn = flank == GapMap::right ? free.turn_to_contact : -free.reverse_turn_to_contact;
             std::vector<std::size_t> const near_by =
-                spaces_near(field.map(turn, context.threads), flank, limit + 0.5 * field.spacing());
-            int const parts = work.finer.parts(near_by.size());
+                spaces_near(field, field.map(turn, context.threads), flank, limit + 0.5 * field.spacing());
+            int const parts = work.finer.parts(near_by.size() * static_cast<std::size_t>(field.lobes()));
             FlankGrid const& fine = work.finer(parts);
             auto const fine_places = parts == 1 ? places : context.places(context, work.phase, fine.z);
-            GapField const fine_field(context.tooth, fine, *fine_places, z_f, z_c, work.phase);
+            GapField const fine_field(context.tooth, fine, *fine_places, z_f, z_c, work.phase, nullptr,
+                                      lobes_of(context));
             result.error += OpenGaps(open_gaps(fine_field, near_by, flank, turn, limit, context.threads),
                                      work.finer.solved_anew(), limit, work.floor(turn))
                                 .turn_error(off);
@@ -141,7 +143,7 @@ ContactState contact_state(PhaseWork const& work, FlankGrid const& grid, std::sh
     Scene const& scene = context.scene;
     int const z_f = scene.drive.flexspline_teeth, z_c = scene.drive.circular_spline_teeth;
     auto const places = context.places(context, phase);
-    GapField const field(context.tooth, grid, *places, z_f, z_c, phase);
+    GapField const field(context.tooth, grid, *places, z_f, z_c, phase, nullptr, lobes_of(context));
     Turned const free = turned(work, grid, field);
     ContactState state;
     state.wave_generator = phase == 0 ? 0.0 : -phase * conjugate::tooth_ratio(scene);
@@ -158,11 +160,11 @@ ContactState contact_state(PhaseWork const& work, FlankGrid const& grid, std::sh
             *map = touching;
         double const limit = context.request.gap;
         double const few = limit + 0.5 * field.spacing();
-        std::vector<std::size_t> const near_by = spaces_near(*touching, GapMap::right, few);
-        int const parts = work.finer.parts(near_by.size());
+        std::vector<std::size_t> const near_by = spaces_near(field, *touching, GapMap::right, few);
+        int const parts = work.finer.parts(near_by.size() * static_cast<std::size_t>(field.lobes()));
         FlankGrid const& fine = work.finer(parts);
         auto const fine_places = parts == 1 ? places : context.places(context, phase, fine.z);
-        GapField const fine_field(context.tooth, fine, *fine_places, z_f, z_c, phase);
+        GapField const fine_field(context.tooth, fine, *fine_places, z_f, z_c, phase, nullptr, lobes_of(context));
         ResolvedArea const found = resolved_area(fine_field, near_by, state.turn_to_contact, GapMap::right, limit,
                                                  context.width, context.threads, work.errors);
         state.contact_area = found.area.contact;
@@ -176,22 +178,23 @@ ContactState contact_state(PhaseWork const& work, FlankGrid const& grid, std::sh
         double const off = clearance_accuracy(context.tolerance) + work.off;
         auto const look = [&](int flank, double turn, std::vector<std::size_t> const& spaces, double level) {
             return OpenGaps(open_gaps(fine_field, spaces, flank, turn, limit, context.threads),
-                            work.finer.solved_anew(), level + limit, work.floor(turn));
+                            work.finer.solved_anew(), level + limit, work.floor(turn), field.lobes());
         };
         GapMap const other =
             state.reverse_turn_to_contact == 0 ? GapMap{} : field.map(-state.reverse_turn_to_contact, context.threads);
         OpenGaps const right = look(GapMap::right, state.turn_to_contact, near_by, 0);
         OpenGaps const left =
             look(GapMap::left, -state.reverse_turn_to_contact,
-                 spaces_near(state.reverse_turn_to_contact == 0 ? *free.rest : other, GapMap::left, few), 0);
+                 spaces_near(field, state.reverse_turn_to_contact == 0 ? *free.rest : other, GapMap::left, few), 0);
         state.turn_to_contact_error = right.turn_error(off);
         state.reverse_turn_to_contact_error = left.turn_error(off);
         double least = std::numeric_limits<double>::infinity();
         for (int const flank : {static_cast<int>(GapMap::right), static_cast<int>(GapMap::left)}) {
             bool const known = (flank == GapMap::right ? state.turn_to_contact : state.reverse_turn_to_contact) == 0;
             double const level = std::max(0.0, state.smallest_gap);
-            least = std::min(least, known ? (flank == GapMap::right ? right : left).least()
-                                          : look(flank, 0, spaces_near(*free.rest, flank, few + level), level).least());
+            least = std::min(least,
+                             known ? (flank == GapMap::right ? right : left).least()
+                                   : look(flank, 0, spaces_near(field, *free.rest, flank, few + level), level).least());
         }
         state.smallest_gap_error = std::max(0.0, state.smallest_gap - least) + off;
 
@@ -205,8 +208,8 @@ ContactState contact_state(PhaseWork const& work, FlankGrid const& grid, std::sh
             lifted[i] = contact_area(*touching, grid, GapMap::right, limit + lifted[i], context.width).share();
         });
         for (OpenGap const& each : right.spaces()) {
-            state.teeth_least += each.lowest <= limit - lift ? 1 : 0;
-            state.teeth_most += std::min(each.least, each.lowest) <= limit + lift ? 1 : 0;
+            state.teeth_least += each.lowest <= limit - lift ? field.lobes() : 0;
+            state.teeth_most += std::min(each.least, each.lowest) <= limit + lift ? field.lobes() : 0;
         }
         // where gaps bend, a patch may also be between two points and two planes
         double const cell =
