@@ -87,7 +87,8 @@ void distances(DistanceLanes::Vertex const* vertex, DistanceLanes::Piece const* 
         double const along = away_x * foot.n_x[l] + away_y * foot.n_y[l];
         double const size = std::sqrt(foot.squared[l]);
         bool const outside = (foot.vertex[l] == on_open_end) | (along >= 0);
-        bool const corner = (foot.vertex[l] != 0) & (size > 0) & (std::abs(along) < aligned * size);
+        double const straight = std::abs(along);
+        bool const corner = (foot.vertex[l] != 0) & (size > 0) & (straight < aligned * size);
         double const scale = (outside ? 1.0 : -1.0) / size;
         nearest.distance[l] = outside ? size : -size;
         nearest.foot_y[l] = foot.y[l];
