@@ -5,6 +5,7 @@
 
 #include <limits>
 #include <span>
+#include <vector>
 
 #include "hdconj/note.hpp"
 #include "hdconj/scene.hpp"
@@ -33,6 +34,10 @@ struct DesignLimit
 
 /// All limits, in the order of NoteCode.
 [[nodiscard]] std::span<DesignLimit const> design_limits();
+
+/// The same for @p scene: wall_stress is limited by flexspline.cup.fatigue_strength where that differs from the usual
+/// steel's.
+[[nodiscard]] std::vector<DesignLimit> design_limits(Scene const& scene);
 
 /// The notes that follow from @p scene without solving it. Solution::judgement holds these and those of the solved
 /// pair.

@@ -26,6 +26,10 @@ struct Drive
     int circular_spline_teeth = 0;  ///< z_c
 };
 
+/// Alternating bending that the flexspline's steel endures where a scene does not say so [MPa]: 30CrMnSiA. Source:
+/// thesis, table of materials.
+inline constexpr double usual_fatigue_strength = 670;
+
 /// Effect: the cup below the toothed ring, for what needs an elastic body. Heights along the axis, lengths in mm.
 struct Cup
 {
@@ -44,7 +48,8 @@ struct Cup
     double tooth_share = 0;              ///< of that layer that is steel
     double youngs_modulus = 0;           ///< [MPa]
     double poissons_ratio = 0;           ///< Poisson's ratio
-    int line = 0;                        ///< of the table in the scene file, 1-based; 0: by --set
+    double fatigue_strength = usual_fatigue_strength;  ///< sigma_-1, alternating bending, for the judgement [MPa]
+    int line = 0;                                      ///< of the table in the scene file, 1-based; 0: by --set
 };
 
 /// The flexspline: the elastic, externally toothed cup.

@@ -181,7 +181,10 @@ void add_steel(Sheet& sheet, Material const& steel, DesignWishes const& given, s
     };
     if (steel.yield > 0)
         add("yield strength", "sigma_s", "", steel.yield, "MPa", steel.strength_source, false);
-    add("fatigue strength", "sigma_-1", "", steel.fatigue, "MPa", steel.fatigue_source, given.fatigue.has_value());
+    // a scene judges its wall by the usual steel unless it says otherwise
+    bool const unusual = table == "flexspline.cup" && steel.fatigue != usual_fatigue_strength;
+    add("fatigue strength", "sigma_-1", unusual ? table + ".fatigue_strength" : "", steel.fatigue, "MPa",
+        steel.fatigue_source, given.fatigue.has_value());
     add("modulus of elasticity", "E", table + ".youngs_modulus", steel.youngs_modulus, "MPa", steel.elastic_source,
         given.youngs_modulus.has_value());
     add("Poisson's ratio", "nu", table + ".poissons_ratio", steel.poissons_ratio, "1", steel.elastic_source,

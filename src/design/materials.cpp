@@ -31,7 +31,8 @@ std::vector<Material> const& flexspline_materials()
 {
     static char const thin[] = "quenched and tempered, up to 16 mm";
     static std::vector<Material> const materials{
-        {"30CrMnSiA", "", 1800, 1600, 670, 206e3, 0.3, "thesis Table 4-2", "thesis Table 4-2", "thesis 3.3"},
+        {"30CrMnSiA", "", 1800, 1600, usual_fatigue_strength, 206e3, 0.3, "thesis Table 4-2", "thesis Table 4-2",
+         "thesis 3.3"},
         tempered("40CrNiMoA", "quenched at 850, tempered at 600 deg C", 980, 835, "GB/T 3077"),
         tempered("42CrMo4", thin, 1100, 900, "EN 10083-3"),
         tempered("34CrNiMo6", thin, 1200, 1000, "EN 10083-3"),

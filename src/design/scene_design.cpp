@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The wishes that a scene stands for, and the scene beside the design that they make.
+#include <algorithm>
 #include <cmath>
 
 #include "base/text.hpp"
@@ -104,6 +105,24 @@ ComparedRow compared(DesignRow const& row, Solution const& drive)
     return beside;
 }
 
+/// A scene has the fatigue strength of its steel, and no name.
+template <class Tell>
+void tell_steel(Scene const& scene, DesignWishes& wishes, Tell const& tell)
+{
+    auto const& cup = scene.flexspline.cup;
+    if (!cup || cup->fatigue_strength == usual_fatigue_strength)
+        return tell("--material", wishes.material, "the standard value: a scene names no steel");
+    auto const& steels = design::flexspline_materials();
+    auto const known = std::ranges::find(steels, cup->fatigue_strength, &design::Material::fatigue);
+    if (known != steels.end()) {
+        wishes.material = known->name;
+        return tell("--material", wishes.material, "the steel of flexspline.cup.fatigue_strength");
+    }
+    wishes.fatigue = cup->fatigue_strength;
+    tell("--material", wishes.material, "the standard value: a scene names no steel");
+    tell("--fatigue", short_number(*wishes.fatigue), "flexspline.cup.fatigue_strength");
+}
+
 }  // namespace
 
 DesignWishes wishes_of(Scene const& scene, std::vector<DerivedWish>* derived)
@@ -134,7 +153,7 @@ DesignWishes wishes_of(Scene const& scene, std::vector<DerivedWish>* derived)
         wishes.torque ? "load.torque" : "left out: the scene has no load.torque, and the wall follows the rules alone");
     wishes.family = scene.flexspline.profile.family;
     tell("--family", wishes.family, "flexspline.profile.family");
-    tell("--material", wishes.material, "the standard value: a scene names no steel");
+    tell_steel(scene, wishes, tell);
     wishes.clearance = scene.circular_spline.backlash_offset;
     tell("--clearance", short_number(wishes.clearance),
          scene.circular_spline.automatic_backlash ? "the standard value: circular_spline.backlash_offset is \"auto\""

@@ -18,8 +18,8 @@ constexpr DesignRange at_most(double high)
 }
 constexpr DesignRange any{};
 
-/// 30CrMnSiA endures 670 MPa (thesis, table of materials). Bending alternates once a wave.
-constexpr double fatigue_strength = 670;  // [MPa]
+/// Bending alternates once a wave: safeties against fatigue that are usual and accepted.
+constexpr double usual_safety = 2, accepted_safety = 1.5;
 
 constexpr std::array limits{
     DesignLimit{NoteCode::deformation,
@@ -44,7 +44,7 @@ constexpr std::array limits{
     DesignLimit{NoteCode::narrow_space, "narrowest width of the space / (wire diameter + 2 gaps)", "1", at_least(1),
                 any, "a narrower space cannot be entered"},
     DesignLimit{NoteCode::wall_stress, "E c w0 (n^2 - 1)/r_m^2, c: from the neutral layer to the surface", "MPa",
-                at_most(fatigue_strength / 2), at_most(fatigue_strength / 1.5),
+                at_most(usual_fatigue_strength / usual_safety), at_most(usual_fatigue_strength / accepted_safety),
                 "thin ring (Timoshenko); 30CrMnSiA endures 670 MPa, over a safety of 2 and 1.5"},
     DesignLimit{NoteCode::late_mesh, "n u/180 deg, u: where a tip leaves the tip circle", "1", at_most(0.9),
                 at_most(0.99), "1: the teeth never part, so that they cannot pass each other at the minor axis"}};
@@ -54,6 +54,19 @@ constexpr std::array limits{
 std::span<DesignLimit const> design_limits()
 {
     return limits;
+}
+
+std::vector<DesignLimit> design_limits(Scene const& scene)
+{
+    std::vector<DesignLimit> own(limits.begin(), limits.end());
+    double const strength = scene.flexspline.cup ? scene.flexspline.cup->fatigue_strength : usual_fatigue_strength;
+    if (strength != usual_fatigue_strength) {
+        DesignLimit& stress = own[static_cast<std::size_t>(NoteCode::wall_stress)];
+        stress.usual = at_most(strength / usual_safety);
+        stress.accepted = at_most(strength / accepted_safety);
+        stress.source = "thin ring (Timoshenko); flexspline.cup.fatigue_strength over a safety of 2 and 1.5";
+    }
+    return own;
 }
 
 }  // namespace hdconj
@@ -67,11 +80,15 @@ DesignLimit const& limit_of(NoteCode code)
 
 std::optional<Note> note_on(NoteCode code, double figure)
 {
-    DesignLimit const& limit = limit_of(code);
+    return note_on(limit_of(code), figure);
+}
+
+std::optional<Note> note_on(DesignLimit const& limit, double figure)
+{
     if (limit.usual.contains(figure))
         return std::nullopt;
     Note note;
-    note.code = code;
+    note.code = limit.code;
     note.severity = limit.accepted.contains(figure) ? Severity::information : Severity::warning;
     DesignRange const& left = note.severity == Severity::warning ? limit.accepted : limit.usual;
     note.figure = figure;

@@ -14,5 +14,6 @@ namespace hdconj::judgement {
 /// A note on @p figure with code, level, figure, limit and unit, which the caller completes; nothing where the figure
 /// lies in its usual range.
 [[nodiscard]] std::optional<Note> note_on(NoteCode code, double figure);
+[[nodiscard]] std::optional<Note> note_on(DesignLimit const& limit, double figure);
 
 }  // namespace hdconj::judgement

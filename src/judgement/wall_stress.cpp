@@ -33,14 +33,15 @@ std::optional<Note> wall_stress(UnsolvedPair const& pair)
     Flexspline const& flexspline = pair.scene.flexspline;
     PairGeometry const& g = pair.geometry;
     double const stress = bending_stress(pair.scene, g);
-    auto note = note_on(NoteCode::wall_stress, stress);
+    DesignLimit const limit = design_limits(pair.scene)[static_cast<std::size_t>(NoteCode::wall_stress)];
+    auto note = note_on(limit, stress);
     if (!note)
         return note;
     note->place = "flexspline.wall";
     note->cause = "bending the ring stresses it by " + short_number(stress, 3) + " MPa, and " +
                   short_number(note->limit, 3) + " MPa are " +
                   (note->severity == Severity::warning ? "accepted" : "usual");
-    double const usual = limit_of(note->code).usual.high;
+    double const usual = limit.usual.high;
     scene::Advice const other = scene::usual_pair(pair.scene, g.w0);
     Drive drive = pair.scene.drive;
     drive.circular_spline_teeth = drive.flexspline_teeth + pair.scene.wave_generator.waves;

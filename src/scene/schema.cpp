@@ -183,7 +183,11 @@ std::vector<KeySpec> cup()
                   bounds::largest_modulus),
          "206000", to_cup<&Cup::youngs_modulus>, 206000.0},
         {optional("poissons_ratio", Q::number, "of the flexspline's steel", 0, bounds::largest_poissons_ratio), "0.3",
-         to_cup<&Cup::poissons_ratio>, 0.3}};
+         to_cup<&Cup::poissons_ratio>, 0.3},
+        {optional("fatigue_strength", Q::number,
+                  "alternating bending that the flexspline's steel endures, in MPa; for the judgement",
+                  bounds::least_strength, bounds::largest_strength),
+         "550", to_cup<&Cup::fatigue_strength>, usual_fatigue_strength}};
 }
 
 std::vector<KeySpec> profile()

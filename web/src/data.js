@@ -22,8 +22,8 @@
  *   origin: string, judgement: Note[], notes: string[]|null, left_out: {part: string, why: string, failed: boolean}[],
  *   outline_error: number, spline: Group, loaded_spline: Group|null, teeth: Teeth|null,
  *   results: Record<string, Group>, residuals: Residual[], design: Design|null,
- *   text: string}} Drive
- * @typedef {{program_version: string, git_revision: string, build: string, date: string, limits: Limit[],
+ *   limits: Limit[], text: string}} Drive
+ * @typedef {{program_version: string, git_revision: string, build: string, date: string,
  *   drives: Drive[]}} Report
  * @typedef {{part: string, group: string, name: string, index: number, value: number, error: number|null,
  *   units: string, meaning: string}} Figure

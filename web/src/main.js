@@ -83,7 +83,7 @@ function show(index) {
   if (report.drives.length > 1) sections.push(section("compare", say("compare"), () => compareView(report.drives)));
   const design = drive.design;
   if (design) sections.push(section("design", say("design"), () => designView(design)));
-  sections.push(section("rules", say("rules"), () => rulesView(report.limits, drive)),
+  sections.push(section("rules", say("rules"), () => rulesView(drive.limits, drive)),
     section("numbers", say("numbers"), () => numbersView(drive)),
     section("scene", say("scene"), () => make("pre", { tabindex: 0 }, drive.scene)),
     section("about", say("about"), () => about(drive)));

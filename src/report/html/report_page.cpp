@@ -137,9 +137,9 @@ Json range_json(DesignRange const& range)
 }
 
 /// The rules that a design is judged by.
-Json limits_json()
+Json limits_json(Scene const& scene)
 {
-    return list_of(design_limits(), [](DesignLimit const& limit) -> Json {
+    return list_of(design_limits(scene), [](DesignLimit const& limit) -> Json {
         return {{"code", to_string(limit.code)},
                 {"figure", limit.figure},
                 {"unit", limit.unit},
@@ -206,6 +206,7 @@ Json drive_json(ReportedDrive const& drive)
             {"origin", drive.origin},
             {"scene", scene.text},
             {"judgement", judgement_json(drive)},
+            {"limits", limits_json(scene)},
             {"notes", notes_json(drive)},
             {"left_out", left_out_json(drive.left_out)},
             {"outline_error", drive.solution.error.largest()},
@@ -268,10 +269,11 @@ std::string report_page(std::vector<ReportedDrive> const& drives)
 {
     if (drives.empty())
         throw std::logic_error("a report of no drive");
-    report::Json const data = {
-        {"program_version", program_version()}, {"git_revision", git_revision()},
-        {"build", build_description()},         {"date", io::layout::date_text()},
-        {"limits", report::limits_json()},      {"drives", report::list_of(drives, report::drive_json)}};
+    report::Json const data = {{"program_version", program_version()},
+                               {"git_revision", git_revision()},
+                               {"build", build_description()},
+                               {"date", io::layout::date_text()},
+                               {"drives", report::list_of(drives, report::drive_json)}};
     std::string title = "hdconj:";
     for (ReportedDrive const& drive : drives)
         title += (&drive == &drives.front() ? " " : ", ") + drive.solution.scene.drive.name;

@@ -86,6 +86,16 @@ TEST_CASE("a scene stands for wishes, and each says where it comes from", "[desi
     for (DerivedWish const& wish : derived)
         CHECK_FALSE(wish.from.empty());
 
+    // the steel: one of the table, or one with a strength of its own
+    Scene steel = builtin_scene();
+    steel.flexspline.cup->fatigue_strength = 550;
+    CHECK(wishes_of(steel).material == "42CrMo4");
+    CHECK_FALSE(wishes_of(steel).fatigue);
+    steel.flexspline.cup->fatigue_strength = 500;
+    derived.clear();
+    CHECK(wishes_of(steel, &derived).fatigue == 500);
+    CHECK(derived.size() == 10);
+
     Scene ring = builtin_scene();
     ring.flexspline.cup.reset();
     ring.load.reset();

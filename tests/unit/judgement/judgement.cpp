@@ -186,6 +186,35 @@ TEST_CASE("the wall's stress is that of the neutral curve's change of curvature"
     CHECK_FALSE(note_of(judge(printed(note->set)), NoteCode::wall_stress));
 }
 
+TEST_CASE("the wall is judged by the fatigue strength that the scene gives", "[judgement]")
+{
+    auto const type_50 = [](Keys const& keys) {
+        return examine_scene_file(HDCONJ_SOURCE_DIR "/data/scenes/type-50.toml", keys).scene;
+    };
+    auto const limit = [](Scene const& scene) {
+        return design_limits(scene)[static_cast<std::size_t>(NoteCode::wall_stress)];
+    };
+    Scene const usual = type_50({});
+    CHECK_FALSE(note_of(judge(usual), NoteCode::wall_stress));
+    CHECK(limit(usual).usual.high == design_limits()[static_cast<std::size_t>(NoteCode::wall_stress)].usual.high);
+    // E c w0 (n^2 - 1)/r_m^2
+    double const stress = 206e3 * 0.35 * 0.25 * 3 / (24.347 * 24.347);
+    for (auto const& [strength, severity] :
+         {std::pair(1.9 * stress, Severity::information), std::pair(1.4 * stress, Severity::warning)}) {
+        Scene const scene = type_50({"flexspline.cup.fatigue_strength=" + std::to_string(strength)});
+        auto const note = note_of(judge(scene), NoteCode::wall_stress);
+        REQUIRE(note);
+        CHECK(note->severity == severity);
+        CHECK(note->figure == Approx(stress).epsilon(1e-9));
+        CHECK(note->limit == Approx(strength / (severity == Severity::warning ? 1.5 : 2)).epsilon(1e-6));
+        CHECK_THAT(limit(scene).source, ContainsSubstring("flexspline.cup.fatigue_strength"));
+        Keys keys = note->set;
+        keys.push_back("flexspline.cup.fatigue_strength=" + std::to_string(strength));
+        CHECK_FALSE(note_of(judge(type_50(keys)), NoteCode::wall_stress));
+    }
+    CHECK_FALSE(note_of(judge(type_50({"flexspline.cup.fatigue_strength=2000"})), NoteCode::wall_stress));
+}
+
 TEST_CASE("tips leave the tip circle where the cam says", "[judgement]")
 {
     Scene const scene = printed({"circular_spline.inner_radius=29.82"});

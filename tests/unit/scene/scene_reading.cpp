@@ -180,15 +180,17 @@ TEST_CASE("tables of an elastic scene are read with what they leave out", "[scen
     CHECK_FALSE(scene.bearing->radial_stiffness);
     REQUIRE(scene.flexspline.cup);
     CHECK(scene.flexspline.cup->youngs_modulus == 206000);
+    CHECK(scene.flexspline.cup->fatigue_strength == 670);
     CHECK(scene.flexspline.cup->rear_ramp == 0.4);
     CHECK_FALSE(scene.flexspline.cup->rear_fillet);
     CHECK_FALSE(scene.flexspline.cup->tooth_layer);
     std::vector<std::string> const keys{"!flexspline.cup.rear_ramp", "flexspline.cup.rear_fillet=0.5",
-                                        "flexspline.cup.tooth_layer=0.53"};
+                                        "flexspline.cup.tooth_layer=0.53", "flexspline.cup.fatigue_strength=550"};
     Scene const detailed = parse_scene(with(elastic), "scene", {}, keys);
     CHECK(detailed.flexspline.cup->rear_fillet == 0.5);
     CHECK(detailed.flexspline.cup->tooth_layer == 0.53);
     CHECK(detailed.flexspline.cup->tooth_share == 0.5);
+    CHECK(detailed.flexspline.cup->fatigue_strength == 550);
 }
 
 TEST_CASE("an elastic cup with keys that say nothing together is refused with the reason", "[scene]")
@@ -226,6 +228,8 @@ TEST_CASE("an elastic cup with keys that say nothing together is refused with th
     refused({"flexspline.cup.tooth_layer=0.5", "flexspline.cup.tooth_share=0"}, "flexspline.cup.tooth_share",
             "at least");
     refused({"flexspline.cup.poissons_ratio=0.5"}, "flexspline.cup.poissons_ratio", "at most 0.499");
+    refused({"flexspline.cup.fatigue_strength=0.5"}, "flexspline.cup.fatigue_strength", "at least 1");
+    refused({"flexspline.cup.fatigue_strength=200000"}, "flexspline.cup.fatigue_strength", "at most 100000");
     refused({"bearing.friction=0.08"}, "bearing.friction", "unknown key");
     refused({"circular_spline.width=9", "slices.count=3"}, "circular_spline.width", "beyond the flexspline's teeth");
     refused({"bearing.ball_diameter=3"}, "bearing.ball_diameter", "continuous row");
