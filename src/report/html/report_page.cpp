@@ -131,11 +131,6 @@ Json judgement_json(ReportedDrive const& drive)
     return notes;
 }
 
-Json range_json(DesignRange const& range)
-{
-    return {number(range.low), number(range.high)};
-}
-
 /// The rules that a design is judged by.
 Json limits_json(Scene const& scene)
 {
@@ -143,8 +138,8 @@ Json limits_json(Scene const& scene)
         return {{"code", to_string(limit.code)},
                 {"figure", limit.figure},
                 {"unit", limit.unit},
-                {"usual", range_json(limit.usual)},
-                {"accepted", range_json(limit.accepted)},
+                {"usual", {number(limit.usual.low), number(limit.usual.high)}},
+                {"accepted", {number(limit.accepted.low), number(limit.accepted.high)}},
                 {"source", limit.source}};
     });
 }
