@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -24,7 +25,8 @@ struct CriticalAngle
     double u = 0;
     double t = 0;  ///< 0, 1: a contact crosses that end; else two contacts merge here
     bool merge = false;
-    int change = 0;  ///< contacts after u less those before: +-1 at an end, +-2 at a merge; 0: not known
+    int change = 0;    ///< contacts after u less those before: +-1 at an end, +-2 at a merge; 0: not known
+    double doubt = 0;  ///< how far from u a merge may be
 };
 
 /// Sign of df/dt at an end of a piece, 0 where rounding hides it; known for curves only.
@@ -98,6 +100,22 @@ void end_crossings(profile::PieceShape const& shape, int piece, Motion const& mo
     crossings(profile::end_of(shape), 1);
 }
 
+/// The instant of @p merge where one of its contacts crosses an end of the curve beside it: not before that contact has
+/// come in, nor after it has left, which rounding may say where both are as good as one. Nothing where none does.
+[[nodiscard]] inline std::optional<double> instant_beside_end(DoubleRoot const& merge,
+                                                              std::vector<CriticalAngle> const& crossings)
+{
+    constexpr double beside = 0x1p-8;
+    double const end = merge.t < 0.5 ? 0 : 1;
+    if (!merge.separated || std::abs(merge.t - end) > beside)
+        return std::nullopt;
+    for (CriticalAngle const& crossing : crossings)
+        if (!crossing.merge && crossing.t == end && crossing.change * merge.change < 0 &&
+            std::abs(crossing.u - merge.u) <= 0.5 * merge.u_width)
+            return merge.change < 0 ? std::max(merge.u, crossing.u) : std::min(merge.u, crossing.u);
+    return std::nullopt;
+}
+
 /// All critical angles of a piece in (a, b), increasing. On curves those a rounding apart get the same u, in their
 /// order.
 template <motion::RelativeMotion Motion>
@@ -109,12 +127,16 @@ template <motion::RelativeMotion Motion>
     end_crossings(shape, piece, motion, rates, a, b, found, record);
     if (auto const* curve = std::get_if<profile::CurvePiece>(&shape)) {
         DoubleRoots const merges = DoubleRootSearch(*curve, rates, a, b)();
+        for (DoubleRoot const& root : merges.at_ends)
+            if (auto const u = instant_beside_end(root, found))
+                found.push_back({*u, root.t, true, root.change, 0.5 * root.u_width});
         for (DoubleRoot const& root : merges.roots) {
             if (!root.separated)
                 record.doubts.push_back({piece, root.t, root.u, root.u_width,
                                          root.size / curve->first(root.t).norm() * root.u_width,
                                          "contacts merge, or nearly merge, in more than one point"});
-            found.push_back({root.u, root.t, true, root.change});
+            found.push_back(
+                {instant_beside_end(root, found).value_or(root.u), root.t, true, root.change, 0.5 * root.u_width});
         }
         record.roots += merges.roots.size();
     }

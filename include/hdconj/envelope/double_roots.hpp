@@ -30,6 +30,7 @@ struct DoubleRoot
 struct DoubleRoots
 {
     std::vector<DoubleRoot> roots;
+    std::vector<DoubleRoot> at_ends;  ///< no farther from an end of the curve than their width: inside or beyond it
     std::size_t boxes = 0;
 
     [[nodiscard]] bool certified() const
@@ -52,8 +53,9 @@ struct DoubleRoots
 ///
 /// A box in which F stays within five times its error, or varies by less than it, is not cut further. It and its
 /// neighbours are reported as one root that is not separated. At most `budget` boxes are examined; what is left then is
-/// reported in the same way. Merges within rounding of an end of the curve are left out: there one contact crosses the
-/// end, and that is solved for. Accuracy: (1), stated with each root. Domain: the errors are those of the RatesModel.
+/// reported in the same way. Merges within rounding of an end of the curve are a list of their own: there one contact
+/// crosses the end, and that is solved for. Accuracy: (1), stated with each root. Domain: the errors are those of the
+/// RatesModel.
 class DoubleRootSearch
 {
   public:
@@ -185,14 +187,15 @@ class DoubleRootSearch
     void record(DoubleRoot const& root)
     {
         double const t = 0.5 * root.t_width;
-        if (root.t <= t || root.t >= 1 - t || root.u <= a_ || root.u >= b_)
+        if (root.u <= a_ || root.u >= b_)
             return;
+        std::vector<DoubleRoot>& roots = root.t <= t || root.t >= 1 - t ? found_.at_ends : found_.roots;
         // the neighbour of a box finds the same root on their common border
-        for (DoubleRoot const& other : found_.roots)
+        for (DoubleRoot const& other : roots)
             if (other.separated && std::abs(other.t - root.t) <= t + 0.5 * other.t_width &&
                 std::abs(other.u - root.u) <= 0.5 * (root.u_width + other.u_width))
                 return;
-        found_.roots.push_back(root);
+        roots.push_back(root);
     }
 
     void not_separated(MeshingPatch const& box)

@@ -30,26 +30,9 @@ class CurveTracer
     void operator()(std::vector<ContactArc>& out)
     {
         count_contacts();
-        Motion const& motion = envelope_.motion();
-        std::size_t const last = range_.cuts.size() - 1;
-        std::vector<std::vector<double>> at_cut(range_.cuts.size());
-        std::vector<std::size_t> first_changed(range_.cuts.size(), 0);
-        for (std::size_t i = 0; i <= last; ++i) {
-            bool const inner = i > 0 && i < last;
-            int const before = i > 0 ? counts_[i - 1] : counts_[i];
-            int const after = i < last ? counts_[i] : counts_[i - 1];
-            // at an end of the range what rounding adds or hides lies next to an end of the curve
-            double const where = inner ? range_.critical[i - 1].t : 0;
-            at_cut[i] = parameters(curve_, motion.rates(range_.cuts[i]).twist,
-                                   static_cast<std::size_t>(std::min(before, after)), where);
-            if (inner)
-                first_changed[i] = static_cast<std::size_t>(
-                    std::upper_bound(at_cut[i].begin(), at_cut[i].end(), where) - at_cut[i].begin());
-            if (inner && !range_.critical[i - 1].merge)
-                first_changed[i] = where == 0 ? 0 : at_cut[i].size();
-        }
-        for (std::size_t i = 0; i < last; ++i) {
-            if (!(range_.cuts[i + 1] > range_.cuts[i]))
+        find_contacts_at_cuts();
+        for (std::size_t i = 0; i + 1 < range_.cuts.size(); ++i) {
+            if (is_empty(i))
                 continue;
             for (int k = 0; k < counts_[i]; ++k) {
                 ContactArc arc;
@@ -58,28 +41,79 @@ class CurveTracer
                 arc.roots = counts_[i];
                 arc.u_begin = range_.cuts[i];
                 arc.u_end = range_.cuts[i + 1];
-                auto const limit = [&](std::size_t cut) -> std::pair<double, BranchEnd> {
-                    auto index = static_cast<std::size_t>(k);
-                    if (cut == 0)
-                        return {at_cut[cut][index], range_.at_begin()};
-                    if (cut == last)
-                        return {at_cut[cut][index], range_.at_end()};
-                    std::size_t const changed = static_cast<std::size_t>(counts_[i]) - at_cut[cut].size();
-                    if (index >= first_changed[cut] && index < first_changed[cut] + changed)
-                        return {range_.critical[cut - 1].t,
-                                range_.critical[cut - 1].merge ? BranchEnd::double_root : BranchEnd::segment_end};
-                    if (index >= first_changed[cut])
-                        index -= changed;
-                    return {at_cut[cut][index], BranchEnd::continues};
-                };
-                std::tie(arc.t_begin, arc.begins) = limit(i);
-                std::tie(arc.t_end, arc.ends) = limit(i + 1);
+                std::tie(arc.t_begin, arc.begins) = limit(i, static_cast<std::size_t>(k), false);
+                std::tie(arc.t_end, arc.ends) = limit(i, static_cast<std::size_t>(k), true);
                 out.push_back(arc);
             }
         }
     }
 
   private:
+    /// Whether the critical angles on both sides of interval @p i are a rounding apart.
+    [[nodiscard]] bool is_empty(std::size_t i) const { return !(range_.cuts[i + 1] > range_.cuts[i]); }
+
+    /// The contacts at each cut that both its sides have, and before which of them others appear or vanish.
+    void find_contacts_at_cuts()
+    {
+        std::size_t const last = range_.cuts.size() - 1;
+        at_cut_.resize(range_.cuts.size());
+        first_changed_.assign(range_.cuts.size(), 0);
+        for (std::size_t i = 0; i <= last; ++i) {
+            bool const inner = i > 0 && i < last;
+            int const before = i > 0 ? counts_[i - 1] : counts_[i];
+            int const after = i < last ? counts_[i] : counts_[i - 1];
+            // at an end of the range what rounding adds or hides lies next to an end of the curve
+            double const where = inner ? range_.critical[i - 1].t : 0;
+            at_cut_[i] = parameters(curve_, envelope_.motion().rates(range_.cuts[i]).twist,
+                                    static_cast<std::size_t>(std::min(before, after)), where);
+            if (inner)
+                first_changed_[i] = static_cast<std::size_t>(
+                    std::upper_bound(at_cut_[i].begin(), at_cut_[i].end(), where) - at_cut_[i].begin());
+            if (inner && !range_.critical[i - 1].merge)
+                first_changed_[i] = where == 0 ? 0 : at_cut_[i].size();
+        }
+    }
+
+    /// Where contact @p index of interval @p i ends, or begins, and why. It is followed over intervals that are empty.
+    /// If it merges there with one that comes in at an end of the curve at the same instant, it ends at that end, where
+    /// the contact of the next piece ends too: to rounding, both merge in the joint.
+    [[nodiscard]] std::pair<double, BranchEnd> limit(std::size_t i, std::size_t index, bool forward) const
+    {
+        for (;;) {
+            std::size_t const cut = forward ? i + 1 : i;
+            if (cut == 0)
+                return {at_cut_[cut][index], range_.at_begin()};
+            if (cut + 1 == range_.cuts.size())
+                return {at_cut_[cut][index], range_.at_end()};
+            CriticalAngle const& event = range_.critical[cut - 1];
+            std::size_t const first = first_changed_[cut], kept = at_cut_[cut].size();
+            std::size_t const changed = static_cast<std::size_t>(counts_[i]) - kept;
+            if (index >= first && index < first + changed) {
+                if (!event.merge)
+                    return {event.t, BranchEnd::segment_end};
+                std::size_t const partner = 2 * first + 1 - index;
+                if (is_empty(i) && changed == 2)
+                    if (auto const end = limit(i, partner, !forward); end.second == BranchEnd::segment_end)
+                        return end;
+                return {event.t, BranchEnd::double_root};
+            }
+            if (index >= first)
+                index -= changed;
+            i = forward ? cut : cut - 1;
+            if (!is_empty(i))
+                return {at_cut_[cut][index], BranchEnd::continues};
+            if (index >= first)
+                index += static_cast<std::size_t>(counts_[i]) - kept;
+        }
+    }
+
+    /// How far the critical angles beside interval @p i may be from where they are said to be.
+    [[nodiscard]] double doubt(std::size_t i) const
+    {
+        double const before = i > 0 ? range_.critical[i - 1].doubt : 0;
+        return i < range_.critical.size() ? std::max(before, range_.critical[i].doubt) : before;
+    }
+
     /// Number of contacts between cuts. It is counted in the middle of the longest interval whose roots are all simple.
     /// From there on each critical angle changes it by a known number. All other such intervals check the result.
     void count_contacts()
@@ -91,7 +125,7 @@ class CurveTracer
         for (std::size_t i = 0; i < intervals; ++i) {
             numeric::BernsteinRoots const roots =
                 curve_contacts(curve_, envelope_.motion().rates(range_.cuts[i] + 0.5 * length(i)).twist);
-            bool sure = length(i) > 0 && roots.complete;
+            bool sure = length(i) > doubt(i) && roots.complete;
             for (int k = 0; k < roots.count; ++k)
                 sure = sure && roots.width[static_cast<std::size_t>(k)] == 0;
             if (!sure)
@@ -142,7 +176,9 @@ class CurveTracer
     profile::CurvePiece const& curve_;
     int piece_;
     CutRange const& range_;
-    std::vector<int> counts_;  ///< contacts between cuts
+    std::vector<int> counts_;                  ///< contacts between cuts
+    std::vector<std::vector<double>> at_cut_;  ///< parameters of the contacts that both sides of a cut have
+    std::vector<std::size_t> first_changed_;   ///< index into these
 };
 
 }  // namespace hdconj::envelope

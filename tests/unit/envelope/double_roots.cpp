@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/envelope/double_roots.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -57,6 +59,40 @@ TEST_CASE("a merge next to an end of the curve, and one at the very end", "[enve
     }
     // there the end is crossed, and no two contacts merge inside
     CHECK(search(with_slope({0, 0, 1}), {1, 0.1}).roots.empty());
+}
+
+TEST_CASE("tracing goes on where contacts merge next to an end, however near", "[envelope]")
+{
+    // f = rate (u - at) - (t - e)^2: one of two contacts crosses the end e^2/rate after the merge, or before it
+    for (double const rate : {1.0, -1.0})
+        for (double const at : {-0.013, 0.1, 0.7})
+            for (double e = 0.1; e > 1e-11; e /= 1.7)
+                for (bool const mirrored : {false, true}) {
+                    INFO(rate << " " << at << " " << e << " " << mirrored);
+                    std::array<double, 3> slope{e * e, e * e - e, (1 - e) * (1 - e)};
+                    if (mirrored)
+                        std::reverse(slope.begin(), slope.end());
+                    Turning const motion{rate, at};
+                    profile::Profile profile;
+                    profile.segment_names = {"only"};
+                    profile.pieces.push_back({with_slope({slope[0], slope[1], slope[2]}), 0, 0, 1, false});
+                    envelope::BranchSet const set =
+                        envelope::find_branches(envelope::Envelope<Turning>(profile, motion, 0), 1);
+                    CHECK(set.record.certified());
+                    // the one comes from the merge and leaves at the end, or both are one that comes from the end
+                    int merging = 0, crossing = 0, other = 0;
+                    for (envelope::Branch const& branch : set.branches)
+                        for (envelope::ContactArc const& arc : branch.arcs)
+                            for (auto const& [t, why] :
+                                 {std::pair(arc.t_begin, arc.begins), std::pair(arc.t_end, arc.ends)}) {
+                                merging += why == envelope::BranchEnd::double_root;
+                                crossing += why == envelope::BranchEnd::segment_end && t == (mirrored ? 1 : 0);
+                                other += why == envelope::BranchEnd::segment_end && t == (mirrored ? 0 : 1);
+                            }
+                    CHECK(crossing == 1);
+                    CHECK((merging == 2 || (merging == 0 && e * e < 1e-9)));
+                    CHECK(other <= 1);
+                }
 }
 
 TEST_CASE("three contacts that merge, and a merge that parts at once, end as one flagged box in bounded work",
