@@ -108,7 +108,7 @@ void add_edge(Halfedge edge, Source const& source, std::vector<Vec2> const& poly
 
 }  // namespace
 
-OuterBoundary outer_boundary(std::vector<std::vector<Vec2>> const& curves, int floor)
+OuterBoundary outer_boundary(std::vector<std::vector<Vec2>> const& curves, int floor, double same)
 {
     std::vector<Traits::Curve_2> const sides = sides_of(curves);
     Arrangement arrangement;
@@ -123,11 +123,14 @@ OuterBoundary outer_boundary(std::vector<std::vector<Vec2>> const& curves, int f
     Halfedge edge = (*start)->incident_halfedges()->twin();
     auto const outside = edge->face();
     std::optional<int> last;
+    Vec2 reached = curves[static_cast<std::size_t>(floor)].front();  // by the boundary, before a loose place
     for (std::size_t steps = 0; steps <= 2 * arrangement.number_of_edges(); ++steps) {
         Source const source = source_of(edge, last);
         if (source.curve != floor && edge->twin()->face() == outside) {
-            result.loose.push_back(rounded(edge->target()));
+            if (Vec2 const p = rounded(edge->target()); (p - reached).norm() > same)
+                result.loose.push_back(p);
         } else {
+            reached = rounded(edge->target());
             add_edge(edge, source, curves[static_cast<std::size_t>(source.curve)], result.runs);
             last = source.curve;
         }

@@ -86,7 +86,8 @@ class ToothBodyFinder
         for (double const side : {-1.0, 1.0})
             swept_.add_wall(side * beyond_the_feet * limits_.half_width, limits_.tip, limits_.half_width);
         floor_ = swept_.add_floor_line(limits_.tip, limits_.half_width);
-        region::OuterBoundary const boundary = region::outer_boundary(swept_.polygons(), floor_);
+        region::OuterBoundary const boundary =
+            region::outer_boundary(swept_.polygons(), floor_, tolerance_.coincidence());
         segments_ += boundary.segments;
         // farther out curves hang loose because more teeth were left out
         for (Vec2 const& p : boundary.loose)
@@ -156,15 +157,17 @@ class ToothBodyFinder
             if (flank.empty() && !at_tip(piece, piece.begin))
                 return fail(point(piece, piece.begin), "a flank only touches the tip"), false;
             bool const more = i + 1 < runs.size() && of_a_tooth(runs[i + 1]);
+            bool met = true;
             if (more) {
                 next_ = piece_of(runs[i + 1]);
-                if (!shared_end(swept_.polygon(runs[i].curve), last(runs[i]), swept_.polygon(runs[i + 1].curve),
-                                first(runs[i + 1])) &&
-                    !meet(piece, next_, chord))
-                    return false;
+                met = shared_end(swept_.polygon(runs[i].curve), last(runs[i]), swept_.polygon(runs[i + 1].curve),
+                                 first(runs[i + 1])) ||
+                      meet(piece, next_, chord);
             }
             auto const foot = conjugate::foot_on(teeth_[static_cast<std::size_t>(piece.copy)], piece,
                                                  swept_.source(runs[i].curve).u, side, limits_.half_width);
+            if (!met && !foot)  // beyond the foot curves may hang loose
+                return false;
             if (foot && *foot == piece.begin)
                 return !flank.empty() || (fail(point(piece, piece.begin), "the flank ends at the tip"), false);
             flank.push_back(piece);

@@ -68,7 +68,8 @@ class ToothSpaceFinder
         refuse_short_flanks(chord);
         swept_.join_ends(tolerance_.coincidence());
         int const floor = swept_.add_floor(tip_radius_, chord);
-        region::OuterBoundary const boundary = region::outer_boundary(swept_.polygons(), floor);
+        region::OuterBoundary const boundary =
+            region::outer_boundary(swept_.polygons(), floor, tolerance_.coincidence());
         segments_ += boundary.segments;
         // at the rim of the window curves hang loose because their neighbours were left out
         for (Vec2 const& p : boundary.loose) {

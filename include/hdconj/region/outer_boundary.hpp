@@ -35,7 +35,9 @@ struct OuterBoundary
 /// anything are left out. Positions are rounded to double.
 /// @param curves  polygons, each of 2 points or more; points that are meant to coincide must be bit-identical
 /// @param floor   index of a polygon that runs below all others and past them at both ends
+/// @param same    what sticks out no farther than this is no loose place: curves that run into one point share the
+///                roundings of their last vertices [mm]
 /// @throws NumericalError when the floor is not reached again
-[[nodiscard]] OuterBoundary outer_boundary(std::vector<std::vector<Vec2>> const& curves, int floor);
+[[nodiscard]] OuterBoundary outer_boundary(std::vector<std::vector<Vec2>> const& curves, int floor, double same = 0);
 
 }  // namespace hdconj::region

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "hdconj/region/outer_boundary.hpp"
 
+#include <cmath>
+
 #include "hdconj/error.hpp"
 #include "support/catch.hpp"
 
@@ -60,6 +62,20 @@ TEST_CASE("curves that share an end point bit for bit leave no gap", "[region]")
     torn[1][0].x() += 1e-12;
     region::OuterBoundary const leaked = region::outer_boundary(torn, 2);
     CHECK(leaked.runs.size() != 4);
+}
+
+TEST_CASE("what sticks out by a rounding is no loose place, what hangs together with a gap is", "[region]")
+{
+    // two arcs that run into one point, and share the last rounding before it
+    Vec2 const before{0, 3}, top{0, std::nextafter(3, 4)};
+    std::vector<std::vector<Vec2>> const curves{{{-2, -1}, before, top}, {top, before, {2, -1}}, floor_line};
+    CHECK_FALSE(region::outer_boundary(curves, 2).loose.empty());
+    region::OuterBoundary const boundary = region::outer_boundary(curves, 2, 1e-11);
+    CHECK(boundary.loose.empty());
+    CHECK(boundary.runs.size() == 4);
+    std::vector<std::vector<Vec2>> torn = curves;
+    torn[1] = {{0.1, 3}, {2, -1}};
+    CHECK_FALSE(region::outer_boundary(torn, 2, 1e-11).loose.empty());
 }
 
 TEST_CASE("a floor that is not free at its ends is an error with its place", "[region]")
