@@ -43,8 +43,9 @@ class ClearanceMarcher
     {
         for (int i = 0; i <= positions; ++i) {
             double const u = parameter(static_cast<std::size_t>(i));
-            PlanarVelocity const twist = motion.rates(u).twist;
-            poses_.push_back(motion.pose(u));
+            motion::MotionState const state = motion::state_of(motion, u);
+            PlanarVelocity const& twist = state.rates.twist;
+            poses_.push_back(state.pose);
             twists_.push_back(twist);
             fastest_turn_ = std::max(fastest_turn_, std::abs(twist.omega));
             fastest_shift_ = std::max(fastest_shift_, twist.q.norm());

@@ -51,9 +51,30 @@ class MaterialMotion
     [[nodiscard]] static std::span<double const> breaks() { return {}; }
     [[nodiscard]] bool symmetric() const { return symmetric_; }
 
-    [[nodiscard]] Pose pose(double phi) const
+    [[nodiscard]] Pose pose(double phi) const { return pose_of(displacement_at(phi), phi); }
+    [[nodiscard]] MotionRates rates(double phi) const { return rates_of(displacement_at(phi)); }
+    [[nodiscard]] MotionState state(double phi) const
     {
-        auto const [w, v] = wavegen::displacement_at(displacement_, phi);
+        wavegen::PointDisplacement const at = displacement_at(phi);
+        return {pose_of(at, phi), rates_of(at)};
+    }
+
+    [[nodiscard]] ToothAngles angles(double phi) const
+    {
+        wavegen::PointDisplacement const at = displacement_at(phi);
+        return {phi + std::atan2(at.v[0], r_m_ + at.w[0]), phi};
+    }
+
+  private:
+    [[nodiscard]] wavegen::PointDisplacement displacement_at(double phi) const
+    {
+        return symmetric_ ? wavegen::symmetric_displacement_at(displacement_, phi)
+                          : wavegen::displacement_at(displacement_, phi);
+    }
+
+    [[nodiscard]] Pose pose_of(wavegen::PointDisplacement const& at, double phi) const
+    {
+        auto const& [w, v] = at;
         double const radius = r_m_ + w[0];
         double const a = w[1] - v[0];
         double const b = radius + v[1];
@@ -63,9 +84,9 @@ class MaterialMotion
         return {(c * b + s * a) / length, (s * b - c * a) / length, {radius * s + v[0] * c, radius * c - v[0] * s}};
     }
 
-    [[nodiscard]] MotionRates rates(double phi) const
+    [[nodiscard]] MotionRates rates_of(wavegen::PointDisplacement const& at) const
     {
-        auto const [w, v] = wavegen::displacement_at(displacement_, phi);
+        auto const& [w, v] = at;
         double const radius = r_m_ + w[0];
         double const a = w[1] - v[0], a1 = w[2] - v[1], a2 = w[3] - v[2];
         double const b = radius + v[1], b1 = w[1] + v[2], b2 = w[2] + v[3];
@@ -84,13 +105,6 @@ class MaterialMotion
         return rates;
     }
 
-    [[nodiscard]] ToothAngles angles(double phi) const
-    {
-        wavegen::PointDisplacement const at = wavegen::displacement_at(displacement_, phi);
-        return {phi + std::atan2(at.v[0], r_m_ + at.w[0]), phi};
-    }
-
-  private:
     /// Sizes of the terms, each factor that may vanish by its bound.
     void set_sizes(MotionRates& rates, double radius, double b, double s) const
     {
@@ -118,7 +132,7 @@ class MaterialMotion
             double least = r_m_;
             for (int i = 0; i < points; ++i) {
                 double const phi = half_lobe() * (2.0 * i / points - 1);
-                wavegen::PointDisplacement const at = wavegen::displacement_at(displacement_, phi);
+                wavegen::PointDisplacement const at = displacement_at(phi);
                 least = std::min(least, r_m_ + at.w[0] + std::min(0.0, at.v[1]));
                 // a NaN too is outside
                 if (!(r_m_ + at.w[0] > 0 && r_m_ + at.w[0] + at.v[1] > 0))

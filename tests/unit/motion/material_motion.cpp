@@ -258,6 +258,36 @@ TEST_CASE("material motion: a lobe moves the tooth by whole pitches, and sides a
     }
 }
 
+TEST_CASE("material motion: a symmetric displacement, and pose and rates at once, have the bits of the general way",
+          "[motion][material]")
+{
+    wavegen::MaterialDisplacement even;
+    even.waves = 2;
+    for (int k = 0; k < 9; ++k)
+        even.harmonics.push_back({k == 3 ? 0 : 0.2 / (1 + k * k), 0, 0, k == 5 ? 0 : -0.1 / (1 + k * k)});
+    motion::MaterialMotion const symmetric(even, type50_r_m, type50_ratio), skew(lopsided(2), type50_r_m, type50_ratio);
+    REQUIRE(symmetric.symmetric());
+    for (int i = -40; i <= 40; ++i) {
+        double const phi = 0.04 * i;
+        wavegen::PointDisplacement const one = wavegen::symmetric_displacement_at(even, phi),
+                                         other = wavegen::displacement_at(even, phi);
+        CHECK(one.w == other.w);
+        CHECK(one.v == other.v);
+        for (motion::MaterialMotion const* const motion : {&symmetric, &skew}) {
+            motion::MotionState const both = motion->state(phi);
+            Pose const pose = motion->pose(phi);
+            motion::MotionRates const rates = motion->rates(phi);
+            CHECK(both.pose.cosine == pose.cosine);
+            CHECK(both.pose.sine == pose.sine);
+            CHECK(both.pose.origin == pose.origin);
+            CHECK(both.rates.twist.omega == rates.twist.omega);
+            CHECK(both.rates.twist.q == rates.twist.q);
+            CHECK(both.rates.change.omega == rates.change.omega);
+            CHECK(both.rates.change.q == rates.change.q);
+        }
+    }
+}
+
 TEST_CASE("material motion: lengths scale with the drive bit for bit, and no displacement is the slow turn",
           "[motion][material]")
 {
