@@ -2,8 +2,11 @@
 // One slice on its way to a boundary.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "conjugate/plane/conjugate_solver.hpp"
 #include "drive/stage_clock.hpp"
@@ -39,15 +42,20 @@ struct SliceJob
     SliceJob(SliceJob const&) = delete;
     SliceJob& operator=(SliceJob const&) = delete;
 
-    /// Down to the tip circle @p tip [mm]; the last one is kept for who asks next.
+    /// Down to the tip circle @p tip [mm]. The last few are kept: a part is asked for with the tip circle of the scene,
+    /// with the one that it needs and with the one to which moved flanks reach, and then with the first again.
     [[nodiscard]] std::shared_ptr<conjugate::ToothSpaceBoundary const> boundary(double tip)
     {
-        if (!found || found->tip_radius() != tip) {
-            out.geometry.circular_spline_inner_radius = tip;
-            solve->find_boundary();
-            found = std::make_shared<conjugate::ToothSpaceBoundary const>(solve->curve(motion.tooth));
-        }
-        return found;
+        auto const known =
+            std::find_if(found.begin(), found.end(), [tip](auto const& each) { return each->tip_radius() == tip; });
+        if (known != found.end())
+            return *known;
+        out.geometry.circular_spline_inner_radius = tip;
+        solve->find_boundary();
+        constexpr std::size_t most = 4;
+        if (found.size() == most)
+            found.erase(found.begin());
+        return found.emplace_back(std::make_shared<conjugate::ToothSpaceBoundary const>(solve->curve(motion.tooth)));
     }
 
     Solution out;
@@ -55,7 +63,7 @@ struct SliceJob
     SliceMotion motion;
     std::optional<conjugate::ConjugateSolver> solve;
     double pointed = 0;  ///< ConjugateSolver::pointed_radius() [mm]
-    std::shared_ptr<conjugate::ToothSpaceBoundary const> found;
+    std::vector<std::shared_ptr<conjugate::ToothSpaceBoundary const>> found;  ///< the oldest first
 };
 
 }  // namespace hdconj::surface

@@ -224,11 +224,13 @@ ContactCase contact_case(ContactContext const& context, surface::SurfaceSpec con
     std::optional<Cleared> nominal = try_nominal_part(surface, clearances, rest, cleared, phases, &made);
     Cleared& part = nominal ? *nominal : cleared;
     result.tip = part.tip;
-    result.backlash_offset = clearance_for_assembly(
-        surface, rest, part, is_enough(context, cleared) ? given : result.least_side_clearance, phases);
+    double const wanted = is_enough(context, cleared) ? given : result.least_side_clearance;
+    result.backlash_offset = clearance_for_assembly(surface, rest, part, wanted, phases);
     // what clears the slices but not the sections there has no play: as much is added as there
+    bool const known = !nominal && wanted == result.least_side_clearance && phases.size() == 1;
     double const clearing =
-        clearance_for_assembly(surface, rest, cleared, result.least_side_clearance, {phases.front()});
+        known ? result.backlash_offset
+              : clearance_for_assembly(surface, rest, cleared, result.least_side_clearance, {phases.front()});
     std::shared_ptr<GapMap> gaps;
     write_contact(surface, part, cleared, clearing, phases, errors, rest, map != nullptr ? &gaps : nullptr, result);
     rest.forget();
