@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <optional>
 #include <string>
+#include <utility>
 
+#include "hdconj/base/parallel.hpp"
 #include "hdconj/error.hpp"
 #include "outline_unit.hpp"
 
@@ -78,7 +81,7 @@ bool same_stretches(std::vector<std::vector<BoundaryStretch> const*> const& slic
 /// One stretch of every slice: by profile parameter on flanks where it is monotone everywhere, else by length.
 OutlineUnit unit_of(std::vector<ToothSpaceBoundary const*> const& curves,
                     std::vector<std::vector<BoundaryStretch>> const& stretches, OutlineKind kind, int segment,
-                    bool by_profile, double chord, bool rulings)
+                    bool by_profile, double chord, bool rulings, int threads)
 {
     OutlineUnit unit;
     unit.kind = kind;
@@ -86,13 +89,13 @@ OutlineUnit unit_of(std::vector<ToothSpaceBoundary const*> const& curves,
     for (Measure const measure : {Measure::profile, rulings ? Measure::rulings : Measure::length}) {
         if (measure == Measure::profile && !by_profile)
             continue;
+        std::vector<std::optional<BoundaryTrack>> tracks(curves.size());
+        parallel_for(curves.size(), threads, 1,
+                     [&](std::size_t k) { tracks[k].emplace(*curves[k], stretches[k], measure, chord); });
         unit.tracks.clear();
-        bool monotone = true;
-        for (std::size_t k = 0; k < curves.size(); ++k) {
-            unit.tracks.emplace_back(*curves[k], stretches[k], measure, chord);
-            monotone = monotone && unit.tracks.back().monotone();
-        }
-        if (monotone)
+        for (std::optional<BoundaryTrack>& track : tracks)
+            unit.tracks.push_back(std::move(*track));
+        if (std::all_of(unit.tracks.begin(), unit.tracks.end(), [](BoundaryTrack const& t) { return t.monotone(); }))
             break;
     }
     return unit;
@@ -101,7 +104,7 @@ OutlineUnit unit_of(std::vector<ToothSpaceBoundary const*> const& curves,
 /// The units of one interval: stretch by stretch where all slices have the same, else as a whole.
 void add_interval(std::vector<OutlineUnit>& units, std::vector<ToothSpaceBoundary const*> const& curves,
                   std::vector<std::vector<BoundaryStretch> const*> const& slices, OutlineKind kind, double chord,
-                  bool rulings, bool& by_origin)
+                  bool rulings, int threads, bool& by_origin)
 {
     bool const same = same_stretches(slices);
     by_origin = by_origin && same;
@@ -113,7 +116,7 @@ void add_interval(std::vector<OutlineUnit>& units, std::vector<ToothSpaceBoundar
         BoundaryStretch const& first = stretches.front().front();
         OutlineKind const made = same ? first.kind : kind;
         units.push_back(unit_of(curves, stretches, made, same ? first.segment : -1, same && made == OutlineKind::flank,
-                                chord, rulings));
+                                chord, rulings, threads));
     }
 }
 
@@ -126,7 +129,7 @@ struct Units
     bool by_origin = true;
 };
 
-Units units_of(std::vector<ToothSpaceBoundary const*> const& slices, double chord, bool rulings)
+Units units_of(std::vector<ToothSpaceBoundary const*> const& slices, double chord, bool rulings, int threads)
 {
     Units all;
     all.symmetric =
@@ -154,7 +157,7 @@ Units units_of(std::vector<ToothSpaceBoundary const*> const& slices, double chor
             }
         }
         auto const add = [&](auto member, OutlineKind kind) {
-            add_interval(all.units, slices, of(member), kind, chord, rulings, all.by_origin);
+            add_interval(all.units, slices, of(member), kind, chord, rulings, threads, all.by_origin);
         };
         if (right) {
             all.marks[2] = all.units.size();
@@ -246,7 +249,7 @@ std::size_t add_image(MatchedOutline& out, profile::Profile const& tooth)
 MatchedOutline matched_outline(std::vector<ToothSpaceBoundary const*> const& slices, double chord, int flank_intervals,
                                int threads, bool rulings)
 {
-    Units all = units_of(slices, chord, rulings);
+    Units all = units_of(slices, chord, rulings, threads);
     sample_all(all, chord, flank_intervals, threads);
     MatchedOutline out;
     out.by_origin = all.by_origin;
