@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -35,20 +36,47 @@ struct AreaCorner
     return a == 0 ? 0 : a / (a - b) * (a / (a - c));
 }
 
-/// Adds the cell's area and its part in contact: four triangles about its middle.
-inline void add_cell(std::array<AreaCorner, 4> const& corner, double& contact, double& whole)
+/// The middle of a cell.
+[[nodiscard]] inline AreaCorner middle_of(std::array<AreaCorner, 4> const& corner)
 {
     AreaCorner middle{Eigen::Vector3d::Zero(), 0};
     for (AreaCorner const& c : corner) {
         middle.place += c.place / 4;
         middle.excess += c.excess / 4;
     }
+    return middle;
+}
+
+[[nodiscard]] inline double triangle_area(AreaCorner const& a, AreaCorner const& b, AreaCorner const& c)
+{
+    return 0.5 * (a.place - c.place).cross(b.place - c.place).norm();
+}
+
+/// Adds the cell's area and its part in contact: four triangles about its middle.
+inline void add_cell(std::array<AreaCorner, 4> const& corner, double& contact, double& whole)
+{
+    AreaCorner const middle = middle_of(corner);
     for (std::size_t i = 0; i < corner.size(); ++i) {
         AreaCorner const& a = corner[i];
         AreaCorner const& b = corner[(i + 1) % corner.size()];
-        double const area = 0.5 * (a.place - middle.place).cross(b.place - middle.place).norm();
+        double const area = triangle_area(a, b, middle);
         whole += area;
         contact += area * share_below(a.excess, b.excess, middle.excess);
+    }
+}
+
+/// Adds the part in contact alone, the same bits as add_cell().
+inline void add_contact(std::array<AreaCorner, 4> const& corner, double& contact)
+{
+    if (std::all_of(corner.begin(), corner.end(), [](AreaCorner const& c) { return c.excess > 0; }))
+        return;
+    AreaCorner const middle = middle_of(corner);
+    for (std::size_t i = 0; i < corner.size(); ++i) {
+        AreaCorner const& a = corner[i];
+        AreaCorner const& b = corner[(i + 1) % corner.size()];
+        double const share = share_below(a.excess, b.excess, middle.excess);
+        if (share != 0)
+            contact += triangle_area(a, b, middle) * share;
     }
 }
 

@@ -59,9 +59,9 @@ class SpaceArea
                 std::array<AreaCorner, 4> const corner{
                     at(line[low][j], z_low, gap(low, j)), at(line[low][j + 1], z_low, gap(low, j + 1)),
                     at(line[high][j + 1], z_high, gap(high, j + 1)), at(line[high][j], z_high, gap(high, j))};
-                double contact = 0, whole = 0;
+                double contact = 0;
                 if (inside(low, j)) {
-                    add_cell(corner, contact, whole);
+                    add_contact(corner, contact);
                     sums += contact;
                 }
                 continue;
@@ -70,11 +70,11 @@ class SpaceArea
             Steps const& b = between(high, j);
             for (int part = 0; part < parts; ++part) {
                 std::size_t const stride = std::size_t{1} << part;
-                double contact = 0, whole = 0;
+                double contact = 0;
                 for (std::size_t i = 0; i < edge_steps; i += stride)
-                    add_cell({at(a.point[i], z_low, a.gap[i]), at(a.point[i + stride], z_low, a.gap[i + stride]),
-                              at(b.point[i + stride], z_high, b.gap[i + stride]), at(b.point[i], z_high, b.gap[i])},
-                             contact, whole);
+                    add_contact({at(a.point[i], z_low, a.gap[i]), at(a.point[i + stride], z_low, a.gap[i + stride]),
+                                 at(b.point[i + stride], z_high, b.gap[i + stride]), at(b.point[i], z_high, b.gap[i])},
+                                contact);
                 sums[part] += contact;
             }
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "contact/contact_area.hpp"
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -73,6 +74,25 @@ double area_below(double a, double b, double c, double limit)
 }
 
 }  // namespace
+
+TEST_CASE("the part of a cell in contact alone has the bits that it has beside the whole", "[contact_area]")
+{
+    std::mt19937 random(31);
+    std::uniform_real_distribution<double> off(-0.1, 0.1), excess(-1, 1);
+    double contact = 0, alone = 0, whole = 0;
+    for (int i = 0; i < 1000; ++i) {
+        std::array<contact::AreaCorner, 4> corner;
+        constexpr std::array<std::array<int, 2>, 4> square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
+        for (std::size_t c = 0; c < corner.size(); ++c)
+            corner[c] = {{square[c][0] + off(random), square[c][1] + off(random), off(random)},
+                         i % 4 == 0 ? 1 + excess(random) : i % 4 == 1 ? -1 + excess(random) : excess(random)};
+        contact::add_cell(corner, contact, whole);
+        contact::add_contact(corner, alone);
+        CHECK(alone == contact);
+    }
+    CHECK(contact > 0.2 * whole);
+    CHECK(contact < 0.8 * whole);
+}
 
 TEST_CASE("contact area of a gap that is linear over the flank is exact", "[contact_area]")
 {
