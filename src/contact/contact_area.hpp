@@ -37,7 +37,7 @@ struct AreaCorner
 }
 
 /// The middle of a cell.
-[[nodiscard]] inline AreaCorner middle_of(std::array<AreaCorner, 4> const& corner)
+[[nodiscard]] inline AreaCorner cell_middle(std::array<AreaCorner, 4> const& corner)
 {
     AreaCorner middle{Eigen::Vector3d::Zero(), 0};
     for (AreaCorner const& c : corner) {
@@ -55,7 +55,7 @@ struct AreaCorner
 /// Adds the cell's area and its part in contact: four triangles about its middle.
 inline void add_cell(std::array<AreaCorner, 4> const& corner, double& contact, double& whole)
 {
-    AreaCorner const middle = middle_of(corner);
+    AreaCorner const middle = cell_middle(corner);
     for (std::size_t i = 0; i < corner.size(); ++i) {
         AreaCorner const& a = corner[i];
         AreaCorner const& b = corner[(i + 1) % corner.size()];
@@ -66,11 +66,11 @@ inline void add_cell(std::array<AreaCorner, 4> const& corner, double& contact, d
 }
 
 /// Adds the part in contact alone, the same bits as add_cell().
-inline void add_contact(std::array<AreaCorner, 4> const& corner, double& contact)
+inline void add_contact_of_cell(std::array<AreaCorner, 4> const& corner, double& contact)
 {
     if (std::all_of(corner.begin(), corner.end(), [](AreaCorner const& c) { return c.excess > 0; }))
         return;
-    AreaCorner const middle = middle_of(corner);
+    AreaCorner const middle = cell_middle(corner);
     for (std::size_t i = 0; i < corner.size(); ++i) {
         AreaCorner const& a = corner[i];
         AreaCorner const& b = corner[(i + 1) % corner.size()];

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <deque>
 #include <limits>
 #include <utility>
@@ -33,8 +34,12 @@ class SpaceArea
           looked_(field.grid().slices() * points_)
     {
         gaps_.assign(field.grid().slices(), std::vector<double>(points_));
-        for (std::size_t k = 0; k < gaps_.size(); ++k)
+        near_limit_.assign(gaps_.size() * points_, 0);
+        for (std::size_t k = 0; k < gaps_.size(); ++k) {
             field.along(space, flank, k, turn, gaps_[k].data());
+            for (std::size_t j = 0; j + 1 < points_; ++j)
+                near_limit_[k * points_ + j] = may_reach_limit(k, j) ? 1 : 0;
+        }
     }
 
     /// The smallest gap, between the points too where it is below @p below.
@@ -61,7 +66,7 @@ class SpaceArea
                     at(line[high][j + 1], z_high, gap(high, j + 1)), at(line[high][j], z_high, gap(high, j))};
                 double contact = 0;
                 if (inside(low, j)) {
-                    add_contact(corner, contact);
+                    add_contact_of_cell(corner, contact);
                     sums += contact;
                 }
                 continue;
@@ -72,9 +77,10 @@ class SpaceArea
                 std::size_t const stride = std::size_t{1} << part;
                 double contact = 0;
                 for (std::size_t i = 0; i < edge_steps; i += stride)
-                    add_contact({at(a.point[i], z_low, a.gap[i]), at(a.point[i + stride], z_low, a.gap[i + stride]),
-                                 at(b.point[i + stride], z_high, b.gap[i + stride]), at(b.point[i], z_high, b.gap[i])},
-                                contact);
+                    add_contact_of_cell(
+                        {at(a.point[i], z_low, a.gap[i]), at(a.point[i + stride], z_low, a.gap[i + stride]),
+                         at(b.point[i + stride], z_high, b.gap[i + stride]), at(b.point[i], z_high, b.gap[i])},
+                        contact);
                 sums[part] += contact;
             }
         }
@@ -93,7 +99,7 @@ class SpaceArea
     [[nodiscard]] bool inside(std::size_t slice, std::size_t j) const { return gap(slice, j) <= limit_; }
 
     /// Whether the gap may reach the limit between the points j and j + 1, going on as steeply as anywhere beside.
-    [[nodiscard]] bool near_limit(std::size_t slice, std::size_t j) const
+    [[nodiscard]] bool may_reach_limit(std::size_t slice, std::size_t j) const
     {
         double change = 0;
         for (std::size_t i = j > 0 ? j - 1 : j; i <= j + 1 && i + 1 < points_; ++i)
@@ -101,6 +107,11 @@ class SpaceArea
         double const low = std::min(gap(slice, j), gap(slice, j + 1)),
                      high = std::max(gap(slice, j), gap(slice, j + 1));
         return low - change <= limit_ && limit_ <= high + change;
+    }
+
+    [[nodiscard]] bool near_limit(std::size_t slice, std::size_t j) const
+    {
+        return near_limit_[slice * points_ + j] != 0;
     }
 
     [[nodiscard]] Steps const& between(std::size_t slice, std::size_t j)
@@ -131,7 +142,8 @@ class SpaceArea
     double limit_;
     std::size_t points_;
     std::vector<std::vector<double>> gaps_;
-    std::vector<std::size_t> looked_;  // place in kept_ from 1 on; 0: not looked at
+    std::vector<std::uint8_t> near_limit_;  // (k,j): may_reach_limit()
+    std::vector<std::size_t> looked_;       // place in kept_ from 1 on; 0: not looked at
     std::deque<Steps> kept_;
 };
 

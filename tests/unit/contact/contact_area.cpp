@@ -85,9 +85,11 @@ TEST_CASE("the part of a cell in contact alone has the bits that it has beside t
         constexpr std::array<std::array<int, 2>, 4> square{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
         for (std::size_t c = 0; c < corner.size(); ++c)
             corner[c] = {{square[c][0] + off(random), square[c][1] + off(random), off(random)},
-                         i % 4 == 0 ? 1 + excess(random) : i % 4 == 1 ? -1 + excess(random) : excess(random)};
+                         i % 4 == 0   ? 1 + excess(random)
+                         : i % 4 == 1 ? -1 + excess(random)
+                                      : excess(random)};
         contact::add_cell(corner, contact, whole);
-        contact::add_contact(corner, alone);
+        contact::add_contact_of_cell(corner, alone);
         CHECK(alone == contact);
     }
     CHECK(contact > 0.2 * whole);
