@@ -5,9 +5,12 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <optional>
 
 #include "hdconj/base/parallel.hpp"
+#include "hdconj/base/tolerance.hpp"
 #include "hdconj/numeric/bracketed_minimum.hpp"
+#include "lane_placement.hpp"
 
 namespace hdconj::contact {
 namespace {
@@ -43,7 +46,8 @@ GapField::GapField(profile::Profile const& tooth, FlankGrid const& grid, ToothPo
       places_(&places),
       deviation_(deviation),
       pitch_(2 * std::numbers::pi / circular_spline_teeth),
-      lobes_(lobes)
+      lobes_(lobes),
+      has_mirror_image_(tooth.mirror_symmetric && phase == 0)
 {
     int const first = first_space(circular_spline_teeth);
     double const k = static_cast<double>(flexspline_teeth) / circular_spline_teeth;
@@ -111,39 +115,34 @@ double GapField::nearest(Candidates const& teeth, Vec2 const& q) const
 void GapField::nearest(NearTeeth const& near, Vec2 const* q, std::size_t count, double less, double* out,
                        Vec2* gradient) const
 {
-    using distance::Lanes, distance::lanes;
+    using distance::lanes;
     distance::DistanceLanes const* const together = distance_.together();
     std::size_t i = 0;
     for (; together != nullptr && i + 1 < count; i += lanes) {
-        Lanes best, x, y;
+        LanePoints points;
+        PlacedLanes placed;
         std::array<Vec2, lanes> normal;
         distance::DistanceLanes::Nearest found;
-        best.fill(std::numeric_limits<double>::infinity());
+        for (std::size_t l = 0; l < lanes; ++l) {
+            Vec2 const& point = q[std::min(i + l, count - 1)];
+            points.x[l] = point.x();
+            points.y[l] = point.y();
+            points.best[l] = std::numeric_limits<double>::infinity();
+        }
         for (Placement const& tooth : near.teeth) {
-            std::array<bool, lanes> asked{};
-            bool any = false;
-            for (std::size_t l = 0; l < lanes; ++l) {
-                Vec2 const at = tooth(q[std::min(i + l, count - 1)]);
-                x[l] = at.x();
-                y[l] = at.y();
-                asked[l] = distance_.lower_bound(at) < best[l] + excess();
-                any |= asked[l];
-            }
-            if (!any)
+            place(distance_, tooth.cosine, tooth.sine, tooth.shift, points, excess(), placed);
+            if (!placed.any)
                 continue;
-            (*together)(x, y, found);
-            for (std::size_t l = 0; l < lanes; ++l) {
-                double const gap =
-                    has_heights() ? found.distance[l] + deviation_->height(found.foot_y[l]) : found.distance[l];
-                asked[l] = asked[l] && gap < best[l];
-                best[l] = asked[l] ? gap : best[l];
-            }
+            (*together)(placed.x, placed.y, found);
+            for (std::size_t l = 0; has_heights() && l < lanes; ++l)
+                found.distance[l] += deviation_->height(found.foot_y[l]);
+            keep_nearer(found.distance, points, placed);
             for (std::size_t l = 0; gradient != nullptr && l < lanes; ++l)
-                if (asked[l])
+                if (placed.asked[l] != 0)
                     normal[l] = tooth.rotate_back({found.normal_x[l], found.normal_y[l]});
         }
         for (std::size_t l = 0; l < lanes && i + l < count; ++l) {
-            out[i + l] = best[l] + standing_back(q[i + l]) - less;
+            out[i + l] = points.best[l] + standing_back(q[i + l]) - less;
             if (gradient != nullptr)
                 gradient[i + l] = deviation_ ? touch(near, q[i + l]).gradient() : normal[l];
         }
@@ -218,6 +217,29 @@ GapField::Touch GapField::touch(NearTeeth const& near, Vec2 const& q) const
     return best;
 }
 
+bool GapField::is_mirrored() const
+{
+    if (!has_mirror_image_ || deviation_ != nullptr)
+        return false;
+    auto const& [left, right] = grid_->point;
+    auto const is_image = [](Vec2 const& a, Vec2 const& b) { return a.x() == -b.x() && a.y() == b.y(); };
+    for (std::size_t k = 0; k < grid_->slices(); ++k)
+        if (radius(GapMap::left, k) != radius(GapMap::right, k) ||
+            !std::equal(left[k].begin(), left[k].end(), right[k].begin(), right[k].end(), is_image))
+            return false;
+    double const rounding = 16 * unit_roundoff;
+    auto const is_near = [&](Pose const& a, Pose const& b) {
+        return std::abs(a.cosine - b.cosine) <= rounding && std::abs(a.sine + b.sine) <= rounding &&
+               (a.origin - Vec2(-b.origin.x(), b.origin.y())).norm() <= rounding * reach_;
+    };
+    int const last = places_->first + static_cast<int>(places_->pose.size() / places_->slices) - 1;
+    for (int tooth = std::max(0, -last); tooth <= std::min(last, -places_->first); ++tooth)
+        for (std::size_t k = 0; k < places_->slices; ++k)
+            if (!is_near(places_->at(tooth, k), places_->at(-tooth, k)))
+                return false;
+    return true;
+}
+
 GapMap GapField::map(double turn, int threads) const
 {
     GapMap result{grid_->z, grid_->station, space_angle_, {}};
@@ -228,17 +250,33 @@ GapMap GapField::map(double turn, int threads) const
     auto const per_space = nanoseconds_each * static_cast<double>(2 * grid_->slices() * points);
     auto const grain = static_cast<std::size_t>(std::ceil(worth_a_thread / per_space));
     std::size_t const lobe = spaces_of_lobe(), first = first_of_lobe();
+    bool const mirrored = turn == 0 && is_mirrored();
+    // the space whose right flank is the mirror image of the left one of this; none where it is not computed
+    auto const image_of = [&](std::size_t space) -> std::optional<std::size_t> {
+        auto const sum = 2 * static_cast<std::size_t>(-space_number_.front());
+        if (!mirrored || space > sum || sum - space < first || sum - space >= first + lobe)
+            return std::nullopt;
+        return sum - space;
+    };
     parallel_for(lobe, threads, grain, [&](std::size_t s) {
         std::size_t const space = first + s;
+        bool const has_image = image_of(space).has_value();
         for (std::size_t k = 0; k < grid_->slices(); ++k) {
             NearTeeth const near = near_teeth(space, k, turn);
-            for (int flank = 0; flank < 2; ++flank) {
+            for (int const flank : {static_cast<int>(GapMap::left), static_cast<int>(GapMap::right)}) {
+                if (flank == GapMap::left && has_image)
+                    continue;
                 double* const row = result.gap.data() + result.index(space, flank, k, 0);
                 auto const& line = grid_->point[static_cast<std::size_t>(flank)][k];
                 gaps(near, flank, line.data(), points, row);
             }
         }
     });
+    for (std::size_t space = first; space < first + lobe; ++space)
+        if (auto const image = image_of(space))
+            std::copy_n(result.gap.begin() + static_cast<std::ptrdiff_t>(result.index(*image, GapMap::right, 0, 0)),
+                        grid_->slices() * points,
+                        result.gap.begin() + static_cast<std::ptrdiff_t>(result.index(space, GapMap::left, 0, 0)));
     auto const at = [&](std::size_t space) {
         return result.gap.begin() + static_cast<std::ptrdiff_t>(result.index(space, 0, 0, 0));
     };

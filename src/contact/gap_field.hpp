@@ -155,7 +155,9 @@ class GapField
         return deviation_ ? Vec2(q + displacement_at(deviation_->spaces, space_number_[space]).shift) : q;
     }
 
-    /// All gaps at @p turn. Same bits for any number of threads.
+    /// All gaps at @p turn. Same bits for any number of threads. At turn 0 of a field that is_mirrored() the left
+    /// flanks' gaps are those of the right flanks of the spaces on the other side: the same but for some roundings of
+    /// the coordinates.
     [[nodiscard]] GapMap map(double turn, int threads) const;
 
     /// FlankGrid::radius; 0 where it is empty.
@@ -173,6 +175,9 @@ class GapField
     using Candidates = NearTeeth::Candidates;
     static constexpr int candidates = NearTeeth::candidates;
     [[nodiscard]] Candidates candidates_of(std::size_t space, std::size_t slice, double turn) const;
+    /// Whether, at turn 0, the right flanks and their teeth are the mirror image of the left ones about the major axis:
+    /// the points in all bits, the teeth but for roundings.
+    [[nodiscard]] bool is_mirrored() const;
     [[nodiscard]] double nearest(Candidates const& teeth, Vec2 const& q) const;
     /// The same of @p count points, less @p less, into @p out.
     void nearest(NearTeeth const& near, Vec2 const* q, std::size_t count, double less, double* out,
@@ -207,6 +212,7 @@ class GapField
     std::vector<int> nearest_tooth_;
     double pitch_;
     int lobes_;
+    bool has_mirror_image_;  ///< the tooth has, and stands on the major axis or there is a space
     double reach_ = 0;
     double spacing_ = 0;
 };

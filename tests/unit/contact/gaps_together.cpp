@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <string>
 
 #include "contact/gap_field.hpp"
 #include "contact/resolved_area.hpp"
 #include "contact/study/contact_context.hpp"
+#include "hdconj/base/tolerance.hpp"
 #include "hdconj/units.hpp"
 #include "support/catch.hpp"
 #include "support/coned_drive.hpp"
@@ -59,6 +61,41 @@ TEST_CASE("one lobe stands for all", "[gap_field]")
             CHECK(std::abs(a.area.whole - b.area.whole) < 1e-9 * b.area.whole);
             CHECK(std::abs(a.across - b.across) < 1e-9);
         }
+    }
+}
+
+TEST_CASE("gaps of a mirrored map are those of every point by itself, and of no other map", "[gap_field]")
+{
+    for (std::string const shift : {"none", "mapped"}) {
+        ConedDrive drive(builtin_scene(coned(shift)), 3);
+        contact::FlankGrid const grid = drive.flanks(drive.surface(ToothSurface::per_slice), 20);
+        // one side moved: no mirror image of the other
+        contact::FlankGrid uneven = grid;
+        for (Vec2& p : uneven.point[GapMap::left][1])
+            p.x() -= 1e-3;
+        for (int const lobes : {1, contact::lobes_of(*drive.context)})
+            for (contact::FlankGrid const* const flanks : {&grid, static_cast<contact::FlankGrid const*>(&uneven)}) {
+                Field const f(drive, *flanks, 0, lobes);
+                GapMap const map = f.field.map(0, 2);
+                std::size_t const first = f.field.first_of_lobe(), end = first + f.field.spaces_of_lobe();
+                std::size_t const middle = static_cast<std::size_t>(drive.z_c() - 1) / 2;
+                double worst = 0;
+                int images = 0, left = 0;
+                for (std::size_t space = first; space < end; ++space)
+                    for (int const flank : {0, 1})
+                        for (std::size_t k = 0; k < grid.slices(); ++k)
+                            for (std::size_t i = 0; i < grid.points(); ++i) {
+                                double const gap = map.at(space, flank, k, i);
+                                worst = std::max(worst, std::abs(gap - f.field.gap({space, flank, k, i}, 0)));
+                                if (flank == GapMap::right || space > 2 * middle)
+                                    continue;
+                                ++left;
+                                images += gap == map.at(2 * middle - space, GapMap::right, k, i) ? 1 : 0;
+                            }
+                INFO(shift << ", " << lobes << " lobes: worst " << worst);
+                CHECK(worst < 32 * unit_roundoff * f.field.reach());
+                CHECK((images == left) == (flanks == &grid));
+            }
     }
 }
 
