@@ -27,7 +27,8 @@ struct PlacedLanes
 void place(distance::ToothDistance const& tooth, double cosine, double sine, Vec2 const& shift,
            LanePoints const& points, double more, PlacedLanes& placed);
 
-/// Keeps @p distance where it was asked for and is less than the best; `asked` then tells where.
+/// Takes @p distance of each point that was asked for as its best, where it is smaller. Then `asked` is 1 for the
+/// points that changed.
 void keep_nearer(distance::Lanes const& distance, LanePoints& points, PlacedLanes& placed);
 
 }  // namespace hdconj::contact

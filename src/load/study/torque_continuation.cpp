@@ -49,7 +49,7 @@ std::string place_of(double torque)
     return "torque of " + short_number(torque / newton_metre) + " N m";
 }
 
-/// A failure tells the torque.
+/// Runs @p body. A NumericalError from another stage is thrown again with the torque as its place.
 template <class Body>
 void at_torque(double torque, Body const& body)
 {
