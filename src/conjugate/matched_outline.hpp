@@ -6,9 +6,11 @@
 #include <cstddef>
 #include <vector>
 
-#include "space_curve.hpp"
+#include "outline.hpp"
 
 namespace hdconj::conjugate {
+
+class ToothSpaceBoundary;
 
 /// Matched outlines, left mid-land to right mid-land.
 struct MatchedOutline

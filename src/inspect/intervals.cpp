@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "intervals.hpp"
 
+#include <gsl/gsl_cdf.h>
+
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <limits>
 
@@ -26,9 +27,8 @@ double Intervals::half_width(double variance, std::size_t rivals) const
 {
     if (!(freedom_ > 0))
         return std::numeric_limits<double>::quiet_NaN();
-    boost::math::students_t_distribution<double> const student(freedom_);
     double const tail = outside / 2 / static_cast<double>(rivals);
-    return systematic_ + noise_ * std::sqrt(variance) * boost::math::quantile(boost::math::complement(student, tail));
+    return systematic_ + noise_ * std::sqrt(variance) * gsl_cdf_tdist_Qinv(tail, freedom_);
 }
 
 LargestFigure largest_of(std::vector<Candidate> const& candidates, Intervals const& intervals)

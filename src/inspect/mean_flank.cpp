@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "mean_flank.hpp"
 
+#include <gsl/gsl_cdf.h>
+
 #include <algorithm>
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <utility>
 
@@ -38,8 +39,7 @@ Eigen::VectorXd smoothed(Eigen::VectorXd const& xi, Eigen::VectorXd const& devia
     Eigen::VectorXd coefficient = numeric::LeastSquares(basis).solve(deviation);
     int const freedom = n - terms;
     double const noise = (deviation - basis * coefficient).norm() / std::sqrt(freedom);
-    double const limit =
-        noise * quantile(complement(boost::math::students_t_distribution<double>(freedom), by_chance / 2));
+    double const limit = noise * gsl_cdf_tdist_Qinv(by_chance / 2, freedom);
     while (terms > least_terms) {
         Eigen::MatrixXd const shorter = basis.leftCols(terms);
         // with the lower terms free, the highest is that of the orthogonal polynomials: independent of the others
