@@ -59,9 +59,10 @@ struct BallContact
 /// Solves @p problem, that of a ring held on the cam, with balls that push only: points are released and caught again
 /// until those that touch push and those that do not stand off. Balls that yield are springs whose stiffness is the
 /// secant of their law, found again until the approaches agree with the law to 1e-7 of the largest.
-/// @param first    contact of @p problem that is the first of @p line; they follow each other
+/// @param first    contact of @p problem that is the first of @p line; they are the last ones, in order
 /// @param start    forces of the points in a neighbouring problem to begin with; empty: none are known
-/// @param problem  on return: compliance and approach with the ring free where no ball is pressed, or balls yield
+/// @param problem  nothing in it yields; on return the ring does where no ball is pressed, or balls yield: `yielding`
+///                 and `approach`
 /// @throws NumericalError as solve_complementarity does, where no such set of points is found, and for a ring that can
 /// move as a whole
 [[nodiscard]] BallContact solve_on_balls(numeric::Complementarity& problem, Eigen::Index first, BallLine const& line,

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "base/loop_targets.hpp"
 #include "hdconj/error.hpp"
 
 namespace hdconj::elastic {
@@ -46,22 +47,30 @@ using Ldlt = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Ei
 /// Loads side by side: each row is one unknown.
 using LoadRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// Solves for all loads at once, so that each entry of the factor is read once for all of them. For each load the
-/// operations and their order are those of Ldlt::solve().
-void solve_in_place(Ldlt const& ldlt, LoadRows& x)
+/// Solves L D L' x = b for all loads at once, so that each entry of the factor is read once for all of them. For each
+/// load the operations and their order are those of Ldlt::solve().
+HDCONJ_TARGETS
+void solve_in_place(Eigen::SparseMatrix<double> const& lower, double const* diagonal, LoadRows& x)
 {
-    auto const& lower = ldlt.matrixL().nestedExpression();
-    for (Eigen::Index j = 0; j < lower.outerSize(); ++j)
-        for (Eigen::SparseMatrix<double>::InnerIterator it(lower, j); it; ++it)
-            if (it.row() > j)
-                x.row(it.row()) -= it.value() * x.row(j);
-    auto const& diagonal = ldlt.vectorD();
-    for (Eigen::Index j = 0; j < x.rows(); ++j)
-        x.row(j) *= 1 / diagonal[j];
-    for (Eigen::Index j = lower.outerSize() - 1; j >= 0; --j)
-        for (Eigen::SparseMatrix<double>::InnerIterator it(lower, j); it; ++it)
-            if (it.row() > j)
-                x.row(j) -= it.value() * x.row(it.row());
+    int const *const begin = lower.outerIndexPtr(), *const row = lower.innerIndexPtr();
+    double const* const value = lower.valuePtr();
+    Eigen::Index const count = x.rows(), width = x.cols();
+    double* const all = x.data();
+    auto const subtract = [width](double* from, double factor, double const* what) {
+        for (Eigen::Index c = 0; c < width; ++c)
+            from[c] -= factor * what[c];
+    };
+    for (Eigen::Index j = 0; j < count; ++j)
+        for (int e = begin[j]; e < begin[j + 1]; ++e)
+            if (row[e] > j)
+                subtract(all + row[e] * width, value[e], all + j * width);
+    for (Eigen::Index j = 0; j < count; ++j)
+        for (Eigen::Index c = 0; c < width; ++c)
+            all[j * width + c] *= 1 / diagonal[j];
+    for (Eigen::Index j = count - 1; j >= 0; --j)
+        for (int e = begin[j]; e < begin[j + 1]; ++e)
+            if (row[e] > j)
+                subtract(all + j * width, value[e], all + row[e] * width);
 }
 
 }  // namespace
@@ -127,7 +136,7 @@ Eigen::MatrixXd HarmonicSolver::operator()(Eigen::MatrixXd const& loads) const
     for (std::size_t i = 0; i < place.size(); ++i)
         if (place[i] >= 0)
             solved.row(place[i]) = loads.row(static_cast<Eigen::Index>(i));
-    solve_in_place(factors_->ldlt, solved);
+    solve_in_place(factors_->ldlt.matrixL().nestedExpression(), factors_->ldlt.vectorD().data(), solved);
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(loads.rows(), loads.cols());
     for (std::size_t i = 0; i < place.size(); ++i)
         if (place[i] >= 0)

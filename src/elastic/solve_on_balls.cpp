@@ -37,20 +37,17 @@ std::vector<int> released(std::vector<bool> const& off)
         "has too few balls where the cam pushes");
 }
 
-/// The block of a problem that belongs to the contacts of a ring.
+/// The contacts of a ring among those of a problem: the last ones.
 struct RingBlock
 {
     Index first, rows;
-    MatrixXd compliance;  ///< with the ring held on the cam; empty: not yet changed
-    VectorXd approach;    ///< likewise
+    VectorXd approach;  ///< with the ring held on the cam
 };
 
 /// Holds the ring on the cam at all points.
 void hold(numeric::Complementarity& problem, RingBlock const& block)
 {
-    if (block.compliance.size() == 0)
-        return;
-    problem.compliance.bottomRightCorner(block.rows, block.rows) = block.compliance;
+    problem.yielding.resize(0, 0);
     problem.approach.segment(block.first, block.rows) = block.approach;
 }
 
@@ -89,17 +86,11 @@ FreeRing free_ring(BallLine const& line, VectorXd const& give, std::vector<bool>
 }
 
 /// Frees the ring, held until now.
-void release(numeric::Complementarity& problem, RingBlock& block, BallLine const& line, FreeRing const& ring)
+void release(numeric::Complementarity& problem, RingBlock const& block, BallLine const& line, FreeRing const& ring)
 {
-    Index const first = block.first, rows = block.rows;
-    if (block.compliance.size() == 0) {
-        block.compliance = problem.compliance.bottomRightCorner(rows, rows);
-        block.approach = problem.approach.segment(first, rows);
-    }
     MatrixXd const lift = line.lift(Eigen::all, ring.points);
-    MatrixXd const eased = ring.stiffness.matrixL().solve((lift * ring.scale.asDiagonal()).transpose());
-    problem.compliance.bottomRightCorner(rows, rows) += eased.transpose() * eased;
-    problem.approach.segment(first, rows) += lift * ring.moved(line.held);
+    problem.yielding = ring.stiffness.matrixL().solve((lift * ring.scale.asDiagonal()).transpose());
+    problem.approach.segment(block.first, block.rows) += lift * ring.moved(line.held);
 }
 
 /// Changes the points whose balls would pull and those released that the ring would enter; @p first_only: the first of
@@ -140,8 +131,8 @@ void enter_balls(BallLine const& line, FreeRing const& ring, VectorXd const& giv
 
 /// Solves with balls of the compliance @p give [mm/N]; empty: rigid ones.
 /// @param off  points to begin with as released; on return those that stand off
-BallContact solve_with(numeric::Complementarity& problem, RingBlock& block, BallLine const& line, VectorXd const& give,
-                       numeric::ComplementarityOptions& options, std::vector<bool>& off)
+BallContact solve_with(numeric::Complementarity& problem, RingBlock const& block, BallLine const& line,
+                       VectorXd const& give, numeric::ComplementarityOptions& options, std::vector<bool>& off)
 {
     Index const count = line.held.size();
     int const most_rounds = 50 + 4 * static_cast<int>(count);
@@ -209,7 +200,7 @@ BallContact solve_on_balls(numeric::Complementarity& problem, Index first, BallL
 {
     constexpr int most_secants = 60;  // each brings the law three times closer, or more
     auto const count = static_cast<std::size_t>(line.held.size());
-    RingBlock block{first, line.lift.rows(), {}, {}};
+    RingBlock const block{first, line.lift.rows(), problem.approach.segment(first, line.lift.rows())};
     std::vector<bool> off(count, false);
     for (std::size_t m = 0; m < start.size() && start.size() == count; ++m)
         off[m] = !(start[m] > 0);

@@ -3,8 +3,10 @@
 
 #include <cmath>
 #include <numeric>
+#include <utility>
 
 #include "hdconj/base/parallel.hpp"
+#include "numeric/compliance.hpp"
 
 namespace hdconj::load {
 Footing footing(ElasticDrive const& drive, FlankContact const& c)
@@ -26,7 +28,7 @@ std::vector<BearingNode> bearing_nodes(ElasticDrive const& drive)
 
 using Eigen::Index;
 
-Eigen::MatrixXd bearing_compliance(ElasticDrive const& drive, int threads)
+std::shared_ptr<Eigen::MatrixXd const> bearing_compliance(ElasticDrive const& drive, int threads)
 {
     std::vector<BearingNode> const nodes = bearing_nodes(drive);
     auto const count = static_cast<Index>(nodes.size());
@@ -48,7 +50,7 @@ Eigen::MatrixXd bearing_compliance(ElasticDrive const& drive, int threads)
         auto const j = static_cast<Index>(col);
         g.col(j).head(j) = g.row(j).head(j);
     });
-    return g;
+    return numeric::shared_compliance(std::move(g), threads);
 }
 
 std::vector<std::vector<double>> displacements(ElasticDrive const& drive, Eigen::MatrixXd const& forces, int threads)

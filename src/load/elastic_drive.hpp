@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -55,7 +56,7 @@ struct ElasticDrive
     std::vector<double> bearing_z = {};  ///< (bearing) above the middle of the bearing [mm]
     std::vector<double> slice_z = {};    ///< (slices) above the middle of the bearing [mm]
     /// Value of bearing_compliance(), which no torque changes [mm/N].
-    Eigen::MatrixXd bearing_compliance = {};
+    std::shared_ptr<Eigen::MatrixXd const> bearing_compliance = nullptr;
     double flow_pressure = std::numeric_limits<double>::infinity();  ///< of flanks [MPa]; infinite: they stay elastic
 
     [[nodiscard]] LineContact line_contact(FlankContact const& c) const
@@ -66,7 +67,8 @@ struct ElasticDrive
 
 /// Compliance between the contacts of the bearing, heights within angles, of cup, outer ring and the ring between its
 /// balls: displacement at one contact under 1 N at another [mm/N]. Symmetric.
-[[nodiscard]] Eigen::MatrixXd bearing_compliance(ElasticDrive const& drive, int threads);
+/// @throws NumericalError where it is not a number
+[[nodiscard]] std::shared_ptr<Eigen::MatrixXd const> bearing_compliance(ElasticDrive const& drive, int threads);
 
 /// A flank contact as components at the stations of the cup.
 struct Footing

@@ -98,12 +98,12 @@ numeric::Complementarity contact_problem(ElasticDrive const& drive, LinearGaps c
                                          std::optional<double> torque)
 {
     std::vector<BearingNode> const nodes = bearing_nodes(drive);
-    if (drive.bearing_compliance.rows() != static_cast<Index>(nodes.size()))
+    if (!drive.bearing_compliance || drive.bearing_compliance->rows() != static_cast<Index>(nodes.size()))
         throw std::logic_error("a drive without the compliance of its bearing's contacts");
     auto const count = static_cast<Index>(flanks + nodes.size());
     numeric::Complementarity problem;
     // No torque changes the block of the bearing; of the flank contacts, few carry a force.
-    problem.compliance = drive.bearing_compliance;
+    problem.shared = drive.bearing_compliance;
     if (flanks > 0) {
         FlankCompliance compliance(drive, gaps, flanks, nodes);
         VectorXd diagonal = compliance.diagonal();

@@ -24,8 +24,8 @@ void fail_complementarity(std::string const& cause)
 ComplementaritySystem::ComplementaritySystem(Complementarity const& problem, double scalar, int threads)
     : s(problem.border.size() > 0 ? scalar : 0), problem_(problem), count_(problem.approach.size()), threads_(threads)
 {
-    if (!all_finite(problem.compliance, threads) || !problem.approach.allFinite() || !problem.border.allFinite() ||
-        !std::isfinite(problem.total))
+    if (!all_finite(problem.compliance, threads) || !problem.yielding.allFinite() || !problem.approach.allFinite() ||
+        !problem.border.allFinite() || !std::isfinite(problem.total))
         fail_complementarity("a compliance, an approach or the load is not a number");
     double const load = problem.total;
     if (has_border() && load != 0 && (problem.border * load).maxCoeff() <= 0)

@@ -3,11 +3,15 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <vector>
 
 #include "complementarity.hpp"
 
 namespace hdconj::numeric {
+
+/// A block for Complementarity::shared. @throws NumericalError where it holds what is not a number
+[[nodiscard]] std::shared_ptr<Eigen::MatrixXd const> shared_compliance(Eigen::MatrixXd block, int threads);
 
 // Every result has the same bits for every number of threads, and whether or not columns are computed on demand.
 // Columns that are not finite numbers are refused: NumericalError.

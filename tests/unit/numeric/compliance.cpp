@@ -115,6 +115,57 @@ TEST_CASE("compliance: parts and products with columns on demand are those of th
     }
 }
 
+TEST_CASE("compliance: what yields counts as the matrix E'E beside the last contacts", "[complementarity][parallel]")
+{
+    constexpr Index n = 300, rest = 200, rank = 17;
+    numeric::Complementarity const stiff = dense_problem(n, 11);
+    MatrixXd const e = MatrixXd::NullaryExpr(
+        rank, rest, [](Index i, Index j) { return std::sin(static_cast<double>(3 * i + 7 * j)); });
+    numeric::Complementarity sum = stiff;
+    sum.compliance.bottomRightCorner(rest, rest) += e.transpose() * e;
+    std::vector<int> which;
+    for (int i = 0; i < n; i += 3)
+        which.push_back(i);
+    VectorXd x = stiff.approach;
+    for (Index i = 0; i < n; i += 2)
+        x[i] = 0;
+    double const rounding = n * unit_roundoff * sum.compliance.norm();
+    for (Index const first : {Index{0}, Index{1}, Index{100}}) {
+        CAPTURE(first);
+        std::atomic<int> filled = 0;
+        numeric::Complementarity yields = first > 0 ? on_demand(stiff, first, filled) : stiff;
+        yields.yielding = e;
+        MatrixXd const part = numeric::principal_part(yields, which, 1);
+        CHECK((part - sum.compliance(which, which)).norm() <= rounding);
+        CHECK((numeric::times(yields, x, 1) - sum.compliance * x).norm() <= rounding * x.norm());
+        CHECK((numeric::diagonal_of(yields) - sum.compliance.diagonal()).norm() <= rounding);
+        CHECK(numeric::work_of(yields, x, 1) == Approx(numeric::work_of(sum, x, 1)).epsilon(1e-12));
+        for (int const threads : {2, 3}) {
+            CHECK(numeric::principal_part(yields, which, threads) == part);
+            CHECK(numeric::times(yields, x, threads) == numeric::times(yields, x, 1));
+        }
+        MatrixXd const lower = numeric::lower_principal_part(yields, which, 2).triangularView<Eigen::Lower>();
+        CHECK((lower - MatrixXd(part.triangularView<Eigen::Lower>())).norm() <= rounding);
+        auto const found = numeric::solve_complementarity(yields), expected = numeric::solve_complementarity(sum);
+        CHECK((found.force - expected.force).norm() <= 1e-10 * expected.force.norm());
+    }
+}
+
+TEST_CASE("compliance: a shared block gives the bits of an own one, and is refused where it is not a number",
+          "[complementarity]")
+{
+    numeric::Complementarity const own = dense_problem(120, 13);
+    numeric::Complementarity shares = own;
+    shares.compliance.resize(0, 0);
+    shares.shared = numeric::shared_compliance(own.compliance, 2);
+    auto const expected = numeric::solve_complementarity(own), found = numeric::solve_complementarity(shares);
+    CHECK(found.force == expected.force);
+    CHECK(found.gap == expected.gap);
+    MatrixXd bad = own.compliance;
+    bad(3, 7) = std::numeric_limits<double>::infinity();
+    CHECK_THROWS_AS(numeric::shared_compliance(bad, 2), NumericalError);
+}
+
 TEST_CASE("compliance: a column that is not a number is refused", "[complementarity]")
 {
     numeric::Complementarity dense = dense_problem(50, 7);
