@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <tuple>
 
@@ -93,7 +94,14 @@ void add_contacts(FlankView const& view, std::vector<double> const& gap, std::ve
 
 }  // namespace
 
-std::vector<FlankContact> flank_contacts(contact::GapField const& field, FlankSearch const& search, int threads)
+void GapBounds::lower(double fall)
+{
+    for (double& least : least_)
+        least -= fall;
+}
+
+std::vector<FlankContact> flank_contacts(contact::GapField const& field, FlankSearch const& search, int threads,
+                                         GapBounds* known)
 {
     contact::FlankGrid const& grid = field.grid();
     std::size_t const slices = grid.slices();
@@ -101,6 +109,10 @@ std::vector<FlankContact> flank_contacts(contact::GapField const& field, FlankSe
     constexpr std::size_t curves_worth_a_thread = 8;
     parallel_for(curves.size(), threads, curves_worth_a_thread,
                  [&](std::size_t i) { curves[i] = FlankCurve(grid.point[i / slices][i % slices]); });
+    constexpr double nothing = -std::numeric_limits<double>::infinity();
+    std::vector<double> unknown;
+    std::vector<double>& bounds = known != nullptr ? known->least_ : unknown;
+    bounds.resize(search.spaces * curves.size(), nothing);
     std::vector<std::vector<FlankContact>> found(search.spaces);
     constexpr std::size_t grain = 4;
     parallel_for(search.spaces, threads, grain, [&](std::size_t s) {
@@ -115,9 +127,13 @@ std::vector<FlankContact> flank_contacts(contact::GapField const& field, FlankSe
                 int const flank = static_cast<int>(f);
                 FlankView const view{field, search, curves[f * slices + k], space,
                                      flank, k,      field.radius(flank, k), teeth[k]};
-                if (is_far(view))
+                double& bound = bounds[s * curves.size() + f * slices + k];
+                if (bound == nothing)
+                    bound = sampled_bound(view);
+                if (bound > search.limit)
                     continue;
                 field.gaps(teeth[k], flank, grid.point[f][k].data(), gap.size(), gap.data(), gradient.data());
+                bound = *std::ranges::min_element(gap) - view.curve.longest();
                 add_contacts(view, gap, gradient, found[s]);
             }
     });

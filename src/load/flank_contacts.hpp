@@ -47,6 +47,19 @@ struct FlankSearch
     bool wide_edges = false;  ///< a wide strip has its force in the middle although its least gap is on an edge
 };
 
+/// What searches know of the gaps of a field that only moves: no gap of a flank is smaller than its bound.
+class GapBounds
+{
+  public:
+    /// After a movement that closes no gap by more than @p fall [mm]. Infinite: nothing is known any more.
+    void lower(double fall);
+
+  private:
+    friend std::vector<FlankContact> flank_contacts(contact::GapField const& field, FlankSearch const& search,
+                                                    int threads, GapBounds* known);
+    std::vector<double> least_;  ///< (spaces, flanks, slices) [mm]; empty: nothing is known
+};
+
 /// Finds the local minima of the gap along every (space, flank, slice), each with the strip of the flank that belongs
 /// to it, in order of space, flank, slice and arc length. A few points exclude flanks beyond the limit, since no gap
 /// changes faster than the arc length.
@@ -57,8 +70,10 @@ struct FlankSearch
 /// Hertz strip under the line load q has the depth a^2 kappa/2 = 2 q/(pi E*), that is the curvature that the pressure
 /// sees, and it changes little by little where the least gap jumps along flanks that fit each other well. Accuracy: a
 /// strip ends at a tenth of the flank on either side. Domain: gaps above -radius (with_round_edges()).
+/// @param known  of the same spaces, or null: flanks whose bound is beyond the limit are passed by, which changes no
+///               result, and bounds are found for the others
 [[nodiscard]] std::vector<FlankContact> flank_contacts(contact::GapField const& field, FlankSearch const& search,
-                                                       int threads);
+                                                       int threads, GapBounds* known = nullptr);
 
 /// Adds those of @p before that carried @p force and have no contact of @p contacts within a strip's half width: the
 /// minimum of a contact vanishes at once where flanks that fit each other over a long stretch turn by a little,

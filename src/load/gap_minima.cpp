@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "hdconj/base/rigid_motion.hpp"
 #include "hdconj/base/tolerance.hpp"
@@ -45,7 +46,7 @@ FlankCurve::Place turning_place(FlankView const& view, std::size_t stretch, doub
 
 }  // namespace
 
-bool is_far(FlankView const& view)
+double sampled_bound(FlankView const& view)
 {
     std::vector<Vec2> const& point = view.curve.points();
     std::vector<double> const& length = view.curve.arc_length();
@@ -61,14 +62,14 @@ bool is_far(FlankView const& view)
     }
     std::vector<double> gap(place.size());
     view.field.gaps(view.teeth, view.flank, place.data(), place.size(), gap.data());
+    double bound = std::numeric_limits<double>::infinity();
     for (std::size_t j = 0; j < chosen.size(); ++j) {
         std::size_t const i = chosen[j];
         double const reach =
             std::max(length[std::min(i + stride, last)] - length[i], length[i] - length[i - std::min(i, stride)]);
-        if (gap[j] - reach <= view.search.limit)
-            return false;
+        bound = std::min(bound, gap[j] - reach);
     }
-    return true;
+    return bound;
 }
 
 std::vector<GapMinimum> gap_minima(FlankView const& view, std::vector<double> const& gap,

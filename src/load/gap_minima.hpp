@@ -31,8 +31,8 @@ struct FlankView
     }
 };
 
-/// Whether every gap of the flank is above the limit of the search, from every eighth point.
-[[nodiscard]] bool is_far(FlankView const& view);
+/// No gap of the flank is smaller than this [mm], by every eighth point.
+[[nodiscard]] double sampled_bound(FlankView const& view);
 
 /// A place of least gap.
 struct GapMinimum

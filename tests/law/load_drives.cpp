@@ -87,6 +87,19 @@ TEST_CASE("every torque of a random drive has an equilibrium", "[load]")
     CHECK(count.most_iterations < 100);
 }
 
+TEST_CASE("a flank that fits a tooth over a long stretch with two minima settles", "[load]")
+{
+    LoadOptions options;
+    options.torque = 54.7341 * newton_metre;
+    options.curve = false;
+    options.surfaces = {ToothSurface::per_slice};
+    LoadStudy const study = study_load(parse_scene(designs::elastic_drive(270).scene, "seed 270"), options);
+    REQUIRE(study.cases.size() == 1);
+    Count count;
+    check_case(study.cases.front(), study.sectors, count);
+    CHECK(count.states == 1);
+}
+
 TEST_CASE("the same of 300 drives at 20 torques", "[.][load-of-300]")
 {
     Count const count = check_drives(300, 20, true);

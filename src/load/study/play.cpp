@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "contact/turn_to_contact.hpp"
@@ -28,13 +29,16 @@ std::optional<double> first_touch(LoadProblem const& problem, contact::GapField 
     constexpr double nearly_radial = 0.01;  // lever over the reach
     double const shortest_lever = nearly_radial * field.reach();
     double turn = from;
+    GapBounds known;
     constexpr int most_steps = 60;
     for (int i = 0; i < most_steps && std::abs(turn - from) <= pitch_of(problem); ++i) {
         double step = limit / field.reach();
-        for (FlankContact const& c : flank_contacts(field, flank_search(problem, turn, limit), problem.context.threads))
+        for (FlankContact const& c :
+             flank_contacts(field, flank_search(problem, turn, limit), problem.context.threads, &known))
             if (double const lever = sense * c.lever; lever > (c.gap < 0 ? shortest_lever : 0))
                 step = std::min(step, c.gap / lever);
         turn += sense * step;
+        known.lower(problem.deviation ? std::numeric_limits<double>::infinity() : std::abs(step) * field.reach());
         if (std::abs(step) * field.reach() <= gap_tolerance(problem))
             return turn;
     }

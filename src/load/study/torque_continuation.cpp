@@ -16,6 +16,7 @@
 #include "hdconj/error.hpp"
 #include "hdconj/units.hpp"
 #include "load/elastic_drive.hpp"
+#include "search_reach.hpp"
 
 namespace hdconj::load {
 namespace {
@@ -33,7 +34,8 @@ struct Attempt
 /// Where two strips of a flank are about to merge, or one of two minima to vanish, the iteration alternates between one
 /// contact and two; it does not where contacts are held, or with another depth. Mixing leads back to an unstable
 /// equilibrium for ever; without it the next stable one is reached. Where the gap hardly changes between an edge and
-/// the flank beside it, the least gap jumps from one to the other; the middle of the strip does not.
+/// the flank beside it, the least gap jumps from one to the other; the middle of the strip does not. Where a flank fits
+/// over a long stretch with two minima, strips that are narrow enough make two contacts of them.
 constexpr Attempt attempts[] = {{1, 3, 25},
                                 {0.5, 3, 25},
                                 {1, 3, 40, true},
@@ -42,7 +44,9 @@ constexpr Attempt attempts[] = {{1, 3, 25},
                                 {0.25, 3, 25},
                                 {0.5, 3, 40, true},
                                 {1, 3, 40, false, true},
-                                {0.5, 3, 40, true, true}};
+                                {0.5, 3, 40, true, true},
+                                {0x1p-4, 3, 40},
+                                {0x1p-6, 3, 40}};
 
 std::string place_of(double torque)
 {
@@ -95,15 +99,21 @@ struct Linearisation
     std::vector<double> force;
 };
 
-Linearisation linearised(LoadProblem const& problem, LoadedDrive const& now, Attempt const& attempt)
+FlankSearch search_of(LoadProblem const& problem, Attempt const& attempt, double turn, double limit)
+{
+    FlankSearch search = flank_search(problem, turn, limit, attempt.depth);
+    search.wide_edges = attempt.wide_edges;
+    return search;
+}
+
+Linearisation linearised(LoadProblem const& problem, LoadedDrive const& now, Attempt const& attempt, SearchReach& reach)
 {
     Linearisation result;
     LinearGaps& gaps = result.gaps;
     gaps.turn = now.state.turn;
     contact::GapField const field = gap_field(problem, now.shape, problem.edges);
-    FlankSearch search = flank_search(problem, gaps.turn, search_limit(problem), attempt.depth);
-    search.wide_edges = attempt.wide_edges;
-    gaps.contacts = flank_contacts(field, search, problem.context.threads);
+    FlankSearch const search = search_of(problem, attempt, gaps.turn, reach.limit);
+    gaps.contacts = flank_contacts(field, search, problem.context.threads, &reach.known);
     if (attempt.hold)
         hold_contacts(field, search, now.contacts, now.state.flank, gaps.contacts);
     result.force = carried_over(now.contacts, now.state.flank, gaps.contacts);
@@ -153,6 +163,13 @@ struct AttemptResult
     double mismatch;  ///< of the gaps [mm]
 };
 
+/// Gives @p now the shape of its forces. @param turn  of the shape before
+void reshape(LoadProblem const& problem, double turn, LoadedDrive& now, SearchReach& reach)
+{
+    LoadedShape before = std::exchange(now.shape, loaded_shape(problem.context, problem.drive, now.forces));
+    follow_step(problem, std::move(before), turn, now, reach);
+}
+
 /// Forces on the contacts of @p at under @p torque; the shape of @p now stays.
 void solve_forces(LoadProblem const& problem, double torque, Linearisation& at, LoadedDrive& now)
 {
@@ -175,12 +192,14 @@ AttemptResult attempted(LoadProblem const& problem, double torque, Attempt const
     int at_least = 0;  // iteration of the least mismatch
     bool mixed = false;
     std::vector<MixingStep> history;
+    SearchReach reach = whole_reach(problem);
     for (int iteration = 0; iteration <= attempt.most_iterations; ++iteration) {
-        Linearisation at = linearised(problem, now, attempt);
+        Linearisation at = linearised(problem, now, attempt, reach);
         if (iteration > 0) {
             double const mismatch = mismatch_of(at);
             if (!mixed && mismatch <= gap_tolerance(problem)) {
                 now.gap_mismatch = mismatch;
+                add_far_contacts(problem, search_of(problem, attempt, reach.turn, search_limit(problem)), reach, now);
                 return {std::move(now), true, mismatch};
             }
             // Only forces that were not mixed are a result: near the end every other iteration does not mix.
@@ -205,7 +224,7 @@ AttemptResult attempted(LoadProblem const& problem, double torque, Attempt const
             history.erase(history.begin());
         if (mixed)
             anderson_mix(history, now);
-        now.shape = loaded_shape(problem.context, problem.drive, now.forces);
+        reshape(problem, at.gaps.turn, now, reach);
     }
     return {std::move(now), false, last};
 }
@@ -233,15 +252,16 @@ double turn_near(LoadProblem const& problem, double torque, LoadedDrive const& s
     constexpr double enough = 0x1p-10;  // of the turn from the start on
     constexpr int budget = 8;
     LoadedDrive now = start;
+    SearchReach reach = whole_reach(problem);
     for (int i = 0; i < budget; ++i) {
         double const before = now.state.turn;
         at_torque(torque, [&] {
-            Linearisation at = linearised(problem, now, attempts[0]);
+            Linearisation at = linearised(problem, now, attempts[0], reach);
             solve_forces(problem, torque, at, now);
         });
         if (i > 0 && std::abs(now.state.turn - before) <= enough * std::abs(now.state.turn - start.state.turn))
             return now.state.turn;
-        now.shape = loaded_shape(problem.context, problem.drive, now.forces);
+        reshape(problem, before, now, reach);
     }
     return converged_at(problem, torque, start).state.turn;
 }
