@@ -82,6 +82,50 @@ def test_a_grid_and_its_xarray(tmp_path):
     assert (tmp_path / "rows.csv").read_text().count("\n") == 13
 
 
+MIXED = """
+[vary]
+"flexspline.profile.concave_offset" = { list = [FIRST] }
+n = { list = [1, 2.5] }
+[sample]
+method = "grid"
+[figures]
+r = "solve.r_m"
+n2 = "n * n"
+[objectives]
+r = "max"
+"""
+
+
+@pytest.mark.parametrize("values", ['0.7, "tangent"', '"tangent", 0.7'])
+def test_a_list_of_numbers_and_words(tmp_path, values):
+    """Its column is text whatever the order; scenes have the number again, and pictures leave it out."""
+    found = run(MIXED.replace("FIRST", values), tmp_path)
+    assert sorted(found.frame["flexspline.profile.concave_offset"]) == ["0.7", "0.7", "tangent", "tangent"]
+    assert (found.frame["code"] == "").all()
+    for number in range(4):
+        kept = found.recipe.restored(found.frame.iloc[number])
+        assert kept == found.recipe.values(number) and [*map(type, kept.values())] == [
+            *map(type, found.recipe.values(number).values())
+        ]
+    assert [file.name for file in draw_all(found)] == ["keys.png", "parallel.png", "tooth.png"]
+
+
+def test_a_study_of_words_has_pictures(tmp_path):
+    text = MIXED.replace("[FIRST]", '["tangent"]').replace("n = { list = [1, 2.5] }", "").replace('n2 = "n * n"', "")
+    assert [file.name for file in draw_all(run(text, tmp_path))] == ["tooth.png"]
+
+
+def test_fewer_drives_than_before(tmp_path):
+    """The study is what it is now: rows of more drives stay, and do not count."""
+    text = '[vary]\na = { from = 0, to = 1 }\n[figures]\nb = "a"\n[objectives]\nb = "max"\n[sample]\ncount = '
+    all_rows = run(text + "20", tmp_path).frame
+    found = run(text + "8", tmp_path)
+    state = found.status()
+    assert (state["done"], state["total"], state["seconds_left"]) == (8, 8, 0)
+    assert found.frame.equals(all_rows[:8]) and found.best(20)["sample"].max() < 8
+    assert run(text + "20", tmp_path).frame.equals(all_rows)
+
+
 def test_expressions():
     known = {"a.b": 2.0, "c": 3}
     for text in ("1 + 2 * a.b", "-c ** 2 / 4", "max(a.b, c) - min(1, c)", "sqrt(c) * sin(pi / a.b)", "c // 2 + c % 2"):
@@ -175,6 +219,7 @@ def search(text, method, generations, folder):
 @pytest.mark.parametrize("method", ["nsga2", "cmaes"])
 def test_a_search_goes_on_where_it_was(tmp_path, method):
     whole = search(TWO, method, 6, tmp_path / "whole").frame
+    assert len(whole) == 6 * 10
     search(TWO, method, 2, tmp_path / "parts")
     again = search(TWO, method, 6, tmp_path / "parts").frame
     assert whole.equals(again)

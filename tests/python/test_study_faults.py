@@ -10,7 +10,10 @@ import pytest
 import hdconj
 
 study = pytest.importorskip("hdconj.study")
-from hdconj.study.__main__ import _parser  # noqa: E402
+pytest.importorskip("distributed")
+from hdconj.study import _drive, _store  # noqa: E402
+from hdconj.study.__main__ import _parser, main  # noqa: E402
+from hdconj.study._expression import Expression  # noqa: E402
 
 GOOD = """
 [vary]
@@ -74,6 +77,9 @@ BAD = [
     (FLANK, FLANK + '\n"tilt.angle_deg" = "1 if 2 else 3"', "is no arithmetic"),
     (FLANK, FLANK + '\na = "b + 1"\nb = "a + 1"', "the links go in a circle"),
     (FLANK, '"tilt.angle_deg" = "0.1"', "links alone do not vary"),
+    (FLANK, FLANK + '\na = "1 / 0"', "vary.a = 1 / 0: has no value: division by zero"),
+    (FLANK, FLANK + '\n"drive.name" = "wave_generator.family"', "wave_generator.family is no number (links compute"),
+    (FLANK, FLANK + '\nw = { list = ["a", "b"] }\na = "2 * w"', "vary.a = 2 * w: w is no number"),
     ("count = 8", "count = 0", "must be a whole number (write a whole number from 1"),
     ("count = 8", "count = 8.0", "sample.count = 8.0: must be a whole number"),
     ("count = 8", "count = 8\nseed = -1", "sample.seed = -1: must be a whole number"),
@@ -86,11 +92,26 @@ BAD = [
     ('verb = "solve"', 'verb = "solve"\nerrors = 1', "compute.errors = 1: must be true or false"),
     ('verb = "solve"', 'verb = "solve"\nload = { torque = 3 }', "options of a verb that is not computed"),
     ('verb = "solve"', 'verb = "solve"\nsolve = { torque = 3 }', "compute.solve.torque = 3: unknown option"),
+    ('verb = "solve"', 'verb = "solve"\nsolve = 3', "compute.solve = 3: is no table (write solve = {"),
+    *(
+        ('verb = "solve"', f'verb = "{verb}"\n{verb} = {{ {option} }}', said)
+        for verb, option, said in (
+            ("contact", 'revolution = "x"', "contact.revolution = x: is of another type (write a whole number)"),
+            ("contact", 'tilts_deg = ["a"]', "contact.tilts_deg = ['a']: is of another type (write "),
+            ("contact", 'best_deg = [0, "a"]', "is of another type (write [a number, a number])"),
+            ("contact", 'surfaces = "foo"', "contact.surfaces = foo: is no word"),
+            ("load", "curve = 1", "load.curve = 1: is of another type (write true or false)"),
+            ("load", "torque = nan", "load.torque = nan: is of another type (write a number)"),
+            ("load", "points = 0", "compute.load.points = 0: "),
+            ("load", 'kinds = "foo"', "load.kinds = foo: is no word"),
+        )
+    ),
     ('verb = "solve"', 'verb = "contact"\ncontact = { tilts_deg = [0, 1] }', "a drive has one case"),
     ('verb = "solve"', 'verb = "solve"\nsurvivors = 3', "nothing says which drives survive"),
     ("[figures]", "[figures]\n1st = 'solve.land_width'", "is no name of a figure"),
     ("[figures]", "[figures]\nland_error = 'solve.land_width'", "not _error at its end"),
     ("[figures]", "[figures]\na = 'contact.backlash'", "contact is not computed"),
+    ("[figures]", "[figures]\na = '1 / 0'", "figures.a = 1 / 0: has no value: division by zero"),
     ("[figures]", "[figures]\na = 3", "figures.a = 3: no expression in quotes"),
     ('[figures]\nland = "solve.land_width"', "", "no figure is wanted"),
     (
@@ -134,7 +155,6 @@ def test_all_faults_at_once_with_their_lines():
     [
         ("solve.land_width", "solve.land_widht", "unknown figure solve.land_widht (write solve.land_width)"),
         ("solve.land_width", "2 * land_width", "unknown figure land_width (write solve.land_width)"),
-        ("solve.land_width", "1 / 0", "the first drive fails"),
     ],
 )
 def test_figures_are_those_of_the_first_drive(old, new, said):
@@ -150,6 +170,59 @@ def test_a_drive_that_cannot_be_made_is_no_fault():
         '"drive.circular_spline_teeth" = { from = 201, to = 204, step = 1 }',
     ):
         study.read_recipe(GOOD.replace(FLANK, law))
+
+
+@pytest.mark.parametrize("link", ["1 / (w - 0.7)", "1e200 ** (w / 0.3)", "log(w - 0.75)", "w * 1e308 * 1e10"])
+def test_a_link_without_a_value_is_a_row(link):
+    """Middle drive or not: the study is good, and the row says which link."""
+    text = f'"flexspline.wall" = {{ list = [0.7, 0.8] }}\nw = "flexspline.wall"\na = "{link}"'
+    good = study.check(study.read_recipe(GOOD.replace(FLANK, text)))
+    row = _drive.row_of(good, (0, good.first), False)[0]
+    assert (row["code"], row["place"]) == ("link", "a") and link in row["cause"]
+
+
+def test_a_figure_without_a_value_keeps_the_others():
+    """In the middle drive too; an error that leaves the domain of a function is not known."""
+    figures = 'bad = "log(solve.land_width - 1)"\nland = "solve.land_width"\none = "1.0"'
+    text = GOOD.replace('land = "solve.land_width"', figures)
+    good = study.check(study.read_recipe(text))
+    row = _drive.row_of(good, (0, good.first), False)[0]
+    assert (row["code"], row["place"]) == ("figure", "bad") and "log(solve.land_width - 1)" in row["cause"]
+    assert row["land"] > 0.1 and row["one"] == 1 and "bad" not in row
+    value, error = Expression("sqrt(x)").with_error({"x": 0.01}, {"x": 0.02})
+    assert value == pytest.approx(0.1) and error != error
+
+
+@pytest.mark.parametrize("words, said", [
+    (["run", "STUDY", "-o", ""], "has an empty name (name a folder"),
+    (["run", "STUDY", "-o", "."], "holds study.toml, which is of no study (name a folder that is empty"),
+    (["optimise", "STUDY", "-o", "."], "holds study.toml, which is of no study"),
+    (["run", "STUDY", "-o", "STUDY"], "is a file (name a folder"),
+    (["run", "STUDY", "-o", "out", "--jobs", "-1"], "jobs = -1: is no number of processes (write 0"),
+    (["run", "STUDY", "-o", "out", "--shard-seconds", "nan"], "shard-seconds = nan: is no time"),
+    (["best", "made", "-n", "-3"], "-3 is less than one (write a whole number from 1)"),
+    (["best", "made", "-n", "1", "--csv", "rows.csv", "--scene", "best.toml"], "nothing says what is better"),
+])  # fmt: skip
+def test_a_refused_command_writes_nothing(tmp_path, monkeypatch, capsys, words, said):
+    monkeypatch.chdir(tmp_path)
+    Path("study.toml").write_text(GOOD + ('[objectives]\nland = "max"\n' if words[0] == "optimise" else ""))
+    if words[0] == "best":
+        good = study.load_recipe("study.toml")
+        with _store.Folder("made").locked():
+            _store.Folder("made").begin(good, "run")
+    before = {file: file.read_bytes() for file in tmp_path.rglob("*") if file.is_file()}
+    assert main([word.replace("STUDY", "study.toml") for word in words]) == 2
+    assert said in capsys.readouterr().err
+    assert before == {file: file.read_bytes() for file in tmp_path.rglob("*") if file.is_file()}
+
+
+@pytest.mark.parametrize("about", ["{}", "[1]", "3", "null", '{"kind": 3}', "{"])
+def test_a_folder_whose_study_json_is_none_is_refused(tmp_path, capsys, about):
+    (tmp_path / "study.toml").write_text(GOOD)
+    (tmp_path / "study.json").write_text(about)
+    for words in (["status", str(tmp_path)], ["run", str(tmp_path / "study.toml"), "-o", str(tmp_path)]):
+        assert main(words) == 2
+        assert "is no folder of a study" in capsys.readouterr().err
 
 
 STUDIES = sorted(Path(os.environ["HDCONJ_SOURCE"], "data/studies").glob("*.toml"))

@@ -209,6 +209,28 @@ def test_a_killed_scheduler_is_told_and_resumed(longer, tmp_path, number):
     assert bits(folder) == longer
 
 
+@pytest.mark.parametrize("twice", [False, True])
+def test_an_interrupt_of_a_terminal_stops_quietly(longer, tmp_path, twice):
+    """Ctrl-C reaches the whole group: workers leave it to the run that they belong to."""
+    file, folder = write(tmp_path, 400), tmp_path / "study"
+    process = subprocess.Popen(command("run", file, "-o", folder, "--jobs", "2", "--shard-seconds", "2"),
+                               stderr=subprocess.PIPE, text=True, start_new_session=True)  # fmt: skip
+    until(lambda: list(folder.glob("rows/*.parquet")) or process.poll() is not None)
+    begin = time.monotonic()
+    os.killpg(process.pid, signal.SIGINT)
+    if twice:
+        time.sleep(0.1)
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGINT)
+    _, said = process.communicate(timeout=60)
+    assert not said.replace("hdconj study: stopped; run again to resume\n", ""), said
+    # One that comes while Python itself ends is Python's.
+    assert process.returncode == 1 or (twice and process.returncode == -signal.SIGINT)
+    assert not twice or time.monotonic() - begin < 3
+    study.run(file, folder, jobs=2, progress=False)
+    assert bits(folder) == longer
+
+
 def test_a_drive_that_kills_its_worker_is_found(expected, tmp_path, monkeypatch):
     # every interpreter that starts from now on
     (tmp_path / "sitecustomize.py").write_text(
@@ -265,9 +287,10 @@ def test_another_study_in_the_folder_is_refused(tmp_path):
         study.open(tmp_path / "rows")
 
 
-def test_a_full_disk_is_told_and_resumed(expected, tmp_path):
+@pytest.mark.parametrize("room", [0, 7000])
+def test_a_full_disk_is_told_and_resumed(expected, tmp_path, room):
     file, folder = write(tmp_path, 90), tmp_path / "study"
-    limited = "import resource, sys; resource.setrlimit(resource.RLIMIT_FSIZE, (7000, 7000)); " + (
+    limited = f"import resource, sys; resource.setrlimit(resource.RLIMIT_FSIZE, ({room}, {room})); " + (
         "from hdconj.study.__main__ import main; sys.exit(main(sys.argv[1:]))"
     )
     failed = subprocess.run(
@@ -276,6 +299,7 @@ def test_a_full_disk_is_told_and_resumed(expected, tmp_path):
     )  # fmt: skip
     assert failed.returncode == 1 and "cannot be written" in failed.stderr, failed.stderr
     assert "run again to resume" in failed.stderr
+    assert str(folder) in failed.stderr
     assert not [file for file in folder.rglob(".*")]
     study.run(file, folder, jobs=1, progress=False)
     assert bits(folder) == expected

@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import argparse
+import os
+import signal
 import sys
 from collections.abc import Sequence
 from pathlib import Path
@@ -72,23 +74,38 @@ def print_status(study: Any) -> None:
 
 def print_best(study: Any, options: argparse.Namespace) -> None:
     """Prints the best drives and writes what was asked for."""
+    wants_rows_only = options.csv and not options.scene and not study.recipe.objectives
+    table = None if wants_rows_only else study.best(options.n)
     if options.csv:
         study.to_csv(options.csv)
-    if not study.recipe.objectives and options.csv:
+    if table is None:
         return
-    table = study.best(options.n)
     errors = [name for name in table.columns if name.endswith("_error") and table[name].isna().all()]
     print(table.drop(columns=[*errors, "code", "stage", "place", "cause"]).to_string(index=False, float_format=_number))
     if options.scene and len(table):
         study.folder.write_scene(Path(options.scene), study.recipe.scene_of(study.values(table.iloc[0])))
 
 
+def _stop_at_once_at_the_second_interrupt() -> None:
+    """The first Ctrl-C stops the study and closes its workers; one more does not wait for that."""
+    if signal.getsignal(signal.SIGINT) is not signal.default_int_handler:
+        return  # such as that of a run in the background
+
+    # What multiprocessing's helper, which cleans up then, would say of a run that ended at once.
+    os.environ.setdefault("PYTHONWARNINGS", "ignore:resource_tracker")
+
+    def stop(*_: object) -> None:
+        signal.signal(signal.SIGINT, lambda *_: os._exit(1))
+        raise KeyboardInterrupt
+
+    signal.signal(signal.SIGINT, stop)
+
+
 def _run(options: argparse.Namespace) -> None:
     from . import _optimise, _run
     from ._study import open as open_study
 
-    if not 2 <= options.shard_seconds <= 60 or options.jobs < 0:
-        raise SystemExit("hdconj study: --shard-seconds lies from 2 to 60, and --jobs is 0 or more")
+    _stop_at_once_at_the_second_interrupt()
     call = _run.run if options.verb == "run" else _optimise.optimise
     call(
         options.what, options.folder, jobs=options.jobs, scheduler=options.scheduler,
@@ -108,9 +125,10 @@ def _act(options: argparse.Namespace) -> None:
         from ._run import fault_of, first_drive
 
         recipe = load_recipe(options.what)
-        if fault := fault_of(first_drive(recipe)[0]):
-            print(f"hdconj study: the drive in the middle cannot be made, so figures are unchecked: {fault}",
-                  file=sys.stderr)  # fmt: skip
+        row = first_drive(recipe)[0]
+        if row["code"]:
+            lacks = "lacks a figure" if row["code"] == "figure" else "cannot be made, so figures are unchecked"
+            print(f"hdconj study: the drive in the middle {lacks}: {fault_of(row)}", file=sys.stderr)
         print(f"{recipe.drives} drives, {len(recipe.keys)} keys vary, {len(recipe.figures)} figures")
     elif options.verb == "status":
         print_status(open_study(options.what))
@@ -123,9 +141,25 @@ def _act(options: argparse.Namespace) -> None:
             print(f"wrote {file}")
 
 
+def _failed(error: Exception, options: argparse.Namespace) -> str:
+    """What went wrong and where, and what to do."""
+    place = getattr(options, "folder", None) or options.what
+    where = f"{place}: " if isinstance(error, OSError) and error.errno and not error.filename else ""
+    return where + str(error) + ("; run again to resume" if options.verb in ("run", "optimise") else "")
+
+
 def main(words: Sequence[str] | None = None) -> int:
     """Runs the command and returns its exit status."""
     options = _parser().parse_args(words)
+    try:
+        return _status(options)
+    except KeyboardInterrupt:
+        print("hdconj study: stopped; run again to resume", file=sys.stderr)
+        return 1
+
+
+def _status(options: argparse.Namespace) -> int:
+    """The exit status of a command, which says on stderr what went wrong."""
     try:
         from .._errors import FileError, InputError
         from ._engine import EngineLost
@@ -142,10 +176,7 @@ def main(words: Sequence[str] | None = None) -> int:
         print(f"hdconj study: {count} fault{'s' if count > 1 else ''} in {options.what}\n{error}", file=sys.stderr)
         return 2
     except (EngineLost, FileError, OSError) as error:
-        print(f"hdconj study: {error}; run again to resume", file=sys.stderr)
-        return 1
-    except KeyboardInterrupt:
-        print("hdconj study: stopped; run again to resume", file=sys.stderr)
+        print(f"hdconj study: {_failed(error, options)}", file=sys.stderr)
         return 1
     return 0
 

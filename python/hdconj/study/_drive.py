@@ -17,12 +17,14 @@ import hdconj
 
 from .. import _core
 from .._errors import FileError, InputError, NumericalError
+from ._expression import NO_VALUE
 from ._keys import Value
 from ._recipe import Recipe
 
 Row = dict[str, Any]
 Sample = tuple[int, Mapping[str, Value]]
 KILLED = "killed-worker"
+MADE = {"code": "", "stage": "", "place": "", "cause": ""}
 _KEPT = 6  # responses of cups and bearings that a worker keeps for the next drives; a drive has four
 _TRIES = 3  # of a drive that kills its process: another process might have been the reason
 
@@ -59,13 +61,16 @@ def figures_of(
 
 
 @lru_cache
-def _estimates_errors(verb: str) -> bool:
+def estimates_errors(verb: str) -> bool:
     """Whether a verb lets its user choose whether it estimates errors."""
     return "errors" in inspect.signature(getattr(hdconj, verb)).parameters
 
 
 def compute(recipe: Recipe, values: Mapping[str, Value], errors: bool) -> tuple[Row, dict[str, str]]:
-    """Figures of a drive and their units; raises what the verbs raise."""
+    """The row of a drive, without its number, and units of its figures; raises what the verbs raise.
+
+    Where a figure has no value the others stay, and the row has the code ``figure`` and the name of the first such one.
+    """
     linked = recipe.linked(values)
     scene = recipe.scene_of({**linked, "solver.threads": 1})
     known: dict[str, Any] = {**{k: v for k, v in linked.items() if not isinstance(v, str)}}
@@ -73,7 +78,7 @@ def compute(recipe: Recipe, values: Mapping[str, Value], errors: bool) -> tuple[
     units: dict[str, str] = {}
     for verb, options in recipe.verbs:
         call = getattr(hdconj, verb)
-        has_errors = _estimates_errors(verb)
+        has_errors = estimates_errors(verb)
         result = call(scene, **options, **({"errors": errors} if has_errors else {}))
         if result.missing:
             raise NumericalError("missing-case", verb, "the only case", "; ".join(result.missing))
@@ -81,9 +86,14 @@ def compute(recipe: Recipe, values: Mapping[str, Value], errors: bool) -> tuple[
         known |= own
         estimates |= own_errors
         units |= own_units
-    row: Row = dict(linked)
+    row: Row = {**linked, **MADE}
     for name, expression in recipe.figures:
-        row[name], row[f"{name}_error"] = expression.with_error(known, estimates)
+        try:
+            row[name], row[f"{name}_error"] = expression.with_error(known, estimates)
+        except NO_VALUE as error:
+            cause = f"{error.args[0]} has no number here" if isinstance(error, KeyError) else str(error)
+            if not row["code"]:
+                row |= failure(NumericalError("figure", "figures", name, f"{expression.text}: {cause}"))
     found = {name: units.get(expression.text.strip(), "") for name, expression in recipe.figures}
     return row, {**found, **recipe.units}
 
@@ -95,8 +105,6 @@ def failure(error: BaseException) -> dict[str, str]:
     if isinstance(error, InputError):
         fault = error.faults[0]
         return {"code": "scene", "stage": "check", "place": fault.path, "cause": fault.reason}
-    if isinstance(error, KeyError):
-        return {"code": "figure", "stage": "figures", "place": str(error.args[0]), "cause": "there is no such figure"}
     code = "memory" if isinstance(error, MemoryError) else "file" if isinstance(error, FileError) else "value"
     return {"code": code, "stage": "study", "place": type(error).__name__, "cause": str(error)}
 
@@ -106,16 +114,16 @@ def row_of(recipe: Recipe, sample: Sample, errors: bool) -> tuple[Row, dict[str,
     number, values = sample
     try:
         row, units = compute(recipe, values, errors)
-        return {"sample": number, **row, "code": "", "stage": "", "place": "", "cause": ""}, units
-    except (InputError, NumericalError, FileError, ArithmeticError, ValueError, KeyError, MemoryError) as error:
+        return {"sample": number, **row}, units
+    except (InputError, NumericalError, FileError, ArithmeticError, ValueError, MemoryError) as error:
         return {"sample": number, **_known(recipe, values), **failure(error)}, {}
 
 
 def _known(recipe: Recipe, values: Mapping[str, Value]) -> Row:
-    """Values of a drive that cannot be made, links where they have values."""
+    """Values of a drive that cannot be made, links where all have values."""
     try:
         return dict(recipe.linked(values))
-    except (ArithmeticError, ValueError, KeyError, TypeError):
+    except NumericalError:
         return dict(values)
 
 
@@ -136,7 +144,9 @@ def careful_rows(recipe: Recipe, samples: Sequence[Sample], errors: bool) -> tup
     tries = _TRIES if len(samples) == 1 else 1
     for _ in range(tries):
         task = pickle.dumps((recipe, list(samples), errors))
-        done = subprocess.run([sys.executable, "-m", "hdconj.study._child"], input=task, stdout=subprocess.PIPE)
+        # In a group of its own: Ctrl-C is for the process that waits, which then ends it.
+        words = [sys.executable, "-m", "hdconj.study._child"]
+        done = subprocess.run(words, input=task, stdout=subprocess.PIPE, process_group=0)
         if done.returncode == 0:
             rows, units = pickle.loads(done.stdout)
             return rows, units

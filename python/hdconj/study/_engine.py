@@ -7,6 +7,7 @@ import asyncio
 import concurrent.futures
 import logging
 import os
+import signal
 import sys
 import time
 from collections.abc import Callable, Iterator, Sequence
@@ -14,6 +15,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass
 from importlib import import_module
 from importlib.util import find_spec
+from multiprocessing.resource_tracker import ensure_running
 from pathlib import Path
 from typing import Any
 
@@ -90,10 +92,11 @@ def engine(jobs: int = 0, scheduler: str | None = None) -> Iterator[Any]:
         **spaces,
     }
     with dask.config.set(settings):
-        cluster = distributed.LocalCluster(
-            n_workers=jobs or os.cpu_count() or 1, threads_per_worker=1, processes=True, memory_limit=0,
-            dashboard_address=":0", local_directory=_scratch(), silence_logs=60,
-        )  # fmt: skip
+        with _deaf_to_interrupts():
+            cluster = distributed.LocalCluster(
+                n_workers=jobs or os.cpu_count() or 1, threads_per_worker=1, processes=True, memory_limit=0,
+                dashboard_address=":0", local_directory=_scratch(), silence_logs=60,
+            )  # fmt: skip
         client = distributed.Client(cluster)
         try:
             if find_spec("bokeh") and sys.stderr.isatty():
@@ -102,6 +105,20 @@ def engine(jobs: int = 0, scheduler: str | None = None) -> Iterator[Any]:
         finally:
             _quietly(client.close)
             _quietly(cluster.close)
+
+
+@contextmanager
+def _deaf_to_interrupts() -> Iterator[None]:
+    """Threads that begin in here, and their processes, never see the Ctrl-C of a terminal: it is for this one alone.
+
+    One that comes meanwhile arrives afterwards.
+    """
+    ensure_running()  # multiprocessing lets interrupts through again where it starts this process of its own
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        yield
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
 
 
 def _scratch() -> str:

@@ -26,6 +26,8 @@ _FUNCTIONS: dict[str, Callable[..., Any]] = {
     **{"abs": abs, "min": min, "max": max, "round": round, "floor": math.floor, "ceil": math.ceil},
 }
 _CONSTANTS = {"pi": math.pi}
+# What an expression raises that has no value: outside a function's domain, over a word, over a name without a value.
+NO_VALUE = (ArithmeticError, ValueError, TypeError, KeyError)
 
 
 class Expression:
@@ -56,19 +58,25 @@ class Expression:
         self.text, self.names, self._tree = text, tuple(names), tree
 
     def __call__(self, values: Mapping[str, Any]) -> Any:
-        """The value, where every name has one; raises ArithmeticError or ValueError where there is none."""
+        """The value; raises one of :data:`NO_VALUE` where there is none."""
         return _value(self._tree, values)
 
     def with_error(self, values: Mapping[str, Any], errors: Mapping[str, float]) -> tuple[float, float]:
         """The value and the sum of what the error of each name changes; not a number where an error is unknown."""
-        value, error = float(self(values)), 0.0
+        value = float(self(values))
         if self.text.strip() in errors:  # the figure itself, to the last bit
             return value, errors[self.text.strip()]
-        for name in self.names:
-            if name in errors:
-                moved = [float(self({**values, name: values[name] + sign * errors[name]})) for sign in (-1, 1)]
-                error += float("nan") if math.isnan(errors[name]) else max(abs(each - value) for each in moved)
-        return value, error
+        changes = (self._change(value, values, name, errors[name]) for name in self.names if name in errors)
+        return value, sum(changes, 0.0)
+
+    def _change(self, value: float, values: Mapping[str, Any], name: str, error: float) -> float:
+        """What the error of a name changes; not a number where that is unknown."""
+        if math.isnan(error):
+            return error
+        try:
+            return max(abs(float(self({**values, name: values[name] + sign * error})) - value) for sign in (-1, 1))
+        except NO_VALUE:
+            return math.nan
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Expression) and other.text == self.text

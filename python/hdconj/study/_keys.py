@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import json
 import re
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
@@ -36,6 +37,11 @@ _TINY = 2.0**-53  # a number from 0 to 1 keeps this far from both
 def is_number(value: object) -> bool:
     """Whether a value of TOML is a finite number."""
     return isinstance(value, (int, float)) and not isinstance(value, bool) and bool(np.isfinite(value))
+
+
+def as_text(value: Value) -> str:
+    """A value in a column of text: words as they are, others as TOML writes them."""
+    return value if isinstance(value, str) else json.dumps(value)
 
 
 @dataclass(frozen=True)
@@ -75,6 +81,19 @@ class Key:
     def middle(self) -> Value:
         """The value of the first drive: the middle, the mean, or the first of a list."""
         return self.values[0] if self.law == "list" else self.value(0.5)
+
+    @property
+    def is_text(self) -> bool:
+        """Whether its column holds text: its list has words, if only among numbers."""
+        kinds = {float if type(value) is int else type(value) for value in self.values}
+        return str in kinds or len(kinds) > 1
+
+    def restored(self, cell: Any) -> Value:
+        """The value that a cell of its column stands for."""
+        if self.is_text:
+            return next((value for value in self.values if as_text(value) == cell), str(cell))
+        plain: Value = np.asarray(cell).item()
+        return next((value for value in self.values if value == plain), plain)
 
     @property
     def probes(self) -> tuple[Value, ...]:

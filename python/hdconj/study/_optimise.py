@@ -16,7 +16,7 @@ from ._drive import Sample
 from ._engine import SHARD_SECONDS, Told, compute_rows, engine
 from ._read import load_recipe, refuse
 from ._recipe import Recipe
-from ._run import compute_survivors, prepare
+from ._run import compute_survivors, prepare, refuse_machine
 from ._store import Folder, write_whole
 from ._study import Study
 
@@ -46,6 +46,7 @@ class Search:
         elif options["method"] == "cmaes":
             kind = _module("algorithms.soo.nonconvex.cmaes").CMAES
             self.algorithm = kind(pop_size=population, sigma=0.25, tolfun=0, tolx=0)
+            self.algorithm.n_sample_points = population  # of its first generation
         else:
             self.algorithm = _module("algorithms.soo.nonconvex.random_search").RandomSearch(
                 n_points_per_iteration=population
@@ -97,12 +98,13 @@ def optimise(
         Counts of the drives that were computed now. The folder holds ``best.toml`` and the scenes of the best
         drives in ``pareto``.
     """
+    refuse_machine(jobs, shard_seconds)
     recipe = study if isinstance(study, Recipe) else load_recipe(study)
     _refuse_unfit(recipe)
     place, told = Folder(folder), Told()
     with place.locked():
         recipe, about = prepare(place, recipe, "optimise")
-        (place.place / "asked").mkdir(exist_ok=True)
+        place.part("asked")
         with engine(jobs, scheduler) as client:
             search, first = Search(recipe), 0
             for generation in range(int(recipe.optimise["generations"])):
@@ -179,10 +181,10 @@ def write_best(study: Study) -> list[Path]:
     nearest = int(distance.sum(axis=1).argmin())
     study.folder.write_scene(files[0], scenes[nearest])
     if len(study.recipe.objectives) > 1:
-        (folder / "pareto").mkdir(exist_ok=True)
-        for old in (folder / "pareto").glob("*.toml"):
+        pareto = study.folder.part("pareto")
+        for old in pareto.glob("*.toml"):
             old.unlink()
         for number, scene in zip(best["sample"], scenes):
-            files.append(folder / "pareto" / f"sample-{int(number):06d}.toml")
+            files.append(pareto / f"sample-{int(number):06d}.toml")
             study.folder.write_scene(files[-1], scene)
     return files

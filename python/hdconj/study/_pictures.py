@@ -36,7 +36,7 @@ def _figure(columns: int, rows: int) -> tuple[Any, Any]:
 def _numeric(study: Study) -> list[str]:
     """Keys whose values are numbers."""
     paths = [key.path for key in study.recipe.keys]
-    return [path for path in paths if np.issubdtype(study.frame[path].dtype, np.number)]
+    return [path for path in paths if study.frame[path].dtype.kind in "iuf"]
 
 
 def keys_picture(study: Study) -> Any:
@@ -163,10 +163,10 @@ def tooth_picture(study: Study) -> Any:
     figure, panes = _figure(1, 1)
     figure.set_size_inches(7, 3.6)
     pane = panes[0, 0]
-    drives = {"first": recipe.linked(recipe.first), "best": study.values(best.iloc[0])}
+    drives = {"first": recipe.first, "best": recipe.restored(best.iloc[0])}
     for (word, values), colour in zip(drives.items(), ("0.55", BEST)):
         try:
-            solution = hdconj.solve(recipe.scene_of(values))
+            solution = hdconj.solve(recipe.scene_of(recipe.linked(values)))
         except (hdconj.InputError, hdconj.NumericalError):
             continue
         tooth, space = solution.flexspline.outline, solution.circular_spline.outline

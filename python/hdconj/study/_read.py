@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import difflib
-import inspect
 import os
 import re
 import tomllib
@@ -13,12 +12,11 @@ from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 from typing import Any
 
-import hdconj
-
-from .._errors import Fault, InputError
+from .._errors import Fault, InputError, NumericalError
 from .._scene import Scene, toml_text
-from ._expression import Expression
+from ._expression import NO_VALUE, Expression
 from ._keys import LAWS, Key, Value, is_number, read_key
+from ._options import fits, in_words, judged, known_options
 from ._recipe import Recipe, flat
 from ._sample import METHODS
 
@@ -93,10 +91,16 @@ class _Reader:
         try:
             if not isinstance(text, str):
                 raise ValueError("no expression in quotes")
-            return Expression(text)
+            expression = Expression(text)
         except ValueError as error:
             self.told(path, str(error), 'write arithmetic over names in quotes, such as "2 * flexspline.wall"', text)
             return None
+        try:
+            if not expression.names:
+                float(expression({}))
+        except NO_VALUE as error:
+            self.told(path, f"has no value: {error}", "write an expression that has one", text)
+        return expression
 
     def base(self) -> Scene:
         """The scene that all drives share."""
@@ -135,12 +139,14 @@ class _Reader:
                 self.told(f"vary.{path}", "a single value does not vary", "write it under [set]", spec)
         return keys, links
 
-    def ordered(self, links: dict[str, Expression], known: Any) -> tuple[tuple[str, Expression], ...]:
+    def ordered(self, links: dict[str, Expression], known: Mapping[str, Any]) -> tuple[tuple[str, Expression], ...]:
         """Links in an order in which each finds its names."""
         for path, link in links.items():
             for name in link.names:
                 if name not in known and name not in links:
                     self.told(f"vary.{path}", f"unknown name {name}", near(name, [*known, *links]), link.text)
+                elif name not in links and not isinstance(known[name], (int, float)):
+                    self.told(f"vary.{path}", f"{name} is no number", "links compute with numbers", link.text)
         try:
             order = list(TopologicalSorter({path: link.names for path, link in links.items()}).static_order())
         except CycleError as error:
@@ -160,23 +166,30 @@ class _Reader:
         errors = table.get("errors", False)
         if not isinstance(errors, bool):
             self.told("compute.errors", "must be true or false", "write errors = true", errors)
-        verbs = []
+        verbs: list[tuple[str, Mapping[str, Any]]] = []
         for word in words:
-            options = table.get(word, {})
-            allowed = inspect.signature(getattr(hdconj, word)).parameters
-            known = [name for name in allowed if name not in ("scene", "progress", "errors")]
-            for option, value in options.items():
-                if option not in known:
-                    self.told(f"compute.{word}.{option}", "unknown option", near(option, known), value)
-                elif isinstance(value, list) and len(value) > 1 and option != "best_deg":
-                    self.told(
-                        f"compute.{word}.{option}", "a drive has one case", "write one value, vary the key", value
-                    )
-            verbs.append((word, options))
+            verbs.append((word, self.options(word, table.get(word, {}))))
         for word in VERBS:
             if word in table and word not in words:
                 self.told(f"compute.{word}", "options of a verb that is not computed", f'write verb = ["{word}", ...]')
         return verbs, bool(errors), self.count(table, "compute.survivors", 0)
+
+    def options(self, verb: str, options: object) -> dict[str, Any]:
+        """Options of a verb."""
+        if not isinstance(options, dict):
+            self.told(f"compute.{verb}", "is no table", f"write {verb} = {{ OPTION = VALUE }}", options)
+            return {}
+        known = known_options(verb)
+        for option, value in options.items():
+            path = f"compute.{verb}.{option}"
+            if option not in known:
+                remedy = near(option, known) if known else f"remove it: {verb} has no options"
+                self.told(path, "unknown option", remedy, value)
+            elif not fits(value, known[option]):
+                self.told(path, "is of another type", f"write {in_words(known[option])}", value)
+            elif isinstance(value, list) and len(value) > 1 and option != "best_deg":
+                self.told(path, "a drive has one case", "write one value, vary the key", value)
+        return options
 
     def figures(self, verbs: list[str]) -> list[tuple[str, Expression]]:
         """Names of the study for figures of the results."""
@@ -242,10 +255,22 @@ class _Reader:
             for value in key.probes:
                 try:
                     changed = recipe.scene_of(recipe.linked({**recipe.first, key.path: value}))
-                except (ArithmeticError, ValueError, KeyError, TypeError):
+                except NumericalError:
                     continue  # a row of its own
                 for fault in changed.check():
                     self._schema_fault(fault, key, value, recipe)
+
+    def ask_verbs(self, recipe: Recipe) -> None:
+        """What the verbs say of the values of their options."""
+        try:
+            scene = recipe.scene_of(recipe.linked(recipe.first))
+        except NumericalError:
+            return
+        for verb, options in recipe.verbs:
+            for fault in judged(verb, options, scene) if options else ():
+                option = next((name for name in options if name.startswith(fault.path.lstrip("-"))), "")
+                place = f"compute.{verb}.{option}" if option else f"compute.{verb}"
+                self.told(place, fault.reason if option else f"{fault.path}: {fault.reason}", fault.remedy, fault.value)
 
     def _schema_fault(self, fault: Fault, key: Key, value: Value, recipe: Recipe) -> None:
         """Takes over a fault that holds whatever the other keys are; others are drives that cannot be made."""
@@ -264,6 +289,11 @@ class _Reader:
     def _takes(scene: Scene, path: str) -> bool:
         """Whether the scene's value of that key is one that the key takes in some scene."""
         return all(fault.path != path or fault.kind == "other" for fault in scene.check())
+
+
+def _sort_of(key: Key) -> Value:
+    """A value that stands for all of a key: a number where it has one."""
+    return next((value for value in key.values if not isinstance(value, str)), key.middle)
 
 
 def _optimise(reader: _Reader) -> dict[str, Any]:
@@ -285,7 +315,7 @@ def _read_tables(reader: _Reader) -> Recipe | None:
     keys, links = reader.vary()
     if not keys and links:
         reader.told("vary", "links alone do not vary", "give one key a law")
-    known = {**flat(scene.to_dict() if not scene.check() else {}), **{key.path: 0 for key in keys}}
+    known = {**flat(scene.to_dict() if not scene.check() else {}), **{key.path: _sort_of(key) for key in keys}}
     sample = reader.table("sample", ("method", "count", "seed"))
     method = reader.word(sample, "sample.method", "sobol", METHODS)
     count = reader.count(sample, "sample.count", 64, 1)
@@ -308,6 +338,7 @@ def _read_tables(reader: _Reader) -> Recipe | None:
     if survivors and not recipe.objectives:
         reader.told("compute.survivors", "nothing says which drives survive", "write [objectives]", survivors)
     reader.probe(scene, recipe)
+    reader.ask_verbs(recipe)
     return recipe
 
 

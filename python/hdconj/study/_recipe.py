@@ -5,14 +5,16 @@ from __future__ import annotations
 
 import hashlib
 import json
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
+from .._errors import NumericalError
 from .._scene import Scene
 from ._data_files import checksum, contents, renamed
-from ._expression import Expression
+from ._expression import NO_VALUE, Expression
 from ._keys import Key, Value
 from ._sample import sample_count, values_of
 
@@ -54,6 +56,10 @@ class Recipe:
         """Values of the keys at numbers from 0 to 1."""
         return {key.path: key.value(float(unit)) for key, unit in zip(self.keys, units)}
 
+    def restored(self, row: Mapping[str, Any]) -> dict[str, Value]:
+        """Values of the keys of a row of a table, as they were computed with."""
+        return {key.path: key.restored(row[key.path]) for key in self.keys}
+
     @property
     def first(self) -> dict[str, Value]:
         """The drive in the middle of everything that varies."""
@@ -65,12 +71,12 @@ class Recipe:
         return flat(self.scene.to_dict())
 
     def linked(self, values: Mapping[str, Value]) -> dict[str, Value]:
-        """All values, links included; raises ArithmeticError or ValueError where a link has none."""
+        """All values, links included; raises NumericalError where a link has none."""
         if not self.links:
             return dict(values)
         known = {**self.base, **values}
         for path, expression in self.links:
-            known[path] = expression(known)
+            known[path] = _number_of(path, expression, known)
         return {**values, **{path: known[path] for path, _ in self.links}}
 
     def scene_of(self, linked: Mapping[str, Value]) -> Scene:
@@ -102,6 +108,17 @@ class Recipe:
         words = json.dumps(kept, sort_keys=True, default=str)
         words = renamed(words, {name: checksum(content) for name, content in self.files.items()})
         return hashlib.sha256(words.encode()).hexdigest()
+
+
+def _number_of(path: str, link: Expression, known: Mapping[str, Any]) -> Value:
+    try:
+        value: Value = link(known)
+        if isinstance(value, (int, float)) and math.isfinite(value):
+            return value
+        cause = "is no finite number"
+    except NO_VALUE as error:
+        cause = str(error)
+    raise NumericalError("link", "study", path, f"{link.text}: {cause}")
 
 
 def flat(tables: Mapping[str, Any], before: str = "") -> dict[str, Any]:

@@ -6,12 +6,11 @@ from __future__ import annotations
 import os
 import time
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 from .._errors import Fault
-from ._drive import Row, Sample, careful_rows, failure
+from ._drive import Row, Sample, careful_rows, estimates_errors, figures_of
 from ._engine import SHARD_SECONDS, Told, compute_rows, engine
 from ._read import load_recipe, near, refuse
 from ._recipe import Recipe
@@ -24,53 +23,37 @@ def first_drive(recipe: Recipe) -> tuple[Row, dict[str, str], float]:
     Raises
     ------
     InputError
-        A name under [figures] is no figure of the result.
+        A name under [figures] is no figure of the result, or a verb refuses its options.
     """
     begin = time.perf_counter()
     rows, units = careful_rows(recipe, [(0, recipe.first)], recipe.errors)
-    if rows[0]["code"] in ("figure", "value"):
-        _refuse_figures(recipe, rows[0])
-    return rows[0], units, time.perf_counter() - begin
+    row = rows[0]
+    if row["code"] == "figure":
+        _refuse_figures(recipe)
+    options = {option for _, given in recipe.verbs for option in given}
+    if row["code"] == "scene" and (row["place"] in options or row["place"].startswith("--")):
+        refuse([Fault("compute", 0, "", f"{row['place']}: {row['cause']}", "mend the options of the verb")])
+    return row, units, time.perf_counter() - begin
 
 
-def _refuse_figures(recipe: Recipe, row: Row) -> None:
-    """Names every figure that the first drive does not have, or what its options did."""
-    from ._drive import compute
-
-    names: set[str] = set()
-    everything = replace(recipe, figures=())
-    known = _figure_names(everything, names)
-    faults = []
-    for name, expression in recipe.figures:
-        for used in expression.names:
-            if used not in known:
-                faults.append(
-                    Fault(f"figures.{name}", 0, expression.text, f"unknown figure {used}", near(used, sorted(known)))
-                )
-    if not faults:
-        try:
-            compute(recipe, recipe.first, recipe.errors)
-        except Exception as error:  # noqa: BLE001  what the user's options made the verbs raise
-            faults.append(Fault("compute", 0, "", f"the first drive fails: {failure(error)['cause']}", "mend it"))
-    refuse(faults)
+def _refuse_figures(recipe: Recipe) -> None:
+    """Names every figure that the first drive does not have; one that has no value for that drive is no fault."""
+    known = _figure_names(recipe)
+    refuse([
+        Fault(f"figures.{name}", 0, expression.text, f"unknown figure {used}", near(used, sorted(known)))
+        for name, expression in recipe.figures for used in expression.names if used not in known
+    ])  # fmt: skip
 
 
-def _figure_names(recipe: Recipe, names: set[str]) -> set[str]:
-    import inspect
-
+def _figure_names(recipe: Recipe) -> set[str]:
+    """What the expressions under [figures] may name: keys, and all figures of the first drive."""
     import hdconj
 
-    from ._drive import figures_of
-
     linked = recipe.linked(recipe.first)
-    names |= {path for path, value in linked.items() if not isinstance(value, str)}
+    names = set(linked) - {key.path for key in recipe.keys if key.law == "list" and set(map(type, key.values)) == {str}}
     for verb, options in recipe.verbs:
-        call = getattr(hdconj, verb)
-        lean: dict[str, Any] = {"errors": False} if "errors" in inspect.signature(call).parameters else {}
-        try:
-            names |= set(figures_of(verb, call(recipe.scene_of(linked), **options, **lean), False)[0])
-        except TypeError as error:
-            refuse([Fault(f"compute.{verb}", 0, "", str(error), "mend the option")])
+        lean: dict[str, Any] = {"errors": False} if estimates_errors(verb) else {}
+        names |= set(figures_of(verb, getattr(hdconj, verb)(recipe.scene_of(linked), **options, **lean), False)[0])
     return names
 
 
@@ -114,6 +97,7 @@ def run(
     EngineLost, FileError
         The scheduler went away, or the disk is full: run again to resume.
     """
+    refuse_machine(jobs, shard_seconds)
     recipe = study if isinstance(study, Recipe) else load_recipe(study)
     place = Folder(folder)
     with place.locked():
@@ -130,6 +114,18 @@ def run(
     return told
 
 
+def refuse_machine(jobs: int, shard_seconds: float) -> None:
+    """Refuses numbers of processes and seconds that cannot be."""
+    faults = []
+    if jobs < 0:
+        remedy = "write 0 for all cores, or a number from 1"
+        faults.append(Fault("jobs", 0, str(jobs), "is no number of processes", remedy))
+    if not 2 <= shard_seconds <= 60:
+        reason = "is no time of a shard"
+        faults.append(Fault("shard-seconds", 0, str(shard_seconds), reason, "write a number from 2 to 60"))
+    refuse(faults)
+
+
 def lazily(needed: Any, jobs: int, scheduler: str | None) -> Any:
     """The engine where it is needed, else nothing."""
     from contextlib import nullcontext
@@ -142,12 +138,11 @@ def prepare(place: Folder, recipe: Recipe, kind: str) -> tuple[Recipe, dict[str,
 
     The recipe that comes back is what workers take: it reads files of numbers from the folder.
     """
-    is_new = not (place.place / "study.json").exists()
+    is_new = not (place.place / "study.json").exists() or "first" not in place.about()
     first = first_drive(recipe) if is_new else None
     about = place.begin(recipe, kind)
     if first is not None:
-        (place.place / "first").mkdir(exist_ok=True)
-        write_shard(place.place / "first", [first[0]], schema_of(recipe), {"units": first[1]})
+        write_shard(place.part("first"), [first[0]], schema_of(recipe), {"units": first[1]})
         about |= {"seconds_of_first": first[2], "units": first[1], "first": fault_of(first[0])}
         place.note(about)
     about.setdefault("seconds_of_first", 1.0)
@@ -164,21 +159,13 @@ def compute_survivors(client: Any, place: Folder, recipe: Recipe, shard_seconds:
     from ._study import open as open_study
 
     best = open_study(place.place).best(recipe.survivors, again=False)
-    folder: Path = place.place / "survivors"
-    folder.mkdir(exist_ok=True)
+    folder = place.part("survivors")
     chosen: Sequence[int] = sorted(int(number) for number in best["sample"])
-    keys = [key.path for key in recipe.keys]
-    values = {int(row["sample"]): {key: row[key] for key in keys} for row in best.to_dict("records")}
-    samples = [(number, _typed(recipe, values[number])) for number in place.missing(chosen, folder)]
+    values = {int(row["sample"]): recipe.restored(row) for row in best.to_dict("records")}
+    samples = [(number, values[number]) for number in place.missing(chosen, folder)]
     if not samples:
         return Told()
     return compute_rows(
         client, recipe, samples, folder, errors=True, seconds=5, shard_seconds=shard_seconds, what="survivors",
         shown=progress,
     )  # fmt: skip
-
-
-def _typed(recipe: Recipe, values: dict[str, Any]) -> dict[str, Any]:
-    """Values of a table as the keys have them: whole numbers are stored as floating-point ones."""
-    whole = {key.path for key in recipe.keys if isinstance(key.middle, int) and not isinstance(key.middle, bool)}
-    return {path: int(value) if path in whole else value for path, value in values.items()}

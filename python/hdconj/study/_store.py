@@ -26,6 +26,7 @@ from .._errors import FileError, Fault, InputError
 from .._scene import Scene
 from ._data_files import FOLDER, copies, renamed, scene_text
 from ._drive import Row
+from ._keys import as_text
 from ._read import fault_text
 from ._recipe import Recipe
 
@@ -44,10 +45,10 @@ def refuse(path: object, reason: str, remedy: str) -> InputError:
 def schema_of(recipe: Recipe) -> Any:
     """Columns of the rows: sample, keys, figures and their errors, what went wrong."""
     fields = [pa.field("sample", pa.int64())]
-    kinds = {key.path: type(key.middle) for key in recipe.keys}
-    for path in [*kinds, *(path for path, _ in recipe.links)]:
-        kind = kinds.get(path, float)
-        fields.append(pa.field(path, pa.string() if kind is str else pa.bool_() if kind is bool else pa.float64()))
+    for key in recipe.keys:
+        kind = pa.string() if key.is_text else pa.bool_() if isinstance(key.middle, bool) else pa.float64()
+        fields.append(pa.field(key.path, kind))
+    fields += [pa.field(path, pa.float64()) for path, _ in recipe.links]
     for name, _ in recipe.figures:
         fields += [pa.field(name, pa.float64()), pa.field(f"{name}_error", pa.float64())]
     return pa.schema([*fields, *(pa.field(word, pa.string()) for word in _WORDS)])
@@ -56,7 +57,9 @@ def schema_of(recipe: Recipe) -> Any:
 def _column(values: Sequence[Any], field: Any) -> Any:
     if pa.types.is_floating(field.type):
         return pa.array(np.array([np.nan if v is None else float(v) for v in values]), field.type)
-    return pa.array(["" if v is None and pa.types.is_string(field.type) else v for v in values], field.type)
+    if pa.types.is_string(field.type):
+        return pa.array(["" if v is None else as_text(v) for v in values], field.type)
+    return pa.array(values, field.type)
 
 
 def table_of(rows: Sequence[Row], schema: Any) -> Any:
@@ -132,23 +135,54 @@ class Folder:
     """The folder of a study."""
 
     def __init__(self, place: str | os.PathLike[str]) -> None:
+        if not os.fspath(place):
+            raise refuse("folder of the study", "has an empty name", "name a folder, such as out")
         self.place = Path(place)
         self.rows = self.place / "rows"
 
     def about(self) -> dict[str, Any]:
         """What study.json says; a fault where there is no study."""
         try:
-            found: dict[str, Any] = json.loads((self.place / "study.json").read_text())
-            return found
+            found = json.loads((self.place / "study.json").read_text())
         except (OSError, ValueError):
-            raise refuse(self.place, "is no folder of a study", "name what -o of hdconj study run named") from None
+            found = None
+        words = ("kind", "identity", "program")
+        if not isinstance(found, dict) or not all(isinstance(found.get(word), str) for word in words):
+            raise refuse(self.place, "is no folder of a study", "name what -o of hdconj study run named")
+        return found
+
+    def refuse_foreign(self) -> None:
+        """Refuses a folder that holds anything and is no study; a run that ended at once may have left a lock."""
+        if (self.place / "study.json").exists():
+            self.about()
+            return
+        if not self.place.exists():
+            return
+        if not self.place.is_dir():
+            raise refuse(self.place, "is a file", "name a folder that is empty or not there")
+        found = {file.name for file in self.place.iterdir() if not file.name.startswith(".study.json.")}
+        if self.rows.is_dir() and not any(self.rows.iterdir()):
+            found.discard("rows")
+        if foreign := sorted(found - {"lock"}):
+            raise refuse(
+                self.place, f"holds {foreign[0]}, which is of no study", "name a folder that is empty or not there"
+            )
+
+    def part(self, name: str) -> Path:
+        """A folder in it, made where it is not there."""
+        try:
+            (self.place / name).mkdir(parents=True, exist_ok=True)
+        except OSError as error:
+            raise FileError(f"{self.place / name}: cannot be made: {error.strerror}") from None
+        return self.place / name
 
     @contextmanager
     def locked(self) -> Iterator[None]:
         """Holds the folder for one run; a second one is refused. The lock goes with the process that has it."""
+        self.refuse_foreign()
+        self.part("rows")
         try:
-            self.rows.mkdir(parents=True, exist_ok=True)
-            lock = open(self.place / "lock", "a+")
+            lock = open(self.place / "lock", "a+b", buffering=0)
         except OSError as error:
             raise FileError(f"{self.place}: cannot be used: {error.strerror}") from None
         with lock:
@@ -156,11 +190,13 @@ class Folder:
                 fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
             except OSError:
                 lock.seek(0)
-                holder = lock.read().strip() or "another run"
+                holder = lock.read().decode(errors="replace").strip() or "another run"
                 raise refuse(self.place, f"is in use by {holder}", "wait for it, or name another folder") from None
-            lock.truncate(0)
-            lock.write(f"process {os.getpid()} on {platform.node()}")
-            lock.flush()
+            try:
+                lock.truncate(0)
+                lock.write(f"process {os.getpid()} on {platform.node()}".encode())
+            except OSError as error:
+                raise FileError(f"{self.place}: cannot be written: {error.strerror}") from None
             yield
 
     def is_running(self) -> bool:
@@ -184,18 +220,16 @@ class Folder:
                 if about.get(name) != same[name]:
                     raise refuse(self.place, f"holds rows of another {meaning}", "name another folder")
         else:
-            if next(self.rows.glob("*"), None) is not None:
-                raise refuse(self.place, "holds rows of no study", "name another folder")
             about = {**same, "scene_sha256": hashlib.sha256(recipe.scene.to_toml().encode()).hexdigest(), **made}
+        self.note(about)  # first: from here on the folder is the study's
         names = copies(recipe.files)
         if names:
-            (self.place / FOLDER).mkdir(exist_ok=True)
+            self.part(FOLDER)
         for name, copy in names.items():
             write_whole(self.place / copy, recipe.files[name])
         scene = renamed(recipe.scene.to_toml(), names)
         write_whole(self.place / "scene.toml", scene.encode("utf-8", "surrogateescape"))
         write_whole(self.place / "study.toml", renamed(_own_scene(recipe), names).encode())
-        self.note(about)
         return about
 
     def write_scene(self, file: Path, scene: Scene) -> None:

@@ -4,7 +4,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from bisect import bisect_left
+from collections.abc import Iterator, Mapping
 from functools import cached_property
 from pathlib import Path
 from typing import Any
@@ -50,11 +51,21 @@ class Study:
         """Versions, machine, hash of the scene, units: what study.json says."""
         self.recipe: Recipe = load_recipe(Path(place) / "study.toml")
 
+    def _shards(self, part: str) -> Iterator[tuple[Any, dict[str, Any]]]:
+        """Shards of the drives that the study has now: its count may be less than when they were computed."""
+        for table, about in read_shards(self.folder.place / part):
+            if self.about["kind"] == "run":
+                count = bisect_left(table.column("sample").to_pylist(), self.recipe.drives)
+                about = {**about, "seconds": about["seconds"] * count / len(table)}
+                table = table.slice(0, count)
+            if len(table):
+                yield table, about
+
     def _read(self, part: str) -> Any:
         import pandas
         import pyarrow as pa
 
-        tables = [table.replace_schema_metadata(None) for table, _ in read_shards(self.folder.place / part)]
+        tables = [table.replace_schema_metadata(None) for table, _ in self._shards(part)]
         return pa.concat_tables(tables).to_pandas() if tables else pandas.DataFrame()
 
     @cached_property
@@ -112,6 +123,8 @@ class Study:
         again : bool
             Take the figures of survivors from their second computation, with errors.
         """
+        if count < 1:
+            raise refuse("number of drives (-n)", f"{count} is less than one", "write a whole number from 1")
         if not self.recipe.objectives:
             raise refuse(self.folder.place, "nothing says what is better", "write [objectives] into its study.toml")
         rows = self.frame[self.feasible()]
@@ -133,10 +146,7 @@ class Study:
 
     def values(self, row: Mapping[str, Any]) -> dict[str, Value]:
         """Values of all keys of a row, links included."""
-        from ._run import _typed
-
-        own = _typed(self.recipe, {key.path: row[key.path] for key in self.recipe.keys})
-        return self.recipe.linked({k: v if isinstance(v, str) else np.asarray(v).item() for k, v in own.items()})
+        return self.recipe.linked(self.recipe.restored(row))
 
     def scene(self, sample: int) -> Scene:
         """The scene of a sample, to be computed by itself."""
@@ -191,7 +201,7 @@ class Study:
 
     def status(self) -> dict[str, Any]:
         """How far the study is."""
-        shards = list(read_shards(self.folder.rows))
+        shards = list(self._shards("rows"))
         seconds = sum(about["seconds"] for _, about in shards)
         done = sum(len(table) for table, _ in shards)
         codes: dict[str, int] = {}
