@@ -50,8 +50,7 @@ PointView PointReader::operator()(PlanePoint const& point, Placement const& plac
         return on_flank(point, placement, tooth, *point.right);
     PointView const left = on_flank(point, placement, tooth, false);
     PointView const right = on_flank(point, placement, tooth, true);
-    if (left.on != right.on)
-        return left.on ? left : right;
+    // a point of the tip land may have its foot on the far flank; the end of the near one is nearer
     return std::abs(left.deviation) <= std::abs(right.deviation) ? left : right;
 }
 

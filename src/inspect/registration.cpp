@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <vector>
 
 #include "hdconj/error.hpp"
 #include "numeric/least_squares.hpp"
@@ -18,20 +19,18 @@ constexpr int settled_after = 12;             // steps in which points may come 
 constexpr int most_registration_steps = 300;  // far from the flanks a step gains little more than half a digit
 constexpr double least_rank = 1e-7;           // of a column's pivot: a tooth alone fixes its lean to some 1e-2
 
-/// The sum of squares that the search within a pitch compares; a point on no flank counts as one a module away.
-double search_cost(Registered const& what, double turn)
+/// Median of the distances from the nearest flank, which the search within a pitch compares: points beside the flanks,
+/// as of a land, are fewer than those on them [mm].
+double median_distance(Registered const& what, double turn)
 {
     constexpr std::size_t most_probes = 600;
     std::size_t const step = what.points.size() / most_probes + 1;
-    NominalPart const& part = what.read.part();
-    double const cap = part.pitch() * part.planes.front().reference_radius / 4;
-    double sum = 0;
-    for (std::size_t i = 0; i < what.points.size(); i += step) {
-        PointView const view = what.read(what.points[i], {turn, Vec2::Zero()});
-        double const size = view.on ? std::min(std::abs(view.deviation), cap) : cap;
-        sum += size * size;
-    }
-    return sum;
+    std::vector<double> distances;
+    for (std::size_t i = 0; i < what.points.size(); i += step)
+        distances.push_back(std::abs(what.read(what.points[i], {turn, Vec2::Zero()}).deviation));
+    auto const middle = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() / 2);
+    std::ranges::nth_element(distances, middle);
+    return *middle;
 }
 
 [[noreturn]] void refuse_loose(Registration registration, std::size_t points)
@@ -88,15 +87,15 @@ double near_turn(Registered const& what)
 {
     if (what.registration == Registration::datum)
         return 0;
-    constexpr int turns = 24;          // of half a pitch to either side
-    constexpr double much_better = 4;  // in the sum of squares
-    double best = 0, least = search_cost(what, 0) / much_better;
+    constexpr int turns = 24;  // of half a pitch to either side
+    constexpr double much_better = 2;
+    double best = 0, least = median_distance(what, 0) / much_better;
     for (int i = 1; i <= turns; ++i)
         for (int const sign : {1, -1}) {
             double const turn = sign * i * what.read.part().pitch() / (2 * turns);
-            double const cost = search_cost(what, turn);
-            best = cost < least ? turn : best;
-            least = std::min(least, cost);
+            double const distance = median_distance(what, turn);
+            best = distance < least ? turn : best;
+            least = std::min(least, distance);
         }
     return best;
 }
