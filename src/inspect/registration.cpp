@@ -85,7 +85,7 @@ void keep_settled(std::vector<PointView>& views, std::vector<PlanePoint>* points
 
 double near_turn(Registered const& what)
 {
-    if (what.registration == Registration::datum)
+    if (what.registration == Registration::datum || what.points.empty())
         return 0;
     constexpr int turns = 24;  // of half a pitch to either side
     constexpr double much_better = 2;
