@@ -10,6 +10,7 @@
 #include "arguments.hpp"
 #include "hdconj/accuracy_files.hpp"
 #include "hdconj/error.hpp"
+#include "hdconj/scene/schema.hpp"
 #include "run_verb.hpp"
 
 namespace hdconj::cli {
@@ -221,9 +222,9 @@ void add_accuracy(CLI::App& program, CommonOptions& common)
     add_name(verb, "-o,--output", own.output,
              "folder to make [the scene file's name and -accuracy, in this folder; with --from none]", "DIR");
     add_option(verb, "--sample", own.sample, "random designs around the scene; the worst of them is reported too [64]",
-               "N", whole_number(0, 1000));
+               "N", whole_number(0, scene::bounds::most_designs));
     add_option(verb, "--repeats", own.repeats, "runs of each setting; the median counts [5]", "N",
-               whole_number(1, 1000));
+               whole_number(1, scene::bounds::most_repeats));
     verb.add_flag("--quick", own.quick,
                   "short convergence series, one run of each setting, 3 designs: seconds instead of ten minutes");
     add_name(verb, "--from", own.from, "read records that were measured before instead of measuring", "DIR/records.h5");

@@ -8,6 +8,7 @@
 #include "hdconj/contact_files.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/mesh_files.hpp"
+#include "hdconj/scene/schema.hpp"
 #include "run_verb.hpp"
 
 namespace hdconj::cli {
@@ -126,7 +127,7 @@ void add_contact(CLI::App& program, CommonOptions& common)
                   "search the tilt with the largest contact area, and that with the smallest least side clearance");
     add_option(verb, "--revolution", own.revolution,
                "angles of the wave generator over a revolution; the table shows the one with least contact", "N",
-               whole_number(1, 10000));
+               whole_number(1, scene::bounds::most_revolution_angles));
     verb.add_flag("--no-errors", own.no_errors, "the same figures without their errors, in less time");
     add_name(verb, "-o,--output", own.output,
              "result file, HDF5 [the scene file's name and -contact.h5, in this folder]", "FILE");

@@ -10,6 +10,7 @@
 #include "hdconj/error.hpp"
 #include "hdconj/load_files.hpp"
 #include "hdconj/measured.hpp"
+#include "hdconj/scene/schema.hpp"
 #include "hdconj/units.hpp"
 #include "interrupt.hpp"
 #include "run_verb.hpp"
@@ -189,7 +190,7 @@ void add_load(CLI::App& program, CommonOptions& common)
     add_option(verb, "--torque", own.torque_nm, "largest torque on the circular spline in N m [the scene's]", "NM",
                positive_number("write a torque in N m such as --torque 28"));
     add_option(verb, "--points", own.points, "even torques from 0 to T [as many as needed]", "N",
-               whole_number(1, 1000));
+               whole_number(1, scene::bounds::most_torques));
     add_case_options(verb, own.cases, "tilt angles in degrees, such as 0,0.1,0.2 [the scene's]");
     verb.add_flag("--no-curve", own.no_curve, "the largest torque only: no curve, no K1, K2, K3");
     verb.add_flag("--no-errors", own.no_errors, "one grid alone: the same figures without their errors, in less time");

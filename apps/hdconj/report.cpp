@@ -9,6 +9,7 @@
 
 #include "arguments.hpp"
 #include "hdconj/error.hpp"
+#include "hdconj/scene/schema.hpp"
 #include "run_verb.hpp"
 
 namespace hdconj::cli {
@@ -104,6 +105,7 @@ int run_report(CommonOptions const& common, ReportArguments const& own)
     Work<Drives> work;
     std::vector<Source> const sources = sources_of(common, own, work.inputs);
     ReportOptions const options = options_of(own);
+    refuse(check_options(options.contact));
     CommonOptions first = common;
     first.scene = own.sources.empty() ? "" : own.sources.front();
     add_file(
@@ -162,7 +164,7 @@ void add_report(CLI::App& program, CommonOptions& common)
     add_list(verb, "--tilt", own.tilts_deg, "tilt angles in degrees for contact, such as 0,0.1,0.2 [the scene's]",
              "LIST", angle("an angle in degrees such as 0.2"));
     add_option(verb, "--revolution", own.revolution, "angles of the wave generator at which contact is computed", "N",
-               whole_number(1, 10000));
+               whole_number(1, scene::bounds::most_revolution_angles));
     verb.add_flag("--no-curve", own.no_curve, "load at the largest torque only: no curve");
     verb.footer(report_footer);
 }

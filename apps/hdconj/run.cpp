@@ -5,6 +5,7 @@
 #include "arguments.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/running_files.hpp"
+#include "hdconj/scene/schema.hpp"
 #include "hdconj/units.hpp"
 #include "interrupt.hpp"
 #include "run_verb.hpp"
@@ -108,7 +109,7 @@ void add_run(CLI::App& program, CommonOptions& common)
                "largest torque on the output in N m; 0: first contact only [load.torque, on the circular spline]", "NM",
                finite_number("write a torque in N m such as --torque 28"));
     add_option(verb, "--positions", own.positions, "of the wave generator over one tooth pitch [16]", "N",
-               whole_number(4, 1000));
+               whole_number(scene::bounds::fewest_positions, scene::bounds::most_positions));
     verb.add_flag("--no-errors", own.no_errors, "one grid alone: the same figures without their errors, in less time");
     add_name(verb, "-o,--output", own.output, "result file, HDF5 [the scene file's name and -run.h5, in this folder]",
              "FILE");

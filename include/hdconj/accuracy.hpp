@@ -127,7 +127,7 @@ struct AccuracyOptions
 /// Told which study runs, and how much of all is done, 0 ... 1.
 using StudyProgress = std::function<void(std::string const& what, double share)>;
 
-/// Names of studies that there are not: all that can be said without a scene.
+/// Numbers beyond their limits, and names of studies that there are not: all that can be said without a scene.
 [[nodiscard]] Faults check_studies(AccuracyOptions const& options);
 
 /// Faults of what is asked: studies that do not exist, or that this scene does not have. Every drive that `solve` takes

@@ -233,7 +233,10 @@ using Progress = std::function<void(std::string const& what, double share)>;
 /// Slices that effects along the axis are looked at with where the scene has no [slices].
 inline constexpr int standard_slices = 17;
 
-/// Scene and options against each other.
+/// What is wrong with the options by themselves.
+[[nodiscard]] Faults check_options(ContactOptions const& options);
+
+/// The options, and scene and options against each other.
 [[nodiscard]] Faults check_contact(Scene const& scene, ContactOptions const& options);
 
 /// Clearances, least side clearances, backlash and contact areas of every combination of surface, kind and tilt.

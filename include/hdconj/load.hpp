@@ -246,7 +246,8 @@ struct LoadOptions
     std::function<bool()> stop;          ///< asked before each torque; true: what is there is the result. Null: never
 };
 
-/// Scene and options against each other.
+/// The options, and scene and options against each other. The torque has to be above 0; study_load() also takes 0, and
+/// torques the other way round.
 [[nodiscard]] Faults check_load(Scene const& scene, LoadOptions const& options);
 
 /// The scene as `load` takes it: with slices across the width and an elastic cup where it says nothing of them.

@@ -82,7 +82,7 @@ struct ReportedDrive
     }
 };
 
-/// Scene and options against each other: a neutral curve that is wanted has no report.
+/// A neutral curve that is wanted has no report.
 [[nodiscard]] Faults check_report(Scene const& scene);
 
 /// Computes the parts of a report by solve(), study_contact(), study_load(), study_run(), wire_set_ups() and

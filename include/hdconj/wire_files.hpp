@@ -77,6 +77,11 @@ struct WireFile
     [[nodiscard]] bool verified() const { return !verified_by.empty(); }
 };
 
+/// Dialects that are not known.
+/// @param dialects  names
+/// @param place     option or key that names them, for messages
+[[nodiscard]] Faults check_dialects(std::vector<std::string> const& dialects, std::string const& place = "--dialect");
+
 /// What can be known before the long work.
 /// @param folder    that the files will stand in
 /// @param dialects  empty: all that fit

@@ -1,7 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The extension module; not for use by itself."""
 
+import os
 from collections.abc import Callable
+from pathlib import Path
 from typing import Any
 
 version: str
@@ -50,6 +52,7 @@ class DesignWishes:
 def keep_elastic_bodies(count: int) -> None: ...
 def elastic_body_count() -> tuple[int, int]: ...
 def builtin_scene_text() -> str: ...
+def write_atomically(target: str | os.PathLike[str], write: Callable[[Path], None]) -> None: ...
 def solve(scene: Scene, observer: _Observer, is_main: bool) -> Result: ...
 def contact(
     scene: Scene,

@@ -6,14 +6,13 @@ from __future__ import annotations
 import os
 import zlib
 from collections.abc import Iterator
-from pathlib import Path
 from typing import Any, BinaryIO
 
 import h5py  # type: ignore[import-untyped]
 import numpy as np
 
 from ._errors import FileError
-from ._files import whole_file
+from ._files import write_whole
 from ._tree import Array, Dataset, Group, dataset
 
 _TEXT = h5py.string_dtype("utf-8")
@@ -94,12 +93,15 @@ def _check(name: str) -> None:
 
 def write(group: Group, file: str | os.PathLike[str]) -> None:
     """Write a result, whole or not at all."""
-    with whole_file(Path(file)) as name:
+
+    def fill(name: str) -> None:
         with h5py.File(name, "w") as made:
             _write_group(group, made, {})
         with open(name, "r+b") as written:
             line = _checksum_line(written, os.path.getsize(name))
             written.write(line)
+
+    write_whole(file, fill)
 
 
 def _plain(value: Any) -> Any:
@@ -181,9 +183,15 @@ def read(file: str | os.PathLike[str]) -> Group:
     Raises
     ------
     FileError
-        Bytes of the file are not those that were written.
+        It cannot be read, is no HDF5 file or is cut off, or its bytes are not those that were written.
     """
     name = os.fspath(file)
-    _check(name)
-    with h5py.File(name, "r") as stored:
-        return Group._from_layout(_read_group(stored))
+    try:
+        _check(name)
+        with h5py.File(name, "r") as stored:
+            return Group._from_layout(_read_group(stored))
+    except FileError:
+        raise
+    except OSError as error:
+        cause = f"cannot read: {error.strerror}" if error.strerror else f"is no HDF5 file, or is cut off: {error}"
+        raise FileError(f"{name or '(empty name)'}: {cause}; name a file that hdconj or to_hdf5() wrote") from error

@@ -35,6 +35,9 @@ def _toml_value(value: Value) -> str:
 
 def toml_text(tables: Mapping[str, Any], path: tuple[str, ...] = ()) -> str:
     """Nested dictionaries as the tables of TOML."""
+    for key in tables:
+        if not isinstance(key, str):
+            raise TypeError(f"the key {key!r} of a scene is no text: write the name of a table or of a key")
     own = {key: item for key, item in tables.items() if not isinstance(item, Mapping)}
     text = f"[{'.'.join(path)}]\n" if path and (own or not tables) else ""
     text += "".join(f"{key} = {_toml_value(item)}\n" for key, item in own.items() if item is not None)
@@ -42,6 +45,11 @@ def toml_text(tables: Mapping[str, Any], path: tuple[str, ...] = ()) -> str:
         if isinstance(item, Mapping):
             text += toml_text(item, (*path, key))
     return text
+
+
+def _require(is_right: bool, function: str, expected: str, given: object) -> None:
+    if not is_right:
+        raise TypeError(f"{function}() takes {expected}, not {type(given).__name__}")
 
 
 def _bytes(text: str) -> bytes:
@@ -86,7 +94,8 @@ class Scene:
             File names in it are relative to its folder.
         """
         read = _core.Scene.load(os.fsencode(file))
-        scene = cls._of((read.text, os.fspath(file), str(Path(file).parent)))
+        name = os.fsdecode(file)
+        scene = cls._of((read.text, name, str(Path(name).parent)))
         object.__setattr__(scene, "_core", read)  # with the faults of the file itself
         return scene
 
@@ -103,11 +112,13 @@ class Scene:
         folder : path
             Where relative file names start; empty: the working directory.
         """
+        _require(isinstance(text, str), "from_toml", "text", text)
         return cls._of((text, name, os.fspath(folder)))
 
     @classmethod
     def from_dict(cls, tables: Mapping[str, Any], name: str = "dictionary") -> Scene:
         """Read a scene from nested dictionaries, the tables of TOML; a key with None is left out."""
+        _require(isinstance(tables, Mapping), "from_dict", 'a mapping such as {"drive": {"module": 0.25}}', tables)
         return cls.from_toml(toml_text(tables), name)
 
     def with_(self, changes: Mapping[str, Value]) -> Scene:
@@ -118,6 +129,7 @@ class Scene:
         changes : mapping
             From paths such as ``"flexspline.wall"`` to values; None removes a key or a table.
         """
+        _require(isinstance(changes, Mapping), "with_", 'a mapping such as {"flexspline.wall": 0.6}', changes)
         more = tuple(f"!{key}" if value is None else f"{key}={_toml_value(value)}" for key, value in changes.items())
         return self._of(self._source, self._overrides + more)
 

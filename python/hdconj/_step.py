@@ -6,7 +6,6 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from pathlib import Path
 from typing import Any, NamedTuple, Union
 
 import numpy as np
@@ -31,7 +30,7 @@ from OCP.XCAFApp import XCAFApp_Application
 from OCP.XCAFDoc import XCAFDoc_DocumentTool
 
 from ._errors import FileError
-from ._files import whole_file
+from ._files import write_whole
 from ._loft import Strip
 
 CLOSE = 1e-6  # mm; edges of neighbours agree to less
@@ -188,7 +187,11 @@ def write(solids: dict[str, Any], file: str | os.PathLike[str]) -> None:
     tool = XCAFDoc_DocumentTool.ShapeTool_s(document.Main())
     for name, solid in solids.items():
         TDataStd_Name.Set_s(tool.AddShape(solid, False), TCollection_ExtendedString(name))
-    with whole_file(Path(file)) as name, _quiet():
-        writer = STEPCAFControl_Writer()
-        if not writer.Transfer(document) or writer.Write(name) != IFSelect_ReturnStatus.IFSelect_RetDone:
-            raise FileError(f"{file}: Open CASCADE could not write it")
+
+    def fill(name: str) -> None:
+        with _quiet():
+            writer = STEPCAFControl_Writer()
+            if not writer.Transfer(document) or writer.Write(name) != IFSelect_ReturnStatus.IFSelect_RetDone:
+                raise FileError(f"{file}: Open CASCADE could not write it")
+
+    write_whole(file, fill)

@@ -141,6 +141,8 @@ class Group(Mapping[str, Member]):
         return self.groups[name]._attribute(rest) if rest else self.attrs[name]
 
     def __getitem__(self, path: str) -> Member:
+        if not isinstance(path, str):
+            raise KeyError(path)
         name, _, rest = path.strip("/").partition("/")
         if name in self.groups:
             return self.groups[name][rest] if rest else self.groups[name]
@@ -220,7 +222,10 @@ class Group(Mapping[str, Member]):
         import pandas
 
         columns = {name: entry for name, entry in self.datasets.items() if len(entry.dims) == 1}
-        dim = dim or next((entry.dims[0] for entry in columns.values()), None)
+        dims = list(dict.fromkeys(entry.dims[0] for entry in columns.values()))
+        if dim is not None and dim not in dims:
+            raise KeyError(f"no column is over the dimension {dim!r}; known: {', '.join(dims) or 'none'}")
+        dim = dim or next(iter(dims), None)
         chosen = {name: entry for name, entry in columns.items() if entry.dims == (dim,)}
         frame = pandas.DataFrame({name: entry.values for name, entry in chosen.items()})
         frame.attrs["units"] = {name: entry.units for name, entry in chosen.items()}

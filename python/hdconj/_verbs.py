@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import os
 import threading
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from contextlib import contextmanager
+from numbers import Real
 from typing import Any, Optional, Union
 
 from . import _core, _hdf5, _results
@@ -39,6 +40,14 @@ def _calling(progress: Progress) -> Iterator[tuple[Callable[[str, float | None],
 
 def _words(given: str | Sequence[str]) -> list[str]:
     return [given] if isinstance(given, str) else list(given)
+
+
+def _numbers(given: float | Sequence[float], argument: str) -> list[float]:
+    if isinstance(given, Real):
+        return [float(given)]
+    if isinstance(given, str) or not isinstance(given, Iterable):
+        raise TypeError(f"{argument} takes a number or several, such as [0, 0.1], not {given!r}")
+    return [float(each) for each in given]
 
 
 def solve(scene: SceneLike = None, *, progress: Progress = False) -> _results.Solution:
@@ -97,7 +106,7 @@ def find_neutral_curve(scene: SceneLike, *, progress: Progress = False) -> _resu
 def contact(
     scene: SceneLike = None,
     *,
-    tilts_deg: Sequence[float] = (),
+    tilts_deg: float | Sequence[float] = (),
     surfaces: str | Sequence[str] = (),
     kinds: str | Sequence[str] = (),
     best_deg: tuple[float, float] | None = None,
@@ -111,7 +120,7 @@ def contact(
     ----------
     scene : Scene, path, mapping or None
         The drive; None: the built-in one.
-    tilts_deg : sequence of float
+    tilts_deg : float or sequence of float
         Tilts in degrees; empty: the scene's.
     surfaces : str or sequence of str
         "tilted", "ruled", "per-slice"; empty: the scene's.
@@ -120,7 +129,7 @@ def contact(
     best_deg : (float, float), optional
         Interval in degrees in which the best tilt is searched; None: no search.
     revolution : int
-        Angles of the wave generator over a revolution; 0: the scene's only.
+        Angles of the wave generator over a revolution, at most 10000; 0: the scene's only.
     errors : bool
         False: the same figures without their errors, in less time.
     progress : bool or callable
@@ -131,7 +140,7 @@ def contact(
     ContactStudy
     """
     asked = scene_of(scene)
-    options = (list(tilts_deg), _words(surfaces), _words(kinds), best_deg, revolution, errors)
+    options = (_numbers(tilts_deg, "tilts_deg"), _words(surfaces), _words(kinds), best_deg, revolution, errors)
     with _calling(progress) as call:
         return _results.ContactStudy._computed(_core.contact(asked._core, *options, *call), asked)
 
@@ -141,7 +150,7 @@ def load(
     *,
     torque: float | None = None,
     points: int | None = None,
-    tilts_deg: Sequence[float] = (),
+    tilts_deg: float | Sequence[float] = (),
     surfaces: str | Sequence[str] = (),
     kinds: str | Sequence[str] = (),
     curve: bool = True,
@@ -156,9 +165,9 @@ def load(
     scene : Scene, path, mapping or None
         The drive; None: the built-in one.
     torque : float, optional
-        Largest torque on the circular spline in N m; None: the scene's.
+        Largest torque on the circular spline in N m, above 0; None: the scene's.
     points : int, optional
-        Even torques from 0 to the largest; None: as many as the stiffness needs.
+        Even torques from 0 to the largest, at most 1000; None: as many as the stiffness needs.
     tilts_deg, surfaces, kinds
         As for :func:`contact`.
     curve : bool
@@ -180,7 +189,7 @@ def load(
     if measured is not None and not isinstance(measured, _results.Measurement):
         measured = read_measured(measured, asked)
     seen = measured._kept() if measured is not None else None
-    options = (torque, points, list(tilts_deg), _words(surfaces), _words(kinds), curve, errors, seen)
+    options = (torque, points, _numbers(tilts_deg, "tilts_deg"), _words(surfaces), _words(kinds), curve, errors, seen)
     with _calling(progress) as call:
         return _results.LoadStudy._computed(_core.load(asked._core, *options, *call), asked)
 
@@ -269,9 +278,9 @@ def accuracy(
     studies : str or sequence of str
         Names as ``hdconj accuracy --help`` lists them; empty: all.
     sample : int
-        Random designs around the scene.
+        Random designs around the scene, 0 to 1000.
     repeats : int
-        Runs of each setting.
+        Runs of each setting, 1 to 1000.
     quick : bool
         Short series, one run of each setting.
     progress : bool or callable
@@ -373,7 +382,7 @@ def report(
     file: str | os.PathLike[str],
     *,
     parts: str | Sequence[str] = (),
-    tilts_deg: Sequence[float] = (),
+    tilts_deg: float | Sequence[float] = (),
     revolution: int = 0,
     curve: bool = True,
     progress: Progress = False,
@@ -390,10 +399,10 @@ def report(
         The page. It opens from disk and needs no network.
     parts : str or sequence of str
         What is computed of a scene beside the circular spline: "contact", "load", "run", "wedm", "design".
-    tilts_deg : sequence of float
+    tilts_deg : float or sequence of float
         Tilts of contact in degrees; empty: the scene's.
     revolution : int
-        Angles of the wave generator at which contact is computed; 0: the scene's only.
+        Angles of the wave generator at which contact is computed, at most 10000; 0: the scene's only.
     curve : bool
         False: load at the largest torque only.
     progress : bool or callable
@@ -418,8 +427,9 @@ def report(
 
     listed: list[Any] = list(scenes) if isinstance(scenes, (list, tuple)) else [scenes]
     asked = [source_of(each) for each in listed]
+    options = (_words(parts), _numbers(tilts_deg, "tilts_deg"), revolution, curve)
     with _calling(progress) as call:
-        return _core.report(asked, os.fspath(file), _words(parts), list(tilts_deg), revolution, curve, *call)
+        return _core.report(asked, os.fspath(file), *options, *call)
 
 
 def design(ratio: float, *, progress: Progress = False, **wishes: Any) -> _results.Design:

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // hdconj._core: scenes, errors and the module itself.
 #include <nanobind/nanobind.h>
+#include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include <exception>
+#include <filesystem>
 
 #include "hdconj/base/stop.hpp"
 #include "hdconj/elastic_cup.hpp"
 #include "hdconj/error.hpp"
+#include "hdconj/file/atomic_file.hpp"
 #include "hdconj/judgement.hpp"
 #include "hdconj/load.hpp"
 #include "hdconj/plan.hpp"
@@ -103,6 +106,12 @@ void add_scene(nb::module_& module)
         return nb::make_tuple(count.computed, count.reused);
     });
     module.def("builtin_scene_text", [] { return std::string(builtin_scene_text()); });
+    module.def(
+        "write_atomically",
+        [](std::filesystem::path const& target, nb::callable const& write) {
+            file::write_atomically(target, [&](std::filesystem::path const& place) { write(place); });
+        },
+        "target"_a, "write"_a);
     module.attr("version") = std::string(program_version());
     module.attr("revision") = std::string(git_revision());
     module.attr("build") = std::string(build_description());

@@ -151,8 +151,11 @@ ResultPointer run_wedm(SceneHandle const& handle, std::string const& folder, Wor
     Scene const& scene = handle.sound();
     refuse(check_wedm(scene));
     Words const dialects = asked.empty() ? named_dialects(scene) : asked;
-    if (!folder.empty())
-        check_wire_files(folder, dialects, asked.empty() ? "wedm.dialects" : "dialects");
+    std::string const place = asked.empty() ? "wedm.dialects" : "dialects";
+    if (folder.empty())
+        refuse(check_dialects(dialects, place));
+    else
+        check_wire_files(folder, dialects, place);
     return run(observer, is_main, [&](Observer const& told) {
         WireCut cut{wire_set_ups(scene, told.stages()), {}, folder};
         settle_unfit_dialects(cut.programs, scene, dialects);
@@ -260,14 +263,19 @@ Words run_report(std::vector<ReportSource> const& sources, std::string const& fi
                  std::vector<double> const& tilts_deg, int revolution, bool curve, nb::handle observer, bool is_main)
 {
     Faults faults;
+    if (sources.empty())
+        faults.push_back({"scenes", 0, "", "an empty list: a page shows at least one drive",
+                          "give a scene, a result or a list of these, or None for the built-in drive"});
     auto const listed = drives_to_report(sources, faults);
     ReportOptions options;
     options.parts = values_of<ReportPart>(parts, "parts", faults);
-    refuse(faults);
     for (double const tilt : tilts_deg)
         options.contact.tilts.push_back(tilt * deg);
     options.contact.revolution = revolution;
     options.load.curve = curve;
+    for (Fault const& fault : check_options(options.contact))
+        faults.push_back(fault);
+    refuse(faults);
     file::check_target(file);
     return run(observer, is_main, [&](Observer const& told) {
         std::vector<ReportedDrive> drives;

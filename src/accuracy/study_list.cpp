@@ -3,7 +3,9 @@
 
 #include <algorithm>
 
+#include "base/option_faults.hpp"
 #include "hdconj/base/suggest.hpp"
+#include "hdconj/scene/schema.hpp"
 
 namespace hdconj::accuracy {
 
@@ -92,6 +94,8 @@ std::vector<StudyKind> const& study_kinds()
 Faults check_studies(AccuracyOptions const& options)
 {
     Faults faults;
+    require_whole(faults, "--sample", options.sample, 0, scene::bounds::most_designs, "one such as 64");
+    require_whole(faults, "--repeats", options.repeats, 1, scene::bounds::most_repeats, "one such as 5");
     std::vector<std::string_view> names;
     for (StudyKind const& kind : study_kinds())
         names.push_back(kind.name);

@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <variant>
 
 #include "base/text.hpp"
 #include "hdconj/base/suggest.hpp"
 #include "hdconj/profile/registry.hpp"
 #include "hdconj/scene/schema.hpp"
 #include "hdconj/units.hpp"
+#include "scene/validation.hpp"
 
 namespace hdconj {
 namespace design {
@@ -45,6 +47,7 @@ class WishFaults
         if (!(wishes_.clearance >= 0) || !std::isfinite(wishes_.clearance))
             fault("--clearance", short_number(wishes_.clearance), "no side clearance", "write 0 or a length in mm");
         words();
+        name();
         return std::move(faults_);
     }
 
@@ -126,6 +129,18 @@ class WishFaults
         else
             one_of("--family", wishes_.family, families);
         material(materials);
+    }
+    /// As the scene takes it.
+    void name()
+    {
+        scene::RawEntry given;
+        given.value.kind = scene::RawValue::Kind::text;
+        given.value.text = wishes_.name;
+        given.value.written = in_quotes(printable(wishes_.name));
+        scene::ParameterSpec const spec{"name", scene::Quantity::text, "name of the drive"};
+        auto const read = scene::validate_value(spec, "\"type-50\"", given, "name", {});
+        if (auto const* const found = std::get_if<Faults>(&read))
+            faults_.insert(faults_.end(), found->begin(), found->end());
     }
     /// A steel of the table, or the figures of another one.
     void material(std::vector<std::string_view> const& known)

@@ -116,35 +116,35 @@ void validate_tip_circle(Scene const& scene, PairGeometry const& g, Faults& faul
 {
     double const tip = g.r_m + g.w0 + g.pitch_line + g.addendum;
     double const rim = g.r_m + g.w0 + g.pitch_line - g.dedendum;
+    double const radius = g.circular_spline_inner_radius;
     bool const given = scene.circular_spline.inner_radius.has_value();
-    if (scene.is_reverse() && !given && !(g.circular_spline_inner_radius > rim)) {
+    if (scene.is_reverse() && !given && !(radius > rim)) {
         faults.push_back({"flexspline.dedendum", 0, short_number(g.dedendum),
-                          "the tips of the given circular-spline teeth at " +
-                              short_number(g.circular_spline_inner_radius) +
+                          "the tips of the given circular-spline teeth at " + short_number(radius) +
                               " mm would cut into the flexspline's rim, which reaches " + short_number(rim) +
                               " mm at the major axis",
-                          "write more than " + short_number(g.dedendum + rim - g.circular_spline_inner_radius) +
+                          "write more than " + short_number(g.dedendum + rim - radius) +
                               ", or a smaller circular_spline.profile.addendum"});
         return;
     }
-    std::string const value = given ? short_number(*scene.circular_spline.inner_radius) : "";
-    double const radius = g.circular_spline_inner_radius;
-    std::string const usual = short_number(scene::usual_tip_radius(scene, g.w0).value_or(tip - 2 * g.addendum));
-    std::string const remedy =
-        "write a radius between " + short_number(rim) + " and " + short_number(tip) + ", usually " + usual;
-    std::vector<std::string> const set =
-        scene.is_reverse() ? std::vector<std::string>{} : std::vector{"circular_spline.inner_radius=" + usual};
-    if (!(radius < tip))
-        faults.push_back({"circular_spline.inner_radius", 0, value,
-                          "the flexspline's tips reach a radius of " + short_number(tip) +
-                              " mm only, so no tooth enters the circular spline at " + short_number(radius) + " mm",
-                          remedy, "", set});
-    else if (!(radius > rim))
-        faults.push_back({"circular_spline.inner_radius", 0, value,
-                          "the circular spline's tips at " + short_number(radius) +
-                              " mm would cut into the flexspline's rim, which reaches " + short_number(rim) +
-                              " mm at the major axis",
-                          remedy, "", set});
+    if (radius > rim && radius < tip)
+        return;
+    int const digits = tip > 1000 * (tip - rim) ? 12 : 6;  // six do not tell tip and rim apart
+    Fault fault{"circular_spline.inner_radius", 0, given ? short_number(*scene.circular_spline.inner_radius) : "",
+                radius < tip
+                    ? "the circular spline's tips at " + short_number(radius) +
+                          " mm would cut into the flexspline's rim, which reaches " + short_number(rim) +
+                          " mm at the major axis"
+                    : "the flexspline's tips reach a radius of " + short_number(tip) +
+                          " mm only, so no tooth enters the circular spline at " + short_number(radius) + " mm",
+                "write a radius between " + short_number(rim, digits) + " and " + short_number(tip, digits)};
+    double const usual = scene::usual_tip_radius(scene, g.w0).value_or(tip - 2 * g.addendum);
+    if (usual > rim && usual < tip) {
+        fault.remedy += ", usually " + short_number(usual, digits);
+        if (!scene.is_reverse())
+            fault.set = {"circular_spline.inner_radius=" + short_number(usual, digits)};
+    }
+    faults.push_back(fault);
 }
 
 void validate_tip_relief(Scene const& scene, profile::Profile const& tooth, Faults& faults)

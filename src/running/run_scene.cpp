@@ -6,8 +6,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/option_faults.hpp"
 #include "hdconj/check.hpp"
 #include "hdconj/error.hpp"
+#include "hdconj/scene/schema.hpp"
 #include "load/study/loaded_scene.hpp"
 
 namespace hdconj {
@@ -48,16 +50,14 @@ Faults check_run(Scene const& scene, RunOptions const& options)
                           "a drive that runs has a torque of 0 or more on its output",
                           "write a torque in N m such as --torque 28, or 0 for first contact only"});
     else if (torque > 0)
-        faults = check_load(scene, load_options(scene, options));
+        faults = load::check_either_sense(scene, load_options(scene, options));
     else
         faults = check_contact(scene, {});
     if (torque == 0 && scene.friction)
         faults.push_back({"friction", scene.friction->line, "", "nothing says under which torque the drive loses power",
                           "write torque = 28.0, in N m, in [load], or --torque 28, or remove this table"});
-    if (options.positions && *options.positions < 4)
-        faults.push_back({"--positions", 0, fmt::format("{}", *options.positions),
-                          "fewer than four positions tell nothing of a tooth pitch",
-                          "write a whole number such as 16"});
+    require_whole(faults, "--positions", options.positions, scene::bounds::fewest_positions,
+                  scene::bounds::most_positions, "one such as 16");
     return faults;
 }
 

@@ -72,20 +72,6 @@ std::string base_expectation(ParameterSpec const& spec)
                                              : "");
 }
 
-Refusal text_for_number(ParameterSpec const& spec, std::string const& text, std::string const& otherwise)
-{
-    std::string const reason = "text where " + quantity_name(spec) + " belongs";
-    auto const found = leading_number(text);
-    if (!found)
-        return {reason, otherwise};
-    if (found->rest.empty() && text.find(',') != std::string::npos)
-        return {"a decimal comma", "write " + number_text(found->value) + ", with a decimal point"};
-    if (found->rest.empty())
-        return {reason, "write " + number_text(found->value) + ", a number without quotes"};
-    std::string const unit = is_length(spec.quantity) ? "lengths are in mm" : "numbers have no unit";
-    return {reason, "write " + number_text(found->value) + ", a number without quotes or unit: " + unit};
-}
-
 Verdict validate_bounds(ParameterSpec const& spec, double value, std::string const& remedy)
 {
     if (value < spec.at_least)
@@ -129,6 +115,25 @@ Verdict validate_number(ParameterSpec const& spec, RawValue const& value, std::s
     else if (is_length(spec.quantity))
         verdict = validate_length(spec, value.number, remedy);
     return verdict ? verdict : validate_bounds(spec, value.number, remedy);
+}
+
+Refusal text_for_number(ParameterSpec const& spec, std::string const& text, std::string const& otherwise)
+{
+    std::string const reason = "text where " + quantity_name(spec) + " belongs";
+    auto const found = leading_number(text);
+    if (!found)
+        return {reason, otherwise};
+    RawValue meant;
+    meant.number = found->value;
+    meant.kind = meant.number == std::floor(meant.number) ? Kind::integer : Kind::number;
+    if (auto const beyond = validate_number(spec, meant, otherwise))
+        return {reason + ", and " + beyond->reason, beyond->remedy};
+    if (found->rest.empty() && text.find(',') != std::string::npos)
+        return {"a decimal comma", "write " + number_text(found->value) + ", with a decimal point"};
+    if (found->rest.empty())
+        return {reason, "write " + number_text(found->value) + ", a number without quotes"};
+    std::string const unit = is_length(spec.quantity) ? "lengths are in mm" : "numbers have no unit";
+    return {reason, "write " + number_text(found->value) + ", a number without quotes or unit: " + unit};
 }
 
 Verdict validate_word(ParameterSpec const& spec, std::string const& text, std::string const& remedy)

@@ -234,9 +234,15 @@ TEST_CASE("contact called as a library refuses the same", "[contact]")
     options.kinds = {TiltKind::draft};
     options.best = true;
     options.best_to = options.best_from;
+    options.revolution = -3;
     auto const faults = check_contact(reading.scene, options);
     INFO(describe(faults));
-    CHECK(faults.size() == 4);
+    CHECK(faults.size() == 5);
+    ContactOptions turns;
+    turns.revolution = 10000;
+    CHECK(check_options(turns).empty());
+    turns.revolution = 10001;
+    CHECK(check_options(turns).size() == 1);
     CHECK_THROWS_AS(study_contact(reading.scene, options), InputError);
 }
 

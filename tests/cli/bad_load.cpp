@@ -3,6 +3,9 @@
 #include <fstream>
 
 #include "bad_commands.hpp"
+#include "hdconj/load.hpp"
+#include "hdconj/read_scene.hpp"
+#include "hdconj/units.hpp"
 
 namespace hdconj::test::bad_load_cases {
 
@@ -23,6 +26,8 @@ std::vector<BadCommand> const& load_commands()
         {"--torque 1e400", "--torque", "no finite number", "such as --torque 28"},
         {"--torque 28Nm", "--torque", "'28Nm' is no finite number", "such as --torque 28"},
         {"--torque 0", "--torque", "'0' is not above 0", "such as --torque 28"},
+        {"--torque 1e-12", "--torque = 1e-12", "must be at least 1e-09 N m", "such as 28"},
+        {"--torque 1e12", "--torque = 1e+12", "larger than any drive has, 1e+09 N m", "such as 28"},
         {"--torque=-28", "--torque", "'-28' is not above 0", "such as --torque 28"},
         {"--set coning.model=linear --set coning.bottom_to_middle=17.19", "bearing.width", "beyond the straight wall",
          "another coning.bottom_to_middle"},
@@ -107,6 +112,21 @@ TEST_CASE("load tells all faults of scene options and measured curve at once", "
     CHECK(refused.status == 2);
     CHECK_THAT(refused.err, ContainsSubstring("flexspline.wall = -1") && ContainsSubstring("--points = 3") &&
                                 ContainsSubstring("--ratio = 0") && ContainsSubstring("bad.csv line 3: column 2"));
+}
+
+TEST_CASE("load called as a library has the limits of the command line", "[load]")
+{
+    Scene const scene = builtin_scene({"load.torque=20"});
+    for (double const torque : {0.0, -5.0, 1e10}) {
+        LoadOptions options;
+        options.torque = torque * newton_metre;
+        CHECK(check_load(scene, options).size() == 1);
+    }
+    for (int const points : {-1, 0, 1001}) {
+        LoadOptions options;
+        options.points = points;
+        CHECK(check_load(scene, options).size() == 1);
+    }
 }
 
 TEST_CASE("load of a reverse scene is refused", "[load][reverse]")

@@ -213,6 +213,6 @@ def test_bad_arguments(solution, tmp_path):
         narrow.to_step(tmp_path / "ring.step")
     with pytest.raises(TypeError, match="no outlines"):
         hdconj.wedm().to_step(tmp_path / "ring.step")
-    with pytest.raises(OSError):
+    with pytest.raises(hdconj.FileError, match="nowhere"):
         solution.to_step(tmp_path / "nowhere" / "ring.step")
     assert list(tmp_path.iterdir()) == []

@@ -3,6 +3,7 @@
 
 import json
 import os
+import re
 import subprocess
 
 import pytest
@@ -100,6 +101,57 @@ def test_missing_file():
 def test_wrong_words_are_faults():
     with pytest.raises(hdconj.InputError, match="write one of tilted, ruled, per-slice"):
         hdconj.contact(surfaces=["level"])
+
+
+@pytest.mark.parametrize(
+    ("option", "call"),
+    [
+        ("--revolution", lambda page: hdconj.contact(revolution=-1)),
+        ("--revolution", lambda page: hdconj.contact(revolution=10**9)),
+        ("--revolution", lambda page: hdconj.report(None, page, parts="contact", revolution=-3)),
+        ("--points", lambda page: hdconj.load(torque=20, points=10**9)),
+        ("--torque", lambda page: hdconj.load(torque=0)),
+        ("--torque", lambda page: hdconj.load(torque=-5)),
+        ("--positions", lambda page: hdconj.run(positions=10**9)),
+        ("--sample", lambda page: hdconj.accuracy(sample=-1)),
+        ("--repeats", lambda page: hdconj.accuracy(repeats=-1)),
+        ("scenes", lambda page: hdconj.report([], page)),
+        ("dialects", lambda page: hdconj.wedm(dialects="foo")),
+        ("name", lambda page: hdconj.design(100, diameter=50, name="a\nb")),
+    ],
+)
+def test_limits_of_arguments(option, call, tmp_path):
+    with pytest.raises(hdconj.InputError) as refused:
+        call(tmp_path / "page.html")
+    assert [fault.path for fault in refused.value.faults] == [option]
+    assert refused.value.faults[0].reason and refused.value.faults[0].remedy
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("said", "call"),
+    [
+        (r"with_\(\) takes a mapping", lambda: hdconj.Scene().with_(["tilt"])),
+        (r"with_\(\) takes a mapping", lambda: hdconj.Scene().with_(None)),
+        (r"from_dict\(\) takes a mapping", lambda: hdconj.Scene.from_dict([1])),
+        (r"the key 1 of a scene", lambda: hdconj.Scene.from_dict({"drive": {1: 2}})),
+        (r"from_toml\(\) takes text, not bytes", lambda: hdconj.Scene.from_toml(b"")),
+        (r"tilts_deg takes a number or several", lambda: hdconj.contact(tilts_deg="0.1")),
+    ],
+)
+def test_wrong_types_say_what_is_expected(said, call):
+    with pytest.raises(TypeError, match=said):
+        call()
+
+
+def test_one_tilt_is_a_list_of_one(coned):
+    assert hdconj.contact(coned, tilts_deg=0.1, errors=False).contact.contact_area.size == 1
+
+
+def test_advice_of_a_tip_circle_can_be_followed():
+    (fault,) = hdconj.Scene().with_({"drive.module": 10000}).check()
+    low, high = re.search(r"a radius between (\S+) and (\S+)", fault.remedy).groups()
+    assert float(low) < float(high.rstrip(","))
 
 
 def test_scene_goes_through_text_and_dictionaries():

@@ -5,6 +5,7 @@ import inspect
 import os
 import pickle
 import re
+import stat
 import subprocess
 import sys
 
@@ -103,9 +104,43 @@ def test_the_program_cuts_what_python_wrote(tmp_path):
 
 
 def test_a_file_that_cannot_be_written_is_not_begun(solution, tmp_path):
-    with pytest.raises(OSError):
-        solution.to_hdf5(tmp_path / "nowhere" / "result.h5")
+    for name in (tmp_path / "nowhere" / "result.h5", tmp_path, ""):
+        with pytest.raises(hdconj.FileError, match=re.escape(str(name)) or "empty name") as refused:
+            solution.to_hdf5(name)
+        assert "tmp" not in str(refused.value).replace(str(tmp_path), "")
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.skipif(os.geteuid() != 0, reason="only root makes devices")
+def test_a_device_stays_a_device(solution, tmp_path):
+    device = tmp_path / "node"
+    os.mknod(device, 0o600 | stat.S_IFCHR, os.makedev(1, 3))
+    solution.to_hdf5(device)
+    assert device.is_char_device() and list(tmp_path.iterdir()) == [device]
+
+
+def test_a_pipe_takes_the_whole_file(solution, tmp_path):
+    os.mkfifo(tmp_path / "pipe")
+    with open(tmp_path / "copy.h5", "wb") as copy, subprocess.Popen(["cat", tmp_path / "pipe"], stdout=copy):
+        solution.to_hdf5(tmp_path / "pipe")
+    assert hdconj.read(tmp_path / "copy.h5").circular_spline.outline.size
+
+
+def test_what_is_no_result_file_is_a_file_error(solution, tmp_path):
+    solution.to_hdf5(tmp_path / "whole.h5")
+    (tmp_path / "cut.h5").write_bytes((tmp_path / "whole.h5").read_bytes()[:5000])
+    (tmp_path / "text.h5").write_text("no result")
+    for name in ("cut.h5", "text.h5", "nowhere.h5", "."):
+        with pytest.raises(hdconj.FileError, match=re.escape(str(tmp_path / name))):
+            hdconj.read(tmp_path / name)
+
+
+def test_wrong_keys_of_a_result(solution):
+    assert 3 not in solution
+    with pytest.raises(KeyError):
+        solution[3]
+    with pytest.raises(KeyError, match="'nodim'; known: .*zone"):
+        solution.conjugate_zones.to_pandas("nodim")
 
 
 @pytest.mark.parametrize("which", ["solution", "study"])

@@ -111,6 +111,9 @@ inline constexpr double largest_viscosity = 1e5;       ///< [mm^2/s]
 inline constexpr int most_passes = 20;                 ///< of the wire
 inline constexpr int fewest_decimals = 2;              ///< of rounded wire coordinates in mm
 inline constexpr int most_decimals = 9;
+inline constexpr int most_revolution_angles = 10000;  ///< angles of the wave generator over a revolution
+inline constexpr int most_designs = 1000;             ///< of the sample of an accuracy study
+inline constexpr int most_repeats = 1000;             ///< of a setting of an accuracy study
 }  // namespace bounds
 
 }  // namespace hdconj::scene

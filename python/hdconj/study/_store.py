@@ -22,6 +22,7 @@ import pyarrow.parquet as pq
 
 import hdconj
 
+from .. import _files
 from .._errors import FileError, Fault, InputError
 from .._scene import Scene
 from ._data_files import FOLDER, copies, renamed, scene_text
@@ -234,7 +235,8 @@ class Folder:
 
     def write_scene(self, file: Path, scene: Scene) -> None:
         """Writes the scene of a drive, whose files are found from where it stands."""
-        write_whole(file, scene_text(scene, file.parent).encode("utf-8", "surrogateescape"))
+        text = scene_text(scene, file.parent).encode("utf-8", "surrogateescape")
+        _files.write_whole(file, lambda name: Path(name).write_bytes(text))
 
     def note(self, about: Mapping[str, Any]) -> None:
         """Writes study.json."""

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "base/option_faults.hpp"
 #include "base/text.hpp"
 #include "hdconj/contact.hpp"
 #include "hdconj/scene/schema.hpp"
@@ -9,6 +11,24 @@
 #include "surface_choices.hpp"
 
 namespace hdconj {
+
+Faults check_options(ContactOptions const& options)
+{
+    Faults faults;
+    double const steepest = scene::bounds::largest_tilt_deg * deg;
+    for (double const tilt : options.tilts) {
+        if (!std::isfinite(tilt))
+            faults.push_back(
+                {"--tilt", 0, short_number(tilt), "not a finite number", "write angles in degrees such as 0,0.1,0.2"});
+        else if (!(std::abs(tilt) < steepest))
+            faults.push_back({"--tilt", 0, short_number(tilt / deg), "teeth are not tilted by 45 degrees or more",
+                              "write angles in degrees such as 0,0.1,0.2"});
+    }
+    if (options.revolution != 0)
+        require_whole(faults, "--revolution", options.revolution, 1, scene::bounds::most_revolution_angles,
+                      "one such as 24, or leave it out for the scene's angle only");
+    return faults;
+}
 
 Faults check_contact(Scene const& scene, ContactOptions const& options)
 {
@@ -21,15 +41,8 @@ Faults check_contact(Scene const& scene, ContactOptions const& options)
         faults.push_back({"circular_spline.width", 0, "",
                           "this key is missing: contact is an area, and needs the face width",
                           "write width = 7.0, a length in mm, in [circular_spline]"});
-    double const steepest = scene::bounds::largest_tilt_deg * deg;
-    for (double const tilt : options.tilts) {
-        if (!std::isfinite(tilt))
-            faults.push_back(
-                {"--tilt", 0, short_number(tilt), "not a finite number", "write angles in degrees such as 0,0.1,0.2"});
-        else if (!(std::abs(tilt) < steepest))
-            faults.push_back({"--tilt", 0, short_number(tilt / deg), "teeth are not tilted by 45 degrees or more",
-                              "write angles in degrees such as 0,0.1,0.2"});
-    }
+    for (Fault& fault : check_options(options))
+        faults.push_back(std::move(fault));
     std::vector<ToothSurface> const surfaces =
         contact::or_else(options.surfaces, scene.slices ? scene.slices->surface : ToothSurface::tilted);
     std::vector<TiltKind> const kinds =

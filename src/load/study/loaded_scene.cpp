@@ -4,13 +4,17 @@
 #include <fmt/format.h>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "base/option_faults.hpp"
 #include "base/text.hpp"
 #include "drive/drive.hpp"
 #include "drive/elastic_cup.hpp"
 #include "hdconj/check.hpp"
 #include "hdconj/contact.hpp"
 #include "hdconj/error.hpp"
+#include "hdconj/scene/schema.hpp"
+#include "hdconj/units.hpp"
 #include "load/model/wave_generator.hpp"
 
 namespace hdconj {
@@ -29,15 +33,25 @@ void require_cup_and_bearing(Scene const& scene, Faults& faults)
              "write the line [bearing] and below it type = \"elastic\", width = 6.0, ring_thickness = 1.2"});
 }
 
+void refuse_torque(double torque_nm, std::string reason, Faults& faults)
+{
+    faults.push_back({"--torque", 0, short_number(torque_nm), std::move(reason), "write a torque in N m such as 28"});
+}
+
 void require_torque(Scene const& scene, LoadOptions const& options, Faults& faults)
 {
     if (!options.torque && !(scene.load && scene.load->torque))
         faults.push_back({"load.torque", scene.load ? scene.load->line : 0, "",
                           "this key is missing: nothing says which torque is meant",
                           "write torque = 28.0, in N m, in [load], or --torque 28"});
-    if (options.torque && !std::isfinite(*options.torque))
-        faults.push_back(
-            {"--torque", 0, short_number(*options.torque), "not a finite number", "write a torque in N m such as 28"});
+    if (!options.torque)
+        return;
+    double const given = *options.torque / newton_metre;
+    if (!std::isfinite(given))
+        refuse_torque(given, "not a finite number", faults);
+    else if (std::abs(given) > scene::bounds::largest_torque)
+        refuse_torque(given, "larger than any drive has, " + short_number(scene::bounds::largest_torque) + " N m",
+                      faults);
 }
 
 /// @param highest  harmonic that the angles of the teeth resolve
@@ -66,7 +80,9 @@ void validate_catalogue(Scene const& scene, LoadOptions const& options, Faults& 
 
 }  // namespace
 
-Faults check_load(Scene const& scene, LoadOptions const& options)
+namespace load {
+
+Faults check_either_sense(Scene const& scene, LoadOptions const& options)
 {
     Faults faults = check_contact(scene, load::contact_options(options));
     require_cup_and_bearing(scene, faults);
@@ -76,9 +92,19 @@ Faults check_load(Scene const& scene, LoadOptions const& options)
         validate_catalogue(scene, options, faults);
     if (scene.load && scene.given.contains("load.harmonics"))
         validate_harmonics(*scene.load, load::ring_grid(scene).highest_harmonic(), faults);
-    if (options.points && *options.points < 1)
-        faults.push_back({"--points", 0, fmt::format("{}", *options.points), "a curve has at least one torque",
-                          "write a whole number such as 10"});
+    require_whole(faults, "--points", options.points, 1, scene::bounds::most_torques,
+                  "one such as 10, or leave it out for as many as the stiffness needs");
+    return faults;
+}
+
+}  // namespace load
+
+Faults check_load(Scene const& scene, LoadOptions const& options)
+{
+    Faults faults = load::check_either_sense(scene, options);
+    if (options.torque && *options.torque < scene::bounds::least_torque * newton_metre)
+        refuse_torque(*options.torque / newton_metre,
+                      "must be at least " + short_number(scene::bounds::least_torque) + " N m", faults);
     return faults;
 }
 
@@ -131,7 +157,7 @@ ContactOptions contact_options(LoadOptions const& options)
 
 Scene checked_scene(Scene const& asked, LoadOptions const& options)
 {
-    Faults faults = check_load(asked, options);
+    Faults faults = check_either_sense(asked, options);
     Scene completed = loaded_scene(asked, options);
     for (Fault const& more : faults.empty() ? faults_of_loaded(completed) : check_scene(asked))
         faults.push_back(more);

@@ -11,6 +11,9 @@
 
 namespace hdconj::load {
 
+/// As check_load(), for a torque of either sense, or 0.
+[[nodiscard]] Faults check_either_sense(Scene const& scene, LoadOptions const& options);
+
 /// loaded_scene() of a scene without faults. Everything that follows takes this scene.
 /// @throws InputError with all faults of scene and options
 [[nodiscard]] Scene checked_scene(Scene const& asked, LoadOptions const& options);

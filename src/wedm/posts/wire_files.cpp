@@ -23,27 +23,10 @@ bool is_in(auto const& names, std::string_view name)
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-void check_names(std::vector<std::string> const& dialects, std::string const& place)
-{
-    std::vector<std::string_view> known;
-    for (auto const& dialect : wire_dialects())
-        known.push_back(dialect.name);
-    Faults faults;
-    for (auto const& name : dialects) {
-        if (!is_in(known, name)) {
-            auto const meant = nearest(name, known);
-            faults.push_back(
-                {place, 0, name, "no dialect is called so",
-                 meant ? "write " + std::string(*meant) : fmt::format("known: {}", fmt::join(known, ", "))});
-        }
-    }
-    if (!faults.empty())
-        throw InputError(std::move(faults));
-}
-
 std::vector<wedm::WirePost> chosen(WireSetUps const& programs, std::vector<std::string> const& dialects)
 {
-    check_names(dialects, "--dialect");
+    if (Faults faults = check_dialects(dialects); !faults.empty())
+        throw InputError(std::move(faults));
     auto fitting = fitting_dialects(programs.front());
     if (dialects.empty())
         for (auto const& unfit : unfit_dialects(programs))
@@ -153,10 +136,27 @@ std::string said_of(WireFile const& file)
 
 }  // namespace
 
+Faults check_dialects(std::vector<std::string> const& dialects, std::string const& place)
+{
+    std::vector<std::string_view> known;
+    for (auto const& dialect : wire_dialects())
+        known.push_back(dialect.name);
+    Faults faults;
+    for (auto const& name : dialects) {
+        if (is_in(known, name))
+            continue;
+        auto const meant = nearest(name, known);
+        faults.push_back({place, 0, name, "no dialect is called so",
+                          meant ? "write " + std::string(*meant) : fmt::format("known: {}", fmt::join(known, ", "))});
+    }
+    return faults;
+}
+
 void check_wire_files(std::filesystem::path const& folder, std::vector<std::string> const& dialects,
                       std::string const& place)
 {
-    check_names(dialects, place);
+    if (Faults faults = check_dialects(dialects, place); !faults.empty())
+        throw InputError(std::move(faults));
     file::AtomicFolder::check(folder, file::AtomicFolder::wire_program);
 }
 

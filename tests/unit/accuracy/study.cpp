@@ -187,6 +187,19 @@ TEST_CASE("convergence series: an order only where errors fall from level to lev
               .runs == 2);
 }
 
+TEST_CASE("numbers of designs and of repeats have limits", "[study]")
+{
+    auto const faults_of = [](int sample, int repeats) {
+        AccuracyOptions options;
+        options.sample = sample;
+        options.repeats = repeats;
+        return check_studies(options).size();
+    };
+    CHECK(faults_of(0, 1000) == 0);
+    CHECK(faults_of(-1, -1) == 2);
+    CHECK(faults_of(1001, 0) == 2);
+}
+
 TEST_CASE("advice: what is measured and no more, the sample counts", "[study]")
 {
     auto const series_list = accuracy::convergence_series(report_of(

@@ -264,6 +264,12 @@ TEST_CASE("wishes that no design meets are all named with the nearest that works
     CHECK_THAT(faults[1].remedy, ContainsSubstring("0.2"));
     CHECK_THAT(faults[2].remedy, ContainsSubstring("involute"));
     wishes = type_50();
+    wishes.name = "a\nb";
+    Faults const of_name = check_design(wishes);
+    REQUIRE(of_name.size() == 1);
+    CHECK(of_name.front().path == "name");
+    CHECK_THAT(of_name.front().reason, ContainsSubstring("control characters"));
+    wishes = type_50();
     wishes.clearance = 0.2;  // nearly a module: no land is left
     try {
         (void)design_drive(wishes);
