@@ -25,10 +25,10 @@ struct Complementarity
     Eigen::VectorXd border;                              ///< b; empty: none, and no s
     double total = 0;                                    ///< T
     std::shared_ptr<ColumnsOnDemand> leading = nullptr;  ///< the rest of G; null: there is none
-    /// In place of `compliance`, of numbers only (shared_compliance()): a block that many problems have. Null: none.
+    /// A block that many problems have in common, in place of `compliance`; made by shared_compliance(). Null: none.
     std::shared_ptr<Eigen::MatrixXd const> shared = nullptr;
-    /// E of as many rows as something yields in, and columns for the last contacts: G has E'E beside its block. Empty:
-    /// nothing yields.
+    /// E: what springs that yield add to G, which is E'E. A row for each spring, a column for each of the last
+    /// contacts. Empty: no spring yields.
     Eigen::MatrixXd yielding = {};
 
     /// The block of the last contacts, without E'E.

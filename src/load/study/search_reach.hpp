@@ -6,26 +6,26 @@
 
 namespace hdconj::load {
 
-/// At first as far as search_limit(), then only as far as the next step may close gaps: far contacts cost time and
-/// carry nothing. A step that closes more than that is not lost: at the next shape these contacts overlap, and are
-/// found within any limit.
+/// The first search of an iteration finds all contacts within search_limit(). Each later one looks only as far as the
+/// step before it has closed a gap, since contacts farther away cost time and carry no force. Where a step closes a gap
+/// that is wider, teeth overlap in the next shape, and every search finds contacts that overlap.
 struct SearchReach
 {
     double limit;            ///< of the next search [mm]
-    GapBounds known = {};    ///< by the searches before
-    LoadedShape shape = {};  ///< of the last step, whose contacts were found within `solved_limit`
-    double turn = 0;         ///< likewise [rad]
-    double solved_limit;     ///< [mm]
+    GapBounds known = {};    ///< from the searches before
+    LoadedShape shape = {};  ///< at which the last step found its contacts
+    double turn = 0;         ///< at which it found them [rad]
+    double solved_limit;     ///< within which it found them [mm]
 };
 [[nodiscard]] SearchReach whole_reach(LoadProblem const& problem);
 
-/// After the step of @p drive from the shape @p before at @p turn, whose contacts were found last.
+/// Sets the limit of the next search after a step has changed the shape @p before, at @p turn, into that of @p drive.
 void follow_step(LoadProblem const& problem, LoadedShape before, double turn, LoadedDrive const& drive,
                  SearchReach& reach);
 
-/// No gap closes by more than this between two shapes at their turns [mm]; infinite where flanks deviate. A point of a
-/// tooth moves by no more than its origin and the turn about it, one of the circular spline by its radius times the
-/// turn.
+/// No gap closes by more than this between two shapes at their turns [mm]; infinite where flanks deviate from their
+/// nominal form. A point of a tooth moves by at most the movement of the tooth's origin, and the tooth's turn times its
+/// size. A point of the circular spline moves by its radius times the turn of the circular spline.
 [[nodiscard]] double largest_fall(LoadProblem const& problem, LoadedShape const& from, double turn_from,
                                   LoadedShape const& to, double turn_to);
 
