@@ -7,7 +7,6 @@
 #include <memory>
 #include <utility>
 
-#include "hdconj/base/parallel.hpp"
 #include "hdconj/error.hpp"
 #include "kept_results.hpp"
 
@@ -64,15 +63,14 @@ std::shared_ptr<std::vector<RingResponse> const> ring_responses(FourierSolid con
         Eigen::Index const ball = unknown_of(supports.front().node, Direction::radial);
         double const spring = supports.front().stiffness;
         std::vector<RingResponse> result(harmonics.size());
-        parallel_for(harmonics.size(), threads, 1, [&](std::size_t i) {
-            HarmonicSolver const solver(solid, supports, harmonics[i]);
+        for_each_harmonic(solid, supports, harmonics, threads, [&](std::size_t i, HarmonicSolver const& solver) {
             Eigen::MatrixXd const loaded = solver(shares);
             Eigen::MatrixXd const c = shares.transpose() * loaded;
             Eigen::VectorXd lift = Eigen::VectorXd::Zero(solid.unknowns());
             lift[ball] = spring < 0 ? 1 : spring;
             Eigen::VectorXd const lifted = spring < 0 ? solver.moved(lift) : solver(lift);
-            result[i] = {(c + c.transpose()) / 2, shares.transpose() * lifted, solver.forces(lifted)(ball, 0),
-                         solver.forces(loaded).row(ball)};
+            result[i] = {(c + c.transpose()) / 2, shares.transpose() * lifted, solver.force_on(ball, lifted)[0],
+                         solver.force_on(ball, loaded)};
         });
         return result;
     });

@@ -11,20 +11,7 @@
 #include "kept_results.hpp"
 
 namespace hdconj::elastic {
-namespace {
-
 using Eigen::Index;
-
-HarmonicField field_of(FourierSolid const& solid, WaveGeneratorContact const& contact, int waves, int threads)
-{
-    std::vector<Station> stations;
-    for (double const z : contact.z)
-        stations.push_back(wall_station(solid.mesh(), z, 0, Direction::radial));
-    auto const harmonics = harmonics_of(waves, waves * (static_cast<int>(contact.load_cosine.cols()) - 1));
-    return harmonic_field(solid, {}, stations, harmonics, contact.load_cosine, contact.load_sine, threads);
-}
-
-}  // namespace
 
 BentCup::BentCup(CupSection const& section, Bearing const& bearing, CamSeries const& cam, int circles, int threads,
                  int layers)
@@ -33,8 +20,9 @@ BentCup::BentCup(CupSection const& section, Bearing const& bearing, CamSeries co
       cam_(cam),
       solid_(section_mesh(section, in_layers(contact_mesh_size(bearing.width, circles), section, layers))),
       contact_(solve_wave_generator(solid_, section.inner_radius, bearing, cam, circles, {}, threads)),
-      field_(field_of(solid_, contact_, cam.waves, threads))
+      field_(harmonic_field(*contact_.unit, contact_.load_cosine, contact_.load_sine, threads))
 {
+    contact_.unit.reset();
 }
 
 std::shared_ptr<BentCup const> solved_cup(CupSection const& section, Bearing const& bearing, CamSeries const& cam,

@@ -17,12 +17,12 @@ HarmonicField harmonic_field(FourierSolid const& solid, Supports const& supports
     Eigen::MatrixXd const shares = station_shares(solid, stations);
     auto const terms = static_cast<Index>(harmonics.size());
     HarmonicField field{harmonics, Eigen::MatrixXd(solid.unknowns(), terms), Eigen::MatrixXd(solid.unknowns(), terms)};
-    parallel_for(harmonics.size(), threads, 1, [&](std::size_t i) {
+    for_each_harmonic(solid, supports, harmonics, threads, [&](std::size_t i, HarmonicSolver const& solve) {
         auto const k = static_cast<Index>(i);
         Eigen::MatrixXd loads(solid.unknowns(), 2);
         loads.col(0) = shares * even.col(k);
         loads.col(1) = shares * odd.col(k);
-        Eigen::MatrixXd const moved = HarmonicSolver(solid, supports, harmonics[i])(loads);
+        Eigen::MatrixXd const moved = solve(loads);
         field.even.col(k) = moved.col(0);
         field.odd.col(k) = moved.col(1);
     });

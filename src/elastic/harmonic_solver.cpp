@@ -4,10 +4,13 @@
 #include <Eigen/LU>
 #include <Eigen/SparseCholesky>
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "base/loop_targets.hpp"
+#include "hdconj/base/parallel.hpp"
 #include "hdconj/error.hpp"
 
 namespace hdconj::elastic {
@@ -43,7 +46,8 @@ void require_held(SectionMesh const& mesh, Supports const& supports, int harmoni
                                              "its axis and one against tilting");
 }
 
-using Ldlt = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower, Eigen::NaturalOrdering<int>>;
+/// Of the upper half, which it takes without a copy.
+using Ldlt = Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Upper, Eigen::NaturalOrdering<int>>;
 /// Loads side by side: each row is one unknown.
 using LoadRows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -75,68 +79,99 @@ void solve_in_place(Eigen::SparseMatrix<double> const& lower, double const* diag
 
 }  // namespace
 
-struct HarmonicSolver::Factors
+/// What the harmonics with the same fixed unknowns share, and the factors of the last one.
+struct HarmonicSolver::Elimination
 {
+    std::vector<char> fixed;          ///< whether each unknown is
     std::vector<Eigen::Index> place;  ///< of each unknown among the free ones as they are eliminated; -1: fixed
-    Eigen::Index free = 0;
-    Eigen::SparseMatrix<double> stiffness;  ///< of all unknowns, without springs
+    Eigen::SparseMatrix<double> upper;
+    std::vector<int> source;  ///< of each entry of `upper`, among those of the solid's stiffness
     Ldlt ldlt;
+
+    Elimination(FourierSolid const& solid, Eigen::SparseMatrix<double> const& stiffness, std::vector<char> which)
+        : fixed(std::move(which)), place(fixed.size(), -1)
+    {
+        std::vector<int> unknown;
+        for (int const i : solid.elimination())
+            if (!fixed[static_cast<std::size_t>(i)]) {
+                place[static_cast<std::size_t>(i)] = static_cast<Eigen::Index>(unknown.size());
+                unknown.push_back(i);
+            }
+        auto const free = static_cast<Eigen::Index>(unknown.size());
+        upper.resize(free, free);
+        upper.reserve((stiffness.nonZeros() + stiffness.rows()) / 2);
+        source.reserve(static_cast<std::size_t>((stiffness.nonZeros() + stiffness.rows()) / 2));
+        std::vector<std::pair<int, int>> column;  // rows and entries of the stiffness
+        for (Eigen::Index j = 0; j < free; ++j) {
+            int const i = unknown[static_cast<std::size_t>(j)];
+            column.clear();
+            for (int e = stiffness.outerIndexPtr()[i]; e < stiffness.outerIndexPtr()[i + 1]; ++e)
+                if (auto const row = static_cast<int>(place[static_cast<std::size_t>(stiffness.innerIndexPtr()[e])]);
+                    row >= 0 && row <= j)
+                    column.emplace_back(row, e);
+            std::ranges::sort(column);
+            upper.startVec(j);
+            for (auto const& [row, entry] : column) {
+                upper.insertBack(row, j) = 0;
+                source.push_back(entry);
+            }
+        }
+        upper.finalize();
+        ldlt.analyzePattern(upper);
+    }
 };
 
-HarmonicSolver::HarmonicSolver(FourierSolid const& solid, Supports const& supports, int harmonic) : harmonic_(harmonic)
+HarmonicSolver::HarmonicSolver(FourierSolid const& solid, Supports const& supports, int harmonic)
+    : solid_(&solid), supports_(supports)
 {
-    auto factors = std::make_shared<Factors>();
-    auto& place = factors->place;
-    require_held(solid.mesh(), supports, harmonic);
-    place.assign(static_cast<std::size_t>(solid.unknowns()), 0);
-    std::vector<double> spring(place.size(), 0);
-    for (int node : solid.mesh().clamped)
+    factorise(harmonic);
+}
+
+HarmonicSolver::~HarmonicSolver() = default;
+
+void HarmonicSolver::factorise(int harmonic)
+{
+    require_held(solid_->mesh(), supports_, harmonic);
+    harmonic_ = harmonic;
+    auto const unknowns = static_cast<std::size_t>(solid_->unknowns());
+    std::vector<char> fixed(unknowns, 0);
+    std::vector<double> spring(unknowns, 0);
+    for (int node : solid_->mesh().clamped)
         for (Direction d : {Direction::radial, Direction::axial, Direction::tangential})
-            place[static_cast<std::size_t>(unknown_of(node, d))] = -1;
-    for (Support const& support : supports) {
+            fixed[static_cast<std::size_t>(unknown_of(node, d))] = 1;
+    for (Support const& support : supports_) {
         if (harmonic > support.last_harmonic)
             continue;
         auto const i = static_cast<std::size_t>(unknown_of(support.node, support.direction));
         if (support.stiffness < 0)
-            place[i] = -1;
+            fixed[i] = 1;
         else
             spring[i] += support.stiffness;
     }
-    for (int const i : solid.elimination())
-        if (Eigen::Index& p = place[static_cast<std::size_t>(i)]; p >= 0)
-            p = factors->free++;
-
-    factors->stiffness = solid.stiffness(harmonic);
-    auto const& all = factors->stiffness;
-    std::vector<Eigen::Triplet<double>> entries;
-    entries.reserve(static_cast<std::size_t>(all.nonZeros() + all.rows()) / 2);
-    for (Eigen::Index column = 0; column < all.outerSize(); ++column)
-        for (Eigen::SparseMatrix<double>::InnerIterator it(all, column); it; ++it) {
-            Eigen::Index const i = place[static_cast<std::size_t>(it.row())],
-                               j = place[static_cast<std::size_t>(it.col())];
-            if (j < 0 || i < j)
-                continue;  // fixed, or said by symmetry
-            double const value = it.value() + (it.row() == it.col() ? spring[static_cast<std::size_t>(it.row())] : 0);
-            entries.emplace_back(static_cast<int>(i), static_cast<int>(j), value);
-        }
-    Eigen::SparseMatrix<double> k(factors->free, factors->free);
-    k.setFromTriplets(entries.begin(), entries.end());
-    factors->ldlt.compute(k);
-    if (factors->ldlt.info() != Eigen::Success || !(factors->ldlt.vectorD().minCoeff() > 0))
+    stiffness_ = solid_->stiffness(harmonic);
+    if (!elimination_ || elimination_->fixed != fixed)
+        elimination_ = std::make_unique<Elimination>(*solid_, stiffness_, std::move(fixed));
+    auto& [none, place, upper, source, ldlt] = *elimination_;
+    for (std::size_t e = 0; e < source.size(); ++e)
+        upper.valuePtr()[e] = stiffness_.valuePtr()[source[e]];
+    for (std::size_t i = 0; i < unknowns; ++i)
+        if (spring[i] != 0 && place[i] >= 0)
+            upper.coeffRef(place[i], place[i]) += spring[i];
+    ldlt.factorize(upper);
+    if (ldlt.info() != Eigen::Success || !(ldlt.vectorD().minCoeff() > 0))
         throw NumericalError(ErrorCode::unsuitable_body, "elastic cup", "harmonic n = " + std::to_string(harmonic),
                              "the stiffness is not positive definite to rounding: walls too thin for their elements, "
                              "or numbers too different in size");
-    factors_ = std::move(factors);
 }
 
 Eigen::MatrixXd HarmonicSolver::operator()(Eigen::MatrixXd const& loads) const
 {
-    auto const& place = factors_->place;
-    LoadRows solved(factors_->free, loads.cols());
+    auto const& [fixed, place, upper, source, ldlt] = *elimination_;
+    LoadRows solved(upper.rows(), loads.cols());
     for (std::size_t i = 0; i < place.size(); ++i)
         if (place[i] >= 0)
             solved.row(place[i]) = loads.row(static_cast<Eigen::Index>(i));
-    solve_in_place(factors_->ldlt.matrixL().nestedExpression(), factors_->ldlt.vectorD().data(), solved);
+    solve_in_place(ldlt.matrixL().nestedExpression(), ldlt.vectorD().data(), solved);
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(loads.rows(), loads.cols());
     for (std::size_t i = 0; i < place.size(); ++i)
         if (place[i] >= 0)
@@ -146,17 +181,32 @@ Eigen::MatrixXd HarmonicSolver::operator()(Eigen::MatrixXd const& loads) const
 
 Eigen::MatrixXd HarmonicSolver::moved(Eigen::MatrixXd const& given) const
 {
-    auto const& place = factors_->place;
     Eigen::MatrixXd fixed = given;
-    for (std::size_t i = 0; i < place.size(); ++i)
-        if (place[i] >= 0)
+    for (std::size_t i = 0; i < elimination_->fixed.size(); ++i)
+        if (!elimination_->fixed[i])
             fixed.row(static_cast<Eigen::Index>(i)).setZero();
-    return fixed + (*this)(-(factors_->stiffness * fixed));
+    return fixed + (*this)(-(stiffness_ * fixed));
 }
 
-Eigen::MatrixXd HarmonicSolver::forces(Eigen::MatrixXd const& displacements) const
+Eigen::RowVectorXd HarmonicSolver::force_on(Eigen::Index at, Eigen::MatrixXd const& displacements) const
 {
-    return factors_->stiffness * displacements;
+    return stiffness_.col(at).transpose() * displacements;  // the stiffness is symmetric
+}
+
+void for_each_harmonic(FourierSolid const& solid, Supports const& supports, std::vector<int> const& harmonics,
+                       int threads, std::function<void(std::size_t, HarmonicSolver const&)> const& use)
+{
+    std::size_t const shares = std::min(harmonics.size(), static_cast<std::size_t>(thread_count(threads)));
+    parallel_for(shares, threads, 1, [&](std::size_t share) {
+        std::optional<HarmonicSolver> solver;
+        for (std::size_t i = share; i < harmonics.size(); i += shares) {
+            if (solver)
+                solver->factorise(harmonics[i]);
+            else
+                solver.emplace(solid, supports, harmonics[i]);
+            use(i, *solver);
+        }
+    });
 }
 
 }  // namespace hdconj::elastic

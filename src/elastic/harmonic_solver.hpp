@@ -4,6 +4,8 @@
 
 #include <Eigen/Core>
 
+#include <cstddef>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -32,20 +34,33 @@ class HarmonicSolver
   public:
     /// @throws NumericalError where the body can move as a whole
     HarmonicSolver(FourierSolid const& solid, Supports const& supports, int harmonic);
+    ~HarmonicSolver();
 
     [[nodiscard]] int harmonic() const { return harmonic_; }
+    /// Changes to another harmonic, with the order of elimination that is known where the same unknowns are fixed.
+    void factorise(int harmonic);
     /// Amplitudes [mm] of all unknowns, a column for each column of loads [N/rad]; fixed ones stay 0.
     [[nodiscard]] Eigen::MatrixXd operator()(Eigen::MatrixXd const& loads) const;
     /// Amplitudes of all unknowns without loads where the fixed ones have the displacements @p given; its other rows
     /// are ignored.
     [[nodiscard]] Eigen::MatrixXd moved(Eigen::MatrixXd const& given) const;
-    /// Forces [N/rad] of these displacements without those of springs: loads, and reactions at fixed unknowns.
-    [[nodiscard]] Eigen::MatrixXd forces(Eigen::MatrixXd const& displacements) const;
+    /// Force [N/rad] on the unknown @p at under each column of displacements, without that of a spring: the load, or
+    /// the reaction of a fixed one.
+    [[nodiscard]] Eigen::RowVectorXd force_on(Eigen::Index at, Eigen::MatrixXd const& displacements) const;
 
   private:
-    struct Factors;
-    int harmonic_;
-    std::shared_ptr<Factors const> factors_;
+    struct Elimination;
+    FourierSolid const* solid_;
+    Supports supports_;
+    int harmonic_ = 0;
+    Eigen::SparseMatrix<double> stiffness_;  ///< of all unknowns, without springs
+    std::unique_ptr<Elimination> elimination_;
 };
+
+/// Calls @p use with the solver of each of @p harmonics and its index. Each thread has one, so that the order of
+/// elimination is found once for all of its harmonics.
+/// @throws NumericalError as HarmonicSolver does
+void for_each_harmonic(FourierSolid const& solid, Supports const& supports, std::vector<int> const& harmonics,
+                       int threads, std::function<void(std::size_t, HarmonicSolver const&)> const& use);
 
 }  // namespace hdconj::elastic

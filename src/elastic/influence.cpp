@@ -153,8 +153,9 @@ std::shared_ptr<UnitFields const> unit_fields(FourierSolid const& solid, Support
     return kept_or_made<UnitFields>(depends_on, [&] {
         Eigen::MatrixXd const shares = station_shares(solid, stations);
         UnitFields result{harmonics, std::vector<Eigen::MatrixXd>(harmonics.size())};
-        parallel_for(harmonics.size(), threads, 1,
-                     [&](std::size_t i) { result.moved[i] = HarmonicSolver(solid, supports, harmonics[i])(shares); });
+        for_each_harmonic(
+            solid, supports, harmonics, threads,
+            [&](std::size_t i, HarmonicSolver const& solve) { result.moved[i] = solve(shares); });
         return result;
     });
 }

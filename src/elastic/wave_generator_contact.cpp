@@ -121,7 +121,8 @@ WaveGeneratorContact solve_wave_generator(FourierSolid const& cup, double inner_
         all.push_back(wall_station(cup.mesh(), z, 0, Direction::radial));
     all.insert(all.end(), stations.begin(), stations.end());
     std::vector<int> const harmonics = harmonics_of(waves, half * waves);
-    Influence const wall = influence(cup, {}, all, harmonics, threads);
+    out.unit = unit_fields(cup, {}, all, harmonics, threads);
+    Influence const wall = influence_of_fields(cup, *out.unit, all, threads);
 
     bool const mirrored = cam.even;
     for (int j = 0; j < (mirrored ? half + 1 : 2 * half); ++j)

@@ -4,9 +4,11 @@
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <vector>
 
 #include "bearing.hpp"
+#include "influence.hpp"
 #include "numeric/complementarity.hpp"
 
 namespace hdconj::elastic {
@@ -42,6 +44,7 @@ struct WaveGeneratorContact
     int iterations = 0;
     double residual = 0;
     numeric::ContactMethod method = numeric::ContactMethod::active_set;
+    std::shared_ptr<UnitFields const> unit;  ///< of the circles, and of the stations behind them
 };
 
 /// Solves for the contact.
