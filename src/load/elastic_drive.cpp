@@ -30,26 +30,26 @@ using Eigen::Index;
 
 std::shared_ptr<Eigen::MatrixXd const> bearing_compliance(ElasticDrive const& drive, int threads)
 {
-    std::vector<BearingNode> const nodes = bearing_nodes(drive);
-    auto const count = static_cast<Index>(nodes.size());
+    auto const heights = static_cast<Index>(drive.stations.bearing);
+    auto const places = static_cast<std::size_t>(drive.response.grid());
+    // between all heights, this many steps of the grid apart
+    std::vector<Eigen::MatrixXd> apart(places, Eigen::MatrixXd(heights, heights));
+    for (std::size_t a = 0; a < drive.stations.bearing; ++a)
+        for (std::size_t b = 0; b < drive.stations.bearing; ++b)
+            for (std::size_t place = 0; place < places; ++place)
+                apart[place](static_cast<Index>(a), static_cast<Index>(b)) =
+                    drive.response.at(a, b, place) + (drive.outer_ring ? drive.outer_ring->at(a, b, place) : 0);
+    std::size_t const angles = drive.bearing_steps.size();
+    auto const count = heights * static_cast<Index>(angles);
     Eigen::MatrixXd g(count, count);
-    constexpr std::size_t grain = 16;
-    parallel_for(nodes.size(), threads, grain, [&](std::size_t col) {
-        auto const j = static_cast<Index>(col);
-        BearingNode const& q = nodes[col];
-        for (Index i = j; i < count; ++i) {
-            BearingNode const& p = nodes[static_cast<std::size_t>(i)];
-            g(i, j) = drive.response(p.height, q.height, p.at - q.at);
-            if (drive.outer_ring)
-                g(i, j) += (*drive.outer_ring)(p.height, q.height, p.at - q.at);
-            if (drive.between_balls)
-                g(i, j) += (*drive.between_balls)(i, j);
-        }
+    constexpr std::size_t grain = 4;
+    parallel_for(angles, threads, grain, [&](std::size_t j) {
+        for (std::size_t i = 0; i < angles; ++i)
+            g.block(static_cast<Index>(i) * heights, static_cast<Index>(j) * heights, heights, heights) =
+                apart[drive.response.place(drive.bearing_steps[i] - drive.bearing_steps[j])];
     });
-    parallel_for(nodes.size(), threads, grain, [&](std::size_t col) {
-        auto const j = static_cast<Index>(col);
-        g.col(j).head(j) = g.row(j).head(j);
-    });
+    if (drive.between_balls)
+        g += *drive.between_balls;
     return numeric::shared_compliance(std::move(g), threads);
 }
 
@@ -62,9 +62,19 @@ std::vector<std::vector<double>> displacements(ElasticDrive const& drive, Eigen:
 
 SeriesPlace::SeriesPlace(ElasticDrive const& drive, double phi)
 {
+    int const sectors = drive.response.sectors();
+    double const cosine = std::cos(sectors * phi), sine = std::sin(sectors * phi);
     waves_.reserve(drive.response.harmonics().size());
-    for (HarmonicResponse const& h : drive.response.harmonics())
-        waves_.push_back({static_cast<double>(h.n), std::cos(h.n * phi), std::sin(h.n * phi)});
+    double c = 1, s = 0;  // of n phi
+    int n = 0;
+    for (HarmonicResponse const& h : drive.response.harmonics()) {
+        for (; n < h.n; n += sectors) {
+            double const next = s * cosine + c * sine;
+            c = c * cosine - s * sine;
+            s = next;
+        }
+        waves_.push_back({static_cast<double>(n), c, s});
+    }
 }
 
 SeriesValue SeriesPlace::operator()(std::vector<double> const& series) const

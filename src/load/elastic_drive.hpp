@@ -100,7 +100,8 @@ struct SeriesValue
 };
 [[nodiscard]] SeriesValue series_at(ElasticDrive const& drive, std::vector<double> const& series, double phi);
 
-/// Cosine and sine of all harmonics of an elastic drive at an angle, to evaluate several series there.
+/// Cosine and sine of all harmonics of an elastic drive at an angle, to evaluate several series there. They follow by
+/// adding angles, with an error of k roundings of the k-th.
 struct SeriesPlace
 {
     SeriesPlace(ElasticDrive const& drive, double phi);

@@ -38,34 +38,49 @@ PointResponse::PointResponse(std::vector<RingStation> stations, std::vector<Harm
     for (HarmonicResponse const& h : harmonics_)
         if (h.n % sectors != 0 || static_cast<std::size_t>(h.response.rows()) != count)
             throw std::logic_error("a harmonic that does not belong to the sectors or stations of a ring");
-    // cos and sin of n times every angle of the grid, exact for angles that are whole parts of the turn
-    std::vector<double> cosine(points), sine(points);
-    for (std::size_t i = 0; i < points; ++i) {
-        double const angle = 2 * std::numbers::pi * static_cast<double>(i) / grid;
-        cosine[i] = std::cos(angle);
-        sine[i] = std::sin(angle);
-    }
-    table_.assign(count * count * points, 0);
+    // Places 0 ... grid/2: the other half mirrors them, so that the table is symmetric to the last bit.
+    Eigen::Index const half = grid / 2 + 1, terms = static_cast<Eigen::Index>(harmonics_.size());
+    Eigen::MatrixXd cosine(half, terms), sine(half, terms);
+    for (Eigen::Index k = 0; k < terms; ++k)
+        for (Eigen::Index i = 0; i < half; ++i) {
+            // exact for angles that are whole parts of the turn
+            long const part = static_cast<long>(harmonics_[static_cast<std::size_t>(k)].n / sectors_) * i % grid;
+            double const angle = 2 * std::numbers::pi * static_cast<double>(part) / grid;
+            cosine(i, k) = std::cos(angle);
+            sine(i, k) = std::sin(angle);
+        }
+    table_.resize(count * count * points);
     constexpr std::size_t grain = 4;
     parallel_for(count, threads, grain, [&](std::size_t a) {
-        for (std::size_t b = 0; b < count; ++b) {
-            double* const row = table_.data() + (a * count + b) * points;
-            bool const mixed = stations_[a].parity != stations_[b].parity;
-            double const sign = stations_[a].parity == RingStation::Parity::sine ? 1 : -1;
-            for (HarmonicResponse const& h : harmonics_) {
-                double const amplitude = weight(h.n) * share(h.n, a) * share(h.n, b) *
-                                         h.response(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b)) *
-                                         (mixed ? sign : 1);
-                if (amplitude == 0)
-                    continue;
-                std::vector<double> const& wave = mixed ? sine : cosine;
-                auto const order = static_cast<std::size_t>(h.n / sectors_) % points;
-                std::size_t at = 0;
-                for (std::size_t i = 0; i < points; ++i) {
-                    row[i] += amplitude * wave[at];
-                    at += order;
-                    if (at >= points)
-                        at -= points;
+        for (bool const mixed : {false, true}) {
+            std::vector<std::size_t> partners;
+            for (std::size_t b = 0; b <= a; ++b)
+                if ((stations_[a].parity != stations_[b].parity) == mixed)
+                    partners.push_back(b);
+            Eigen::MatrixXd amplitude(terms, static_cast<Eigen::Index>(partners.size()));
+            for (Eigen::Index k = 0; k < terms; ++k) {
+                HarmonicResponse const& h = harmonics_[static_cast<std::size_t>(k)];
+                double const of_a = weight(h.n) * share(h.n, a);
+                for (Eigen::Index j = 0; j < amplitude.cols(); ++j) {
+                    std::size_t const b = partners[static_cast<std::size_t>(j)];
+                    amplitude(k, j) =
+                        of_a * share(h.n, b) * h.response(static_cast<Eigen::Index>(a), static_cast<Eigen::Index>(b));
+                }
+            }
+            Eigen::MatrixXd const value = (mixed ? sine : cosine) * amplitude;
+            // at a to a force at b, and the other way round
+            double const there = mixed && stations_[a].parity == RingStation::Parity::cosine ? -1 : 1,
+                         back = mixed ? -there : 1, mirror = mixed ? -1 : 1;
+            for (Eigen::Index j = 0; j < value.cols(); ++j) {
+                std::size_t const b = partners[static_cast<std::size_t>(j)];
+                double *const to = table_.data() + (a * count + b) * points,
+                              *const from = table_.data() + (b * count + a) * points;
+                for (Eigen::Index i = 0; i < half; ++i) {
+                    Eigen::Index const opposite = (grid - i) % grid;
+                    to[opposite] = mirror * there * value(i, j);
+                    from[opposite] = mirror * back * value(i, j);
+                    to[i] = there * value(i, j);
+                    from[i] = back * value(i, j);
                 }
             }
         }
