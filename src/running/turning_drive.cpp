@@ -59,6 +59,7 @@ class TurningDrive::At
     [[nodiscard]] load::LoadedDrive in_place(load::LoadedDrive drive) const
     {
         drive.shape.places = load::tooth_poses(problem.context, drive_, drive.shape.series, place_.phase);
+        drive.found.reset();
         return drive;
     }
 

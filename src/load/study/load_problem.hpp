@@ -50,6 +50,19 @@ struct LoadProblem
 [[nodiscard]] contact::GapField gap_field(LoadProblem const& problem, LoadedShape const& shape,
                                           contact::FlankGrid const& flanks);
 
+/// How far flanks are searched for contacts. The first search of an iteration finds all contacts within search_limit().
+/// Each later one looks only as far as the step before it has closed a gap, since contacts farther away cost time and
+/// carry no force. Where a step closes a gap that is wider, teeth overlap in the next shape, and every search finds
+/// contacts that overlap.
+struct SearchReach
+{
+    double limit;            ///< of the next search [mm]
+    GapBounds known = {};    ///< from the searches before
+    LoadedShape shape = {};  ///< at which the last step found its contacts
+    double turn = 0;         ///< at which it found them [rad]
+    double solved_limit;     ///< within which it found them [mm]
+};
+
 /// A drive in equilibrium at one torque.
 struct LoadedDrive
 {
@@ -61,6 +74,9 @@ struct LoadedDrive
     double gap_mismatch = 0;  ///< largest difference between the gaps of the shape and those of the linear model [mm]
     int iterations = 0;       ///< of the shape
     int steps = 0;            ///< of the active set, in all iterations
+    /// Where `contacts` were found, all within search_limit(): the linear model that another torque may start from.
+    /// None: other limits than the standard ones were needed, or nothing was searched yet.
+    std::optional<SearchReach> found = std::nullopt;
 };
 
 /// Figures of a drive in equilibrium. @param middle  turn from which the twist counts [rad]

@@ -18,29 +18,37 @@ double pitch_of(LoadProblem const& problem)
     return 2 * std::numbers::pi / problem.context.scene.drive.circular_spline_teeth;
 }
 
+/// The contacts at a turn, and what is known of all gaps there.
+struct TurnedTeeth
+{
+    double turn;
+    std::vector<FlankContact> contacts;
+    GapBounds known;
+};
+
 /// Turn from @p from on in the direction @p sense at which the first flank of either side touches: a tip may touch on
 /// the far side of its space. Newton's method on the smallest of all gaps, with steps within the gaps searched. Teeth
 /// that interfere along a radius, as tips do that pass each other, are not opened by a turn: they do not count. Nothing
 /// where it does not converge within a pitch.
 /// @param limit  of the gaps searched [mm]: a large one takes large steps, a small one looks at few flanks
-std::optional<double> first_touch(LoadProblem const& problem, contact::GapField const& field, double from, double sense,
-                                  double limit)
+std::optional<double> first_touch(LoadProblem const& problem, contact::GapField const& field, TurnedTeeth from,
+                                  double sense, double limit)
 {
     constexpr double nearly_radial = 0.01;  // lever over the reach
     double const shortest_lever = nearly_radial * field.reach();
-    double turn = from;
-    GapBounds known;
+    auto& [turn, contacts, known] = from;
+    double const begin = turn;
     constexpr int most_steps = 60;
-    for (int i = 0; i < most_steps && std::abs(turn - from) <= pitch_of(problem); ++i) {
+    for (int i = 0; i < most_steps && std::abs(turn - begin) <= pitch_of(problem); ++i) {
         double step = limit / field.reach();
-        for (FlankContact const& c :
-             flank_contacts(field, flank_search(problem, turn, limit), problem.context.threads, &known))
+        for (FlankContact const& c : contacts)
             if (double const lever = sense * c.lever; lever > (c.gap < 0 ? shortest_lever : 0))
                 step = std::min(step, c.gap / lever);
         turn += sense * step;
-        known.lower(problem.deviation ? std::numeric_limits<double>::infinity() : std::abs(step) * field.reach());
         if (std::abs(step) * field.reach() <= gap_tolerance(problem))
             return turn;
+        known.lower(problem.deviation ? std::numeric_limits<double>::infinity() : std::abs(step) * field.reach());
+        contacts = flank_contacts(field, flank_search(problem, turn, limit), problem.context.threads, &known);
     }
     return std::nullopt;
 }
@@ -66,8 +74,10 @@ GapMap sector_at_rest(LoadProblem const& problem, contact::GapField const& field
 std::optional<Play> touches_about(LoadProblem const& problem, contact::GapField const& field, double middle,
                                   double limit)
 {
-    std::optional<double> const right = first_touch(problem, field, middle, 1, limit),
-                                left = first_touch(problem, field, middle, -1, limit);
+    TurnedTeeth from{middle, {}, {}};
+    from.contacts = flank_contacts(field, flank_search(problem, middle, limit), problem.context.threads, &from.known);
+    std::optional<double> const right = first_touch(problem, field, from, 1, limit),
+                                left = first_touch(problem, field, from, -1, limit);
     return right && left ? std::optional(Play{*right, -*left}) : std::nullopt;
 }
 

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "hdconj/base/rigid_motion.hpp"
+
 namespace hdconj::load {
 
 SearchReach whole_reach(LoadProblem const& problem)
@@ -28,15 +30,12 @@ double largest_fall(LoadProblem const& problem, LoadedShape const& from, double 
     double moved = 0;
     for (std::size_t i = 0; i < from.places.pose.size(); ++i) {
         Pose const &a = from.places.pose[i], &b = to.places.pose[i];
-        moved =
-            std::max(moved, (b.origin - a.origin).norm() + extent * std::hypot(b.cosine - a.cosine, b.sine - a.sine));
+        auto const apart = [&](Vec2 const& at_a, Vec2 const& at_b) {
+            return (turned_clockwise(at_b, turn_to) - turned_clockwise(at_a, turn_from)).norm();
+        };
+        moved = std::max(moved, apart(a.origin, b.origin) + extent * apart(a.rotate({1, 0}), b.rotate({1, 0})));
     }
-    double reach = 0;
-    for (auto const& flank : problem.edges.point)
-        for (auto const& slice : flank)
-            for (Vec2 const& point : slice)
-                reach = std::max(reach, point.norm());
-    return moved + reach * std::abs(turn_to - turn_from);
+    return moved;
 }
 
 void follow_step(LoadProblem const& problem, LoadedShape before, double turn, LoadedDrive const& drive,
@@ -51,11 +50,12 @@ void follow_step(LoadProblem const& problem, LoadedShape before, double turn, Lo
     reach.limit = std::min(std::max(fall, least * gap_tolerance(problem)), search_limit(problem));
 }
 
-void add_far_contacts(LoadProblem const& problem, FlankSearch const& search, SearchReach& reach, LoadedDrive& drive)
+void widen(LoadProblem const& problem, FlankSearch const& search, SearchReach& reach, LoadedDrive& drive)
 {
+    reach.known.lower(largest_fall(problem, drive.shape, drive.state.turn, reach.shape, reach.turn));
+    reach.limit = search_limit(problem);
     if (!(reach.solved_limit < search.limit))
         return;
-    reach.known.lower(largest_fall(problem, drive.shape, drive.state.turn, reach.shape, reach.turn));
     contact::GapField const field = gap_field(problem, reach.shape, problem.edges);
     std::vector<FlankContact> contacts = std::move(drive.contacts);
     std::vector<double> force = std::move(drive.state.flank);
@@ -76,6 +76,7 @@ void add_far_contacts(LoadProblem const& problem, FlankSearch const& search, Sea
         drive.contacts.push_back(contacts[i]);
         drive.state.flank.push_back(force[i]);
     }
+    reach.solved_limit = search.limit;
 }
 
 }  // namespace hdconj::load

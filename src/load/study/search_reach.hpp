@@ -6,17 +6,7 @@
 
 namespace hdconj::load {
 
-/// The first search of an iteration finds all contacts within search_limit(). Each later one looks only as far as the
-/// step before it has closed a gap, since contacts farther away cost time and carry no force. Where a step closes a gap
-/// that is wider, teeth overlap in the next shape, and every search finds contacts that overlap.
-struct SearchReach
-{
-    double limit;            ///< of the next search [mm]
-    GapBounds known = {};    ///< from the searches before
-    LoadedShape shape = {};  ///< at which the last step found its contacts
-    double turn = 0;         ///< at which it found them [rad]
-    double solved_limit;     ///< within which it found them [mm]
-};
+/// The reach of a first search.
 [[nodiscard]] SearchReach whole_reach(LoadProblem const& problem);
 
 /// Sets the limit of the next search after a step has changed the shape @p before, at @p turn, into that of @p drive.
@@ -24,13 +14,14 @@ void follow_step(LoadProblem const& problem, LoadedShape before, double turn, Lo
                  SearchReach& reach);
 
 /// No gap closes by more than this between two shapes at their turns [mm]; infinite where flanks deviate from their
-/// nominal form. A point of a tooth moves by at most the movement of the tooth's origin, and the tooth's turn times its
-/// size. A point of the circular spline moves by its radius times the turn of the circular spline.
+/// nominal form. Against the circular spline, a point of a tooth moves by at most the movement of the tooth's origin,
+/// and the tooth's turn times its size.
 [[nodiscard]] double largest_fall(LoadProblem const& problem, LoadedShape const& from, double turn_from,
                                   LoadedShape const& to, double turn_to);
 
-/// Adds the contacts of the last step that were beyond its limit, without force, in order.
+/// Adds the contacts of the last step that were beyond its limit, without force, in order, and makes @p reach one from
+/// which another torque can go on.
 /// @param search  of that step, within search_limit()
-void add_far_contacts(LoadProblem const& problem, FlankSearch const& search, SearchReach& reach, LoadedDrive& drive);
+void widen(LoadProblem const& problem, FlankSearch const& search, SearchReach& reach, LoadedDrive& drive);
 
 }  // namespace hdconj::load

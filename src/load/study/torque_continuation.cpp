@@ -47,6 +47,7 @@ constexpr Attempt attempts[] = {{1, 3, 25},
                                 {0.5, 3, 40, true, true},
                                 {0x1p-4, 3, 40},
                                 {0x1p-6, 3, 40}};
+constexpr Attempt const& standard = attempts[0];
 
 std::string place_of(double torque)
 {
@@ -118,6 +119,19 @@ Linearisation linearised(LoadProblem const& problem, LoadedDrive const& now, Att
         hold_contacts(field, search, now.contacts, now.state.flank, gaps.contacts);
     result.force = carried_over(now.contacts, now.state.flank, gaps.contacts);
     gaps.compliance = local_compliance(problem.drive, gaps.contacts, result.force);
+    return result;
+}
+
+/// Goes back to the linear model that the forces of @p now were solved for, where it is known, and else linearises.
+Linearisation first_linearised(LoadProblem const& problem, LoadedDrive& now, Attempt const& attempt, SearchReach& reach)
+{
+    std::optional<SearchReach> found = std::exchange(now.found, std::nullopt);
+    if (!found || &attempt != &standard)
+        return linearised(problem, now, attempt, reach);
+    reach = *std::move(found);
+    now.shape = reach.shape;
+    Linearisation result{{now.contacts, {}, {}, reach.turn}, now.state.flank};
+    result.gaps.compliance = local_compliance(problem.drive, result.gaps.contacts, result.force);
     return result;
 }
 
@@ -194,12 +208,15 @@ AttemptResult attempted(LoadProblem const& problem, double torque, Attempt const
     std::vector<MixingStep> history;
     SearchReach reach = whole_reach(problem);
     for (int iteration = 0; iteration <= attempt.most_iterations; ++iteration) {
-        Linearisation at = linearised(problem, now, attempt, reach);
+        Linearisation at = iteration == 0 ? first_linearised(problem, now, attempt, reach)
+                                          : linearised(problem, now, attempt, reach);
         if (iteration > 0) {
             double const mismatch = mismatch_of(at);
             if (!mixed && mismatch <= gap_tolerance(problem)) {
                 now.gap_mismatch = mismatch;
-                add_far_contacts(problem, search_of(problem, attempt, reach.turn, search_limit(problem)), reach, now);
+                widen(problem, search_of(problem, attempt, reach.turn, search_limit(problem)), reach, now);
+                if (&attempt == &standard)
+                    now.found = std::move(reach);
                 return {std::move(now), true, mismatch};
             }
             // Only forces that were not mixed are a result: near the end every other iteration does not mix.
@@ -255,13 +272,16 @@ double turn_near(LoadProblem const& problem, double torque, LoadedDrive const& s
     SearchReach reach = whole_reach(problem);
     for (int i = 0; i < budget; ++i) {
         double const before = now.state.turn;
+        double at_turn = 0;
         at_torque(torque, [&] {
-            Linearisation at = linearised(problem, now, attempts[0], reach);
+            Linearisation at = i == 0 ? first_linearised(problem, now, standard, reach)
+                                      : linearised(problem, now, standard, reach);
+            at_turn = at.gaps.turn;
             solve_forces(problem, torque, at, now);
         });
         if (i > 0 && std::abs(now.state.turn - before) <= enough * std::abs(now.state.turn - start.state.turn))
             return now.state.turn;
-        reshape(problem, before, now, reach);
+        reshape(problem, at_turn, now, reach);
     }
     return converged_at(problem, torque, start).state.turn;
 }
