@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <map>
 #include <numbers>
+#include <utility>
 
 #include "hdconj/base/parallel.hpp"
 #include "hdconj/numeric/fourier.hpp"
@@ -18,6 +19,7 @@ SectionDisplacement::SectionDisplacement(double low, double high, DisplacementOf
     for (int j = 0; j < nodes; ++j) {
         double const x = std::cos(std::numbers::pi * (j + 0.5) / nodes);
         height_.push_back(0.5 * (low + high) + 0.5 * (high - low) * x);
+        weight_.push_back((j % 2 == 0 ? 1 : -1) * std::sin(std::numbers::pi * (j + 0.5) / nodes));
     }
     slice_.resize(height_.size());
     constexpr std::size_t grain = 4;
@@ -26,29 +28,47 @@ SectionDisplacement::SectionDisplacement(double low, double high, DisplacementOf
 
 SectionDisplacement::Line SectionDisplacement::line(double phi) const
 {
-    std::vector<wavegen::PointDisplacement> at;
-    at.reserve(slice_.size());
+    // cosine and sine of the multiples follow by adding angles, as in displacement_at()
+    std::size_t terms = 0;
     for (wavegen::MaterialDisplacement const& slice : slice_)
-        at.push_back(wavegen::displacement_at(slice, phi));
-    return {height_, std::move(at)};
-}
-
-wavegen::PointDisplacement SectionDisplacement::Line::operator()(double height) const
-{
-    std::vector<double> const& node = *height_;
-    wavegen::PointDisplacement sum;
-    for (std::size_t j = 0; j < node.size(); ++j) {
-        double weight = 1;
-        for (std::size_t i = 0; i < node.size(); ++i)
-            if (i != j)
-                weight *= (height - node[i]) / (node[j] - node[i]);
-        sum.w[0] += weight * at_[j].w[0];
-        sum.v[0] += weight * at_[j].v[0];
+        terms = std::max(terms, slice.harmonics.size());
+    double const angle = slice_.front().waves * phi, cosine = std::cos(angle), sine = std::sin(angle);
+    std::vector<double> c(terms, 1), s(terms, 0);
+    for (std::size_t k = 1; k < terms; ++k) {
+        c[k] = c[k - 1] * cosine - s[k - 1] * sine;
+        s[k] = s[k - 1] * cosine + c[k - 1] * sine;
     }
-    return sum;
+    std::vector<WallPoint> nodes;
+    nodes.reserve(slice_.size());
+    for (wavegen::MaterialDisplacement const& slice : slice_) {
+        WallPoint at;
+        for (std::size_t k = 0; k < slice.harmonics.size(); ++k) {
+            wavegen::DisplacementHarmonic const& h = slice.harmonics[k];
+            at.w += h.w_cosine * c[k] + h.w_sine * s[k];
+            at.v += h.v_cosine * c[k] + h.v_sine * s[k];
+        }
+        nodes.push_back(at);
+    }
+    return {*this, std::move(nodes)};
 }
 
-wavegen::PointDisplacement SectionDisplacement::operator()(double phi, double height) const
+WallPoint SectionDisplacement::Line::operator()(double height) const
+{
+    WallPoint sum;
+    double weights = 0;
+    for (std::size_t j = 0; j < at_.size(); ++j) {
+        double const off = height - of_->height_[j];
+        if (off == 0)
+            return at_[j];
+        double const weight = of_->weight_[j] / off;
+        weights += weight;
+        sum.w += weight * at_[j].w;
+        sum.v += weight * at_[j].v;
+    }
+    return {sum.w / weights, sum.v / weights};
+}
+
+WallPoint SectionDisplacement::operator()(double phi, double height) const
 {
     return line(phi)(height);
 }
@@ -58,15 +78,15 @@ std::optional<wavegen::MaterialDisplacement> SectionDisplacement::along(HeightOf
     int const waves = slice_.front().waves;
     double const period = 2 * std::numbers::pi / waves;
     // both series are sampled at the same angles
-    std::map<double, wavegen::PointDisplacement> known;
-    auto const at = [&](double phi) -> wavegen::PointDisplacement const& {
+    std::map<double, WallPoint> known;
+    auto const at = [&](double phi) -> WallPoint const& {
         auto const [place, fresh] = known.try_emplace(phi);
         if (fresh)
             place->second = (*this)(phi, height_of(phi));
         return place->second;
     };
-    numeric::FourierSeries const w([&](double phi) { return at(phi).w[0]; }, period);
-    numeric::FourierSeries const v([&](double phi) { return at(phi).v[0]; }, period);
+    numeric::FourierSeries const w([&](double phi) { return at(phi).w; }, period);
+    numeric::FourierSeries const v([&](double phi) { return at(phi).v; }, period);
     if (!w.resolved() || !v.resolved())
         return std::nullopt;
     // of both together: one of them may be all rounding

@@ -11,6 +11,12 @@
 
 namespace hdconj::surface {
 
+/// Displacement of a point of a wall [mm].
+struct WallPoint
+{
+    double w = 0, v = 0;
+};
+
 /// Displacements (w, v)(phi, h) of a wall between two heights, interpolated between Chebyshev nodes in h.
 ///
 /// Through the plane at z passes the part of the wall that was at h(phi) with h + u_z(phi, h) = z. Its displacement,
@@ -31,34 +37,32 @@ class SectionDisplacement
     /// @param nodes            Chebyshev nodes
     SectionDisplacement(double low, double high, DisplacementOf const& displacement_of, int nodes, int threads = 1);
 
-    /// w and v [mm] of the wall at one angle, at any height; derivatives are not given.
+    /// The wall at one angle, at any height.
     class Line
     {
       public:
-        [[nodiscard]] wavegen::PointDisplacement operator()(double height) const;
+        [[nodiscard]] WallPoint operator()(double height) const;
 
       private:
         friend SectionDisplacement;
-        Line(std::vector<double> const& height, std::vector<wavegen::PointDisplacement> at)
-            : height_(&height), at_(std::move(at))
-        {
-        }
+        Line(SectionDisplacement const& of, std::vector<WallPoint> at) : of_(&of), at_(std::move(at)) {}
 
-        std::vector<double> const* height_;
-        std::vector<wavegen::PointDisplacement> at_;  ///< each node
+        SectionDisplacement const* of_;
+        std::vector<WallPoint> at_;  ///< each node
     };
     /// The line at @p phi; this must outlive it.
     [[nodiscard]] Line line(double phi) const;
 
-    /// w and v [mm] of the wall at @p phi and @p height; derivatives are not given.
-    [[nodiscard]] wavegen::PointDisplacement operator()(double phi, double height) const;
+    /// The wall at @p phi and @p height.
+    [[nodiscard]] WallPoint operator()(double phi, double height) const;
 
     /// The section along which the wall's height is @p height_of(phi), periodic and smooth. Empty where a series does
     /// not follow it to roundoff.
     [[nodiscard]] std::optional<wavegen::MaterialDisplacement> along(HeightOf const& height_of) const;
 
   private:
-    std::vector<double> height_;
+    std::vector<double> height_;  ///< of the nodes [mm]
+    std::vector<double> weight_;  ///< of the nodes in the barycentric form (Berrut and Trefethen 2004)
     std::vector<wavegen::MaterialDisplacement> slice_;
 };
 

@@ -98,7 +98,7 @@ Sections sections_of_cup(Solution const& base, std::vector<double> const& z, int
         SectionDisplacement::Line const line = along.line(phi);
         double height = plane;
         for (int i = 0; i < budget; ++i) {
-            double const next = plane - line(height).w[0];
+            double const next = plane - line(height).w;
             double const step = std::abs(next - height);
             height = next;
             if (step <= unit_roundoff * r_m)

@@ -28,20 +28,27 @@ namespace hdconj::wavegen {
     if (harmonics.empty())
         return displacement;
     bool const symmetric = is_symmetric(displacement);
-    // an even sum over four times as many points as the harmonics of e has no error
-    std::size_t const points = 8 * harmonics.size();
+    std::size_t const given = harmonics.size();
+    // an even sum over more than twice as many points as the harmonics of e has no error
+    std::size_t const points = 4 * given;
     std::vector<double> e(points), cosine(points), sine(points);
-    double mean = 0;
     for (std::size_t i = 0; i < points; ++i) {
         double const angle = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(points);
         cosine[i] = std::cos(angle);
         sine[i] = std::sin(angle);
-        PointDisplacement const at = displacement_at(displacement, angle / displacement.waves);
-        double const turned = at.w[1] - at.v[0];
+    }
+    double mean = 0;
+    for (std::size_t i = 0; i < points; ++i) {
+        double turned = 0;  // w' - v
+        for (std::size_t k = 0; k < given; ++k) {
+            DisplacementHarmonic const& h = harmonics[k];
+            double const order = static_cast<double>(k) * displacement.waves;
+            std::size_t const m = k * i % points;
+            turned += (order * h.w_sine - h.v_cosine) * cosine[m] - (order * h.w_cosine + h.v_sine) * sine[m];
+        }
         e[i] = turned * turned / (2 * r_m);
         mean += e[i] / static_cast<double>(points);
     }
-    std::size_t const given = harmonics.size();
     harmonics.resize(2 * given - 1);
     harmonics.front().w_cosine -= mean;
     for (std::size_t k = 1; k < harmonics.size(); ++k) {
