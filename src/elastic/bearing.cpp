@@ -87,7 +87,8 @@ void add_ring(BearingSurface& surface, Bearing const& bearing, double inner_radi
     double const half = bearing.width / 2, r = inner_radius - ring.thickness;
     // a circle must not fall between nodes that its neighbours share
     double const apart = z.size() > 1 ? bearing.width / static_cast<double>(z.size() - 1) : bearing.width;
-    MeshSize const size{std::min(MeshSize{}.along, 1.5 * apart), std::max(MeshSize{}.across, ring.thickness / 4)};
+    MeshSize const standard = mesh_size(inner_radius),
+                   size{std::min(standard.along, 1.5 * apart), std::max(standard.across, ring.thickness / 4)};
     FourierSolid const solid(
         ring_mesh({r, bearing.middle - half}, {inner_radius, bearing.middle + half}, ring.material, size));
     int const balls = nearest_node(solid.mesh(), {r, bearing.middle});

@@ -12,6 +12,8 @@
 namespace hdconj::elastic {
 namespace {
 
+constexpr double slack = 0.01;  // of an element, before there is one more
+
 /// A line across the wall.
 struct Across
 {
@@ -26,16 +28,15 @@ struct SectionRows
     int straight = 0;  ///< SectionMesh::straight
 };
 
-/// Adds a part of the section: rows no longer than @p longest [mm].
+/// Adds a part of the section: rows no longer than @p longest [mm], but for the slack.
 /// @param length  of the part [mm]; nothing is added where it is not above 0
 /// @param at      line at s in [0, 1] along the part
 void add_part(SectionRows& rows, double length, double longest, std::function<Across(double)> const& at)
 {
-    constexpr double rounding = 1e-9;  // 8 mm in steps of 0.5 mm are 16
     constexpr double most = 10000;
     if (length <= 0)
         return;
-    double const wanted = std::ceil(length / longest - rounding);
+    double const wanted = std::ceil(length / longest - slack);
     require(wanted <= most, "mesh",
             "more than 10000 elements along one part of the section: the mesh is too fine for its length");
     int const count = std::max(1, static_cast<int>(wanted));
@@ -45,15 +46,14 @@ void add_part(SectionRows& rows, double length, double longest, std::function<Ac
         rows.lines.push_back(at(i / (2.0 * count)));
 }
 
-/// Elements between the lines, no thicker than @p thickest [mm].
+/// Elements between the lines, no thicker than @p thickest [mm], but for the slack.
 SectionMesh mesh_of(SectionRows const& rows, Elasticity const& material, double thickest)
 {
-    constexpr double rounding = 1e-9;  // a wall of 1 mm is one element of 1 mm
     constexpr double most_layers = 200;
     double wall = 0;
     for (Across const& line : rows.lines)
         wall = std::max(wall, (line.outer - line.inner).norm());
-    double const wanted = std::ceil(wall / thickest - rounding);
+    double const wanted = std::ceil(wall / thickest - slack);
     require(wanted <= most_layers, "mesh",
             "more than 200 elements across the wall: the mesh is too fine for its thickness");
     SectionMesh mesh;
@@ -277,9 +277,15 @@ SectionPoint wall_point(SectionMesh const& mesh, double z, double depth)
             std::clamp(2 * (z - bottom) / (top - bottom) - 1, -1.0, 1.0)};
 }
 
-MeshSize contact_mesh_size(double bearing_width, int across)
+MeshSize mesh_size(double radius)
 {
-    MeshSize size;
+    constexpr double along = 1.0 / 48, across = 1.0 / 24;  // 0.5 mm and 1 mm at 24 mm
+    return {along * radius, across * radius};
+}
+
+MeshSize contact_mesh_size(double inner_radius, double bearing_width, int across)
+{
+    MeshSize size = mesh_size(inner_radius);
     if (bearing_width > 0 && across > 1)
         size.along = std::min(size.along, 1.5 * bearing_width / (across - 1));
     return size;

@@ -80,18 +80,26 @@ struct SectionMesh
 /// How fine. Lengths in mm.
 struct MeshSize
 {
-    double along = 0.5;   ///< longest element along the wall; twice that in the bottom
-    double across = 1.0;  ///< thickest element
+    double along;   ///< longest element along the wall; twice that in the bottom
+    double across;  ///< thickest element
 };
 
-/// Mesh of the cup: default size gives 40 elements and 609 unknowns per harmonic for the default section.
-/// @throws NumericalError when the dimensions contradict each other
-[[nodiscard]] SectionMesh section_mesh(CupSection const& cup, MeshSize const& size = {});
+/// Standard size for a body whose surface has this radius [mm]: so cups of one form have the same elements whatever
+/// their size. The default section gets 40 elements and 609 unknowns per harmonic.
+[[nodiscard]] MeshSize mesh_size(double radius);
+
+/// Mesh of the cup. @throws NumericalError when the dimensions contradict each other
+[[nodiscard]] SectionMesh section_mesh(CupSection const& cup, MeshSize const& size);
+/// The same with elements of standard size.
+[[nodiscard]] inline SectionMesh section_mesh(CupSection const& cup)
+{
+    return section_mesh(cup, mesh_size(cup.inner_radius));
+}
 
 /// Mesh of a ring with rectangular section, free everywhere.
 /// @throws NumericalError for an empty section or one that reaches the axis
 [[nodiscard]] SectionMesh ring_mesh(Vec2 const& lower, Vec2 const& upper, Elasticity const& material,
-                                    MeshSize const& size = {});
+                                    MeshSize const& size);
 
 /// Puts a layer of @p height on the outside of the straight wall between @p low and @p high: elements as long as those
 /// of the wall, no thicker than @p thickest. Domain: a mesh without a layer. @throws NumericalError where no element of
@@ -119,9 +127,9 @@ struct SectionPoint
 /// (r, z) of a place.
 [[nodiscard]] Vec2 position(SectionMesh const& mesh, SectionPoint const& point);
 
-/// Size of elements for @p across circles of contact over a bearing of this width [mm]: two circles never share all of
-/// their nodes.
-[[nodiscard]] MeshSize contact_mesh_size(double bearing_width, int across);
+/// Size of elements of a cup for @p across circles of contact over a bearing of this width [mm]: two circles never
+/// share all of their nodes.
+[[nodiscard]] MeshSize contact_mesh_size(double inner_radius, double bearing_width, int across);
 
 /// The same with at least @p layers elements across the wall. One resolves bending; the local indentation by forces
 /// needs two.

@@ -36,11 +36,11 @@ void put_surface(std::string& deck, DeckBody const& body, std::string const& nam
     }
 }
 
-/// The bearing as a ring: elements of a millimetre, whose middle carries the line of balls.
+/// The bearing as a ring of elements twice as long as the cup's, whose middle carries the line of balls.
 DeckBody bearing_body(elastic::BentCup const& cup, DeckBody const& cup_body)
 {
-    constexpr double along = 1;      // [mm]
-    constexpr double backing = 1.2;  // of a rigid surface, which is as thick as one likes [mm]
+    double const along = elastic::mesh_size(cup.section().inner_radius).across;
+    double const backing = 1.2 * along;  // of a rigid surface, which is as thick as one likes
     // Surfaces that coincide to rounding would touch at some points and not at others. CalculiX then finds a state with
     // a third of the force, or none. With an overlap of 10 nm it starts from contact everywhere.
     constexpr double overlap = 1e-5;  // [mm]
@@ -51,7 +51,7 @@ DeckBody bearing_body(elastic::BentCup const& cup, DeckBody const& cup_body)
     DeckBody body =
         deck_body(elastic::ring_mesh({outer - thickness, bearing.middle - half}, {outer, bearing.middle + half},
                                      bearing.ring ? bearing.ring->material : cup.solid().mesh().material,
-                                     {along, std::max(elastic::MeshSize{}.across, thickness / 2)}),
+                                     {along, std::max(along, thickness / 2)}),
                   cup.cam(), cup_body.steps);
     body.before = static_cast<int>(cup_body.mesh.nodes.size());
     body.elements_before = static_cast<int>(cup_body.mesh.elements.size());

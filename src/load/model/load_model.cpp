@@ -107,9 +107,10 @@ LoadModel load_model(contact::ContactContext const& context, LoadGrid const& res
     elastic::CupSection const section = drive::cup_section(scene, context.geometry.flexspline_inner_radius);
     PlacedBearing const placed = placed_bearing(context, resolution.circles, around);
     double const middle = placed.bearing.middle;
-    elastic::FourierSolid solid(elastic::section_mesh(
-        section, elastic::in_layers(elastic::contact_mesh_size(placed.bearing.width, resolution.circles), section,
-                                    resolution.layers)));
+    elastic::MeshSize const size =
+        elastic::contact_mesh_size(section.inner_radius, placed.bearing.width, resolution.circles);
+    elastic::FourierSolid solid(
+        elastic::section_mesh(section, elastic::in_layers(size, section, resolution.layers)));
 
     std::vector<double> z;
     for (std::size_t const k : resolution.slices)

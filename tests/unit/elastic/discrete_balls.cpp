@@ -46,7 +46,7 @@ elastic::CamSeries cam(int sectors)
 struct Drive
 {
     int sectors;
-    elastic::FourierSolid cup{elastic::section_mesh({}, elastic::contact_mesh_size(ring(0).width, 3))};
+    elastic::FourierSolid cup{elastic::section_mesh({}, elastic::contact_mesh_size(24, ring(0).width, 3))};
     std::vector<double> z{6, 9, 12};
     elastic::BearingSurface surface;
     elastic::BearingContacts contacts;
@@ -114,7 +114,7 @@ TEST_CASE("single balls are forces on a free ring", "[balls]")
                 drive.on(discrete_balls(drive.surface, sectors, drive.contacts, phi, stiffness));
 
             numeric::Complementarity both =
-                free_ring(drive.cup, ring(0), inner_radius, elastic::MeshSize{}.along, drive.z, drive.wall, phi,
+                free_ring(drive.cup, ring(0), inner_radius, elastic::mesh_size(inner_radius).along, drive.z, drive.wall, phi,
                           elastic::harmonics_of(sectors, sectors * (terms - 1)), {sectors, false});
             auto const rows = static_cast<Index>(drive.wall.size()), points = static_cast<Index>(phi.size());
             for (Index m = 0; m < points; ++m) {

@@ -486,7 +486,7 @@ TEST_CASE("walls of all kinds are solved or refused", "[elastic]")
         refused([](elastic::CupSection& c) { c.material.youngs_modulus = -1; }, "Young's modulus");
         CHECK_THROWS_AS(elastic::section_mesh({}, {1e-7, 1}), NumericalError);
         CHECK_THROWS_AS(elastic::section_mesh({}, {0, 1}), NumericalError);
-        CHECK_THROWS_AS(elastic::ring_mesh({0, 0}, {1, 1}, {}), NumericalError);
+        CHECK_THROWS_AS(elastic::ring_mesh({0, 0}, {1, 1}, {}, {1, 1}), NumericalError);
         elastic::SectionMesh const mesh = elastic::section_mesh({});
         CHECK_THROWS_WITH(wall_point(mesh, 1, 0), ContainsSubstring("outside the straight wall"));
         CHECK_THROWS_WITH(wall_point(mesh, 9, 1.5), ContainsSubstring("depth"));

@@ -13,7 +13,7 @@ namespace {
 
 struct Cup
 {
-    elastic::FourierSolid solid{elastic::section_mesh(elastic::CupSection{}, elastic::MeshSize{})};
+    elastic::FourierSolid solid{elastic::section_mesh({})};
     std::vector<elastic::Station> stations;
     std::vector<int> harmonics = elastic::harmonics_of(2, 12);
 
