@@ -153,9 +153,8 @@ std::shared_ptr<UnitFields const> unit_fields(FourierSolid const& solid, Support
     return kept_or_made<UnitFields>(depends_on, [&] {
         Eigen::MatrixXd const shares = station_shares(solid, stations);
         UnitFields result{harmonics, std::vector<Eigen::MatrixXd>(harmonics.size())};
-        for_each_harmonic(
-            solid, supports, harmonics, threads,
-            [&](std::size_t i, HarmonicSolver const& solve) { result.moved[i] = solve(shares); });
+        for_each_harmonic(solid, supports, harmonics, threads,
+                          [&](std::size_t i, HarmonicSolver const& solve) { result.moved[i] = solve(shares); });
         return result;
     });
 }

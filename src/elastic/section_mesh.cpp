@@ -277,12 +277,6 @@ SectionPoint wall_point(SectionMesh const& mesh, double z, double depth)
             std::clamp(2 * (z - bottom) / (top - bottom) - 1, -1.0, 1.0)};
 }
 
-MeshSize mesh_size(double radius)
-{
-    constexpr double along = 1.0 / 48, across = 1.0 / 24;  // 0.5 mm and 1 mm at 24 mm
-    return {along * radius, across * radius};
-}
-
 MeshSize contact_mesh_size(double inner_radius, double bearing_width, int across)
 {
     MeshSize size = mesh_size(inner_radius);

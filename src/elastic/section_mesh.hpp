@@ -86,7 +86,10 @@ struct MeshSize
 
 /// Standard size for a body whose surface has this radius [mm]: so cups of one form have the same elements whatever
 /// their size. The default section gets 40 elements and 609 unknowns per harmonic.
-[[nodiscard]] MeshSize mesh_size(double radius);
+[[nodiscard]] inline MeshSize mesh_size(double radius)
+{
+    return {radius / 48, radius / 24};
+}
 
 /// Mesh of the cup. @throws NumericalError when the dimensions contradict each other
 [[nodiscard]] SectionMesh section_mesh(CupSection const& cup, MeshSize const& size);

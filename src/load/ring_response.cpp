@@ -73,8 +73,8 @@ PointResponse::PointResponse(std::vector<RingStation> stations, std::vector<Harm
                          back = mixed ? -there : 1, mirror = mixed ? -1 : 1;
             for (Eigen::Index j = 0; j < value.cols(); ++j) {
                 std::size_t const b = partners[static_cast<std::size_t>(j)];
-                double *const to = table_.data() + (a * count + b) * points,
-                              *const from = table_.data() + (b * count + a) * points;
+                double *const to = table_.data() + (a * count + b) * points, *const from = table_.data() +
+                                                                                           (b * count + a) * points;
                 for (Eigen::Index i = 0; i < half; ++i) {
                     Eigen::Index const opposite = (grid - i) % grid;
                     to[opposite] = mirror * there * value(i, j);

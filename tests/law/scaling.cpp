@@ -19,9 +19,8 @@ namespace {
 /// The scene with all of its lengths @p size times as large, the tolerance too.
 std::string scaled(std::string const& scene, double size)
 {
-    static std::set<std::string> const no_lengths{"flexspline_teeth", "circular_spline_teeth", "youngs_modulus",
-                                                  "poissons_ratio",   "waves",                 "balls",
-                                                  "count"};
+    static std::set<std::string> const no_lengths{
+        "flexspline_teeth", "circular_spline_teeth", "youngs_modulus", "poissons_ratio", "waves", "balls", "count"};
     std::istringstream lines(scene + fmt::format("[solver]\ntolerance = {}\n", 1e-6));
     std::string result;
     for (std::string line; std::getline(lines, line); result += line + "\n") {

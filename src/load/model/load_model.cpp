@@ -109,8 +109,7 @@ LoadModel load_model(contact::ContactContext const& context, LoadGrid const& res
     double const middle = placed.bearing.middle;
     elastic::MeshSize const size =
         elastic::contact_mesh_size(section.inner_radius, placed.bearing.width, resolution.circles);
-    elastic::FourierSolid solid(
-        elastic::section_mesh(section, elastic::in_layers(size, section, resolution.layers)));
+    elastic::FourierSolid solid(elastic::section_mesh(section, elastic::in_layers(size, section, resolution.layers)));
 
     std::vector<double> z;
     for (std::size_t const k : resolution.slices)

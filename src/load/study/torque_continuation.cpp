@@ -6,15 +6,14 @@
 #include <limits>
 #include <numbers>
 #include <string>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "anderson_mixing.hpp"
 #include "base/text.hpp"
-#include "hdconj/base/parallel.hpp"
 #include "hdconj/error.hpp"
 #include "hdconj/units.hpp"
+#include "linearisation.hpp"
 #include "load/elastic_drive.hpp"
 #include "search_reach.hpp"
 
@@ -24,11 +23,9 @@ namespace {
 /// Settings of one attempt to converge.
 struct Attempt
 {
-    double depth;      ///< of the strips, as a multiple of the standard one
+    ContactChoice choice;
     int first_mixing;  ///< iteration from which on forces are mixed: by then the contacts have been found
     int most_iterations;
-    bool hold = false;        ///< loaded contacts stay where their minimum of the gap vanishes
-    bool wide_edges = false;  ///< of FlankSearch
 };
 
 /// Where two strips of a flank are about to merge, or one of two minima to vanish, the iteration alternates between one
@@ -36,18 +33,17 @@ struct Attempt
 /// equilibrium for ever; without it the next stable one is reached. Where the gap hardly changes between an edge and
 /// the flank beside it, the least gap jumps from one to the other; the middle of the strip does not. Where a flank fits
 /// over a long stretch with two minima, strips that are narrow enough make two contacts of them.
-constexpr Attempt attempts[] = {{1, 3, 25},
-                                {0.5, 3, 25},
-                                {1, 3, 40, true},
-                                {1, 40, 60},
-                                {2, 3, 25},
-                                {0.25, 3, 25},
-                                {0.5, 3, 40, true},
-                                {1, 3, 40, false, true},
-                                {0.5, 3, 40, true, true},
-                                {0x1p-4, 3, 40},
-                                {0x1p-6, 3, 40}};
-constexpr Attempt const& standard = attempts[0];
+constexpr Attempt attempts[] = {{{1}, 3, 25},
+                                {{0.5}, 3, 25},
+                                {{1, true}, 3, 40},
+                                {{1}, 40, 60},
+                                {{2}, 3, 25},
+                                {{0.25}, 3, 25},
+                                {{0.5, true}, 3, 40},
+                                {{1, false, true}, 3, 40},
+                                {{0.5, true, true}, 3, 40},
+                                {{0x1p-4}, 3, 40},
+                                {{0x1p-6}, 3, 40}};
 
 std::string place_of(double torque)
 {
@@ -65,99 +61,6 @@ void at_torque(double torque, Body const& body)
             throw;
         throw error.inside("load", place_of(torque));
     }
-}
-
-auto flank_of(FlankContact const& c)
-{
-    return std::tuple(c.space, c.flank, c.slice);
-}
-
-/// Forces of the contacts @p before, each given to the nearest of the contacts @p now on the same flank.
-std::vector<double> carried_over(std::vector<FlankContact> const& before, std::vector<double> const& force,
-                                 std::vector<FlankContact> const& now)
-{
-    std::vector<double> result(now.size(), 0);
-    for (std::size_t i = 0; i < before.size(); ++i) {
-        if (!(force[i] > 0))
-            continue;
-        auto const first = std::lower_bound(now.begin(), now.end(), before[i],
-                                            [](auto const& a, auto const& b) { return flank_of(a) < flank_of(b); });
-        auto const distance = [&](FlankContact const& c) { return std::abs(c.arc_length - before[i].arc_length); };
-        auto best = now.end();
-        for (auto c = first; c != now.end() && flank_of(*c) == flank_of(before[i]); ++c)
-            if (best == now.end() || distance(*c) < distance(*best))
-                best = c;
-        if (best != now.end())
-            result[static_cast<std::size_t>(best - now.begin())] += force[i];
-    }
-    return result;
-}
-
-/// The linear model about a shape, and the forces of the iteration before at its contacts.
-struct Linearisation
-{
-    LinearGaps gaps;  ///< without displacements
-    std::vector<double> force;
-};
-
-FlankSearch search_of(LoadProblem const& problem, Attempt const& attempt, double turn, double limit)
-{
-    FlankSearch search = flank_search(problem, turn, limit, attempt.depth);
-    search.wide_edges = attempt.wide_edges;
-    return search;
-}
-
-Linearisation linearised(LoadProblem const& problem, LoadedDrive const& now, Attempt const& attempt, SearchReach& reach)
-{
-    Linearisation result;
-    LinearGaps& gaps = result.gaps;
-    gaps.turn = now.state.turn;
-    contact::GapField const field = gap_field(problem, now.shape, problem.edges);
-    FlankSearch const search = search_of(problem, attempt, gaps.turn, reach.limit);
-    gaps.contacts = flank_contacts(field, search, problem.context.threads, &reach.known);
-    if (attempt.hold)
-        hold_contacts(field, search, now.contacts, now.state.flank, gaps.contacts);
-    result.force = carried_over(now.contacts, now.state.flank, gaps.contacts);
-    gaps.compliance = local_compliance(problem.drive, gaps.contacts, result.force);
-    return result;
-}
-
-/// Goes back to the linear model that the forces of @p now were solved for, where it is known, and else linearises.
-Linearisation first_linearised(LoadProblem const& problem, LoadedDrive& now, Attempt const& attempt, SearchReach& reach)
-{
-    std::optional<SearchReach> found = std::exchange(now.found, std::nullopt);
-    if (!found || &attempt != &standard)
-        return linearised(problem, now, attempt, reach);
-    reach = *std::move(found);
-    now.shape = reach.shape;
-    Linearisation result{{now.contacts, {}, {}, reach.turn}, now.state.flank};
-    result.gaps.compliance = local_compliance(problem.drive, result.gaps.contacts, result.force);
-    return result;
-}
-
-/// Largest difference between the gaps of the shape and those that the forces were solved for [mm].
-double mismatch_of(Linearisation const& at)
-{
-    std::vector<double> const approach = at.gaps.compliance(at.force);
-    double worst = 0;
-    for (std::size_t i = 0; i < at.force.size(); ++i) {
-        double const gap = at.gaps.contacts[i].gap + approach[i];
-        worst = std::max(worst, at.force[i] > 0 ? std::abs(gap) : -gap);
-    }
-    return worst;
-}
-
-/// Solves the linear model at @p torque; the forces of @p at are its start.
-Equilibrium solved_linear(LoadProblem const& problem, LoadedDrive const& now, double torque, Linearisation& at)
-{
-    Equilibrium guess = now.state;
-    guess.flank = at.force;
-    at.gaps.displacement.resize(at.gaps.contacts.size());
-    constexpr std::size_t grain = 64;
-    parallel_for(at.gaps.contacts.size(), problem.context.threads, grain, [&](std::size_t i) {
-        at.gaps.displacement[i] = normal_displacement(problem.drive, now.shape, at.gaps.contacts[i]);
-    });
-    return equilibrium(problem.drive, at.gaps, torque, &guess, problem.context.threads);
 }
 
 void require_within_pitch(LoadProblem const& problem, double torque, double turn)
@@ -208,14 +111,14 @@ AttemptResult attempted(LoadProblem const& problem, double torque, Attempt const
     std::vector<MixingStep> history;
     SearchReach reach = whole_reach(problem);
     for (int iteration = 0; iteration <= attempt.most_iterations; ++iteration) {
-        Linearisation at = iteration == 0 ? first_linearised(problem, now, attempt, reach)
-                                          : linearised(problem, now, attempt, reach);
+        Linearisation at = iteration == 0 ? first_linearised(problem, now, attempt.choice, reach)
+                                          : linearised(problem, now, attempt.choice, reach);
         if (iteration > 0) {
             double const mismatch = mismatch_of(at);
             if (!mixed && mismatch <= gap_tolerance(problem)) {
                 now.gap_mismatch = mismatch;
-                widen(problem, search_of(problem, attempt, reach.turn, search_limit(problem)), reach, now);
-                if (&attempt == &standard)
+                widen(problem, search_of(problem, attempt.choice, reach.turn, search_limit(problem)), reach, now);
+                if (attempt.choice == ContactChoice{})
                     now.found = std::move(reach);
                 return {std::move(now), true, mismatch};
             }
@@ -274,8 +177,7 @@ double turn_near(LoadProblem const& problem, double torque, LoadedDrive const& s
         double const before = now.state.turn;
         double at_turn = 0;
         at_torque(torque, [&] {
-            Linearisation at = i == 0 ? first_linearised(problem, now, standard, reach)
-                                      : linearised(problem, now, standard, reach);
+            Linearisation at = i == 0 ? first_linearised(problem, now, {}, reach) : linearised(problem, now, {}, reach);
             at_turn = at.gaps.turn;
             solve_forces(problem, torque, at, now);
         });

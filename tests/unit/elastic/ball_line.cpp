@@ -81,14 +81,15 @@ TEST_CASE("a loose ring is that of balls as contacts of a free ring", "[balls]")
         elastic::Bearing const bearing = bearing_with_ring(oversize);
         auto const contact = solved_on_wall(bearing, cosine_series(angles));
         double const apart = bearing.width / (across - 1);
-        elastic::FourierSolid const cup(elastic::section_mesh({}, elastic::contact_mesh_size(24, bearing.width, across)));
+        elastic::FourierSolid const cup(
+            elastic::section_mesh({}, elastic::contact_mesh_size(24, bearing.width, across)));
         std::vector<elastic::InfluencePoint> wall;
         for (double const phi : contact.phi)
             for (std::size_t j = 0; j < contact.z.size(); ++j)
                 wall.push_back({j, phi});
         numeric::Complementarity both =
-            free_ring(cup, bearing, inner_radius, std::min(elastic::mesh_size(inner_radius).along, 1.5 * apart), contact.z, wall,
-                      contact.phi, elastic::harmonics_of(2, angles), {2, true});
+            free_ring(cup, bearing, inner_radius, std::min(elastic::mesh_size(inner_radius).along, 1.5 * apart),
+                      contact.z, wall, contact.phi, elastic::harmonics_of(2, angles), {2, true});
         auto const rows = static_cast<Index>(wall.size()), points = static_cast<Index>(contact.phi.size());
         for (Index m = 0; m < points; ++m)
             both.approach[rows + m] = 0.25 * std::cos(2 * contact.phi[static_cast<std::size_t>(m)]) + oversize;

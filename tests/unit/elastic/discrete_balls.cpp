@@ -114,8 +114,8 @@ TEST_CASE("single balls are forces on a free ring", "[balls]")
                 drive.on(discrete_balls(drive.surface, sectors, drive.contacts, phi, stiffness));
 
             numeric::Complementarity both =
-                free_ring(drive.cup, ring(0), inner_radius, elastic::mesh_size(inner_radius).along, drive.z, drive.wall, phi,
-                          elastic::harmonics_of(sectors, sectors * (terms - 1)), {sectors, false});
+                free_ring(drive.cup, ring(0), inner_radius, elastic::mesh_size(inner_radius).along, drive.z, drive.wall,
+                          phi, elastic::harmonics_of(sectors, sectors * (terms - 1)), {sectors, false});
             auto const rows = static_cast<Index>(drive.wall.size()), points = static_cast<Index>(phi.size());
             for (Index m = 0; m < points; ++m) {
                 both.approach[rows + m] = amplitude * std::cos(2 * phi[static_cast<std::size_t>(m)]) - 0.004;
